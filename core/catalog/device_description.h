@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/capabilities.h"
+#include "encoder/parameter.h"
+#include "encoder/refusal.h"
+#include "words/k3_explain.h"
+
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace codewheel {
+
+enum class Profile : std::uint8_t { k1, k2, k3 };
+
+// A value with a name of its own: direction 3 = "cw".
+struct Choice
+{
+    std::int64_t value = 0;
+    QString key; // language-neutral: "cw", "unsigned-ccw"
+
+    friend bool operator==(const Choice &, const Choice &) = default;
+};
+
+enum class Unit : std::uint8_t { none, steps, revolutions, tenMinutes, tenthDegreeCelsius };
+
+struct ParameterDescription
+{
+    Parameter parameter = Parameter::steps;
+    std::optional<unsigned> number;  // D28..D25 of the word that writes it; nothing: read only
+    std::optional<unsigned> readOut; // code of 2021000nh; nothing: cannot be read
+    std::int64_t minimum = 0;
+    std::int64_t maximum = 0;
+    std::optional<std::int64_t> factory;
+    Unit unit = Unit::none;
+    bool stored = true;          // in EEPROM
+    std::vector<Choice> choices; // empty: any value of the range
+
+    friend bool operator==(const ParameterDescription &, const ParameterDescription &) = default;
+};
+
+// An error number of IN (D28..D25) and what it is.
+struct DeviceError
+{
+    unsigned number = 0;
+    RefusalId meaning = RefusalId::otherDeviceError;
+    bool warning = false; // run is answered although the cause stays (Baumer 14)
+
+    friend bool operator==(const DeviceError &, const DeviceError &) = default;
+};
+
+// Where this make differs from the profile.
+struct Quirks
+{
+    bool confirmsWhileProcessing = false; // FRABA: the number at once; Baumer: the previous number first
+    bool presetNeedsRearming = false;     // FRABA: a programmed preset can be activated once
+    bool mayCountStepsMinusOne = false;   // FRABA: flag_mt_stepsm1
+    bool hasModes = false;                // FRABA: velocity and cam mode
+
+    friend bool operator==(const Quirks &, const Quirks &) = default;
+};
+
+// One kind of encoder, as its JSON file in resources/devices describes it.
+struct DeviceDescription
+{
+    QString key;    // "fraba-ocd-ib"
+    QString vendor; // "FRABA"
+    QString name;   // "OCD-IB K3"
+    QString manual; // the source, with edition
+    Profile profile = Profile::k3;
+    k3::Dialect dialect = k3::Dialect::generic;
+    unsigned idCode = 0;     // 37h
+    unsigned deviceCode = 0; // 0237h = length code << 8 | ID code
+    int inWords = 2;         // 16 bit each
+    int outWords = 2;
+    int physicalStepsPerTurn = 0;
+    int physicalTurns = 0;
+    std::vector<ParameterDescription> parameters;
+    std::vector<DeviceError> errors;
+    Capabilities capabilities;
+    Quirks quirks;
+
+    const ParameterDescription *find(Parameter parameter) const;
+    const ParameterDescription *findNumber(unsigned number) const;
+    const DeviceError *findError(unsigned number) const;
+    QString fullName() const { return vendor + u' ' + name; }
+
+    friend bool operator==(const DeviceDescription &, const DeviceDescription &) = default;
+};
+
+} // namespace codewheel

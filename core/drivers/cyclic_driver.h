@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/event.h"
+
+namespace codewheel {
+
+// How one kind of cyclic device is driven: a state machine from words to jobs and back. Does no I/O and asks
+// no clock; the same object runs under the simulator, a gateway, a table of words in a test and a fuzzer. Bus
+// thread only.
+class CyclicDriver
+{
+public:
+    virtual ~CyclicDriver() = default;
+
+    virtual const Reading &reading() const = 0;
+    virtual bool busy() const = 0;
+
+    // What is known of the encoder from elsewhere (told, or known from before), so that positions can be
+    // decoded.
+    virtual void setKnown(const std::vector<Known> &known) = 0;
+
+    // Takes the job or says why not; nothing is sent before the next cycle. `in` and `out` are the words of
+    // the last one.
+    virtual Result<void> begin(JobId id, const Job &job, Pace pace, Word in, Word out, Instant now) = 0;
+    virtual void proceed() = 0; // Pace::byHand: send the next word
+    virtual void cancel(OnCancel how, Instant now) = 0;
+    virtual void stop(RefusalId why,
+                      Instant now) = 0; // ALARM STOP, bus stopped: the job ends where it stands
+
+    // Once per bus cycle: `in` came in while `out` stood on the bus. Answers what OUT shall be in the next
+    // cycle, equal to `out` when no job wants it otherwise.
+    virtual Word cycle(Word in, Word out, Instant now) = 0;
+
+    // What happened since the last call, oldest first.
+    virtual std::vector<Event> takeEvents() = 0;
+};
+
+} // namespace codewheel

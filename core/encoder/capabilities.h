@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+namespace codewheel {
+
+// What a kind of encoder can do, as its description says. Views ask this, never the make.
+struct Capabilities
+{
+    bool reads = false;   // parameters can be read out
+    bool writes = false;  // parameters can be written
+    bool presets = false; // the position can be set
+    bool cams = false;
+    bool serialNumber = false;        // can be read
+    bool readingHidesPosition = true; // reading sends words and takes the position away for some cycles
+    bool presetIsStored = false;      // the initialised preset survives power-off without another write
+    bool hasBattery = false;
+    std::optional<int> eepromBudget; // writes the manual states; nothing where it is silent
+
+    friend bool operator==(const Capabilities &, const Capabilities &) = default;
+};
+
+} // namespace codewheel

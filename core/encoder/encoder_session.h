@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/capabilities.h"
+#include "encoder/device_number.h"
+#include "encoder/event.h"
+
+#include <QObject>
+
+#include <optional>
+
+namespace codewheel {
+
+struct DeviceDescription;
+
+// The meaning of one encoder, whatever bus it is on: what it can do, what is known of it, what it shows, and
+// the jobs it is given. Views talk to this and to nothing below. Lives in the thread of the window (or of the
+// command line).
+class EncoderSession : public QObject
+{
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    virtual DeviceNumber number() const = 0;
+    virtual const DeviceDescription &device() const = 0;
+    virtual const Capabilities &can() const = 0;
+
+    virtual const Reading &latest() const = 0;
+    virtual std::optional<Known> known(Parameter parameter) const = 0;
+    // The user says what the encoder has, e.g. from its papers.
+    virtual void tell(Parameter parameter, std::optional<std::int64_t> value) = 0;
+
+    // At most one job at a time. The answer is only whether it was taken; how it ended comes with finished().
+    virtual Result<JobId> start(const Job &job, Pace pace = Pace::byItself) = 0;
+    virtual std::optional<JobId> runningJob() const = 0;
+    virtual void proceed() = 0;
+    virtual void cancel(OnCancel how) = 0;
+
+    // EEPROM writes by this program since this session began.
+    virtual int eepromWrites() const = 0;
+
+Q_SIGNALS:
+    void latestChanged();
+    void knownChanged();
+    void jobStarted(codewheel::JobId job);
+    void progressed(const codewheel::Progress &progress);
+    void finished(const codewheel::Outcome &outcome);
+    void exchanged(const codewheel::Exchange &row);
+};
+
+} // namespace codewheel

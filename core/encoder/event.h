@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/exchange.h"
+#include "encoder/job.h"
+#include "encoder/known.h"
+#include "encoder/reading.h"
+#include "encoder/refusal.h"
+
+#include <variant>
+#include <vector>
+
+namespace codewheel {
+
+// What one step of a job is about; decides its line in the wizard.
+enum class StepKind : std::uint8_t { toNormal, parameter, run, initialisePreset, readOut, endReadOut, word };
+
+struct Step
+{
+    StepKind kind = StepKind::word;
+    Word out = 0;                       // the word this step puts into OUT
+    std::optional<Parameter> parameter; // parameter and readOut steps, where the description names it
+
+    friend bool operator==(const Step &, const Step &) = default;
+};
+
+// Sent when a step begins, is waited for, or is done.
+struct Progress
+{
+    JobId job = 0;
+    int index = 0;             // of the step, from 0
+    std::vector<Step> steps;   // all that is planned by now
+    bool waitsForUser = false; // Pace::byHand: steps[index] will be sent by proceed()
+    ParameterValues confirmed; // what the encoder has taken so far, not yet active
+    bool canRestore = false;   // the values from before are known for all that was confirmed
+};
+
+struct Outcome
+{
+    JobId job = 0;
+    Result<void> result;
+    int eepromWrites = 0; // counted as the device counts them
+    EncoderState leftIn = EncoderState::notSeen;
+    ParameterValues written;                    // confirmed and activated by run
+    ParameterValues alreadyThere;               // left out, because read and equal
+    std::vector<Known> known;                   // read, or echoed and run: what is known now
+    std::vector<Parameter> noLongerKnown;       // confirmed, but not active or not sure
+    std::optional<std::int64_t> positionBefore; // steps; SetPreset
+    std::optional<std::int64_t> positionAfter;
+};
+
+using Event = std::variant<Progress, Outcome>;
+
+} // namespace codewheel

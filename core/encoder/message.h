@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/device_number.h"
+#include "encoder/instant.h"
+#include "encoder/refusal.h"
+
+#include <optional>
+
+namespace codewheel {
+
+enum class Severity : std::uint8_t { information, attention, fault };
+
+// What is told to the user as it happens. Kept as code and arguments, so that the language can change; the
+// sentence is made by encoder/message_text.h. The arguments of each stand beside it.
+enum class MessageId : std::uint8_t {
+    refused,           // Message::refusal says it
+    busStarted,        //
+    busStopped,        //
+    alarmStop,         // all OUT words set to 0
+    operateOn,         // writing is allowed
+    watchOn,           // nothing is sent any more
+    wordWritten,       // Word
+    parametersWritten, // number of parameters, EEPROM writes, texts "Steps = 255" joined
+    parametersRead,    // number of parameters
+    presetDone,        // position before, position after (either may be missing as QString())
+    wordsSent,         // number of words
+    broughtBack,       // the encoder is in operation again
+    leftInParameterization,
+    deviceFault,     // error number, Word IN
+    deviceFaultGone, //
+    valuesForgotten, // an encoder was powered up again: what is known may not hold
+    lateCycles,      // number since the last message
+    training,        // text of what the trainer did (QString)
+};
+
+struct Message
+{
+    Instant at{};
+    std::optional<DeviceNumber> place;
+    Severity severity = Severity::information;
+    MessageId id = MessageId::refused;
+    std::vector<RefusalArgument> arguments;
+    std::optional<Refusal> refusal; // with MessageId::refused
+
+    friend bool operator==(const Message &, const Message &) = default;
+};
+
+} // namespace codewheel

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace codewheel {
+
+// The vocabulary of encoder parameters and read-only values, over all makes. Which of them a device has, with
+// what number, range and unit, is said by its description (catalog/).
+enum class Parameter : std::uint8_t {
+    steps,
+    revolutions,
+    direction,
+    coding,
+    preset,
+    zeroOffset,
+    offset,
+    measuringRange,
+    // read only
+    serialNumber,
+    presetFlag,
+    softwareVersion,
+    operatingTime,
+    startUpMode,
+    multiTurnAndStepsMinusOne,
+    temperature,
+};
+
+// The language-neutral name used at the command line, in JSON and in device descriptions: "steps",
+// "zero-offset".
+QString parameterKey(Parameter parameter);
+std::optional<Parameter> parameterFromKey(QStringView key);
+std::span<const Parameter> allParameters();
+
+// The name in the user's language: "Steps", "Zero offset".
+QString parameterName(Parameter parameter);
+
+struct ParameterValue
+{
+    Parameter parameter = Parameter::steps;
+    std::int64_t value = 0; // as the encoder is told it, e.g. direction 3 = CW; steps never "minus 1"
+
+    friend bool operator==(const ParameterValue &, const ParameterValue &) = default;
+};
+using ParameterValues = std::vector<ParameterValue>;
+
+std::optional<std::int64_t> valueOf(const ParameterValues &values, Parameter parameter);
+
+} // namespace codewheel

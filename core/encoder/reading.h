@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/instant.h"
+#include "words/k3_explain.h"
+
+#include <optional>
+
+namespace codewheel {
+
+enum class EncoderState : std::uint8_t {
+    notSeen, // no exchange yet
+    operation,
+    parameterization,
+    readOut, // a read-out value or the self test stands in IN
+    error,
+    unknown, // D31 D30 = 01: in no manual
+};
+
+// What the encoder shows in one cycle. position is nothing while IN holds none, or while its coding is not
+// known.
+struct Reading
+{
+    Instant at{};
+    EncoderState state = EncoderState::notSeen;
+    Word in = 0;
+    std::optional<std::int64_t> position; // steps, as parameterized
+    std::optional<Mode> mode;             // nothing: not known
+    std::optional<PositionCoding> coding; // nothing: not known
+    std::optional<unsigned> errorNumber;  // while state is error
+
+    friend bool operator==(const Reading &, const Reading &) = default;
+};
+
+} // namespace codewheel

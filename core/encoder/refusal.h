@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/parameter.h"
+#include "words/k3_word.h"
+
+#include <QString>
+
+#include <tl/expected.hpp>
+#include <variant>
+#include <vector>
+
+namespace codewheel {
+
+// Who is to blame, coarsely: decides the icon in the window and the exit code at the command line.
+enum class RefusalKind : std::uint8_t {
+    badInput,     // the user's input (exit 2)
+    notSupported, // the encoder cannot do this (exit 1)
+    busy,         // another job holds the word (exit 1)
+    device,       // the encoder refused, or did not answer (exit 1)
+    link,         // bus or link (exit 1)
+    stopped,      // the user or ALARM STOP ended it (exit 1)
+};
+
+// Why something was refused. The sentence is made where it is shown (encoder/refusal_text.h). The arguments
+// of each stand beside it.
+enum class RefusalId : std::uint8_t {
+    // badInput
+    valueOutOfRange,      // Parameter, value, minimum, maximum
+    valueNotAllowed,      // Parameter, text, allowed texts
+    parameterGivenTwice,  // Parameter
+    parameterReadOnly,    // Parameter, device name
+    nothingToDo,          //
+    unknownDevice,        // place, places there are
+    totalRangeTooLarge,   // total range, largest
+    tooManyStepsPerTurn,  // steps, revolutions, physical steps per turn
+    valueAboveTotalRange, // Parameter, value, largest
+    // notSupported
+    parameterNotSupported, // Parameter, device name
+    readingNotSupported,   // device name
+    writingNotSupported,   // device name
+    presetNotSupported,    // device name
+    modeNotKnown,          // Word: what the word would do in cam mode
+    // busy
+    jobRunning,         // place
+    wordHeldByJob,      // place
+    watchOnly,          // place
+    notRunning,         // place: the bus is stopped
+    inParameterization, // Word IN: found so, and not by this job
+    // device
+    wrongParameterData,     // error 1: Parameter or number, Word IN; more than one where it came late
+    unknownParameterNumber, // error 2
+    parametersLost,         // error 3
+    eepromStoreError,       // Baumer 13
+    batteryLow,             // Baumer 14
+    codeDiscFault,          // Baumer 15
+    readOutUnknown,         // A4xxxxxx: code, Word IN
+    manufacturerError,      // 980000xx: code, Word IN
+    noValidPosition,        // 80000000
+    otherDeviceError,       // number, Word IN
+    noAnswer,               // seconds, Word OUT, Word IN
+    verificationFailed,     // Parameter, wanted, read
+    unknownState,           // Word IN
+    // link
+    linkFailed, // text of the link
+    // stopped
+    cancelled,  //
+    alarmStop,  //
+    busStopped, //
+};
+
+using RefusalArgument =
+    std::variant<std::int64_t, double, Word, Parameter, QString>; // a Word is shown as hex
+
+struct Refusal
+{
+    RefusalKind kind = RefusalKind::badInput;
+    RefusalId id = RefusalId::nothingToDo;
+    std::vector<RefusalArgument> arguments;
+
+    friend bool operator==(const Refusal &, const Refusal &) = default;
+};
+
+template <typename T>
+using Result = tl::expected<T, Refusal>;
+
+inline tl::unexpected<Refusal> refuse(RefusalKind kind, RefusalId id,
+                                      std::vector<RefusalArgument> arguments = {})
+{
+    return tl::unexpected(Refusal{kind, id, std::move(arguments)});
+}
+
+} // namespace codewheel

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+#include "encoder/message.h"
+#include "ring/participant.h"
+#include "ring/process_data_link.h"
+#include "ring/snapshot.h"
+
+#include <QDateTime>
+#include <QObject>
+
+#include <memory>
+#include <vector>
+
+namespace codewheel {
+
+class Catalog;
+class RingRunner;
+class WordChannel;
+
+// A connected ring as the window and the command line see it: owns link, runner, thread, encoder sessions and
+// word channels. All of it lives in the caller's thread; the bus thread is hidden behind pump().
+class BusSession : public QObject
+{
+    Q_OBJECT
+
+public:
+    enum class Start { watching, operating };
+
+    // The catalog must outlive the session. `begin` is the date and time that Instant 0 stands for.
+    BusSession(std::unique_ptr<ProcessDataLink> link, const Catalog &catalog, QDateTime begin,
+               QObject *parent = nullptr);
+    ~BusSession() override;
+
+    // Connects, finds the participants, makes sessions and channels; the bus is in RUN afterwards. Sends
+    // nothing.
+    Result<void> open(Start start);
+    // Ends the thread and closes the link. Jobs end as stopped.
+    void close();
+
+    // Cycles by a thread of its own, on absolute deadlines ...
+    void startThread(std::chrono::nanoseconds period);
+    // ... or by hand in virtual time: each cycle is 1 ms later than the one before. Pumps afterwards.
+    void advance(int cycles);
+    // Takes what came from the bus since the last call and emits it. The window calls this 30 times a second.
+    void pump();
+
+    const RingStructure &structure() const;
+    std::vector<DeviceNumber> numbers() const;
+    EncoderSession *encoder(DeviceNumber number) const; // null: no driver for it, or no such device
+    WordChannel *channel(DeviceNumber number) const;    // null: no such device
+
+    const Snapshot &latest() const;
+    bool isOperating() const;
+    bool isRunning() const; // RUN
+    // Devices whose OUT is not 00000000, to be named on stop, disconnect and quit.
+    std::vector<DeviceNumber> devicesWithOut() const;
+    QDateTime dateTime(Instant at) const;
+
+    void startBus();
+    void stopBus();
+    void setOperate(bool on);
+    // All OUT words of the whole ring to 0; jobs end as stopped. From every state, at once.
+    void alarmStop();
+    void zeroOut(DeviceNumber number);
+
+Q_SIGNALS:
+    void updated();      // a new snapshot; at most once per pump
+    void stateChanged(); // master state or Watch / Operate
+    void messaged(const codewheel::Message &message);
+
+private:
+    friend class WordChannel;
+    friend class RingEncoderSession;
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace codewheel

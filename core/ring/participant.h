@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/device_number.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace codewheel {
+
+// One device of the ring, as the master finds it (ID register) and as the plan names it. The vendor is not in
+// the ID code: without a plan, deviceKey is empty and the make is not known.
+struct Participant
+{
+    DeviceNumber number;
+    unsigned idCode = 0;     // 37h
+    unsigned deviceCode = 0; // length code << 8 | ID code: 0237h
+    int inWords = 0;         // 16 bit each
+    int outWords = 0;
+    QString deviceKey; // catalog key, empty where the make is not known
+
+    friend bool operator==(const Participant &, const Participant &) = default;
+};
+using RingStructure = std::vector<Participant>;
+
+} // namespace codewheel

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/refusal.h"
+#include "ring/participant.h"
+
+#include <span>
+
+namespace codewheel {
+
+// The contract of a link to a ring: one exchange of all process data is one bus cycle. Blocking, bounded by
+// the link's time-out; used by one thread, interrupt() by any. Words stand in ring order, one 32-bit word per
+// device and direction (0 where a device has none).
+class ProcessDataLink
+{
+public:
+    virtual ~ProcessDataLink() = default;
+
+    // Connects and finds the participants. Writes nothing to the peer.
+    virtual Result<RingStructure> open() = 0;
+    virtual void close() = 0;
+    // The OUT words as they stand on the peer now, to show them on connect.
+    virtual Result<std::vector<Word>> readBackOut() = 0;
+    // One cycle: out goes out, in is what came in during the same cycle (not yet the answer to out).
+    virtual Result<void> exchange(std::span<const Word> out, std::span<Word> in) = 0;
+    // Ends a blocking call early with a refusal. Any thread.
+    virtual void interrupt() = 0;
+};
+
+} // namespace codewheel

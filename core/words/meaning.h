@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace codewheel {
+
+// What a process-data word can mean. The sentence for it is made where it is shown (encoder/meaning_text.h);
+// meaningKey() gives the language-neutral name that JSON uses.
+enum class MeaningId : std::uint8_t {
+    // OUT, K3
+    normalRunning,      // 00000000
+    normalRunningData,  // D31..D25 = 0 with data in D24..D0: number[0] = data
+    run,                // 80000000
+    runIgnoresRest,     // D31 = 1 with other bits: number[0] = the rest
+    initialisePreset,   // 40000000
+    frabaPreset,        // 60000000
+    parameterRequest,   // "parameter n = value": number[0] = number, number[1] = value
+    resetToDefault,     // 0E000000
+    velocityOn,         // 20400001
+    velocityOff,        // 20400000
+    readOutRequest,     // 2021000n: number[0] = code
+    opcRegisterRequest, // 202100xD: number[0] = register
+    camMode,            // 2080000x: number[0] = program
+    positionMode,       // 20800000
+    camConfiguration,   // 2040xxxx: number[0] = cams as bits
+    camStart,           // 4.......: number[0] = cam, number[1] = position
+    camStop,            // 6.......: number[0] = cam, number[1] = position
+    setCamShift,        // 201000xx: number[0] = shift_iw
+    camConfigurationRequest,
+    camStartRequest, // number[0] = cam
+    camStopRequest,  // number[0] = cam
+    camShiftRequest,
+    manufacturerBitIgnored, // Baumer: D29 = 1 beside a word that means number[0]
+    undefinedOut,           // no manual defines it: number[0] = word
+
+    // IN, K3
+    position,          // number[0] = value
+    signedPosition,    // number[0] = value
+    grayPosition,      // number[0] = decoded value, number[1] = Gray code
+    rawPosition,       // coding not known: number[0] = raw D24..D0
+    velocity,          // number[0] = revolutions per minute
+    cams,              // number[0] = cams as bits, number[1] = position part D24..D8
+    processing,        // C0......: number[0] = data
+    confirmed,         // number[0] = parameter, number[1] = data
+    oldConfirmation,   // as confirmed, while OUT asks for parameter number[2]
+    camConfirmation,   // an acknowledged cam word: number[0] = the word without D31, D30
+    selfTestOrReadOut, // A.......: number[0] = value
+    readOutValue,      // number[0] = code asked for, number[1] = value
+    opcRegisterValue,  // number[0] = register, number[1] = value
+    camConfigurationValue,
+    camStartValue, // number[0] = cam, number[1] = position
+    camStopValue,
+    camShiftValue,
+    readOutUnknown,    // A4......: number[0] = data
+    noValidPosition,   // 80000000
+    deviceError,       // number[0] = error number, number[1] = data
+    manufacturerError, // 980000xx: number[0] = code
+    unknownState,      // D31 D30 = 01: number[0] = word
+    undefinedIn,       // no manual defines it: number[0] = word
+};
+
+// One meaning: an id and the numbers its sentence needs.
+struct Meaning
+{
+    MeaningId id = MeaningId::undefinedIn;
+    std::array<std::int64_t, 3> number{};
+
+    friend constexpr bool operator==(const Meaning &, const Meaning &) = default;
+};
+
+// The meanings a word can have with what was told; never empty once explained. More than one where mode,
+// coding or counterpart are not known.
+class Explanation
+{
+public:
+    constexpr Explanation() = default;
+    constexpr Explanation(Meaning only) { add(only); } // NOLINT(google-explicit-constructor)
+
+    constexpr void add(Meaning meaning)
+    {
+        for (const Meaning &known : *this)
+            if (known == meaning)
+                return;
+        if (m_size < m_meanings.size())
+            m_meanings[m_size++] = meaning;
+    }
+    constexpr std::size_t size() const { return m_size; }
+    constexpr bool isUnique() const { return m_size == 1; }
+    constexpr const Meaning &first() const { return m_meanings.front(); }
+    constexpr const Meaning *begin() const { return m_meanings.data(); }
+    constexpr const Meaning *end() const { return m_meanings.data() + m_size; }
+
+    friend constexpr bool operator==(const Explanation &a, const Explanation &b)
+    {
+        if (a.m_size != b.m_size)
+            return false;
+        for (std::size_t i = 0; i < a.m_size; ++i)
+            if (!(a.m_meanings[i] == b.m_meanings[i]))
+                return false;
+        return true;
+    }
+
+private:
+    std::array<Meaning, 4> m_meanings{};
+    std::size_t m_size = 0;
+};
+
+} // namespace codewheel
