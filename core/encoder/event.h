@@ -49,6 +49,13 @@ struct Outcome
     std::optional<std::int64_t> positionAfter;
 };
 
-using Event = std::variant<Progress, Outcome>;
+// What is known of the encoder changed, by whatever was sent to it: a job, or words of the monitor.
+struct KnowledgeChanged
+{
+    std::vector<Known> known;
+    std::vector<Parameter> noLongerKnown;
+};
+
+using Event = std::variant<Progress, Outcome, KnowledgeChanged>;
 
 } // namespace codewheel
