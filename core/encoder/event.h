@@ -43,8 +43,6 @@ struct Outcome
     EncoderState leftIn = EncoderState::notSeen;
     ParameterValues written;                    // confirmed and activated by run
     ParameterValues alreadyThere;               // left out, because read and equal
-    std::vector<Known> known;                   // read, or echoed and run: what is known now
-    std::vector<Parameter> noLongerKnown;       // confirmed, but not active or not sure
     std::optional<std::int64_t> positionBefore; // steps; SetPreset
     std::optional<std::int64_t> positionAfter;
 };
