@@ -38,6 +38,9 @@ struct ParameterDescription
     bool stored = true;          // in EEPROM
     std::vector<Choice> choices; // empty: any value of the range
 
+    const Choice *findChoice(std::int64_t value) const;
+    const Choice *findChoice(QStringView key) const;
+
     friend bool operator==(const ParameterDescription &, const ParameterDescription &) = default;
 };
 
@@ -66,26 +69,32 @@ struct Quirks
 struct DeviceDescription
 {
     QString key;    // "fraba-ocd-ib"
-    QString vendor; // "FRABA"
+    QString vendor; // "FRABA"; empty for a generic description
     QString name;   // "OCD-IB K3"
     QString manual; // the source, with edition
+    QString notes;  // what is assumed where the manual is silent; may be empty
     Profile profile = Profile::k3;
     k3::Dialect dialect = k3::Dialect::generic;
     unsigned idCode = 0;     // 37h
     unsigned deviceCode = 0; // 0237h = length code << 8 | ID code
     int inWords = 2;         // 16 bit each
     int outWords = 2;
-    int physicalStepsPerTurn = 0;
-    int physicalTurns = 0;
+    int physicalStepsPerTurn = 0; // 0: not known
+    int physicalTurns = 0;        // 0: not known
     std::vector<ParameterDescription> parameters;
     std::vector<DeviceError> errors;
     Capabilities capabilities;
     Quirks quirks;
 
     const ParameterDescription *find(Parameter parameter) const;
+    // By the number of the word that writes it, D28..D25.
     const ParameterDescription *findNumber(unsigned number) const;
+    // By the code of its read-out word, 2021000nh.
+    const ParameterDescription *findReadOut(unsigned code) const;
     const DeviceError *findError(unsigned number) const;
-    QString fullName() const { return vendor + u' ' + name; }
+    bool isGeneric() const { return dialect == k3::Dialect::generic; }
+    // "FRABA OCD-IB K3"; "K3, make not known" for a generic description.
+    QString fullName() const;
 
     friend bool operator==(const DeviceDescription &, const DeviceDescription &) = default;
 };

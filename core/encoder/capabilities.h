@@ -17,6 +17,7 @@ struct Capabilities
     bool presetIsStored = false;      // the initialised preset survives power-off without another write
     bool hasBattery = false;
     std::optional<int> eepromBudget; // writes the manual states; nothing where it is silent
+    std::optional<int> eepromLimit;  // writes past which the manual guarantees nothing
 
     friend bool operator==(const Capabilities &, const Capabilities &) = default;
 };

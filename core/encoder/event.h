@@ -43,12 +43,17 @@ struct Outcome
     EncoderState leftIn = EncoderState::notSeen;
     ParameterValues written;                    // confirmed and activated by run
     ParameterValues alreadyThere;               // left out, because read and equal
-    std::vector<Known> known;                   // read, or echoed and run: what is known now
-    std::vector<Parameter> noLongerKnown;       // confirmed, but not active or not sure
     std::optional<std::int64_t> positionBefore; // steps; SetPreset
     std::optional<std::int64_t> positionAfter;
 };
 
-using Event = std::variant<Progress, Outcome>;
+// What is known of the encoder changed, by whatever was sent to it: a job, or words of the monitor.
+struct KnowledgeChanged
+{
+    std::vector<Known> known;
+    std::vector<Parameter> noLongerKnown;
+};
+
+using Event = std::variant<Progress, Outcome, KnowledgeChanged>;
 
 } // namespace codewheel

@@ -12,10 +12,12 @@ namespace codewheel {
 // Eight digits, upper case, as the manuals write them: "020000FF".
 QString hexWord(Word word);
 
-// "020000FF", "0x20000ff", "20000FFh", with spaces; at most 8 digits. Nothing for anything else.
+// "020000FF", "0x20000ff", "20000FFh", with spaces between the digits; 1 to 8 digits. Nothing for anything
+// else: no sign, not both prefix and suffix.
 std::optional<Word> parseHexWord(QStringView text);
 
-// Decimal unless "0x.." or "..h". Nothing for anything else.
+// A whole number, 0 or more: decimal, or hexadecimal as "0x.." or "..h". Spaces around it are allowed, signs
+// are not. Nothing for anything else.
 std::optional<std::int64_t> parseNumber(QStringView text);
 
 } // namespace codewheel

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/description_reader.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+constexpr NamedValue<Profile> profiles[] = {{"K1", Profile::k1}, {"K2", Profile::k2}, {"K3", Profile::k3}};
+constexpr NamedValue<k3::Dialect> dialects[] = {
+    {"generic", k3::Dialect::generic}, {"fraba", k3::Dialect::fraba}, {"baumer", k3::Dialect::baumer}};
+constexpr NamedValue<Unit> units[] = {{"none", Unit::none},
+                                      {"steps", Unit::steps},
+                                      {"revolutions", Unit::revolutions},
+                                      {"ten-minutes", Unit::tenMinutes},
+                                      {"tenth-degree-celsius", Unit::tenthDegreeCelsius}};
+constexpr NamedValue<RefusalId> errorMeanings[] = {
+    {"wrongParameterData", RefusalId::wrongParameterData},
+    {"unknownParameterNumber", RefusalId::unknownParameterNumber},
+    {"parametersLost", RefusalId::parametersLost},
+    {"eepromStoreError", RefusalId::eepromStoreError},
+    {"batteryLow", RefusalId::batteryLow},
+    {"codeDiscFault", RefusalId::codeDiscFault},
+    {"otherDeviceError", RefusalId::otherDeviceError},
+};
+
+constexpr std::int64_t highestNumber = 15; // D28..D25
+constexpr std::int64_t highestReadOut = 0xFF;
+constexpr std::int64_t mostWords = 32;
+constexpr std::int64_t mostStepsPerTurn = 1 << 25;
+constexpr std::int64_t mostTurns = 1 << 25;
+constexpr std::int64_t mostWrites = 1'000'000'000;
+
+// The rules of a description, part by part. One object a file.
+class DescriptionReader
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::DescriptionReader)
+
+public:
+    static void readIdentity(const JsonObject &json, DeviceDescription &device);
+    static void readParameters(const JsonObject &json, DeviceDescription &device);
+    static void readErrors(const JsonObject &json, DeviceDescription &device);
+    static Capabilities readCapabilities(const JsonObject &json);
+    static Quirks readQuirks(const JsonObject &json);
+
+private:
+    static Parameter readParameterName(const JsonObject &row);
+    static ParameterDescription readParameter(const JsonObject &row);
+    static void readChoices(const JsonObject &row, ParameterDescription &parameter);
+    static void checkRange(const JsonObject &row, const ParameterDescription &parameter);
+    static void refuseTaken(const JsonObject &row, const ParameterDescription &parameter,
+                            const DeviceDescription &device);
+};
+
+bool isKey(QStringView text)
+{
+    return !text.isEmpty() && std::ranges::all_of(text, [](QChar c) {
+        return (c >= u'a' && c <= u'z') || (c >= u'0' && c <= u'9') || c == u'-';
+    });
+}
+
+void DescriptionReader::readIdentity(const JsonObject &json, DeviceDescription &device)
+{
+    device.key = json.text("key");
+    if (!isKey(device.key))
+        json.report("key", tr("A key consists of the letters a to z, digits and hyphens."));
+    device.name = json.text("name");
+    device.manual = json.text("manual");
+    device.notes = json.textOr("notes", QString());
+    device.profile = json.oneOf("profile", profiles);
+    device.dialect = json.oneOf("dialect", dialects);
+    if (!device.isGeneric())
+        device.vendor = json.text("vendor");
+    else if (json.has("vendor"))
+        json.report("vendor", tr("A generic description has no vendor."));
+    device.idCode = json.hexNumber("idCode");
+    device.deviceCode = json.hexNumber("deviceCode");
+    if ((device.deviceCode & 0xFF) != device.idCode)
+        json.report("deviceCode", tr("The last two digits must be those of idCode."));
+    device.inWords = static_cast<int>(json.number("inWords", 0, mostWords));
+    device.outWords = static_cast<int>(json.number("outWords", 0, mostWords));
+    device.physicalStepsPerTurn = static_cast<int>(json.number("physicalStepsPerTurn", 0, mostStepsPerTurn));
+    device.physicalTurns = static_cast<int>(json.number("physicalTurns", 0, mostTurns));
+}
+
+Parameter DescriptionReader::readParameterName(const JsonObject &row)
+{
+    const QString name = row.text("parameter");
+    const auto parameter = parameterFromKey(name);
+    if (!parameter) {
+        QStringList known;
+        for (const Parameter each : allParameters())
+            known << parameterKey(each);
+        row.reportUnknownName("parameter", name, known);
+    }
+    return parameter.value_or(Parameter::steps);
+}
+
+void DescriptionReader::readChoices(const JsonObject &row, ParameterDescription &parameter)
+{
+    if (!row.has("choices"))
+        return;
+    for (const JsonObject &json : row.array("choices", {"value", "key"})) {
+        const Choice choice{json.number("value", parameter.minimum, parameter.maximum), json.text("key")};
+        if (!isKey(choice.key))
+            json.report("key", tr("A key consists of the letters a to z, digits and hyphens."));
+        if (parameter.findChoice(choice.value))
+            json.report("value", tr("This value stands here twice."));
+        if (parameter.findChoice(choice.key))
+            json.report("key", tr("This key stands here twice."));
+        parameter.choices.push_back(choice);
+    }
+}
+
+void DescriptionReader::checkRange(const JsonObject &row, const ParameterDescription &parameter)
+{
+    if (parameter.minimum > parameter.maximum)
+        row.report("minimum", tr("The minimum is larger than the maximum."));
+    if (!parameter.factory)
+        return;
+    if (*parameter.factory < parameter.minimum || *parameter.factory > parameter.maximum)
+        row.report("factory", tr("The factory setting is not between minimum and maximum."));
+    if (!parameter.choices.empty() && !parameter.findChoice(*parameter.factory))
+        row.report("factory", tr("The factory setting is none of the choices."));
+}
+
+std::optional<unsigned> asUnsigned(std::optional<std::int64_t> number)
+{
+    return number ? std::optional(static_cast<unsigned>(*number)) : std::nullopt;
+}
+
+ParameterDescription DescriptionReader::readParameter(const JsonObject &row)
+{
+    ParameterDescription parameter;
+    parameter.parameter = readParameterName(row);
+    parameter.number = asUnsigned(row.optionalNumber("number", 1, highestNumber));
+    parameter.readOut = asUnsigned(row.optionalNumber("readOut", 0, highestReadOut));
+    if (!parameter.number && !parameter.readOut)
+        row.report("number",
+                   tr("A parameter needs a number to write it, a readOut code to read it, or both."));
+    parameter.minimum = row.number("minimum");
+    parameter.maximum = row.number("maximum");
+    parameter.factory = row.optionalNumber("factory");
+    parameter.unit = row.has("unit") ? row.oneOf("unit", units) : Unit::none;
+    parameter.stored = row.flagOr("stored", parameter.number.has_value());
+    if (parameter.minimum <= parameter.maximum)
+        readChoices(row, parameter);
+    checkRange(row, parameter);
+    return parameter;
+}
+
+void DescriptionReader::refuseTaken(const JsonObject &row, const ParameterDescription &parameter,
+                                    const DeviceDescription &device)
+{
+    if (device.find(parameter.parameter))
+        row.report("parameter", tr("This parameter stands here twice."));
+    if (parameter.number && device.findNumber(*parameter.number))
+        row.report("number", tr("This number stands here twice."));
+    if (parameter.readOut && device.findReadOut(*parameter.readOut))
+        row.report("readOut", tr("This readOut code stands here twice."));
+}
+
+void DescriptionReader::readParameters(const JsonObject &json, DeviceDescription &device)
+{
+    for (const JsonObject &row :
+         json.array("parameters", {"parameter", "number", "readOut", "minimum", "maximum", "factory", "unit",
+                                   "stored", "choices"})) {
+        const ParameterDescription parameter = readParameter(row);
+        refuseTaken(row, parameter, device);
+        device.parameters.push_back(parameter);
+    }
+}
+
+void DescriptionReader::readErrors(const JsonObject &json, DeviceDescription &device)
+{
+    for (const JsonObject &row : json.array("errors", {"number", "meaning", "warning"})) {
+        const DeviceError error{static_cast<unsigned>(row.number("number", 1, highestNumber)),
+                                row.oneOf("meaning", errorMeanings), row.flagOr("warning", false)};
+        if (device.findError(error.number))
+            row.report("number", tr("This number stands here twice."));
+        device.errors.push_back(error);
+    }
+}
+
+std::optional<int> readWrites(const JsonObject &json, const char *key)
+{
+    const auto writes = json.optionalNumber(key, 1, mostWrites);
+    return writes ? std::optional(static_cast<int>(*writes)) : std::nullopt;
+}
+
+Capabilities DescriptionReader::readCapabilities(const JsonObject &json)
+{
+    Capabilities can;
+    can.presets = json.flag("presets");
+    can.cams = json.flag("cams");
+    can.readingHidesPosition = json.flag("readingHidesPosition");
+    can.presetIsStored = json.flag("presetIsStored");
+    can.hasBattery = json.flag("hasBattery");
+    can.eepromBudget = readWrites(json, "eepromBudget");
+    can.eepromLimit = readWrites(json, "eepromLimit");
+    if (can.eepromBudget && can.eepromLimit && *can.eepromBudget > *can.eepromLimit)
+        json.report("eepromBudget", tr("The budget is larger than eepromLimit."));
+    return can;
+}
+
+Quirks DescriptionReader::readQuirks(const JsonObject &json)
+{
+    Quirks quirks;
+    quirks.confirmsWhileProcessing = json.flag("confirmsWhileProcessing");
+    quirks.presetNeedsRearming = json.flag("presetNeedsRearming");
+    quirks.mayCountStepsMinusOne = json.flag("mayCountStepsMinusOne");
+    quirks.hasModes = json.flag("hasModes");
+    return quirks;
+}
+
+// What follows from the parameters is not asked for a second time.
+void completeCapabilities(DeviceDescription &device)
+{
+    const auto &parameters = device.parameters;
+    const auto readable = [](const ParameterDescription &p) { return p.readOut.has_value(); };
+    const auto writable = [](const ParameterDescription &p) { return p.number.has_value(); };
+    const ParameterDescription *serialNumber = device.find(Parameter::serialNumber);
+    device.capabilities.reads = std::ranges::any_of(parameters, readable);
+    device.capabilities.writes = std::ranges::any_of(parameters, writable);
+    device.capabilities.serialNumber = serialNumber && serialNumber->readOut;
+}
+
+} // namespace
+
+DeviceDescription readDescription(const Json::Value &root, FaultKeeper &faults)
+{
+    const JsonObject json(root, QString(),
+                          {"key", "vendor", "name", "manual", "notes", "profile", "dialect", "idCode",
+                           "deviceCode", "inWords", "outWords", "physicalStepsPerTurn", "physicalTurns",
+                           "parameters", "errors", "capabilities", "quirks"},
+                          faults);
+    DeviceDescription device;
+    DescriptionReader::readIdentity(json, device);
+    DescriptionReader::readParameters(json, device);
+    DescriptionReader::readErrors(json, device);
+    device.capabilities = DescriptionReader::readCapabilities(
+        json.object("capabilities", {"presets", "cams", "readingHidesPosition", "presetIsStored",
+                                     "hasBattery", "eepromBudget", "eepromLimit"}));
+    device.quirks = DescriptionReader::readQuirks(json.object(
+        "quirks", {"confirmsWhileProcessing", "presetNeedsRearming", "mayCountStepsMinusOne", "hasModes"}));
+    completeCapabilities(device);
+    return device;
+}
+
+} // namespace codewheel

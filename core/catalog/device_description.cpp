@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/device_description.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+template <typename Row, typename Value, typename Member>
+const Row *findBy(const std::vector<Row> &rows, const Value &value, Member member)
+{
+    const auto found = std::ranges::find(rows, value, member);
+    return found == rows.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+const Choice *ParameterDescription::findChoice(std::int64_t value) const
+{
+    return findBy(choices, value, &Choice::value);
+}
+
+const Choice *ParameterDescription::findChoice(QStringView key) const
+{
+    return findBy(choices, key, &Choice::key);
+}
+
+const ParameterDescription *DeviceDescription::find(Parameter parameter) const
+{
+    return findBy(parameters, parameter, &ParameterDescription::parameter);
+}
+
+const ParameterDescription *DeviceDescription::findNumber(unsigned number) const
+{
+    return findBy(parameters, std::optional(number), &ParameterDescription::number);
+}
+
+const ParameterDescription *DeviceDescription::findReadOut(unsigned code) const
+{
+    return findBy(parameters, std::optional(code), &ParameterDescription::readOut);
+}
+
+const DeviceError *DeviceDescription::findError(unsigned number) const
+{
+    return findBy(errors, number, &DeviceError::number);
+}
+
+QString DeviceDescription::fullName() const
+{
+    if (isGeneric())
+        return QCoreApplication::translate("DeviceDescription", "%1, make not known").arg(name);
+    return vendor + u' ' + name;
+}
+
+} // namespace codewheel

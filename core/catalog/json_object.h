@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/catalog.h"
+
+#include <QCoreApplication>
+
+#include <initializer_list>
+#include <json/value.h>
+#include <limits>
+
+namespace codewheel {
+
+// Keeps the first thing found wrong in a description file. Reading goes on with harmless values, so that the
+// readers need no error paths of their own.
+class FaultKeeper
+{
+public:
+    FaultKeeper(const QByteArray &json, QString file);
+
+    void report(int line, const QString &key, const QString &reason);
+    void report(const Json::Value &where, const QString &key, const QString &reason);
+    const std::optional<Catalog::Fault> &first() const { return m_first; }
+
+private:
+    const QByteArray &m_json;
+    QString m_file;
+    std::optional<Catalog::Fault> m_first;
+};
+
+// A name in a description file and what it stands for.
+template <typename Enum>
+struct NamedValue
+{
+    const char *name;
+    Enum value;
+};
+
+// One object of a description file: gives its members with the type asked for and reports what is missing, of
+// the wrong type, out of range or unknown.
+class JsonObject
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::JsonObject)
+
+public:
+    // `allowed` are all the keys the object may have; `path` is how its place is told: "parameters[2]".
+    JsonObject(const Json::Value &value, QString path, std::initializer_list<const char *> allowed,
+               FaultKeeper &faults);
+
+    bool has(const char *key) const;
+    QString text(const char *key) const; // not empty
+    QString textOr(const char *key, const QString &otherwise) const;
+    bool flag(const char *key) const;
+    bool flagOr(const char *key, bool otherwise) const;
+    std::int64_t number(const char *key, std::int64_t minimum = std::numeric_limits<std::int64_t>::min(),
+                        std::int64_t maximum = std::numeric_limits<std::int64_t>::max()) const;
+    // Nothing where the key is not there.
+    std::optional<std::int64_t>
+    optionalNumber(const char *key, std::int64_t minimum = std::numeric_limits<std::int64_t>::min(),
+                   std::int64_t maximum = std::numeric_limits<std::int64_t>::max()) const;
+    // Text as the field writes it: "37h".
+    unsigned hexNumber(const char *key) const;
+
+    template <typename Enum, std::size_t size>
+    Enum oneOf(const char *key, const NamedValue<Enum> (&names)[size]) const
+    {
+        QStringList known;
+        const QString wanted = text(key);
+        for (const NamedValue<Enum> &name : names) {
+            known << QString::fromLatin1(name.name);
+            if (wanted == known.last())
+                return name.value;
+        }
+        reportUnknownName(key, wanted, known);
+        return names[0].value;
+    }
+
+    JsonObject object(const char *key, std::initializer_list<const char *> allowed) const;
+    std::vector<JsonObject> array(const char *key, std::initializer_list<const char *> allowed) const;
+
+    // A fault of the member `key`, for rules that go beyond one value.
+    void report(const char *key, const QString &reason) const;
+    void reportUnknownName(const char *key, const QString &name, const QStringList &known) const;
+
+private:
+    const Json::Value &member(const char *key) const; // reports a missing one
+    QString pathOf(const QString &key) const;
+    void refuseUnknownKeys(std::initializer_list<const char *> allowed) const;
+
+    const Json::Value *m_value;
+    QString m_path;
+    FaultKeeper *m_faults;
+};
+
+} // namespace codewheel

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/hex.h"
+
+namespace codewheel {
+namespace {
+
+// As many digits as a 64-bit number holds whatever they are.
+constexpr qsizetype longestDecimal = 18;
+constexpr qsizetype longestHexadecimal = 15;
+constexpr qsizetype digitsOfWord = 8;
+
+struct HexText
+{
+    QStringView digits;
+    bool marked = false; // "0x.." or "..h"
+};
+
+// A prefix takes the suffix for a digit, and so "0x20h" is refused.
+HexText withoutHexMark(QStringView text)
+{
+    if (text.startsWith(u"0x", Qt::CaseInsensitive))
+        return {text.sliced(2), true};
+    if (text.endsWith(u'h', Qt::CaseInsensitive))
+        return {text.chopped(1), true};
+    return {text, false};
+}
+
+// -1 for what is no digit. QChar::digitValue() would also take the digits of other scripts.
+int digitValue(QChar c)
+{
+    const char16_t u = c.unicode();
+    if (u >= u'0' && u <= u'9')
+        return u - u'0';
+    if (u >= u'A' && u <= u'F')
+        return u - u'A' + 10;
+    if (u >= u'a' && u <= u'f')
+        return u - u'a' + 10;
+    return -1;
+}
+
+std::optional<std::int64_t> digitsToNumber(QStringView digits, int base, qsizetype longest)
+{
+    if (digits.isEmpty() || digits.size() > longest)
+        return std::nullopt;
+    std::int64_t number = 0;
+    for (const QChar c : digits) {
+        const int digit = digitValue(c);
+        if (digit < 0 || digit >= base)
+            return std::nullopt;
+        number = number * base + digit;
+    }
+    return number;
+}
+
+} // namespace
+
+QString hexWord(Word word)
+{
+    return QStringLiteral("%1").arg(word, digitsOfWord, 16, QLatin1Char('0')).toUpper();
+}
+
+std::optional<Word> parseHexWord(QStringView text)
+{
+    QString digits = withoutHexMark(text.trimmed()).digits.toString();
+    digits.removeIf([](QChar c) { return c.isSpace(); });
+    const auto number = digitsToNumber(digits, 16, digitsOfWord);
+    return number ? std::optional(static_cast<Word>(*number)) : std::nullopt;
+}
+
+std::optional<std::int64_t> parseNumber(QStringView text)
+{
+    const HexText hex = withoutHexMark(text.trimmed());
+    return hex.marked ? digitsToNumber(hex.digits, 16, longestHexadecimal)
+                      : digitsToNumber(hex.digits, 10, longestDecimal);
+}
+
+} // namespace codewheel

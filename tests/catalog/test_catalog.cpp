@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
+
+#include <QFile>
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+// A complete description; each test breaks one place of it.
+const QByteArray sound = R"({
+  "key": "some-k3",
+  "vendor": "Some",
+  "name": "K3",
+  "manual": "a manual",
+  "profile": "K3",
+  "dialect": "fraba",
+  "idCode": "37h",
+  "deviceCode": "0237h",
+  "inWords": 2,
+  "outWords": 2,
+  "physicalStepsPerTurn": 4096,
+  "physicalTurns": 1,
+  "parameters": [
+    {"parameter": "steps", "number": 1, "readOut": 1, "minimum": 1, "maximum": 4096, "factory": 4096},
+    {"parameter": "direction", "number": 3, "minimum": 3, "maximum": 4,
+     "choices": [{"value": 3, "key": "cw"}, {"value": 4, "key": "ccw"}]},
+    {"parameter": "temperature", "readOut": 12, "minimum": -500, "maximum": 1500, "unit": "tenth-degree-celsius"}
+  ],
+  "errors": [
+    {"number": 1, "meaning": "wrongParameterData"},
+    {"number": 14, "meaning": "batteryLow", "warning": true}
+  ],
+  "capabilities": {
+    "presets": true, "cams": false, "readingHidesPosition": true, "presetIsStored": true, "hasBattery": false,
+    "eepromBudget": 200, "eepromLimit": 500
+  },
+  "quirks": {
+    "confirmsWhileProcessing": true, "presetNeedsRearming": true, "mayCountStepsMinusOne": true, "hasModes": true
+  }
+}
+)";
+
+QByteArray broken(const char *from, const char *to)
+{
+    QByteArray json = sound;
+    EXPECT_EQ(json.count(from), 1) << from;
+    return json.replace(from, to);
+}
+
+struct Breakage
+{
+    const char *from;
+    const char *to;
+    int line;
+    const char *key;
+    const char *reason; // a part of it
+};
+
+void PrintTo(const Breakage &breakage, std::ostream *out)
+{
+    *out << breakage.from << " -> " << breakage.to;
+}
+
+class BrokenDescription : public testing::TestWithParam<Breakage>
+{};
+
+TEST_P(BrokenDescription, IsRefusedWithLineKeyAndReason)
+{
+    Catalog catalog;
+    const auto added = catalog.add(broken(GetParam().from, GetParam().to), QStringLiteral("some.json"));
+    ASSERT_FALSE(added);
+    EXPECT_TRUE(catalog.devices().empty());
+    EXPECT_EQ(added.error().file, QStringLiteral("some.json"));
+    EXPECT_EQ(added.error().line, GetParam().line);
+    EXPECT_EQ(added.error().key.toStdString(), GetParam().key);
+    EXPECT_TRUE(added.error().reason.contains(QLatin1String(GetParam().reason)))
+        << added.error().reason.toStdString();
+}
+
+constexpr Breakage breakages[] = {
+    // the file as a whole
+    {R"("inWords": 2,)", R"("inWords": 2)", 11, "", "not valid JSON: Missing ',' or '}'"},
+    {R"("inWords": 2,)", R"("outWords": 2,)", 11, "", "Duplicate key"},
+    {"  }\n}\n", "  }\n}\n{}", 32, "", "not valid JSON"},
+    {"  }\n}\n", "  }\n", 31, "", "not valid JSON"},
+    {R"("a manual")", R"('a manual')", 5, "", "not valid JSON"},
+    {R"("a manual")", R"([[[[[[[[[[[[[[[[[[[[]]]]]]]]]]]]]]]]]]]])", 1, "", "nested too deeply"},
+    // types
+    {R"("Some")", "7", 3, "vendor", "text"},
+    {R"("Some")", R"(" ")", 3, "vendor", "text"},
+    {R"("inWords": 2)", R"("inWords": "2")", 10, "inWords", "whole number"},
+    {R"("inWords": 2)", R"("inWords": 2.0)", 10, "inWords", "whole number"},
+    {R"("inWords": 2)", R"("inWords": 18446744073709551615)", 10, "inWords", "whole number"},
+    {R"("inWords": 2)", R"("inWords": -1)", 10, "inWords", "-1 is not between 0 and 32"},
+    {R"("presets": true)", R"("presets": 1)", 25, "capabilities.presets", "true or false"},
+    {R"("idCode": "37h")", R"("idCode": 55)", 8, "idCode", "text"},
+    {R"("idCode": "37h")", R"("idCode": "37")", 8, "idCode", "37h"},
+    {R"("quirks": {)", R"("quirks": [], "q": {)", 28, "q", "not known"},
+    {R"({"number": 1, "meaning": "wrongParameterData"})", "1", 21, "errors[0]", "object"},
+    // keys
+    {R"("name": "K3",)", "", 1, "name", "missing"},
+    {R"("name":)", R"("nmae":)", 4, "nmae", "not known. Known are: key, vendor, name"},
+    {R"("readOut": 1, )", R"("readout": 1, )", 15, "parameters[0].readout", "not known"},
+    {R"("minimum": 1, )", "", 15, "parameters[0].minimum", "missing"},
+    {R"(, "hasModes": true)", "", 28, "quirks.hasModes", "missing"},
+    // names
+    {R"("some-k3")", R"("Some K3")", 2, "key", "letters a to z"},
+    {R"("profile": "K3")", R"("profile": "K9")", 6, "profile",
+     "\"K9\" is not known here. Known are: K1, K2, K3"},
+    {R"("dialect": "fraba")", R"("dialect": "FRABA")", 7, "dialect", "not known"},
+    {R"("dialect": "fraba")", R"("dialect": "generic")", 3, "vendor", "no vendor"},
+    {R"("parameter": "steps")", R"("parameter": "step")", 15, "parameters[0].parameter",
+     "steps, revolutions"},
+    {R"("tenth-degree-celsius")", R"("kelvin")", 18, "parameters[2].unit", "kelvin"},
+    {R"("batteryLow")", R"("cancelled")", 22, "errors[1].meaning", "cancelled"},
+    // rules
+    {R"("deviceCode": "0237h")", R"("deviceCode": "0236h")", 9, "deviceCode", "idCode"},
+    {R"("minimum": 1, )", R"("minimum": 5000, )", 15, "parameters[0].minimum", "larger than the maximum"},
+    {R"("factory": 4096)", R"("factory": 0)", 15, "parameters[0].factory", "not between"},
+    {R"("parameter": "temperature")", R"("parameter": "steps")", 18, "parameters[2].parameter", "twice"},
+    {R"("number": 3)", R"("number": 1)", 16, "parameters[1].number", "twice"},
+    {R"("number": 3)", R"("number": 16)", 16, "parameters[1].number", "between 1 and 15"},
+    {R"("number": 3, )", "", 16, "parameters[1].number", "needs a number"},
+    {R"("readOut": 12)", R"("readOut": 1)", 18, "parameters[2].readOut", "twice"},
+    {R"("value": 4)", R"("value": 5)", 17, "parameters[1].choices[1].value", "between 3 and 4"},
+    {R"("value": 4)", R"("value": 3)", 17, "parameters[1].choices[1].value", "twice"},
+    {R"("ccw")", R"("cw")", 17, "parameters[1].choices[1].key", "twice"},
+    {R"("number": 14)", R"("number": 1)", 22, "errors[1].number", "twice"},
+    {R"("eepromBudget": 200)", R"("eepromBudget": 501)", 26, "capabilities.eepromBudget", "eepromLimit"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Catalog, BrokenDescription, testing::ValuesIn(breakages));
+
+TEST(Catalog, TakesASoundDescription)
+{
+    Catalog catalog;
+    ASSERT_TRUE(catalog.add(sound, QStringLiteral("some.json")));
+    const DeviceDescription *device = catalog.find(u"some-k3");
+    ASSERT_NE(device, nullptr);
+    EXPECT_EQ(device->fullName(), QStringLiteral("Some K3"));
+    EXPECT_EQ(device->find(Parameter::temperature)->unit, Unit::tenthDegreeCelsius);
+    EXPECT_EQ(device->find(Parameter::temperature)->minimum, -500);
+    EXPECT_TRUE(device->find(Parameter::steps)->stored);
+    EXPECT_FALSE(device->find(Parameter::temperature)->stored);
+    EXPECT_TRUE(device->capabilities.reads);
+    EXPECT_FALSE(device->capabilities.serialNumber);
+    EXPECT_EQ(catalog.generic(0x0237), nullptr);
+}
+
+TEST(Catalog, RefusesASecondDeviceOfTheSameKey)
+{
+    Catalog catalog;
+    ASSERT_TRUE(catalog.add(sound, QStringLiteral("some.json")));
+    const auto added = catalog.add(sound, QStringLiteral("again.json"));
+    ASSERT_FALSE(added);
+    EXPECT_EQ(added.error().file, QStringLiteral("again.json"));
+    EXPECT_EQ(added.error().line, 2);
+    EXPECT_TRUE(added.error().reason.contains(QStringLiteral("some-k3")));
+    EXPECT_EQ(catalog.devices().size(), 1u);
+}
+
+TEST(Catalog, RefusesWhatIsNoDescriptionAtAll)
+{
+    for (const char *text :
+         {"", " ", "null", "7", "[]", "\"text\"", "{}", "\xFF\xFE", "{\"key\": null}", "[{}]"}) {
+        Catalog catalog;
+        const auto added = catalog.add(text, QStringLiteral("some.json"));
+        ASSERT_FALSE(added) << text;
+        EXPECT_FALSE(added.error().reason.isEmpty()) << text;
+        EXPECT_GE(added.error().line, 1) << text;
+    }
+}
+
+// Whatever is cut off or overwritten: a fault or a description, never a crash.
+TEST(Catalog, SurvivesAnyTruncationAndAnyOverwrittenByte)
+{
+    for (qsizetype size = 0; size < sound.size() - 2; ++size)
+        EXPECT_FALSE(Catalog().add(sound.first(size), QString())) << size;
+    for (qsizetype i = 0; i < sound.size(); ++i)
+        for (const char c : {'\0', '"', '{', ']', ',', '9', '\xC3'}) {
+            QByteArray json = sound;
+            json[i] = c;
+            const auto added = Catalog().add(json, QString());
+            EXPECT_TRUE(added || !added.error().reason.isEmpty()) << i;
+        }
+}
+
+} // namespace
+} // namespace codewheel
