@@ -43,6 +43,7 @@ struct Outcome
     EncoderState leftIn = EncoderState::notSeen;
     ParameterValues written;                    // confirmed and activated by run
     ParameterValues alreadyThere;               // left out, because read and equal
+    ParameterValues read;                       // ReadParameters: what the encoder told
     std::optional<std::int64_t> positionBefore; // steps; SetPreset
     std::optional<std::int64_t> positionAfter;
 };
@@ -52,6 +53,7 @@ struct KnowledgeChanged
 {
     std::vector<Known> known;
     std::vector<Parameter> noLongerKnown;
+    int eepromWrites = 0; // since the last such event; jobs are included
 };
 
 using Event = std::variant<Progress, Outcome, KnowledgeChanged>;

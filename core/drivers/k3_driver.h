@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "drivers/cyclic_driver.h"
+#include "drivers/k3_handshake.h"
+#include "drivers/k3_knowledge.h"
+#include "drivers/k3_plan.h"
+#include "drivers/k3_reading.h"
+
+#include <optional>
+
+namespace codewheel {
+
+// Drives a K3 encoder of any make, as its description says: plans the steps of a job, carries them out one by
+// one, refines the plan by what it reads, and ends in a state that it can name.
+class K3Driver final : public CyclicDriver
+{
+public:
+    // The description must outlive the driver.
+    explicit K3Driver(const DeviceDescription &device, K3Timing timing = {});
+
+    const Reading &reading() const override { return m_reading; }
+    bool busy() const override { return m_run.has_value(); }
+    void setKnown(const std::vector<Known> &known) override;
+    Result<void> begin(JobId id, const Job &job, Pace pace, Word in, Word out, Instant now) override;
+    void proceed() override;
+    void cancel(OnCancel how, Instant now) override;
+    void stop(RefusalId why, Instant now) override;
+    Word cycle(Word in, Word out, Instant now) override;
+    std::vector<Event> takeEvents() override;
+
+private:
+    // A job on its way.
+    struct Run
+    {
+        JobId id = 0;
+        Job job;
+        Pace pace = Pace::byItself;
+        K3Steps steps;
+        std::size_t index = 0;
+        bool begun = false;    // steps[index] is in OUT, or goes there now
+        bool mayBegin = false; // by hand: the user said "next step"
+        bool asked = false;    // by hand: the user was told that it waits
+        Word inWhenAsked = 0;
+        std::optional<Refusal> failure; // the remaining steps only bring OUT back
+        std::optional<OnCancel> cancelled;
+        bool cancelPlanned = false; // its steps have been appended
+        int writesBefore = 0;
+        ParameterValues before;    // values from before this job
+        ParameterValues confirmed; // since the last run
+        ParameterValues written;
+        ParameterValues alreadyThere;
+        ParameterValues read;
+        std::optional<std::int64_t> positionBefore;
+        std::optional<std::int64_t> positionAfter;
+    };
+
+    Result<void> checkState(const Job &job, Word in) const;
+    Word carryOn(Word in, Word out, Instant now);
+    bool mayBeginStep(Word in);
+    void beginStep(Word in, Instant now);
+    void stepDone(Word in);
+    void readDone(const K3Step &step, Word in);
+    void leaveOut(Parameter parameter, std::int64_t value);
+    void refine(Parameter parameter, std::int64_t value);
+    void fail(Refusal why);
+    void finish(Result<void> result);
+    void appendCancelSteps(Word in);
+    void ranWithWhatWasConfirmed();
+    void reportProgress(bool waits);
+    bool canRestore() const;
+    ParameterValues valuesToRestore() const;
+    Refusal refusalFor(Word in) const;
+    Refusal noAnswer(Word in) const;
+    std::vector<RefusalArgument> suspects() const;
+    const K3Step &current() const { return m_run->steps[m_run->index]; }
+    void flushKnowledge();
+
+    const DeviceDescription &m_device;
+    K3Timing m_timing;
+    K3Knowledge m_knowledge;
+    K3Plan m_plan;
+    K3Handshake m_handshake;
+    K3View m_view;
+    Reading m_reading;
+    std::optional<Run> m_run;
+    std::vector<Event> m_events;
+};
+
+} // namespace codewheel

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivers/k3_handshake.h"
+
+#include "drivers/k3_reading.h"
+
+namespace codewheel {
+namespace {
+
+using State = K3Handshake::State;
+
+bool confirms(Word in, Word out)
+{
+    return k3::isConfirmation(in) && k3::number(in) == k3::number(out);
+}
+
+// IN after an accepted run: a position, or 80000000h where the encoder runs but has no valid one.
+bool runs(Word in)
+{
+    return k3::isOperation(in) || in == k3::error;
+}
+
+} // namespace
+
+void K3Handshake::begin(const K3Step &step, Word in, Instant now)
+{
+    m_step = step;
+    m_inAtBegin = in;
+    m_inChanged = false;
+    m_hasConfirmed = false;
+    m_cycles = 0;
+    m_begin = now;
+    m_answeredSince = now;
+}
+
+State K3Handshake::cycle(Word in, Word out, Instant now)
+{
+    if (out != m_step.out)
+        return State::waiting; // another word went out in this cycle
+    m_now = now;
+    ++m_cycles;
+    m_inChanged = m_inChanged || in != m_inAtBegin;
+    m_hasConfirmed = m_hasConfirmed || (m_inChanged && confirms(in, m_step.out));
+    const State state = answerTo(in);
+    if (state == State::waiting && now - m_begin >= m_timing.timeOut)
+        return isErrorAnswer(in, m_dialect) ? State::error : State::noAnswer;
+    return state;
+}
+
+State K3Handshake::answerTo(Word in)
+{
+    const bool answered = [&] {
+        switch (m_step.kind) {
+        case StepKind::parameter:
+            return confirms(in, m_step.out);
+        case StepKind::run:
+            return runs(in);
+        case StepKind::toNormal:
+            return m_step.mustOperate ? runs(in) : !showsReadOut(in);
+        default:
+            return true;
+        }
+    }();
+    if (!answered || m_cycles == 1)
+        m_answeredSince = m_now;
+
+    switch (m_step.kind) {
+    case StepKind::parameter:
+        return confirmation(in);
+    case StepKind::run:
+        return runAnswer(in);
+    case StepKind::initialisePreset:
+        return presetAnswer(in);
+    case StepKind::toNormal:
+        return normalAnswer(in);
+    case StepKind::readOut:
+        return readOutAnswer(in);
+    case StepKind::endReadOut:
+        return readOutEnd(in);
+    case StepKind::word:
+        return wordAnswer(in);
+    }
+    return State::waiting;
+}
+
+// FRABA confirms first and refuses afterwards, so a confirmation has to stand for the settle time.
+State K3Handshake::confirmation(Word in) const
+{
+    if (isNewError(in))
+        return State::error;
+    return confirms(in, m_step.out) && hasSettled() ? State::done : State::waiting;
+}
+
+State K3Handshake::runAnswer(Word in) const
+{
+    if (isNewError(in))
+        return m_step.tolerateError ? State::done : State::error;
+    if (k3::isOperation(in) && !k3::isOperation(m_inAtBegin))
+        return State::done;
+    return runs(in) && hasSettled() ? State::done : State::waiting;
+}
+
+// Nothing acknowledges 40000000h: the position changes, or it was the preset already.
+State K3Handshake::presetAnswer(Word in) const
+{
+    if (isNewError(in))
+        return State::error;
+    return k3::isOperation(in) && hasSettled() ? State::done : State::waiting;
+}
+
+State K3Handshake::normalAnswer(Word in) const
+{
+    if (m_step.mustOperate && isErrorAnswer(in, m_dialect))
+        return State::error;
+    const bool normal = m_step.mustOperate ? runs(in) : !showsReadOut(in);
+    return normal && hasSettled() ? State::done : State::waiting;
+}
+
+State K3Handshake::readOutAnswer(Word in) const
+{
+    if (!k3::isReadOutAnswer(in))
+        return State::waiting;
+    return k3::number(in) == 0 ? State::done : State::error; // A4......: unknown parameter in read-out
+}
+
+State K3Handshake::readOutEnd(Word in) const
+{
+    return showsReadOut(in) ? State::waiting : State::done;
+}
+
+// Words as the user gave them: each until it is acknowledged, by the manual's table, without settling.
+State K3Handshake::wordAnswer(Word in) const
+{
+    const Word out = m_step.out;
+    if (k3::isParameterWord(out)) {
+        if (isNewError(in))
+            return State::error;
+        const bool numberStoodBefore = confirms(m_inAtBegin, out);
+        const bool echoed =
+            confirms(in, out) && (!numberStoodBefore || k3::data(in) == k3::data(out) || m_inChanged);
+        return echoed ? State::done : State::waiting;
+    }
+    if (out == k3::run) {
+        if (isNewError(in))
+            return State::error;
+        if (k3::isOperation(in) && !k3::isOperation(m_inAtBegin))
+            return State::done;
+        return runs(in) && m_cycles >= m_step.holdCycles ? State::done : State::waiting;
+    }
+    if (k3::isReadOutRequest(out) && m_dialect == k3::Dialect::fraba) {
+        if (!k3::isReadOutAnswer(in) ||
+            (k3::isReadOutAnswer(m_inAtBegin) && !m_inChanged && m_cycles < m_step.holdCycles))
+            return State::waiting;
+        return k3::number(in) == 0 ? State::done : State::error;
+    }
+    if (isNewError(in))
+        return State::error;
+    return m_cycles >= m_step.holdCycles ? State::done : State::waiting;
+}
+
+bool K3Handshake::showsReadOut(Word in) const
+{
+    return stateOf(in, m_dialect) == EncoderState::readOut;
+}
+
+bool K3Handshake::isNewError(Word in) const
+{
+    return isErrorAnswer(in, m_dialect) && m_inChanged;
+}
+
+} // namespace codewheel

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "drivers/k3_step.h"
+
+namespace codewheel {
+
+// One word and what ends it: the handshake of FRABA manual 5.3 and Baumer manual 6, step by step. It is told
+// what came in while its word stood in OUT, and says whether to go on waiting. An old confirmation, and
+// processing under the number 0 or the previous one (Baumer), are waited through; an error counts once it is
+// new.
+class K3Handshake
+{
+public:
+    enum class State : std::uint8_t { waiting, done, error, noAnswer };
+
+    K3Handshake(k3::Dialect dialect, K3Timing timing)
+        : m_dialect(dialect)
+        , m_timing(timing)
+    {}
+
+    // `in` is what stands in IN as the word is put into OUT.
+    void begin(const K3Step &step, Word in, Instant now);
+    State cycle(Word in, Word out, Instant now);
+
+    const K3Step &step() const { return m_step; }
+    bool hasConfirmed() const
+    {
+        return m_hasConfirmed;
+    } // the number was confirmed, which is not yet an acceptance
+
+private:
+    State answerTo(Word in);
+    State confirmation(Word in) const;
+    State runAnswer(Word in) const;
+    State presetAnswer(Word in) const;
+    State normalAnswer(Word in) const;
+    State readOutAnswer(Word in) const;
+    State readOutEnd(Word in) const;
+    State wordAnswer(Word in) const;
+    bool isNewError(Word in) const;
+    bool showsReadOut(Word in) const;
+    bool hasSettled() const { return m_now - m_answeredSince >= m_timing.settle; }
+
+    k3::Dialect m_dialect;
+    K3Timing m_timing;
+    K3Step m_step;
+    Word m_inAtBegin = 0;
+    bool m_inChanged = false;
+    bool m_hasConfirmed = false;
+    int m_cycles = 0; // in which the word has stood in OUT
+    Instant m_begin{};
+    Instant m_now{};
+    Instant m_answeredSince{}; // since when IN has held the answer without a break
+};
+
+} // namespace codewheel

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivers/k3_knowledge.h"
+
+#include "drivers/k3_reading.h"
+#include "words/position_code.h"
+
+#include <utility>
+
+namespace codewheel {
+namespace {
+
+constexpr unsigned resetNumber = 7; // 0E000000h: set encoder to default
+
+// Read-out 3 "complement": 3/4 as written; 0/1 is taken too (assumed).
+std::int64_t directionOfReadOut(Word data)
+{
+    return data <= 1 ? std::int64_t{data} + 3 : data;
+}
+
+// Signed, in 16 or in 25 bits (FRABA manual 10.2: "as signed int").
+std::int64_t temperatureOfReadOut(Word data)
+{
+    if (data <= 0xFFFF)
+        return static_cast<std::int16_t>(data);
+    return k3::signedData(data);
+}
+
+} // namespace
+
+void K3Knowledge::set(const std::vector<Known> &known)
+{
+    m_known.clear();
+    for (const Known &one : known) {
+        m_known[one.parameter] = one;
+        // A start-up mode that was read says nothing about now: something may have switched the mode since.
+        if (one.parameter == Parameter::startUpMode && one.evidence == Evidence::told)
+            m_mode.tell(modeAfterStartUp(one.value));
+    }
+}
+
+void K3Knowledge::observe(Word in, Word out, Instant now)
+{
+    if (m_device.quirks.hasModes)
+        m_mode.observe(out);
+    const bool outChanged = out != m_out;
+    if (!outChanged && k3::isOperation(in) && k3::isOperation(m_in)) {
+        m_answerIsFresh = true;
+        m_in = in;
+        return;
+    }
+    if (outChanged) {
+        m_answerIsFresh = false;
+        observePreset(out);
+    }
+    switch (stateOf(in, m_device.dialect)) {
+    case EncoderState::operation:
+        observeOperation(out, now);
+        break;
+    case EncoderState::parameterization:
+        observeConfirmation(in, out);
+        break;
+    case EncoderState::error:
+        if (in != m_in)
+            observeError(in, out);
+        break;
+    case EncoderState::readOut:
+        observeReadOut(in, out, now);
+        break;
+    case EncoderState::unknown:
+    case EncoderState::notSeen:
+        break;
+    }
+    if (stateOf(in, m_device.dialect) != EncoderState::readOut)
+        m_answerIsFresh = true;
+    m_in = in;
+    m_out = out;
+}
+
+void K3Knowledge::observeConfirmation(Word in, Word out)
+{
+    const unsigned number = k3::number(in);
+    if (!k3::isParameterWord(out) || number != k3::number(out))
+        return; // an old confirmation, or processing
+    m_pending[number] = k3::data(in) == k3::data(out) ? std::optional(k3::data(out)) : std::nullopt;
+    m_lastConfirmed = number;
+}
+
+void K3Knowledge::observeError(Word, Word out)
+{
+    if (!k3::isParameterWord(out))
+        return; // the answer to run: the set stays pending
+    if (m_pending.erase(k3::number(out)) == 0 && m_lastConfirmed)
+        m_pending[*m_lastConfirmed] = std::nullopt; // it may be this one that was refused late
+}
+
+void K3Knowledge::observeReadOut(Word in, Word out, Instant now)
+{
+    if (!m_answerIsFresh || !k3::isReadOutRequest(out) || k3::number(in) != 0)
+        return;
+    const unsigned code = out & 0xFFFF;
+    for (const ParameterDescription &parameter : m_device.parameters)
+        if (parameter.readOut == code)
+            if (const auto value = valueOfReadOut(parameter.parameter, k3::data(in)))
+                learn(parameter.parameter, *value, Evidence::read, now);
+    m_answerIsFresh = false; // learned once for each request
+}
+
+void K3Knowledge::observeOperation(Word out, Instant now)
+{
+    if ((out & k3::startBit) != 0 && !m_pending.empty()) {
+        for (const auto &[number, data] : m_pending)
+            activate(number, data, now);
+        m_eepromWrites += static_cast<int>(m_pending.size());
+        m_changes.eepromWrites += static_cast<int>(m_pending.size());
+        m_changed = true;
+    }
+    m_pending.clear(); // without run: a power cycle has dropped it
+    m_lastConfirmed.reset();
+}
+
+// D30 0 -> 1: the zero offset is a new one. FRABA stores it, once for each programmed preset.
+void K3Knowledge::observePreset(Word out)
+{
+    if ((out & k3::presetBit) == 0 || (m_out & k3::presetBit) != 0 || mode() == Mode::cam ||
+        !k3::isOperation(m_in))
+        return;
+    forget(Parameter::zeroOffset);
+    forget(Parameter::presetFlag);
+    if (m_device.capabilities.presetIsStored && m_presetArmed.value_or(true)) {
+        ++m_eepromWrites;
+        ++m_changes.eepromWrites;
+        m_changed = true;
+    }
+    m_presetArmed = false;
+}
+
+void K3Knowledge::activate(unsigned number, std::optional<Word> data, Instant now)
+{
+    if (number == resetNumber) {
+        for (const Parameter parameter : allParameters())
+            forget(parameter);
+        return;
+    }
+    const ParameterDescription *parameter = m_device.findNumber(number);
+    if (parameter == nullptr)
+        return;
+    if (parameter->parameter == Parameter::preset) {
+        forget(Parameter::presetFlag);
+        m_presetArmed = true;
+    }
+    const auto value = data ? valueOfReadOut(parameter->parameter, *data) : std::nullopt;
+    if (value)
+        learn(parameter->parameter, *value, Evidence::echoed, now);
+    else
+        forget(parameter->parameter);
+}
+
+std::optional<std::int64_t> K3Knowledge::value(Parameter parameter) const
+{
+    const auto found = m_known.find(parameter);
+    return found == m_known.end() ? std::nullopt : std::optional(found->second.value);
+}
+
+ParameterValues K3Knowledge::values() const
+{
+    ParameterValues all;
+    for (const auto &[parameter, known] : m_known)
+        all.push_back({parameter, known.value});
+    return all;
+}
+
+std::optional<PositionCoding> K3Knowledge::coding() const
+{
+    if (m_device.dialect == k3::Dialect::fraba)
+        return PositionCoding::binary;
+    const auto coding = value(Parameter::coding);
+    if (!coding)
+        return std::nullopt;
+    if (*coding <= 2)
+        return PositionCoding::signedBinary;
+    return *coding <= 4 ? PositionCoding::binary : PositionCoding::gray;
+}
+
+std::optional<bool> K3Knowledge::countsStepsMinusOne() const
+{
+    if (!m_device.quirks.mayCountStepsMinusOne)
+        return false;
+    const auto flags = value(Parameter::multiTurnAndStepsMinusOne);
+    return flags ? std::optional((*flags & 1) != 0) : std::nullopt;
+}
+
+Word K3Knowledge::dataFor(Parameter parameter, std::int64_t value) const
+{
+    if (parameter == Parameter::steps && countsStepsMinusOne().value_or(false))
+        --value;
+    return static_cast<Word>(value) & k3::dataMask;
+}
+
+std::optional<std::int64_t> K3Knowledge::valueOfReadOut(Parameter parameter, Word data) const
+{
+    switch (parameter) {
+    case Parameter::steps:
+        if (const auto minusOne = countsStepsMinusOne())
+            return std::int64_t{data} + (*minusOne ? 1 : 0);
+        return std::nullopt;
+    case Parameter::direction:
+        return directionOfReadOut(data);
+    case Parameter::temperature:
+        return temperatureOfReadOut(data);
+    default:
+        return data;
+    }
+}
+
+void K3Knowledge::learn(Parameter parameter, std::int64_t value, Evidence evidence, Instant now)
+{
+    if (parameter == Parameter::presetFlag)
+        m_presetArmed = value != 0;
+    const Known known{parameter, value, evidence, now};
+    m_known[parameter] = known;
+    std::erase(m_changes.noLongerKnown, parameter);
+    std::erase_if(m_changes.known, [&](const Known &other) { return other.parameter == parameter; });
+    m_changes.known.push_back(known);
+    m_changed = true;
+}
+
+void K3Knowledge::forget(Parameter parameter)
+{
+    if (m_known.erase(parameter) == 0)
+        return;
+    std::erase_if(m_changes.known, [&](const Known &other) { return other.parameter == parameter; });
+    m_changes.noLongerKnown.push_back(parameter);
+    m_changed = true;
+}
+
+std::optional<KnowledgeChanged> K3Knowledge::takeChanges()
+{
+    if (!m_changed)
+        return std::nullopt;
+    m_changed = false;
+    return std::exchange(m_changes, {});
+}
+
+} // namespace codewheel

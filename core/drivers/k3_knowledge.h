@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "drivers/k3_mode.h"
+#include "encoder/event.h"
+
+#include <map>
+#include <optional>
+
+namespace codewheel {
+
+// What a K3 encoder is known to have, learned from the words that pass, whoever sent them: a confirmation
+// makes a value pending, run answered by operation makes it active, a read-out tells it. Counts EEPROM writes
+// the same way.
+class K3Knowledge
+{
+public:
+    explicit K3Knowledge(const DeviceDescription &device)
+        : m_device(device)
+    {}
+
+    // Replaces all that is known, e.g. after the user told something.
+    void set(const std::vector<Known> &known);
+    void observe(Word in, Word out, Instant now);
+
+    std::optional<std::int64_t> value(Parameter parameter) const;
+    ParameterValues values() const;
+    std::optional<Mode> mode() const { return m_mode.now(); }
+    std::optional<PositionCoding> coding() const;
+    // Whether the encoder takes and tells steps - 1 (flag_mt_stepsm1); nothing: not known yet.
+    std::optional<bool> countsStepsMinusOne() const;
+    int eepromWrites() const { return m_eepromWrites; }
+
+    // The data of the word that gives `parameter` this value, and back from a read-out.
+    Word dataFor(Parameter parameter, std::int64_t value) const;
+    std::optional<std::int64_t> valueOfReadOut(Parameter parameter, Word data) const;
+
+    // What changed since the last call; nothing if nothing did.
+    std::optional<KnowledgeChanged> takeChanges();
+
+private:
+    void observeConfirmation(Word in, Word out);
+    void observeError(Word in, Word out);
+    void observeReadOut(Word in, Word out, Instant now);
+    void observeOperation(Word out, Instant now);
+    void observePreset(Word out);
+    void activate(unsigned number, std::optional<Word> data, Instant now);
+    void learn(Parameter parameter, std::int64_t value, Evidence evidence, Instant now);
+    void forget(Parameter parameter);
+
+    const DeviceDescription &m_device;
+    std::map<Parameter, Known> m_known;
+    std::map<unsigned, std::optional<Word>>
+        m_pending; // by number; no data: confirmed, but not sure with what
+    std::optional<unsigned> m_lastConfirmed;
+    K3Mode m_mode;
+    KnowledgeChanged m_changes;
+    bool m_changed = false;
+    bool m_answerIsFresh = false; // IN held no read-out answer since the request stands in OUT
+    std::optional<bool> m_presetArmed;
+    int m_eepromWrites = 0;
+    Word m_out = 0;
+    Word m_in = 0;
+};
+
+} // namespace codewheel

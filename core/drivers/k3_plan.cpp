@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivers/k3_plan.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <set>
+
+namespace codewheel {
+namespace {
+
+K3Step runStep(bool tolerateError)
+{
+    K3Step step;
+    step.kind = StepKind::run;
+    step.out = k3::run;
+    step.tolerateError = tolerateError;
+    return step;
+}
+
+QString allowedTexts(const ParameterDescription &parameter)
+{
+    QStringList keys;
+    for (const Choice &choice : parameter.choices)
+        keys.append(choice.key);
+    return keys.join(QStringLiteral(", "));
+}
+
+} // namespace
+
+Result<void> K3Plan::check(const Job &job) const
+{
+    if (const auto *read = std::get_if<ReadParameters>(&job))
+        return checkRead(*read);
+    if (const auto *write = std::get_if<WriteParameters>(&job))
+        return checkWrite(*write);
+    if (const auto *preset = std::get_if<SetPreset>(&job)) {
+        if (!m_device.capabilities.presets)
+            return refuse(RefusalKind::notSupported, RefusalId::presetNotSupported, {m_device.fullName()});
+        if (preset->value)
+            return checkValue({Parameter::preset, *preset->value});
+    }
+    if (const auto *send = std::get_if<SendWords>(&job); send != nullptr && send->words.empty())
+        return refuse(RefusalKind::badInput, RefusalId::nothingToDo);
+    if (const auto *end = std::get_if<EndParameterization>(&job))
+        for (const ParameterValue &value : end->restore)
+            if (auto checked = checkValue(value); !checked)
+                return checked;
+    return {};
+}
+
+Result<void> K3Plan::checkRead(const ReadParameters &job) const
+{
+    if (!m_device.capabilities.reads)
+        return refuse(RefusalKind::notSupported, RefusalId::readingNotSupported, {m_device.fullName()});
+    if (job.parameters.empty())
+        return refuse(RefusalKind::badInput, RefusalId::nothingToDo);
+    for (const Parameter parameter : job.parameters) {
+        const ParameterDescription *description = m_device.find(parameter);
+        if (description == nullptr || !description->readOut)
+            return refuse(RefusalKind::badInput, RefusalId::parameterNotSupported,
+                          {parameter, m_device.fullName()});
+    }
+    return {};
+}
+
+Result<void> K3Plan::checkWrite(const WriteParameters &job) const
+{
+    if (!m_device.capabilities.writes)
+        return refuse(RefusalKind::notSupported, RefusalId::writingNotSupported, {m_device.fullName()});
+    if (job.values.empty() && !job.initialisePreset)
+        return refuse(RefusalKind::badInput, RefusalId::nothingToDo);
+    std::set<Parameter> seen;
+    for (const ParameterValue &value : job.values) {
+        if (auto checked = checkValue(value); !checked)
+            return checked;
+        if (!seen.insert(value.parameter).second)
+            return refuse(RefusalKind::badInput, RefusalId::parameterGivenTwice, {value.parameter});
+    }
+    return {};
+}
+
+Result<void> K3Plan::checkValue(const ParameterValue &value) const
+{
+    const ParameterDescription *parameter = m_device.find(value.parameter);
+    if (parameter == nullptr)
+        return refuse(RefusalKind::badInput, RefusalId::parameterNotSupported,
+                      {value.parameter, m_device.fullName()});
+    if (!parameter->number)
+        return refuse(RefusalKind::badInput, RefusalId::parameterReadOnly,
+                      {value.parameter, m_device.fullName()});
+    if (!parameter->choices.empty()) {
+        if (std::ranges::find(parameter->choices, value.value, &Choice::value) == parameter->choices.end())
+            return refuse(RefusalKind::badInput, RefusalId::valueNotAllowed,
+                          {value.parameter, QString::number(value.value), allowedTexts(*parameter)});
+    } else if (value.value < parameter->minimum || value.value > parameter->maximum) {
+        return refuse(RefusalKind::badInput, RefusalId::valueOutOfRange,
+                      {value.parameter, value.value, parameter->minimum, parameter->maximum});
+    }
+    return {};
+}
+
+K3Steps K3Plan::stepsFor(const Job &job) const
+{
+    return std::visit([this](const auto &one) { return plan(one); }, job);
+}
+
+K3Steps K3Plan::plan(const ReadParameters &job) const
+{
+    K3Steps steps;
+    const bool readsSteps = std::ranges::find(job.parameters, Parameter::steps) != job.parameters.end();
+    if (readsSteps && !m_knowledge.countsStepsMinusOne())
+        appendRead(steps, Parameter::multiTurnAndStepsMinusOne);
+    for (const Parameter parameter : job.parameters)
+        appendRead(steps, parameter);
+    return steps;
+}
+
+K3Steps K3Plan::plan(const WriteParameters &job) const
+{
+    K3Steps steps;
+    if (needsStepsFlag(job.values))
+        appendRead(steps, Parameter::multiTurnAndStepsMinusOne);
+    if (job.onlyWhatDiffers && m_device.capabilities.reads) {
+        if (job.initialisePreset && m_device.quirks.presetNeedsRearming &&
+            valueOf(job.values, Parameter::preset))
+            appendRead(steps, Parameter::presetFlag);
+        for (const ParameterValue &value : job.values)
+            appendRead(steps, value.parameter);
+    }
+    appendWrites(steps, job.values);
+    if (job.initialisePreset)
+        appendPreset(steps);
+    for (const ParameterValue &value : job.values)
+        if (!job.initialisePreset || value.parameter != Parameter::zeroOffset) // the preset has changed that
+            appendRead(steps, value.parameter, value.value);
+    return steps;
+}
+
+// FRABA: a programmed preset can be activated once. Without a value given, the one the encoder has is
+// programmed again where the flag says that it is used up.
+K3Steps K3Plan::plan(const SetPreset &job) const
+{
+    if (job.value)
+        return plan(WriteParameters{.values = {{Parameter::preset, *job.value}},
+                                    .onlyWhatDiffers = true,
+                                    .previous = {},
+                                    .initialisePreset = true});
+    K3Steps steps;
+    if (m_device.quirks.presetNeedsRearming && m_device.capabilities.reads) {
+        appendRead(steps, Parameter::presetFlag);
+        appendRead(steps, Parameter::preset);
+        appendWrites(steps, {{Parameter::preset, 0}}); // the value follows when it is read
+    }
+    appendPreset(steps);
+    return steps;
+}
+
+K3Steps K3Plan::plan(const SendWords &job) const
+{
+    K3Steps steps;
+    for (const Word word : job.words) {
+        K3Step step;
+        step.kind = StepKind::word;
+        step.out = word;
+        step.holdCycles = job.holdCycles;
+        if (k3::isParameterWord(word))
+            if (const ParameterDescription *parameter = m_device.findNumber(k3::number(word)))
+                step.parameter = parameter->parameter;
+        steps.push_back(step);
+    }
+    return steps;
+}
+
+K3Steps K3Plan::plan(const EndParameterization &job) const
+{
+    return endParameterization(job.restore, true);
+}
+
+K3Steps K3Plan::endParameterization(const ParameterValues &restore, bool runFirst) const
+{
+    K3Steps steps;
+    if (runFirst) {
+        steps.push_back(runStep(!restore.empty()));
+        steps.push_back(toNormal(restore.empty()));
+    }
+    if (needsStepsFlag(restore))
+        appendRead(steps, Parameter::multiTurnAndStepsMinusOne);
+    appendWrites(steps, restore);
+    return steps;
+}
+
+K3Step K3Plan::toNormal(bool mustOperate)
+{
+    K3Step step;
+    step.kind = StepKind::toNormal;
+    step.out = k3::normalRunning;
+    step.mustOperate = mustOperate;
+    return step;
+}
+
+Word K3Plan::parameterWord(Parameter parameter, std::int64_t value) const
+{
+    return k3::parameterWord(m_device.find(parameter)->number.value_or(0),
+                             m_knowledge.dataFor(parameter, value));
+}
+
+bool K3Plan::needsStepsFlag(const ParameterValues &values) const
+{
+    return valueOf(values, Parameter::steps) && !m_knowledge.countsStepsMinusOne() &&
+           m_device.capabilities.reads;
+}
+
+void K3Plan::appendRead(K3Steps &steps, Parameter parameter, std::optional<std::int64_t> expected) const
+{
+    const ParameterDescription *description = m_device.find(parameter);
+    if (description == nullptr || !description->readOut)
+        return;
+    K3Step read;
+    read.kind = StepKind::readOut;
+    read.out = k3::readOutWord(*description->readOut);
+    read.parameter = parameter;
+    read.readOutCode = description->readOut;
+    read.expected = expected;
+    K3Step end;
+    end.kind = StepKind::endReadOut;
+    end.out = k3::normalRunning;
+    steps.push_back(read);
+    steps.push_back(end);
+}
+
+void K3Plan::appendWrites(K3Steps &steps, const ParameterValues &values) const
+{
+    if (values.empty())
+        return;
+    for (const ParameterValue &value : values) {
+        K3Step step;
+        step.kind = StepKind::parameter;
+        step.out = parameterWord(value.parameter, value.value);
+        step.parameter = value.parameter;
+        step.value = value.value;
+        steps.push_back(step);
+    }
+    steps.push_back(runStep(false));
+    steps.push_back(toNormal(true));
+}
+
+void K3Plan::appendPreset(K3Steps &steps) const
+{
+    K3Step step;
+    step.kind = StepKind::initialisePreset;
+    step.out = k3::initialisePreset;
+    steps.push_back(step);
+    steps.push_back(toNormal(true));
+}
+
+} // namespace codewheel

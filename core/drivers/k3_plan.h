@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "drivers/k3_knowledge.h"
+#include "drivers/k3_step.h"
+
+#include <vector>
+
+namespace codewheel {
+
+using K3Steps = std::vector<K3Step>;
+
+// What a job means in words, step by step. Pure: a plan is made from the job, the description and what is
+// known; what is read on the way refines it (k3_driver.cpp).
+class K3Plan
+{
+public:
+    K3Plan(const DeviceDescription &device, const K3Knowledge &knowledge)
+        : m_device(device)
+        , m_knowledge(knowledge)
+    {}
+
+    // Whether the job is one for this encoder: parameters it has, values in range. Bad input is refused here.
+    Result<void> check(const Job &job) const;
+    K3Steps stepsFor(const Job &job) const;
+
+    // Ends a parameterization: run, or run and the values from before.
+    K3Steps endParameterization(const ParameterValues &restore, bool runFirst) const;
+    static K3Step toNormal(bool mustOperate);
+    Word parameterWord(Parameter parameter, std::int64_t value) const;
+
+private:
+    Result<void> checkValue(const ParameterValue &value) const;
+    Result<void> checkWrite(const WriteParameters &job) const;
+    Result<void> checkRead(const ReadParameters &job) const;
+
+    K3Steps plan(const ReadParameters &job) const;
+    K3Steps plan(const WriteParameters &job) const;
+    K3Steps plan(const SetPreset &job) const;
+    K3Steps plan(const SendWords &job) const;
+    K3Steps plan(const EndParameterization &job) const;
+
+    bool needsStepsFlag(const ParameterValues &values) const;
+    void appendRead(K3Steps &steps, Parameter parameter, std::optional<std::int64_t> expected = {}) const;
+    void appendWrites(K3Steps &steps, const ParameterValues &values) const;
+    void appendPreset(K3Steps &steps) const;
+
+    const DeviceDescription &m_device;
+    const K3Knowledge &m_knowledge;
+};
+
+} // namespace codewheel

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/reading.h"
+
+namespace codewheel {
+
+// What has to be known to read an IN word of a K3 encoder.
+struct K3View
+{
+    k3::Dialect dialect = k3::Dialect::generic;
+    bool hasModes = false; // then a position is one only in Mode::position
+    std::optional<Mode> mode;
+    std::optional<PositionCoding> coding; // nothing: the raw word is all there is
+};
+
+EncoderState stateOf(Word in, k3::Dialect dialect) noexcept;
+
+// IN = 1 0 0 (at Baumer 1 0 x) with a number that is not 0: "disturbance".
+bool isErrorAnswer(Word in, k3::Dialect dialect) noexcept;
+
+Reading decodeReading(Word in, Instant at, const K3View &view) noexcept;
+
+} // namespace codewheel

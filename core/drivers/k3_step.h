@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/event.h"
+
+namespace codewheel {
+
+// How long a K3 driver waits for what. All settable; the values are assumed, the manuals give none.
+struct K3Timing
+{
+    Instant settle = std::chrono::milliseconds(
+        20); // a word is kept this long after its confirmation, and 00000000 after run
+    Instant timeOut = std::chrono::seconds(2); // then the encoder "does not answer"
+};
+
+// A step as the driver carries it out: the word, and what ends it.
+struct K3Step : Step
+{
+    std::int64_t value = 0;               // parameter: wanted value
+    std::optional<unsigned> readOutCode;  // readOut
+    std::optional<std::int64_t> expected; // readOut that verifies a write: what must be read
+    bool mustOperate = false;             // toNormal: only operation will do
+    bool tolerateError = false;           // run: an error answer is an answer
+    int holdCycles = 0;                   // word that nothing acknowledges
+};
+
+} // namespace codewheel

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivers/make_driver.h"
+
+#include "drivers/k3_driver.h"
+
+namespace codewheel {
+
+std::unique_ptr<CyclicDriver> makeDriver(const DeviceDescription &device)
+{
+    if (device.profile == Profile::k3)
+        return std::make_unique<K3Driver>(device);
+    return nullptr;
+}
+
+} // namespace codewheel
