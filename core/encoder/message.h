@@ -37,11 +37,11 @@ enum class MessageId : std::uint8_t {
 struct Message
 {
     Instant at{};
-    std::optional<DeviceNumber> place;
+    std::optional<DeviceNumber> place{};
     Severity severity = Severity::information;
     MessageId id = MessageId::refused;
-    std::vector<RefusalArgument> arguments;
-    std::optional<Refusal> refusal; // with MessageId::refused
+    std::vector<RefusalArgument> arguments{};
+    std::optional<Refusal> refusal{}; // with MessageId::refused
 
     friend bool operator==(const Message &, const Message &) = default;
 };

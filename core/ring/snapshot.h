@@ -30,6 +30,7 @@ struct Snapshot
     bool operate = false;              // writing is allowed
     std::uint64_t lateCycles = 0;      // counted by the paced thread since it started
     std::chrono::nanoseconds period{}; // of the paced thread; 0 when cycles are driven by hand
+    std::uint64_t droppedRows = 0;     // trace rows lost because nobody took them
     std::vector<Device> devices;       // in ring order
 };
 

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ring/ring_runner.h"
+
+#include "ring/command_queue.h"
+#include "ring/event_queue.h"
+#include "ring/exchange_trace.h"
+#include "ring/latest_snapshot.h"
+#include "ring/ring_watch.h"
+#include "ring/send_permission.h"
+
+#include <algorithm>
+
+namespace codewheel {
+
+struct RingRunner::Private
+{
+    Private(ProcessDataLink &usedLink, RingStructure ring, Drivers usedDrivers,
+            std::vector<Word> outAsReadBack);
+
+    void carryOutCommands();
+    void carryOut(const command::SetOut &c);
+    void carryOut(const command::StartJob &c);
+    void carryOut(const command::Proceed &c) { drivers[c.device]->proceed(); }
+    void carryOut(const command::Cancel &c) { drivers[c.device]->cancel(c.how, ring.at); }
+    void carryOut(const command::SetKnown &c) { drivers[c.device]->setKnown(c.known); }
+    void carryOut(command::StartBus);
+    void carryOut(command::StopBus);
+    void carryOut(command::SetOperate c);
+    void carryOut(command::AlarmStop);
+
+    void exchange();
+    void fail(const Refusal &why);
+    void step(std::size_t device);
+    void tellWritten();
+    void showStandingWords();
+    void leaveRun(MasterState state);
+    void endJobs(RefusalId why);
+    void takeDriverEvents(std::size_t device);
+
+    void tell(std::size_t device, decltype(RingEvent::what) what)
+    {
+        events.push({device, std::move(what), ring.at});
+    }
+    void tellOfRing(Message message);
+    void tellOfDevice(std::size_t device, Message message);
+
+    ProcessDataLink &link;
+    RingStructure structure;
+    Drivers drivers;
+    std::vector<Word> image; // OUT as it goes out next
+    std::vector<Word> received;
+    std::vector<std::size_t> written; // by SetOut, and not exchanged yet
+    Snapshot ring;                    // the last cycle; its OUT words are those that went out
+    ExchangeTrace trace;
+    FaultWatch faults;
+    LatenessWatch lateness;
+    CommandQueue commands;
+    EventQueue events;
+    LatestSnapshot latest;
+};
+
+RingRunner::Private::Private(ProcessDataLink &usedLink, RingStructure ringStructure, Drivers usedDrivers,
+                             std::vector<Word> outAsReadBack)
+    : link(usedLink)
+    , structure(std::move(ringStructure))
+    , drivers(std::move(usedDrivers))
+    , image(std::move(outAsReadBack))
+    , received(image.size())
+    , trace(image.size())
+    , faults(image.size())
+{
+    ring.state = MasterState::active;
+    ring.devices.resize(image.size());
+    for (std::size_t i = 0; i < image.size(); ++i)
+        ring.devices[i].out = image[i];
+    written.reserve(image.size());
+}
+
+// What was posted after an ALARM STOP waits for the next cycle, so that the zeros go out.
+void RingRunner::Private::carryOutCommands()
+{
+    while (const auto next = commands.next()) {
+        std::visit([this](const auto &c) { carryOut(c); }, *next);
+        if (std::holds_alternative<command::AlarmStop>(*next))
+            return;
+    }
+}
+
+void RingRunner::Private::carryOut(const command::SetOut &c)
+{
+    const auto allowed = maySend(ring, c.device, structure[c.device].number, RefusalId::wordHeldByJob);
+    if (!allowed) {
+        Message message{.severity = Severity::attention};
+        message.refusal = allowed.error();
+        tellOfDevice(c.device, std::move(message));
+        return;
+    }
+    image[c.device] = c.word;
+    if (std::ranges::find(written, c.device) == written.end())
+        written.push_back(c.device);
+}
+
+void RingRunner::Private::carryOut(const command::StartJob &c)
+{
+    Snapshot::Device &device = ring.devices[c.device];
+    CyclicDriver &driver = *drivers[c.device];
+    auto taken = maySend(ring, c.device, structure[c.device].number, RefusalId::jobRunning);
+    if (taken)
+        taken = driver.begin(c.id, c.job, c.pace, device.in, image[c.device], ring.at);
+    device.heldByJob = driver.busy();
+    if (taken)
+        return;
+    Outcome outcome;
+    outcome.job = c.id;
+    outcome.result = std::move(taken);
+    outcome.leftIn = device.reading.state;
+    tell(c.device, Event(std::move(outcome)));
+}
+
+void RingRunner::Private::carryOut(command::StartBus)
+{
+    if (ring.state == MasterState::run)
+        return;
+    ring.state = MasterState::run;
+    tellOfRing({.id = MessageId::busStarted});
+}
+
+void RingRunner::Private::carryOut(command::StopBus)
+{
+    if (ring.state == MasterState::active)
+        return;
+    leaveRun(MasterState::active);
+    tellOfRing({.id = MessageId::busStopped});
+}
+
+void RingRunner::Private::carryOut(command::SetOperate c)
+{
+    if (c.on == ring.operate)
+        return;
+    const auto held = std::ranges::find(ring.devices, true, &Snapshot::Device::heldByJob);
+    if (held != ring.devices.end()) {
+        const auto place = structure[static_cast<std::size_t>(held - ring.devices.begin())].number;
+        Message message{.severity = Severity::attention};
+        message.refusal = Refusal{RefusalKind::busy, RefusalId::jobRunning, {place.toString()}};
+        tellOfRing(std::move(message));
+        return;
+    }
+    ring.operate = c.on;
+    tellOfRing({.id = c.on ? MessageId::operateOn : MessageId::watchOn});
+}
+
+void RingRunner::Private::carryOut(command::AlarmStop)
+{
+    endJobs(RefusalId::alarmStop);
+    std::ranges::fill(image, Word{0});
+    written.clear();
+    tellOfRing({.severity = Severity::attention, .id = MessageId::alarmStop});
+}
+
+void RingRunner::Private::exchange()
+{
+    const auto exchanged = link.exchange(image, received);
+    if (!exchanged) {
+        fail(exchanged.error());
+        return;
+    }
+    ++ring.cycle;
+    tellWritten();
+    for (std::size_t i = 0; i < image.size(); ++i)
+        step(i);
+}
+
+// `stopped` is our own interrupt(): the cycle is skipped, nothing is wrong with the link.
+void RingRunner::Private::fail(const Refusal &why)
+{
+    if (why.kind != RefusalKind::stopped) {
+        leaveRun(MasterState::busFail);
+        Message message{.severity = Severity::fault};
+        message.refusal = why;
+        tellOfRing(std::move(message));
+    }
+    showStandingWords();
+}
+
+// One device, after an exchange: its words, its driver's answer, its trace row.
+void RingRunner::Private::step(std::size_t i)
+{
+    Snapshot::Device &device = ring.devices[i];
+    const Word out = image[i];
+    const Word in = received[i];
+    device.outEdges = device.out ^ out;
+    device.inEdges = ring.cycle == 1 ? 0 : device.in ^ in;
+    device.out = out;
+    device.in = in;
+
+    CyclicDriver *driver = drivers[i].get();
+    if (driver) {
+        const Word next = driver->cycle(in, out, ring.at);
+        if (ring.operate) // in Watch nothing changes OUT
+            image[i] = next;
+        device.reading = driver->reading();
+        device.heldByJob = driver->busy();
+    } else {
+        device.reading.at = ring.at;
+        device.reading.in = in;
+    }
+    if (trace.isRow(i, out, in))
+        tell(i, Exchange{ring.cycle, ring.at, out, in, device.reading.mode, device.reading.coding});
+    if (auto message = faults.look(i, device.reading))
+        tellOfDevice(i, std::move(*message));
+    if (driver)
+        takeDriverEvents(i);
+}
+
+void RingRunner::Private::tellWritten()
+{
+    for (const std::size_t device : written)
+        tellOfDevice(device, {.id = MessageId::wordWritten, .arguments = {image[device]}});
+    written.clear();
+}
+
+// Without an exchange: OUT as it would go out, IN as it came last.
+void RingRunner::Private::showStandingWords()
+{
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        Snapshot::Device &device = ring.devices[i];
+        device.inEdges = 0;
+        device.outEdges = device.out ^ image[i];
+        device.out = image[i];
+    }
+}
+
+// OUT stays as it was exchanged last.
+void RingRunner::Private::leaveRun(MasterState state)
+{
+    ring.state = state;
+    endJobs(RefusalId::busStopped);
+    for (std::size_t i = 0; i < image.size(); ++i)
+        image[i] = ring.devices[i].out;
+    written.clear();
+}
+
+void RingRunner::Private::endJobs(RefusalId why)
+{
+    for (std::size_t i = 0; i < drivers.size(); ++i) {
+        if (!drivers[i] || !drivers[i]->busy())
+            continue;
+        drivers[i]->stop(why, ring.at);
+        ring.devices[i].heldByJob = drivers[i]->busy();
+        takeDriverEvents(i);
+    }
+}
+
+void RingRunner::Private::takeDriverEvents(std::size_t device)
+{
+    for (Event &event : drivers[device]->takeEvents())
+        tell(device, std::move(event));
+}
+
+void RingRunner::Private::tellOfRing(Message message)
+{
+    message.at = ring.at;
+    tell(0, std::move(message));
+}
+
+void RingRunner::Private::tellOfDevice(std::size_t device, Message message)
+{
+    message.at = ring.at;
+    message.place = structure[device].number;
+    tell(device, std::move(message));
+}
+
+RingRunner::RingRunner(ProcessDataLink &link, RingStructure structure, Drivers drivers,
+                       std::vector<Word> outAsReadBack)
+    : d(std::make_unique<Private>(link, std::move(structure), std::move(drivers), std::move(outAsReadBack)))
+{}
+
+RingRunner::~RingRunner() = default;
+
+void RingRunner::cycle(Instant now)
+{
+    d->ring.at = now;
+    d->carryOutCommands();
+    if (d->ring.state == MasterState::run)
+        d->exchange();
+    else
+        d->showStandingWords();
+    if (auto message = d->lateness.look(d->ring.lateCycles, now))
+        d->tellOfRing(std::move(*message));
+    d->ring.droppedRows = d->events.droppedRows();
+    d->latest.publish(d->ring);
+}
+
+void RingRunner::post(Command command)
+{
+    d->commands.post(std::move(command));
+}
+
+std::vector<RingEvent> RingRunner::takeEvents()
+{
+    return d->events.take();
+}
+
+std::shared_ptr<const Snapshot> RingRunner::takeLatest()
+{
+    return d->latest.take();
+}
+
+void RingRunner::setPacing(std::chrono::nanoseconds period, std::uint64_t lateCycles)
+{
+    d->ring.period = period;
+    d->ring.lateCycles = lateCycles;
+}
+
+} // namespace codewheel

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ring/ring_watch.h"
+
+namespace codewheel {
+
+std::optional<Message> FaultWatch::look(std::size_t device, const Reading &reading)
+{
+    std::optional<unsigned> fault;
+    if (reading.state == EncoderState::error)
+        fault = reading.errorNumber.value_or(0);
+    if (fault == m_faults[device])
+        return std::nullopt;
+
+    m_faults[device] = fault;
+    Message message;
+    if (fault) {
+        message.severity = Severity::fault;
+        message.id = MessageId::deviceFault;
+        message.arguments = {std::int64_t{*fault}, reading.in};
+    } else {
+        message.id = MessageId::deviceFaultGone;
+    }
+    return message;
+}
+
+std::optional<Message> LatenessWatch::look(std::uint64_t lateCycles, Instant now)
+{
+    if (lateCycles < m_told) // a new thread counts from 0
+        m_told = 0;
+    if (lateCycles == m_told || (m_toldAt && now - *m_toldAt < std::chrono::seconds(1)))
+        return std::nullopt;
+
+    Message message;
+    message.severity = Severity::attention;
+    message.id = MessageId::lateCycles;
+    message.arguments = {static_cast<std::int64_t>(lateCycles - m_told)};
+    m_told = lateCycles;
+    m_toldAt = now;
+    return message;
+}
+
+} // namespace codewheel

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ring/send_permission.h"
+
+namespace codewheel {
+
+Result<void> maySend(const Snapshot &ring, std::size_t device, DeviceNumber place, RefusalId whenHeld)
+{
+    const auto notNow = [place](RefusalId why) { return refuse(RefusalKind::busy, why, {place.toString()}); };
+    if (ring.state != MasterState::run)
+        return notNow(RefusalId::notRunning);
+    if (!ring.operate)
+        return notNow(RefusalId::watchOnly);
+    if (ring.devices[device].heldByJob)
+        return notNow(whenHeld);
+    return {};
+}
+
+} // namespace codewheel

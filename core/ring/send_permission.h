@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/device_number.h"
+#include "encoder/refusal.h"
+#include "ring/snapshot.h"
+
+namespace codewheel {
+
+// Whether anything may be sent to a device now: the bus runs, writing is allowed, and no job holds its OUT
+// word. The window asks it of the latest snapshot to answer at once; the runner asks it again when the
+// command arrives. `whenHeld` is jobRunning or wordHeldByJob.
+Result<void> maySend(const Snapshot &ring, std::size_t device, DeviceNumber place, RefusalId whenHeld);
+
+} // namespace codewheel
