@@ -11,30 +11,32 @@ namespace codewheel {
 // meaningKey() gives the language-neutral name that JSON uses.
 enum class MeaningId : std::uint8_t {
     // OUT, K3
-    normalRunning,      // 00000000
-    normalRunningData,  // D31..D25 = 0 with data in D24..D0: number[0] = data
-    run,                // 80000000
-    runIgnoresRest,     // D31 = 1 with other bits: number[0] = the rest
-    initialisePreset,   // 40000000
-    frabaPreset,        // 60000000
-    parameterRequest,   // "parameter n = value": number[0] = number, number[1] = value
-    resetToDefault,     // 0E000000
-    velocityOn,         // 20400001
-    velocityOff,        // 20400000
-    readOutRequest,     // 2021000n: number[0] = code
-    opcRegisterRequest, // 202100xD: number[0] = register
-    camMode,            // 2080000x: number[0] = program
-    positionMode,       // 20800000
-    camConfiguration,   // 2040xxxx: number[0] = cams as bits
-    camStart,           // 4.......: number[0] = cam, number[1] = position
-    camStop,            // 6.......: number[0] = cam, number[1] = position
-    setCamShift,        // 201000xx: number[0] = shift_iw
+    normalRunning,             // 00000000
+    normalRunningData,         // D31..D25 = 0 with data in D24..D0: number[0] = data
+    run,                       // 80000000
+    runIgnoresRest,            // D31 = 1 with other bits: number[0] = the rest
+    initialisePreset,          // 40000000
+    frabaPreset,               // 60000000
+    parameterRequest,          // "parameter n = value": number[0] = number, number[1] = value
+    parameterRequestInCamMode, // likewise, but cam mode refuses it
+    resetToDefault,            // 0E000000
+    velocityOn,                // 20400001
+    velocityOff,               // 20400000
+    readOutRequest,            // 2021000n: number[0] = code
+    opcRegisterRequest,        // 202100xD: number[0] = register
+    camMode,                   // 2080000x: number[0] = program (1..8; 9..15 are refused)
+    positionMode,              // 20800000
+    camConfiguration,          // 2040xxxx: number[0] = cams as bits
+    camStart,                  // 4.......: number[0] = cam, number[1] = position
+    camStop,                   // 6.......: number[0] = cam, number[1] = position
+    setCamShift,               // 201000xx: number[0] = shift_iw
     camConfigurationRequest,
     camStartRequest, // number[0] = cam
     camStopRequest,  // number[0] = cam
     camShiftRequest,
-    manufacturerBitIgnored, // Baumer: D29 = 1 beside a word that means number[0]
-    undefinedOut,           // no manual defines it: number[0] = word
+    manufacturerBitIgnored,  // Baumer: D29 = 1 beside a word that means number[0]
+    manufacturerSpecificOut, // D29 = 1, make not known: number[0] = word
+    undefinedOut,            // no manual defines it: number[0] = word
 
     // IN, K3
     position,          // number[0] = value
@@ -46,7 +48,7 @@ enum class MeaningId : std::uint8_t {
     processing,        // C0......: number[0] = data
     confirmed,         // number[0] = parameter, number[1] = data
     oldConfirmation,   // as confirmed, while OUT asks for parameter number[2]
-    camConfirmation,   // an acknowledged cam word: number[0] = the word without D31, D30
+    camConfirmation,   // number[0] = the OUT word acknowledged
     selfTestOrReadOut, // A.......: number[0] = value
     readOutValue,      // number[0] = code asked for, number[1] = value
     opcRegisterValue,  // number[0] = register, number[1] = value
@@ -54,13 +56,16 @@ enum class MeaningId : std::uint8_t {
     camStartValue, // number[0] = cam, number[1] = position
     camStopValue,
     camShiftValue,
-    readOutUnknown,    // A4......: number[0] = data
-    noValidPosition,   // 80000000
-    deviceError,       // number[0] = error number, number[1] = data
-    manufacturerError, // 980000xx: number[0] = code
-    unknownState,      // D31 D30 = 01: number[0] = word
-    undefinedIn,       // no manual defines it: number[0] = word
+    readOutUnknown,         // A4......: number[0] = data
+    noValidPosition,        // 80000000
+    deviceError,            // number[0] = error number, number[1] = data
+    wrongCamCommand,        // 84...... in cam mode: number[0] = data
+    manufacturerError,      // 980000xx: number[0] = code
+    unknownState,           // D31 D30 = 01: number[0] = word
+    manufacturerSpecificIn, // D31..D29 = 101, make not known: number[0] = word
+    undefinedIn,            // no manual defines it: number[0] = word
 };
+inline constexpr int meaningCount = static_cast<int>(MeaningId::undefinedIn) + 1;
 
 // One meaning: an id and the numbers its sentence needs.
 struct Meaning
