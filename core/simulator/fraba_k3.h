@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simulator/simulated_k3.h"
+
+namespace codewheel {
+
+// What distinguishes one FRABA OCD-IB from the next.
+struct FrabaPlate
+{
+    Word serialNumber = 0;
+    Word softwareVersion = 0x0103;
+    Word operatingTime = 0; // 10 min
+    bool stepsMinusOne = false;
+    std::optional<int> temperature = 245; // 0.1 degC; nothing: no sensor
+};
+
+// FRABA OCD-IB K3 (FRABA manual 5.3, 5.4, 10): read-out, velocity mode, FRABA preset.
+class FrabaK3 final : public SimulatedK3
+{
+public:
+    static constexpr std::int64_t fastestCode = 800; // steps per 1 ms: 800 kHz
+
+    FrabaK3(PhysicalResolution resolution, std::int64_t raw, FrabaPlate plate, K3Timing timing = {});
+
+private:
+    enum class Mode : std::uint8_t { position, velocity };
+
+    bool take(Word out) override;
+    void seen(Word out) override;
+    bool confirm(unsigned number, Word data) override;
+    Word operationWord() const override;
+    void wentToDefault() override;
+
+    void takeParameter(Word out);
+    void takePreset(Word out);
+    void takeManufacturerWord(Word out);
+    Word velocity() const;
+    Word readOutAnswer(Word code) const;
+    std::optional<Word> readOutValue(Word code) const;
+    Word startUpMode() const;
+
+    FrabaPlate m_plate;
+    Mode m_mode = Mode::position; // kept over power-off
+};
+
+} // namespace codewheel

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/fraba_k3.h"
+
+// Read-out of a FRABA encoder (FRABA manual 10.2): 2021000nh is answered by A0000000h + value, a code that is
+// in no table by A4000000h + n.
+namespace codewheel {
+
+namespace {
+
+constexpr Word unknownReadOut = 0xA400'0000;
+constexpr Word multiTurnFlag = 2;
+constexpr Word stepsMinusOneFlag = 1;
+constexpr Word largestOpcCode = 0xFD; // register number in bits 7..4, D in bits 3..0
+
+constexpr bool isOpcRegister(Word code)
+{
+    return code <= largestOpcCode && (code & 0xF) == 0xD;
+}
+
+} // namespace
+
+Word FrabaK3::readOutAnswer(Word code) const
+{
+    const auto value = readOutValue(code);
+    return value ? k3::readOutAnswer | (*value & k3::dataMask) : unknownReadOut | code;
+}
+
+std::optional<Word> FrabaK3::readOutValue(Word code) const
+{
+    const ParameterSet &set = memory().active();
+    switch (code) {
+    case 0x0:
+        return m_plate.serialNumber;
+    case 0x1:
+        return static_cast<Word>(set.steps - (m_plate.stepsMinusOne ? 1 : 0));
+    case 0x2:
+        return static_cast<Word>(set.revolutions);
+    case 0x3:
+        return static_cast<Word>(set.coding);
+    case 0x4:
+        return static_cast<Word>(set.preset);
+    case 0x5:
+        return static_cast<Word>(set.zeroOffset);
+    case 0x6:
+        return set.presetArmed ? 1 : 0;
+    case 0x7:
+        return m_plate.softwareVersion;
+    case 0x8:
+        return m_plate.operatingTime;
+    case 0x9:
+        return startUpMode();
+    case 0xA:
+        return (m_plate.stepsMinusOne ? stepsMinusOneFlag : 0) |
+               (shaft().resolution().turns > 1 ? multiTurnFlag : 0);
+    case 0xC: // 16-bit two's complement (assumed)
+        return m_plate.temperature ? std::optional(static_cast<Word>(*m_plate.temperature) & 0xFFFF)
+                                   : std::nullopt;
+    default:
+        return isOpcRegister(code) ? std::optional<Word>(0) : std::nullopt;
+    }
+}
+
+Word FrabaK3::startUpMode() const
+{
+    return m_mode == Mode::velocity ? 2 : 1;
+}
+
+} // namespace codewheel

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/simulated_k3.h"
+
+namespace codewheel {
+
+SimulatedK3::SimulatedK3(TurningShaft shaft, ParameterSet factory, K3Timing timing)
+    : m_shaft(shaft)
+    , m_memory(factory, shaft.resolution())
+    , m_arithmetic(factory, shaft.resolution())
+    , m_timing(timing)
+{}
+
+Word SimulatedK3::cycle(Word out)
+{
+    const Word in = m_in;
+    m_shaft.advance();
+    if (m_phase == Phase::off)
+        passOffTime();
+    else if (m_phase != Phase::operation || !m_watch.isOld(out))
+        see(out);
+    refresh();
+    return in;
+}
+
+void SimulatedK3::refresh()
+{
+    m_in = m_readOut != 0 ? m_readOut : m_phase == Phase::operation ? operationWord() : m_shown;
+}
+
+void SimulatedK3::enter(Phase phase, Word shown)
+{
+    m_phase = phase;
+    m_shown = shown;
+}
+
+void SimulatedK3::see(Word out)
+{
+    m_watch.see(out);
+    if (m_phase == Phase::startingUp) {
+        if (--m_remaining <= 0)
+            finishStartUp();
+        return;
+    }
+    seen(out);
+    if (m_watch.startEdge() && m_phase != Phase::operation)
+        m_runIn = m_timing.runAfter;
+    if (m_phase == Phase::processing) {
+        if (--m_remaining <= 0)
+            finishProcessing();
+        runWhenDue();
+        return; // the next word at the next cycle: a refusal is seen for one cycle at least
+    }
+    runWhenDue();
+    if (!m_watch.isDone() && m_watch.hasStood(m_timing.takenAfter)) {
+        const bool started = (out & k3::startBit) != 0; // all else is ignored
+        if (started || take(out))
+            m_watch.setDone();
+    }
+}
+
+void SimulatedK3::process(Word out, Word meanwhile)
+{
+    m_processed = out;
+    m_remaining = m_timing.processing * (m_slow ? slowFactor : 1);
+    enter(Phase::processing, meanwhile);
+}
+
+void SimulatedK3::finishProcessing()
+{
+    if (confirm(k3::number(m_processed), k3::data(m_processed))) {
+        acknowledge(k3::confirmation | m_processed);
+    } else {
+        m_runIn = noRun; // a run seen meanwhile must not hide the refusal
+        fail(error_number::wrongData);
+    }
+}
+
+void SimulatedK3::runWhenDue()
+{
+    if (m_runIn > 0)
+        --m_runIn;
+    if (m_runIn == 0 && m_phase != Phase::processing) {
+        m_runIn = noRun;
+        run();
+    }
+}
+
+void SimulatedK3::run()
+{
+    const bool toDefault = m_memory.isGoingToDefault();
+    if (const auto error = m_memory.activate()) {
+        fail(*error);
+        return;
+    }
+    if (toDefault)
+        wentToDefault();
+    m_arithmetic = EncoderArithmetic(m_memory.active(), m_shaft.resolution());
+    operate();
+}
+
+void SimulatedK3::fail(unsigned errorNumber)
+{
+    failWith(k3::error | k3::withNumber(errorNumber));
+}
+
+void SimulatedK3::initialisePreset(ParameterMemory::Storing storing)
+{
+    m_memory.setZeroOffset(m_arithmetic.zeroOffsetForPreset(m_shaft.raw()), storing);
+    m_arithmetic = EncoderArithmetic(m_memory.active(), m_shaft.resolution());
+}
+
+void SimulatedK3::setPower(bool on)
+{
+    if (on && m_phase == Phase::off) {
+        switchOn();
+    } else if (!on) {
+        m_remaining = 0;
+        m_runIn = noRun;
+        m_readOut = 0;
+        enter(Phase::off, 0);
+    }
+    refresh();
+}
+
+void SimulatedK3::powerCycle()
+{
+    setPower(false);
+    m_remaining = powerCycleCycles;
+}
+
+void SimulatedK3::passOffTime()
+{
+    if (m_remaining > 0 && --m_remaining == 0)
+        switchOn();
+}
+
+void SimulatedK3::switchOn()
+{
+    m_memory.powerUp();
+    m_watch.reset();
+    m_arithmetic = EncoderArithmetic(m_memory.active(), m_shaft.resolution());
+    poweredUp();
+    m_remaining = m_timing.startUp;
+    enter(Phase::startingUp, k3::confirmation);
+    if (m_remaining <= 0)
+        finishStartUp();
+}
+
+void SimulatedK3::finishStartUp()
+{
+    if (const auto error = startUpError())
+        fail(*error);
+    else if (m_memory.isLost())
+        fail(error_number::parametersLost);
+    else
+        operate();
+}
+
+void SimulatedK3::loseParameters()
+{
+    m_memory.lose();
+    wentToDefault();
+    m_arithmetic = EncoderArithmetic(m_memory.active(), m_shaft.resolution());
+    m_runIn = noRun;
+    if (m_phase != Phase::off && m_phase != Phase::startingUp)
+        fail(error_number::parametersLost);
+    refresh();
+}
+
+void SimulatedK3::turnTo(std::int64_t raw)
+{
+    m_shaft.turnTo(raw);
+    refresh();
+}
+
+void SimulatedK3::turnBy(std::int64_t steps)
+{
+    m_shaft.turnBy(steps);
+    refresh();
+}
+
+void SimulatedK3::setSpeed(double rpm)
+{
+    m_shaft.setSpeed(rpm);
+    refresh();
+}
+
+} // namespace codewheel

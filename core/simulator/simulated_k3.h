@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simulator/encoder_arithmetic.h"
+#include "simulator/parameter_memory.h"
+#include "simulator/word_watch.h"
+
+#include <optional>
+
+namespace codewheel {
+
+// When an encoder acts, in bus cycles (assumed: the manuals give an order, no times).
+struct K3Timing
+{
+    int takenAfter = 2; // a word must have stood this long
+    int processing = 2;
+    int runAfter = 1;
+    int startUp = 0; // from power-up to operation
+};
+
+// A simulated K3 encoder on its shaft: the handshake as both makes have it. What a word means to the make,
+// and what it shows in operation, is said by the derived classes. Used by SimulatedRing, one cycle() per bus
+// cycle of 1 ms.
+class SimulatedK3
+{
+public:
+    static constexpr int slowFactor = 50;       // "slow confirmation"
+    static constexpr int powerCycleCycles = 50; // off, then on again
+
+    virtual ~SimulatedK3() = default;
+    SimulatedK3(const SimulatedK3 &) = delete;
+    SimulatedK3 &operator=(const SimulatedK3 &) = delete;
+
+    // OUT goes in; IN as it was prepared in the cycle before comes out.
+    Word cycle(Word out);
+
+    const TurningShaft &shaft() const { return m_shaft; }
+    int eepromWrites() const { return m_memory.eepromWrites(); }
+    bool isPowered() const { return m_phase != Phase::off; }
+    bool isSlow() const { return m_slow; }
+    virtual bool hasBattery() const { return false; }
+    virtual bool isBatteryLow() const { return false; }
+
+    void turnTo(std::int64_t raw);
+    void turnBy(std::int64_t steps);
+    void setSpeed(double rpm);
+    void setSlow(bool slow) { m_slow = slow; }
+    void setPower(bool on);
+    void powerCycle();
+    void loseParameters();
+    virtual void setBatteryLow(bool /*low*/) {} // shows at the next power-up
+
+protected:
+    enum class Phase : std::uint8_t { off, startingUp, operation, processing, parameterization, error };
+
+    SimulatedK3(TurningShaft shaft, ParameterSet factory, K3Timing timing);
+    // To be called at the end of the constructor of the make.
+    void begin() { refresh(); }
+
+    // A word that has stood long enough, D31 = 0. False: offer it again in the next cycle.
+    virtual bool take(Word out) = 0;
+    // Every cycle in which OUT is new or not dealt with.
+    virtual void seen(Word /*out*/) {}
+    // The end of the processing of a parameter word; false: its data are refused.
+    virtual bool confirm(unsigned number, Word data) = 0;
+    // IN in operation.
+    virtual Word operationWord() const = 0;
+    // An error found at power-up, before that of lost parameters.
+    virtual std::optional<unsigned> startUpError() const { return std::nullopt; }
+    virtual void poweredUp() {}
+    virtual void wentToDefault() {}
+
+    Phase phase() const { return m_phase; }
+    Word shown() const { return m_shown; }
+    const ParameterMemory &memory() const { return m_memory; }
+    ParameterMemory &memory() { return m_memory; }
+    const EncoderArithmetic &arithmetic() const { return m_arithmetic; }
+
+    // Starts to process a parameter word; `meanwhile` stands in IN until it is confirmed.
+    void process(Word out, Word meanwhile);
+    void acknowledge(Word shown) { enter(Phase::parameterization, shown); }
+    void fail(unsigned errorNumber);
+    void failWith(Word shown) { enter(Phase::error, shown); }
+    void operate() { enter(Phase::operation, 0); }
+    bool takePresetEdge() { return m_watch.takePresetEdge(); }
+    void initialisePreset(ParameterMemory::Storing storing);
+    // Stands in IN instead of everything else; 0: nothing.
+    void showReadOut(Word answer) { m_readOut = answer; }
+    Word readOut() const { return m_readOut; }
+
+private:
+    static constexpr int noRun = -1;
+
+    void enter(Phase phase, Word shown);
+    void refresh();
+    void see(Word out);
+    void passOffTime();
+    void switchOn();
+    void finishStartUp();
+    void finishProcessing();
+    void runWhenDue();
+    void run();
+
+    TurningShaft m_shaft;
+    ParameterMemory m_memory;
+    EncoderArithmetic m_arithmetic;
+    K3Timing m_timing;
+    WordWatch m_watch;
+    Phase m_phase = Phase::operation;
+    Word m_in = 0;      // prepared for the next cycle
+    Word m_shown = 0;   // IN outside operation
+    Word m_readOut = 0; // IN during read-out
+    Word m_processed = 0;
+    int m_remaining = 0; // cycles of starting up, processing, or a power cycle
+    int m_runIn = noRun; // cycles until a run that was seen takes effect
+    bool m_slow = false;
+};
+
+} // namespace codewheel

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simulator/simulated_k3.h"
+
+#include <cstdio>
+#include <gtest/gtest.h>
+#include <initializer_list>
+#include <string>
+
+namespace codewheel {
+
+// A row of a manual's table: what stands in OUT and IN, for so many cycles.
+struct HandshakeRow
+{
+    Word out;
+    Word in;
+    int cycles = 1;
+};
+
+inline std::string hex8(Word word)
+{
+    char text[9];
+    std::snprintf(text, sizeof text, "%08X", word);
+    return text;
+}
+
+// Plays the rows cycle by cycle and expects every IN.
+inline void play(SimulatedK3 &encoder, std::initializer_list<HandshakeRow> rows)
+{
+    int number = 0;
+    for (const HandshakeRow &row : rows) {
+        ++number;
+        for (int cycle = 1; cycle <= row.cycles; ++cycle) {
+            EXPECT_EQ(hex8(encoder.cycle(row.out)), hex8(row.in))
+                << "row " << number << ", cycle " << cycle << ", OUT " << hex8(row.out);
+        }
+    }
+}
+
+// Holds each word for as many cycles as any answer of an encoder with usual timing takes. Answers the IN that
+// stands then.
+inline Word send(SimulatedK3 &encoder, std::initializer_list<Word> words)
+{
+    Word in = 0;
+    for (const Word out : words) {
+        for (int cycle = 0; cycle < 6; ++cycle)
+            in = encoder.cycle(out);
+    }
+    return in;
+}
+
+} // namespace codewheel
