@@ -27,6 +27,7 @@ void K3Handshake::begin(const K3Step &step, Word in, Instant now)
     m_inAtBegin = in;
     m_inChanged = false;
     m_hasConfirmed = false;
+    m_answered = false;
     m_cycles = 0;
     m_begin = now;
     m_answeredSince = now;
@@ -60,8 +61,9 @@ State K3Handshake::answerTo(Word in)
             return true;
         }
     }();
-    if (!answered || m_cycles == 1)
+    if (answered && !m_answered)
         m_answeredSince = m_now;
+    m_answered = answered;
 
     switch (m_step.kind) {
     case StepKind::parameter:

@@ -48,7 +48,8 @@ private:
     Word m_inAtBegin = 0;
     bool m_inChanged = false;
     bool m_hasConfirmed = false;
-    int m_cycles = 0; // in which the word has stood in OUT
+    bool m_answered = false; // IN holds what the step waits for
+    int m_cycles = 0;        // in which the word has stood in OUT
     Instant m_begin{};
     Instant m_now{};
     Instant m_answeredSince{}; // since when IN has held the answer without a break

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/catalog.h"
+#include "drivers/k3_driver.h"
+
+#include <optional>
+#include <vector>
+
+namespace codewheel {
+
+// One bus cycle as the manuals' tables write it: the OUT word the driver must have put there, and the IN word
+// beside it.
+struct Row
+{
+    Word out;
+    Word in;
+};
+
+// A driver on a table instead of a bus: plays rows and collects what the driver says. 1 cycle = 1 ms.
+class DriverTable
+{
+public:
+    explicit DriverTable(QStringView device, K3Timing timing = {.settle = Instant{0}});
+
+    K3Driver &driver() { return m_driver; }
+    void tell(Parameter parameter, std::int64_t value);
+    // The job begins on the words of the last row; on 00000000 / 00000000 before the first.
+    Result<void> begin(const Job &job, Pace pace = Pace::byItself);
+    // Each row is one cycle; a wrong OUT is a test failure that names the row.
+    void play(const std::vector<Row> &rows);
+    void repeat(int cycles, Row row);
+
+    const std::optional<Outcome> &outcome();
+    const Progress &progress();
+    std::optional<std::int64_t> known(Parameter parameter);
+    std::optional<Evidence> evidence(Parameter parameter);
+    int eepromWrites();
+
+private:
+    void collect();
+    const Known *find(Parameter parameter);
+
+    K3Driver m_driver;
+    std::vector<Known> m_told;
+    Word m_out = 0;
+    Word m_in = 0;
+    Instant m_now{};
+    std::optional<Outcome> m_outcome;
+    Progress m_progress;
+    std::vector<Known> m_known;
+    int m_eepromWrites = 0;
+};
+
+} // namespace codewheel

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each choice of cancel, at every step of a write.
+#include "tests/drivers/driver_table.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+constexpr Word pos = 0x0000'3039;
+
+class K3Cancel : public testing::Test
+{
+protected:
+    DriverTable table{u"fraba-ocd-ib"};
+
+    void SetUp() override
+    {
+        table.tell(Parameter::multiTurnAndStepsMinusOne, 2);
+        ASSERT_TRUE(table.begin(WriteParameters{
+            .values = {{Parameter::steps, 255}, {Parameter::direction, 4}},
+            .previous = {{Parameter::steps, 8192}, {Parameter::direction, 3}},
+        }));
+    }
+
+    void cancel(OnCancel how) { table.driver().cancel(how, Instant{}); }
+
+    void expectCancelled(EncoderState leftIn)
+    {
+        ASSERT_TRUE(table.outcome());
+        ASSERT_FALSE(table.outcome()->result);
+        EXPECT_EQ(table.outcome()->result.error(), (Refusal{RefusalKind::stopped, RefusalId::cancelled, {}}));
+        EXPECT_EQ(table.outcome()->leftIn, leftIn);
+    }
+};
+
+TEST_F(K3Cancel, BeforeTheFirstWordNothingIsSent)
+{
+    cancel(OnCancel::restorePrevious);
+    table.repeat(3, {0x0000'0000, pos});
+    expectCancelled(EncoderState::operation);
+}
+
+TEST_F(K3Cancel, BeforeAnythingWasConfirmedOutGoesBackToZero)
+{
+    table.play({{0x0000'0000, pos}, {0x0200'00FF, pos}});
+    cancel(OnCancel::restorePrevious);
+    table.play({{0x0200'00FF, pos}, {0x0000'0000, pos}, {0x0000'0000, pos}});
+    expectCancelled(EncoderState::operation);
+    EXPECT_EQ(table.outcome()->eepromWrites, 0);
+}
+
+TEST_F(K3Cancel, RestoreRunsAndWritesTheValuesFromBefore)
+{
+    table.play({{0x0000'0000, pos}, {0x0200'00FF, 0xC200'00FF}, {0x0600'0004, 0xC200'00FF}});
+    EXPECT_TRUE(table.progress().canRestore);
+    cancel(OnCancel::restorePrevious);
+    table.play({
+        {0x0600'0004, 0xC200'00FF},
+        {0x0000'0000, 0xC200'00FF},
+        {0x8000'0000, 384},
+        {0x0000'0000, 384},
+        {0x0200'2000, 0xC200'2000},
+        {0x8000'0000, pos},
+        {0x0000'0000, pos},
+        {0x0000'0000, pos},
+    });
+    expectCancelled(EncoderState::operation);
+    EXPECT_EQ(table.known(Parameter::steps), 8192);
+    EXPECT_EQ(table.outcome()->eepromWrites, 2);
+}
+
+TEST_F(K3Cancel, RestoreGoesOnAfterARunThatFails)
+{
+    table.play({{0x0000'0000, pos}, {0x0200'00FF, 0xC200'00FF}, {0x0600'0004, 0xC200'00FF}});
+    cancel(OnCancel::restorePrevious);
+    table.play({
+        {0x0600'0004, 0xC200'00FF},
+        {0x0000'0000, 0xC200'00FF},
+        {0x8000'0000, 0x8200'0000},
+        {0x0000'0000, 0x8200'0000},
+        {0x0200'2000, 0xC200'2000},
+        {0x8000'0000, pos},
+        {0x0000'0000, pos},
+        {0x0000'0000, pos},
+    });
+    expectCancelled(EncoderState::operation);
+}
+
+TEST_F(K3Cancel, RunWithWhatItHasActivatesWhatWasConfirmed)
+{
+    table.play({{0x0000'0000, pos}, {0x0200'00FF, 0xC200'00FF}, {0x0600'0004, 0xC200'00FF}});
+    cancel(OnCancel::runWithWhatItHas);
+    table.play({
+        {0x0600'0004, 0xC200'00FF},
+        {0x0000'0000, 0xC200'00FF},
+        {0x8000'0000, 384},
+        {0x0000'0000, 384},
+        {0x0000'0000, 384},
+    });
+    expectCancelled(EncoderState::operation);
+    EXPECT_EQ(table.outcome()->written, (ParameterValues{{Parameter::steps, 255}}));
+    EXPECT_EQ(table.known(Parameter::steps), 255);
+}
+
+TEST_F(K3Cancel, LeaveAsIsSendsNothingButZero)
+{
+    table.play({{0x0000'0000, pos}, {0x0200'00FF, 0xC200'00FF}, {0x0600'0004, 0xC200'00FF}});
+    cancel(OnCancel::leaveAsIs);
+    table.play({{0x0600'0004, 0xC200'00FF}, {0x0000'0000, 0xC200'00FF}, {0x0000'0000, 0xC200'00FF}});
+    expectCancelled(EncoderState::parameterization);
+}
+
+TEST_F(K3Cancel, RunThatIsOnItsWayIsWaitedFor)
+{
+    table.play({{0x0000'0000, pos},
+                {0x0200'00FF, 0xC200'00FF},
+                {0x0600'0004, 0xC600'0004},
+                {0x8000'0000, 0xC600'0004}});
+    cancel(OnCancel::restorePrevious);
+    table.play({{0x8000'0000, 384},
+                {0x0000'0000, 384},
+                {0x0200'2000, 0xC200'2000},
+                {0x0600'0003, 0xC600'0003},
+                {0x8000'0000, pos},
+                {0x0000'0000, pos},
+                {0x0000'0000, pos}});
+    expectCancelled(EncoderState::operation);
+}
+
+TEST_F(K3Cancel, DuringTheReadBackTheValuesStay)
+{
+    table.play({{0x0000'0000, pos},
+                {0x0200'00FF, 0xC200'00FF},
+                {0x0600'0004, 0xC600'0004},
+                {0x8000'0000, 384},
+                {0x0000'0000, 384},
+                {0x2021'0001, 384}});
+    cancel(OnCancel::leaveAsIs);
+    table.play(
+        {{0x2021'0001, 0xA000'00FF}, {0x0000'0000, 0xA000'00FF}, {0x0000'0000, 384}, {0x0000'0000, 384}});
+    expectCancelled(EncoderState::operation);
+    EXPECT_EQ(table.outcome()->written.size(), 2u);
+}
+
+TEST(K3CancelUnknown, RestoreIsNotOfferedWhereTheValuesFromBeforeAreNotKnown)
+{
+    DriverTable table(u"baumer-gxp6w");
+    ASSERT_TRUE(table.begin(WriteParameters{.values = {{Parameter::steps, 255}, {Parameter::revolutions, 2}},
+                                            .previous = {{Parameter::steps, 100}}}));
+    table.play({{0x0000'0000, pos}, {0x0200'00FF, 0xC200'00FF}, {0x0400'0002, 0xC200'00FF}});
+    EXPECT_TRUE(table.progress().canRestore);
+    table.play({{0x0400'0002, 0xC400'0002}, {0x8000'0000, 0xC400'0002}});
+    EXPECT_FALSE(table.progress().canRestore);
+}
+
+// An encoder left behind, e.g. by a program that was closed
+TEST(K3EndParameterization, BringsBackAnEncoderThatWasLeftInError)
+{
+    DriverTable table(u"baumer-gxp6w");
+    table.play({{0x0000'0000, 0x8200'0000}});
+    ASSERT_TRUE(table.begin(EndParameterization{{{Parameter::revolutions, 1}}}));
+    table.play({{0x0000'0000, 0x8200'0000},
+                {0x0400'0001, 0xC400'0001},
+                {0x8000'0000, pos},
+                {0x0000'0000, pos},
+                {0x0000'0000, pos}});
+    ASSERT_TRUE(table.outcome());
+    EXPECT_TRUE(table.outcome()->result);
+}
+
+TEST(K3EndParameterization, RunsAnEncoderThatWasLeftInParameterization)
+{
+    DriverTable table(u"fraba-ocd-ib");
+    table.play({{0x0000'0000, 0xC200'00FF}});
+    ASSERT_TRUE(table.begin(EndParameterization{}));
+    table.play({{0x0000'0000, 0xC200'00FF}, {0x8000'0000, 384}, {0x0000'0000, 384}, {0x0000'0000, 384}});
+    ASSERT_TRUE(table.outcome());
+    EXPECT_TRUE(table.outcome()->result);
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Words that no job sends teach as much: what is known follows the wire.
+#include "drivers/k3_knowledge.h"
+#include "tests/drivers/driver_table.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+constexpr Word pos = 0x0000'3039;
+
+class Wire : public testing::Test
+{
+protected:
+    Catalog catalog = Catalog::builtIn();
+    K3Knowledge fraba{*catalog.find(u"fraba-ocd-ib")};
+    K3Knowledge baumer{*catalog.find(u"baumer-gxp6w")};
+
+    static void play(K3Knowledge &knowledge, const std::vector<Row> &rows)
+    {
+        for (const Row &row : rows)
+            knowledge.observe(row.in, row.out, Instant{1});
+    }
+};
+
+TEST_F(Wire, AConfirmedValueIsKnownOnceRunIsAnswered)
+{
+    play(baumer, {{0, pos}, {0x0200'00FF, 0xC000'00FF}, {0x0200'00FF, 0xC200'00FF}});
+    EXPECT_EQ(baumer.value(Parameter::steps), std::nullopt);
+    play(baumer, {{0x8000'0000, 0xC200'00FF}, {0x8000'0000, pos}});
+    EXPECT_EQ(baumer.value(Parameter::steps), 255);
+    EXPECT_EQ(baumer.eepromWrites(), 1);
+}
+
+TEST_F(Wire, APowerCycleDropsWhatWasOnlyConfirmed)
+{
+    play(baumer, {{0, pos}, {0x0200'00FF, 0xC200'00FF}, {0, pos}, {0x8000'0000, pos}});
+    EXPECT_EQ(baumer.value(Parameter::steps), std::nullopt);
+    EXPECT_EQ(baumer.eepromWrites(), 0);
+}
+
+TEST_F(Wire, ARefusedValueIsNotKnown)
+{
+    play(fraba, {{0, pos},
+                 {0x0600'0004, 0xC600'0004},
+                 {0x0400'1000, 0xC400'1000},
+                 {0x0400'1000, 0x8200'0000},
+                 {0x0000'0000, 0x8200'0000},
+                 {0x8000'0000, pos}});
+    EXPECT_EQ(fraba.value(Parameter::direction), 4);
+    EXPECT_EQ(fraba.value(Parameter::revolutions), std::nullopt);
+}
+
+TEST_F(Wire, StepsOfAnEncoderThatMayCountMinusOneStayUnknown)
+{
+    play(fraba, {{0, pos}, {0x0200'00FF, 0xC200'00FF}, {0x8000'0000, pos}});
+    EXPECT_EQ(fraba.value(Parameter::steps), std::nullopt);
+}
+
+TEST_F(Wire, AReadOutByHandIsKnowledgeButAnOldAnswerIsNot)
+{
+    play(fraba, {{0, pos}, {0x2021'0002, pos}, {0x2021'0002, 0xA000'0005}});
+    EXPECT_EQ(fraba.value(Parameter::revolutions), 5);
+    play(fraba, {{0x2021'0004, 0xA000'0005}, {0x2021'0004, 0xA000'0064}});
+    EXPECT_EQ(fraba.value(Parameter::preset), std::nullopt) << "it cannot be told from the old answer";
+}
+
+TEST_F(Wire, ResetToDefaultForgetsAll)
+{
+    play(baumer, {{0, pos}, {0x0600'0003, 0xC600'0003}, {0x8000'0000, pos}, {0, pos}});
+    EXPECT_EQ(baumer.value(Parameter::coding), 3);
+    play(baumer, {{0x0E00'0000, 0xCE00'0000}, {0x8000'0000, pos}});
+    EXPECT_EQ(baumer.value(Parameter::coding), std::nullopt);
+}
+
+TEST_F(Wire, APresetOnTheWireChangesTheZeroOffset)
+{
+    fraba.set(
+        {{Parameter::zeroOffset, 800, Evidence::read, {}}, {Parameter::startUpMode, 1, Evidence::told, {}}});
+    play(fraba, {{0, pos}, {0x4000'0000, pos}, {0x4000'0000, 0}, {0, 0}});
+    EXPECT_EQ(fraba.value(Parameter::zeroOffset), std::nullopt);
+    EXPECT_EQ(fraba.eepromWrites(), 1);
+    play(fraba, {{0x4000'0000, 0}, {0, 0}});
+    EXPECT_EQ(fraba.eepromWrites(), 1) << "a programmed preset is activated once";
+}
+
+TEST_F(Wire, ModeIsUnknownUntilToldOrSwitched)
+{
+    EXPECT_EQ(fraba.mode(), std::nullopt);
+    play(fraba, {{0, pos}, {0x2040'0001, pos}, {0x2040'0001, pos}, {0x2040'0001, pos}});
+    EXPECT_EQ(fraba.mode(), std::nullopt) << "in cam mode this sets the cam configuration";
+    play(fraba, {{0x2080'0000, pos}, {0x2080'0000, pos}, {0x2080'0000, pos}});
+    EXPECT_EQ(fraba.mode(), Mode::position);
+    play(fraba, {{0x2040'0001, pos}, {0x2040'0001, pos}, {0x2040'0001, pos}});
+    EXPECT_EQ(fraba.mode(), Mode::velocity);
+}
+
+TEST_F(Wire, AStartUpModeThatWasReadSaysNothingAboutNow)
+{
+    fraba.set({{Parameter::startUpMode, 1, Evidence::read, {}}});
+    EXPECT_EQ(fraba.mode(), std::nullopt);
+}
+
+} // namespace
+} // namespace codewheel
