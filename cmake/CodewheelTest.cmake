@@ -11,9 +11,18 @@ set(codewheel_test_environment
 
 # codewheel_test(NAME LIBRARIES...): a test program of its folder's sources. Add sources with target_sources(NAME ...).
 function(codewheel_test name)
+    codewheel_test_program(${name} codewheel_test_support codewheel_test_pch ${ARGN})
+endfunction()
+
+# codewheel_gui_test(NAME LIBRARIES...): the same with QApplication, codewheel_widgets and Qt Test.
+function(codewheel_gui_test name)
+    codewheel_test_program(${name} codewheel_gui_test_support codewheel_gui_test_pch ${ARGN})
+endfunction()
+
+function(codewheel_test_program name support precompiled)
     add_executable(${name})
-    target_link_libraries(${name} PRIVATE codewheel_test_support ${ARGN})
-    target_precompile_headers(${name} REUSE_FROM codewheel_test_pch)
+    target_link_libraries(${name} PRIVATE ${support} ${ARGN})
+    target_precompile_headers(${name} REUSE_FROM ${precompiled})
     add_test(NAME ${name} COMMAND ${name} --gtest_brief=0)
     set_tests_properties(${name} PROPERTIES ENVIRONMENT "${codewheel_test_environment}" TIMEOUT 600)
 endfunction()

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/inline_message.h"
+
+#include "widgets/look/grid.h"
+
+#include <QAccessible>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QToolButton>
+
+namespace codewheel {
+
+InlineMessage::InlineMessage(QWidget *parent)
+    : QFrame(parent)
+    , m_icon(new QLabel(this))
+    , m_sentence(new QLabel(this))
+    , m_action(new QPushButton(this))
+    , m_close(new QToolButton(this))
+{
+    m_sentence->setWordWrap(true);
+    m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_close->setAutoRaise(true);
+    m_close->setIcon(lineIcon(Icon::cancel));
+    m_close->setToolTip(tr("Close this message"));
+    m_close->setAccessibleName(tr("Close this message"));
+
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(grid::margin + grid::unit, grid::unit, grid::unit, grid::unit);
+    layout->setSpacing(grid::margin);
+    layout->addWidget(m_icon);
+    layout->addWidget(m_sentence, 1);
+    layout->addWidget(m_action);
+    layout->addWidget(m_close);
+
+    connect(m_action, &QPushButton::clicked, this, &InlineMessage::actionTriggered);
+    connect(m_close, &QToolButton::clicked, this, [this] {
+        withdraw();
+        Q_EMIT closed();
+    });
+    hide();
+}
+
+void InlineMessage::showMessage(Role role, const QString &sentence, const QString &actionText)
+{
+    m_role = role;
+    m_sentence->setText(sentence);
+    m_action->setText(actionText);
+    m_action->setVisible(!actionText.isEmpty());
+    setAccessibleName(tr("%1: %2", "role: sentence").arg(roleWord(role), sentence));
+    drawIcon();
+    show();
+    update();
+    QAccessibleEvent alert(this, QAccessible::Alert);
+    QAccessible::updateAccessibility(&alert);
+}
+
+void InlineMessage::withdraw()
+{
+    hide();
+    m_sentence->clear();
+    setAccessibleName({});
+}
+
+QString InlineMessage::sentence() const
+{
+    return m_sentence->text();
+}
+
+void InlineMessage::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), palette().color(QPalette::Base));
+    painter.fillRect(QRect(0, 0, grid::unit, height()), roleColor(m_role, palette()));
+}
+
+void InlineMessage::changeEvent(QEvent *event)
+{
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange)
+        drawIcon();
+}
+
+void InlineMessage::drawIcon()
+{
+    const QSize size(grid::smallIcon, grid::smallIcon);
+    m_icon->setPixmap(lineIcon(roleIcon(m_role), m_role).pixmap(size, devicePixelRatioF()));
+}
+
+} // namespace codewheel

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/look/roles.h"
+
+#include <QFrame>
+
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace codewheel {
+
+// A sentence that stands where something went wrong: what happened and what to do, with one action if there
+// is one. Whoever shows it withdraws it when the cause is gone; the user can close it before. Hidden until
+// then.
+class InlineMessage : public QFrame
+{
+    Q_OBJECT
+
+public:
+    explicit InlineMessage(QWidget *parent = nullptr);
+
+    // actionText: on the button, none without. Role: attention or fault, or running for good news.
+    void showMessage(Role role, const QString &sentence, const QString &actionText = {});
+    void withdraw(); // the cause is gone
+    QString sentence() const;
+
+Q_SIGNALS:
+    void actionTriggered();
+    void closed(); // by the user
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    void drawIcon();
+
+    Role m_role = Role::attention;
+    QLabel *m_icon;
+    QLabel *m_sentence;
+    QPushButton *m_action;
+    QToolButton *m_close;
+};
+
+} // namespace codewheel

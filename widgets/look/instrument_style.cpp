@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/instrument_style.h"
+
+#include "widgets/look/grid.h"
+
+namespace codewheel {
+
+namespace {
+
+constexpr int longestMotion = 200; // ms
+
+// What a gloved finger has to hit.
+bool isControlMetric(QStyle::PixelMetric metric)
+{
+    switch (metric) {
+    case QStyle::PM_IndicatorWidth:
+    case QStyle::PM_IndicatorHeight:
+    case QStyle::PM_ExclusiveIndicatorWidth:
+    case QStyle::PM_ExclusiveIndicatorHeight:
+    case QStyle::PM_ScrollBarExtent:
+    case QStyle::PM_SliderThickness:
+    case QStyle::PM_SliderLength:
+    case QStyle::PM_SplitterWidth:
+    case QStyle::PM_ButtonIconSize:
+    case QStyle::PM_TabCloseIndicatorWidth:
+    case QStyle::PM_TabCloseIndicatorHeight:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool isControl(QStyle::ContentsType type)
+{
+    switch (type) {
+    case QStyle::CT_PushButton:
+    case QStyle::CT_ToolButton:
+    case QStyle::CT_ComboBox:
+    case QStyle::CT_LineEdit:
+    case QStyle::CT_SpinBox:
+    case QStyle::CT_CheckBox:
+    case QStyle::CT_RadioButton:
+    case QStyle::CT_MenuItem:
+    case QStyle::CT_MenuBarItem:
+    case QStyle::CT_TabBarTab:
+    case QStyle::CT_ItemViewItem:
+    case QStyle::CT_HeaderSection:
+        return true;
+    default:
+        return false;
+    }
+}
+
+constexpr int larger(int length)
+{
+    return length + length / 2;
+}
+
+} // namespace
+
+InstrumentStyle::InstrumentStyle(bool largeControls, bool lessMotion)
+    : QProxyStyle(QStringLiteral("Fusion"))
+    , m_largeControls(largeControls)
+    , m_lessMotion(lessMotion)
+{}
+
+int InstrumentStyle::styleHint(StyleHint hint, const QStyleOption *option, const QWidget *widget,
+                               QStyleHintReturn *returned) const
+{
+    if (hint == largeControlsHint)
+        return m_largeControls ? 1 : 0;
+    const int usual = QProxyStyle::styleHint(hint, option, widget, returned);
+    if (hint == SH_Widget_Animation_Duration)
+        return m_lessMotion ? 0 : qMin(usual, longestMotion);
+    return usual;
+}
+
+int InstrumentStyle::pixelMetric(PixelMetric metric, const QStyleOption *option, const QWidget *widget) const
+{
+    switch (metric) {
+    case PM_LayoutLeftMargin:
+    case PM_LayoutTopMargin:
+    case PM_LayoutRightMargin:
+    case PM_LayoutBottomMargin:
+        return grid::margin;
+    case PM_LayoutHorizontalSpacing:
+    case PM_LayoutVerticalSpacing:
+        return grid::unit;
+    case PM_SmallIconSize:
+    case PM_ToolBarIconSize:
+        return m_largeControls ? larger(grid::smallIcon) : grid::smallIcon;
+    default:
+        break;
+    }
+    const int usual = QProxyStyle::pixelMetric(metric, option, widget);
+    return m_largeControls && isControlMetric(metric) ? larger(usual) : usual;
+}
+
+QSize InstrumentStyle::sizeFromContents(ContentsType type, const QStyleOption *option, const QSize &contents,
+                                        const QWidget *widget) const
+{
+    QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
+    if (m_largeControls && isControl(type))
+        size.setHeight(larger(size.height()));
+    return size;
+}
+
+} // namespace codewheel

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/line_icon_engine.h"
+
+#include "widgets/look/grid.h"
+#include "widgets/look/roles.h"
+
+#include <QFile>
+#include <QGuiApplication>
+#include <QPainter>
+#include <QPixmapCache>
+#include <QSvgRenderer>
+
+#include <array>
+
+namespace codewheel {
+
+namespace {
+
+// In the order of Icon.
+constexpr std::array fileNames{
+    "add",    "alarm-stop", "attention",   "back",       "battery", "cancel",   "compare",
+    "copy",   "encoder",    "export-data", "fault",      "filter",  "inactive", "information",
+    "master", "messages",   "monitor",     "next",       "ok",      "operate",  "parameters",
+    "power",  "preset",     "read",        "refresh",    "remove",  "ring",     "running",
+    "search", "sequence",   "set-bit",     "shaft",      "start",   "step",     "stop",
+    "trace",  "training",   "turn-left",   "turn-right", "watch",   "wizard",   "write",
+};
+static_assert(fileNames.size() == iconCount);
+
+QLatin1String fileName(Icon icon)
+{
+    return QLatin1String(fileNames.at(static_cast<std::size_t>(icon)));
+}
+
+// The drawings stand on a grid of 24 with strokes of 1.5; a smaller icon gets wider strokes there.
+QByteArray drawing(Icon icon, int logicalSize)
+{
+    QFile file(QStringLiteral(":/codewheel/icons/%1.svg").arg(fileName(icon)));
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    const double width = 1.5 * grid::largeIcon / qBound(1, logicalSize, grid::largeIcon);
+    return file.readAll().replace("stroke-width=\"1.5\"",
+                                  "stroke-width=\"" + QByteArray::number(width) + '"');
+}
+
+QPixmap drawn(Icon icon, QSize size, qreal scale, const QColor &color)
+{
+    QPixmap pixmap(size);
+    pixmap.fill(Qt::transparent);
+    const int logicalSize = qRound(qMin(size.width(), size.height()) / scale);
+    QSvgRenderer renderer(drawing(icon, logicalSize));
+    renderer.setAspectRatioMode(Qt::KeepAspectRatio);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    renderer.render(&painter);
+    painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+    painter.fillRect(pixmap.rect(), color);
+    painter.end();
+    pixmap.setDevicePixelRatio(scale);
+    return pixmap;
+}
+
+} // namespace
+
+LineIconEngine::LineIconEngine(Icon icon, std::optional<Role> role)
+    : m_icon(icon)
+    , m_role(role)
+{}
+
+QColor LineIconEngine::color(QIcon::Mode mode) const
+{
+    const QPalette palette = QGuiApplication::palette();
+    if (mode == QIcon::Disabled)
+        return palette.color(QPalette::Disabled, QPalette::WindowText);
+    if (mode == QIcon::Selected)
+        return palette.color(QPalette::HighlightedText);
+    return m_role ? roleColor(*m_role, palette) : palette.color(QPalette::WindowText);
+}
+
+void LineIconEngine::paint(QPainter *painter, const QRect &rect, QIcon::Mode mode, QIcon::State state)
+{
+    const qreal scale = painter->device()->devicePixelRatio();
+    const QSize size = (QSizeF(rect.size()) * scale).toSize();
+    painter->drawPixmap(rect, scaledPixmap(size, mode, state, scale));
+}
+
+QPixmap LineIconEngine::pixmap(const QSize &size, QIcon::Mode mode, QIcon::State state)
+{
+    return scaledPixmap(size, mode, state, 1.0);
+}
+
+// size is in device pixels.
+QPixmap LineIconEngine::scaledPixmap(const QSize &size, QIcon::Mode mode, QIcon::State, qreal scale)
+{
+    const QColor ink = color(mode);
+    const QString cacheKey = QStringLiteral("codewheel %1 %2x%3 %4 %5")
+                                 .arg(fileName(m_icon))
+                                 .arg(size.width())
+                                 .arg(size.height())
+                                 .arg(scale)
+                                 .arg(ink.rgba(), 8, 16);
+    QPixmap found;
+    if (!QPixmapCache::find(cacheKey, &found)) {
+        found = drawn(m_icon, size, scale, ink);
+        QPixmapCache::insert(cacheKey, found);
+    }
+    return found;
+}
+
+QList<QSize> LineIconEngine::availableSizes(QIcon::Mode, QIcon::State)
+{
+    return {QSize(grid::smallIcon, grid::smallIcon), QSize(grid::largeIcon, grid::largeIcon)};
+}
+
+QString LineIconEngine::key() const
+{
+    return QStringLiteral("codewheel-line");
+}
+
+QIconEngine *LineIconEngine::clone() const
+{
+    return new LineIconEngine(*this);
+}
+
+} // namespace codewheel

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/role_label.h"
+
+#include "widgets/look/grid.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+
+namespace codewheel {
+
+RoleLabel::RoleLabel(QWidget *parent)
+    : QWidget(parent)
+    , m_icon(new QLabel(this))
+    , m_word(new QLabel(this))
+{
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(grid::unit);
+    layout->addWidget(m_icon);
+    layout->addWidget(m_word, 1);
+    setState(Role::inactive);
+}
+
+void RoleLabel::setState(Role role, const QString &word)
+{
+    m_role = role;
+    m_word->setText(word);
+    setAccessibleName(word);
+    drawIcon();
+}
+
+QString RoleLabel::word() const
+{
+    return m_word->text();
+}
+
+void RoleLabel::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange)
+        drawIcon();
+}
+
+void RoleLabel::drawIcon()
+{
+    const QSize size(grid::smallIcon, grid::smallIcon);
+    m_icon->setPixmap(lineIcon(roleIcon(m_role), m_role).pixmap(size, devicePixelRatioF()));
+}
+
+} // namespace codewheel

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/look/icons.h"
+
+#include <QColor>
+#include <QPalette>
+#include <QString>
+
+#include <array>
+
+namespace codewheel {
+
+// What a colour means. A colour that means none of these is not used. Shown always with its icon and its
+// word.
+enum class Role : std::uint8_t { running, attention, fault, setBit, inactive };
+inline constexpr std::array allRoles{Role::running, Role::attention, Role::fault, Role::setBit,
+                                     Role::inactive};
+
+// Whether a palette is dark on light or light on dark.
+enum class Shade : std::uint8_t { light, dark };
+Shade shadeOf(const QPalette &palette);
+
+// Fills, rims and icons: at least 3 : 1 against the palette's grounds.
+QColor roleColor(Role role, const QPalette &palette);
+// Digits on a ground filled with roleColor(): at least 4.5 : 1.
+QColor textOn(Role role, const QPalette &palette);
+
+QString roleWord(Role role);
+Icon roleIcon(Role role);
+
+} // namespace codewheel

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractTableModel>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace codewheel {
+
+// What every table of ours has in common: it keeps the rows and tells the views of each change. A child says
+// how many columns there are and fills headerCell() and cell(); roles as in Qt (display, alignment,
+// decoration, tooltip, accessible text). Q_OBJECT works in the child.
+template <typename Row>
+class TableModelBase : public QAbstractTableModel
+{
+public:
+    using QAbstractTableModel::QAbstractTableModel;
+
+    int rowCount(const QModelIndex &parent = {}) const final
+    {
+        return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+    }
+    int columnCount(const QModelIndex &parent = {}) const final { return parent.isValid() ? 0 : columns(); }
+
+    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const final
+    {
+        if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid))
+            return {};
+        return cell(rowAt(index.row()), index.column(), role);
+    }
+
+    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const final
+    {
+        if (orientation != Qt::Horizontal || section < 0 || section >= columns())
+            return {};
+        return headerCell(section, role);
+    }
+
+    const std::vector<Row> &rows() const { return m_rows; }
+    const Row &rowAt(int row) const { return m_rows.at(static_cast<std::size_t>(row)); }
+
+    // All rows anew; selections are lost, so for a new content only.
+    void setRows(std::vector<Row> rows)
+    {
+        beginResetModel();
+        m_rows = std::move(rows);
+        endResetModel();
+    }
+
+    void append(std::vector<Row> rows)
+    {
+        if (rows.empty())
+            return;
+        const int first = rowCount();
+        beginInsertRows({}, first, first + static_cast<int>(rows.size()) - 1);
+        std::move(rows.begin(), rows.end(), std::back_inserter(m_rows));
+        endInsertRows();
+    }
+
+    void insertAt(int row, Row content)
+    {
+        beginInsertRows({}, row, row);
+        m_rows.insert(m_rows.begin() + row, std::move(content));
+        endInsertRows();
+    }
+
+    void replace(int row, Row content)
+    {
+        m_rows.at(static_cast<std::size_t>(row)) = std::move(content);
+        Q_EMIT dataChanged(index(row, 0), index(row, columns() - 1));
+    }
+
+    void removeAt(int row) { removeSpan(row, 1); }
+
+    // The oldest rows, where a table is bounded.
+    void removeFirst(int count) { removeSpan(0, std::min(count, rowCount())); }
+
+protected:
+    virtual int columns() const = 0;
+    virtual QVariant headerCell(int column, int role) const = 0;
+    virtual QVariant cell(const Row &row, int column, int role) const = 0;
+
+private:
+    void removeSpan(int first, int count)
+    {
+        if (count <= 0)
+            return;
+        beginRemoveRows({}, first, first + count - 1);
+        m_rows.erase(m_rows.begin() + first, m_rows.begin() + first + count);
+        endRemoveRows();
+    }
+
+    std::vector<Row> m_rows;
+};
+
+} // namespace codewheel
