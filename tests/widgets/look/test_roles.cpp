@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contrast as WCAG 2.1 computes it, from pixels that were really painted, in light and dark.
+#include "widgets/look/appearance.h"
+#include "widgets/look/palettes.h"
+#include "widgets/look/role_label.h"
+#include "widgets/monitor/word_view.h"
+
+#include <cmath>
+
+namespace codewheel {
+namespace {
+
+double luminance(QRgb color)
+{
+    const auto linear = [](int channel) {
+        const double c = channel / 255.0;
+        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(qRed(color)) + 0.7152 * linear(qGreen(color)) + 0.0722 * linear(qBlue(color));
+}
+
+double contrast(QRgb a, QRgb b)
+{
+    const auto [dark, light] = std::minmax({luminance(a), luminance(b)});
+    return (light + 0.05) / (dark + 0.05);
+}
+
+// The pixel that stands out most from the ground: the inside of a stroke, not its soft edge.
+double strongestContrast(const QImage &image, QRgb ground)
+{
+    double strongest = 1;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            strongest = std::max(strongest, contrast(image.pixel(x, y), ground));
+    return strongest;
+}
+
+class Contrast : public testing::TestWithParam<Scheme>
+{
+protected:
+    Contrast()
+    {
+        applyAppearance(*qApp, {.scheme = GetParam()});
+        windowGround = qApp->palette().window().color().rgb();
+    }
+    ~Contrast() override { applyAppearance(*qApp, {.scheme = Scheme::light}); }
+
+    // At twice the size, so that a stroke has an inside.
+    QImage grab(QWidget &widget, QRect rect)
+    {
+        QImage image(rect.size() * 2, QImage::Format_RGB32);
+        image.setDevicePixelRatio(2);
+        widget.render(&image, {}, QRegion(rect));
+        return image;
+    }
+
+    QRgb windowGround = 0;
+};
+
+TEST_P(Contrast, IconsOfRolesStandOutThreeToOneAndTheirWordsFourAndAHalf)
+{
+    for (const Role role : allRoles) {
+        RoleLabel label;
+        label.setState(role);
+        label.resize(label.sizeHint());
+        const int words = label.width() - 20;
+        EXPECT_GE(strongestContrast(grab(label, QRect(0, 0, 16, label.height())), windowGround), 3.0)
+            << label.word().toStdString();
+        EXPECT_GE(strongestContrast(grab(label, QRect(20, 0, words, label.height())), windowGround), 4.5)
+            << label.word().toStdString();
+    }
+}
+
+TEST_P(Contrast, ASetBitStandsOutAndItsDigitFromIt)
+{
+    WordView view(16);
+    view.setWord(1, 1, 0, {});
+    const QImage cell = grab(view, view.bitRect(0));
+    const QRgb fill = cell.pixel(cell.width() / 2, 8);
+    EXPECT_EQ(fill, roleColor(Role::setBit, qApp->palette()).rgb());
+    EXPECT_GE(contrast(fill, windowGround), 3.0);
+    EXPECT_GE(strongestContrast(cell.copy(cell.rect().adjusted(10, 12, -10, -12)), fill), 4.5);
+}
+
+TEST_P(Contrast, AClearBitHasARimAndADigitToSee)
+{
+    WordView view(16);
+    const QImage cell = grab(view, view.bitRect(0));
+    const QRgb inside = cell.pixel(cell.width() / 2, 8);
+    EXPECT_EQ(inside, qApp->palette().base().color().rgb());
+    EXPECT_GE(strongestContrast(cell.copy(0, cell.height() / 2, 6, 1), windowGround), 3.0);
+    EXPECT_GE(strongestContrast(cell.copy(cell.rect().adjusted(10, 12, -10, -12)), inside), 4.5);
+}
+
+TEST_P(Contrast, DigitsCanBeReadOnAFillOfAnyRole)
+{
+    for (const Role role : allRoles)
+        EXPECT_GE(contrast(roleColor(role, qApp->palette()).rgb(), textOn(role, qApp->palette()).rgb()), 4.5)
+            << roleWord(role).toStdString();
+}
+
+TEST_P(Contrast, TextCanBeReadOnEveryGround)
+{
+    const QPalette palette = qApp->palette();
+    for (const auto ground : {QPalette::Window, QPalette::Base, QPalette::AlternateBase, QPalette::Button})
+        for (const auto text : {QPalette::WindowText, QPalette::Link, QPalette::PlaceholderText})
+            EXPECT_GE(contrast(palette.color(text).rgb(), palette.color(ground).rgb()), 4.5)
+                << "text role " << text << " on ground " << ground;
+    EXPECT_GE(contrast(palette.highlightedText().color().rgb(), palette.highlight().color().rgb()), 4.5);
+    EXPECT_GE(contrast(palette.toolTipText().color().rgb(), palette.toolTipBase().color().rgb()), 4.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Schemes, Contrast, testing::Values(Scheme::light, Scheme::dark),
+                         [](const auto &scheme) { return scheme.param == Scheme::light ? "light" : "dark"; });
+
+// As eyes without red cones (protanopia) and without green cones (deuteranopia) see a colour: Viénot,
+// Brettel, Mollon 1999, on linear light.
+std::array<double, 3> seenWithout(char cone, QRgb color)
+{
+    const auto linear = [](int channel) { return std::pow(channel / 255.0, 2.2); };
+    const double r = linear(qRed(color));
+    const double g = linear(qGreen(color));
+    const double b = linear(qBlue(color));
+    const double yellow = cone == 'L' ? 0.11238 * r + 0.88762 * g : 0.29275 * r + 0.70725 * g;
+    const double blue = cone == 'L' ? 0.00401 * r - 0.00401 * g + b : -0.02234 * r + 0.02234 * g + b;
+    return {std::pow(yellow, 1 / 2.2), std::pow(yellow, 1 / 2.2),
+            std::pow(std::clamp(blue, 0.0, 1.0), 1 / 2.2)};
+}
+
+TEST_P(Contrast, ColourBlindEyesTellTheRolesApart)
+{
+    for (const char missingCone : {'L', 'M'})
+        for (const Role a : allRoles)
+            for (const Role b : allRoles) {
+                if (a >= b)
+                    continue;
+                const auto seenA = seenWithout(missingCone, roleColor(a, qApp->palette()).rgb());
+                const auto seenB = seenWithout(missingCone, roleColor(b, qApp->palette()).rgb());
+                const double distance =
+                    std::hypot(seenA[0] - seenB[0], seenA[1] - seenB[1], seenA[2] - seenB[2]);
+                EXPECT_GE(distance, 0.1) << roleWord(a).toStdString() << " and " << roleWord(b).toStdString();
+            }
+}
+
+TEST(Appearance, SystemFollowsTheLightnessOfTheDesktop)
+{
+    EXPECT_EQ(shadeFor(Scheme::system, paletteOf(Shade::light)), Shade::light);
+    EXPECT_EQ(shadeFor(Scheme::system, paletteOf(Shade::dark)), Shade::dark);
+    EXPECT_EQ(shadeFor(Scheme::light, paletteOf(Shade::dark)), Shade::light);
+    EXPECT_EQ(shadeFor(Scheme::dark, paletteOf(Shade::light)), Shade::dark);
+}
+
+TEST(Appearance, ADarkSchemeDoesNotStickToSystem)
+{
+    applyAppearance(*qApp, {.scheme = Scheme::system});
+    const Shade desktop = shadeOf(qApp->palette());
+    applyAppearance(*qApp, {.scheme = desktop == Shade::light ? Scheme::dark : Scheme::light});
+    EXPECT_NE(shadeOf(qApp->palette()), desktop);
+    applyAppearance(*qApp, {.scheme = Scheme::system});
+    EXPECT_EQ(shadeOf(qApp->palette()), desktop);
+    applyAppearance(*qApp, {.scheme = Scheme::light});
+}
+
+TEST(Appearance, LargeControlsMakeButtonsHigher)
+{
+    QPushButton button(QStringLiteral("Write"));
+    const int usual = button.sizeHint().height();
+    applyAppearance(*qApp, {.scheme = Scheme::light, .largeControls = true});
+    EXPECT_EQ(button.sizeHint().height(), usual + usual / 2);
+    applyAppearance(*qApp, {.scheme = Scheme::light});
+    EXPECT_EQ(button.sizeHint().height(), usual);
+}
+
+TEST(Appearance, MotionIsShortAndCanBeTurnedOff)
+{
+    const auto duration = [] { return qApp->style()->styleHint(QStyle::SH_Widget_Animation_Duration); };
+    EXPECT_LE(duration(), 200);
+    applyAppearance(*qApp, {.scheme = Scheme::light, .lessMotion = true});
+    EXPECT_EQ(duration(), 0);
+    applyAppearance(*qApp, {.scheme = Scheme::light});
+}
+
+} // namespace
+} // namespace codewheel
