@@ -21,6 +21,7 @@ constexpr NamedValue<RefusalId> errorMeanings[] = {
     {"eepromStoreError", RefusalId::eepromStoreError},
     {"batteryLow", RefusalId::batteryLow},
     {"codeDiscFault", RefusalId::codeDiscFault},
+    {"manufacturerError", RefusalId::manufacturerError},
     {"otherDeviceError", RefusalId::otherDeviceError},
 };
 
