@@ -83,7 +83,7 @@ TEST(BuiltInDevices, FrabaCanReadAndHasAnEepromBudget)
     EXPECT_EQ(can.eepromLimit, 500);
     EXPECT_TRUE(fraba.quirks.confirmsWhileProcessing && fraba.quirks.presetNeedsRearming);
     EXPECT_TRUE(fraba.quirks.mayCountStepsMinusOne && fraba.quirks.hasModes);
-    EXPECT_EQ(fraba.errors.size(), 3u);
+    EXPECT_EQ(fraba.errors.size(), 4u);
 }
 
 // Baumer manual 5 and 7
