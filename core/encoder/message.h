@@ -12,7 +12,7 @@ namespace codewheel {
 enum class Severity : std::uint8_t { information, attention, fault };
 
 // What is told to the user as it happens. Kept as code and arguments, so that the language can change; the
-// sentence is made by encoder/message_text.h. The arguments of each stand beside it.
+// sentence is made by encoder/refusal_text.h. The arguments of each stand beside it.
 enum class MessageId : std::uint8_t {
     refused,           // Message::refusal says it
     busStarted,        //
@@ -33,6 +33,7 @@ enum class MessageId : std::uint8_t {
     lateCycles,      // number since the last message
     training,        // text of what the trainer did (QString)
 };
+inline constexpr std::size_t messageCount = static_cast<std::size_t>(MessageId::training) + 1;
 
 struct Message
 {

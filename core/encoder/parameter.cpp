@@ -14,25 +14,41 @@ struct Row
     Parameter parameter;
     const char *key;
     const char *name;
+    const char *nameInText;
 };
 
 constexpr std::array rows{
-    Row{Parameter::steps, "steps", QT_TRANSLATE_NOOP("Parameter", "Steps")},
-    Row{Parameter::revolutions, "revolutions", QT_TRANSLATE_NOOP("Parameter", "Revolutions")},
-    Row{Parameter::direction, "direction", QT_TRANSLATE_NOOP("Parameter", "Direction")},
-    Row{Parameter::coding, "coding", QT_TRANSLATE_NOOP("Parameter", "Coding")},
-    Row{Parameter::preset, "preset", QT_TRANSLATE_NOOP("Parameter", "Preset")},
-    Row{Parameter::zeroOffset, "zero-offset", QT_TRANSLATE_NOOP("Parameter", "Zero offset")},
-    Row{Parameter::offset, "offset", QT_TRANSLATE_NOOP("Parameter", "Offset")},
-    Row{Parameter::measuringRange, "measuring-range", QT_TRANSLATE_NOOP("Parameter", "Measuring range")},
-    Row{Parameter::serialNumber, "serial-number", QT_TRANSLATE_NOOP("Parameter", "Serial number")},
-    Row{Parameter::presetFlag, "preset-flag", QT_TRANSLATE_NOOP("Parameter", "Preset flag")},
-    Row{Parameter::softwareVersion, "software-version", QT_TRANSLATE_NOOP("Parameter", "Software version")},
-    Row{Parameter::operatingTime, "operating-time", QT_TRANSLATE_NOOP("Parameter", "Operating time")},
-    Row{Parameter::startUpMode, "start-up-mode", QT_TRANSLATE_NOOP("Parameter", "Start-up mode")},
+    Row{Parameter::steps, "steps", QT_TRANSLATE_NOOP("Parameter", "Steps"),
+        QT_TRANSLATE_NOOP("Parameter", "steps")},
+    Row{Parameter::revolutions, "revolutions", QT_TRANSLATE_NOOP("Parameter", "Revolutions"),
+        QT_TRANSLATE_NOOP("Parameter", "revolutions")},
+    Row{Parameter::direction, "direction", QT_TRANSLATE_NOOP("Parameter", "Direction"),
+        QT_TRANSLATE_NOOP("Parameter", "direction")},
+    Row{Parameter::coding, "coding", QT_TRANSLATE_NOOP("Parameter", "Coding"),
+        QT_TRANSLATE_NOOP("Parameter", "coding")},
+    Row{Parameter::preset, "preset", QT_TRANSLATE_NOOP("Parameter", "Preset"),
+        QT_TRANSLATE_NOOP("Parameter", "preset")},
+    Row{Parameter::zeroOffset, "zero-offset", QT_TRANSLATE_NOOP("Parameter", "Zero offset"),
+        QT_TRANSLATE_NOOP("Parameter", "zero offset")},
+    Row{Parameter::offset, "offset", QT_TRANSLATE_NOOP("Parameter", "Offset"),
+        QT_TRANSLATE_NOOP("Parameter", "offset")},
+    Row{Parameter::measuringRange, "measuring-range", QT_TRANSLATE_NOOP("Parameter", "Measuring range"),
+        QT_TRANSLATE_NOOP("Parameter", "measuring range")},
+    Row{Parameter::serialNumber, "serial-number", QT_TRANSLATE_NOOP("Parameter", "Serial number"),
+        QT_TRANSLATE_NOOP("Parameter", "serial number")},
+    Row{Parameter::presetFlag, "preset-flag", QT_TRANSLATE_NOOP("Parameter", "Preset flag"),
+        QT_TRANSLATE_NOOP("Parameter", "preset flag")},
+    Row{Parameter::softwareVersion, "software-version", QT_TRANSLATE_NOOP("Parameter", "Software version"),
+        QT_TRANSLATE_NOOP("Parameter", "software version")},
+    Row{Parameter::operatingTime, "operating-time", QT_TRANSLATE_NOOP("Parameter", "Operating time"),
+        QT_TRANSLATE_NOOP("Parameter", "operating time")},
+    Row{Parameter::startUpMode, "start-up-mode", QT_TRANSLATE_NOOP("Parameter", "Start-up mode"),
+        QT_TRANSLATE_NOOP("Parameter", "start-up mode")},
     Row{Parameter::multiTurnAndStepsMinusOne, "multi-turn-steps-minus-1",
-        QT_TRANSLATE_NOOP("Parameter", "Multi-turn and steps minus 1")},
-    Row{Parameter::temperature, "temperature", QT_TRANSLATE_NOOP("Parameter", "Temperature")},
+        QT_TRANSLATE_NOOP("Parameter", "Multi-turn and steps minus 1"),
+        QT_TRANSLATE_NOOP("Parameter", "multi-turn and steps minus 1")},
+    Row{Parameter::temperature, "temperature", QT_TRANSLATE_NOOP("Parameter", "Temperature"),
+        QT_TRANSLATE_NOOP("Parameter", "temperature")},
 };
 
 constexpr auto parameters = [] {
@@ -78,6 +94,11 @@ std::span<const Parameter> allParameters()
 QString parameterName(Parameter parameter)
 {
     return QCoreApplication::translate("Parameter", rowOf(parameter).name);
+}
+
+QString parameterNameInText(Parameter parameter)
+{
+    return QCoreApplication::translate("Parameter", rowOf(parameter).nameInText);
 }
 
 std::optional<std::int64_t> valueOf(const ParameterValues &values, Parameter parameter)

@@ -39,6 +39,8 @@ std::span<const Parameter> allParameters();
 
 // The name in the user's language: "Steps", "Zero offset".
 QString parameterName(Parameter parameter);
+// The same within a sentence: "steps", "zero offset".
+QString parameterNameInText(Parameter parameter);
 
 struct ParameterValue
 {

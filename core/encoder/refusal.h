@@ -40,7 +40,7 @@ enum class RefusalId : std::uint8_t {
     readingNotSupported,   // device name
     writingNotSupported,   // device name
     presetNotSupported,    // device name
-    modeNotKnown,          // Word: what the word would do in cam mode
+    modeNotKnown,          // Word OUT: the text tells what it would do in cam mode
     // busy
     jobRunning,         // place
     wordHeldByJob,      // place
@@ -68,6 +68,7 @@ enum class RefusalId : std::uint8_t {
     alarmStop,  //
     busStopped, //
 };
+inline constexpr std::size_t refusalCount = static_cast<std::size_t>(RefusalId::busStopped) + 1;
 
 using RefusalArgument =
     std::variant<std::int64_t, double, Word, Parameter, QString>; // a Word is shown as hex

@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// What a process-data word can mean. The sentence for it is made where it is shown (encoder/meaning_text.h);
+// What a process-data word can mean. The sentence for it is made where it is shown (catalog/explain_word.h);
 // meaningKey() gives the language-neutral name that JSON uses.
 enum class MeaningId : std::uint8_t {
     // OUT, K3

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/explain_word.h"
+
+#include "catalog/meaning_parts.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+QString joined(const QStringList &texts)
+{
+    return texts.join(QCoreApplication::translate("Meaning", ", or: "));
+}
+
+} // namespace
+
+Explanation explainWord(const DeviceDescription &device, Word word, k3::ExplainContext context)
+{
+    context.dialect = device.dialect;
+    if (!device.quirks.hasModes)
+        context.mode = Mode::position;
+    // A FRABA has one coding; at a Baumer it is a parameter.
+    if (device.dialect == k3::Dialect::fraba && !context.coding)
+        context.coding = PositionCoding::binary;
+    return k3::explain(word, context);
+}
+
+QString explanationText(const DeviceDescription &device, const Explanation &explanation)
+{
+    QStringList texts;
+    for (const Meaning &meaning : explanation)
+        texts << meaningSentence(meaning.id, meaningParts(device, meaning));
+    const bool running =
+        std::ranges::all_of(explanation, [](const Meaning &meaning) { return isOfOperation(meaning.id); });
+    return running ? QCoreApplication::translate("Meaning", "Running, %1").arg(joined(texts)) : joined(texts);
+}
+
+} // namespace codewheel

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/meaning_parts.h"
+
+#include "catalog/explain_word.h"
+#include "encoder/hex.h"
+#include "encoder/sentence.h"
+#include "words/k3_cam_word.h"
+#include "words/position_code.h"
+
+#include <QCoreApplication>
+
+namespace codewheel {
+namespace {
+
+// Makes texts of a meaning's numbers.
+class MeaningParts
+{
+    Q_DECLARE_TR_FUNCTIONS(Meaning)
+
+public:
+    explicit MeaningParts(const DeviceDescription &device)
+        : m_device(device)
+    {}
+
+    QStringList of(const Meaning &meaning) const;
+
+private:
+    enum class In { startOfSentence, sentence };
+
+    QStringList parameterAndValue(const Meaning &meaning, In place) const;
+    QString parameterLabel(unsigned number, In place) const;
+    QString readOutLabel(unsigned code) const;
+    QString readOutValueText(unsigned code, Word value) const;
+    QString errorText(unsigned number) const;
+    QString outText(Word word, Mode mode) const;
+
+    static QString number(std::int64_t value) { return argumentText(value); }
+    static QString hex(std::int64_t value) { return hexWord(static_cast<Word>(value)); }
+    static QString camList(std::int64_t bits);
+    static QString limited(std::int64_t value, unsigned smallest, unsigned largest);
+    static QString manufacturerErrorText(std::int64_t code);
+
+    const DeviceDescription &m_device;
+};
+
+QString MeaningParts::camList(std::int64_t bits)
+{
+    QStringList cams;
+    for (unsigned cam = 0; cam < k3::camCount; ++cam)
+        if (bits >> cam & 1)
+            cams << number(cam);
+    return cams.isEmpty() ? tr("none") : cams.join(QStringLiteral(", "));
+}
+
+QString MeaningParts::limited(std::int64_t value, unsigned smallest, unsigned largest)
+{
+    if (value >= smallest && value <= largest)
+        return number(value);
+    return sentence(tr("%1 (there are only %2 to %3)"), {number(value), number(smallest), number(largest)});
+}
+
+QString MeaningParts::manufacturerErrorText(std::int64_t code)
+{
+    constexpr std::int64_t camAboveRange = 4; // FRABA 10.6
+    return code == camAboveRange
+               ? sentence(tr("%1: cam start or stop above the largest position"), {number(code)})
+               : number(code);
+}
+
+QString MeaningParts::parameterLabel(unsigned parameterNumber, In place) const
+{
+    const ParameterDescription *parameter = m_device.findNumber(parameterNumber);
+    if (!parameter)
+        return sentence(place == In::startOfSentence ? tr("Parameter %1") : tr("parameter %1"),
+                        {number(parameterNumber)});
+    return sentence(place == In::startOfSentence ? tr("Parameter %1 %2") : tr("parameter %1 %2"),
+                    {number(parameterNumber), parameterNameInText(parameter->parameter)});
+}
+
+QStringList MeaningParts::parameterAndValue(const Meaning &meaning, In place) const
+{
+    const auto parameterNumber = static_cast<unsigned>(meaning.number[0]);
+    const ParameterDescription *parameter = m_device.findNumber(parameterNumber);
+    return {parameterLabel(parameterNumber, place),
+            parameter ? valueText(*parameter, meaning.number[1]) : number(meaning.number[1])};
+}
+
+QString MeaningParts::readOutLabel(unsigned code) const
+{
+    const ParameterDescription *parameter = m_device.findReadOut(code);
+    return parameter ? parameterNameInText(parameter->parameter)
+                     : sentence(tr("code %1, which is not defined"), {number(code)});
+}
+
+// Read-outs below 0 come as 16-bit or as 25-bit two's complement.
+std::int64_t readOutNumber(const ParameterDescription &parameter, Word value)
+{
+    if (parameter.minimum >= 0)
+        return value;
+    return value <= 0xFFFF ? static_cast<std::int16_t>(value) : k3::signedData(value);
+}
+
+QString MeaningParts::readOutValueText(unsigned code, Word value) const
+{
+    const ParameterDescription *parameter = m_device.findReadOut(code);
+    if (!parameter)
+        return number(value);
+    const QString text = valueText(*parameter, readOutNumber(*parameter, value));
+    const QString unit = unitText(parameter->unit);
+    return unit.isEmpty() || parameter->number ? text : text + u' ' + unit;
+}
+
+QString MeaningParts::errorText(unsigned errorNumber) const
+{
+    const DeviceError *error = m_device.findError(errorNumber);
+    switch (error ? error->meaning : RefusalId::otherDeviceError) {
+    case RefusalId::wrongParameterData:
+        return tr("wrong parameter data");
+    case RefusalId::unknownParameterNumber:
+        return tr("unknown parameter number");
+    case RefusalId::parametersLost:
+        return tr("parameters lost");
+    case RefusalId::eepromStoreError:
+        return tr("parameters could not be stored");
+    case RefusalId::batteryLow:
+        return tr("battery low");
+    case RefusalId::codeDiscFault:
+        return tr("faulty value of the code disc");
+    default:
+        return tr("not defined for this encoder");
+    }
+}
+
+QString MeaningParts::outText(Word word, Mode mode) const
+{
+    return explanationText(m_device, explainWord(m_device, word, {WordDirection::out, {}, mode, {}, {}}));
+}
+
+QStringList MeaningParts::of(const Meaning &meaning) const
+{
+    const auto &n = meaning.number;
+    switch (meaning.id) {
+    case MeaningId::parameterRequest:
+    case MeaningId::parameterRequestInCamMode:
+    case MeaningId::confirmed:
+        return parameterAndValue(meaning, In::startOfSentence);
+    case MeaningId::oldConfirmation:
+        return parameterAndValue(meaning, In::sentence);
+    case MeaningId::readOutRequest:
+        return {readOutLabel(static_cast<unsigned>(n[0]))};
+    case MeaningId::readOutValue:
+        return {readOutLabel(static_cast<unsigned>(n[0])),
+                readOutValueText(static_cast<unsigned>(n[0]), static_cast<Word>(n[1]))};
+    case MeaningId::opcRegisterValue:
+        return {number(n[0]), hex(n[1])};
+    case MeaningId::grayPosition:
+        return {number(n[0]), hex(n[1])};
+    case MeaningId::runIgnoresRest:
+    case MeaningId::rawPosition:
+        return {hex(n[0])};
+    case MeaningId::camMode:
+        return {limited(n[0], 1, k3::camProgramCount)};
+    case MeaningId::setCamShift:
+        return {limited(n[0], 0, k3::largestCamShift)};
+    case MeaningId::camConfiguration:
+    case MeaningId::camConfigurationValue:
+        return {camList(n[0])};
+    case MeaningId::cams:
+        return {camList(n[0]), number(n[1])};
+    case MeaningId::manufacturerBitIgnored:
+        return {outText(static_cast<Word>(n[0]), Mode::position)};
+    case MeaningId::camConfirmation:
+        return {outText(static_cast<Word>(n[0]), Mode::cam)};
+    case MeaningId::deviceError:
+        return {number(n[0]), errorText(static_cast<unsigned>(n[0]))};
+    case MeaningId::manufacturerError:
+        return {manufacturerErrorText(n[0])};
+    default:
+        return {number(n[0]), number(n[1])};
+    }
+}
+
+} // namespace
+
+QStringList meaningParts(const DeviceDescription &device, const Meaning &meaning)
+{
+    return MeaningParts(device).of(meaning);
+}
+
+} // namespace codewheel

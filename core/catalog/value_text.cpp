@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/value_text.h"
+
+#include "encoder/sentence.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace codewheel {
+namespace {
+
+struct ChoiceRow
+{
+    const char *key;
+    const char *name;
+};
+
+constexpr ChoiceRow choiceNames[] = {
+    {"cw", QT_TRANSLATE_NOOP("Choice", "CW")},
+    {"ccw", QT_TRANSLATE_NOOP("Choice", "CCW")},
+    {"signed-cw", QT_TRANSLATE_NOOP("Choice", "signed, CW")},
+    {"signed-ccw", QT_TRANSLATE_NOOP("Choice", "signed, CCW")},
+    {"unsigned-cw", QT_TRANSLATE_NOOP("Choice", "unsigned, CW")},
+    {"unsigned-ccw", QT_TRANSLATE_NOOP("Choice", "unsigned, CCW")},
+    {"gray-cw", QT_TRANSLATE_NOOP("Choice", "Gray, CW")},
+    {"gray-ccw", QT_TRANSLATE_NOOP("Choice", "Gray, CCW")},
+    {"activated", QT_TRANSLATE_NOOP("Choice", "preset activated")},
+    {"programmed", QT_TRANSLATE_NOOP("Choice", "preset programmed, not activated")},
+    {"k2", QT_TRANSLATE_NOOP("Choice", "position, as K2")},
+    {"k3", QT_TRANSLATE_NOOP("Choice", "position, as K3")},
+    {"velocity", QT_TRANSLATE_NOOP("Choice", "velocity")},
+    {"single-turn", QT_TRANSLATE_NOOP("Choice", "single-turn")},
+    {"single-turn-minus-1", QT_TRANSLATE_NOOP("Choice", "single-turn, steps minus 1")},
+    {"multi-turn", QT_TRANSLATE_NOOP("Choice", "multi-turn")},
+    {"multi-turn-minus-1", QT_TRANSLATE_NOOP("Choice", "multi-turn, steps minus 1")},
+};
+
+// "cam-1" .. "cam-8"
+QString camProgramName(QStringView key)
+{
+    return QCoreApplication::translate("Choice", "cam program %1").arg(key.sliced(4));
+}
+
+// How many of the unit of the wire make one of the unit shown.
+double divisorOf(Unit unit)
+{
+    switch (unit) {
+    case Unit::tenMinutes:
+        return 6;
+    case Unit::tenthDegreeCelsius:
+        return 10;
+    case Unit::none:
+    case Unit::steps:
+    case Unit::revolutions:
+        break;
+    }
+    return 1;
+}
+
+} // namespace
+
+QString choiceName(const ParameterDescription &parameter, std::int64_t value)
+{
+    const Choice *choice = parameter.findChoice(value);
+    if (!choice)
+        return {};
+    for (const ChoiceRow &row : choiceNames)
+        if (choice->key == QLatin1String(row.key))
+            return QCoreApplication::translate("Choice", row.name);
+    return choice->key.startsWith(QStringLiteral("cam-")) ? camProgramName(choice->key) : choice->key;
+}
+
+QString valueText(const ParameterDescription &parameter, std::int64_t value)
+{
+    const double divisor = divisorOf(parameter.unit);
+    const QString number = divisor > 1 ? QLocale().toString(static_cast<double>(value) / divisor, 'f', 1)
+                                       : QLocale().toString(qlonglong{value});
+    const QString name = choiceName(parameter, value);
+    return name.isEmpty() ? number : QStringLiteral("%1 (%2)").arg(number, name);
+}
+
+QString unitText(Unit unit)
+{
+    switch (unit) {
+    case Unit::none:
+        break;
+    case Unit::steps:
+        return QCoreApplication::translate("Unit", "steps");
+    case Unit::revolutions:
+        return QCoreApplication::translate("Unit", "revolutions");
+    case Unit::tenMinutes:
+        return QCoreApplication::translate("Unit", "h");
+    case Unit::tenthDegreeCelsius:
+        return QCoreApplication::translate("Unit", "°C");
+    }
+    return {};
+}
+
+} // namespace codewheel

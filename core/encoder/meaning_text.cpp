@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/meaning_text.h"
+
+#include "encoder/sentence.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+struct Row
+{
+    MeaningId id;
+    const char *key;
+    const char *text;
+};
+
+constexpr std::array rows{
+    // OUT. "%1 = %2" is a parameter and its value.
+    Row{MeaningId::normalRunning, "normalRunning", QT_TRANSLATE_NOOP("Meaning", "Normal running")},
+    Row{MeaningId::normalRunningData, "normalRunningData",
+        QT_TRANSLATE_NOOP("Meaning", "Normal running; the data %1 mean nothing")},
+    Row{MeaningId::run, "run", QT_TRANSLATE_NOOP("Meaning", "Run")},
+    Row{MeaningId::runIgnoresRest, "runIgnoresRest",
+        QT_TRANSLATE_NOOP("Meaning", "Run; the other bits (%1) are ignored")},
+    Row{MeaningId::initialisePreset, "initialisePreset",
+        QT_TRANSLATE_NOOP("Meaning", "Initialise the preset")},
+    Row{MeaningId::frabaPreset, "frabaPreset",
+        QT_TRANSLATE_NOOP("Meaning", "FRABA preset: activate the preset in every cycle")},
+    Row{MeaningId::parameterRequest, "parameterRequest", QT_TRANSLATE_NOOP("Meaning", "%1 = %2")},
+    Row{MeaningId::parameterRequestInCamMode, "parameterRequestInCamMode",
+        QT_TRANSLATE_NOOP("Meaning", "%1 = %2: refused in cam mode")},
+    Row{MeaningId::resetToDefault, "resetToDefault",
+        QT_TRANSLATE_NOOP("Meaning", "Reset to factory settings")},
+    Row{MeaningId::velocityOn, "velocityOn", QT_TRANSLATE_NOOP("Meaning", "Velocity mode on")},
+    Row{MeaningId::velocityOff, "velocityOff", QT_TRANSLATE_NOOP("Meaning", "Velocity mode off")},
+    Row{MeaningId::readOutRequest, "readOutRequest", QT_TRANSLATE_NOOP("Meaning", "Read out %1")},
+    Row{MeaningId::opcRegisterRequest, "opcRegisterRequest",
+        QT_TRANSLATE_NOOP("Meaning", "Read out register %1 of the bus chip")},
+    Row{MeaningId::camMode, "camMode", QT_TRANSLATE_NOOP("Meaning", "Cam mode, program %1")},
+    Row{MeaningId::positionMode, "positionMode", QT_TRANSLATE_NOOP("Meaning", "Position mode")},
+    Row{MeaningId::camConfiguration, "camConfiguration", QT_TRANSLATE_NOOP("Meaning", "Active cams: %1")},
+    Row{MeaningId::camStart, "camStart", QT_TRANSLATE_NOOP("Meaning", "Start of cam %1 = %2")},
+    Row{MeaningId::camStop, "camStop", QT_TRANSLATE_NOOP("Meaning", "Stop of cam %1 = %2")},
+    Row{MeaningId::setCamShift, "setCamShift",
+        QT_TRANSLATE_NOOP("Meaning", "Position beside the cams shifted by %1")},
+    Row{MeaningId::camConfigurationRequest, "camConfigurationRequest",
+        QT_TRANSLATE_NOOP("Meaning", "Read out the active cams")},
+    Row{MeaningId::camStartRequest, "camStartRequest",
+        QT_TRANSLATE_NOOP("Meaning", "Read out the start of cam %1")},
+    Row{MeaningId::camStopRequest, "camStopRequest",
+        QT_TRANSLATE_NOOP("Meaning", "Read out the stop of cam %1")},
+    Row{MeaningId::camShiftRequest, "camShiftRequest",
+        QT_TRANSLATE_NOOP("Meaning", "Read out the shift of the position beside the cams")},
+    Row{MeaningId::manufacturerBitIgnored, "manufacturerBitIgnored",
+        QT_TRANSLATE_NOOP("Meaning", "%1 (D29 is ignored)")},
+    Row{MeaningId::manufacturerSpecificOut, "manufacturerSpecificOut",
+        QT_TRANSLATE_NOOP("Meaning", "Manufacturer specific (D29), and the make is not known")},
+    Row{MeaningId::undefinedOut, "undefinedOut",
+        QT_TRANSLATE_NOOP("Meaning", "Not defined for this encoder")},
+
+    // IN
+    Row{MeaningId::position, "position", QT_TRANSLATE_NOOP("Meaning", "position %1")},
+    Row{MeaningId::signedPosition, "signedPosition", QT_TRANSLATE_NOOP("Meaning", "position %1")},
+    Row{MeaningId::grayPosition, "grayPosition", QT_TRANSLATE_NOOP("Meaning", "position %1 (Gray code %2)")},
+    Row{MeaningId::rawPosition, "rawPosition",
+        QT_TRANSLATE_NOOP("Meaning", "position %1 in a coding that is not known")},
+    Row{MeaningId::velocity, "velocity", QT_TRANSLATE_NOOP("Meaning", "speed %1 rpm")},
+    Row{MeaningId::cams, "cams", QT_TRANSLATE_NOOP("Meaning", "cams on: %1, position part %2")},
+    Row{MeaningId::processing, "processing", QT_TRANSLATE_NOOP("Meaning", "Processing, data %1")},
+    Row{MeaningId::confirmed, "confirmed", QT_TRANSLATE_NOOP("Meaning", "%1 = %2 confirmed")},
+    Row{MeaningId::oldConfirmation, "oldConfirmation",
+        QT_TRANSLATE_NOOP("Meaning", "Old confirmation: %1 = %2")},
+    Row{MeaningId::camConfirmation, "camConfirmation", QT_TRANSLATE_NOOP("Meaning", "Acknowledged: %1")},
+    Row{MeaningId::selfTestOrReadOut, "selfTestOrReadOut",
+        QT_TRANSLATE_NOOP("Meaning", "Self test, or read-out of %1")},
+    Row{MeaningId::readOutValue, "readOutValue", QT_TRANSLATE_NOOP("Meaning", "Read-out: %1 = %2")},
+    Row{MeaningId::opcRegisterValue, "opcRegisterValue",
+        QT_TRANSLATE_NOOP("Meaning", "Read-out: register %1 of the bus chip = %2")},
+    Row{MeaningId::camConfigurationValue, "camConfigurationValue",
+        QT_TRANSLATE_NOOP("Meaning", "Read-out: active cams %1")},
+    Row{MeaningId::camStartValue, "camStartValue",
+        QT_TRANSLATE_NOOP("Meaning", "Read-out: start of cam %1 = %2")},
+    Row{MeaningId::camStopValue, "camStopValue",
+        QT_TRANSLATE_NOOP("Meaning", "Read-out: stop of cam %1 = %2")},
+    Row{MeaningId::camShiftValue, "camShiftValue",
+        QT_TRANSLATE_NOOP("Meaning", "Read-out: position beside the cams shifted by %1")},
+    Row{MeaningId::readOutUnknown, "readOutUnknown",
+        QT_TRANSLATE_NOOP("Meaning", "The encoder does not know the read-out code %1")},
+    Row{MeaningId::noValidPosition, "noValidPosition", QT_TRANSLATE_NOOP("Meaning", "No valid position")},
+    Row{MeaningId::deviceError, "deviceError", QT_TRANSLATE_NOOP("Meaning", "Error %1: %2")},
+    Row{MeaningId::wrongCamCommand, "wrongCamCommand",
+        QT_TRANSLATE_NOOP("Meaning", "Error 2: wrong cam command")},
+    Row{MeaningId::manufacturerError, "manufacturerError",
+        QT_TRANSLATE_NOOP("Meaning", "Manufacturer's error %1")},
+    Row{MeaningId::unknownState, "unknownState",
+        QT_TRANSLATE_NOOP("Meaning", "D31 D30 = 01: a state in no manual")},
+    Row{MeaningId::manufacturerSpecificIn, "manufacturerSpecificIn",
+        QT_TRANSLATE_NOOP("Meaning", "Manufacturer specific (D29), and the make is not known")},
+    Row{MeaningId::undefinedIn, "undefinedIn", QT_TRANSLATE_NOOP("Meaning", "Not defined for this encoder")},
+};
+
+// rows stand in the order of the enumeration and are complete
+constexpr bool rowsInOrder = [] {
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (static_cast<std::size_t>(rows[i].id) != i)
+            return false;
+    return rows.size() == meaningCount;
+}();
+static_assert(rowsInOrder);
+
+const Row &rowOf(MeaningId id)
+{
+    return rows.at(static_cast<std::size_t>(id));
+}
+
+} // namespace
+
+QString meaningKey(MeaningId id)
+{
+    return QString::fromLatin1(rowOf(id).key);
+}
+
+QString meaningSentence(MeaningId id, const QStringList &parts)
+{
+    return sentence(QCoreApplication::translate("Meaning", rowOf(id).text), parts);
+}
+
+bool isOfOperation(MeaningId id)
+{
+    return id >= MeaningId::position && id <= MeaningId::cams;
+}
+
+} // namespace codewheel

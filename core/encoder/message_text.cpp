@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+// %1, %2, ... are the arguments in the order told in encoder/message.h.
+struct Row
+{
+    MessageId id;
+    const char *key;
+    const char *text;
+};
+
+constexpr std::array rows{
+    Row{MessageId::refused, "refused", QT_TRANSLATE_NOOP("Message", "Refused.")},
+    Row{MessageId::busStarted, "busStarted", QT_TRANSLATE_NOOP("Message", "The bus runs.")},
+    Row{MessageId::busStopped, "busStopped", QT_TRANSLATE_NOOP("Message", "The bus is stopped.")},
+    Row{MessageId::alarmStop, "alarmStop",
+        QT_TRANSLATE_NOOP("Message", "ALARM STOP: all OUT words of the ring were set to 0.")},
+    Row{MessageId::operateOn, "operateOn", QT_TRANSLATE_NOOP("Message", "Operate: writing is allowed.")},
+    Row{MessageId::watchOn, "watchOn", QT_TRANSLATE_NOOP("Message", "Watch: nothing is sent any more.")},
+    Row{MessageId::wordWritten, "wordWritten", QT_TRANSLATE_NOOP("Message", "OUT %1 written.")},
+    Row{MessageId::parametersWritten, "parametersWritten",
+        QT_TRANSLATE_NOOP("Message", "Written and activated: %3 (parameters: %1, EEPROM writes: %2).")},
+    Row{MessageId::parametersRead, "parametersRead", QT_TRANSLATE_NOOP("Message", "Values read: %1.")},
+    Row{MessageId::presetDone, "presetDone",
+        QT_TRANSLATE_NOOP("Message", "Preset initialised: position %1 before, %2 after.")},
+    Row{MessageId::wordsSent, "wordsSent", QT_TRANSLATE_NOOP("Message", "Words sent: %1.")},
+    Row{MessageId::broughtBack, "broughtBack",
+        QT_TRANSLATE_NOOP("Message", "The encoder is in operation again.")},
+    Row{MessageId::leftInParameterization, "leftInParameterization",
+        QT_TRANSLATE_NOOP("Message", "The encoder was left in parameterization. Send run to bring it back to "
+                                     "operation.")},
+    Row{MessageId::deviceFault, "deviceFault",
+        QT_TRANSLATE_NOOP("Message", "The encoder reports error %1 (IN %2).")},
+    Row{MessageId::deviceFaultGone, "deviceFaultGone",
+        QT_TRANSLATE_NOOP("Message", "The encoder reports no error any more.")},
+    Row{MessageId::valuesForgotten, "valuesForgotten",
+        QT_TRANSLATE_NOOP("Message",
+                          "The encoder was powered up again. What was known of it may not hold: read it "
+                          "again.")},
+    Row{MessageId::lateCycles, "lateCycles", QT_TRANSLATE_NOOP("Message", "Bus cycles that came late: %1.")},
+    Row{MessageId::training, "training", "%1"},
+};
+
+// rows stand in the order of the enumeration and are complete
+constexpr bool rowsInOrder = [] {
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (static_cast<std::size_t>(rows[i].id) != i)
+            return false;
+    return rows.size() == messageCount;
+}();
+static_assert(rowsInOrder);
+
+const Row &rowOf(MessageId id)
+{
+    return rows.at(static_cast<std::size_t>(id));
+}
+
+QString pattern(const char *text)
+{
+    return QCoreApplication::translate("Message", text);
+}
+
+// Either position may be missing.
+QString presetText(const QStringList &parts)
+{
+    const QString before = parts.value(0);
+    const QString after = parts.value(1);
+    if (before.isEmpty() && after.isEmpty())
+        return pattern(QT_TRANSLATE_NOOP("Message", "Preset initialised."));
+    if (before.isEmpty())
+        return sentence(pattern(QT_TRANSLATE_NOOP("Message", "Preset initialised: position %1 after.")),
+                        {after});
+    if (after.isEmpty())
+        return sentence(pattern(QT_TRANSLATE_NOOP("Message", "Preset initialised: position %1 before.")),
+                        {before});
+    return sentence(pattern(rowOf(MessageId::presetDone).text), {before, after});
+}
+
+} // namespace
+
+QString messageText(const Message &message)
+{
+    if (message.id == MessageId::refused && message.refusal)
+        return refusalText(*message.refusal);
+    const QStringList parts = argumentTexts(message.arguments);
+    if (message.id == MessageId::presetDone)
+        return presetText(parts);
+    return sentence(pattern(rowOf(message.id).text), parts);
+}
+
+QString messageKey(MessageId id)
+{
+    return QString::fromLatin1(rowOf(id).key);
+}
+
+} // namespace codewheel

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/refusal_text.h"
+
+#include "encoder/sentence.h"
+#include "words/k3_cam_word.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+// %1, %2, ... are the arguments in the order told in encoder/refusal.h.
+struct Row
+{
+    RefusalId id;
+    const char *key;
+    const char *text;
+    const char *textWithoutArguments = nullptr; // where they may be left out
+};
+
+constexpr std::array rows{
+    // badInput
+    Row{RefusalId::valueOutOfRange, "valueOutOfRange",
+        QT_TRANSLATE_NOOP("Refusal", "%1 = %2 is out of range. Give a value from %3 to %4.")},
+    Row{RefusalId::valueNotAllowed, "valueNotAllowed",
+        QT_TRANSLATE_NOOP("Refusal", "%1 cannot be \"%2\". Allowed are: %3.")},
+    Row{RefusalId::parameterGivenTwice, "parameterGivenTwice",
+        QT_TRANSLATE_NOOP("Refusal", "%1 is given twice. Give it once.")},
+    Row{RefusalId::parameterReadOnly, "parameterReadOnly",
+        QT_TRANSLATE_NOOP("Refusal", "%1 of the %2 can be read but not written. Leave it out.")},
+    Row{RefusalId::nothingToDo, "nothingToDo",
+        QT_TRANSLATE_NOOP("Refusal", "There is nothing to do. Name at least one parameter, value or word.")},
+    Row{RefusalId::unknownDevice, "unknownDevice",
+        QT_TRANSLATE_NOOP("Refusal", "There is no device at %1. There are devices at: %2.")},
+    Row{RefusalId::totalRangeTooLarge, "totalRangeTooLarge",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The total range would be %1 steps; the largest is %2. Choose fewer steps or more "
+                          "revolutions.")},
+    Row{RefusalId::tooManyStepsPerTurn, "tooManyStepsPerTurn",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "%1 steps in revolutions %2 are finer than the %3 steps per turn the encoder "
+                          "has. Choose fewer steps or more revolutions.")},
+    Row{RefusalId::valueAboveTotalRange, "valueAboveTotalRange",
+        QT_TRANSLATE_NOOP("Refusal", "%1 = %2 is outside the total range. Give a value of at most %3.")},
+    // notSupported
+    Row{RefusalId::parameterNotSupported, "parameterNotSupported",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The %2 does not have the parameter \"%1\". Leave it out, or check which encoder "
+                          "it is.")},
+    Row{RefusalId::readingNotSupported, "readingNotSupported",
+        QT_TRANSLATE_NOOP("Refusal", "The %1 has no read-out: its values cannot be read.")},
+    Row{RefusalId::writingNotSupported, "writingNotSupported",
+        QT_TRANSLATE_NOOP("Refusal", "The %1 cannot be parameterized over the bus.")},
+    Row{RefusalId::presetNotSupported, "presetNotSupported",
+        QT_TRANSLATE_NOOP("Refusal", "The position of the %1 cannot be set over the bus.")},
+    Row{RefusalId::modeNotKnown, "modeNotKnown",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Nothing was sent: the mode of the encoder is not known. In cam mode the word %1 "
+                          "%2. Make sure that the encoder is in position mode, and confirm it.")},
+    // busy
+    Row{RefusalId::jobRunning, "jobRunning",
+        QT_TRANSLATE_NOOP("Refusal", "A job is running at %1. Wait for its end, or cancel it."),
+        QT_TRANSLATE_NOOP("Refusal", "A job is running at this encoder. Wait for its end, or cancel it.")},
+    Row{RefusalId::wordHeldByJob, "wordHeldByJob",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Nothing was sent to %1: a job holds its OUT word. Wait for its end, or cancel "
+                          "it."),
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Nothing was sent: a job holds the OUT word. Wait for its end, or cancel it.")},
+    Row{RefusalId::watchOnly, "watchOnly",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Nothing was sent to %1: the program only watches. Switch to Operate first."),
+        QT_TRANSLATE_NOOP("Refusal", "Nothing was sent: the program only watches. Switch to Operate first.")},
+    Row{RefusalId::notRunning, "notRunning",
+        QT_TRANSLATE_NOOP("Refusal", "Nothing was sent to %1: the bus is stopped. Start it first."),
+        QT_TRANSLATE_NOOP("Refusal", "Nothing was sent: the bus is stopped. Start it first.")},
+    Row{RefusalId::inParameterization, "inParameterization",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Nothing was sent: the encoder is in parameterization already (IN %1). End that "
+                          "first, with run.")},
+    // device
+    Row{RefusalId::wrongParameterData, "wrongParameterData",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Error 1: the encoder refused the value of %1 (IN %2). Check the value and write "
+                          "it again."),
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Error 1: the encoder refused a value (IN %2). Check the values and write them "
+                          "again.")},
+    Row{RefusalId::unknownParameterNumber, "unknownParameterNumber",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Error 2: the encoder does not know the number of %1 (IN %2). Check which encoder "
+                          "it is."),
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Error 2: the encoder does not know a parameter number (IN %2). Check which "
+                          "encoder it is.")},
+    Row{RefusalId::parametersLost, "parametersLost",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Error 3: the encoder has lost its parameters (IN %1). Write parameters 1 to 4 "
+                          "again, or reset it to factory settings.")},
+    Row{RefusalId::eepromStoreError, "eepromStoreError",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Error 13: the encoder could not store its parameters (IN %1). Write them again; "
+                          "if the error comes back, replace the encoder.")},
+    Row{RefusalId::batteryLow, "batteryLow",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Error 14: the battery of the encoder is low (IN %1). Have it replaced; run "
+                          "brings the encoder back to operation.")},
+    Row{RefusalId::codeDiscFault, "codeDiscFault",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Error 15: the encoder reads a faulty value from its code disc (IN %1). Send run; "
+                          "if the error comes back, replace the encoder.")},
+    Row{RefusalId::readOutUnknown, "readOutUnknown",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The encoder does not know the read-out code %1 (IN %2). Check which encoder it "
+                          "is, and whether it has what you want to read.")},
+    Row{RefusalId::manufacturerError, "manufacturerError",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The encoder reports the manufacturer's error %1 (IN %2). See its manual.")},
+    Row{RefusalId::noValidPosition, "noValidPosition",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The encoder gives no valid position (IN %1). Turn the shaft more slowly, and "
+                          "send run.")},
+    Row{RefusalId::otherDeviceError, "otherDeviceError",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The encoder reports error %1 (IN %2), which its description does not name. See "
+                          "its manual.")},
+    Row{RefusalId::noAnswer, "noAnswer",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The encoder did not answer within %1 s (OUT %2, IN %3). Check which encoder it "
+                          "is, and whether it is switched on.")},
+    Row{RefusalId::verificationFailed, "verificationFailed",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "%1 was written as %2 but read back as %3. Read the encoder before you rely on "
+                          "it, and write again.")},
+    Row{RefusalId::unknownState, "unknownState",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The encoder shows a state that is in no manual (IN %1). Send run, or switch the "
+                          "encoder off and on.")},
+    // link
+    Row{RefusalId::linkFailed, "linkFailed", QT_TRANSLATE_NOOP("Refusal", "The link failed: %1")},
+    // stopped
+    Row{RefusalId::cancelled, "cancelled", QT_TRANSLATE_NOOP("Refusal", "The job was cancelled.")},
+    Row{RefusalId::alarmStop, "alarmStop",
+        QT_TRANSLATE_NOOP("Refusal", "ALARM STOP ended the job. Check in which state it left the encoder.")},
+    Row{RefusalId::busStopped, "busStopped",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The job ended because the bus was stopped. Start the bus, and check in which "
+                          "state the encoder is.")},
+};
+
+// rows stand in the order of the enumeration and are complete
+constexpr bool rowsInOrder = [] {
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (static_cast<std::size_t>(rows[i].id) != i)
+            return false;
+    return rows.size() == refusalCount;
+}();
+static_assert(rowsInOrder);
+
+const Row &rowOf(RefusalId id)
+{
+    return rows.at(static_cast<std::size_t>(id));
+}
+
+QString pattern(const char *text)
+{
+    return QCoreApplication::translate("Refusal", text);
+}
+
+// What the word does in cam mode: "sets the start of cam 0 to 0".
+QString effectInCamMode(Word word)
+{
+    const QString cam = argumentText(std::int64_t{k3::number(word)});
+    const QString position = argumentText(std::int64_t{k3::data(word)});
+    if (k3::isCamStart(word))
+        return sentence(pattern(QT_TRANSLATE_NOOP("Refusal", "sets the start of cam %1 to %2")),
+                        {cam, position});
+    if (k3::isCamStop(word))
+        return sentence(pattern(QT_TRANSLATE_NOOP("Refusal", "sets the stop of cam %1 to %2")),
+                        {cam, position});
+    return pattern(QT_TRANSLATE_NOOP("Refusal", "changes which cams are active"));
+}
+
+QString modeText(const Refusal &refusal)
+{
+    QStringList parts = argumentTexts(refusal.arguments);
+    const auto *word = refusal.arguments.empty() ? nullptr : std::get_if<Word>(&refusal.arguments.front());
+    parts.resize(1);
+    parts << effectInCamMode(word ? *word : k3::initialisePreset);
+    return sentence(pattern(rowOf(refusal.id).text), parts);
+}
+
+// The parameters that may be to blame, and IN. A number stands for a parameter without a name.
+QString suspectsText(const Refusal &refusal)
+{
+    QStringList suspects;
+    QString in = QStringLiteral("?");
+    for (const RefusalArgument &argument : refusal.arguments) {
+        if (std::holds_alternative<Word>(argument))
+            in = argumentText(argument);
+        else if (std::holds_alternative<std::int64_t>(argument))
+            suspects << sentence(pattern(QT_TRANSLATE_NOOP("Refusal", "parameter %1")),
+                                 {argumentText(argument)});
+        else
+            suspects << argumentText(argument);
+    }
+    const Row &row = rowOf(refusal.id);
+    const QString either = pattern(QT_TRANSLATE_NOOP("Refusal", " or "));
+    return sentence(pattern(suspects.isEmpty() ? row.textWithoutArguments : row.text),
+                    {suspects.join(either), in});
+}
+
+} // namespace
+
+QString refusalText(const Refusal &refusal)
+{
+    switch (refusal.id) {
+    case RefusalId::wrongParameterData:
+    case RefusalId::unknownParameterNumber:
+        return suspectsText(refusal);
+    case RefusalId::modeNotKnown:
+        return modeText(refusal);
+    default:
+        break;
+    }
+    const Row &row = rowOf(refusal.id);
+    const bool bare = refusal.arguments.empty() && row.textWithoutArguments;
+    return sentence(pattern(bare ? row.textWithoutArguments : row.text), argumentTexts(refusal.arguments));
+}
+
+QString refusalKey(RefusalId id)
+{
+    return QString::fromLatin1(rowOf(id).key);
+}
+
+} // namespace codewheel

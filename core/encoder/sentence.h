@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/refusal.h"
+
+#include <QStringList>
+
+namespace codewheel {
+
+// `pattern` with %1..%9 replaced by the parts, in one go, so that a part may hold a % itself. A part that is
+// missing is shown as "?".
+QString sentence(const QString &pattern, const QStringList &parts);
+
+// Numbers by locale, words with eight hexadecimal digits, parameters by name.
+QString argumentText(const RefusalArgument &argument);
+QStringList argumentTexts(const std::vector<RefusalArgument> &arguments);
+
+} // namespace codewheel

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
+#include "catalog/explain_word.h"
+
+#include <QRegularExpression>
+
+#include <gtest/gtest.h>
+#include <random>
+
+namespace codewheel {
+namespace {
+
+constexpr k3::ExplainContext out{WordDirection::out, {}, Mode::position, {}, {}};
+constexpr k3::ExplainContext in{WordDirection::in, {}, Mode::position, {}, {}};
+
+class ExplainWord : public testing::Test
+{
+protected:
+    std::string text(const DeviceDescription &device, Word word, const k3::ExplainContext &context) const
+    {
+        return explanationText(device, explainWord(device, word, context)).toStdString();
+    }
+    // Beside the word the other way.
+    std::string inBeside(const DeviceDescription &device, Word word, Word counterpart,
+                         Mode mode = Mode::position)
+    {
+        return text(device, word, {WordDirection::in, {}, mode, {}, counterpart});
+    }
+
+    const Catalog catalog = Catalog::builtIn();
+    const DeviceDescription &fraba = *catalog.find(u"fraba-ocd-ib");
+    const DeviceDescription &baumer = *catalog.find(u"baumer-gxp6w");
+    const DeviceDescription &generic = *catalog.find(u"generic-k3");
+};
+
+TEST_F(ExplainWord, OutWordsOfFraba)
+{
+    EXPECT_EQ(text(fraba, 0x0000'0000, out), "Normal running");
+    EXPECT_EQ(text(fraba, 0x8000'0000, out), "Run");
+    EXPECT_EQ(text(fraba, 0x8200'0000, out), "Run; the other bits (02000000) are ignored");
+    EXPECT_EQ(text(fraba, 0x0200'00FF, out), "Parameter 1 steps = 255");
+    EXPECT_EQ(text(fraba, 0x0600'0003, out), "Parameter 3 direction = 3 (CW)");
+    EXPECT_EQ(text(fraba, 0x0600'0005, out), "Parameter 3 direction = 5");
+    EXPECT_EQ(text(fraba, 0x0A00'0001, out), "Parameter 5 zero offset = 1");
+    EXPECT_EQ(text(fraba, 0x0C00'0001, out), "Parameter 6 = 1");
+    EXPECT_EQ(text(fraba, 0x0E00'0000, out), "Reset to factory settings");
+    EXPECT_EQ(text(fraba, 0x2021'0001, out), "Read out steps");
+    EXPECT_EQ(text(fraba, 0x2021'000C, out), "Read out temperature");
+    EXPECT_EQ(text(fraba, 0x2021'000B, out), "Read out code 11, which is not defined");
+    EXPECT_EQ(text(fraba, 0x2080'0001, out), "Cam mode, program 1");
+    EXPECT_EQ(text(fraba, 0x2080'0009, out), "Cam mode, program 9 (there are only 1 to 8)");
+}
+
+TEST_F(ExplainWord, InWordsOfFraba)
+{
+    EXPECT_EQ(text(fraba, 0x0001'2A4F, in), "Running, position 76367");
+    EXPECT_EQ(text(fraba, 0xC200'00FF, in), "Parameter 1 steps = 255 confirmed");
+    EXPECT_EQ(inBeside(fraba, 0xC200'00FF, 0x0200'00FF), "Parameter 1 steps = 255 confirmed");
+    EXPECT_EQ(inBeside(fraba, 0xC200'00FF, 0x0400'0001), "Old confirmation: parameter 1 steps = 255");
+    EXPECT_EQ(inBeside(fraba, 0xA000'2000, 0x2021'0001), "Read-out: steps = 8192");
+    EXPECT_EQ(inBeside(fraba, 0xA000'0003, 0x2021'0003), "Read-out: direction = 3 (CW)");
+    EXPECT_EQ(inBeside(fraba, 0xA000'FFCE, 0x2021'000C), "Read-out: temperature = -5.0 °C");
+    EXPECT_EQ(inBeside(fraba, 0xA1FF'FFCE, 0x2021'000C), "Read-out: temperature = -5.0 °C");
+    EXPECT_EQ(inBeside(fraba, 0xA000'0009, 0x2021'0008), "Read-out: operating time = 1.5 h");
+    EXPECT_EQ(inBeside(fraba, 0xA000'0005, 0x2021'0009), "Read-out: start-up mode = 5 (cam program 3)");
+    EXPECT_EQ(text(fraba, 0xA000'2000, in), "Self test, or read-out of 8192");
+    EXPECT_EQ(text(fraba, 0x8000'0000, in), "No valid position");
+    EXPECT_EQ(text(fraba, 0x8200'0000, in), "Error 1: wrong parameter data");
+    EXPECT_EQ(text(fraba, 0x9800'0004, in),
+              "Manufacturer's error 4: cam start or stop above the largest position");
+    EXPECT_EQ(text(fraba, 0x4000'0000, in), "D31 D30 = 01: a state in no manual");
+}
+
+TEST_F(ExplainWord, CamWordsOfFraba)
+{
+    k3::ExplainContext cam = out;
+    cam.mode = Mode::cam;
+    EXPECT_EQ(text(fraba, 0x4600'0015, cam), "Start of cam 3 = 21");
+    EXPECT_EQ(text(fraba, 0x2040'0093, cam), "Active cams: 0, 1, 4, 7");
+    EXPECT_EQ(text(fraba, 0x2040'0000, cam), "Active cams: none");
+    EXPECT_EQ(text(fraba, 0x2010'001A, cam),
+              "Position beside the cams shifted by 26 (there are only 0 to 25)");
+    EXPECT_EQ(text(fraba, 0x0200'00FF, cam), "Parameter 1 steps = 255: refused in cam mode");
+    EXPECT_EQ(inBeside(fraba, 0xE600'0213, 0x6600'0213, Mode::cam), "Acknowledged: Stop of cam 3 = 531");
+    EXPECT_EQ(inBeside(fraba, 0x0000'2008, 0x8000'0000, Mode::cam), "Running, cams on: 3, position part 32");
+    EXPECT_EQ(inBeside(fraba, 0x8400'0000, 0x0200'0001, Mode::cam), "Error 2: wrong cam command");
+}
+
+TEST_F(ExplainWord, UnknownModeGivesEachMeaning)
+{
+    EXPECT_EQ(text(fraba, 0x4000'0000, {WordDirection::out, {}, {}, {}, {}}),
+              "Initialise the preset, or: Start of cam 0 = 0");
+    EXPECT_EQ(text(fraba, 0x0000'0101, {WordDirection::in, {}, {}, {}, {}}),
+              "Running, position 257, or: speed 257 rpm, or: cams on: 0, position part 1");
+    // no modes, no doubt
+    EXPECT_EQ(text(baumer, 0x4000'0000, {WordDirection::out, {}, {}, {}, {}}), "Initialise the preset");
+}
+
+TEST_F(ExplainWord, WordsOfBaumer)
+{
+    EXPECT_EQ(text(baumer, 0x0600'0003, out), "Parameter 3 coding = 3 (unsigned, CW)");
+    EXPECT_EQ(text(baumer, 0x1E00'1000, out), "Parameter 15 measuring range = 4096");
+    EXPECT_EQ(text(baumer, 0x2200'00FF, out), "Parameter 1 steps = 255 (D29 is ignored)");
+    EXPECT_EQ(inBeside(baumer, 0xC000'4E20, 0x0400'4E20), "Processing, data 20000");
+    EXPECT_EQ(text(baumer, 0x9C00'0000, in), "Error 14: battery low");
+    EXPECT_EQ(text(baumer, 0x8800'0000, in), "Error 4: not defined for this encoder");
+    // its coding is a parameter, and not told here
+    EXPECT_EQ(text(baumer, 0x0001'2A4F, in), "Running, position 00012A4F in a coding that is not known");
+    k3::ExplainContext decoded = in;
+    decoded.coding = PositionCoding::signedBinary;
+    EXPECT_EQ(text(baumer, 0x01FF'FFFF, decoded), "Running, position -1");
+}
+
+TEST_F(ExplainWord, WordsOfAnUnnamedK3)
+{
+    EXPECT_EQ(text(generic, 0x0200'00FF, out), "Parameter 1 steps = 255");
+    EXPECT_EQ(text(generic, 0x0600'0003, out), "Parameter 3 = 3");
+    EXPECT_EQ(text(generic, 0x2021'0001, out), "Manufacturer specific (D29), and the make is not known");
+}
+
+TEST_F(ExplainWord, EveryWordHasASentenceAtEveryDevice)
+{
+    static const QRegularExpression place(QStringLiteral("%[1-9]|\\?"));
+    std::mt19937 random(237); // seeded: the same words in each run
+    const auto anyWord = [&random] {
+        const Word low[] = {0, 1, 8, 0x10'0019, 0x20'0013, 0x21'0007, 0x21'000D, 0x40'0003, 0x80'0001};
+        return random() % 2 == 0 ? static_cast<Word>(random())
+                                 : static_cast<Word>(random() << 24) | low[random() % std::size(low)];
+    };
+    for (const DeviceDescription &device : catalog.devices())
+        for (const WordDirection direction : {WordDirection::in, WordDirection::out})
+            for (unsigned i = 0; i < 20'000; ++i) {
+                k3::ExplainContext context{direction, {}, {}, {}, {}};
+                if (i % 4 != 3)
+                    context.mode = static_cast<Mode>(i % 4);
+                if (i % 5 < 3)
+                    context.coding = static_cast<PositionCoding>(i % 5);
+                if (i % 3 == 0)
+                    context.counterpart = anyWord();
+                const Word word = anyWord();
+                const QString sentence = explanationText(device, explainWord(device, word, context));
+                ASSERT_FALSE(sentence.isEmpty()) << std::hex << word;
+                ASSERT_FALSE(sentence.contains(place)) << sentence.toStdString();
+            }
+}
+
+TEST_F(ExplainWord, BitsAreNamedAsInTheManual)
+{
+    const auto bit = [](const DeviceDescription &device, WordDirection direction, int number) {
+        return bitText(device, direction, number).toStdString();
+    };
+    EXPECT_EQ(bit(baumer, WordDirection::out, 31), "D31: start (run), when it changes from 0 to 1");
+    EXPECT_EQ(bit(baumer, WordDirection::out, 25), "D28..D25: parameter number");
+    EXPECT_EQ(bit(baumer, WordDirection::out, 24), "D24..D0: parameter data");
+    EXPECT_EQ(bit(baumer, WordDirection::out, 29), "D29: ignored by this encoder");
+    EXPECT_EQ(bit(generic, WordDirection::in, 29), "D29: manufacturer specific");
+    EXPECT_EQ(bit(fraba, WordDirection::in, 28), "D28..D25: parameter number, or error number");
+    for (const DeviceDescription &device : catalog.devices())
+        for (const WordDirection direction : {WordDirection::in, WordDirection::out}) {
+            for (int i = 0; i < 32; ++i)
+                EXPECT_TRUE(bitText(device, direction, i).startsWith(u'D')) << i;
+            EXPECT_TRUE(bitText(device, direction, -1).isEmpty());
+            EXPECT_TRUE(bitText(device, direction, 32).isEmpty());
+        }
+}
+
+} // namespace
+} // namespace codewheel
