@@ -10,6 +10,10 @@ namespace {
 constexpr std::int64_t clockwise = 3;
 constexpr std::int64_t counterclockwise = 4;
 
+constexpr Word modeWord = 0x2080'0000; // + cam program, 0: position mode
+constexpr Word programMask = 0xF;
+constexpr Word camReadOutMask = 0xFFFF'0000;
+
 ParameterSet factorySet(PhysicalResolution resolution)
 {
     ParameterSet set;
@@ -29,30 +33,59 @@ FrabaK3::FrabaK3(PhysicalResolution resolution, std::int64_t raw, FrabaPlate pla
     begin();
 }
 
-// Read-out ends with the first word whose D16 is 0. The FRABA preset acts in every cycle in which it is seen.
+bool FrabaK3::isFrabaPreset(Word out) const
+{
+    return out == k3::frabaPreset && m_mode != Mode::cam;
+}
+
+bool FrabaK3::isCamReadOut(Word out) const
+{
+    return (out & camReadOutMask) == k3::camReadOut && m_mode == Mode::cam;
+}
+
+// Once read-out was asked for by D16, it goes on as long as D16 stands, whatever the rest of the word; with
+// the cams it is the word itself that asks.
+bool FrabaK3::holdsReadOut(Word out) const
+{
+    return isCamReadOut(out) || (m_readsByD16 && (out & k3::readOutRequestBit) != 0);
+}
+
+// The FRABA preset acts in every cycle in which it is seen.
 void FrabaK3::seen(Word out)
 {
-    if ((out & k3::readOutRequestBit) == 0)
+    if (!holdsReadOut(out))
         showReadOut(0);
-    if (out == k3::frabaPreset && phase() == Phase::operation)
+    if (isFrabaPreset(out) && phase() == Phase::operation)
         initialisePreset(ParameterMemory::Storing::inEeprom);
 }
 
 bool FrabaK3::take(Word out)
 {
-    if (k3::isReadOutRequest(out))
-        showReadOut(readOutAnswer(out & 0xFFFF));
-    else if (readOut() != 0)
-        return true; // D16 goes on asking for the value: nothing else is understood
-    else if (out == k3::frabaPreset)
+    if (k3::isReadOutRequest(out) || isCamReadOut(out)) {
+        showReadOut(readOutAnswer(out));
+        m_readsByD16 = k3::isReadOutRequest(out);
+        return true;
+    }
+    if (readOut() != 0)
+        return true; // nothing else is understood
+    if (isFrabaPreset(out))
         return false;
+    takeCommand(out);
+    return true;
+}
+
+void FrabaK3::takeCommand(Word out)
+{
+    if ((out & ~programMask) == modeWord)
+        switchTo(out & programMask);
+    else if (m_mode == Mode::cam)
+        takeCamWord(out);
     else if ((out & k3::presetBit) != 0)
         takePreset(out);
     else if ((out & k3::manufacturerBit) != 0)
         takeManufacturerWord(out);
     else if (k3::isParameterWord(out))
         takeParameter(out);
-    return true;
 }
 
 // "Parameter received (not checked yet)": Cp and the data stand in IN from the first cycle on.
@@ -83,6 +116,36 @@ void FrabaK3::takeManufacturerWord(Word out)
         m_mode = Mode::position;
     else
         fail(error_number::unknownNumber);
+}
+
+// At once, without acknowledgement or run; 0 is the position mode. The program left is saved, and with it
+// ends the cam parameterization.
+void FrabaK3::switchTo(unsigned program)
+{
+    if (program > FrabaCams::programs) {
+        fail(error_number::wrongData);
+        return;
+    }
+    if (m_mode == Mode::cam) {
+        if (m_cams.leave())
+            memory().countWrite();
+        if (!memory().hasPending() && !memory().isLost())
+            operate();
+    }
+    m_mode = program == 0 ? Mode::position : Mode::cam;
+    if (program != 0)
+        m_cams.enter(program);
+}
+
+// In cam mode each word is acknowledged until run: IN is OUT with D31 D30 = 11 (assumed).
+void FrabaK3::takeCamWord(Word out)
+{
+    if ((out & k3::controlMask) == 0)
+        return; // normal running
+    if (const auto error = m_cams.take(out, arithmetic().total()))
+        failWith(*error);
+    else
+        acknowledge(k3::confirmation | out);
 }
 
 bool FrabaK3::confirm(unsigned number, Word data)
@@ -119,7 +182,15 @@ Word FrabaK3::operationWord() const
 {
     if (shaft().isFasterThan(fastestCode))
         return k3::notValidBit;
-    return m_mode == Mode::velocity ? velocity() : arithmetic().codedValue(shaft().raw());
+    switch (m_mode) {
+    case Mode::velocity:
+        return velocity();
+    case Mode::cam:
+        return m_cams.word(arithmetic().processValue(shaft().raw()));
+    case Mode::position:
+        break;
+    }
+    return arithmetic().codedValue(shaft().raw());
 }
 
 // Whole revolutions per minute, positive when the position rises, 25-bit two's complement (assumed)
@@ -129,8 +200,14 @@ Word FrabaK3::velocity() const
     return static_cast<Word>(rpm) & k3::dataMask;
 }
 
+void FrabaK3::poweredUp()
+{
+    m_cams.powerUp();
+}
+
 void FrabaK3::wentToDefault()
 {
+    m_cams.clear();
     m_mode = Mode::position;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "simulator/fraba_cams.h"
 #include "simulator/simulated_k3.h"
 
 namespace codewheel {
@@ -15,7 +16,8 @@ struct FrabaPlate
     std::optional<int> temperature = 245; // 0.1 degC; nothing: no sensor
 };
 
-// FRABA OCD-IB K3 (FRABA manual 5.3, 5.4, 10): read-out, velocity mode, FRABA preset.
+// FRABA OCD-IB K3 (FRABA manual 5.3, 5.4, 10): read-out, velocity mode, FRABA preset, cam
+// mode.
 class FrabaK3 final : public SimulatedK3
 {
 public:
@@ -24,24 +26,34 @@ public:
     FrabaK3(PhysicalResolution resolution, std::int64_t raw, FrabaPlate plate, K3Timing timing = {});
 
 private:
-    enum class Mode : std::uint8_t { position, velocity };
+    enum class Mode : std::uint8_t { position, velocity, cam };
 
     bool take(Word out) override;
     void seen(Word out) override;
     bool confirm(unsigned number, Word data) override;
     Word operationWord() const override;
+    void poweredUp() override;
     void wentToDefault() override;
 
+    bool isFrabaPreset(Word out) const;
+    bool isCamReadOut(Word out) const;
+    bool holdsReadOut(Word out) const;
+
+    void takeCommand(Word out);
     void takeParameter(Word out);
     void takePreset(Word out);
     void takeManufacturerWord(Word out);
+    void takeCamWord(Word out);
+    void switchTo(unsigned program);
     Word velocity() const;
-    Word readOutAnswer(Word code) const;
+    Word readOutAnswer(Word out) const;
     std::optional<Word> readOutValue(Word code) const;
     Word startUpMode() const;
 
     FrabaPlate m_plate;
+    FrabaCams m_cams;
     Mode m_mode = Mode::position; // kept over power-off
+    bool m_readsByD16 = false;
 };
 
 } // namespace codewheel

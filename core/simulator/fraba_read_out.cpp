@@ -2,12 +2,14 @@
 #include "simulator/fraba_k3.h"
 
 // Read-out of a FRABA encoder (FRABA manual 10.2): 2021000nh is answered by A0000000h + value, a code that is
-// in no table by A4000000h + n.
+// in no table by A4000000h + n. In cam mode
+// 2020xxxxh reads the cams (10.5).
 namespace codewheel {
 
 namespace {
 
 constexpr Word unknownReadOut = 0xA400'0000;
+constexpr Word codeMask = 0xFFFF;
 constexpr Word multiTurnFlag = 2;
 constexpr Word stepsMinusOneFlag = 1;
 constexpr Word largestOpcCode = 0xFD; // register number in bits 7..4, D in bits 3..0
@@ -19,9 +21,10 @@ constexpr bool isOpcRegister(Word code)
 
 } // namespace
 
-Word FrabaK3::readOutAnswer(Word code) const
+Word FrabaK3::readOutAnswer(Word out) const
 {
-    const auto value = readOutValue(code);
+    const Word code = out & codeMask;
+    const auto value = isCamReadOut(out) ? m_cams.readOut(code) : readOutValue(code);
     return value ? k3::readOutAnswer | (*value & k3::dataMask) : unknownReadOut | code;
 }
 
@@ -62,7 +65,15 @@ std::optional<Word> FrabaK3::readOutValue(Word code) const
 
 Word FrabaK3::startUpMode() const
 {
-    return m_mode == Mode::velocity ? 2 : 1;
+    switch (m_mode) {
+    case Mode::cam:
+        return 2 + m_cams.program();
+    case Mode::velocity:
+        return 2;
+    case Mode::position:
+        break;
+    }
+    return 1;
 }
 
 } // namespace codewheel

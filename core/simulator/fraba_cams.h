@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "words/k3_word.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace codewheel {
+
+// The cam unit of a FRABA encoder (FRABA manual 5.4.4, 10.5, 10.6): 8 programs of 8 cams, of which the
+// entered one is worked with. It is saved when it is left and lost at power-off before.
+class FrabaCams
+{
+public:
+    static constexpr unsigned programs = 8;  // 1..8
+    static constexpr Word cams = 8;          // 0..7
+    static constexpr Word largestShift = 25; // shift_iw: cams only
+
+    bool isEntered() const { return m_entered != 0; }
+    unsigned program() const { return m_entered; } // 0: none is entered
+
+    void enter(unsigned program);
+    // Saves the program if it was changed: true then, one EEPROM write.
+    bool leave();
+    void powerUp(); // the entered program as it was saved
+    void clear();   // all off, start = stop = 0, shift 0; none is entered
+
+    // 4xxxxxxx, 6xxxxxxx, 2040xxxx, 201000xx, for an encoder with so many positions. Nothing: taken; else the
+    // error word, and the old value is kept.
+    std::optional<Word> take(Word out, std::int64_t totalRange);
+    // 2020xxxx; nothing: not defined.
+    std::optional<Word> readOut(Word what) const;
+
+    // IN: the active cams in D7..D0, what shift_iw leaves of the position above them.
+    Word word(std::int64_t position) const;
+
+private:
+    struct Cam
+    {
+        Word start = 0;
+        Word stop = 0;
+    };
+    struct Program
+    {
+        std::array<Cam, cams> cam{};
+        Word active = 0; // bit n: cam n; bits 8..15 do nothing
+        Word shift = 0;
+    };
+
+    static bool isOn(const Cam &cam, Word position);
+
+    std::array<Program, programs> m_stored{};
+    Program m_current;
+    unsigned m_entered = 0;
+    bool m_changed = false;
+};
+
+} // namespace codewheel
