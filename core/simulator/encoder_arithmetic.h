@@ -72,14 +72,14 @@ private:
         return coding <= 2 ? Code::signedBinary : coding <= 4 ? Code::binary : Code::gray;
     }
 
-    // floor(raw x steps / (revolutions x physical steps)). The product is below 2^50, so the quotient by the
-    // reciprocal is at most one off.
+    // floor(raw x steps / (revolutions x physical steps)). The product is below 2^50: the quotient by the
+    // reciprocal, itself 2^-53 off at most, may be one too small but never too large.
     std::int64_t scaled(std::int64_t raw) const
     {
         const std::int64_t product = raw * m_steps;
         const auto quotient = static_cast<std::int64_t>(static_cast<double>(product) * m_reciprocal);
         const std::int64_t rest = product - quotient * m_divisor;
-        return quotient + (rest >= m_divisor) - (rest < 0);
+        return quotient + (rest >= m_divisor);
     }
 
     std::int64_t m_steps;

@@ -5,10 +5,10 @@
 
 namespace codewheel {
 
-// What an encoder can tell apart: 8192 steps a turn and 4096 turns for "13 + 12 bit".
+// What an encoder can tell apart: 8192 steps a turn and 4096 turns for "13 + 12 bit", the largest there is.
 struct PhysicalResolution
 {
-    int stepsPerTurn = 8192; // 1..65536
+    int stepsPerTurn = 8192; // 1..8192
     int turns = 4096;        // 1..4096
 
     constexpr std::int64_t range() const { return std::int64_t{stepsPerTurn} * turns; }

@@ -140,6 +140,14 @@ TEST_F(CamMode, ChangingTheProgramSavesTheOldOneWithOneWriteAndEndsTheParameteri
     EXPECT_EQ(readOut(0x2020'0013), 0xA000'0015);
 }
 
+TEST_F(CamMode, ChangingTheProgramDoesNotEndAParameterizationOfTheEncoder)
+{
+    EXPECT_EQ(send(m_encoder, {0x0200'00FF, 0x2080'0001, 0x2080'0002}), 0xC200'00FF);
+    EXPECT_EQ(send(m_encoder, {0x8000'0000}), 0x0000'0700); // floor(256 x 255 / 8192) = 7
+    m_encoder.loseParameters();
+    EXPECT_EQ(send(m_encoder, {0x2080'0001, 0x2080'0002}), 0x8600'0000);
+}
+
 TEST_F(CamMode, AProgramNotLeftIsLostAtPowerOff)
 {
     send(m_encoder, {0x2080'0001, 0x4600'0015, 0x8000'0000, 0x2080'0001, 0x4600'0016, 0x8000'0000});

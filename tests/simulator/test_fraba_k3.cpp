@@ -222,6 +222,7 @@ TEST_F(FrabaHandshake, TheZeroPointShiftingIsKeptModuloTheNewTotalRange)
     // 1FFFFFFh mod 1044480 = 2^25 - 1 - 32 x 1044480 = 131071
     EXPECT_EQ(send(m_encoder, {0x0BFF'FFFF, 0x8000'0000}), pos - 1);
     EXPECT_EQ(send(m_encoder, {0x0000'0000, 0x0200'00FF, 0x8000'0000}), pos255 + 131'071);
+    EXPECT_EQ(send(m_encoder, {0x2021'0005}), 0xA001'FFFF);
 }
 
 TEST_F(FrabaHandshake, DefaultIsConfirmedAndActiveAfterRun)

@@ -96,6 +96,17 @@ TEST_F(Power, BaumerStoresTheZeroOffsetWithTheNextParameter)
     EXPECT_EQ(m_baumer.cycle(0), 0x0000'0064);
 }
 
+TEST_F(Power, BaumerDoesNotStoreTheZeroOffsetWithARunThatWroteNothing)
+{
+    send(m_baumer, {0x0800'0064, 0x8000'0000, 0x0000'0000, 0x4000'0000});
+    EXPECT_EQ(send(m_baumer, {0x0000'0000, 0x1000'0000, 0x8000'0000}), 0x8400'0000); // no such number
+    EXPECT_EQ(send(m_baumer, {0x0000'0000, 0x8000'0000}), 0x0000'0064);
+    m_baumer.powerCycle();
+    for (int i = 0; i < 100; ++i)
+        m_baumer.cycle(0);
+    EXPECT_EQ(m_baumer.cycle(0), pos);
+}
+
 TEST_F(Power, BaumerTestsLoadsAndChecksBeforeItOperates)
 {
     m_baumer.powerCycle();
@@ -141,6 +152,25 @@ TEST_F(Power, LostParametersStayLostOverPowerOff)
     m_fraba.setPower(false);
     m_fraba.setPower(true);
     play(m_fraba, {{0x0000'0000, 0x8600'0000, 3}});
+}
+
+TEST_F(Power, LostParametersAreLostAllOfThem)
+{
+    send(m_fraba, {0x0A00'0007, 0x8000'0000, 0x0000'0000});
+    m_fraba.loseParameters();
+    EXPECT_EQ(send(m_fraba, {0x0200'2000, 0x0400'0001, 0x0600'0003, 0x0800'0000, 0x8000'0000}), pos);
+}
+
+TEST_F(Power, AnUnknownNumberIsForgottenAtPowerOff)
+{
+    send(m_baumer, {0x1000'0000});
+    m_baumer.setBatteryLow(true);
+    m_baumer.setPower(false);
+    m_baumer.setPower(true);
+    play(m_baumer, {{0x0000'0000, 0xC000'0000, 20},
+                    {0x0000'0000, 0x9C00'0000},
+                    {0x8000'0000, 0x9C00'0000},
+                    {0x8000'0000, pos}});
 }
 
 // Power comes back while OUT is not 0.
