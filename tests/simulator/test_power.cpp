@@ -28,6 +28,13 @@ TEST_F(Power, OffThereIsNothingInTheWord)
     play(m_fraba, {{0x0000'0000, pos, 2}});
 }
 
+TEST_F(Power, PowerOffEndsTheReadOut)
+{
+    EXPECT_EQ(send(m_fraba, {0x2021'0001}), 0xA000'2000);
+    m_fraba.powerCycle();
+    play(m_fraba, {{0x2021'0001, 0x0000'0000, 50}, {0x2021'0001, pos, 2}, {0x2021'0001, 0xA000'2000}});
+}
+
 TEST_F(Power, APowerCycleComesBackByItself)
 {
     m_fraba.powerCycle();
