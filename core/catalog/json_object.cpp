@@ -83,7 +83,7 @@ const Json::Value &JsonObject::member(const char *key) const
 QString JsonObject::text(const char *key) const
 {
     const Json::Value &value = member(key);
-    const QString result = value.isString() ? QString::fromStdString(value.asString()) : QString();
+    QString result = value.isString() ? QString::fromStdString(value.asString()) : QString();
     if (result.trimmed().isEmpty())
         report(key, tr("A text in quotation marks is expected here."));
     return result;

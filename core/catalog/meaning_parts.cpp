@@ -126,6 +126,8 @@ QString MeaningParts::errorText(unsigned errorNumber) const
         return tr("battery low");
     case RefusalId::codeDiscFault:
         return tr("faulty value of the code disc");
+    case RefusalId::manufacturerError:
+        return tr("an error of the manufacturer's own");
     default:
         return tr("not defined for this encoder");
     }
@@ -152,7 +154,6 @@ QStringList MeaningParts::of(const Meaning &meaning) const
         return {readOutLabel(static_cast<unsigned>(n[0])),
                 readOutValueText(static_cast<unsigned>(n[0]), static_cast<Word>(n[1]))};
     case MeaningId::opcRegisterValue:
-        return {number(n[0]), hex(n[1])};
     case MeaningId::grayPosition:
         return {number(n[0]), hex(n[1])};
     case MeaningId::runIgnoresRest:

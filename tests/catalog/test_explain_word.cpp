@@ -66,6 +66,8 @@ TEST_F(ExplainWord, InWordsOfFraba)
     EXPECT_EQ(text(fraba, 0xA000'2000, in), "Self test, or read-out of 8192");
     EXPECT_EQ(text(fraba, 0x8000'0000, in), "No valid position");
     EXPECT_EQ(text(fraba, 0x8200'0000, in), "Error 1: wrong parameter data");
+    EXPECT_EQ(text(fraba, 0x9800'0017, in), "Manufacturer's error 23");
+    EXPECT_EQ(text(fraba, 0x9800'0100, in), "Error 12: an error of the manufacturer's own");
     EXPECT_EQ(text(fraba, 0x9800'0004, in),
               "Manufacturer's error 4: cam start or stop above the largest position");
     EXPECT_EQ(text(fraba, 0x4000'0000, in), "D31 D30 = 01: a state in no manual");
