@@ -50,6 +50,7 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
     }
     if (outChanged) {
         m_answerIsFresh = false;
+        countConfirmed();
         observePreset(out);
     }
     switch (stateOf(in, m_device.dialect)) {
@@ -110,8 +111,6 @@ void K3Knowledge::observeOperation(Word out, Instant now)
     if ((out & k3::startBit) != 0 && !m_pending.empty()) {
         for (const auto &[number, data] : m_pending)
             activate(number, data, now);
-        m_eepromWrites += static_cast<int>(m_pending.size());
-        m_changes.eepromWrites += static_cast<int>(m_pending.size());
         m_changed = true;
     }
     m_pending.clear(); // without run: a power cycle has dropped it
@@ -127,11 +126,23 @@ void K3Knowledge::observePreset(Word out)
     forget(Parameter::zeroOffset);
     forget(Parameter::presetFlag);
     if (m_device.capabilities.presetIsStored && m_presetArmed.value_or(true)) {
-        ++m_eepromWrites;
-        ++m_changes.eepromWrites;
-        m_changed = true;
+        countEepromWrite();
     }
     m_presetArmed = false;
+}
+
+// One write per parameter that was confirmed and not refused by the time its word leaves OUT.
+void K3Knowledge::countConfirmed()
+{
+    if (k3::isParameterWord(m_out) && m_pending.contains(k3::number(m_out)))
+        countEepromWrite();
+}
+
+void K3Knowledge::countEepromWrite()
+{
+    ++m_eepromWrites;
+    ++m_changes.eepromWrites;
+    m_changed = true;
 }
 
 void K3Knowledge::activate(unsigned number, std::optional<Word> data, Instant now)

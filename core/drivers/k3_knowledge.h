@@ -45,6 +45,8 @@ private:
     void observeReadOut(Word in, Word out, Instant now);
     void observeOperation(Word out, Instant now);
     void observePreset(Word out);
+    void countConfirmed();
+    void countEepromWrite();
     void activate(unsigned number, std::optional<Word> data, Instant now);
     void learn(Parameter parameter, std::int64_t value, Evidence evidence, Instant now);
     void forget(Parameter parameter);
