@@ -21,7 +21,7 @@ struct RingRunner::Private
     void carryOut(const command::SetOut &c);
     void carryOut(const command::StartJob &c);
     void carryOut(const command::Proceed &c) { drivers[c.device]->proceed(); }
-    void carryOut(const command::Cancel &c) { drivers[c.device]->cancel(c.how, ring.at); }
+    void carryOut(const command::Cancel &c);
     void carryOut(const command::SetKnown &c) { drivers[c.device]->setKnown(c.known); }
     void carryOut(command::StartBus);
     void carryOut(command::StopBus);
@@ -115,6 +115,13 @@ void RingRunner::Private::carryOut(const command::StartJob &c)
     outcome.result = std::move(taken);
     outcome.leftIn = device.reading.state;
     tell(c.device, Event(std::move(outcome)));
+}
+
+// The job may have ended while the command was on its way.
+void RingRunner::Private::carryOut(const command::Cancel &c)
+{
+    if (drivers[c.device]->busy())
+        drivers[c.device]->cancel(c.how, ring.at);
 }
 
 void RingRunner::Private::carryOut(command::StartBus)

@@ -41,6 +41,7 @@ class PacedThreadTest : public testing::Test
 protected:
     PacedThreadTest()
     {
+        EXPECT_TRUE(m_link.open());
         RingRunner::Drivers drivers;
         drivers.push_back(std::make_unique<WordByWordDriver>());
         m_runner = std::make_unique<RingRunner>(m_link, ScriptedLink::ringOf(1), std::move(drivers),

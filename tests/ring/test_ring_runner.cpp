@@ -20,6 +20,7 @@ protected:
     void makeRing(std::size_t devices, std::vector<Word> peerOut = {})
     {
         m_link = std::make_unique<ScriptedLink>(devices);
+        EXPECT_TRUE(m_link->open());
         if (!peerOut.empty())
             m_link->setPeerOut(peerOut);
         RingRunner::Drivers drivers;
@@ -348,6 +349,7 @@ TEST_F(RingRunnerTest, LateCyclesAreToldAtMostOnceASecond)
 TEST_F(RingRunnerTest, ADeviceWithoutADriverShowsAndSendsItsWords)
 {
     ScriptedLink link(1);
+    ASSERT_TRUE(link.open());
     link.answerWith([](std::size_t, Word out) { return out; });
     RingRunner::Drivers none(1);
     RingRunner runner(link, ScriptedLink::ringOf(1), std::move(none), {0});

@@ -3,6 +3,7 @@
 
 #include "ring/process_data_link.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -18,7 +19,11 @@ public:
     using Answer = std::function<Word(std::size_t device, Word out)>;
 
     explicit ScriptedLink(std::size_t devices)
-        : m_peerOut(devices)
+        : ScriptedLink(ringOf(devices))
+    {}
+    explicit ScriptedLink(RingStructure structure)
+        : m_structure(std::move(structure))
+        , m_peerOut(m_structure.size())
     {}
 
     static RingStructure ringOf(std::size_t devices)
@@ -35,6 +40,9 @@ public:
     int exchanges() const { return m_exchanges; }
     // The n-th exchange from now on fails, 1 being the next.
     void failAt(int n) { m_failAt = m_exchanges + n; }
+
+    // From now on each exchange takes this long.
+    void delay(std::chrono::milliseconds time) { m_delay = time; }
 
     // From now on each exchange blocks until interrupt(), or until unblock().
     void block()
@@ -54,13 +62,28 @@ public:
         m_wake.wait(lock, [this] { return m_waiting; });
     }
 
-    Result<RingStructure> open() override { return ringOf(m_peerOut.size()); }
-    void close() override {}
-    Result<std::vector<Word>> readBackOut() override { return m_peerOut; }
+    Result<RingStructure> open() override
+    {
+        if (m_refusesToOpen)
+            return refuse(RefusalKind::link, RefusalId::linkFailed, {QStringLiteral("no answer")});
+        m_open = true;
+        return m_structure;
+    }
+    void refuseToOpen() { m_refusesToOpen = true; }
+    bool isOpen() const { return m_open; }
+    void close() override { m_open = false; }
+    Result<std::vector<Word>> readBackOut() override
+    {
+        if (!m_open)
+            return refuse(RefusalKind::link, RefusalId::linkFailed, {QStringLiteral("not connected")});
+        return m_peerOut;
+    }
     Result<void> exchange(std::span<const Word> out, std::span<Word> in) override
     {
         if (!waitWhileBlocked())
             return refuse(RefusalKind::stopped, RefusalId::cancelled);
+        if (!m_open || out.size() != m_peerOut.size() || in.size() != m_peerOut.size())
+            return refuse(RefusalKind::link, RefusalId::linkFailed, {QStringLiteral("not connected")});
         if (++m_exchanges == m_failAt)
             return refuse(RefusalKind::link, RefusalId::linkFailed, {QStringLiteral("cable pulled")});
         m_peerOut.assign(out.begin(), out.end());
@@ -79,17 +102,23 @@ private:
     bool waitWhileBlocked()
     {
         std::unique_lock lock(m_mutex);
-        if (!m_blocks)
-            return true;
-        m_waiting = true;
-        m_wake.notify_all();
-        m_wake.wait(lock, [this] { return !m_blocks || m_interrupted; });
-        m_waiting = false;
+        if (m_delay > std::chrono::milliseconds(0))
+            m_wake.wait_for(lock, m_delay, [this] { return m_interrupted; });
+        if (m_blocks) {
+            m_waiting = true;
+            m_wake.notify_all();
+            m_wake.wait(lock, [this] { return !m_blocks || m_interrupted; });
+            m_waiting = false;
+        }
         return !std::exchange(m_interrupted, false);
     }
 
+    RingStructure m_structure;
     Answer m_answer;
     std::vector<Word> m_peerOut;
+    bool m_open = false;
+    bool m_refusesToOpen = false;
+    std::chrono::milliseconds m_delay{0};
     int m_exchanges = 0;
     int m_failAt = 0;
     std::mutex m_mutex;
