@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "drivers/cyclic_driver.h"
 #include "encoder/encoder_session.h"
 #include "encoder/message.h"
+#include "ring/command.h"
 #include "ring/participant.h"
 #include "ring/process_data_link.h"
 #include "ring/snapshot.h"
@@ -10,13 +12,14 @@
 #include <QDateTime>
 #include <QObject>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
 namespace codewheel {
 
 class Catalog;
-class RingRunner;
+struct RingEvent;
 class WordChannel;
 
 // A connected ring as the window and the command line see it: owns link, runner, thread, encoder sessions and
@@ -28,15 +31,20 @@ class BusSession : public QObject
 public:
     enum class Start { watching, operating };
 
-    // The catalog must outlive the session. `begin` is the date and time that Instant 0 stands for.
+    // Null for a device that cannot be driven; the description outlives the driver.
+    using DriverFactory = std::function<std::unique_ptr<CyclicDriver>(const DeviceDescription &)>;
+
+    // The catalog must outlive the session. `begin` is the date and time that Instant 0 stands for. No
+    // factory: the drivers of the program (drivers/make_driver.h).
     BusSession(std::unique_ptr<ProcessDataLink> link, const Catalog &catalog, QDateTime begin,
-               QObject *parent = nullptr);
+               QObject *parent = nullptr, DriverFactory makeDriver = {});
     ~BusSession() override;
 
-    // Connects, finds the participants, makes sessions and channels; the bus is in RUN afterwards. Sends
-    // nothing.
+    // Connects, finds the participants, makes sessions and channels; the bus is in RUN afterwards, and its
+    // first cycle comes with startThread() or advance(). Sends nothing. Ends sessions and channels of a
+    // connection before.
     Result<void> open(Start start);
-    // Ends the thread and closes the link. Jobs end as stopped.
+    // Ends the thread and closes the link. Jobs end as stopped; sessions and channels stay to be looked at.
     void close();
 
     // Cycles by a thread of its own, on absolute deadlines ...
@@ -73,6 +81,11 @@ Q_SIGNALS:
 private:
     friend class WordChannel;
     friend class RingEncoderSession;
+    Result<void> write(std::size_t device, Word word);
+    void post(Command command);
+    void showLatest();
+    void dispatch(const RingEvent &event);
+
     struct Private;
     std::unique_ptr<Private> d;
 };

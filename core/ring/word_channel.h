@@ -3,7 +3,7 @@
 
 #include "encoder/device_number.h"
 #include "encoder/refusal.h"
-#include "words/k3_word.h"
+#include "ring/snapshot.h"
 
 #include <QObject>
 
@@ -37,7 +37,8 @@ public:
     void stage(Word word);
     void unstage();
     // Sends the staged word, or repeats the OUT word if none is staged. Refused (signal and answer) in Watch,
-    // while the bus is stopped, and while a job holds the word; the staged word stays.
+    // while the bus is stopped, while a job holds the word, and by a device without OUT; the staged word
+    // stays. It is unstaged once it stands on the bus; the bus may still refuse it (signal) until then.
     Result<void> write();
 
 Q_SIGNALS:
@@ -47,7 +48,14 @@ Q_SIGNALS:
 
 private:
     friend class BusSession;
-    void update(Word in, Word out, Word inEdges, Word outEdges, bool heldByJob);
+    void show(const Snapshot::Device &device, Instant at);
+    void wasWritten(Word word, Instant at);
+
+    struct Written
+    {
+        Word word;
+        Instant at;
+    };
 
     BusSession &m_bus;
     std::size_t m_device;
@@ -60,6 +68,7 @@ private:
     Word m_outEdges = 0;
     bool m_heldByJob = false;
     std::optional<Word> m_staged;
+    std::optional<Written> m_written; // told by the bus, not shown by a snapshot yet
 };
 
 } // namespace codewheel

@@ -16,6 +16,7 @@ public:
     bool busy() const override { return m_busy; }
     void setKnown(const std::vector<Known> &known) override { m_known = known; }
     const std::vector<Known> &known() const { return m_known; }
+    void learn(KnowledgeChanged change) { m_events.emplace_back(std::move(change)); }
 
     Result<void> begin(JobId id, const Job &job, Pace, Word, Word, Instant) override
     {

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ring/bus_session.h"
+
+#include "catalog/catalog.h"
+#include "drivers/make_driver.h"
+#include "ring/paced_thread.h"
+#include "ring/ring_encoder_session.h"
+#include "ring/ring_runner.h"
+#include "ring/send_permission.h"
+#include "ring/word_channel.h"
+
+#include <QScopedValueRollback>
+
+#include <algorithm>
+#include <deque>
+
+namespace codewheel {
+
+struct BusSession::Private
+{
+    Private(std::unique_ptr<ProcessDataLink> usedLink, const Catalog &usedCatalog, QDateTime instantZero,
+            DriverFactory factory)
+        : link(std::move(usedLink))
+        , catalog(usedCatalog)
+        , begin(std::move(instantZero))
+        , driverFor(factory ? std::move(factory) : DriverFactory(makeDriver))
+    {}
+
+    const DeviceDescription *describe(const Participant &participant) const;
+    RingRunner::Drivers makeDevices(BusSession &bus);
+    void fetch();
+    std::size_t indexOf(DeviceNumber number) const; // structure.size(): no such device
+
+    std::unique_ptr<ProcessDataLink> link;
+    const Catalog &catalog;
+    QDateTime begin;
+    DriverFactory driverFor;
+
+    // What was found by open(), in ring order.
+    RingStructure structure;
+    std::deque<DeviceDescription> descriptions;                // of those that have a session
+    std::vector<std::unique_ptr<RingEncoderSession>> sessions; // null: no driver
+    std::vector<std::unique_ptr<WordChannel>> channels;
+    std::unique_ptr<RingRunner> runner;  // null: closed
+    std::unique_ptr<PacedThread> thread; // null: cycles by hand
+
+    std::shared_ptr<const Snapshot> latest = std::make_shared<Snapshot>();
+    bool latestIsNew = false;
+    std::deque<RingEvent> events; // fetched, not told yet
+    bool pumping = false;
+    MasterState toldState = MasterState::ready;
+    bool toldOperate = false;
+};
+
+// Without a plan, or with a key that no description has, the make is not known.
+const DeviceDescription *BusSession::Private::describe(const Participant &participant) const
+{
+    const DeviceDescription *named = catalog.find(participant.deviceKey);
+    return named ? named : catalog.generic(participant.deviceCode);
+}
+
+RingRunner::Drivers BusSession::Private::makeDevices(BusSession &bus)
+{
+    events.clear();
+    sessions.clear();
+    channels.clear();
+    descriptions.clear();
+    RingRunner::Drivers drivers(structure.size());
+    sessions.resize(structure.size());
+    for (std::size_t i = 0; i < structure.size(); ++i) {
+        const Participant &participant = structure[i];
+        channels.push_back(std::make_unique<WordChannel>(bus, i, participant.number, participant.inWords,
+                                                         participant.outWords));
+        const DeviceDescription *description = describe(participant);
+        if (!description)
+            continue;
+        const DeviceDescription &own = descriptions.emplace_back(*description);
+        drivers[i] = driverFor(own);
+        if (drivers[i])
+            sessions[i] = std::make_unique<RingEncoderSession>(bus, i, participant.number, own);
+    }
+    return drivers;
+}
+
+void BusSession::Private::fetch()
+{
+    for (RingEvent &event : runner->takeEvents()) {
+        const auto *message = std::get_if<Message>(&event.what);
+        if (message && message->id == MessageId::wordWritten)
+            channels[event.device]->wasWritten(std::get<Word>(message->arguments.front()), message->at);
+        events.push_back(std::move(event));
+    }
+    if (auto newest = runner->takeLatest()) {
+        latest = std::move(newest);
+        latestIsNew = true;
+    }
+}
+
+std::size_t BusSession::Private::indexOf(DeviceNumber number) const
+{
+    const auto found = std::ranges::find(structure, number, &Participant::number);
+    return static_cast<std::size_t>(found - structure.begin());
+}
+
+BusSession::BusSession(std::unique_ptr<ProcessDataLink> link, const Catalog &catalog, QDateTime begin,
+                       QObject *parent, DriverFactory makeDriver)
+    : QObject(parent)
+    , d(std::make_unique<Private>(std::move(link), catalog, std::move(begin), std::move(makeDriver)))
+{}
+
+BusSession::~BusSession()
+{
+    d->thread.reset();
+    if (d->runner)
+        d->link->close();
+}
+
+Result<void> BusSession::open(Start start)
+{
+    close();
+    auto structure = d->link->open();
+    if (!structure)
+        return tl::unexpected(structure.error());
+    auto out = d->link->readBackOut();
+    if (!out) {
+        d->link->close();
+        return tl::unexpected(out.error());
+    }
+    d->structure = std::move(*structure);
+    d->runner = std::make_unique<RingRunner>(*d->link, d->structure, d->makeDevices(*this), *out);
+    post(command::StartBus{});
+    if (start == Start::operating)
+        post(command::SetOperate{true});
+
+    // As it will be when the first cycle has carried this out.
+    auto expected = std::make_shared<Snapshot>();
+    expected->at = d->latest->at;
+    expected->state = MasterState::run;
+    expected->operate = start == Start::operating;
+    for (const Word word : *out)
+        expected->devices.push_back({.out = word, .reading = {}});
+    d->latest = std::move(expected);
+    showLatest();
+    return {};
+}
+
+void BusSession::close()
+{
+    if (!d->runner)
+        return;
+    d->thread.reset();
+    pump();
+    post(command::StopBus{});
+    d->runner->cycle(d->latest->at);
+    pump();
+    d->link->close();
+    d->runner.reset();
+
+    auto closed = std::make_shared<Snapshot>(*d->latest);
+    closed->state = MasterState::ready;
+    closed->operate = false;
+    d->latest = std::move(closed);
+    showLatest();
+}
+
+void BusSession::startThread(std::chrono::nanoseconds period)
+{
+    if (d->runner && !d->thread)
+        d->thread = std::make_unique<PacedThread>(*d->runner, *d->link, period, d->latest->at);
+}
+
+void BusSession::advance(int cycles)
+{
+    if (!d->runner || d->thread)
+        return;
+    Instant now = d->latest->at;
+    for (int i = 0; i < cycles; ++i)
+        d->runner->cycle(now += std::chrono::milliseconds(1));
+    pump();
+}
+
+// A handler may pump again, start a job or close: what comes of it is told in turn by the outer call.
+void BusSession::pump()
+{
+    if (!d->runner)
+        return;
+    d->fetch();
+    if (d->pumping)
+        return;
+    const QScopedValueRollback pumping(d->pumping, true);
+    while (d->latestIsNew || !d->events.empty()) {
+        const bool isNew = std::exchange(d->latestIsNew, false);
+        if (isNew)
+            showLatest();
+        while (!d->events.empty()) {
+            const RingEvent event = std::move(d->events.front());
+            d->events.pop_front();
+            dispatch(event);
+        }
+        if (isNew)
+            Q_EMIT updated();
+    }
+}
+
+void BusSession::showLatest()
+{
+    const auto shown = d->latest;
+    for (std::size_t i = 0; i < shown->devices.size(); ++i) {
+        d->channels[i]->show(shown->devices[i], shown->at);
+        if (d->sessions[i])
+            d->sessions[i]->show(shown->devices[i].reading);
+    }
+    const bool stateIsOther = std::exchange(d->toldState, shown->state) != shown->state;
+    const bool operateIsOther = std::exchange(d->toldOperate, shown->operate) != shown->operate;
+    if (stateIsOther || operateIsOther)
+        Q_EMIT stateChanged();
+}
+
+void BusSession::dispatch(const RingEvent &event)
+{
+    RingEncoderSession *session = d->sessions.empty() ? nullptr : d->sessions[event.device].get();
+    if (const auto *row = std::get_if<Exchange>(&event.what)) {
+        if (session)
+            Q_EMIT session->exchanged(*row);
+        return;
+    }
+    if (const auto *ofDriver = std::get_if<Event>(&event.what)) {
+        if (session)
+            session->take(*ofDriver, event.at);
+        return;
+    }
+    const auto &message = std::get<Message>(event.what);
+    Q_EMIT messaged(message);
+    if (!message.place)
+        return;
+    if (message.refusal)
+        Q_EMIT d->channels[event.device]->refused(*message.refusal);
+    else if (session && message.id == MessageId::deviceFault)
+        session->takeFault(message);
+}
+
+Result<void> BusSession::write(std::size_t device, Word word)
+{
+    const Participant &participant = d->structure[device];
+    if (participant.outWords == 0)
+        return refuse(RefusalKind::notSupported, RefusalId::writingNotSupported,
+                      {participant.number.toString()});
+    const auto &session = d->sessions[device];
+    if (auto allowed = maySend(*d->latest, device, participant.number, RefusalId::wordHeldByJob); !allowed)
+        return allowed;
+    if (session && session->runningJob()) // started, and not shown by a snapshot yet
+        return refuse(RefusalKind::busy, RefusalId::wordHeldByJob, {participant.number.toString()});
+    post(command::SetOut{device, word});
+    return {};
+}
+
+void BusSession::post(Command command)
+{
+    if (d->runner)
+        d->runner->post(std::move(command));
+}
+
+const RingStructure &BusSession::structure() const
+{
+    return d->structure;
+}
+
+std::vector<DeviceNumber> BusSession::numbers() const
+{
+    std::vector<DeviceNumber> numbers;
+    for (const Participant &participant : d->structure)
+        numbers.push_back(participant.number);
+    return numbers;
+}
+
+EncoderSession *BusSession::encoder(DeviceNumber number) const
+{
+    const std::size_t i = d->indexOf(number);
+    return i < d->sessions.size() ? d->sessions[i].get() : nullptr;
+}
+
+WordChannel *BusSession::channel(DeviceNumber number) const
+{
+    const std::size_t i = d->indexOf(number);
+    return i < d->channels.size() ? d->channels[i].get() : nullptr;
+}
+
+const Snapshot &BusSession::latest() const
+{
+    return *d->latest;
+}
+
+bool BusSession::isOperating() const
+{
+    return d->latest->operate;
+}
+
+bool BusSession::isRunning() const
+{
+    return d->latest->state == MasterState::run;
+}
+
+std::vector<DeviceNumber> BusSession::devicesWithOut() const
+{
+    std::vector<DeviceNumber> found;
+    for (std::size_t i = 0; i < d->latest->devices.size(); ++i)
+        if (d->latest->devices[i].out != 0)
+            found.push_back(d->structure[i].number);
+    return found;
+}
+
+QDateTime BusSession::dateTime(Instant at) const
+{
+    return d->begin.addMSecs(std::chrono::duration_cast<std::chrono::milliseconds>(at).count());
+}
+
+void BusSession::startBus()
+{
+    post(command::StartBus{});
+}
+
+void BusSession::stopBus()
+{
+    post(command::StopBus{});
+}
+
+void BusSession::setOperate(bool on)
+{
+    post(command::SetOperate{on});
+}
+
+void BusSession::alarmStop()
+{
+    post(command::AlarmStop{});
+}
+
+void BusSession::zeroOut(DeviceNumber number)
+{
+    const std::size_t i = d->indexOf(number);
+    if (i < d->structure.size() && d->structure[i].outWords > 0)
+        post(command::SetOut{i, 0});
+}
+
+} // namespace codewheel

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ring/job_report.h"
+
+#include <QLocale>
+#include <QStringList>
+
+namespace codewheel {
+namespace {
+
+// "Steps = 255, Direction = cw"
+QString textOf(const ParameterValues &values, const DeviceDescription &device)
+{
+    QStringList texts;
+    for (const ParameterValue &value : values) {
+        const ParameterDescription *description = device.find(value.parameter);
+        const Choice *choice = description ? description->findChoice(value.value) : nullptr;
+        const QString text = choice ? choice->key : QLocale().toString(static_cast<qlonglong>(value.value));
+        texts += parameterName(value.parameter) + QStringLiteral(" = ") + text;
+    }
+    return texts.join(QStringLiteral(", "));
+}
+
+RefusalArgument positionArgument(const std::optional<std::int64_t> &position)
+{
+    return position ? RefusalArgument(*position) : RefusalArgument(QString());
+}
+
+Message written(const Outcome &outcome, const DeviceDescription &device)
+{
+    return {.id = MessageId::parametersWritten,
+            .arguments = {static_cast<std::int64_t>(outcome.written.size()),
+                          std::int64_t{outcome.eepromWrites}, textOf(outcome.written, device)}};
+}
+
+Message presetDone(const Outcome &outcome)
+{
+    return {.id = MessageId::presetDone,
+            .arguments = {positionArgument(outcome.positionBefore), positionArgument(outcome.positionAfter)}};
+}
+
+Message refused(const Refusal &why)
+{
+    const bool isFault = why.kind == RefusalKind::device || why.kind == RefusalKind::link;
+    return {.severity = isFault ? Severity::fault : Severity::attention, .refusal = why};
+}
+
+// What a job says of itself when it has succeeded.
+struct Success
+{
+    const Outcome &outcome;
+    const DeviceDescription &device;
+
+    std::vector<Message> operator()(const ReadParameters &) const
+    {
+        return {
+            {.id = MessageId::parametersRead, .arguments = {static_cast<std::int64_t>(outcome.read.size())}}};
+    }
+    std::vector<Message> operator()(const WriteParameters &job) const
+    {
+        std::vector<Message> messages{written(outcome, device)};
+        if (job.initialisePreset)
+            messages.push_back(presetDone(outcome));
+        return messages;
+    }
+    std::vector<Message> operator()(const SetPreset &) const
+    {
+        std::vector<Message> messages = whatWasWritten();
+        messages.push_back(presetDone(outcome));
+        return messages;
+    }
+    std::vector<Message> operator()(const SendWords &job) const
+    {
+        return {{.id = MessageId::wordsSent, .arguments = {static_cast<std::int64_t>(job.words.size())}}};
+    }
+    std::vector<Message> operator()(const EndParameterization &) const
+    {
+        std::vector<Message> messages = whatWasWritten();
+        messages.push_back({.id = MessageId::broughtBack});
+        return messages;
+    }
+    std::vector<Message> whatWasWritten() const
+    {
+        return outcome.written.empty() ? std::vector<Message>{}
+                                       : std::vector<Message>{written(outcome, device)};
+    }
+};
+
+} // namespace
+
+std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const DeviceDescription &device)
+{
+    const Success success{outcome, device};
+    std::vector<Message> messages = outcome.result ? std::visit(success, job) : success.whatWasWritten();
+    if (!outcome.result)
+        messages.push_back(refused(outcome.result.error()));
+    if (outcome.leftIn == EncoderState::parameterization)
+        messages.push_back({.severity = Severity::attention, .id = MessageId::leftInParameterization});
+    return messages;
+}
+
+} // namespace codewheel

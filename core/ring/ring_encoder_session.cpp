@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ring/ring_encoder_session.h"
+
+#include "ring/bus_session.h"
+#include "ring/job_report.h"
+#include "ring/ring_runner.h"
+#include "ring/send_permission.h"
+
+namespace codewheel {
+namespace {
+
+bool showsTheSame(Reading a, const Reading &b)
+{
+    a.at = b.at;
+    return a == b;
+}
+
+} // namespace
+
+RingEncoderSession::RingEncoderSession(BusSession &bus, std::size_t device, DeviceNumber number,
+                                       const DeviceDescription &description)
+    : m_bus(bus)
+    , m_place(device)
+    , m_number(number)
+    , m_description(description)
+{}
+
+std::optional<Known> RingEncoderSession::known(Parameter parameter) const
+{
+    const auto found = m_known.find(parameter);
+    return found == m_known.end() ? std::nullopt : std::optional(found->second);
+}
+
+void RingEncoderSession::tell(Parameter parameter, std::optional<std::int64_t> value)
+{
+    if (value)
+        m_known[parameter] = {parameter, *value, Evidence::told, m_bus.latest().at};
+    else if (m_known.erase(parameter) == 0)
+        return;
+    postKnown();
+    Q_EMIT knownChanged();
+}
+
+void RingEncoderSession::postKnown()
+{
+    std::vector<Known> all;
+    for (const auto &[parameter, known] : m_known)
+        all.push_back(known);
+    m_bus.post(command::SetKnown{m_place, std::move(all)});
+}
+
+Result<JobId> RingEncoderSession::start(const Job &job, Pace pace)
+{
+    if (m_runningJob)
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {m_number.toString()});
+    if (const auto allowed = maySend(m_bus.latest(), m_place, m_number, RefusalId::jobRunning); !allowed)
+        return tl::unexpected(allowed.error());
+    const JobId id = ++m_lastJob;
+    m_runningJob = id;
+    m_job = job;
+    m_bus.post(command::StartJob{m_place, id, job, pace});
+    Q_EMIT jobStarted(id);
+    return id;
+}
+
+void RingEncoderSession::proceed()
+{
+    if (m_runningJob)
+        m_bus.post(command::Proceed{m_place});
+}
+
+void RingEncoderSession::cancel(OnCancel how)
+{
+    if (m_runningJob)
+        m_bus.post(command::Cancel{m_place, how});
+}
+
+void RingEncoderSession::show(const Reading &reading)
+{
+    const bool same = showsTheSame(m_reading, reading);
+    m_reading = reading;
+    if (!same)
+        Q_EMIT latestChanged();
+}
+
+void RingEncoderSession::take(const Event &event, Instant at)
+{
+    if (const auto *outcome = std::get_if<Outcome>(&event))
+        take(*outcome, at);
+    else if (const auto *progress = std::get_if<Progress>(&event))
+        Q_EMIT progressed(*progress);
+    else
+        take(std::get<KnowledgeChanged>(event));
+}
+
+void RingEncoderSession::take(const Outcome &outcome, Instant at)
+{
+    if (m_runningJob == outcome.job)
+        m_runningJob.reset();
+    for (Message &message : jobReport(m_job, outcome, m_description))
+        report(std::move(message), at);
+    Q_EMIT finished(outcome);
+}
+
+void RingEncoderSession::take(const KnowledgeChanged &change)
+{
+    for (const Known &known : change.known)
+        m_known[known.parameter] = known;
+    for (const Parameter parameter : change.noLongerKnown)
+        m_known.erase(parameter);
+    m_eepromWrites += change.eepromWrites;
+    Q_EMIT knownChanged();
+}
+
+void RingEncoderSession::takeFault(const Message &fault)
+{
+    const auto number = std::get<std::int64_t>(fault.arguments.front());
+    const DeviceError *error = m_description.findError(static_cast<unsigned>(number));
+    if (!error || error->meaning != RefusalId::parametersLost || m_known.empty())
+        return;
+    m_known.clear();
+    postKnown();
+    report({.severity = Severity::attention, .id = MessageId::valuesForgotten}, fault.at);
+    Q_EMIT knownChanged();
+}
+
+void RingEncoderSession::report(Message message, Instant at)
+{
+    message.at = at;
+    message.place = m_number;
+    Q_EMIT m_bus.messaged(message);
+}
+
+} // namespace codewheel

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "encoder/encoder_session.h"
+#include "encoder/message.h"
+
+#include <map>
+
+namespace codewheel {
+
+class BusSession;
+
+// An encoder of a ring, as views see it: turns jobs into commands for the runner, and what BusSession pumps
+// out of the bus thread into signals. Keeps what is known of the encoder, by evidence.
+class RingEncoderSession final : public EncoderSession
+{
+    Q_OBJECT
+
+public:
+    // `description` must outlive the session.
+    RingEncoderSession(BusSession &bus, std::size_t device, DeviceNumber number,
+                       const DeviceDescription &description);
+
+    DeviceNumber number() const override { return m_number; }
+    const DeviceDescription &device() const override { return m_description; }
+    const Capabilities &can() const override { return m_description.capabilities; }
+
+    const Reading &latest() const override { return m_reading; }
+    std::optional<Known> known(Parameter parameter) const override;
+    void tell(Parameter parameter, std::optional<std::int64_t> value) override;
+
+    Result<JobId> start(const Job &job, Pace pace) override;
+    std::optional<JobId> runningJob() const override { return m_runningJob; }
+    void proceed() override;
+    void cancel(OnCancel how) override;
+
+    int eepromWrites() const override { return m_eepromWrites; }
+
+private:
+    friend class BusSession;
+    void show(const Reading &reading);
+    void take(const Event &event, Instant at);
+    void take(const Outcome &outcome, Instant at);
+    void take(const KnowledgeChanged &change);
+    // An error the encoder shows may say that it has lost its parameters.
+    void takeFault(const Message &fault);
+    void report(Message message, Instant at);
+    void postKnown();
+
+    BusSession &m_bus;
+    std::size_t m_place; // in the ring
+    DeviceNumber m_number;
+    const DeviceDescription &m_description;
+    Reading m_reading;
+    std::map<Parameter, Known> m_known;
+    JobId m_lastJob = 0;
+    std::optional<JobId> m_runningJob;
+    Job m_job;
+    int m_eepromWrites = 0;
+};
+
+} // namespace codewheel

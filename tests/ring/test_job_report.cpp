@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
+#include "ring/job_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::ElementsAre;
+using Arguments = std::vector<RefusalArgument>;
+
+class JobReport : public testing::Test
+{
+protected:
+    std::vector<Message> report(const Job &job) const { return jobReport(job, m_outcome, m_fraba); }
+    void refuseWith(RefusalKind kind, RefusalId id) { m_outcome.result = refuse(kind, id); }
+
+    const Catalog m_catalog = Catalog::builtIn();
+    const DeviceDescription &m_fraba = *m_catalog.find(u"fraba-ocd-ib");
+    Outcome m_outcome;
+};
+
+TEST_F(JobReport, WrittenParametersAreNamed)
+{
+    m_outcome.written = {{Parameter::steps, 255}, {Parameter::direction, 3}};
+    m_outcome.eepromWrites = 2;
+    const QString text = QStringLiteral("%1 = 255, %2 = cw")
+                             .arg(parameterName(Parameter::steps), parameterName(Parameter::direction));
+    EXPECT_THAT(report(WriteParameters{}),
+                ElementsAre(Message{.id = MessageId::parametersWritten,
+                                    .arguments = Arguments{std::int64_t{2}, std::int64_t{2}, text}}));
+}
+
+TEST_F(JobReport, ReadingTellsHowMany)
+{
+    m_outcome.read = {{Parameter::steps, 255}, {Parameter::preset, 0}};
+    EXPECT_THAT(report(ReadParameters{}), ElementsAre(Message{.id = MessageId::parametersRead,
+                                                              .arguments = Arguments{std::int64_t{2}}}));
+}
+
+TEST_F(JobReport, APresetTellsThePositionsThatAreKnown)
+{
+    m_outcome.positionAfter = 100;
+    EXPECT_THAT(report(SetPreset{}),
+                ElementsAre(Message{.id = MessageId::presetDone,
+                                    .arguments = Arguments{QString(), std::int64_t{100}}}));
+}
+
+TEST_F(JobReport, WordsAreCounted)
+{
+    EXPECT_THAT(report(SendWords{{0x020000FF, 0x80000000}}),
+                ElementsAre(Message{.id = MessageId::wordsSent, .arguments = Arguments{std::int64_t{2}}}));
+}
+
+TEST_F(JobReport, WhatWasWrittenBeforeARefusalIsTold)
+{
+    m_outcome.written = {{Parameter::steps, 255}};
+    refuseWith(RefusalKind::device, RefusalId::verificationFailed);
+    const auto messages = report(WriteParameters{});
+    ASSERT_EQ(messages.size(), 2u);
+    EXPECT_EQ(messages[0].id, MessageId::parametersWritten);
+    EXPECT_EQ(messages[1].severity, Severity::fault);
+    EXPECT_EQ(messages[1].refusal, m_outcome.result.error());
+}
+
+TEST_F(JobReport, WhatTheUserStoppedIsNoFault)
+{
+    refuseWith(RefusalKind::stopped, RefusalId::cancelled);
+    m_outcome.leftIn = EncoderState::parameterization;
+    const auto messages = report(WriteParameters{});
+    ASSERT_EQ(messages.size(), 2u);
+    EXPECT_EQ(messages[0].severity, Severity::attention);
+    EXPECT_EQ(messages[1].id, MessageId::leftInParameterization);
+}
+
+TEST_F(JobReport, AnEncoderBroughtBackIsTold)
+{
+    m_outcome.leftIn = EncoderState::operation;
+    EXPECT_THAT(report(EndParameterization{}), ElementsAre(Message{.id = MessageId::broughtBack}));
+}
+
+} // namespace
+} // namespace codewheel
