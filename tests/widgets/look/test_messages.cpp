@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sentences that stand in place: inline messages and empty states.
+#include "widgets/look/empty_state.h"
+#include "widgets/look/inline_message.h"
+
+namespace codewheel {
+namespace {
+
+QAbstractButton *buttonNamed(const QWidget &parent, const QString &name)
+{
+    for (auto *button : parent.findChildren<QAbstractButton *>())
+        if (button->isVisible() &&
+            QAccessible::queryAccessibleInterface(button)->text(QAccessible::Name) == name)
+            return button;
+    return nullptr;
+}
+
+class Message : public testing::Test
+{
+protected:
+    Message()
+    {
+        window.resize(600, 100);
+        window.show();
+    }
+
+    QWidget window;
+    InlineMessage message{&window};
+    QString sentence = QStringLiteral("The word has 9 digits. At most 8 fit.");
+};
+
+TEST_F(Message, IsNotThereUntilThereIsSomethingToSay)
+{
+    EXPECT_FALSE(message.isVisible());
+    message.showMessage(Role::fault, sentence);
+    EXPECT_TRUE(message.isVisible());
+    EXPECT_EQ(message.sentence(), sentence);
+    EXPECT_EQ(QAccessible::queryAccessibleInterface(&message)->text(QAccessible::Name),
+              QStringLiteral("Fault: ") + sentence);
+}
+
+TEST_F(Message, GoesWithItsCause)
+{
+    const QSignalSpy closed(&message, &InlineMessage::closed);
+    message.showMessage(Role::fault, sentence);
+    message.withdraw();
+    EXPECT_FALSE(message.isVisible());
+    EXPECT_EQ(message.sentence(), QString());
+    EXPECT_TRUE(closed.isEmpty());
+}
+
+TEST_F(Message, CanBeClosed)
+{
+    const QSignalSpy closed(&message, &InlineMessage::closed);
+    message.showMessage(Role::attention, sentence);
+    QAbstractButton *button = buttonNamed(message, QStringLiteral("Close this message"));
+    ASSERT_NE(button, nullptr);
+    QTest::mouseClick(button, Qt::LeftButton);
+    EXPECT_FALSE(message.isVisible());
+    EXPECT_EQ(closed.size(), 1);
+}
+
+TEST_F(Message, OffersWhatHelps)
+{
+    const QSignalSpy triggered(&message, &InlineMessage::actionTriggered);
+    message.showMessage(Role::attention, sentence, QStringLiteral("Operate"));
+    message.resize(message.sizeHint());
+    QAbstractButton *button = buttonNamed(message, QStringLiteral("Operate"));
+    ASSERT_NE(button, nullptr);
+    QTest::mouseClick(button, Qt::LeftButton);
+    EXPECT_EQ(triggered.size(), 1);
+    message.showMessage(Role::attention, sentence);
+    EXPECT_EQ(buttonNamed(message, QStringLiteral("Operate")), nullptr);
+}
+
+TEST(EmptyState, SaysWhatBelongsHereAndOffersIt)
+{
+    EmptyState state(Icon::monitor, QStringLiteral("No monitor is open"), QStringLiteral("Choose a device."));
+    const QSignalSpy triggered(&state, &EmptyState::actionTriggered);
+    state.setAction(QStringLiteral("Open IN 32"));
+    state.resize(300, 200);
+    state.show();
+    QAccessibleInterface *interface = QAccessible::queryAccessibleInterface(&state);
+    EXPECT_EQ(interface->text(QAccessible::Name), QStringLiteral("No monitor is open"));
+    EXPECT_EQ(interface->text(QAccessible::Description), QStringLiteral("Choose a device."));
+    QAbstractButton *button = buttonNamed(state, QStringLiteral("Open IN 32"));
+    ASSERT_NE(button, nullptr);
+    QTest::mouseClick(button, Qt::LeftButton);
+    EXPECT_EQ(triggered.size(), 1);
+    state.setAction({});
+    EXPECT_EQ(buttonNamed(state, QStringLiteral("Open IN 32")), nullptr);
+}
+
+} // namespace
+} // namespace codewheel

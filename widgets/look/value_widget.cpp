@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/value_widget.h"
+
+#include <QAccessibleWidget>
+
+namespace codewheel {
+
+namespace {
+
+class ValueAccessible final : public QAccessibleWidget
+{
+public:
+    explicit ValueAccessible(ValueWidget &widget)
+        : QAccessibleWidget(&widget, QAccessible::Indicator)
+    {}
+
+    QString text(QAccessible::Text text) const override
+    {
+        if (text == QAccessible::Description || text == QAccessible::Value)
+            return static_cast<const ValueWidget *>(object())->valueText();
+        return QAccessibleWidget::text(text);
+    }
+};
+
+QAccessibleInterface *makeInterface(const QString &className, QObject *object)
+{
+    auto *widget =
+        className == QLatin1String("codewheel::ValueWidget") ? qobject_cast<ValueWidget *>(object) : nullptr;
+    return widget != nullptr ? new ValueAccessible(*widget) : nullptr;
+}
+
+} // namespace
+
+ValueWidget::ValueWidget(QWidget *parent)
+    : QWidget(parent)
+{
+    QAccessible::installFactory(makeInterface); // ignored if it is there already
+}
+
+} // namespace codewheel

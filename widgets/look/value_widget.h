@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+namespace codewheel {
+
+// A painted widget that shows a value, and says it in words when a screen reader asks: accessible name as
+// set, description by valueText(). Base of the dial and of the bar.
+class ValueWidget : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ValueWidget(QWidget *parent = nullptr);
+
+    virtual QString valueText() const = 0;
+};
+
+} // namespace codewheel
