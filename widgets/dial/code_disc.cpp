@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/dial/code_disc.h"
+
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+
+#include <QEvent>
+#include <QLocale>
+#include <QPainter>
+#include <QPaintEvent>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace codewheel {
+
+namespace {
+
+constexpr int arcWidth = 4;
+constexpr int scaleWidth = 10;  // between arc and disc
+constexpr double arcHalf = 150; // degrees to each side of the top
+constexpr int usualSide = 232;  // of the dial
+constexpr int smallestSide = 144;
+constexpr int largestSide = 320;    // larger costs and tells no more
+constexpr int pointerPlaces = 2880; // of a turn: finer is not to be seen
+
+int heightOf(const QFont &font)
+{
+    return QFontMetrics(font).height();
+}
+
+// What can be seen of a turn.
+std::optional<int> placeOf(const std::optional<double> &turnFraction)
+{
+    if (!turnFraction)
+        return {};
+    return qRound(*turnFraction * pointerPlaces) % pointerPlaces;
+}
+
+double arcDegrees(double rpm)
+{
+    const double share = std::log10(1 + std::abs(rpm)) / std::log10(1 + CodeDisc::fullSpeed);
+    return std::copysign(std::min(share, 1.0) * arcHalf, rpm);
+}
+
+} // namespace
+
+CodeDisc::CodeDisc(QWidget *parent)
+    : ValueWidget(parent)
+{
+    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+    setSizePolicy(policy);
+    setAccessibleName(tr("Dial"));
+}
+
+void CodeDisc::setPlace(const QString &place)
+{
+    setAccessibleName(tr("Dial of %1", "device number").arg(place));
+}
+
+void CodeDisc::setState(const DialState &state)
+{
+    const DialState before = std::exchange(m_state, state);
+    if (before.note != state.note || before.position.has_value() != state.position.has_value() ||
+        before.role != state.role || before.turnFraction.has_value() != state.turnFraction.has_value()) {
+        arrange();
+        update();
+        return;
+    }
+    if (placeOf(before.turnFraction) != placeOf(state.turnFraction) || before.turn != state.turn)
+        update(m_dial);
+    if (before.position != state.position)
+        update(m_number);
+    if (before.rpm != state.rpm)
+        update(QRegion(m_dial) + m_speed);
+}
+
+QSize CodeDisc::sizeHint() const
+{
+    return {usualSide, usualSide + textHeight(2)};
+}
+
+QSize CodeDisc::minimumSizeHint() const
+{
+    return {smallestSide, smallestSide + textHeight(2)};
+}
+
+// What stands below the dial: position, speed, the note.
+int CodeDisc::textHeight(int noteLines) const
+{
+    const int number = heightOf(numberFont(TextSize::large));
+    return number + (1 + noteLines) * heightOf(font()) + 3 * grid::unit;
+}
+
+// Two lines are always kept free for the note, so that the disc stays where it is when one comes.
+void CodeDisc::arrange()
+{
+    const int line = heightOf(font());
+    const QRect noteSpace(0, 0, width() - grid::smallIcon - grid::unit, 10 * line);
+    const int note = fontMetrics().boundingRect(noteSpace, Qt::TextWordWrap, this->note()).height();
+    const int noteLines = std::max(2, (note + line - 1) / line);
+    const int side = std::clamp(std::min(width(), height() - textHeight(noteLines)), 0, largestSide);
+    const int above = std::max(0, (height() - side - textHeight(noteLines)) / 2);
+    m_dial = QRect((width() - side) / 2, above, side, side);
+    m_number = QRect(0, m_dial.bottom() + 1 + grid::unit, width(), heightOf(numberFont(TextSize::large)));
+    m_speed = QRect(0, m_number.bottom() + 1, width(), line);
+    m_note = QRect(0, m_speed.bottom() + 1 + grid::unit, width(), noteLines * line + grid::unit);
+}
+
+void CodeDisc::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+void CodeDisc::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    switch (event->type()) {
+    case QEvent::PaletteChange:
+    case QEvent::StyleChange:
+    case QEvent::FontChange:
+        m_face.clear();
+        arrange();
+        update();
+        break;
+    default:
+        break;
+    }
+}
+
+void CodeDisc::paintEvent(QPaintEvent *event)
+{
+    QPainter painter(this);
+    if (event->region().intersects(m_dial)) {
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.translate(QRectF(m_dial).center());
+        drawSpeed(painter);
+        drawScale(painter);
+        drawDisc(painter);
+        drawHub(painter);
+        painter.restore();
+    }
+    drawNumbers(painter);
+    if (event->region().intersects(m_note))
+        drawNote(painter);
+}
+
+void CodeDisc::drawSpeed(QPainter &painter) const
+{
+    const double radius = m_dial.width() / 2.0 - arcWidth / 2.0 - 1;
+    const QRectF square(-radius, -radius, 2 * radius, 2 * radius);
+    const auto arc = [&](const QColor &color, double from, double to) {
+        painter.setPen(QPen(color, arcWidth, Qt::SolidLine, Qt::FlatCap));
+        painter.drawArc(square, qRound((90 - from) * 16), qRound((from - to) * 16));
+    };
+    arc(palette().color(QPalette::Midlight), -arcHalf, arcHalf);
+    if (m_state.rpm)
+        arc(palette().color(QPalette::WindowText), 0, arcDegrees(*m_state.rpm));
+    painter.setPen(QPen(palette().color(QPalette::Window), 1.5));
+    for (const double rpm : {-1000.0, -100.0, -10.0, 0.0, 10.0, 100.0, 1000.0}) { // the decades
+        painter.save();
+        painter.rotate(arcDegrees(rpm));
+        painter.drawLine(QPointF(0, -radius - arcWidth / 2.0), QPointF(0, -radius + arcWidth / 2.0));
+        painter.restore();
+    }
+}
+
+// The fixed scale the pointer turns on: eighths of a turn, quarters longer.
+void CodeDisc::drawScale(QPainter &painter) const
+{
+    const double outer = m_dial.width() / 2.0 - arcWidth - 3;
+    painter.setPen(QPen(roleColor(Role::inactive, palette()), 1));
+    for (int eighth = 0; eighth < 8; ++eighth) {
+        painter.save();
+        painter.rotate(eighth * 45);
+        painter.drawLine(QPointF(0, -outer), QPointF(0, -outer + (eighth % 2 == 0 ? 5 : 3)));
+        painter.restore();
+    }
+}
+
+void CodeDisc::drawDisc(QPainter &painter)
+{
+    const double radius = m_dial.width() / 2.0 - arcWidth - scaleWidth;
+    if (radius <= 0)
+        return;
+    painter.save();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.setOpacity(m_state.turnFraction ? 1.0 : 0.35); // it stands for none: unknown
+    painter.rotate(360.0 * placeOf(m_state.turnFraction).value_or(0) / pointerPlaces);
+    painter.drawPixmap(QPointF(-radius, -radius),
+                       m_face.picture(qRound(2 * radius), devicePixelRatioF(), palette()));
+    painter.setPen(QPen(roleColor(Role::inactive, palette()), 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(QPointF(), radius - 0.5, radius - 0.5);
+    if (m_state.turnFraction)
+        drawPointer(painter, radius);
+    painter.restore();
+}
+
+void CodeDisc::drawPointer(QPainter &painter, double radius) const
+{
+    const QColor color = m_state.role == Role::inactive ? palette().color(QPalette::WindowText)
+                                                        : roleColor(m_state.role, palette());
+    const std::array head{QPointF(0, -radius - 5), QPointF(-5, -radius + 5), QPointF(5, -radius + 5)};
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(color);
+    painter.drawPolygon(head.data(), static_cast<int>(head.size()));
+    painter.setPen(QPen(color, 1.5));
+    painter.drawLine(QPointF(0, -radius), QPointF(0, -radius * DiscFace::hubShare));
+}
+
+void CodeDisc::drawHub(QPainter &painter) const
+{
+    const double radius = (m_dial.width() / 2.0 - arcWidth - scaleWidth) * DiscFace::hubShare - 3;
+    if (radius < 12)
+        return;
+    painter.setPen(QPen(roleColor(Role::inactive, palette()), 1));
+    painter.setBrush(palette().color(QPalette::Window));
+    painter.drawEllipse(QPointF(), radius, radius);
+    if (!m_state.turn)
+        return;
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.setFont(textFont(TextSize::small));
+    const int small = painter.fontMetrics().height();
+    painter.drawText(QRectF(-radius, -small, 2 * radius, small), Qt::AlignCenter, tr("turn"));
+    painter.setFont(numberFont());
+    painter.drawText(QRectF(-radius, -grid::unit / 2.0, 2 * radius, painter.fontMetrics().height()),
+                     Qt::AlignCenter, locale().toString(*m_state.turn));
+}
+
+void CodeDisc::drawNumbers(QPainter &painter) const
+{
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.setFont(numberFont(TextSize::large));
+    const QString dash(QChar(0x2013));
+    painter.drawText(m_number, Qt::AlignCenter,
+                     m_state.position ? locale().toString(*m_state.position) : dash);
+    painter.setFont(numberFont());
+    painter.drawText(m_speed, Qt::AlignCenter, m_state.rpm ? speedText() : QString());
+}
+
+void CodeDisc::drawNote(QPainter &painter) const
+{
+    if (note().isEmpty())
+        return;
+    const QRect space = m_note.adjusted(grid::smallIcon + grid::unit, grid::unit, 0, 0);
+    const QRect text = fontMetrics().boundingRect(space, Qt::TextWordWrap | Qt::AlignLeft, note());
+    const int left = (width() - text.width() - grid::smallIcon - grid::unit) / 2;
+    lineIcon(roleIcon(m_state.role), m_state.role)
+        .paint(&painter, QRect(left, text.top(), grid::smallIcon, grid::smallIcon));
+    painter.setFont(font());
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(QRect(QPoint(left + grid::smallIcon + grid::unit, text.top()), text.size()),
+                     Qt::TextWordWrap, m_state.note);
+}
+
+QString CodeDisc::speedText() const
+{
+    const double rpm = *m_state.rpm;
+    const QString number = locale().toString(std::abs(rpm), 'f', 1);
+    if (std::abs(rpm) < 0.05)
+        return tr("%1 rpm", "revolutions per minute").arg(number);
+    return rpm > 0 ? tr("%1 rpm cw", "clockwise").arg(number)
+                   : tr("%1 rpm ccw", "counter-clockwise").arg(number);
+}
+
+QString CodeDisc::note() const
+{
+    const bool nothingKnown = !m_state.position && !m_state.turnFraction && !m_state.turn && !m_state.rpm;
+    if (m_state.note.isEmpty() && nothingKnown)
+        return tr("No position yet. Start the bus and choose an encoder in the bus structure.");
+    return m_state.note;
+}
+
+QString CodeDisc::valueText() const
+{
+    QStringList parts;
+    if (m_state.position)
+        parts.append(tr("Position %1").arg(locale().toString(*m_state.position)));
+    if (m_state.turn)
+        parts.append(tr("turn %1").arg(locale().toString(*m_state.turn)));
+    if (m_state.turnFraction)
+        parts.append(tr("%1 degrees").arg(locale().toString(*m_state.turnFraction * 360, 'f', 0)));
+    if (m_state.rpm)
+        parts.append(speedText());
+    if (!note().isEmpty())
+        parts.append(note());
+    return parts.join(QStringLiteral(", "));
+}
+
+} // namespace codewheel

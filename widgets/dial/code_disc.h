@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/dial/dial_state.h"
+#include "widgets/dial/disc_face.h"
+#include "widgets/look/value_widget.h"
+
+namespace codewheel {
+
+// The dial: a code disc that turns with the shaft. Pointer and number say the same, whole turns are counted
+// in the hub, speed is an arc (clockwise to the right, on a logarithmic scale), the note stands below. Used
+// by the dial dock, the wizard and the training panel.
+class CodeDisc : public ValueWidget
+{
+    Q_OBJECT
+
+public:
+    explicit CodeDisc(QWidget *parent = nullptr);
+
+    void setPlace(const QString &place); // "1.0": for screen readers
+    void setState(const DialState &state);
+    const DialState &state() const { return m_state; }
+    // Shown in full scale of the arc.
+    static constexpr double fullSpeed = 10'000; // rpm
+
+    QString valueText() const override;
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    void arrange();
+    void drawSpeed(QPainter &painter) const;
+    void drawScale(QPainter &painter) const;
+    void drawDisc(QPainter &painter);
+    void drawPointer(QPainter &painter, double radius) const;
+    void drawHub(QPainter &painter) const;
+    void drawNumbers(QPainter &painter) const;
+    void drawNote(QPainter &painter) const;
+    QString speedText() const;
+    QString note() const;
+    int textHeight(int noteLines) const;
+
+    DialState m_state;
+    DiscFace m_face;
+    QRect m_dial; // square: speed arc, scale and disc
+    QRect m_number;
+    QRect m_speed;
+    QRect m_note;
+};
+
+} // namespace codewheel

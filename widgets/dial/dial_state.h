@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/look/roles.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace codewheel {
+
+// What the dial shows of a shaft. Nothing is nothing: it is never shown as 0.
+struct DialState
+{
+    std::optional<double> turnFraction = {}; // 0 to 1 of a turn, clockwise; needs the steps per revolution
+    std::optional<qint64> position = {};     // steps, as parameterized
+    std::optional<qint64> turn = {};         // whole turns, from 0
+    std::optional<double> rpm = {};          // positive: clockwise
+    QString note = {};                       // a sentence: what is wrong or missing, and how to get it
+    Role role = Role::inactive;              // of the note, and of the pointer
+
+    friend bool operator==(const DialState &, const DialState &) = default;
+};
+
+} // namespace codewheel
