@@ -57,7 +57,7 @@ struct Success
     }
     std::vector<Message> operator()(const WriteParameters &job) const
     {
-        std::vector<Message> messages{written(outcome, device)};
+        std::vector<Message> messages = whatWasWritten();
         if (job.initialisePreset)
             messages.push_back(presetDone(outcome));
         return messages;

@@ -33,6 +33,12 @@ TEST_F(JobReport, WrittenParametersAreNamed)
                                     .arguments = Arguments{std::int64_t{2}, std::int64_t{2}, text}}));
 }
 
+TEST_F(JobReport, NothingIsSaidOfParametersThatWereThereAlready)
+{
+    m_outcome.alreadyThere = {{Parameter::steps, 255}};
+    EXPECT_TRUE(report(WriteParameters{}).empty());
+}
+
 TEST_F(JobReport, ReadingTellsHowMany)
 {
     m_outcome.read = {{Parameter::steps, 255}, {Parameter::preset, 0}};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/training_bus.h"
 #include "tests/support/process_data_link_contract.h"
 #include "tests/support/scripted_link.h"
 
@@ -32,6 +33,10 @@ LinkUnderTest failing(int n)
 
 INSTANTIATE_TEST_SUITE_P(ScriptedLink, ProcessDataLinkContract,
                          testing::Values(quick(), slow(), failing(1), failing(2), failing(3)));
+
+INSTANTIATE_TEST_SUITE_P(TrainingBus, ProcessDataLinkContract,
+                         testing::Values(LinkUnderTest{"training bus",
+                                                       [] { return std::move(makeTrainingBus().link); }}));
 
 } // namespace
 } // namespace codewheel
