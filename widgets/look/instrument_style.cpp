@@ -33,6 +33,7 @@ bool isControlMetric(QStyle::PixelMetric metric)
     }
 }
 
+// All of one height, with and without an icon. A spin box is as high as the line edit in it.
 bool isControl(QStyle::ContentsType type)
 {
     switch (type) {
@@ -40,7 +41,6 @@ bool isControl(QStyle::ContentsType type)
     case QStyle::CT_ToolButton:
     case QStyle::CT_ComboBox:
     case QStyle::CT_LineEdit:
-    case QStyle::CT_SpinBox:
     case QStyle::CT_CheckBox:
     case QStyle::CT_RadioButton:
     case QStyle::CT_MenuItem:
@@ -129,8 +129,8 @@ QSize InstrumentStyle::sizeFromContents(ContentsType type, const QStyleOption *o
                                         const QWidget *widget) const
 {
     QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
-    if (m_largeControls && isControl(type))
-        size.setHeight(larger(size.height()));
+    if (m_largeControls && option != nullptr && isControl(type))
+        size.setHeight(qMax(size.height(), larger(option->fontMetrics.height() + 2 * grid::unit)));
     return size;
 }
 

@@ -171,14 +171,23 @@ TEST(Appearance, ADarkSchemeDoesNotStickToSystem)
     applyAppearance(*qApp, {.scheme = Scheme::light});
 }
 
-TEST(Appearance, LargeControlsMakeButtonsHigher)
+TEST(Appearance, LargeControlsAreOneAndAHalfTimesAsHigh)
 {
     QPushButton button(QStringLiteral("Write"));
-    const int usual = button.sizeHint().height();
+    QLineEdit field;
+    QSpinBox number;
+    QComboBox choice;
+    const std::array controls{static_cast<QWidget *>(&button), static_cast<QWidget *>(&field),
+                              static_cast<QWidget *>(&number), static_cast<QWidget *>(&choice)};
+    std::vector<int> usual;
+    for (QWidget *control : controls)
+        usual.push_back(control->sizeHint().height());
     applyAppearance(*qApp, {.scheme = Scheme::light, .largeControls = true});
-    EXPECT_EQ(button.sizeHint().height(), usual + usual / 2);
+    for (std::size_t i = 0; i < controls.size(); ++i)
+        EXPECT_NEAR(controls[i]->sizeHint().height(), usual[i] * 1.5, 3)
+            << controls[i]->metaObject()->className();
     applyAppearance(*qApp, {.scheme = Scheme::light});
-    EXPECT_EQ(button.sizeHint().height(), usual);
+    EXPECT_EQ(button.sizeHint().height(), usual[0]);
 }
 
 TEST(Appearance, MotionIsShortAndCanBeTurnedOff)
