@@ -66,25 +66,11 @@ void WordView::setWord(Word shown, Word onBus, Word edges, Instant now)
 {
     const Word shownBefore = std::exchange(m_shown, shown);
     const Word stagedBefore = std::exchange(m_staged, shown ^ onBus);
-    const Word markedBefore = m_marked;
-    updateMarks(edges, now);
-    updateCells((shownBefore ^ m_shown) | (stagedBefore ^ m_staged) | (markedBefore ^ m_marked));
+    const Word markedBefore = m_marks.bits();
+    m_marks.update(edges, now);
+    updateCells((shownBefore ^ m_shown) | (stagedBefore ^ m_staged) | (markedBefore ^ m_marks.bits()));
     if (hasFocus() && ((shownBefore ^ m_shown) & maskOf(m_focusedBit)) != 0)
         announceBitState(*this, m_focusedBit);
-}
-
-// Time that goes back is another bus: its marks are not ours.
-void WordView::updateMarks(Word edges, Instant now)
-{
-    for (int bit = 0; bit < bits(); ++bit) {
-        Instant &until = m_markedUntil.at(static_cast<std::size_t>(bit));
-        if ((edges & maskOf(bit)) != 0) {
-            until = now + markDuration;
-            m_marked |= maskOf(bit);
-        } else if (isMarked(bit) && (now >= until || now + markDuration < until)) {
-            m_marked &= ~maskOf(bit);
-        }
-    }
 }
 
 bool WordView::isSet(int bit) const
@@ -99,7 +85,7 @@ bool WordView::isStaged(int bit) const
 
 bool WordView::isMarked(int bit) const
 {
-    return (m_marked & maskOf(bit)) != 0;
+    return (m_marks.bits() & maskOf(bit)) != 0;
 }
 
 QString WordView::bitName(int bit) const

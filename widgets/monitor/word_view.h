@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/instant.h"
 #include "widgets/monitor/bit_cell.h"
+#include "widgets/monitor/change_marks.h"
 #include "widgets/monitor/word_layout.h"
 #include "words/k3_word.h"
 
 #include <QPointer>
 #include <QWidget>
 
-#include <array>
 #include <functional>
 
 namespace codewheel {
@@ -24,9 +23,6 @@ class WordView : public QWidget
     Q_OBJECT
 
 public:
-    // A changed bit keeps its corner mark for this long.
-    static constexpr Instant markDuration = std::chrono::milliseconds(500);
-
     // bits: 16 or 32.
     explicit WordView(int bits, QWidget *parent = nullptr);
 
@@ -82,7 +78,6 @@ private:
     BitCell lookOf(int bit) const;
     void setHoveredBit(std::optional<int> bit);
     void updateCells(Word bits);
-    void updateMarks(Word edges, Instant now);
     void watchWindow();
     void arrange();
     void showStatusTip(std::optional<int> bit);
@@ -95,8 +90,7 @@ private:
     std::function<QString(int)> m_bitText;
     Word m_shown = 0;
     Word m_staged = 0;
-    Word m_marked = 0;
-    std::array<Instant, 32> m_markedUntil{};
+    ChangeMarks m_marks;
     bool m_editable = false;
     int m_focusedBit;
     std::optional<int> m_hoveredBit;

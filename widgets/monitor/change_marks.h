@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/instant.h"
+#include "words/k3_word.h"
+
+#include <array>
+
+namespace codewheel {
+
+// Which bits of a word changed in the last half second, as far as the pictures told. Used by WordView.
+class ChangeMarks
+{
+public:
+    static constexpr Instant duration = std::chrono::milliseconds(500);
+
+    // edges: bits that changed in any cycle since the last call.
+    void update(Word edges, Instant now)
+    {
+        for (std::size_t bit = 0; bit < m_until.size(); ++bit) {
+            const Word mask = Word{1} << bit;
+            Instant &until = m_until[bit];
+            // Time that went back is another bus: its marks are not ours.
+            const bool over = now >= until || now + duration < until;
+            if ((edges & mask) != 0) {
+                until = now + duration;
+                m_bits |= mask;
+            } else if (over) {
+                m_bits &= ~mask;
+            }
+        }
+    }
+
+    Word bits() const { return m_bits; }
+
+private:
+    Word m_bits = 0;
+    std::array<Instant, 32> m_until{};
+};
+
+} // namespace codewheel
