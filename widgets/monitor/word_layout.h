@@ -12,7 +12,9 @@ namespace codewheel {
 class WordLayout
 {
 public:
-    // bits: 16 or 32; rows: 1 or 2; factor: 1.5 with large controls.
+    static constexpr int matrixBitsPerRow = 8;
+
+    // bits: 16 or 32; rows: 1, 2, or as many as a matrix has; factor: 1.5 with large controls.
     WordLayout(int bits, int rows, double factor, int numberHeight);
 
     int bits() const { return m_bits; }

@@ -123,12 +123,24 @@ QSize WordView::sizeHint() const
     return m_layout.size();
 }
 
+void WordView::setMatrix(bool matrix)
+{
+    if (std::exchange(m_matrix, matrix) != matrix)
+        arrange();
+}
+
+int WordView::wantedRows() const
+{
+    if (m_matrix)
+        return bits() / WordLayout::matrixBitsPerRow;
+    const bool narrow = window()->width() < oneRowWindowWidth * controlFactor(*this);
+    return bits() == 32 && narrow ? 2 : 1;
+}
+
 // The window's width decides on one row or two, the style on the size of the cells.
 void WordView::arrange()
 {
-    const double factor = controlFactor(*this);
-    const bool narrow = window()->width() < oneRowWindowWidth * factor;
-    m_layout = WordLayout(bits(), bits() == 32 && narrow ? 2 : 1, factor, numberHeight());
+    m_layout = WordLayout(bits(), wantedRows(), controlFactor(*this), numberHeight());
     updateGeometry();
     update();
 }
@@ -148,8 +160,7 @@ void WordView::watchWindow()
 bool WordView::eventFilter(QObject *watched, QEvent *event)
 {
     if (watched == m_window && event->type() == QEvent::Resize) {
-        const bool narrow = m_window->width() < oneRowWindowWidth * controlFactor(*this);
-        if (bits() == 32 && narrow != (m_layout.rows() == 2))
+        if (wantedRows() != m_layout.rows())
             arrange();
     }
     return QWidget::eventFilter(watched, event);

@@ -16,7 +16,7 @@ namespace codewheel {
 // A word as its bits, each a control of its own for mouse, keys and screen readers, painted as one widget. It
 // shows what it is given and asks for a change by bitToggled(); monitors and the wizard use it.
 //
-// Keys: Left to the higher bit, Right to the lower, Up and Down between two rows, Home to the highest, End to
+// Keys: Left to the higher bit, Right to the lower, Up and Down between the rows, Home to the highest, End to
 // bit 0, Space toggles.
 class WordView : public QWidget
 {
@@ -31,6 +31,8 @@ public:
     QString place() const { return m_place; }
     void setEditable(bool editable);
     bool isEditable() const { return m_editable; }
+    // In rows of 8 bits, whatever the width of the window.
+    void setMatrix(bool matrix);
     // What a bit means in this device, for tooltip, status tip and screen reader; empty where nothing is
     // known.
     void setBitText(std::function<QString(int bit)> text);
@@ -79,6 +81,7 @@ private:
     void setHoveredBit(std::optional<int> bit);
     void updateCells(Word bits);
     void watchWindow();
+    int wantedRows() const;
     void arrange();
     void showStatusTip(std::optional<int> bit);
     bool showToolTip(QPoint position, QPoint globalPosition);
@@ -92,6 +95,7 @@ private:
     Word m_staged = 0;
     ChangeMarks m_marks;
     bool m_editable = false;
+    bool m_matrix = false;
     int m_focusedBit;
     std::optional<int> m_hoveredBit;
     std::optional<int> m_pressedBit;
