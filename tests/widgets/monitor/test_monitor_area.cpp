@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/training_bus_session.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/monitor/monitor_area.h"
+#include "widgets/monitor/word_monitor.h"
+
+namespace codewheel {
+namespace {
+
+using test::baumer;
+using test::fraba;
+
+class MonitorAreaTest : public testing::Test
+{
+protected:
+    MonitorAreaTest()
+    {
+        area.resize(560, 480);
+        area.show();
+    }
+    QStringList open() const
+    {
+        QStringList names;
+        for (const WordMonitor *monitor : area.monitors())
+            names << monitor->number().toString() + QLatin1Char(' ') + monitorKindText(monitor->kind());
+        return names;
+    }
+
+    test::TrainingBusSession ring;
+    MonitorArea area{ring.bus};
+};
+
+TEST_F(MonitorAreaTest, EmptyItSaysHowToOpenAMonitor)
+{
+    const auto *empty = area.findChild<EmptyState *>();
+    EXPECT_TRUE(empty->isVisible());
+    area.openMonitor(fraba, MonitorKind::in32);
+    EXPECT_FALSE(empty->isVisible());
+    area.closeMonitor(fraba, MonitorKind::in32);
+    EXPECT_TRUE(empty->isVisible());
+}
+
+TEST_F(MonitorAreaTest, OpensEachMonitorOnce)
+{
+    area.openMonitor(fraba, MonitorKind::in32);
+    area.openMonitor(baumer, MonitorKind::out32);
+    area.openMonitor(fraba, MonitorKind::in32);
+    EXPECT_EQ(open(), (QStringList{QStringLiteral("1.0 IN 32"), QStringLiteral("2.0 OUT 32")}));
+}
+
+TEST_F(MonitorAreaTest, ADeviceThatIsNotThereIsRefusedWithASentence)
+{
+    area.openMonitor({7, 0}, MonitorKind::in32);
+    EXPECT_TRUE(open().isEmpty());
+    EXPECT_EQ(area.findChild<InlineMessage *>()->sentence(),
+              QStringLiteral("7.0 has no word IN 32 to show. Choose another device or word."));
+}
+
+TEST_F(MonitorAreaTest, TheMenuOffersEveryWordOfEveryDevice)
+{
+    auto *menu = area.findChild<QMenu *>();
+    QMetaObject::invokeMethod(menu, "aboutToShow");
+    ASSERT_EQ(menu->actions().size(), 6);
+    EXPECT_EQ(menu->actions().at(1)->text(), QStringLiteral("1.0  OUT 32  FRABA OCD-IB K3"));
+    menu->actions().at(1)->trigger();
+    EXPECT_EQ(open(), QStringList{QStringLiteral("1.0 OUT 32")});
+}
+
+TEST_F(MonitorAreaTest, MonitorsMoveWithTheBus)
+{
+    area.openMonitor(fraba, MonitorKind::in32);
+    ring.controls->turnTo(fraba, 0x77);
+    ring.bus.advance(5);
+    EXPECT_EQ(area.monitor(fraba, MonitorKind::in32)->hexText(), QStringLiteral("00000077"));
+}
+
+TEST_F(MonitorAreaTest, TheCloseButtonClosesItsMonitor)
+{
+    area.openMonitor(fraba, MonitorKind::in32);
+    area.openMonitor(fraba, MonitorKind::out32);
+    for (auto *button : area.findChildren<QToolButton *>())
+        if (button->accessibleName() == QLatin1String("Close monitor IN 1.0"))
+            QTest::mouseClick(button, Qt::LeftButton);
+    EXPECT_EQ(open(), QStringList{QStringLiteral("1.0 OUT 32")});
+}
+
+TEST_F(MonitorAreaTest, WhatAMonitorShowsIsKeptForItsKind)
+{
+    area.openMonitor(fraba, MonitorKind::in32);
+    area.openMonitor(fraba, MonitorKind::in16);
+    area.monitor(fraba, MonitorKind::in16)->setHighHalf(true);
+    Q_EMIT area.monitor(fraba, MonitorKind::in32)->displayChosen({.gray = false});
+    const QJsonObject state = area.state();
+
+    MonitorArea another(ring.bus);
+    another.restoreState(state);
+    EXPECT_EQ(another.state(), state);
+    EXPECT_TRUE(another.monitor(fraba, MonitorKind::in16)->isHighHalf());
+    another.openMonitor(baumer, MonitorKind::in32);
+    for (const auto *field : another.monitor(baumer, MonitorKind::in32)->findChildren<QLineEdit *>())
+        EXPECT_EQ(field->isHidden(), field->accessibleName() == QLatin1String("IN 2.0 Gray"));
+}
+
+TEST_F(MonitorAreaTest, AStateFromAnotherBusOpensWhatIsThere)
+{
+    const auto json = QJsonDocument::fromJson(
+        R"({"monitors": [{"place": "9.0", "kind": "IN 32"}, {"place": "2.0", "kind": "IN 32"}, 5,
+            {"place": "2.0", "kind": "TREND"}]})");
+    area.restoreState(json.object());
+    EXPECT_EQ(open(), QStringList{QStringLiteral("2.0 IN 32")});
+}
+
+TEST_F(MonitorAreaTest, MonitorsOfAnEndedConnectionAreClosed)
+{
+    area.openMonitor(fraba, MonitorKind::in32);
+    EXPECT_TRUE(ring.bus.open(BusSession::Start::watching));
+    ring.bus.advance(5);
+    EXPECT_TRUE(open().isEmpty());
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/training_bus_session.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/monitor/bar_view.h"
+#include "widgets/monitor/word_field.h"
+#include "widgets/monitor/word_monitor.h"
+#include "widgets/monitor/word_view.h"
+
+namespace codewheel {
+namespace {
+
+using test::baumer;
+using test::fraba;
+
+// Two monitors of the FRABA encoder in one window.
+class WordMonitorTest : public testing::Test
+{
+protected:
+    WordMonitorTest()
+    {
+        window.resize(1024, 640);
+        auto *column = new QVBoxLayout(&window);
+        column->addWidget(&in);
+        column->addWidget(&out);
+        QObject::connect(&ring.bus, &BusSession::updated, &window, [this] {
+            in.showPicture(ring.bus.latest().at);
+            out.showPicture(ring.bus.latest().at);
+        });
+        QObject::connect(&ring.bus, &BusSession::stateChanged, &out, &WordMonitor::busStateChanged);
+        window.show();
+        window.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
+        ring.bus.advance(10);
+    }
+
+    WordMonitor monitorOf(MonitorKind kind)
+    {
+        EncoderSession &encoder = ring.encoder(fraba);
+        return {ring.channel(fraba), &encoder, &encoder.device(), kind};
+    }
+    template <typename Widget>
+    static Widget &find(const WordMonitor &monitor, const char *name)
+    {
+        for (Widget *widget : monitor.findChildren<Widget *>())
+            if (widget->accessibleName() == QLatin1String(name))
+                return *widget;
+        ADD_FAILURE() << "no " << name;
+        std::abort();
+    }
+    QString text(const WordMonitor &monitor, const char *name)
+    {
+        return find<WordField>(monitor, name).text();
+    }
+    WordField &hex() { return find<WordField>(out, "OUT 1.0 hexadecimal"); }
+    QAbstractButton &write() { return find<QAbstractButton>(out, "Write OUT 1.0"); }
+    QAbstractButton &atOnce() { return find<QAbstractButton>(out, "Send OUT 1.0 at once"); }
+    static QString message(const WordMonitor &monitor)
+    {
+        const auto *shown = monitor.findChild<InlineMessage *>();
+        return shown->isVisible() ? shown->sentence() : QString();
+    }
+    static QPushButton &messageAction(const WordMonitor &monitor)
+    {
+        return *monitor.findChild<InlineMessage *>()->findChild<QPushButton *>();
+    }
+    void click(int bit)
+    {
+        auto &bits = *out.findChild<WordView *>();
+        QTest::mouseClick(&bits, Qt::LeftButton, {}, bits.bitRect(bit).center());
+    }
+    void type(const char *typed)
+    {
+        hex().setFocus();
+        hex().selectAll();
+        QTest::keyClicks(&hex(), QString::fromLatin1(typed));
+    }
+    void tick(QAbstractButton &box)
+    {
+        QTest::mouseClick(&box, Qt::LeftButton, {}, QPoint(8, box.height() / 2));
+    }
+    Word sentWord()
+    {
+        ring.bus.advance(5);
+        return ring.bus.latest().devices.front().out;
+    }
+
+    test::TrainingBusSession ring;
+    QWidget window;
+    WordMonitor in = monitorOf(MonitorKind::in32);
+    WordMonitor out = monitorOf(MonitorKind::out32);
+};
+
+TEST_F(WordMonitorTest, AWordIsShownInEveryWriting)
+{
+    ring.controls->turnTo(fraba, 0x1234);
+    ring.bus.advance(10);
+    EXPECT_EQ(text(in, "IN 1.0 hexadecimal"), QStringLiteral("00001234"));
+    EXPECT_EQ(text(in, "IN 1.0 decimal"), QStringLiteral("4660"));
+    EXPECT_EQ(text(in, "IN 1.0 signed"), QStringLiteral("4660"));
+    EXPECT_EQ(text(in, "IN 1.0 Gray"), QStringLiteral("7207"));
+    EXPECT_EQ(text(in, "IN 1.0 binary"), QStringLiteral("0000 0000 0000 0000 0001 0010 0011 0100"));
+    EXPECT_TRUE(find<WordField>(in, "IN 1.0 hexadecimal").isReadOnly());
+    EXPECT_TRUE(in.meaning().contains(QLatin1String("position 4660"))) << in.meaning().toStdString();
+}
+
+TEST_F(WordMonitorTest, BothMeaningsAreGivenWhereTheModeIsNotKnown)
+{
+    type("40000000");
+    EXPECT_TRUE(out.meaning().contains(QLatin1String("Initialise the preset")))
+        << out.meaning().toStdString();
+    EXPECT_TRUE(out.meaning().contains(QLatin1String("Start of cam 0"))) << out.meaning().toStdString();
+}
+
+TEST_F(WordMonitorTest, AClickedBitIsStagedAndSentByWrite)
+{
+    click(25);
+    EXPECT_EQ(ring.channel(fraba).staged(), 0x02000000U);
+    EXPECT_TRUE(out.meaning().startsWith(QLatin1String("Not sent yet: ")));
+    EXPECT_EQ(sentWord(), 0U);
+    for (const int bit : {0, 1, 2, 3, 4, 5, 6, 7})
+        click(bit);
+    EXPECT_EQ(hex().text(), QStringLiteral("020000FF"));
+    QTest::mouseClick(&write(), Qt::LeftButton);
+    EXPECT_EQ(sentWord(), 0x020000FFU);
+    EXPECT_FALSE(ring.channel(fraba).staged());
+    ring.bus.advance(10);
+    EXPECT_EQ(text(in, "IN 1.0 hexadecimal"), QStringLiteral("C20000FF"));
+}
+
+TEST_F(WordMonitorTest, TypedWordsAreTakenAsTheFieldWritesThem)
+{
+    for (const char *typed : {"020000FF", "0x20000ff", "20000FFh", "0200 00FF"}) {
+        type(typed);
+        EXPECT_EQ(ring.channel(fraba).staged(), 0x020000FFU) << typed;
+        EXPECT_EQ(hex().text().toStdString(), typed);
+        write().setFocus();
+        EXPECT_EQ(hex().text(), QStringLiteral("020000FF")) << typed;
+        QTest::keyClick(&out, Qt::Key_Escape);
+        EXPECT_FALSE(ring.channel(fraba).staged());
+        EXPECT_EQ(hex().text(), QStringLiteral("00000000"));
+    }
+}
+
+TEST_F(WordMonitorTest, BadInputIsSaidAtOnceStagesNothingAndIsNotLost)
+{
+    click(4);
+    type("02XY");
+    EXPECT_TRUE(message(out).startsWith(QLatin1String("\"02XY\" is no hexadecimal word")))
+        << message(out).toStdString();
+    EXPECT_TRUE(hex().hasProblem());
+    EXPECT_EQ(ring.channel(fraba).staged(), 0x10U);
+    QTest::keyClick(&hex(), Qt::Key_Return);
+    QTest::keyClick(&hex(), Qt::Key_Return, Qt::ControlModifier);
+    EXPECT_EQ(sentWord(), 0U);
+    EXPECT_EQ(hex().text(), QStringLiteral("02XY"));
+    QTest::keyClick(&hex(), Qt::Key_Backspace);
+    EXPECT_FALSE(write().isEnabled());
+    QTest::keyClick(&hex(), Qt::Key_Backspace);
+    EXPECT_TRUE(message(out).isEmpty());
+    EXPECT_FALSE(hex().hasProblem());
+    EXPECT_TRUE(write().isEnabled());
+    EXPECT_EQ(ring.channel(fraba).staged(), 0x02U);
+}
+
+TEST_F(WordMonitorTest, ABitClickedAfterBadInputReplacesIt)
+{
+    type("zz");
+    click(0);
+    EXPECT_EQ(hex().text(), QStringLiteral("00000001"));
+    EXPECT_TRUE(message(out).isEmpty());
+    EXPECT_TRUE(write().isEnabled());
+}
+
+TEST_F(WordMonitorTest, NineDigitsAreCounted)
+{
+    type("0200000FF");
+    EXPECT_TRUE(message(out).contains(QLatin1String("has 9 digits"))) << message(out).toStdString();
+}
+
+TEST_F(WordMonitorTest, CtrlReturnWritesFromEveryFieldOfTheMonitor)
+{
+    type("20400001");
+    QTest::keyClick(&hex(), Qt::Key_Return, Qt::ControlModifier);
+    EXPECT_EQ(sentWord(), 0x20400001U);
+}
+
+TEST_F(WordMonitorTest, InWatchTheRefusalStandsAtTheWordUntilOperate)
+{
+    ring.bus.setOperate(false);
+    ring.bus.advance(5);
+    click(0);
+    QTest::mouseClick(&write(), Qt::LeftButton);
+    EXPECT_EQ(message(out),
+              QStringLiteral("Nothing was sent to 1.0: the program only watches. Switch to Operate first."));
+    EXPECT_EQ(ring.channel(fraba).staged(), 1U);
+    EXPECT_EQ(sentWord(), 0U);
+    ring.bus.setOperate(true);
+    ring.bus.advance(5);
+    EXPECT_TRUE(message(out).isEmpty());
+    QTest::mouseClick(&write(), Qt::LeftButton);
+    EXPECT_EQ(sentWord(), 1U);
+}
+
+TEST_F(WordMonitorTest, WhileAJobHoldsTheWordNothingIsSent)
+{
+    ASSERT_TRUE(ring.encoder(fraba).start(SendWords{{0x020000FF, 0x80000000}}, Pace::byHand));
+    ring.bus.advance(5);
+    click(0);
+    QTest::mouseClick(&write(), Qt::LeftButton);
+    EXPECT_TRUE(message(out).contains(QLatin1String("a job holds its OUT word")))
+        << message(out).toStdString();
+    EXPECT_EQ(ring.channel(fraba).staged(), 1U);
+}
+
+TEST_F(WordMonitorTest, AtOnceIsOffAndSendsHarmlessWordsOnly)
+{
+    EXPECT_FALSE(atOnce().isChecked());
+    tick(atOnce());
+    ASSERT_TRUE(atOnce().isChecked());
+    click(3);
+    EXPECT_EQ(sentWord(), 8U);
+    EXPECT_TRUE(message(out).isEmpty());
+
+    click(25);
+    EXPECT_EQ(sentWord(), 8U);
+    EXPECT_TRUE(message(out).startsWith(QLatin1String("02000008 has a command bit")))
+        << message(out).toStdString();
+    QTest::mouseClick(&messageAction(out), Qt::LeftButton);
+    EXPECT_EQ(sentWord(), 0x02000008U);
+    EXPECT_TRUE(message(out).isEmpty());
+}
+
+TEST_F(WordMonitorTest, AtOnceATypedWordIsSentByReturnNotWhileItIsTyped)
+{
+    tick(atOnce());
+    type("1F");
+    EXPECT_EQ(sentWord(), 0U);
+    QTest::keyClick(&hex(), Qt::Key_Return);
+    EXPECT_EQ(sentWord(), 0x1FU);
+}
+
+TEST_F(WordMonitorTest, TheQuestionGoesWhenTheWordIsDiscarded)
+{
+    tick(atOnce());
+    click(31);
+    EXPECT_FALSE(message(out).isEmpty());
+    QTest::keyClick(&out, Qt::Key_Escape);
+    EXPECT_TRUE(message(out).isEmpty());
+    EXPECT_EQ(sentWord(), 0U);
+}
+
+TEST_F(WordMonitorTest, CopiesAsHexadecimalAndAsTheWordsOfAPlc)
+{
+    type("020000FF");
+    auto &bits = *out.findChild<WordView *>();
+    bits.setFocus();
+    QTest::keyClick(&bits, Qt::Key_C, Qt::ControlModifier);
+    EXPECT_EQ(QApplication::clipboard()->text(), QStringLiteral("020000FF"));
+    QTest::keyClick(&bits, Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(QApplication::clipboard()->text(), QStringLiteral("0200 00FF"));
+}
+
+TEST_F(WordMonitorTest, TheBarShowsThePositionOnceTheRangeIsKnown)
+{
+    const auto &bar = *in.findChild<BarView *>();
+    EXPECT_EQ(bar.valueText(), QStringLiteral("Not known"));
+    ring.encoder(fraba).tell(Parameter::startUpMode, 1);
+    ring.encoder(fraba).tell(Parameter::steps, 8192);
+    ring.encoder(fraba).tell(Parameter::revolutions, 1);
+    ring.bus.advance(10);
+    EXPECT_EQ(bar.valueText(), QStringLiteral("12345 of 0 to 33554431"));
+}
+
+TEST_F(WordMonitorTest, In16ShowsTheHalfThatIsChosen)
+{
+    ring.controls->turnTo(fraba, 0x54321);
+    ring.bus.advance(10);
+    WordMonitor half = monitorOf(MonitorKind::in16);
+    half.showPicture(ring.bus.latest().at);
+    EXPECT_EQ(half.hexText(), QStringLiteral("4321"));
+    half.setHighHalf(true);
+    EXPECT_EQ(half.hexText(), QStringLiteral("0005"));
+    EXPECT_TRUE(half.findChild<WordView *>()->bitDescription(15).startsWith(QLatin1String("D31")));
+}
+
+TEST_F(WordMonitorTest, ChosenBitsStandInRowsOfEight)
+{
+    const auto &bits = *out.findChild<WordView *>();
+    out.setDisplay({.matrix = true});
+    EXPECT_EQ(bits.bitRect(24).left(), bits.bitRect(0).left());
+    EXPECT_LT(bits.bitRect(24).top(), bits.bitRect(23).top());
+    EXPECT_LT(bits.bitRect(8).top(), bits.bitRect(7).top());
+}
+
+TEST_F(WordMonitorTest, AHiddenNumberIsHiddenWithItsCaption)
+{
+    out.setDisplay({.gray = false, .binary = false});
+    EXPECT_FALSE(find<WordField>(out, "OUT 1.0 Gray").isVisible());
+    EXPECT_TRUE(find<WordField>(out, "OUT 1.0 signed").isVisible());
+}
+
+TEST_F(WordMonitorTest, OnlyWhatChangedIsLaidOutAndPainted)
+{
+    QCoreApplication::processEvents();
+    class Counter : public QObject
+    {
+    public:
+        int layouts = 0;
+        int paints = 0;
+        bool eventFilter(QObject *, QEvent *event) override
+        {
+            layouts += event->type() == QEvent::LayoutRequest;
+            paints += event->type() == QEvent::Paint;
+            return false;
+        }
+    } counter;
+    for (QWidget *widget : window.findChildren<QWidget *>())
+        widget->installEventFilter(&counter);
+    window.installEventFilter(&counter);
+    ring.bus.advance(5);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(counter.paints, 0);
+    ring.controls->turnBy(fraba, 1);
+    ring.bus.advance(5);
+    QCoreApplication::processEvents();
+    EXPECT_GT(counter.paints, 0);
+    EXPECT_EQ(counter.layouts, 0);
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/catalog.h"
+#include "ring/bus_session.h"
+#include "ring/word_channel.h"
+#include "simulator/training_bus.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel::test {
+
+inline constexpr DeviceNumber fraba{1, 0};
+inline constexpr DeviceNumber baumer{2, 0};
+
+// The training bus in virtual time, for tests of views.
+class TrainingBusSession
+{
+public:
+    explicit TrainingBusSession(BusSession::Start start = BusSession::Start::operating)
+    {
+        EXPECT_TRUE(bus.open(start));
+        bus.advance(10);
+    }
+
+    WordChannel &channel(DeviceNumber number) const { return *bus.channel(number); }
+    EncoderSession &encoder(DeviceNumber number) const { return *bus.encoder(number); }
+
+    const Catalog catalog = Catalog::builtIn();
+    TrainingBus training = makeTrainingBus();
+    std::shared_ptr<TrainingControls> controls = training.controls;
+    BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
+};
+
+} // namespace codewheel::test

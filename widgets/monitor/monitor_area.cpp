@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/monitor/monitor_area.h"
+
+#include "catalog/device_description.h"
+#include "ring/word_channel.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/monitor/word_monitor.h"
+
+#include <QJsonArray>
+#include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace codewheel {
+
+namespace {
+
+const QLatin1String monitorsKey("monitors");
+const QLatin1String placeKey("place");
+const QLatin1String kindKey("kind");
+const QLatin1String highHalfKey("highHalf");
+const QLatin1String displayKey("display");
+
+constexpr std::array allKinds{MonitorKind::in32, MonitorKind::out32, MonitorKind::in16};
+
+} // namespace
+
+MonitorArea::MonitorArea(BusSession &bus, QWidget *parent)
+    : QWidget(parent)
+    , m_bus(bus)
+    , m_add(new QToolButton(this))
+    , m_addMenu(new QMenu(this))
+    , m_message(new InlineMessage(this))
+    , m_pages(new QStackedWidget(this))
+    , m_scroll(new QScrollArea(this))
+{
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins({});
+    rows->setSpacing(0);
+    makeBar();
+    rows->addWidget(m_add, 0, Qt::AlignLeft);
+    rows->addWidget(m_message);
+    rows->addWidget(m_pages, 1);
+
+    auto *empty =
+        new EmptyState(Icon::monitor, tr("No monitor is open"),
+                       tr("A monitor shows one word of one device, and lets you set the bits of an "
+                          "OUT word. Use Add monitor, or the menu of a device in the bus structure."),
+                       this);
+    m_pages->addWidget(empty);
+
+    auto *column = new QWidget;
+    m_column = new QVBoxLayout(column);
+    m_column->setContentsMargins(grid::unit, grid::unit, grid::unit, grid::unit);
+    m_column->setSpacing(grid::margin);
+    m_column->addStretch(1);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setWidget(column);
+    m_pages->addWidget(m_scroll);
+
+    connect(&bus, &BusSession::updated, this, &MonitorArea::showPicture);
+    connect(&bus, &BusSession::stateChanged, this, [this] {
+        for (WordMonitor *monitor : m_monitors)
+            monitor->busStateChanged();
+    });
+    showWhetherEmpty();
+}
+
+void MonitorArea::makeBar()
+{
+    m_add->setText(tr("Add &monitor"));
+    m_add->setIcon(lineIcon(Icon::add));
+    m_add->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_add->setAccessibleName(tr("Add monitor"));
+    m_add->setToolTip(tr("Open another word of a device"));
+    m_add->setPopupMode(QToolButton::InstantPopup);
+    m_add->setAutoRaise(true);
+    m_add->setFocusPolicy(Qt::StrongFocus);
+    m_add->setMenu(m_addMenu);
+    connect(m_addMenu, &QMenu::aboutToShow, this, &MonitorArea::fillAddMenu);
+}
+
+void MonitorArea::fillAddMenu()
+{
+    m_addMenu->clear();
+    for (const DeviceNumber number : m_bus.numbers())
+        for (const MonitorKind kind : allKinds) {
+            if (!hasWord(number, kind))
+                continue;
+            const EncoderSession *encoder = m_bus.encoder(number);
+            const QString name = encoder ? encoder->device().fullName() : QString();
+            m_addMenu->addAction(
+                QStringLiteral("%1  %2  %3").arg(number.toString(), monitorKindText(kind), name).trimmed(),
+                this, [this, number, kind] { openMonitor(number, kind); });
+        }
+    if (m_addMenu->isEmpty())
+        m_addMenu->addAction(tr("There is no device on the bus"))->setEnabled(false);
+}
+
+bool MonitorArea::hasWord(DeviceNumber number, MonitorKind kind) const
+{
+    const WordChannel *channel = m_bus.channel(number);
+    if (!channel)
+        return false;
+    switch (kind) {
+    case MonitorKind::in32:
+        return channel->inWords() >= 2;
+    case MonitorKind::out32:
+        return channel->outWords() >= 2;
+    case MonitorKind::in16:
+        break;
+    }
+    return channel->inWords() >= 1;
+}
+
+void MonitorArea::openMonitor(DeviceNumber number, MonitorKind kind)
+{
+    m_message->withdraw();
+    WordMonitor *opened = monitor(number, kind);
+    if (!opened && !hasWord(number, kind)) {
+        m_message->showMessage(Role::attention,
+                               tr("%1 has no word %2 to show. Choose another device or word.")
+                                   .arg(number.toString(), monitorKindText(kind)));
+        return;
+    }
+    if (!opened)
+        opened = addMonitor(number, kind);
+    m_column->activate();
+    m_scroll->ensureWidgetVisible(opened, 0, 0);
+    opened->setFocus();
+}
+
+WordMonitor *MonitorArea::addMonitor(DeviceNumber number, MonitorKind kind)
+{
+    WordChannel *channel = m_bus.channel(number);
+    EncoderSession *encoder = m_bus.encoder(number);
+    auto *monitor =
+        new WordMonitor(*channel, encoder, encoder ? &encoder->device() : nullptr, kind, m_scroll->widget());
+    monitor->setDisplay(m_displays.value(kind));
+    monitor->showPicture(m_bus.latest().at);
+    m_monitors.push_back(monitor);
+    m_column->insertWidget(m_column->count() - 1, monitor);
+    connect(monitor, &WordMonitor::closeRequested, this, [this, monitor] { remove(monitor); });
+    connect(monitor, &WordMonitor::displayChosen, this,
+            [this, kind](const MonitorDisplay &display) { setDisplay(kind, display); });
+    connect(channel, &QObject::destroyed, monitor, [this, monitor] { remove(monitor); });
+    showWhetherEmpty();
+    return monitor;
+}
+
+void MonitorArea::remove(WordMonitor *monitor)
+{
+    std::erase(m_monitors, monitor);
+    monitor->hide();
+    monitor->deleteLater();
+    showWhetherEmpty();
+}
+
+void MonitorArea::closeMonitor(DeviceNumber number, MonitorKind kind)
+{
+    if (WordMonitor *open = monitor(number, kind))
+        remove(open);
+}
+
+void MonitorArea::closeAll()
+{
+    while (!m_monitors.empty())
+        remove(m_monitors.back());
+}
+
+WordMonitor *MonitorArea::monitor(DeviceNumber number, MonitorKind kind) const
+{
+    const auto found = std::ranges::find_if(m_monitors, [number, kind](const WordMonitor *monitor) {
+        return monitor->number() == number && monitor->kind() == kind;
+    });
+    return found == m_monitors.end() ? nullptr : *found;
+}
+
+void MonitorArea::setDisplay(MonitorKind kind, const MonitorDisplay &display)
+{
+    m_displays.insert(kind, display);
+    for (WordMonitor *monitor : m_monitors)
+        if (monitor->kind() == kind)
+            monitor->setDisplay(display);
+}
+
+void MonitorArea::showPicture()
+{
+    for (WordMonitor *monitor : m_monitors)
+        monitor->showPicture(m_bus.latest().at);
+}
+
+void MonitorArea::showWhetherEmpty()
+{
+    m_pages->setCurrentIndex(m_monitors.empty() ? 0 : 1);
+}
+
+QJsonObject MonitorArea::state() const
+{
+    QJsonArray monitors;
+    for (const WordMonitor *monitor : m_monitors) {
+        QJsonObject json{{placeKey, monitor->number().toString()},
+                         {kindKey, monitorKindText(monitor->kind())}};
+        if (monitor->isHighHalf())
+            json.insert(highHalfKey, true);
+        monitors.append(json);
+    }
+    QJsonObject displays;
+    for (auto it = m_displays.begin(); it != m_displays.end(); ++it)
+        displays.insert(monitorKindText(it.key()), it->toJson());
+    return {{monitorsKey, monitors}, {displayKey, displays}};
+}
+
+void MonitorArea::restoreState(const QJsonObject &state)
+{
+    closeAll();
+    const QJsonObject displays = state.value(displayKey).toObject();
+    for (const MonitorKind kind : allKinds)
+        if (const QJsonValue display = displays.value(monitorKindText(kind)); display.isObject())
+            setDisplay(kind, MonitorDisplay::fromJson(display.toObject()));
+    for (const QJsonValue &json : state.value(monitorsKey).toArray()) {
+        const auto number = DeviceNumber::parse(json[placeKey].toString());
+        const auto kind = monitorKindFromText(json[kindKey].toString());
+        if (number && kind && hasWord(*number, *kind) && !monitor(*number, *kind))
+            addMonitor(*number, *kind)->setHighHalf(json[highHalfKey].toBool());
+    }
+}
+
+} // namespace codewheel

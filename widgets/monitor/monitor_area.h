@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ring/bus_session.h"
+#include "widgets/monitor/monitor_display.h"
+#include "widgets/monitor/monitor_kind.h"
+
+#include <QMap>
+#include <QWidget>
+
+class QMenu;
+class QScrollArea;
+class QStackedWidget;
+class QToolButton;
+class QVBoxLayout;
+
+namespace codewheel {
+
+class InlineMessage;
+class WordMonitor;
+
+// The column of monitors: as many as wanted, each pinned to a device and to IN 32, OUT 32 or IN 16.
+class MonitorArea : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit MonitorArea(BusSession &bus, QWidget *parent = nullptr);
+
+    // Opens it at the end, or brings it into view where it is open already; says on the spot why it cannot.
+    void openMonitor(DeviceNumber number, MonitorKind kind);
+    void closeMonitor(DeviceNumber number, MonitorKind kind);
+    void closeAll();
+    WordMonitor *monitor(DeviceNumber number, MonitorKind kind) const; // null: not open
+    const std::vector<WordMonitor *> &monitors() const { return m_monitors; }
+
+    // Which monitors are open, and what each kind shows; for the window to keep.
+    QJsonObject state() const;
+    // Devices that are not there any more are left out.
+    void restoreState(const QJsonObject &state);
+
+private:
+    void makeBar();
+    void fillAddMenu();
+    WordMonitor *addMonitor(DeviceNumber number, MonitorKind kind);
+    void remove(WordMonitor *monitor);
+    bool hasWord(DeviceNumber number, MonitorKind kind) const;
+    void setDisplay(MonitorKind kind, const MonitorDisplay &display);
+    void showPicture();
+    void showWhetherEmpty();
+
+    BusSession &m_bus;
+    QToolButton *m_add;
+    QMenu *m_addMenu;
+    InlineMessage *m_message;
+    QStackedWidget *m_pages;
+    QScrollArea *m_scroll;
+    QVBoxLayout *m_column;
+    std::vector<WordMonitor *> m_monitors; // from top to bottom
+    QMap<MonitorKind, MonitorDisplay> m_displays;
+};
+
+} // namespace codewheel

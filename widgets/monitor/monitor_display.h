@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QJsonObject>
+
+namespace codewheel {
+
+// What the monitors of one kind show beside hexadecimal and meaning; the user chooses it in their Show menu.
+struct MonitorDisplay
+{
+    bool matrix = false; // bits in rows of 8
+    bool bar = true;     // IN 32: the position over its range
+    bool decimal = true;
+    bool signedDecimal = true;
+    bool gray = true;
+    bool binary = true;
+    bool wholeWord = false; // numbers of all bits, not of D24..D0 alone
+
+    QJsonObject toJson() const;
+    // What is missing there is as above.
+    static MonitorDisplay fromJson(const QJsonObject &json);
+
+    friend bool operator==(const MonitorDisplay &, const MonitorDisplay &) = default;
+};
+
+} // namespace codewheel

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/monitor/number_fields.h"
+
+#include "encoder/hex.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+#include "widgets/monitor/word_format.h"
+#include "words/k3_word.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace codewheel {
+
+namespace {
+
+const QString widestNumber = QStringLiteral("-2147483648");
+const QString widestHex = widestNumber; // with room for the mark of bad input
+
+} // namespace
+
+NumberFields::NumberFields(const QString &place, int bits, bool editable, QWidget *parent)
+    : QWidget(parent)
+    , m_bits(bits)
+    , m_hex(new WordField(widestHex, this))
+    , m_decimal(new WordField(widestNumber, this))
+    , m_signed(new WordField(widestNumber, this))
+    , m_gray(new WordField(widestNumber, this))
+    , m_binary(new WordField(binaryText(0, bits), this))
+{
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins({});
+    rows->setSpacing(grid::unit);
+    auto *numbers = new QHBoxLayout;
+    numbers->setSpacing(grid::groupGap);
+    rows->addLayout(numbers);
+    auto *last = new QHBoxLayout;
+    last->setSpacing(grid::groupGap);
+    rows->addLayout(last);
+
+    const auto above = [numbers] {
+        auto *column = new QVBoxLayout;
+        column->setSpacing(0);
+        numbers->addLayout(column);
+        return column;
+    };
+    addField(m_hex, tr("Hexadecimal"), tr("%1 hexadecimal", "OUT 1.0 hexadecimal").arg(place), above());
+    addField(m_decimal, tr("Decimal"), tr("%1 decimal", "OUT 1.0 decimal").arg(place), above());
+    addField(m_signed, tr("Signed"), tr("%1 signed", "OUT 1.0 signed").arg(place), above());
+    addField(m_gray, tr("Gray"), tr("%1 Gray", "OUT 1.0 Gray").arg(place), above());
+    addField(m_binary, tr("Binary"), tr("%1 binary", "OUT 1.0 binary").arg(place), last);
+    numbers->addStretch(1);
+    last->addStretch(1);
+
+    m_hex->setReadOnly(!editable);
+    if (editable)
+        m_hex->setToolTip(tr("Type the word: 020000FF, 0x020000FF, 20000FFh; spaces are allowed"));
+    connect(m_hex, &QLineEdit::textEdited, this, &NumberFields::hexTyped);
+    connect(m_hex, &QLineEdit::returnPressed, this, [this] {
+        if (!m_hex->hasProblem() && !m_hex->isReadOnly())
+            Q_EMIT entered();
+    });
+    connect(m_hex, &QLineEdit::editingFinished, this, &NumberFields::hexLeft);
+    setDisplay(m_display);
+    showNumbers();
+}
+
+void NumberFields::addField(WordField *field, const QString &caption, const QString &name,
+                            QBoxLayout *captioned)
+{
+    auto *label = new QLabel(caption, this);
+    label->setFont(textFont(TextSize::small));
+    label->setBuddy(field);
+    captioned->addWidget(label);
+    captioned->addWidget(field);
+    field->setAccessibleName(name);
+    field->setReadOnly(true);
+    field->setCaption(label);
+}
+
+void NumberFields::setWord(Word word)
+{
+    const bool isOther = std::exchange(m_word, word) != word;
+    const bool isTyped = m_hex->hasFocus() && (m_hex->hasProblem() || parseHexWord(m_hex->text()) == word);
+    if (!isTyped && (isOther || !m_hex->hasProblem()))
+        restore();
+    if (isOther)
+        showNumbers();
+}
+
+void NumberFields::setDisplay(const MonitorDisplay &display)
+{
+    m_display = display;
+    m_decimal->setShown(display.decimal);
+    m_signed->setShown(display.signedDecimal);
+    m_gray->setShown(display.gray);
+    m_binary->setShown(display.binary);
+    const bool dataOnly = numberBits() == k3::dataBits;
+    m_decimal->setToolTip(dataOnly ? tr("D24..D0 as a number") : tr("The whole word as a number"));
+    m_signed->setToolTip(dataOnly ? tr("D24..D0 as a signed number (two's complement)")
+                                  : tr("The whole word as a signed number (two's complement)"));
+    m_gray->setToolTip(dataOnly ? tr("The number that D24..D0 give when read as Gray code")
+                                : tr("The number that the whole word gives when read as Gray code"));
+    m_binary->setToolTip(tr("All bits, the highest first"));
+    showNumbers();
+}
+
+int NumberFields::numberBits() const
+{
+    return m_bits == 32 && !m_display.wholeWord ? k3::dataBits : m_bits;
+}
+
+void NumberFields::showNumbers()
+{
+    if (m_display.decimal)
+        m_decimal->showText(decimalText(m_word, numberBits()));
+    if (m_display.signedDecimal)
+        m_signed->showText(signedText(m_word, numberBits()));
+    if (m_display.gray)
+        m_gray->showText(grayText(m_word, numberBits()));
+    if (m_display.binary)
+        m_binary->showText(binaryText(m_word, m_bits));
+}
+
+void NumberFields::hexTyped(const QString &text)
+{
+    const std::optional<Word> word = parseHexWord(text);
+    // An empty field is on its way to something.
+    setProblem(word || text.isEmpty() ? QString() : hexProblem(text));
+    if (word)
+        Q_EMIT wordTyped(*word);
+}
+
+void NumberFields::hexLeft()
+{
+    if (!m_hex->hasProblem())
+        m_hex->showText(hexWord(m_word));
+}
+
+void NumberFields::restore()
+{
+    setProblem({});
+    m_hex->showText(hexWord(m_word));
+}
+
+void NumberFields::setProblem(const QString &sentence)
+{
+    const bool changes = m_hex->hasProblem() || !sentence.isEmpty();
+    m_hex->setProblem(sentence);
+    if (changes)
+        Q_EMIT problemChanged(sentence);
+}
+
+} // namespace codewheel

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/monitor/monitor_display.h"
+#include "widgets/monitor/word_field.h"
+#include "words/k3_word.h"
+
+class QBoxLayout;
+
+namespace codewheel {
+
+// A word as numbers: hexadecimal, decimal, signed, Gray, binary, each under its name. Only hexadecimal can be
+// typed, and only where the word can be written; what is typed is checked with every key.
+class NumberFields : public QWidget
+{
+    Q_OBJECT
+
+public:
+    // place: "OUT 1.0"; bits: 16 or 32.
+    NumberFields(const QString &place, int bits, bool editable, QWidget *parent = nullptr);
+
+    // What is being typed stays as it was typed, for as long as it says this word, or no word at all.
+    void setWord(Word word);
+    void setDisplay(const MonitorDisplay &display);
+    void restore(); // hexadecimal says the word again, whatever was typed
+    WordField *hexadecimal() const { return m_hex; }
+
+Q_SIGNALS:
+    void wordTyped(codewheel::Word word);         // with every key that makes a word
+    void problemChanged(const QString &sentence); // empty: it is gone
+    void entered();                               // Return, on a good word
+
+private:
+    void addField(WordField *field, const QString &caption, const QString &name, QBoxLayout *captioned);
+    void hexTyped(const QString &text);
+    void hexLeft();
+    void setProblem(const QString &sentence);
+    void showNumbers();
+    int numberBits() const;
+
+    int m_bits;
+    WordField *m_hex;
+    WordField *m_decimal;
+    WordField *m_signed;
+    WordField *m_gray;
+    WordField *m_binary;
+    MonitorDisplay m_display;
+    Word m_word = 0;
+};
+
+} // namespace codewheel

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+
+namespace codewheel {
+
+// First and last position an encoder can show.
+struct PositionRange
+{
+    std::int64_t first = 0;
+    std::int64_t last = 0;
+
+    friend bool operator==(const PositionRange &, const PositionRange &) = default;
+};
+
+// From the steps, revolutions and measuring range that are known, and the coding; nothing where one is
+// missing.
+std::optional<PositionRange> positionRange(const EncoderSession &encoder);
+
+} // namespace codewheel

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLineEdit>
+
+class QAction;
+class QLabel;
+
+namespace codewheel {
+
+// A field of a monitor: fixed width and fixed font, so that nothing moves while its number does.
+class WordField : public QLineEdit
+{
+    Q_OBJECT
+
+public:
+    // widest: the longest text it will show.
+    explicit WordField(const QString &widest, QWidget *parent = nullptr);
+
+    void setCaption(QLabel *caption) { m_caption = caption; }
+    void setShown(bool shown);          // with its caption
+    void showText(const QString &text); // does nothing where it is shown already
+    // Marks what was typed as no input; empty: it is one.
+    void setProblem(const QString &sentence);
+    bool hasProblem() const { return !m_problem.isEmpty(); }
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    QString m_widest;
+    QString m_problem;
+    QString m_toolTip;
+    QAction *m_mark = nullptr;
+    QLabel *m_caption = nullptr;
+};
+
+} // namespace codewheel

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/monitor/word_format.h"
+
+#include "encoder/hex.h"
+#include "words/position_code.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace codewheel {
+
+namespace {
+
+constexpr int bitsOfNibble = 4;
+constexpr qsizetype digitsOfWord = 8;
+
+Word lowBits(Word word, int bits)
+{
+    return bits >= 32 ? word : word & ((Word{1} << bits) - 1);
+}
+
+QString plainNumber(qint64 number)
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(number);
+}
+
+bool isHexText(QStringView text)
+{
+    return std::all_of(text.begin(), text.end(), [](QChar c) {
+        return c.isSpace() || (c >= u'0' && c <= u'9') || (c.toUpper() >= u'A' && c.toUpper() <= u'F');
+    });
+}
+
+} // namespace
+
+QString decimalText(Word word, int bits)
+{
+    return plainNumber(lowBits(word, bits));
+}
+
+QString signedText(Word word, int bits)
+{
+    const qint64 range = qint64{1} << bits;
+    const qint64 value = lowBits(word, bits);
+    return plainNumber(value < range / 2 ? value : value - range);
+}
+
+QString grayText(Word word, int bits)
+{
+    return plainNumber(k3::binaryFromGray(lowBits(word, bits)));
+}
+
+QString binaryText(Word word, int bits)
+{
+    QString text;
+    for (int bit = bits - 1; bit >= 0; --bit) {
+        text += (word >> bit & 1) != 0 ? QLatin1Char('1') : QLatin1Char('0');
+        if (bit % bitsOfNibble == 0 && bit > 0)
+            text += QLatin1Char(' ');
+    }
+    return text;
+}
+
+QString plcWordsText(Word word)
+{
+    return hexWord(word).insert(digitsOfWord / 2, QLatin1Char(' '));
+}
+
+QString hexProblem(const QString &text)
+{
+    if (parseHexWord(text))
+        return {};
+    const QString plain = text.trimmed();
+    if (plain.isEmpty())
+        return QCoreApplication::translate("WordFormat", "There is no word here. Type up to 8 hexadecimal "
+                                                         "digits, such as 020000FF.");
+    QString digits = plain;
+    digits.removeIf([](QChar c) { return c.isSpace(); });
+    if (isHexText(plain) && digits.size() > digitsOfWord)
+        return QCoreApplication::translate("WordFormat",
+                                           "\"%1\" has %n digits, and a word has 8. Type up to 8 "
+                                           "hexadecimal digits, such as 020000FF.",
+                                           nullptr, static_cast<int>(digits.size()))
+            .arg(plain);
+    return QCoreApplication::translate("WordFormat", "\"%1\" is no hexadecimal word. Type up to 8 of the "
+                                                     "digits 0 to 9 and A to F, such as 020000FF.")
+        .arg(plain);
+}
+
+} // namespace codewheel

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/monitor/word_sender.h"
+
+#include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+#include "widgets/look/role_label.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QPushButton>
+
+namespace codewheel {
+
+WordSender::WordSender(WordChannel &channel, const QString &place, QWidget *parent)
+    : QWidget(parent)
+    , m_channel(&channel)
+    , m_write(new QPushButton(lineIcon(Icon::write), tr("Write"), this))
+    , m_discard(new QPushButton(tr("Discard"), this))
+    , m_atOnce(new QCheckBox(tr("At once"), this))
+    , m_staged(new RoleLabel(this))
+{
+    m_write->setAccessibleName(tr("Write %1", "Write OUT 1.0").arg(place));
+    m_write->setToolTip(
+        tr("Send this word to the encoder; it stands there until another is sent (Ctrl+Return)"));
+    m_discard->setAccessibleName(tr("Discard %1", "Discard OUT 1.0").arg(place));
+    m_discard->setToolTip(tr("Back to the word that stands on the bus (Esc)"));
+    m_atOnce->setAccessibleName(tr("Send %1 at once", "Send OUT 1.0 at once").arg(place));
+    m_atOnce->setToolTip(tr("Send each change as it is made. Words with a parameter number or a command bit "
+                            "(D31..D25) still ask."));
+    m_staged->setState(Role::attention, tr("Not sent yet"));
+
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins({});
+    layout->setSpacing(grid::groupGap);
+    layout->addWidget(m_write);
+    layout->addWidget(m_discard);
+    layout->addWidget(m_atOnce);
+    layout->addStretch(1);
+    layout->addWidget(m_staged);
+
+    connect(m_write, &QPushButton::clicked, this, &WordSender::write);
+    connect(m_discard, &QPushButton::clicked, this, &WordSender::discard);
+    showStaged();
+}
+
+bool WordSender::isHarmless(Word word)
+{
+    return (word & k3::controlMask) == 0;
+}
+
+void WordSender::setBlocked(bool blocked)
+{
+    m_blocked = blocked;
+    m_write->setEnabled(!blocked);
+}
+
+void WordSender::write()
+{
+    if (!m_channel || m_blocked)
+        return;
+    if (const Result<void> written = m_channel->write(); !written)
+        Q_EMIT refused(written.error());
+    else
+        Q_EMIT sent();
+}
+
+void WordSender::discard()
+{
+    if (!m_channel)
+        return;
+    m_channel->unstage();
+    Q_EMIT discarded();
+}
+
+void WordSender::edited()
+{
+    if (!m_channel || !m_atOnce->isChecked() || !m_channel->staged())
+        return;
+    if (isHarmless(*m_channel->staged()))
+        write();
+    else
+        Q_EMIT askedFor(*m_channel->staged());
+}
+
+// Write stays enabled: without a staged word it repeats the one that stands on the bus.
+void WordSender::showStaged()
+{
+    const bool staged = m_channel && m_channel->staged();
+    m_staged->setVisible(staged);
+    if (!staged && m_discard->hasFocus())
+        m_write->setFocus();
+    m_discard->setEnabled(staged);
+}
+
+} // namespace codewheel

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ring/word_channel.h"
+
+#include <QPointer>
+#include <QWidget>
+
+class QCheckBox;
+class QPushButton;
+
+namespace codewheel {
+
+class RoleLabel;
+
+// The row below an OUT word: Write, Discard, "At once". At once is off with every new monitor, and even then
+// a word with a command bit or a parameter number is sent only when the user says so: clicking bit 25 alone
+// means steps = 0.
+class WordSender : public QWidget
+{
+    Q_OBJECT
+
+public:
+    // place: "OUT 1.0"
+    WordSender(WordChannel &channel, const QString &place, QWidget *parent = nullptr);
+
+    // Whether a word does nothing at the encoder but stand there: D31..D25 are 0.
+    static bool isHarmless(Word word);
+
+    void setBlocked(bool blocked); // by bad input, which must not be taken for what is sent
+    void write();
+    void discard();
+    void edited(); // the user has staged a whole word: it is sent if that is to happen at once
+    void showStaged();
+
+Q_SIGNALS:
+    void refused(const codewheel::Refusal &why);
+    void askedFor(codewheel::Word word); // to be sent at once, but not without asking
+    void sent();
+    void discarded();
+
+private:
+    QPointer<WordChannel> m_channel;
+    QPushButton *m_write;
+    QPushButton *m_discard;
+    QCheckBox *m_atOnce;
+    RoleLabel *m_staged;
+    bool m_blocked = false;
+};
+
+} // namespace codewheel
