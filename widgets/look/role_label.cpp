@@ -19,11 +19,15 @@ RoleLabel::RoleLabel(QWidget *parent)
     layout->setSpacing(grid::unit);
     layout->addWidget(m_icon);
     layout->addWidget(m_word, 1);
-    setState(Role::inactive);
+    m_word->setText(roleWord(m_role));
+    setAccessibleName(m_word->text());
+    drawIcon();
 }
 
 void RoleLabel::setState(Role role, const QString &word)
 {
+    if (role == m_role && word == m_word->text())
+        return; // states are told 30 times a second
     m_role = role;
     m_word->setText(word);
     setAccessibleName(word);

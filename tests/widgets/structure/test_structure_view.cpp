@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/model_tester.h"
+#include "tests/widgets/training_bus_session.h"
+#include "widgets/structure/structure_model.h"
+#include "widgets/structure/structure_view.h"
+
+namespace codewheel {
+namespace {
+
+using test::baumer;
+using test::fraba;
+
+class StructureTest : public testing::Test
+{
+protected:
+    StructureTest() { ring.bus.advance(10); }
+
+    QString text(DeviceNumber number, StructureModel::Column column)
+    {
+        return model.indexOf(number).siblingAtColumn(column).data().toString();
+    }
+
+    test::TrainingBusSession ring;
+    StructureModel model;
+    test::ModelTester tester{model};
+};
+
+TEST_F(StructureTest, ShowsTheMasterAndBelowItTheDevicesOfTheRing)
+{
+    model.setBus(&ring.bus);
+    ASSERT_EQ(model.rowCount(), 1);
+    const QModelIndex master = model.index(0, 0);
+    EXPECT_EQ(master.data().toString(), QStringLiteral("Master"));
+    EXPECT_EQ(master.siblingAtColumn(StructureModel::stateColumn).data().toString(), QStringLiteral("RUN"));
+    EXPECT_EQ(model.rowCount(master), 2);
+    EXPECT_EQ(text(fraba, StructureModel::deviceColumn), QStringLiteral("1.0  FRABA OCD-IB K3"));
+    EXPECT_EQ(text(fraba, StructureModel::profileColumn), QStringLiteral("K3"));
+    EXPECT_EQ(text(fraba, StructureModel::idCodeColumn), QStringLiteral("37h = 55"));
+    EXPECT_EQ(text(baumer, StructureModel::wordsColumn), QStringLiteral("2 / 2"));
+    EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("ok"));
+}
+
+TEST_F(StructureTest, StatesFollowTheBus)
+{
+    model.setBus(&ring.bus);
+    QSignalSpy changes(&model, &QAbstractItemModel::dataChanged);
+    ring.bus.advance(100);
+    EXPECT_EQ(changes.count(), 0) << "a moving position changes no state";
+
+    ring.channel(fraba).stage(0x0200'00FF);
+    EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("OUT not sent"));
+    ASSERT_TRUE(ring.channel(fraba).write());
+    ring.bus.advance(10);
+    EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("parameterization"));
+    EXPECT_EQ(text(baumer, StructureModel::stateColumn), QStringLiteral("ok"));
+    ring.bus.stopBus();
+    ring.bus.advance(1);
+    EXPECT_EQ(text(baumer, StructureModel::stateColumn), QStringLiteral("stopped"));
+    EXPECT_EQ(model.index(0, StructureModel::stateColumn).data().toString(), QStringLiteral("ACTIVE"));
+}
+
+TEST_F(StructureTest, WithoutARingThereIsNothing)
+{
+    model.setBus(&ring.bus);
+    model.setBus(nullptr);
+    EXPECT_EQ(model.rowCount(), 0);
+}
+
+TEST_F(StructureTest, ArrowsChooseAndEnterOpens)
+{
+    StructureView view;
+    QSignalSpy chosen(&view, &StructureView::chosen);
+    QSignalSpy opened(&view, &StructureView::opened);
+    view.setBus(&ring.bus);
+    EXPECT_EQ(view.current(), fraba);
+    view.show();
+    view.setFocus();
+    QWidget *tree = view.focusProxy();
+    QTest::keyClick(tree, Qt::Key_Down);
+    EXPECT_EQ(view.current(), baumer);
+    EXPECT_EQ(chosen.count(), 2);
+    QTest::keyClick(tree, Qt::Key_Return);
+    ASSERT_EQ(opened.count(), 1);
+    EXPECT_EQ(opened.front().front().value<DeviceNumber>(), baumer);
+    QTest::keyClick(tree, Qt::Key_Home);
+    EXPECT_EQ(view.current(), std::nullopt) << "the master";
+}
+
+} // namespace
+} // namespace codewheel

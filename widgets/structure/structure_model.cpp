@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/structure/structure_model.h"
+
+#include "catalog/device_description.h"
+#include "ring/bus_session.h"
+#include "ring/word_channel.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+constexpr quintptr masterId = 0; // of its row; a node has its index + 1
+
+// As the manuals write it: "37h", "0237h".
+QString hexCode(unsigned code, int digits)
+{
+    return QString::number(code, 16).toUpper().rightJustified(digits, u'0') + u'h';
+}
+
+QString idCodeText(unsigned code)
+{
+    return QStringLiteral("%1 = %2").arg(hexCode(code, 2)).arg(code);
+}
+
+QString profileText(const DeviceDescription *device)
+{
+    if (device == nullptr)
+        return QStringLiteral("-");
+    switch (device->profile) {
+    case Profile::k1:
+        return QStringLiteral("K1");
+    case Profile::k2:
+        return QStringLiteral("K2");
+    case Profile::k3:
+        return QStringLiteral("K3");
+    }
+    return {};
+}
+
+} // namespace
+
+StructureModel::StructureModel(QObject *parent)
+    : QAbstractItemModel(parent)
+{}
+
+void StructureModel::setBus(BusSession *bus)
+{
+    beginResetModel();
+    if (m_bus != nullptr)
+        m_bus->disconnect(this);
+    m_bus = bus;
+    m_nodes.clear();
+    m_remote.clear();
+    if (bus != nullptr) {
+        for (const Participant &participant : bus->structure()) {
+            const EncoderSession *encoder = bus->encoder(participant.number);
+            const DeviceDescription *device = encoder == nullptr ? nullptr : &encoder->device();
+            Node node{.participant = participant,
+                      .name = device == nullptr ? tr("device not known") : device->fullName(),
+                      .profile = profileText(device),
+                      .children = {},
+                      .shown = {}};
+            const int self = static_cast<int>(m_nodes.size());
+            const auto head = std::ranges::find_if(m_nodes, [&](const Node &other) {
+                return participant.number.position != 0 && other.participant.number.position == 0 &&
+                       other.participant.number.segment == participant.number.segment;
+            });
+            if (head != m_nodes.end()) {
+                node.parent = static_cast<int>(head - m_nodes.begin());
+                head->children.push_back(self);
+            } else {
+                m_remote.push_back(self);
+            }
+            m_nodes.push_back(std::move(node));
+        }
+        connect(bus, &BusSession::updated, this, &StructureModel::refresh);
+        connect(bus, &BusSession::stateChanged, this, &StructureModel::refresh);
+        for (const DeviceNumber number : bus->numbers())
+            if (WordChannel *channel = bus->channel(number))
+                connect(channel, &WordChannel::stagedChanged, this, &StructureModel::refresh);
+    }
+    endResetModel();
+    refresh();
+}
+
+// Only what changed is told to the views: most pictures change no state at all.
+void StructureModel::refresh()
+{
+    if (m_bus == nullptr)
+        return;
+    const Shown master = shownOfMaster();
+    if (master != m_master) {
+        m_master = master;
+        emitState(index(0, deviceColumn));
+    }
+    for (std::size_t place = 0; place < m_nodes.size(); ++place) {
+        Shown shown = shownOf(m_nodes[place], place);
+        if (shown == m_nodes[place].shown)
+            continue;
+        m_nodes[place].shown = std::move(shown);
+        emitState(indexOf(m_nodes[place].participant.number));
+    }
+}
+
+void StructureModel::emitState(const QModelIndex &row)
+{
+    Q_EMIT dataChanged(row.siblingAtColumn(deviceColumn), row.siblingAtColumn(stateColumn));
+}
+
+StructureModel::Shown StructureModel::shownOfMaster() const
+{
+    switch (m_bus->latest().state) {
+    case MasterState::ready:
+        return {Role::inactive, tr("READY")};
+    case MasterState::active:
+        return {Role::inactive, tr("ACTIVE")};
+    case MasterState::run:
+        return {Role::running, tr("RUN")};
+    case MasterState::busFail:
+        return {Role::fault, tr("BUS FAIL")};
+    }
+    return {};
+}
+
+StructureModel::Shown StructureModel::shownOf(const Node &node, std::size_t place) const
+{
+    if (place >= m_bus->latest().devices.size())
+        return {Role::inactive, tr("not seen yet")};
+    const Snapshot::Device &device = m_bus->latest().devices[place];
+    const WordChannel *channel = m_bus->channel(node.participant.number);
+    if (!m_bus->isRunning())
+        return {Role::inactive, tr("stopped")};
+    if (device.reading.state == EncoderState::error)
+        return {Role::fault, tr("error %1").arg(device.reading.errorNumber.value_or(0))};
+    if (device.heldByJob)
+        return {Role::attention, tr("job running")};
+    if (channel != nullptr && channel->staged())
+        return {Role::attention, tr("OUT not sent")};
+    switch (device.reading.state) {
+    case EncoderState::parameterization:
+        return {Role::attention, tr("parameterization")};
+    case EncoderState::readOut:
+        return {Role::attention, tr("read-out")};
+    case EncoderState::unknown:
+        return {Role::attention, tr("unknown state")};
+    case EncoderState::notSeen:
+        return {Role::inactive, tr("not seen yet")};
+    case EncoderState::operation:
+    case EncoderState::error:
+        break;
+    }
+    return {Role::running, tr("ok")};
+}
+
+std::optional<DeviceNumber> StructureModel::numberAt(const QModelIndex &index) const
+{
+    const int node = nodeOf(index);
+    return node < 0 ? std::nullopt
+                    : std::optional(m_nodes[static_cast<std::size_t>(node)].participant.number);
+}
+
+QModelIndex StructureModel::indexOf(DeviceNumber number) const
+{
+    for (std::size_t node = 0; node < m_nodes.size(); ++node)
+        if (m_nodes[node].participant.number == number)
+            return createIndex(rowOf(static_cast<int>(node)), deviceColumn, static_cast<quintptr>(node + 1));
+    return {};
+}
+
+int StructureModel::nodeOf(const QModelIndex &index) const
+{
+    return index.isValid() ? static_cast<int>(index.internalId()) - 1 : -1;
+}
+
+int StructureModel::rowOf(int node) const
+{
+    const int parent = m_nodes[static_cast<std::size_t>(node)].parent;
+    const std::vector<int> &siblings =
+        parent < 0 ? m_remote : m_nodes[static_cast<std::size_t>(parent)].children;
+    return static_cast<int>(std::ranges::find(siblings, node) - siblings.begin());
+}
+
+const std::vector<int> &StructureModel::childrenOf(const QModelIndex &index) const
+{
+    const int node = nodeOf(index);
+    return node < 0 ? m_remote : m_nodes[static_cast<std::size_t>(node)].children;
+}
+
+QModelIndex StructureModel::index(int row, int column, const QModelIndex &parent) const
+{
+    if (column < 0 || column >= columns || row < 0 || row >= rowCount(parent))
+        return {};
+    if (!parent.isValid())
+        return createIndex(0, column, masterId);
+    return createIndex(row, column,
+                       static_cast<quintptr>(childrenOf(parent)[static_cast<std::size_t>(row)] + 1));
+}
+
+QModelIndex StructureModel::parent(const QModelIndex &index) const
+{
+    const int node = nodeOf(index);
+    if (node < 0)
+        return {};
+    const int above = m_nodes[static_cast<std::size_t>(node)].parent;
+    return above < 0 ? createIndex(0, deviceColumn, masterId)
+                     : createIndex(rowOf(above), deviceColumn, static_cast<quintptr>(above + 1));
+}
+
+int StructureModel::rowCount(const QModelIndex &parent) const
+{
+    if (m_bus == nullptr || parent.column() > 0)
+        return 0;
+    return parent.isValid() ? static_cast<int>(childrenOf(parent).size()) : 1;
+}
+
+int StructureModel::columnCount(const QModelIndex &) const
+{
+    return columns;
+}
+
+QVariant StructureModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case deviceColumn:
+        return tr("Device");
+    case stateColumn:
+        return tr("State");
+    case profileColumn:
+        return tr("Profile");
+    case idCodeColumn:
+        return tr("ID code");
+    case wordsColumn:
+        return tr("Words IN / OUT");
+    default:
+        return {};
+    }
+}
+
+QVariant StructureModel::data(const QModelIndex &index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    const int node = nodeOf(index);
+    return node < 0 ? masterCell(index.column(), role)
+                    : deviceCell(m_nodes[static_cast<std::size_t>(node)], index.column(), role);
+}
+
+QVariant StructureModel::masterCell(int column, int role) const
+{
+    if (column == deviceColumn) {
+        if (role == Qt::DisplayRole)
+            return tr("Master");
+        if (role == Qt::DecorationRole)
+            return lineIcon(Icon::master);
+    }
+    if (column == stateColumn) {
+        if (role == Qt::DisplayRole)
+            return m_master.word;
+        if (role == Qt::DecorationRole)
+            return lineIcon(roleIcon(m_master.role), m_master.role);
+    }
+    if (role == Qt::ToolTipRole)
+        return tr("The master of the ring is in the state %1.").arg(m_master.word);
+    return {};
+}
+
+QVariant StructureModel::deviceCell(const Node &node, int column, int role) const
+{
+    if (role == Qt::ToolTipRole)
+        return toolTip(node);
+    if (role == Qt::DecorationRole) {
+        if (column == deviceColumn)
+            return lineIcon(Icon::encoder);
+        if (column == stateColumn)
+            return lineIcon(roleIcon(node.shown.role), node.shown.role);
+        return {};
+    }
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (column) {
+    case deviceColumn:
+        return QStringLiteral("%1  %2").arg(node.participant.number.toString(), node.name);
+    case stateColumn:
+        return node.shown.word;
+    case profileColumn:
+        return node.profile;
+    case idCodeColumn:
+        return idCodeText(node.participant.idCode);
+    case wordsColumn:
+        return QStringLiteral("%1 / %2").arg(node.participant.inWords).arg(node.participant.outWords);
+    default:
+        return {};
+    }
+}
+
+QString StructureModel::toolTip(const Node &node) const
+{
+    return tr("%1  %2\nID code %3, device code %4\n%5 words IN, %6 words OUT\nState: %7")
+        .arg(node.participant.number.toString(), node.name, idCodeText(node.participant.idCode),
+             hexCode(node.participant.deviceCode, 4))
+        .arg(node.participant.inWords)
+        .arg(node.participant.outWords)
+        .arg(node.shown.word);
+}
+
+} // namespace codewheel

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ring/participant.h"
+#include "ring/snapshot.h"
+#include "widgets/look/roles.h"
+
+#include <QAbstractItemModel>
+
+#include <vector>
+
+namespace codewheel {
+
+class BusSession;
+
+// The ring as a tree: the master, below it the remote-bus devices, below those their local bus. States follow
+// the bus; rows stay. Used by StructureView.
+class StructureModel : public QAbstractItemModel
+{
+    Q_OBJECT
+
+public:
+    enum Column { deviceColumn, stateColumn, profileColumn, idCodeColumn, wordsColumn, columns };
+
+    explicit StructureModel(QObject *parent = nullptr);
+
+    // Null: no ring. The session must outlive the model, or be taken away first.
+    void setBus(BusSession *bus);
+
+    // Nothing for the master's row.
+    std::optional<DeviceNumber> numberAt(const QModelIndex &index) const;
+    QModelIndex indexOf(DeviceNumber number) const;
+
+    QModelIndex index(int row, int column, const QModelIndex &parent = {}) const override;
+    QModelIndex parent(const QModelIndex &index) const override;
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    // What is shown of a state: the same for master and devices.
+    struct Shown
+    {
+        Role role = Role::inactive;
+        QString word;
+
+        friend bool operator==(const Shown &, const Shown &) = default;
+    };
+    struct Node
+    {
+        Participant participant;
+        QString name;
+        QString profile;
+        int parent = -1; // index into m_nodes; -1: below the master
+        std::vector<int> children;
+        Shown shown;
+    };
+
+    void refresh();
+    Shown shownOf(const Node &node, std::size_t place) const;
+    Shown shownOfMaster() const;
+    QVariant masterCell(int column, int role) const;
+    QVariant deviceCell(const Node &node, int column, int role) const;
+    QString toolTip(const Node &node) const;
+    int nodeOf(const QModelIndex &index) const;
+    int rowOf(int node) const;
+    const std::vector<int> &childrenOf(const QModelIndex &index) const;
+    void emitState(const QModelIndex &device);
+
+    BusSession *m_bus = nullptr;
+    std::vector<Node> m_nodes; // in ring order
+    std::vector<int> m_remote; // children of the master
+    Shown m_master;
+};
+
+} // namespace codewheel

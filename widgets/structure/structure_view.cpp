@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/structure/structure_view.h"
+
+#include "ring/bus_session.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/grid.h"
+#include "widgets/structure/structure_model.h"
+
+#include <QHeaderView>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+namespace codewheel {
+
+StructureView::StructureView(QWidget *parent)
+    : QWidget(parent)
+    , m_model(new StructureModel(this))
+    , m_tree(new QTreeView(this))
+    , m_empty(new EmptyState(Icon::ring, tr("No ring is connected."),
+                             tr("The training bus starts with the program."), this))
+{
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_tree);
+    layout->addWidget(m_empty);
+
+    m_tree->setObjectName(QStringLiteral("structure"));
+    m_tree->setAccessibleName(tr("Bus structure"));
+    m_tree->setToolTip(tr("Choose a device to see it in the panels. Enter opens its monitors."));
+    m_tree->setModel(m_model);
+    m_tree->setIconSize({grid::smallIcon, grid::smallIcon});
+    m_tree->setUniformRowHeights(true);
+    m_tree->setAllColumnsShowFocus(true);
+    m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_tree->setExpandsOnDoubleClick(false);
+    m_tree->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_tree->header()->setStretchLastSection(false);
+    m_tree->hide();
+
+    const auto numberAt = [this](const QModelIndex &index) { return m_model->numberAt(index); };
+    connect(m_tree->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            [=, this](const QModelIndex &index) {
+                if (const auto number = numberAt(index))
+                    Q_EMIT chosen(*number);
+            });
+    connect(m_tree, &QTreeView::activated, this, [=, this](const QModelIndex &index) {
+        if (const auto number = numberAt(index))
+            Q_EMIT opened(*number);
+    });
+    connect(m_tree, &QTreeView::customContextMenuRequested, this, [=, this](const QPoint &position) {
+        if (const auto number = numberAt(m_tree->indexAt(position)))
+            Q_EMIT menuRequested(*number, m_tree->viewport()->mapToGlobal(position));
+    });
+    setFocusProxy(m_tree);
+}
+
+void StructureView::setBus(BusSession *bus)
+{
+    m_model->setBus(bus);
+    m_tree->expandAll();
+    m_tree->setVisible(bus != nullptr);
+    m_empty->setVisible(bus == nullptr);
+    if (bus != nullptr && !bus->structure().empty())
+        choose(bus->structure().front().number);
+}
+
+std::optional<DeviceNumber> StructureView::current() const
+{
+    return m_model->numberAt(m_tree->currentIndex());
+}
+
+void StructureView::choose(DeviceNumber number)
+{
+    m_tree->setCurrentIndex(m_model->indexOf(number));
+}
+
+} // namespace codewheel

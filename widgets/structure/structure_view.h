@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/device_number.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QTreeView;
+
+namespace codewheel {
+
+class BusSession;
+class EmptyState;
+class StructureModel;
+
+// The bus structure as a tree. The chosen device is what the panels beside it show; Enter or a double click
+// opens its monitors.
+class StructureView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit StructureView(QWidget *parent = nullptr);
+
+    // Chooses the first encoder. Null: no ring.
+    void setBus(BusSession *bus);
+    std::optional<DeviceNumber> current() const;
+    void choose(DeviceNumber number);
+
+Q_SIGNALS:
+    void chosen(codewheel::DeviceNumber number);
+    void opened(codewheel::DeviceNumber number);
+    void menuRequested(codewheel::DeviceNumber number, const QPoint &globalPosition);
+
+private:
+    StructureModel *m_model;
+    QTreeView *m_tree;
+    EmptyState *m_empty;
+};
+
+} // namespace codewheel
