@@ -78,7 +78,7 @@ Checked<Answer> run(const Call &call)
 
 const Subcommand presetCommand{
     .name = "preset",
-    .usage = "PLACE [VALUE]",
+    .usage = "PLACE [VALUE] [--trace]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "set the position of an encoder"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",

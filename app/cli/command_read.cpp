@@ -128,7 +128,7 @@ Checked<Answer> run(const Call &call)
 
 const Subcommand readCommand{
     .name = "read",
-    .usage = "PLACE [PARAMETER...]",
+    .usage = "PLACE [PARAMETER...] [--trace]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "read the parameters that an encoder has"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",

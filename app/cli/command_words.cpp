@@ -67,7 +67,7 @@ Checked<Answer> run(const Call &call)
 
 const Subcommand wordsCommand{
     .name = "words",
-    .usage = "PLACE WORD...",
+    .usage = "PLACE WORD... [--hold CYCLES]",
     .summary =
         QT_TRANSLATE_NOOP("codewheel::CommandLine", "send words as they are, and print what comes back"),
     .details = QT_TRANSLATE_NOOP(

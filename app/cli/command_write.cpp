@@ -48,35 +48,34 @@ Checked<void> consent(const Call &call, const EncoderSession &encoder)
     return {};
 }
 
-// How a written value is known to be there: by the best evidence the encoder has.
-QString evidenceOfWrite(const EncoderSession &encoder, Parameter parameter)
+// What became of a value, by the best evidence the encoder has.
+QString whatBecameOf(const ParameterValue &value, const EncoderSession &encoder, const Outcome &outcome)
 {
-    const auto known = encoder.known(parameter);
-    return known && known->evidence == Evidence::read
-               ? CommandLine::tr("written, and read back")
-               : CommandLine::tr("written, confirmed by the handshake");
+    if (valueOf(outcome.written, value.parameter)) {
+        const auto known = encoder.known(value.parameter);
+        return known && known->evidence == Evidence::read
+                   ? CommandLine::tr("written, and read back")
+                   : CommandLine::tr("written, confirmed by the handshake");
+    }
+    return valueOf(outcome.alreadyThere, value.parameter) ? CommandLine::tr("was there already")
+                                                          : CommandLine::tr("did not become active");
 }
 
-QString accountText(const EncoderSession &encoder, const Outcome &outcome, const Reading &before)
+QString accountText(const EncoderSession &encoder, const ParameterValues &wanted, const Outcome &outcome,
+                    const Reading &before)
 {
     TextTable values;
-    const auto add = [&](const ParameterValue &value, const QString &how) {
+    for (const ParameterValue &value : wanted) {
         const ParameterDescription &parameter = *encoder.device().find(value.parameter);
         values.add({parameterKey(value.parameter),
-                    QStringLiteral("= %1").arg(typedValue(parameter, value.value)), how});
-    };
-    for (const ParameterValue &value : outcome.alreadyThere)
-        add(value, CommandLine::tr("was there already"));
-    for (const ParameterValue &value : outcome.written)
-        add(value, evidenceOfWrite(encoder, value.parameter));
-
+                    QStringLiteral("= %1").arg(typedValue(parameter, value.value)),
+                    whatBecameOf(value, encoder, outcome)});
+    }
     const Reading &after = encoder.latest();
-    QString text = outcome.written.empty() && outcome.alreadyThere.empty()
-                       ? CommandLine::tr("No value is known to have been written.") + u'\n'
-                       : values.toString();
-    text += sentence(CommandLine::tr("EEPROM writes:   %1"),
-                     argumentTexts({std::int64_t{outcome.eepromWrites}})) +
-            u'\n';
+    QString text = values.toString() +
+                   sentence(CommandLine::tr("EEPROM writes:   %1"),
+                            argumentTexts({std::int64_t{outcome.eepromWrites}})) +
+                   u'\n';
     if (before.state == EncoderState::operation)
         text += sentence(CommandLine::tr("Position before: %1"), {positionText(before.position, before.in)}) +
                 u'\n';
@@ -130,7 +129,7 @@ void carryOut(const Call &call, EncoderSession &encoder, const WritePlan &plan, 
         answer.text += u'\n' + traceText(encoder.device(), job.rows);
         answer.json.insert(QStringLiteral("trace"), traceJson(encoder.device(), job.rows));
     }
-    answer.text += u'\n' + accountText(encoder, job.outcome, before);
+    answer.text += u'\n' + accountText(encoder, plan.job().values, job.outcome, before);
     addAccount(answer.json, encoder, job.outcome, before);
     if (!job.outcome.result) {
         answer.complaint = complaintAbout(job.outcome.result.error());
@@ -170,7 +169,7 @@ Checked<Answer> run(const Call &call)
 
 const Subcommand writeCommand{
     .name = "write",
-    .usage = "PLACE PARAMETER=VALUE...",
+    .usage = "PLACE PARAMETER=VALUE... [--yes] [--dry-run] [--all] [--trace]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "write parameters, after showing what and asking"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/parameter_arguments.h"
 
+#include "cli/parameter_text.h"
 #include "cli/texts.h"
 #include "encoder/hex.h"
 #include "encoder/sentence.h"
@@ -62,15 +63,14 @@ Checked<const ParameterDescription *> parameterNamed(const DeviceDescription &de
     return description;
 }
 
-QString allowedTexts(const ParameterDescription &parameter)
+tl::unexpected<Complaint> notAllowed(const ParameterDescription &parameter, const QString &text)
 {
-    QStringList texts;
-    for (const Choice &choice : parameter.choices)
-        texts << QStringLiteral("%1 (%2)").arg(choice.key).arg(choice.value);
-    if (!texts.isEmpty())
-        return texts.join(QStringLiteral(", "));
-    return sentence(CommandLine::tr("whole numbers from %1 to %2, decimal, 0x.. or ..h"),
-                    argumentTexts({parameter.minimum, parameter.maximum}));
+    Complaint complaint = complaintAbout({RefusalKind::badInput,
+                                          RefusalId::valueNotAllowed,
+                                          {parameter.parameter, text, rangeText(parameter)}});
+    if (parameter.choices.empty())
+        complaint.text += u' ' + CommandLine::tr("Hexadecimal numbers are written 0xFF or FFh.");
+    return tl::unexpected(std::move(complaint));
 }
 
 tl::unexpected<Complaint> givenTwice(Parameter parameter)
@@ -89,9 +89,7 @@ Checked<std::int64_t> valueFrom(const ParameterDescription &parameter, const QSt
     const bool isChoice = parameter.choices.empty() || (number && parameter.findChoice(*number));
     if (number && isChoice)
         return *number;
-    return tl::unexpected(complaintAbout({RefusalKind::badInput,
-                                          RefusalId::valueNotAllowed,
-                                          {parameter.parameter, text, allowedTexts(parameter)}}));
+    return notAllowed(parameter, text);
 }
 
 Checked<Word> wordFrom(const QString &text)

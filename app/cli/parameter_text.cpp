@@ -3,7 +3,6 @@
 
 #include "catalog/value_text.h"
 #include "cli/texts.h"
-#include "encoder/sentence.h"
 
 namespace codewheel {
 
@@ -16,7 +15,7 @@ QString typedValue(const ParameterDescription &parameter, std::int64_t value)
 QString rangeText(const ParameterDescription &parameter)
 {
     if (parameter.choices.empty())
-        return QStringLiteral("%1..%2").arg(argumentText(parameter.minimum), argumentText(parameter.maximum));
+        return QStringLiteral("%1..%2").arg(parameter.minimum).arg(parameter.maximum);
     QStringList texts;
     for (const Choice &choice : parameter.choices)
         texts << typedValue(parameter, choice.value);
