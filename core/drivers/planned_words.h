@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "encoder/event.h"
+
+#include <vector>
+
+namespace codewheel {
+
+// The words that `job` will put into OUT, step by step, as far as they can be told beforehand: what is read
+// on the way may leave out values the encoder already has, and may make steps into steps - 1. For review
+// before anything is sent; refused like the job itself where the input is bad.
+Result<std::vector<Step>> plannedSteps(const DeviceDescription &device, const std::vector<Known> &known,
+                                       const Job &job);
+
+} // namespace codewheel

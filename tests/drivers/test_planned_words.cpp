@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
+#include "drivers/planned_words.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::ElementsAre;
+
+class PlannedWords : public testing::Test
+{
+protected:
+    std::vector<Word> wordsOf(QStringView device, const std::vector<Known> &known, const Job &job)
+    {
+        const auto steps = plannedSteps(*catalog.find(device), known, job);
+        EXPECT_TRUE(steps);
+        std::vector<Word> words;
+        for (const Step &step : steps.value_or(std::vector<Step>{}))
+            words.push_back(step.out);
+        return words;
+    }
+    static Known readFlag(std::int64_t value)
+    {
+        return {Parameter::multiTurnAndStepsMinusOne, value, Evidence::read, {}};
+    }
+
+    const Catalog catalog = Catalog::builtIn();
+    const WriteParameters manualsExample{.values = {{Parameter::steps, 255},
+                                                    {Parameter::revolutions, 1},
+                                                    {Parameter::direction, 3},
+                                                    {Parameter::preset, 0}},
+                                         .previous = {}};
+};
+
+TEST_F(PlannedWords, OfTheManualsExampleEndWithTheReadBack)
+{
+    EXPECT_THAT(wordsOf(u"fraba-ocd-ib", {readFlag(2)}, manualsExample),
+                ElementsAre(0x0200'00FF, 0x0400'0001, 0x0600'0003, 0x0800'0000, 0x8000'0000, 0x0000'0000,
+                            0x2021'0001, 0x0000'0000, 0x2021'0002, 0x0000'0000, 0x2021'0003, 0x0000'0000,
+                            0x2021'0004, 0x0000'0000));
+}
+
+TEST_F(PlannedWords, AskForTheFlagFirstWhereItIsNotKnown)
+{
+    const WriteParameters steps{.values = {{Parameter::steps, 255}}, .previous = {}};
+    EXPECT_THAT(wordsOf(u"fraba-ocd-ib", {}, steps),
+                ElementsAre(0x2021'000A, 0x0000'0000, 0x0200'00FF, 0x8000'0000, 0x0000'0000, 0x2021'0001,
+                            0x0000'0000));
+    EXPECT_THAT(wordsOf(u"fraba-ocd-ib", {readFlag(3)}, steps),
+                ElementsAre(0x0200'00FE, 0x8000'0000, 0x0000'0000, 0x2021'0001, 0x0000'0000));
+}
+
+TEST_F(PlannedWords, OfAnEncoderWithoutReadOutEndWithThePreset)
+{
+    EXPECT_THAT(
+        wordsOf(u"baumer-gxp6w", {},
+                WriteParameters{.values = {{Parameter::revolutions, 1}, {Parameter::measuringRange, 5}},
+                                .previous = {},
+                                .initialisePreset = true}),
+        ElementsAre(0x0400'0001, 0x1E00'0005, 0x8000'0000, 0x0000'0000, 0x4000'0000, 0x0000'0000));
+}
+
+TEST_F(PlannedWords, AreRefusedWhereTheInputIsBad)
+{
+    const auto steps =
+        plannedSteps(*catalog.find(u"baumer-gxp6w"), {},
+                     WriteParameters{.values = {{Parameter::revolutions, 20'000}}, .previous = {}});
+    ASSERT_FALSE(steps);
+    EXPECT_EQ(steps.error().id, RefusalId::valueOutOfRange);
+}
+
+} // namespace
+} // namespace codewheel
