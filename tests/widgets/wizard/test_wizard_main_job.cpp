@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The main job: 255 steps, 1 revolution, clockwise, preset 0 at device 1.0, by mouse, by keys, by
+// accessibility.
+#include "tests/widgets/wizard/wizard_test.h"
+
+#include <QAccessible>
+#include <QComboBox>
+#include <QSignalSpy>
+
+namespace codewheel {
+namespace {
+
+class WizardMainJob : public test::WizardTest
+{
+protected:
+    void expectDone()
+    {
+        EXPECT_EQ(wizard.page(), ParameterWizard::handshake);
+        EXPECT_FALSE(wizard.isBusy());
+        EXPECT_TRUE(text("leftIn").startsWith(QStringLiteral("Verified: read back")))
+            << text("leftIn").toStdString() << sentence("handshakeProblem").toStdString();
+        const std::pair<Parameter, std::int64_t> values[] = {{Parameter::steps, 255},
+                                                             {Parameter::revolutions, 1},
+                                                             {Parameter::direction, 3},
+                                                             {Parameter::preset, 0}};
+        for (const auto &[parameter, value] : values) {
+            ASSERT_TRUE(fraba().known(parameter));
+            EXPECT_EQ(fraba().known(parameter)->value, value);
+            EXPECT_EQ(fraba().known(parameter)->evidence, Evidence::read);
+        }
+        EXPECT_EQ(fraba().latest().state, EncoderState::operation);
+        EXPECT_EQ(fraba().latest().position, 0);
+        EXPECT_EQ(out(), 0u);
+    }
+};
+
+TEST_F(WizardMainJob, ByMouse)
+{
+    wizard.setEncoder(&fraba());
+    next();
+    click("readAll");
+    bus.advance(2000);
+    click("isPositionMode");
+    bus.advance(5);
+    next();
+    next();
+    type("steps", "255");
+    type("revolutions", "1");
+    type("preset", "0");
+    EXPECT_TRUE(find<QAbstractButton>("initialisePreset")->isChecked());
+    EXPECT_TRUE(text("scaleText").contains(QStringLiteral("255 steps per turn")));
+    next();
+    EXPECT_EQ(wizard.page(), ParameterWizard::review);
+    EXPECT_EQ(out(), 0u);
+    next();
+    stepByHand();
+    expectDone();
+    next();
+    EXPECT_TRUE(find<QPlainTextEdit>("report")->toPlainText().contains(QStringLiteral("020000FF")));
+}
+
+TEST_F(WizardMainJob, UnreadValuesAreReadFirstAndWhatIsThereIsNotWritten)
+{
+    wizard.setEncoder(&fraba());
+    next();
+    click("isPositionMode");
+    bus.advance(5);
+    next();
+    next();
+    type("steps", "255");
+    type("revolutions", "1");
+    find<QComboBox>("direction")->setFocus();
+    QTest::keyClick(find<QComboBox>("direction"), Qt::Key_Down);
+    type("preset", "0");
+    next();
+    EXPECT_TRUE(text("eepromWrites").contains(QStringLiteral("at most 5")));
+    next();
+    stepByHand();
+    expectDone();
+    EXPECT_EQ(fraba().eepromWrites(), 3); // steps, preset programmed again, preset activated
+}
+
+// A mnemonic presses its button visibly, and the click comes a little later.
+class WizardByKeys : public WizardMainJob
+{
+protected:
+    static void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
+    {
+        QTest::keyClick(QApplication::focusWidget(), key, modifiers);
+    }
+    static void type(const char *text)
+    {
+        QTest::keyClicks(QApplication::focusWidget(), QString::fromLatin1(text));
+    }
+    void turnTo(ParameterWizard::Page page, Qt::Key mnemonic)
+    {
+        press(mnemonic, Qt::AltModifier);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return wizard.page() == page; })) << page;
+    }
+};
+
+TEST_F(WizardByKeys, TheWholeJob)
+{
+    wizard.setEncoder(nullptr);
+    press(Qt::Key_Down);
+    press(Qt::Key_Home);
+    EXPECT_EQ(wizard.encoder(), &fraba());
+    turnTo(ParameterWizard::known, Qt::Key_N);
+    press(Qt::Key_Space); // Read from the encoder
+    bus.advance(2000);
+    press(Qt::Key_P, Qt::AltModifier); // It is in position mode
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return fraba().known(Parameter::startUpMode)->evidence == Evidence::told; }));
+    bus.advance(5);
+    turnTo(ParameterWizard::direction, Qt::Key_N);
+    turnTo(ParameterWizard::values, Qt::Key_N);
+    type("255");
+    press(Qt::Key_Tab);
+    type("1");
+    press(Qt::Key_Tab);
+    press(Qt::Key_Down); // CW
+    press(Qt::Key_Tab);
+    type("0");
+    turnTo(ParameterWizard::review, Qt::Key_N);
+    turnTo(ParameterWizard::handshake, Qt::Key_S);
+    for (int i = 0; i < 50 && wizard.isBusy(); ++i) {
+        bus.advance(60);
+        if (wizard.isBusy())
+            press(Qt::Key_Space); // Next step has the focus
+    }
+    expectDone();
+    turnTo(ParameterWizard::report, Qt::Key_R);
+}
+
+// All that is there for a screen reader, by role and name.
+class Reader
+{
+public:
+    explicit Reader(QWidget &top)
+        : m_top(QAccessible::queryAccessibleInterface(&top))
+    {}
+    QAccessibleInterface *find(QAccessible::Role role, const char *name) const
+    {
+        QAccessibleInterface *found = find(m_top, role, QString::fromLatin1(name));
+        EXPECT_NE(found, nullptr) << name;
+        return found;
+    }
+    // A button is pressed visibly; the click comes a little later.
+    void press(const char *name) const
+    {
+        QAccessibleInterface *found = find(QAccessible::Button, name);
+        ASSERT_NE(found, nullptr) << name;
+        ASSERT_FALSE(found->state().disabled) << name;
+        QSignalSpy clicked(found->object(), SIGNAL(clicked(bool)));
+        found->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+        EXPECT_TRUE(clicked.count() == 1 || clicked.wait()) << name;
+    }
+    void type(const char *name, const char *text) const
+    {
+        QAccessibleInterface *found = find(QAccessible::EditableText, name);
+        ASSERT_NE(found, nullptr) << name;
+        found->setText(QAccessible::Value, QString::fromLatin1(text));
+    }
+
+private:
+    static QAccessibleInterface *find(QAccessibleInterface *in, QAccessible::Role role, const QString &name)
+    {
+        if (in == nullptr || in->state().invisible)
+            return nullptr;
+        if (in->role() == role && in->text(QAccessible::Name) == name)
+            return in;
+        for (int i = 0; i < in->childCount(); ++i)
+            if (QAccessibleInterface *found = find(in->child(i), role, name))
+                return found;
+        return nullptr;
+    }
+    QAccessibleInterface *m_top;
+};
+
+TEST_F(WizardMainJob, ByAccessibilityAlone)
+{
+    const Reader reader(wizard);
+    QAccessibleInterface *list = reader.find(QAccessible::List, "Encoders of the bus");
+    ASSERT_NE(list, nullptr);
+    ASSERT_EQ(list->childCount(), 2);
+    list->child(0)->actionInterface()->doAction(QAccessibleActionInterface::toggleAction());
+    EXPECT_EQ(wizard.encoder(), &fraba());
+    reader.press("Next");
+    reader.press("Read from the encoder");
+    bus.advance(2000);
+    reader.press("It is in position mode");
+    bus.advance(5);
+    reader.press("Next");
+    reader.press("Next");
+    reader.type("Steps", "255");
+    reader.type("Revolutions", "1");
+    reader.type("Preset", "0");
+    reader.press("Next");
+    reader.press("Start the handshake");
+    for (int i = 0; i < 50 && wizard.isBusy(); ++i) {
+        bus.advance(60);
+        if (wizard.isBusy())
+            reader.press("Next step");
+    }
+    expectDone();
+    reader.press("Report");
+    EXPECT_EQ(wizard.page(), ParameterWizard::report);
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/catalog.h"
+#include "ring/bus_session.h"
+#include "ring/word_channel.h"
+#include "simulator/training_bus.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/parameters/wanted_values.h"
+#include "widgets/wizard/parameter_wizard.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPlainTextEdit>
+#include <QTableView>
+#include <QTest>
+#include <QTimer>
+
+#include <gtest/gtest.h>
+
+namespace codewheel::test {
+
+// The wizard over the training bus in virtual time, used with mouse and keys as a person would.
+class WizardTest : public testing::Test
+{
+protected:
+    WizardTest()
+    {
+        EXPECT_TRUE(bus.open(BusSession::Start::operating));
+        bus.advance(20);
+        wizard.resize(700, 560);
+        wizard.show();
+        wizard.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&wizard));
+    }
+
+    EncoderSession &fraba() { return *bus.encoder({1, 0}); }
+    EncoderSession &baumer() { return *bus.encoder({2, 0}); }
+
+    template <typename W>
+    W *find(const char *name) const
+    {
+        const QList<W *> all = wizard.findChildren<W *>(QString::fromLatin1(name));
+        const auto shown = std::ranges::find_if(all, [](const W *one) { return one->isVisible(); });
+        EXPECT_FALSE(all.empty()) << name;
+        return shown != all.end() ? *shown : all.value(0);
+    }
+    void click(const char *name)
+    {
+        auto *button = find<QAbstractButton>(name);
+        ASSERT_TRUE(button->isEnabled()) << name;
+        ASSERT_TRUE(button->isVisible()) << name;
+        QTest::mouseClick(button, Qt::LeftButton);
+    }
+    void next() { click("wizardNext"); }
+    void type(const char *field, const char *text)
+    {
+        auto *edit = find<QLineEdit>(field);
+        edit->setFocus();
+        edit->selectAll();
+        QTest::keyClicks(edit, QString::fromLatin1(text));
+    }
+    QString sentence(const char *message) const { return find<InlineMessage>(message)->sentence(); }
+    QString text(const char *label) const { return find<QLabel>(label)->text(); }
+    bool isEnabled(const char *button) const { return find<QAbstractButton>(button)->isEnabled(); }
+
+    // Presses Next step while the encoder answers, until the job ends or `steps` were pressed.
+    int stepByHand(int steps = 100)
+    {
+        int pressed = 0;
+        for (; pressed < steps && wizard.isBusy(); ++pressed) {
+            bus.advance(60);
+            if (!wizard.isBusy() || !isEnabled("nextStep"))
+                break;
+            click("nextStep");
+        }
+        bus.advance(60);
+        return pressed;
+    }
+    // Answers the next question with the button whose text begins so (without &).
+    void answer(const char *button)
+    {
+        QTimer::singleShot(0, qApp, [button = QString::fromLatin1(button)] {
+            auto *box = qobject_cast<QMessageBox *>(QApplication::activeModalWidget());
+            ASSERT_NE(box, nullptr);
+            for (QAbstractButton *one : box->buttons())
+                if (one->text().remove(QLatin1Char('&')).startsWith(button)) {
+                    EXPECT_TRUE(one->isEnabled());
+                    QTest::mouseClick(one, Qt::LeftButton);
+                    return;
+                }
+            ADD_FAILURE() << "no button " << button.toStdString();
+            box->reject();
+        });
+    }
+    Word out(DeviceNumber number = {1, 0}) const { return bus.channel(number)->out(); }
+
+    const Catalog catalog = Catalog::builtIn();
+    TrainingBus training = makeTrainingBus();
+    std::shared_ptr<TrainingControls> controls = training.controls;
+    BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC)};
+    WantedValues wanted;
+    ParameterWizard wizard{bus, wanted};
+};
+
+} // namespace codewheel::test

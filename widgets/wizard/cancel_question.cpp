@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/cancel_question.h"
+
+#include "catalog/value_text.h"
+#include "encoder/encoder_session.h"
+
+#include <QCoreApplication>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace codewheel {
+namespace {
+
+QString tr(const char *text)
+{
+    return QCoreApplication::translate("CancelQuestion", text);
+}
+
+QString takenText(const EncoderSession &encoder, const ParameterValues &taken)
+{
+    QStringList texts;
+    for (const ParameterValue &value : taken) {
+        const ParameterDescription *parameter = encoder.device().find(value.parameter);
+        texts += QStringLiteral("%1 = %2").arg(parameterName(value.parameter),
+                                               parameter ? valueText(*parameter, value.value)
+                                                         : QString::number(value.value));
+    }
+    return texts.isEmpty() ? tr("a value it has not confirmed yet") : texts.join(QStringLiteral(", "));
+}
+
+QString explanation(const EncoderSession &encoder, const CancelSituation &situation)
+{
+    QStringList lines{tr("It has already taken: %1.").arg(takenText(encoder, situation.taken))};
+    if (situation.canRestore)
+        lines += tr("Restore writes the values from before again and runs with them.");
+    else
+        lines += tr("The values from before are not all known, so they cannot be restored.");
+    lines += tr("Run makes what it has taken valid.");
+    if (!situation.positionNote.isEmpty())
+        lines += situation.positionNote;
+    lines += tr("Left in parameterization, it gives no position until somebody sends run.");
+    return lines.join(QLatin1Char('\n'));
+}
+
+} // namespace
+
+std::optional<OnCancel> askHowToCancel(QWidget *parent, const EncoderSession &encoder,
+                                       const CancelSituation &situation)
+{
+    QMessageBox box(parent);
+    box.setObjectName(QStringLiteral("cancelQuestion"));
+    box.setIcon(QMessageBox::Question);
+    box.setWindowTitle(tr("Cancel the handshake"));
+    box.setText(tr("How shall the encoder %1 be left?").arg(encoder.number().toString()));
+    box.setInformativeText(explanation(encoder, situation));
+    QPushButton *restore = box.addButton(tr("&Restore values from before"), QMessageBox::AcceptRole);
+    QPushButton *run = box.addButton(tr("R&un with what it has"), QMessageBox::AcceptRole);
+    QPushButton *leave = box.addButton(tr("&Leave in parameterization"), QMessageBox::AcceptRole);
+    QPushButton *goOn = box.addButton(tr("&Go on with the handshake"), QMessageBox::RejectRole);
+    restore->setEnabled(situation.canRestore);
+    box.setDefaultButton(situation.canRestore ? restore : goOn);
+    box.setEscapeButton(goOn);
+    QObject::connect(&encoder, &EncoderSession::finished, &box, &QDialog::reject);
+    QObject::connect(&encoder, &QObject::destroyed, &box, &QDialog::reject);
+
+    box.exec();
+    if (box.clickedButton() == restore)
+        return OnCancel::restorePrevious;
+    if (box.clickedButton() == run)
+        return OnCancel::runWithWhatItHas;
+    if (box.clickedButton() == leave)
+        return OnCancel::leaveAsIs;
+    return std::nullopt;
+}
+
+} // namespace codewheel

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/event.h"
+
+#include <QString>
+
+#include <optional>
+
+class QWidget;
+
+namespace codewheel {
+
+class EncoderSession;
+
+// What the encoder has taken when a job is to be cancelled.
+struct CancelSituation
+{
+    ParameterValues taken;   // by the encoder so far
+    bool canRestore = false; // the values from before are known
+    QString positionNote;    // what the position will read if it runs with what it has; may be empty
+};
+
+// Cancel of a job after the encoder has taken something: restore the values from before, run with what it
+// has, or leave it in parameterization. Nothing: go on with the handshake. Also closes, with nothing, when
+// the job ends meanwhile. Used by the wizard, the parameter panel and the window on closing.
+std::optional<OnCancel> askHowToCancel(QWidget *parent, const EncoderSession &encoder,
+                                       const CancelSituation &situation);
+
+} // namespace codewheel

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/device_page.h"
+
+#include "catalog/device_description.h"
+#include "encoder/refusal_text.h"
+#include "ring/bus_session.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+#include "widgets/look/inline_message.h"
+
+#include <QLabel>
+#include <QListWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace codewheel {
+
+DevicePage::DevicePage(Setup &setup, QWidget *parent)
+    : WizardPage(setup, tr("Encoder"), parent)
+    , m_list(new QListWidget(this))
+    , m_description(new QLabel(this))
+    , m_problem(new InlineMessage(this))
+{
+    auto *question = new QLabel(tr("Which en&coder is to be set up?"), this);
+    question->setBuddy(m_list);
+    m_list->setObjectName(QStringLiteral("encoders"));
+    m_list->setAccessibleName(tr("Encoders of the bus"));
+    m_list->setToolTip(tr("The encoders of the bus. Nothing is sent by choosing one."));
+    m_description->setWordWrap(true);
+
+    auto *layout = new QVBoxLayout(this);
+    layout->setSpacing(grid::margin);
+    layout->addWidget(question);
+    layout->addWidget(m_list, 1);
+    layout->addWidget(m_description);
+    layout->addWidget(m_problem);
+    setFocusProxy(m_list);
+    connect(m_list, &QListWidget::currentRowChanged, this, &DevicePage::choose);
+}
+
+void DevicePage::enter()
+{
+    const QSignalBlocker quiet(m_list);
+    m_list->clear();
+    m_encoders.clear();
+    if (m_setup.bus)
+        for (const DeviceNumber number : m_setup.bus->numbers())
+            if (EncoderSession *encoder = m_setup.bus->encoder(number)) {
+                m_encoders.push_back(encoder);
+                m_list->addItem(new QListWidgetItem(
+                    lineIcon(Icon::encoder),
+                    QStringLiteral("%1  %2").arg(number.toString(), encoder->device().fullName())));
+            }
+    const auto current = std::ranges::find(m_encoders, m_setup.encoder.data());
+    if (current != m_encoders.end())
+        m_list->setCurrentRow(static_cast<int>(current - m_encoders.begin()));
+    describe();
+}
+
+void DevicePage::choose(int row)
+{
+    if (row >= 0 && row < static_cast<int>(m_encoders.size()))
+        Q_EMIT encoderChosen(m_encoders[static_cast<std::size_t>(row)]);
+    describe();
+    Q_EMIT changed();
+}
+
+bool DevicePage::mayGoOn() const
+{
+    return m_setup.encoder && m_setup.encoder->can().writes;
+}
+
+void DevicePage::showLatest()
+{
+    describe();
+}
+
+void DevicePage::describe()
+{
+    if (m_encoders.empty()) {
+        m_description->setText(tr("There is no encoder on the bus. Start the bus first: Bus > Start."));
+        return;
+    }
+    if (!m_setup.encoder) {
+        m_description->setText(tr("Choose one with the arrow keys or the mouse."));
+        return;
+    }
+    const DeviceDescription &device = m_setup.encoder->device();
+    QStringList lines{tr("Description: %1").arg(device.manual)};
+    if (device.isGeneric())
+        lines += tr("The make of this encoder is not known. If you know it, name it in the bus structure: "
+                    "then direction and errors can be told by their names.");
+    if (!device.notes.isEmpty())
+        lines += device.notes;
+    m_description->setText(lines.join(QLatin1Char('\n')));
+    if (!m_setup.encoder->can().writes)
+        m_problem->showMessage(
+            Role::attention,
+            refusalText({RefusalKind::notSupported, RefusalId::writingNotSupported, {device.fullName()}}));
+    else
+        m_problem->withdraw();
+}
+
+} // namespace codewheel

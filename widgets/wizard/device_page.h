@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/wizard/wizard_page.h"
+
+class QLabel;
+class QListWidget;
+
+namespace codewheel {
+
+class InlineMessage;
+
+// Which encoder is to be set up: those of the bus that can be written.
+class DevicePage final : public WizardPage
+{
+    Q_OBJECT
+
+public:
+    explicit DevicePage(Setup &setup, QWidget *parent = nullptr);
+
+    void enter() override;
+    bool mayGoOn() const override;
+    void showLatest() override;
+
+Q_SIGNALS:
+    void encoderChosen(codewheel::EncoderSession *encoder);
+
+private:
+    void choose(int row);
+    void describe();
+
+    QListWidget *m_list;
+    QLabel *m_description;
+    InlineMessage *m_problem;
+    std::vector<EncoderSession *> m_encoders; // by row
+};
+
+} // namespace codewheel

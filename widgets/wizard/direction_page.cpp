@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/direction_page.h"
+
+#include "catalog/device_description.h"
+#include "encoder/hex.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/look/role_label.h"
+#include "widgets/wizard/position_scale.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QRadioButton>
+
+namespace codewheel {
+
+std::optional<ParameterValue> otherDirection(const EncoderSession &encoder)
+{
+    for (const Parameter parameter : {Parameter::direction, Parameter::coding}) {
+        const ParameterDescription *description = encoder.device().find(parameter);
+        const auto known = encoder.known(parameter);
+        const Choice *now = description && known ? description->findChoice(known->value) : nullptr;
+        if (now == nullptr)
+            continue;
+        const QString key = now->key.endsWith(QStringLiteral("ccw"))
+                                ? now->key.chopped(3) + QStringLiteral("cw")
+                                : now->key.chopped(2) + QStringLiteral("ccw");
+        if (const Choice *other = description->findChoice(QStringView(key)))
+            return ParameterValue{parameter, other->value};
+    }
+    return std::nullopt;
+}
+
+DirectionPage::DirectionPage(Setup &setup, QWidget *parent)
+    : WizardPage(setup, tr("Direction"), parent)
+    , m_position(new QLabel(this))
+    , m_verdict(new RoleLabel(this))
+    , m_moved(new QLabel(this))
+    , m_again(new QPushButton(lineIcon(Icon::refresh), tr("Check &again"), this))
+    , m_asNow(new QRadioButton(tr("Count as it does no&w"), this))
+    , m_otherWay(new QRadioButton(tr("Count the &other way round"), this))
+    , m_problem(new InlineMessage(this))
+{
+    auto *what =
+        new QLabel(tr("Turn the shaft a little, the way the machine moves forward. Nothing is sent."), this);
+    what->setWordWrap(true);
+    m_position->setFont(numberFont(TextSize::large));
+    m_position->setObjectName(QStringLiteral("directionPosition"));
+    m_position->setAccessibleName(tr("Position"));
+    m_verdict->setObjectName(QStringLiteral("verdict"));
+    m_again->setToolTip(tr("Forget the moves seen so far."));
+    m_asNow->setToolTip(tr("The direction of the encoder is kept."));
+    m_otherWay->setToolTip(tr("The other direction is put among the wanted values."));
+    auto *question = new QLabel(tr("When turned this way, the position shall:"), this);
+
+    auto *verdict = new QHBoxLayout;
+    verdict->addWidget(m_verdict);
+    verdict->addWidget(m_moved);
+    verdict->addStretch();
+    verdict->addWidget(m_again);
+    auto *layout = new QVBoxLayout(this);
+    layout->setSpacing(grid::margin);
+    layout->addWidget(what);
+    layout->addWidget(m_position);
+    layout->addLayout(verdict);
+    layout->addWidget(m_problem);
+    layout->addSpacing(grid::margin);
+    layout->addWidget(question);
+    layout->addWidget(m_asNow);
+    layout->addWidget(m_otherWay);
+    layout->addStretch();
+
+    setFocusProxy(m_asNow);
+    connect(m_again, &QPushButton::clicked, this, &DirectionPage::begin);
+    connect(m_asNow, &QRadioButton::clicked, this, &DirectionPage::choose);
+    connect(m_otherWay, &QRadioButton::clicked, this, &DirectionPage::choose);
+}
+
+void DirectionPage::enter()
+{
+    const auto other = otherDirection(*m_setup.encoder);
+    const bool wantsOther = other && valueOf(m_setup.wish.wanted, other->parameter) == other->value;
+    m_asNow->setChecked(!wantsOther);
+    m_otherWay->setChecked(wantsOther);
+    m_otherWay->setEnabled(other.has_value());
+    m_otherWay->setToolTip(
+        other ? tr("The other direction is put among the wanted values.")
+              : tr("The direction the encoder has now is not known: read it, or choose it on "
+                   "the page of the values."));
+    begin();
+}
+
+void DirectionPage::begin()
+{
+    const auto scale =
+        scaleOf(m_setup.encoder->device(), [this](Parameter p) { return m_setup.valueNow(p); });
+    m_usesRawWord = !m_setup.encoder->latest().position.has_value();
+    m_check.begin(scale && !m_usesRawWord ? std::optional(scale->total()) : std::nullopt);
+    showLatest();
+}
+
+void DirectionPage::showLatest()
+{
+    const Reading &reading = m_setup.encoder->latest();
+    if (m_usesRawWord && reading.position) { // what was missing is known now
+        begin();
+        return;
+    }
+    if (reading.state != EncoderState::operation) {
+        m_position->setText(hexWord(reading.in));
+        m_problem->showMessage(Role::attention,
+                               tr("The encoder shows no position now (IN %1). Bring it back to "
+                                  "operation first.")
+                                   .arg(hexWord(reading.in)));
+    } else if (!reading.position) {
+        m_usesRawWord = true;
+        m_position->setText(hexWord(reading.in));
+        m_problem->showMessage(
+            Role::attention,
+            tr("The position cannot be told: mode or coding of the encoder is not known. The "
+               "raw word is watched instead; trust it only for slow, small moves."));
+        m_check.take(k3::data(reading.in));
+    } else {
+        m_problem->withdraw();
+        m_position->setText(QLocale().toString(qlonglong{*reading.position}));
+        m_check.take(*reading.position);
+    }
+    showVerdict();
+}
+
+void DirectionPage::showVerdict()
+{
+    m_moved->setText(m_check.moved() == 0
+                         ? QString()
+                         : tr("%1 steps so far").arg(QLocale().toString(qlonglong{m_check.moved()})));
+    switch (m_check.verdict()) {
+    case TurnCheck::Verdict::doesNotMove:
+        m_verdict->setState(Role::inactive, tr("Does not move yet"));
+        break;
+    case TurnCheck::Verdict::countsUp:
+        m_verdict->setState(Role::running, tr("Counts up"));
+        break;
+    case TurnCheck::Verdict::countsDown:
+        m_verdict->setState(Role::running, tr("Counts down"));
+        break;
+    case TurnCheck::Verdict::goesBothWays:
+        m_verdict->setState(Role::attention, tr("Goes both ways: turn it one way only"));
+        break;
+    }
+}
+
+void DirectionPage::choose()
+{
+    const auto other = otherDirection(*m_setup.encoder);
+    if (!other)
+        return;
+    if (m_otherWay->isChecked())
+        m_setup.want(other->parameter, other->value);
+    else
+        m_setup.want(other->parameter, m_setup.valueNow(other->parameter));
+}
+
+} // namespace codewheel

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/wizard/turn_check.h"
+#include "widgets/wizard/wizard_page.h"
+
+class QLabel;
+class QPushButton;
+class QRadioButton;
+
+namespace codewheel {
+
+class InlineMessage;
+class RoleLabel;
+
+// The user turns the shaft the way that shall count up; the page tells what the encoder does, and turns the
+// wanted direction round if the user says so. Sends nothing.
+class DirectionPage final : public WizardPage
+{
+    Q_OBJECT
+
+public:
+    explicit DirectionPage(Setup &setup, QWidget *parent = nullptr);
+
+    void enter() override;
+    void showLatest() override;
+
+private:
+    void begin();
+    void showVerdict();
+    void choose();
+
+    TurnCheck m_check;
+    bool m_usesRawWord = false;
+    QLabel *m_position;
+    RoleLabel *m_verdict;
+    QLabel *m_moved;
+    QPushButton *m_again;
+    QRadioButton *m_asNow;
+    QRadioButton *m_otherWay;
+    InlineMessage *m_problem;
+};
+
+// The value of direction or coding that is the same but turned round; nothing where the device has none.
+std::optional<ParameterValue> otherDirection(const EncoderSession &encoder);
+
+} // namespace codewheel

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace codewheel {
+
+// What the machine does: one turn of the driven part moves it by mmPerTurn, and the encoder makes
+// encoderTurns while that part makes partTurns.
+struct Gear
+{
+    double mmPerTurn = 0;
+    double encoderTurns = 1;
+    double partTurns = 1;
+    double mmPerStep = 0; // wanted resolution
+
+    // Of travel, for one turn of the encoder; 0 where the input makes no sense.
+    double mmPerEncoderTurn() const;
+};
+
+// What the encoder takes.
+struct GearLimits
+{
+    std::int64_t maxSteps = 33'554'431;
+    std::int64_t maxRevolutions = 4096;
+    std::int64_t physicalStepsPerTurn = 0; // 0: not known
+    std::int64_t turns = 4096;             // measuring range, or the physical turns
+};
+
+struct GearResult
+{
+    std::int64_t steps = 0;
+    std::int64_t revolutions = 0;
+    double mmPerStep = 0;       // as it will be
+    double travel = 0;          // mm over all turns
+    double errorOverTravel = 0; // mm by which the position differs from the wanted one at the far end
+};
+
+// The steps and revolutions that come closest to the wanted resolution; of those that are equally close, the
+// ones with the fewest revolutions. Nothing where the input makes no sense or no pair within the limits gives
+// even one step.
+std::optional<GearResult> stepsForGear(const Gear &gear, const GearLimits &limits);
+
+} // namespace codewheel

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/wizard/gear_calculator.h"
+
+#include <QGroupBox>
+
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+
+namespace codewheel {
+
+// The calculator: from mm per turn, gear and wanted resolution to steps and revolutions, with the error over
+// the range.
+class GearPanel : public QGroupBox
+{
+    Q_OBJECT
+
+public:
+    explicit GearPanel(QWidget *parent = nullptr);
+
+    void setLimits(const GearLimits &limits);
+
+Q_SIGNALS:
+    void chosen(qint64 steps, qint64 revolutions);
+
+private:
+    void calculate();
+    QDoubleSpinBox *makeField(double value, double least, int decimals, const QString &name,
+                              const QString &toolTip);
+
+    GearLimits m_limits;
+    std::optional<GearResult> m_result;
+    QDoubleSpinBox *m_mmPerTurn;
+    QDoubleSpinBox *m_encoderTurns;
+    QDoubleSpinBox *m_partTurns;
+    QDoubleSpinBox *m_mmPerStep;
+    QLabel *m_answer = nullptr;
+    QPushButton *m_take = nullptr;
+};
+
+} // namespace codewheel

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/handshake_page.h"
+
+#include "catalog/explain_word.h"
+#include "encoder/hex.h"
+#include "encoder/refusal_text.h"
+#include "ring/bus_session.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/look/role_label.h"
+#include "widgets/wizard/cancel_question.h"
+#include "widgets/wizard/known_text.h"
+#include "widgets/wizard/quiet_table.h"
+#include "widgets/wizard/wanted_scale.h"
+#include "widgets/wizard/wizard_report.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+
+namespace codewheel {
+namespace {
+
+std::optional<std::int64_t> valueIn(const std::vector<Known> &all, Parameter parameter)
+{
+    const auto found = std::ranges::find(all, parameter, &Known::parameter);
+    return found == all.end() ? std::nullopt : std::optional(found->value);
+}
+
+// The values from before of all that was taken; empty where one of them is not known.
+ParameterValues valuesToRestore(const HandshakeRecord &record)
+{
+    ParameterValues values;
+    for (const ParameterValue &taken : record.taken()) {
+        auto before = record.outcome ? valueOf(record.outcome->read, taken.parameter) : std::nullopt;
+        if (!before)
+            before = valueIn(record.before, taken.parameter);
+        if (!before)
+            return {};
+        values.push_back({taken.parameter, *before});
+    }
+    return values;
+}
+
+} // namespace
+
+HandshakePage::HandshakePage(Setup &setup, QWidget *parent)
+    : WizardPage(setup, tr("Handshake"), parent)
+    , m_view(new QTableView(this))
+    , m_state(new RoleLabel(this))
+    , m_out(new QLabel(this))
+    , m_in(new QLabel(this))
+    , m_next(new QPushButton(lineIcon(Icon::step), tr("Next &step"), this))
+    , m_byItself(new QCheckBox(tr("Run b&y itself"), this))
+    , m_problem(new InlineMessage(this))
+    , m_leftIn(new QLabel(this))
+    , m_restore(new QPushButton(tr("Rest&ore values from before"), this))
+    , m_run(new QPushButton(tr("R&un with what it has"), this))
+{
+    setUpQuietTable(*m_view, m_steps, tr("Steps of the handshake"));
+    m_view->setObjectName(QStringLiteral("steps"));
+    m_next->setObjectName(QStringLiteral("nextStep"));
+    m_next->setToolTip(tr("Sends the word of the next step."));
+    m_byItself->setObjectName(QStringLiteral("runByItself"));
+    m_byItself->setToolTip(tr("The remaining words follow each other as the encoder confirms them."));
+    m_problem->setObjectName(QStringLiteral("handshakeProblem"));
+    m_leftIn->setObjectName(QStringLiteral("leftIn"));
+    m_leftIn->setWordWrap(true);
+    m_restore->setObjectName(QStringLiteral("recoverRestore"));
+    m_restore->setToolTip(tr("Writes the values from before, then run."));
+    m_run->setObjectName(QStringLiteral("recoverRun"));
+    m_run->setToolTip(tr("Sends run: what the encoder has taken becomes valid, if it accepts it."));
+    for (QLabel *word : {m_out, m_in}) {
+        word->setFont(numberFont());
+        word->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        word->setMinimumWidth(1); // a long meaning is cut, not the page widened
+    }
+
+    auto *stepping = new QHBoxLayout;
+    stepping->addWidget(m_next);
+    stepping->addWidget(m_byItself);
+    stepping->addStretch();
+    stepping->addWidget(m_state);
+    auto *recovery = new QHBoxLayout;
+    recovery->addWidget(m_leftIn, 1);
+    recovery->addWidget(m_restore);
+    recovery->addWidget(m_run);
+    auto *layout = new QVBoxLayout(this);
+    layout->setSpacing(grid::margin);
+    layout->addWidget(m_view, 1);
+    layout->addWidget(m_out);
+    layout->addWidget(m_in);
+    layout->addLayout(stepping);
+    layout->addWidget(m_problem);
+    layout->addLayout(recovery);
+
+    setFocusProxy(m_next);
+    connect(m_next, &QPushButton::clicked, this, &HandshakePage::nextStep);
+    connect(m_byItself, &QCheckBox::clicked, this, &HandshakePage::setByItself);
+    connect(m_problem, &InlineMessage::actionTriggered, this, &HandshakePage::start);
+    connect(m_restore, &QPushButton::clicked, this, [this] { bringBack(true); });
+    connect(m_run, &QPushButton::clicked, this, [this] { bringBack(false); });
+}
+
+void HandshakePage::enter()
+{
+    m_byItself->setChecked(!m_setup.byHand);
+    showEnd();
+    showWords();
+}
+
+void HandshakePage::start()
+{
+    EncoderSession &encoder = *m_setup.encoder;
+    HandshakeRecord &record = m_setup.record;
+    record = {};
+    record.place = encoder.number().toString();
+    record.device = encoder.device().fullName();
+    record.serialNumber = m_setup.valueNow(Parameter::serialNumber);
+    record.job = jobForWish(encoder, m_setup.wish);
+    record.before = allKnown(encoder);
+    record.positionBefore = encoder.latest().position;
+    record.begun = m_setup.bus->dateTime(m_setup.bus->latest().at);
+    m_isRecovery = false;
+    m_steps.begin();
+    m_problem->withdraw();
+    m_state->setState(Role::inactive, tr("Begins"));
+    m_job.reset();
+    const auto job = encoder.start(record.job, m_setup.byHand ? Pace::byHand : Pace::byItself);
+    if (job)
+        m_job = *job;
+    else
+        m_problem->showMessage(Role::attention, refusalText(job.error()), tr("Try again"));
+    showEnd();
+    Q_EMIT changed();
+}
+
+void HandshakePage::nextStep()
+{
+    m_next->setEnabled(false);
+    m_setup.encoder->proceed();
+}
+
+void HandshakePage::setByItself(bool on)
+{
+    m_setup.byHand = !on;
+    if (on && m_next->isEnabled())
+        nextStep();
+}
+
+void HandshakePage::showProgress()
+{
+    const Progress &progress = m_setup.record.progress;
+    if (m_job != progress.job)
+        return;
+    m_steps.showSteps(m_setup.encoder->device(), progress.steps);
+    m_steps.setCurrent(progress.index, progress.waitsForUser);
+    m_view->scrollTo(m_steps.index(progress.index, 0));
+    m_state->setState(Role::running, tr("Step %1 of %2").arg(progress.index + 1).arg(progress.steps.size()));
+    const bool waits = progress.waitsForUser && m_setup.byHand;
+    m_next->setEnabled(waits);
+    if (waits)
+        m_next->setFocus();
+    else if (progress.waitsForUser)
+        m_setup.encoder->proceed();
+}
+
+void HandshakePage::showRow(const Exchange &row)
+{
+    m_outNow = row.out;
+    if (!m_job)
+        return;
+    m_steps.answer(row);
+    showWords();
+}
+
+void HandshakePage::showLatest()
+{
+    showWords();
+}
+
+void HandshakePage::showWords()
+{
+    const Reading &reading = m_setup.encoder->latest();
+    const DeviceDescription &device = m_setup.encoder->device();
+    const auto meaning = [&](Word word, Word other, WordDirection direction) {
+        return explanationText(device, explainWord(device, word,
+                                                   {.direction = direction,
+                                                    .dialect = device.dialect,
+                                                    .mode = reading.mode,
+                                                    .coding = reading.coding,
+                                                    .counterpart = other}));
+    };
+    m_out->setText(
+        tr("OUT %1  %2").arg(hexWord(m_outNow), meaning(m_outNow, reading.in, WordDirection::out)));
+    m_in->setText(
+        tr("IN  %1  %2").arg(hexWord(reading.in), meaning(reading.in, m_outNow, WordDirection::in)));
+}
+
+void HandshakePage::showOutcome(const Outcome &outcome)
+{
+    if (m_job != outcome.job)
+        return;
+    m_job.reset();
+    HandshakeRecord &record = m_setup.record;
+    (m_isRecovery ? record.recovery : record.outcome) = outcome;
+    record.after = allKnown(*m_setup.encoder);
+    record.positionAfter = m_setup.encoder->latest().position;
+    record.ended = m_setup.bus->dateTime(m_setup.bus->latest().at);
+    record.eepromWritesInAll = m_setup.encoder->eepromWrites();
+    m_steps.finish(outcome.result.has_value());
+    showEnd();
+    Q_EMIT changed();
+}
+
+// The buttons and the sentence for where the handshake has got to.
+void HandshakePage::showEnd()
+{
+    const HandshakeRecord &record = m_setup.record;
+    const std::optional<Outcome> &last = record.recovery ? record.recovery : record.outcome;
+    m_next->setVisible(!last || isBusy());
+    m_byItself->setVisible(!last || isBusy());
+    m_next->setEnabled(false);
+    const bool stuck =
+        last && !isBusy() &&
+        (last->leftIn == EncoderState::parameterization || last->leftIn == EncoderState::error);
+    m_restore->setVisible(stuck && record.hasTaken());
+    m_restore->setEnabled(!valuesToRestore(record).empty());
+    m_run->setVisible(stuck);
+    m_leftIn->setText(last && !isBusy() ? leftInText(last->leftIn) : QString());
+    if (!last || isBusy())
+        return;
+    if (last->result) {
+        m_problem->withdraw();
+        m_state->setState(Role::running, m_isRecovery ? tr("Brought back") : tr("Verified"));
+        if (!m_isRecovery)
+            m_leftIn->setText(
+                tr("Verified: %1. %2")
+                    .arg(verificationText(record, m_setup.encoder->device()), leftInText(last->leftIn)));
+        return;
+    }
+    const Refusal &why = last->result.error();
+    const bool byUser = why.kind == RefusalKind::stopped;
+    m_state->setState(byUser ? Role::attention : Role::fault,
+                      byUser ? tr("Ended") : tr("Stopped by an error"));
+    m_problem->showMessage(byUser ? Role::attention : Role::fault, refusalText(why));
+}
+
+bool HandshakePage::hasTaken() const
+{
+    return m_setup.record.hasTaken() || m_setup.encoder->latest().state == EncoderState::parameterization;
+}
+
+bool HandshakePage::cancel()
+{
+    if (!m_job)
+        return true;
+    std::optional<OnCancel> how = OnCancel::leaveAsIs; // nothing was taken: OUT back to 0
+    if (hasTaken()) {
+        const HandshakeRecord &record = m_setup.record;
+        const auto position = positionWithTaken(m_setup);
+        how = askHowToCancel(
+            window(), *m_setup.encoder,
+            {.taken = record.taken(),
+             .canRestore = record.progress.canRestore,
+             .positionNote = position ? tr("The position will then read %1%2.")
+                                            .arg(position->exact ? QString() : tr("about "),
+                                                 QLocale().toString(qlonglong{position->position}))
+                                      : tr("What the position will then read cannot be told.")});
+    }
+    if (how && m_job)
+        m_setup.encoder->cancel(*how);
+    return how || !m_job;
+}
+
+void HandshakePage::bringBack(bool restore)
+{
+    EndParameterization job;
+    if (restore)
+        job.restore = valuesToRestore(m_setup.record);
+    const auto started = m_setup.encoder->start(job);
+    if (!started) {
+        m_problem->showMessage(Role::attention, refusalText(started.error()));
+        return;
+    }
+    m_isRecovery = true;
+    m_job = *started;
+    m_steps.begin();
+    m_problem->withdraw();
+    showEnd();
+    m_state->setState(Role::inactive, tr("Brings the encoder back"));
+    Q_EMIT changed();
+}
+
+} // namespace codewheel

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/wizard/step_table.h"
+#include "widgets/wizard/wizard_page.h"
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QTableView;
+
+namespace codewheel {
+
+class InlineMessage;
+class RoleLabel;
+
+// The handshake, step by step, each with OUT and IN; "Next step" by hand, or running by itself. An error
+// stops it; an encoder left in parameterization or error can be brought back from here.
+class HandshakePage final : public WizardPage
+{
+    Q_OBJECT
+
+public:
+    explicit HandshakePage(Setup &setup, QWidget *parent = nullptr);
+
+    void enter() override;
+    bool mayGoOn() const override { return m_setup.record.outcome && !isBusy(); }
+    bool mayGoBack() const override { return !isBusy(); }
+    QString nextText() const override { return tr("&Report"); }
+    void showLatest() override;
+    void showProgress() override;
+    void showOutcome(const Outcome &outcome) override;
+
+    void start(); // sends nothing by hand, the first word running by itself
+    bool isBusy() const { return m_job.has_value(); }
+    // Asks where the encoder has taken something. False: the user goes on with the handshake.
+    bool cancel();
+    void showRow(const Exchange &row);
+
+private:
+    void nextStep();
+    void setByItself(bool on);
+    void bringBack(bool restore);
+    void showEnd();
+    void showWords();
+    bool hasTaken() const;
+
+    StepTable m_steps{StepTable::Stage::running};
+    QTableView *m_view;
+    RoleLabel *m_state;
+    QLabel *m_out;
+    QLabel *m_in;
+    QPushButton *m_next;
+    QCheckBox *m_byItself;
+    InlineMessage *m_problem;
+    QLabel *m_leftIn;
+    QPushButton *m_restore;
+    QPushButton *m_run;
+    std::optional<JobId> m_job; // the handshake, or bringing the encoder back
+    bool m_isRecovery = false;
+    Word m_outNow = 0;
+};
+
+} // namespace codewheel

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/event.h"
+
+#include <QDateTime>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace codewheel {
+
+// One handshake from its first word to its outcome, as the report tells it.
+struct HandshakeRecord
+{
+    QString place;  // "1.0"
+    QString device; // "FRABA OCD-IB K3"
+    std::optional<std::int64_t> serialNumber;
+    QDateTime begun;
+    QDateTime ended;
+    WriteParameters job;
+    std::vector<Known> before; // what was known
+    std::vector<Known> after;
+    std::vector<Exchange> rows;
+    std::optional<std::int64_t> positionBefore;
+    std::optional<std::int64_t> positionAfter;
+    Progress progress;               // the last one
+    std::optional<Outcome> outcome;  // nothing: on its way
+    std::optional<Outcome> recovery; // bringing it back after a cancel or an error
+    int eepromWritesInAll = 0;       // by this program, with this handshake
+
+    // Has the encoder taken a value, in this handshake, that cancel would have to deal with?
+    bool hasTaken() const;
+    ParameterValues taken() const; // confirmed, or active by run
+};
+
+} // namespace codewheel

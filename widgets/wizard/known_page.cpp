@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/known_page.h"
+
+#include "catalog/device_description.h"
+#include "encoder/refusal_text.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/look/role_label.h"
+#include "widgets/wizard/quiet_table.h"
+#include "widgets/wizard/value_field.h"
+
+#include <QItemSelectionModel>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+#include <QVBoxLayout>
+
+namespace codewheel {
+namespace {
+
+// Told start-up mode 1: position as K3 (FRABA manual 10.2).
+constexpr std::int64_t startUpAsK3 = 1;
+
+ReadParameters everythingOf(const DeviceDescription &device)
+{
+    ReadParameters job;
+    for (const ParameterDescription &parameter : device.parameters)
+        if (parameter.readOut && parameter.parameter != Parameter::temperature) // not every encoder has one
+            job.parameters.push_back(parameter.parameter);
+    return job;
+}
+
+} // namespace
+
+KnownPage::KnownPage(Setup &setup, QWidget *parent)
+    : WizardPage(setup, tr("What is known"), parent)
+    , m_view(new QTableView(this))
+    , m_explanation(new QLabel(this))
+    , m_read(new QPushButton(lineIcon(Icon::read), tr("&Read from the encoder"), this))
+    , m_tellLabel(new QLabel(this))
+    , m_tellRow(new QHBoxLayout)
+    , m_tell(new QPushButton(tr("&Tell"), this))
+    , m_mode(new RoleLabel(this))
+    , m_isPositionMode(new QPushButton(tr("It is in &position mode"), this))
+    , m_problem(new InlineMessage(this))
+{
+    setUpQuietTable(*m_view, m_table, tr("What is known of the encoder"));
+    m_view->setObjectName(QStringLiteral("known"));
+    m_explanation->setWordWrap(true);
+    m_read->setObjectName(QStringLiteral("readAll"));
+    m_read->setToolTip(tr("Reads all values. The position is away for some cycles each."));
+    m_tell->setToolTip(tr("Say what the encoder has, for instance from its papers. Nothing is sent."));
+    m_isPositionMode->setObjectName(QStringLiteral("isPositionMode"));
+    m_isPositionMode->setToolTip(tr("Say that the encoder is in position mode, not in velocity or cam mode. "
+                                    "Setting the position would change a cam otherwise."));
+
+    auto *reading = new QHBoxLayout;
+    reading->addWidget(m_read);
+    reading->addWidget(m_explanation, 1);
+    m_tellRow->addWidget(m_tellLabel);
+    m_tellRow->addWidget(m_tell);
+    m_tellRow->addStretch();
+    auto *mode = new QHBoxLayout;
+    mode->addWidget(m_mode, 1);
+    mode->addWidget(m_isPositionMode);
+
+    auto *layout = new QVBoxLayout(this);
+    layout->setSpacing(grid::margin);
+    layout->addLayout(reading);
+    layout->addWidget(m_view, 1);
+    layout->addLayout(m_tellRow);
+    layout->addLayout(mode);
+    layout->addWidget(m_problem);
+
+    setFocusProxy(m_read);
+    connect(m_read, &QPushButton::clicked, this, &KnownPage::read);
+    connect(m_tell, &QPushButton::clicked, this, &KnownPage::tell);
+    connect(m_isPositionMode, &QPushButton::clicked, this, &KnownPage::tellPositionMode);
+    connect(m_view->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &KnownPage::selectRow);
+}
+
+void KnownPage::enter()
+{
+    const EncoderSession &encoder = *m_setup.encoder;
+    m_problem->withdraw();
+    m_read->setVisible(encoder.can().reads);
+    m_explanation->setText(
+        encoder.can().reads
+            ? tr("Reading sends words: the position is away for some cycles. Needs Operate.")
+            : tr("The %1 has no read-out. Known is only what was written from here, or what you tell.")
+                  .arg(encoder.device().fullName()));
+    setFocusProxy(encoder.can().reads ? static_cast<QWidget *>(m_read) : m_view);
+    showKnown();
+    if (!m_view->currentIndex().isValid())
+        m_view->selectRow(0);
+    selectRow();
+    showLatest();
+}
+
+bool KnownPage::mayGoOn() const
+{
+    return !m_reading;
+}
+
+void KnownPage::showKnown()
+{
+    m_table.show(*m_setup.encoder);
+}
+
+void KnownPage::showLatest()
+{
+    const bool hasModes = m_setup.encoder->device().quirks.hasModes;
+    const auto mode = m_setup.encoder->latest().mode;
+    m_mode->setVisible(hasModes);
+    m_isPositionMode->setVisible(hasModes && mode != Mode::position);
+    if (!mode)
+        m_mode->setState(Role::attention, tr("Mode not known: position, velocity or cam"));
+    else if (*mode == Mode::position)
+        m_mode->setState(Role::running, tr("Position mode"));
+    else
+        m_mode->setState(Role::attention, *mode == Mode::velocity ? tr("Velocity mode") : tr("Cam mode"));
+}
+
+void KnownPage::read()
+{
+    const auto job = m_setup.encoder->start(everythingOf(m_setup.encoder->device()));
+    if (!job) {
+        m_problem->showMessage(Role::attention, refusalText(job.error()));
+        return;
+    }
+    m_problem->withdraw();
+    m_reading = *job;
+    m_read->setEnabled(false);
+    Q_EMIT changed();
+}
+
+void KnownPage::showProgress()
+{
+    if (m_reading)
+        m_explanation->setText(tr("Reading, step %1 of %2 ...")
+                                   .arg(m_setup.record.progress.index + 1)
+                                   .arg(m_setup.record.progress.steps.size()));
+}
+
+void KnownPage::showOutcome(const Outcome &outcome)
+{
+    if (m_reading != outcome.job)
+        return;
+    m_reading.reset();
+    m_read->setEnabled(true);
+    if (outcome.result)
+        m_explanation->setText(tr("All values were read."));
+    else
+        m_problem->showMessage(Role::fault, refusalText(outcome.result.error()));
+    m_read->setFocus();
+    Q_EMIT changed();
+}
+
+void KnownPage::selectRow()
+{
+    delete std::exchange(m_tellField, nullptr);
+    const int row = m_view->currentIndex().row();
+    const ParameterDescription *parameter =
+        row < 0 ? nullptr : m_setup.encoder->device().find(m_table.rowAt(row).parameter);
+    const bool canTell = parameter != nullptr && parameter->number;
+    m_tellLabel->setVisible(canTell);
+    m_tell->setVisible(canTell);
+    if (!canTell)
+        return;
+    m_tellLabel->setText(tr("%1, from its papers:").arg(parameterName(parameter->parameter)));
+    m_tellField = new ValueField(*parameter, tr("unknown"), this);
+    m_tellField->setValue(m_setup.valueNow(parameter->parameter));
+    m_tellRow->insertWidget(1, m_tellField);
+    setTabOrder(m_view, m_tellField);
+    setTabOrder(m_tellField, m_tell);
+}
+
+void KnownPage::tell()
+{
+    const auto value = m_tellField->value();
+    if (!value) {
+        m_problem->showMessage(Role::attention, refusalText(value.error()));
+        return;
+    }
+    m_problem->withdraw();
+    m_setup.encoder->tell(m_table.rowAt(m_view->currentIndex().row()).parameter, *value);
+}
+
+void KnownPage::tellPositionMode()
+{
+    m_setup.encoder->tell(Parameter::startUpMode, startUpAsK3);
+}
+
+} // namespace codewheel

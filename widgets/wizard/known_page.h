@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/wizard/known_table.h"
+#include "widgets/wizard/wizard_page.h"
+
+class QHBoxLayout;
+class QLabel;
+class QPushButton;
+class QTableView;
+
+namespace codewheel {
+
+class InlineMessage;
+class RoleLabel;
+class ValueField;
+
+// What is known of the encoder, and how: read, echoed, told or unknown. Reads on request, takes what the user
+// tells from the papers, and that the encoder is in position mode where it has several modes.
+class KnownPage final : public WizardPage
+{
+    Q_OBJECT
+
+public:
+    explicit KnownPage(Setup &setup, QWidget *parent = nullptr);
+
+    void enter() override;
+    bool mayGoOn() const override;
+    bool mayGoBack() const override { return mayGoOn(); }
+    void showLatest() override;
+    void showKnown() override;
+    void showProgress() override;
+    void showOutcome(const Outcome &outcome) override;
+
+private:
+    void read();
+    void selectRow();
+    void tell();
+    void tellPositionMode();
+
+    KnownTable m_table;
+    QTableView *m_view;
+    QLabel *m_explanation;
+    QPushButton *m_read;
+    QLabel *m_tellLabel;
+    QHBoxLayout *m_tellRow;
+    ValueField *m_tellField = nullptr;
+    QPushButton *m_tell;
+    RoleLabel *m_mode;
+    QPushButton *m_isPositionMode;
+    InlineMessage *m_problem;
+    std::optional<JobId> m_reading;
+};
+
+} // namespace codewheel

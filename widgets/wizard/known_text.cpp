@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/known_text.h"
+
+#include "catalog/value_text.h"
+
+#include <QCoreApplication>
+
+namespace codewheel {
+namespace {
+
+QString tr(const char *text)
+{
+    return QCoreApplication::translate("KnownText", text);
+}
+
+} // namespace
+
+QString evidenceText(const std::optional<Known> &known)
+{
+    if (!known)
+        return tr("unknown");
+    switch (known->evidence) {
+    case Evidence::read:
+        return tr("read");
+    case Evidence::echoed:
+        return tr("echoed");
+    case Evidence::told:
+        return tr("told");
+    }
+    return {};
+}
+
+QString evidenceExplanation(const std::optional<Known> &known)
+{
+    if (!known)
+        return tr("Nobody knows what the encoder has here.");
+    switch (known->evidence) {
+    case Evidence::read:
+        return tr("The encoder told it when it was read.");
+    case Evidence::echoed:
+        return tr("The encoder confirmed it in a handshake, and went into operation with it.");
+    case Evidence::told:
+        return tr("The user or the plan of the bus said so; the encoder was not asked.");
+    }
+    return {};
+}
+
+QString valueWithUnit(const DeviceDescription &device, const ParameterValue &value)
+{
+    const ParameterDescription *parameter = device.find(value.parameter);
+    if (parameter == nullptr)
+        return QString::number(value.value);
+    return QStringLiteral("%1 %2")
+        .arg(valueText(*parameter, value.value), unitText(parameter->unit))
+        .trimmed();
+}
+
+QString knownText(const DeviceDescription &device, const std::optional<Known> &known)
+{
+    if (!known)
+        return evidenceText(known);
+    return QStringLiteral("%1 (%2)").arg(valueWithUnit(device, {known->parameter, known->value}),
+                                         evidenceText(known));
+}
+
+QString leftInText(EncoderState state)
+{
+    switch (state) {
+    case EncoderState::operation:
+        return tr("The encoder is in operation.");
+    case EncoderState::parameterization:
+        return tr("The encoder is in parameterization: it gives no position until run is sent.");
+    case EncoderState::error:
+        return tr("The encoder is in the error state: it gives no position.");
+    case EncoderState::readOut:
+        return tr("The encoder still shows a read-out value.");
+    case EncoderState::notSeen:
+        return tr("The encoder has not been seen on the bus.");
+    case EncoderState::unknown:
+        break;
+    }
+    return tr("The state of the encoder is not known.");
+}
+
+} // namespace codewheel

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/parameter_wizard.h"
+
+#include "ring/bus_session.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+#include "widgets/wizard/device_page.h"
+#include "widgets/wizard/direction_page.h"
+#include "widgets/wizard/handshake_page.h"
+#include "widgets/wizard/known_page.h"
+#include "widgets/wizard/report_page.h"
+#include "widgets/wizard/review_page.h"
+#include "widgets/wizard/step_list.h"
+#include "widgets/wizard/values_page.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+
+namespace codewheel {
+
+ParameterWizard::ParameterWizard(BusSession &bus, WantedValues &wanted, QWidget *parent)
+    : QWidget(parent)
+    , m_setup(new Setup{.bus = &bus, .encoder = {}, .wanted = wanted, .wish = {}, .record = {}})
+    , m_title(new QLabel(this))
+    , m_pages(new QStackedWidget(this))
+    , m_cancel(new QPushButton(lineIcon(Icon::cancel), tr("Cance&l"), this))
+    , m_back(new QPushButton(lineIcon(Icon::back), tr("Bac&k"), this))
+    , m_next(new QPushButton(lineIcon(Icon::next), tr("&Next"), this))
+{
+    makePages();
+    QStringList titles;
+    for (const WizardPage *page : m_all)
+        titles.append(page->title());
+    m_stepList = new StepList(titles, this);
+    m_title->setFont(textFont(TextSize::large));
+    m_cancel->setObjectName(QStringLiteral("wizardCancel"));
+    m_back->setObjectName(QStringLiteral("wizardBack"));
+    m_next->setObjectName(QStringLiteral("wizardNext"));
+    m_cancel->setToolTip(tr("Leaves the wizard. During a handshake it first asks how to leave the encoder."));
+    m_back->setToolTip(tr("To the page before."));
+
+    auto *buttons = new QHBoxLayout;
+    buttons->addWidget(m_cancel);
+    buttons->addStretch();
+    buttons->addWidget(m_back);
+    buttons->addWidget(m_next);
+    auto *main = new QVBoxLayout;
+    main->addWidget(m_title);
+    main->addWidget(m_pages, 1);
+    main->addLayout(buttons);
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(grid::margin, grid::margin, grid::margin, grid::margin);
+    layout->addWidget(m_stepList);
+    layout->addLayout(main, 1);
+
+    connect(m_cancel, &QPushButton::clicked, this, &ParameterWizard::cancel);
+    connect(m_back, &QPushButton::clicked, this, &ParameterWizard::back);
+    connect(m_next, &QPushButton::clicked, this, &ParameterWizard::next);
+    connect(&bus, &BusSession::stateChanged, this, [this] {
+        if (page() == device) // there may be other encoders now
+            m_devicePage->enter();
+    });
+    connect(&wanted, &WantedValues::changed, this, [this] { m_setup->takeWanted(); });
+    showPage(device);
+}
+
+ParameterWizard::~ParameterWizard() = default;
+
+void ParameterWizard::makePages()
+{
+    m_devicePage = new DevicePage(*m_setup);
+    m_handshakePage = new HandshakePage(*m_setup);
+    m_all = {m_devicePage,
+             new KnownPage(*m_setup),
+             new DirectionPage(*m_setup),
+             new ValuesPage(*m_setup),
+             new ReviewPage(*m_setup),
+             m_handshakePage,
+             new ReportPage(*m_setup)};
+    for (WizardPage *page : m_all) {
+        auto *scroll = new QScrollArea(m_pages);
+        scroll->setFrameShape(QFrame::NoFrame);
+        scroll->setWidgetResizable(true);
+        scroll->setFocusPolicy(Qt::NoFocus);
+        scroll->setWidget(page);
+        m_pages->addWidget(scroll);
+        connect(page, &WizardPage::changed, this, &ParameterWizard::showButtons);
+    }
+    connect(m_devicePage, &DevicePage::encoderChosen, this, &ParameterWizard::follow);
+}
+
+EncoderSession *ParameterWizard::encoder() const
+{
+    return m_setup->encoder;
+}
+
+void ParameterWizard::setEncoder(EncoderSession *encoder)
+{
+    if (page() != device && m_setup->encoder)
+        return;
+    follow(encoder);
+    showPage(device);
+}
+
+void ParameterWizard::follow(EncoderSession *encoder)
+{
+    if (m_setup->encoder)
+        m_setup->encoder->disconnect(this);
+    m_setup->encoder = encoder;
+    m_setup->wish = {};
+    m_setup->takeWanted();
+    m_setup->record = {};
+    if (encoder == nullptr)
+        return;
+    connect(encoder, &EncoderSession::latestChanged, this, [this] { current()->showLatest(); });
+    connect(encoder, &EncoderSession::knownChanged, this, [this] { current()->showKnown(); });
+    connect(encoder, &EncoderSession::progressed, this, &ParameterWizard::takeProgress);
+    connect(encoder, &EncoderSession::finished, this, &ParameterWizard::takeOutcome);
+    connect(encoder, &EncoderSession::exchanged, this, &ParameterWizard::takeRow);
+    connect(encoder, &QObject::destroyed, this, [this] { showPage(device); });
+}
+
+bool ParameterWizard::isBusy() const
+{
+    return m_handshakePage->isBusy();
+}
+
+ParameterWizard::Page ParameterWizard::page() const
+{
+    return static_cast<Page>(m_pages->currentIndex());
+}
+
+WizardPage *ParameterWizard::current() const
+{
+    return m_all[static_cast<std::size_t>(m_pages->currentIndex())];
+}
+
+void ParameterWizard::showPage(int page)
+{
+    m_pages->setCurrentIndex(page);
+    m_stepList->setCurrent(page);
+    m_title->setText(tr("%1 of %2  %3").arg(page + 1).arg(pageCount).arg(current()->title()));
+    if (m_setup->encoder || page == device)
+        current()->enter();
+    showButtons();
+    current()->setFocus();
+}
+
+void ParameterWizard::next()
+{
+    if (page() == report) {
+        showPage(device);
+        Q_EMIT closeRequested();
+        return;
+    }
+    const bool starts = page() == review;
+    showPage(page() + 1);
+    if (starts)
+        m_handshakePage->start();
+}
+
+void ParameterWizard::back()
+{
+    showPage(page() == report ? int(values) : page() == handshake ? int(review) : page() - 1);
+}
+
+void ParameterWizard::cancel()
+{
+    if (isBusy()) {
+        m_handshakePage->cancel();
+        return;
+    }
+    showPage(device);
+    Q_EMIT closeRequested();
+}
+
+ParameterWizard::Closing ParameterWizard::askBeforeClosing()
+{
+    if (!isBusy())
+        return Closing::now;
+    if (!m_handshakePage->cancel())
+        return Closing::stay;
+    m_closes = isBusy();
+    return m_closes ? Closing::whenReady : Closing::now;
+}
+
+void ParameterWizard::showButtons()
+{
+    m_next->setText(current()->nextText());
+    m_next->setEnabled(current()->mayGoOn());
+    m_next->setToolTip(page() == review ? tr("Sends the words above to the encoder.") : QString());
+    m_back->setEnabled(page() > device && current()->mayGoBack());
+    m_cancel->setVisible(page() != report);
+    if (page() == handshake && current()->mayGoOn())
+        m_next->setFocus();
+}
+
+void ParameterWizard::takeProgress(const Progress &progress)
+{
+    m_setup->record.progress = progress;
+    current()->showProgress();
+}
+
+void ParameterWizard::takeOutcome(const Outcome &outcome)
+{
+    m_handshakePage->showOutcome(outcome);
+    if (current() != m_handshakePage)
+        current()->showOutcome(outcome);
+    if (!isBusy() && std::exchange(m_closes, false))
+        Q_EMIT readyToClose();
+}
+
+void ParameterWizard::takeRow(const Exchange &row)
+{
+    if (isBusy())
+        m_setup->record.rows.push_back(row);
+    m_handshakePage->showRow(row);
+}
+
+} // namespace codewheel

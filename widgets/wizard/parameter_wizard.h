@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/wizard/setup.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+
+namespace codewheel {
+
+class DevicePage;
+class HandshakePage;
+class StepList;
+class WizardPage;
+
+// The way through the parameterization of one encoder, page by page: encoder, what is known, direction,
+// values, review, handshake, report. A page of the main window, no dialog. Sends nothing before the review.
+class ParameterWizard : public QWidget
+{
+    Q_OBJECT
+
+public:
+    enum Page { device, known, direction, values, review, handshake, report };
+    static constexpr int pageCount = report + 1;
+
+    // Both must outlive the wizard.
+    ParameterWizard(BusSession &bus, WantedValues &wanted, QWidget *parent = nullptr);
+    ~ParameterWizard() override;
+
+    // Follows the bus structure until its way has begun; an encoder in work is not left for another one.
+    void setEncoder(codewheel::EncoderSession *encoder);
+    EncoderSession *encoder() const;
+
+    bool isBusy() const; // a handshake is on its way
+
+    enum class Closing { now, whenReady, stay };
+    // Asks the same as Cancel. whenReady: readyToClose() comes when the encoder has been left as was chosen.
+    Closing askBeforeClosing();
+
+    Page page() const;
+
+Q_SIGNALS:
+    void closeRequested(); // back to the monitors
+    void readyToClose();
+
+private:
+    void makePages();
+    void follow(EncoderSession *encoder);
+    void showPage(int page);
+    void next();
+    void back();
+    void cancel();
+    void showButtons();
+    void takeProgress(const Progress &progress);
+    void takeOutcome(const Outcome &outcome);
+    void takeRow(const Exchange &row);
+    WizardPage *current() const;
+
+    std::unique_ptr<Setup> m_setup;
+    std::vector<WizardPage *> m_all;
+    DevicePage *m_devicePage = nullptr;
+    HandshakePage *m_handshakePage = nullptr;
+    StepList *m_stepList;
+    QLabel *m_title;
+    QStackedWidget *m_pages;
+    QPushButton *m_cancel;
+    QPushButton *m_back;
+    QPushButton *m_next;
+    bool m_closes = false; // readyToClose() when the job has ended
+};
+
+} // namespace codewheel

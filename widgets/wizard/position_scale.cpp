@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/position_scale.h"
+
+#include <cmath>
+
+namespace codewheel {
+namespace {
+
+std::int64_t modulo(std::int64_t value, std::int64_t range)
+{
+    const std::int64_t rest = value % range;
+    return rest < 0 ? rest + range : rest;
+}
+
+// API without direction: floor(raw x steps / (revolutions x physical steps)) mod total.
+std::int64_t scaled(const PositionScale &scale, std::int64_t raw)
+{
+    return modulo(raw * scale.steps / (scale.revolutions * scale.physicalStepsPerTurn), scale.total());
+}
+
+std::int64_t inDirection(const PositionScale &scale, std::int64_t x)
+{
+    return scale.clockwise ? x : scale.total() - 1 - x;
+}
+
+std::int64_t positionOfRaw(const PositionScale &scale, std::int64_t raw)
+{
+    return scale.shown(inDirection(scale, scaled(scale, raw)) + *scale.zeroOffset + scale.offset);
+}
+
+bool isClockwise(const DeviceDescription &device, std::int64_t value, Parameter parameter)
+{
+    const Choice *choice = device.find(parameter)->findChoice(value);
+    return choice == nullptr || !choice->key.endsWith(QStringLiteral("ccw"));
+}
+
+bool isSignedCoding(const DeviceDescription &device, std::int64_t value)
+{
+    const Choice *choice = device.find(Parameter::coding)->findChoice(value);
+    return choice != nullptr && choice->key.startsWith(QStringLiteral("signed"));
+}
+
+} // namespace
+
+double PositionScale::resolution() const
+{
+    return static_cast<double>(steps) / static_cast<double>(revolutions);
+}
+
+std::int64_t PositionScale::total() const
+{
+    return revolutions < 1 ? 0 : steps * turns / revolutions;
+}
+
+std::int64_t PositionScale::shown(std::int64_t position) const
+{
+    const std::int64_t pi = modulo(position, total());
+    return isSigned && pi >= (total() + 1) / 2 ? pi - total() : pi;
+}
+
+std::optional<PositionScale> scaleOf(const DeviceDescription &device, const ValueOf &valueOf)
+{
+    const auto steps = valueOf(Parameter::steps);
+    const auto revolutions = valueOf(Parameter::revolutions);
+    if (!steps || !revolutions || *steps < 1 || *revolutions < 1)
+        return std::nullopt;
+    PositionScale scale;
+    scale.steps = *steps;
+    scale.revolutions = *revolutions;
+    scale.physicalStepsPerTurn = device.physicalStepsPerTurn;
+    scale.physicalTurns = device.physicalTurns;
+    scale.turns = device.physicalTurns > 0 ? device.physicalTurns : 1;
+    if (device.find(Parameter::measuringRange) != nullptr) {
+        const auto range = valueOf(Parameter::measuringRange);
+        if (!range || *range < 1)
+            return std::nullopt;
+        scale.turns = *range;
+    }
+    for (const Parameter parameter : {Parameter::direction, Parameter::coding}) {
+        if (device.find(parameter) == nullptr)
+            continue;
+        const auto value = valueOf(parameter);
+        if (!value)
+            return std::nullopt;
+        scale.clockwise = isClockwise(device, *value, parameter);
+        scale.isSigned = parameter == Parameter::coding && isSignedCoding(device, *value);
+    }
+    if (device.find(Parameter::offset) != nullptr)
+        scale.offset = valueOf(Parameter::offset).value_or(0);
+    scale.zeroOffset = valueOf(Parameter::zeroOffset);
+    scale.preset = valueOf(Parameter::preset);
+    return scale.total() > 0 ? std::optional(scale) : std::nullopt;
+}
+
+WrapJump wrapJump(const PositionScale &scale)
+{
+    if (scale.physicalTurns < 1)
+        return WrapJump::none;
+    if (scale.physicalTurns % scale.turns != 0)
+        return WrapJump::rangeDoesNotDivideTurns;
+    if (scale.steps * scale.turns % scale.revolutions != 0)
+        return WrapJump::totalIsNotWhole;
+    return WrapJump::none;
+}
+
+std::int64_t lastPositionBeforeWrap(const PositionScale &scale)
+{
+    const std::int64_t stepsOfAllTurns = scale.physicalTurns * scale.steps / scale.revolutions;
+    return modulo(stepsOfAllTurns - 1, scale.total());
+}
+
+std::optional<ForetoldPosition> foretellPosition(const PositionScale &now, std::int64_t position,
+                                                 const PositionScale &then)
+{
+    const bool tellsThePlace = now.zeroOffset && then.zeroOffset && now.physicalStepsPerTurn > 0 &&
+                               now.turns == now.physicalTurns && now.total() > 0 && then.total() > 0;
+    if (!tellsThePlace)
+        return std::nullopt;
+    const std::int64_t api = modulo(position - *now.zeroOffset - now.offset, now.total());
+    const std::int64_t x = inDirection(now, api);
+    // The raw positions that give x, of which the encoder has one.
+    const std::int64_t divisor = now.revolutions * now.physicalStepsPerTurn;
+    const std::int64_t first = (x * divisor + now.steps - 1) / now.steps;
+    const std::int64_t last = ((x + 1) * divisor - 1) / now.steps;
+    const std::int64_t atFirst = positionOfRaw(then, first);
+    return ForetoldPosition{atFirst, atFirst == positionOfRaw(then, last)};
+}
+
+std::int64_t positionAfterTurns(const PositionScale &scale, std::int64_t start, double turns)
+{
+    const auto way = static_cast<std::int64_t>(std::floor(turns * scale.resolution()));
+    return scale.shown(start + (scale.clockwise ? way : -way));
+}
+
+} // namespace codewheel

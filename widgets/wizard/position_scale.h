@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "encoder/known.h"
+
+#include <functional>
+#include <optional>
+
+namespace codewheel {
+
+// How a K3 encoder makes a position of its shaft (docs/protocols/k3.md, arithmetic), as far as the wizard
+// needs it to tell what a set of parameters will do.
+struct PositionScale
+{
+    std::int64_t steps = 1;
+    std::int64_t revolutions = 1;
+    std::int64_t turns = 4096; // measuring range, or the physical turns where there is none
+    bool clockwise = true;
+    bool isSigned = false;
+    std::optional<std::int64_t> zeroOffset; // nothing: not known
+    std::optional<std::int64_t> preset;
+    std::int64_t offset = 0;
+    std::int64_t physicalStepsPerTurn = 0; // 0: not known
+    std::int64_t physicalTurns = 0;
+
+    double resolution() const;  // steps per turn
+    std::int64_t total() const; // total range in steps; 0: the values make no sense
+    // PI within the total range as the coding shows it.
+    std::int64_t shown(std::int64_t position) const;
+
+    friend bool operator==(const PositionScale &, const PositionScale &) = default;
+};
+
+using ValueOf = std::function<std::optional<std::int64_t>(Parameter)>;
+
+// Nothing where steps or revolutions, or the direction of an encoder that has one, are not known.
+std::optional<PositionScale> scaleOf(const DeviceDescription &device, const ValueOf &valueOf);
+
+// Where the position will jump as the physical turns are used up.
+enum class WrapJump : std::uint8_t {
+    none,
+    rangeDoesNotDivideTurns, // measuring range 5 of 4096 turns
+    totalIsNotWhole,         // 1000 steps in 3 revolutions: a fraction of a step is cut
+};
+WrapJump wrapJump(const PositionScale &scale);
+// The position beside 0 at the place where the physical turns wrap.
+std::int64_t lastPositionBeforeWrap(const PositionScale &scale);
+
+// What an encoder that shows `position` with the scale `now` will show with the scale `then`, the shaft
+// standing still.
+struct ForetoldPosition
+{
+    std::int64_t position = 0;
+    bool exact = false; // else about a step of the old scale off
+
+    friend bool operator==(const ForetoldPosition &, const ForetoldPosition &) = default;
+};
+std::optional<ForetoldPosition> foretellPosition(const PositionScale &now, std::int64_t position,
+                                                 const PositionScale &then);
+
+// The position `turns` clockwise of the place where it is `start`.
+std::int64_t positionAfterTurns(const PositionScale &scale, std::int64_t start, double turns);
+
+} // namespace codewheel

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/review_page.h"
+
+#include "catalog/device_description.h"
+#include "drivers/planned_words.h"
+#include "encoder/refusal_text.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/wizard/known_text.h"
+#include "widgets/wizard/quiet_table.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QRadioButton>
+
+namespace codewheel {
+
+ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
+    : WizardPage(setup, tr("Review"), parent)
+    , m_changesView(new QTableView(this))
+    , m_stepsView(new QTableView(this))
+    , m_writeAll(new QCheckBox(tr("&Write all, also what is there already"), this))
+    , m_writes(new QLabel(this))
+    , m_note(new QLabel(this))
+    , m_byHand(new QRadioButton(tr("Step by step, b&y hand"), this))
+    , m_byItself(new QRadioButton(tr("&Running by itself"), this))
+    , m_problem(new InlineMessage(this))
+{
+    setUpQuietTable(*m_changesView, m_changes, tr("Old and new values"));
+    setUpQuietTable(*m_stepsView, m_steps, tr("Words that will be sent"));
+    m_changesView->setObjectName(QStringLiteral("changes"));
+    m_stepsView->setObjectName(QStringLiteral("plannedWords"));
+    m_writeAll->setObjectName(QStringLiteral("writeAll"));
+    m_writeAll->setToolTip(tr("Each write costs the EEPROM of the encoder one of its writes."));
+    m_byHand->setObjectName(QStringLiteral("byHand"));
+    m_byHand->setToolTip(tr("Each word waits until you press Next step."));
+    m_byItself->setObjectName(QStringLiteral("byItself"));
+    m_byItself->setToolTip(tr("The words follow each other as the encoder confirms them."));
+    m_writes->setObjectName(QStringLiteral("eepromWrites"));
+    m_writes->setWordWrap(true);
+    m_note->setWordWrap(true);
+    m_problem->setObjectName(QStringLiteral("reviewProblem"));
+
+    auto *words = new QLabel(tr("Words that will be sent, in this order:"), this);
+    auto *pace = new QHBoxLayout;
+    pace->addWidget(m_byHand);
+    pace->addWidget(m_byItself);
+    pace->addStretch();
+    auto *layout = new QVBoxLayout(this);
+    layout->setSpacing(grid::margin);
+    layout->addWidget(m_changesView, 2);
+    layout->addWidget(m_writeAll);
+    layout->addWidget(m_problem);
+    layout->addWidget(words);
+    layout->addWidget(m_stepsView, 3);
+    layout->addWidget(m_writes);
+    layout->addWidget(m_note);
+    layout->addLayout(pace);
+
+    setFocusProxy(m_byHand);
+    connect(m_writeAll, &QCheckBox::clicked, this, [this](bool on) {
+        m_setup.wish.writeAll = on;
+        plan();
+    });
+    connect(m_byHand, &QRadioButton::toggled, this, [this](bool on) { m_setup.byHand = on; });
+}
+
+void ReviewPage::enter()
+{
+    m_writeAll->setChecked(m_setup.wish.writeAll);
+    (m_setup.byHand ? m_byHand : m_byItself)->setChecked(true);
+    plan();
+}
+
+void ReviewPage::plan()
+{
+    const EncoderSession &encoder = *m_setup.encoder;
+    const WriteParameters job = jobForWish(encoder, m_setup.wish);
+    std::vector<ValueChangeRow> rows;
+    for (const ParameterValue &value : m_setup.wish.wanted) {
+        const bool isSent = valueOf(job.values, value.parameter).has_value();
+        rows.push_back({value.parameter, knownText(encoder.device(), encoder.known(value.parameter)),
+                        valueWithUnit(encoder.device(), value),
+                        !isSent               ? tr("there already, not written")
+                        : job.onlyWhatDiffers ? tr("read, written if it differs")
+                                              : tr("written")});
+    }
+    m_changes.setRows(std::move(rows));
+
+    const auto steps = plannedSteps(encoder.device(), allKnown(encoder), job);
+    m_mayGoOn = steps.has_value();
+    if (steps) {
+        m_steps.showSteps(encoder.device(), *steps);
+        m_writes->setText(writesText(*steps));
+        m_problem->withdraw();
+    } else {
+        m_steps.begin();
+        m_writes->setText(writesText({}));
+        const bool nothingDiffers = steps.error().id == RefusalId::nothingToDo;
+        m_problem->showMessage(
+            Role::attention,
+            nothingDiffers ? tr("The encoder has all of these values already: there is nothing to write. "
+                                "Go back and change a value, or write all.")
+                           : refusalText(steps.error()));
+    }
+    const bool modeMissing = encoder.device().quirks.hasModes && m_setup.wish.initialisePreset &&
+                             encoder.latest().mode != Mode::position;
+    if (modeMissing) {
+        m_mayGoOn = false;
+        m_problem->showMessage(
+            Role::attention,
+            tr("The position cannot be set: the mode of the encoder is not known, and in cam "
+               "mode the same word sets a cam. Say on the page What is known that it is in "
+               "position mode, or do not set the position."));
+    }
+    m_note->setText(verificationNote());
+    Q_EMIT changed();
+}
+
+QString ReviewPage::writesText(const std::vector<Step> &steps) const
+{
+    const int more = eepromWritesOf(steps, m_setup.encoder->can());
+    const bool mayBeLess = jobForWish(*m_setup.encoder, m_setup.wish).onlyWhatDiffers;
+    QString text = tr("EEPROM writes by this program so far: %1. This handshake: %2%3.")
+                       .arg(m_setup.encoder->eepromWrites())
+                       .arg(mayBeLess ? tr("at most ") : QString())
+                       .arg(more);
+    if (const auto budget = m_setup.encoder->can().eepromBudget)
+        text += QLatin1Char(' ') + tr("The manual states about %1 in all.").arg(*budget);
+    return text;
+}
+
+QString ReviewPage::verificationNote() const
+{
+    return m_setup.encoder->can().reads ? tr("Afterwards each written value is read back.")
+                                        : tr("This encoder cannot be read: its confirmation, and operation "
+                                             "after run, are the evidence.");
+}
+
+} // namespace codewheel

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/wizard/step_table.h"
+#include "widgets/wizard/value_change_table.h"
+#include "widgets/wizard/wizard_page.h"
+
+class QCheckBox;
+class QLabel;
+class QRadioButton;
+class QTableView;
+
+namespace codewheel {
+
+class InlineMessage;
+
+// What will be sent, before anything is: old and new values, the exact words, EEPROM writes.
+class ReviewPage final : public WizardPage
+{
+    Q_OBJECT
+
+public:
+    explicit ReviewPage(Setup &setup, QWidget *parent = nullptr);
+
+    void enter() override;
+    bool mayGoOn() const override { return m_mayGoOn; }
+    QString nextText() const override { return tr("&Start the handshake"); }
+    void showKnown() override { plan(); }
+
+private:
+    void plan();
+    QString writesText(const std::vector<Step> &steps) const;
+    QString verificationNote() const;
+
+    ValueChangeTable m_changes;
+    StepTable m_steps{StepTable::Stage::planned};
+    QTableView *m_changesView;
+    QTableView *m_stepsView;
+    QCheckBox *m_writeAll;
+    QLabel *m_writes;
+    QLabel *m_note;
+    QRadioButton *m_byHand;
+    QRadioButton *m_byItself;
+    InlineMessage *m_problem;
+    bool m_mayGoOn = false;
+};
+
+} // namespace codewheel

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/scale_preview.h"
+
+#include "widgets/dial/code_disc.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+
+#include <cmath>
+
+namespace codewheel {
+
+ScalePreview::ScalePreview(QWidget *parent)
+    : QWidget(parent)
+    , m_dial(new CodeDisc(this))
+    , m_turns(new QDoubleSpinBox(this))
+{
+    auto *title = new QLabel(tr("Will read, &after turns from here:"), this);
+    title->setWordWrap(true);
+    title->setBuddy(m_turns);
+    m_dial->setAccessibleName(tr("Dial with the wanted values"));
+    m_turns->setAccessibleName(tr("Turns from here"));
+    m_turns->setObjectName(QStringLiteral("previewTurns"));
+    m_turns->setToolTip(tr("Turn the shaft in thought, clockwise; negative: counter-clockwise."));
+    m_turns->setFont(numberFont());
+    m_turns->setAlignment(Qt::AlignRight);
+    m_turns->setRange(-4096, 4096);
+    m_turns->setDecimals(2);
+    m_turns->setSingleStep(0.25);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(grid::unit);
+    layout->addWidget(title);
+    layout->addWidget(m_turns);
+    layout->addWidget(m_dial);
+    layout->addStretch();
+    connect(m_turns, &QDoubleSpinBox::valueChanged, this, &ScalePreview::draw);
+}
+
+void ScalePreview::setScale(const std::optional<PositionScale> &scale, std::optional<std::int64_t> start,
+                            const QString &whyNot)
+{
+    m_scale = scale;
+    m_start = start;
+    m_whyNot = whyNot;
+    draw();
+}
+
+void ScalePreview::draw()
+{
+    DialState state;
+    if (m_scale && m_start) {
+        const std::int64_t position = positionAfterTurns(*m_scale, *m_start, m_turns->value());
+        const double turns = static_cast<double>(position) / m_scale->resolution();
+        const double fraction = turns - std::floor(turns);
+        state.position = position;
+        state.turn = static_cast<qint64>(std::floor(turns));
+        state.turnFraction = m_scale->clockwise || fraction == 0 ? fraction : 1 - fraction;
+    } else {
+        state.note = m_whyNot;
+    }
+    m_dial->setState(state);
+}
+
+} // namespace codewheel

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/wizard/position_scale.h"
+
+#include <QWidget>
+
+class QDoubleSpinBox;
+class QLabel;
+
+namespace codewheel {
+
+class CodeDisc;
+
+// What the shaft will read with the wanted values: here, and after so many turns from here.
+class ScalePreview : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ScalePreview(QWidget *parent = nullptr);
+
+    // `start`: the position right after the handshake; nothing where it cannot be told.
+    void setScale(const std::optional<PositionScale> &scale, std::optional<std::int64_t> start,
+                  const QString &whyNot);
+
+private:
+    void draw();
+
+    CodeDisc *m_dial;
+    QDoubleSpinBox *m_turns;
+    std::optional<PositionScale> m_scale;
+    std::optional<std::int64_t> m_start;
+    QString m_whyNot;
+};
+
+} // namespace codewheel

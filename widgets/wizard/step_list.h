@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+class QLabel;
+
+namespace codewheel {
+
+// The pages of the wizard, quietly at the side: which are behind, where one is, what comes.
+class StepList : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit StepList(const QStringList &titles, QWidget *parent = nullptr);
+
+    void setCurrent(int step);
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void draw();
+
+    QStringList m_titles;
+    QList<QLabel *> m_icons;
+    QList<QLabel *> m_labels;
+    int m_current = 0;
+};
+
+} // namespace codewheel

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/step_table.h"
+
+#include "catalog/explain_word.h"
+#include "encoder/hex.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/icons.h"
+#include "widgets/look/roles.h"
+
+#include <QCoreApplication>
+
+namespace codewheel {
+namespace {
+
+QString stateText(StepState state)
+{
+    switch (state) {
+    case StepState::planned:
+        break;
+    case StepState::next:
+        return StepTable::tr("next");
+    case StepState::sent:
+        return StepTable::tr("sent");
+    case StepState::done:
+        return StepTable::tr("done");
+    case StepState::failed:
+        return StepTable::tr("failed");
+    }
+    return {};
+}
+
+QVariant stateIcon(StepState state)
+{
+    switch (state) {
+    case StepState::planned:
+        break;
+    case StepState::next:
+        return lineIcon(Icon::next);
+    case StepState::sent:
+        return lineIcon(Icon::step);
+    case StepState::done:
+        return lineIcon(Icon::ok, Role::running);
+    case StepState::failed:
+        return lineIcon(Icon::fault, Role::fault);
+    }
+    return {};
+}
+
+} // namespace
+
+QString stepText(const DeviceDescription &device, const Step &step)
+{
+    switch (step.kind) {
+    case StepKind::toNormal:
+        return StepTable::tr("Back to normal running");
+    case StepKind::run:
+        return StepTable::tr("Run: the values become valid");
+    case StepKind::initialisePreset:
+        return StepTable::tr("Set the position to the preset");
+    case StepKind::readOut:
+        if (step.parameter == Parameter::multiTurnAndStepsMinusOne)
+            return StepTable::tr("Read whether the encoder counts steps minus 1");
+        return step.parameter ? StepTable::tr("Read %1").arg(parameterNameInText(*step.parameter))
+                              : StepTable::tr("Read out");
+    case StepKind::endReadOut:
+        return StepTable::tr("End the read-out");
+    case StepKind::parameter:
+    case StepKind::word:
+        break;
+    }
+    return explanationText(device, explainWord(device, step.out,
+                                               {.direction = WordDirection::out,
+                                                .dialect = {},
+                                                .mode = Mode::position,
+                                                .coding = {},
+                                                .counterpart = {}}));
+}
+
+StepTable::StepTable(Stage stage, QObject *parent)
+    : TableModelBase(parent)
+    , m_stage(stage)
+{}
+
+void StepTable::showSteps(const DeviceDescription &device, const std::vector<Step> &steps)
+{
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const int at = static_cast<int>(i);
+        StepRow row{.step = steps[i], .what = stepText(device, steps[i]), .in = {}};
+        if (at >= rowCount())
+            append({row});
+        else if (rowAt(at).step != steps[i])
+            replace(at, row);
+    }
+    while (rowCount() > static_cast<int>(steps.size()))
+        removeAt(rowCount() - 1);
+}
+
+void StepTable::begin()
+{
+    m_current = -1;
+    setRows({});
+}
+
+void StepTable::setCurrent(int index, bool waitsForUser)
+{
+    for (int i = 0; i < rowCount() && i < index; ++i)
+        setState(i, StepState::done);
+    m_current = index;
+    if (index >= 0 && index < rowCount())
+        setState(index, waitsForUser ? StepState::next : StepState::sent);
+}
+
+// A row is told before the step that follows from it: it belongs to the last step that put this word out.
+void StepTable::answer(const Exchange &row)
+{
+    for (int i = std::min(m_current, rowCount() - 1); i >= 0; --i) {
+        const StepRow &of = rowAt(i);
+        if (of.step.out != row.out || of.state == StepState::next || of.state == StepState::planned)
+            continue;
+        StepRow answered = of;
+        answered.in = row.in;
+        if (answered != of)
+            replace(i, answered);
+        return;
+    }
+}
+
+void StepTable::finish(bool ok)
+{
+    for (int i = 0; i < rowCount(); ++i)
+        if (rowAt(i).state == StepState::sent || (ok && rowAt(i).state == StepState::next))
+            setState(i, ok ? StepState::done : StepState::failed);
+        else if (rowAt(i).state == StepState::next)
+            setState(i, StepState::planned);
+}
+
+void StepTable::setState(int row, StepState to)
+{
+    if (rowAt(row).state == to)
+        return;
+    StepRow changed = rowAt(row);
+    changed.state = to;
+    replace(row, changed);
+}
+
+QVariant StepTable::headerCell(int column, int role) const
+{
+    if (role == Qt::TextAlignmentRole)
+        return int(Qt::AlignLeft | Qt::AlignVCenter);
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (column) {
+    case what:
+        return tr("Step");
+    case out:
+        return tr("OUT");
+    case in:
+        return tr("IN");
+    default:
+        return tr("State");
+    }
+}
+
+QVariant StepTable::cell(const StepRow &row, int column, int role) const
+{
+    if (role == Qt::FontRole && (column == out || column == in))
+        return numberFont();
+    if (role == Qt::FontRole && column == what && row.state == StepState::next) {
+        QFont strong = textFont();
+        strong.setBold(true);
+        return strong;
+    }
+    if (role == Qt::DecorationRole && column == state)
+        return stateIcon(row.state);
+    if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
+        return {};
+    switch (column) {
+    case what:
+        return row.what;
+    case out:
+        return hexWord(row.step.out);
+    case in:
+        return row.in ? hexWord(*row.in) : QString();
+    default:
+        return stateText(row.state);
+    }
+}
+
+} // namespace codewheel

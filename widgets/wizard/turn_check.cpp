@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/turn_check.h"
+
+namespace codewheel {
+namespace {
+
+constexpr std::int64_t largestTotalRange = 33'554'432; // 25 bit
+
+} // namespace
+
+void TurnCheck::begin(std::optional<std::int64_t> totalRange)
+{
+    *this = {};
+    m_total = totalRange.value_or(largestTotalRange);
+}
+
+void TurnCheck::take(std::int64_t position)
+{
+    std::int64_t move = position - m_last.value_or(position);
+    m_last = position;
+    if (move > m_total / 2)
+        move -= m_total;
+    else if (move < -m_total / 2)
+        move += m_total;
+    m_moved += move;
+    m_ups += move > 0;
+    m_downs += move < 0;
+}
+
+TurnCheck::Verdict TurnCheck::verdict() const
+{
+    if (m_ups == m_downs)
+        return m_ups == 0 ? Verdict::doesNotMove : Verdict::goesBothWays;
+    return m_ups > m_downs ? Verdict::countsUp : Verdict::countsDown;
+}
+
+} // namespace codewheel

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/values_to_write.h"
+
+#include "catalog/device_description.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+bool mustBeRearmed(const EncoderSession &encoder, const WriteWish &wish)
+{
+    if (!wish.initialisePreset || !encoder.device().quirks.presetNeedsRearming)
+        return false;
+    const auto flag = encoder.known(Parameter::presetFlag);
+    return !flag || flag->value == 0;
+}
+
+bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value)
+{
+    const auto known = encoder.known(value.parameter);
+    const bool isSure = known && (known->evidence != Evidence::told || !encoder.can().reads);
+    return isSure && known->value == value.value;
+}
+
+bool isRead(const EncoderSession &encoder, Parameter parameter)
+{
+    const auto known = encoder.known(parameter);
+    return known && known->evidence == Evidence::read;
+}
+
+} // namespace
+
+WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
+{
+    WriteParameters job{.values = {}, .previous = {}, .initialisePreset = wish.initialisePreset};
+    for (const ParameterDescription &description : encoder.device().parameters) {
+        const auto value = valueOf(wish.wanted, description.parameter);
+        if (!value)
+            continue;
+        const ParameterValue wanted{description.parameter, *value};
+        const bool rearms = wanted.parameter == Parameter::preset && mustBeRearmed(encoder, wish);
+        if (!wish.writeAll && !rearms && isThereAlready(encoder, wanted))
+            continue;
+        job.values.push_back(wanted);
+        const bool readFirst =
+            !isRead(encoder, wanted.parameter) || (rearms && !isRead(encoder, Parameter::presetFlag));
+        if (!wish.writeAll && encoder.can().reads && description.readOut && readFirst)
+            job.onlyWhatDiffers = true;
+    }
+    return job;
+}
+
+std::vector<Known> allKnown(const EncoderSession &encoder)
+{
+    std::vector<Known> all;
+    for (const Parameter parameter : allParameters())
+        if (const auto known = encoder.known(parameter))
+            all.push_back(*known);
+    return all;
+}
+
+int eepromWritesOf(const std::vector<Step> &steps, const Capabilities &can)
+{
+    return static_cast<int>(std::ranges::count_if(steps, [&](const Step &step) {
+        return step.kind == StepKind::parameter ||
+               (step.kind == StepKind::initialisePreset && can.presetIsStored);
+    }));
+}
+
+} // namespace codewheel

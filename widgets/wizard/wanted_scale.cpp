@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/wanted_scale.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+ValueOf valuesBefore(const HandshakeRecord &record)
+{
+    return [&record](Parameter parameter) -> std::optional<std::int64_t> {
+        const auto found = std::ranges::find(record.before, parameter, &Known::parameter);
+        return found == record.before.end() ? std::nullopt : std::optional(found->value);
+    };
+}
+
+} // namespace
+
+std::optional<PositionScale> scaleNow(const Setup &setup)
+{
+    return scaleOf(setup.encoder->device(), [&](Parameter parameter) { return setup.valueNow(parameter); });
+}
+
+std::optional<PositionScale> scaleAfter(const Setup &setup)
+{
+    return scaleOf(setup.encoder->device(), [&](Parameter parameter) { return setup.valueAfter(parameter); });
+}
+
+std::optional<ForetoldPosition> positionAfterHandshake(const Setup &setup)
+{
+    const auto then = scaleAfter(setup);
+    if (!then)
+        return std::nullopt;
+    if (setup.wish.initialisePreset)
+        return then->preset ? std::optional(ForetoldPosition{then->shown(*then->preset + then->offset), true})
+                            : std::nullopt;
+    const auto now = scaleNow(setup);
+    const auto position = setup.encoder->latest().position;
+    return now && position ? foretellPosition(*now, *position, *then) : std::nullopt;
+}
+
+std::optional<ForetoldPosition> positionWithTaken(const Setup &setup)
+{
+    const HandshakeRecord &record = setup.record;
+    if (!record.positionBefore)
+        return std::nullopt;
+    const ValueOf before = valuesBefore(record);
+    const ParameterValues taken = record.taken();
+    const auto now = scaleOf(setup.encoder->device(), before);
+    const auto then = scaleOf(setup.encoder->device(), [&](Parameter parameter) {
+        const auto value = valueOf(taken, parameter);
+        return value ? value : before(parameter);
+    });
+    return now && then ? foretellPosition(*now, *record.positionBefore, *then) : std::nullopt;
+}
+
+} // namespace codewheel

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/wizard/position_scale.h"
+#include "widgets/wizard/setup.h"
+
+namespace codewheel {
+
+// The scale the encoder has now, and the one it will have after the handshake; nothing where not all is
+// known.
+std::optional<PositionScale> scaleNow(const Setup &setup);
+std::optional<PositionScale> scaleAfter(const Setup &setup);
+
+// What the shaft will read where it stands: the preset where it is initialised, else by arithmetic from what
+// the encoder shows now.
+std::optional<ForetoldPosition> positionAfterHandshake(const Setup &setup);
+
+// The same for an encoder that runs with what it has taken so far; before the first word, from the position
+// shown then.
+std::optional<ForetoldPosition> positionWithTaken(const Setup &setup);
+
+} // namespace codewheel

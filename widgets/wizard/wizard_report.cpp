@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/wizard_report.h"
+
+#include "catalog/explain_word.h"
+#include "encoder/hex.h"
+#include "encoder/refusal_text.h"
+#include "widgets/wizard/known_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+QString tr(const char *text)
+{
+    return QCoreApplication::translate("WizardReport", text);
+}
+
+struct Table
+{
+    QString title;
+    QStringList header;
+    QList<QStringList> rows;
+};
+
+// The report before it is text or HTML: lines "name: what", then tables.
+struct Report
+{
+    QString title;
+    QList<QPair<QString, QString>> facts;
+    QList<Table> tables;
+};
+
+std::optional<Known> knownIn(const std::vector<Known> &all, Parameter parameter)
+{
+    const auto found = std::ranges::find(all, parameter, &Known::parameter);
+    return found == all.end() ? std::nullopt : std::optional(*found);
+}
+
+QString positionText(const std::optional<std::int64_t> &position)
+{
+    return position ? QLocale().toString(qlonglong{*position}) : tr("not known");
+}
+
+QString resultText(const HandshakeRecord &record)
+{
+    if (!record.outcome)
+        return tr("not finished");
+    return record.outcome->result ? tr("done") : refusalText(record.outcome->result.error());
+}
+
+EncoderState leftIn(const HandshakeRecord &record)
+{
+    if (record.recovery)
+        return record.recovery->leftIn;
+    return record.outcome ? record.outcome->leftIn : EncoderState::notSeen;
+}
+
+Table valueTable(const HandshakeRecord &record, const DeviceDescription &device)
+{
+    Table table{tr("Values"), {tr("Parameter"), tr("Before"), tr("Wanted"), tr("After")}, {}};
+    for (const ParameterDescription &parameter : device.parameters) {
+        if (!parameter.number)
+            continue;
+        const auto wanted = valueOf(record.job.values, parameter.parameter);
+        table.rows.append({parameterName(parameter.parameter),
+                           knownText(device, knownIn(record.before, parameter.parameter)),
+                           wanted ? valueWithUnit(device, {parameter.parameter, *wanted}) : QString(),
+                           knownText(device, knownIn(record.after, parameter.parameter))});
+    }
+    return table;
+}
+
+QString meaningOf(const DeviceDescription &device, const Exchange &row, bool isOut)
+{
+    return explanationText(device, explainWord(device, isOut ? row.out : row.in,
+                                               {.direction = isOut ? WordDirection::out : WordDirection::in,
+                                                .dialect = device.dialect,
+                                                .mode = row.mode,
+                                                .coding = row.coding,
+                                                .counterpart = isOut ? row.in : row.out}));
+}
+
+Table traceTable(const HandshakeRecord &record, const DeviceDescription &device)
+{
+    Table table{tr("Words"), {tr("Cycle"), tr("OUT"), tr("IN"), tr("OUT means"), tr("IN means")}, {}};
+    for (const Exchange &row : record.rows)
+        table.rows.append({QString::number(row.cycle), hexWord(row.out), hexWord(row.in),
+                           meaningOf(device, row, true), meaningOf(device, row, false)});
+    return table;
+}
+
+Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, const QString &version)
+{
+    const QLocale locale;
+    Report report{tr("Parameterization of encoder %1").arg(record.place), {}, {}};
+    auto fact = [&](const QString &name, const QString &what) { report.facts.append({name, what}); };
+    fact(tr("Device"), QStringLiteral("%1 (%2)").arg(record.place, record.device));
+    if (record.serialNumber)
+        fact(tr("Serial number"), QString::number(*record.serialNumber));
+    fact(tr("Begun"), locale.toString(record.begun, QLocale::LongFormat));
+    fact(tr("Ended"), locale.toString(record.ended, QLocale::LongFormat));
+    fact(tr("Result"), resultText(record));
+    fact(tr("Verified"), verificationText(record, device));
+    if (record.recovery)
+        fact(tr("Brought back"),
+             record.recovery->result ? tr("done") : refusalText(record.recovery->result.error()));
+    fact(tr("Left in"), leftInText(leftIn(record)));
+    fact(tr("Position before"), positionText(record.positionBefore));
+    fact(tr("Position after"), positionText(record.positionAfter));
+    const int writes = (record.outcome ? record.outcome->eepromWrites : 0) +
+                       (record.recovery ? record.recovery->eepromWrites : 0);
+    fact(tr("EEPROM writes"), tr("%1 by this handshake, %2 by this program since it was connected")
+                                  .arg(writes)
+                                  .arg(record.eepromWritesInAll));
+    fact(tr("Program"), QStringLiteral("Codewheel %1").arg(version));
+    report.tables = {valueTable(record, device), traceTable(record, device)};
+    return report;
+}
+
+QString padded(const Table &table)
+{
+    QList<QStringList> all{table.header};
+    all += table.rows;
+    QList<qsizetype> widths(table.header.size(), 0);
+    for (const QStringList &row : all)
+        for (qsizetype i = 0; i < row.size(); ++i)
+            widths[i] = std::max(widths[i], row[i].size());
+    QString text;
+    for (const QStringList &row : all) {
+        QString line;
+        for (qsizetype i = 0; i < row.size(); ++i)
+            line += row[i].leftJustified(widths[i] + 2);
+        text += line.trimmed() + QLatin1Char('\n');
+    }
+    return text;
+}
+
+QString htmlRow(const QStringList &cells, const QString &tag)
+{
+    QString row = QStringLiteral("<tr>");
+    for (const QString &cell : cells)
+        row += QStringLiteral("<%1>%2</%1>").arg(tag, cell.toHtmlEscaped());
+    return row + QStringLiteral("</tr>\n");
+}
+
+} // namespace
+
+QString verificationText(const HandshakeRecord &record, const DeviceDescription &device)
+{
+    if (!record.outcome || !record.outcome->result)
+        return tr("no: the handshake did not end well");
+    if (device.capabilities.reads)
+        return tr("read back from the encoder, and equal");
+    return tr("confirmed in the handshake, and run was answered by operation; this encoder cannot be read");
+}
+
+QString reportAsText(const HandshakeRecord &record, const DeviceDescription &device, const QString &version)
+{
+    const Report report = reportOf(record, device, version);
+    QString text = report.title + QLatin1Char('\n') + QString(report.title.size(), QLatin1Char('=')) +
+                   QStringLiteral("\n\n");
+    qsizetype width = 0;
+    for (const auto &[name, what] : report.facts)
+        width = std::max(width, name.size());
+    for (const auto &[name, what] : report.facts)
+        text += (name + QLatin1Char(':')).leftJustified(width + 3) + what + QLatin1Char('\n');
+    for (const Table &table : report.tables)
+        text += QStringLiteral("\n%1\n%2\n%3")
+                    .arg(table.title, QString(table.title.size(), QLatin1Char('-')), padded(table));
+    return text;
+}
+
+QString reportAsHtml(const HandshakeRecord &record, const DeviceDescription &device, const QString &version)
+{
+    const Report report = reportOf(record, device, version);
+    QString html = QStringLiteral("<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"><title>%1</title>\n"
+                                  "<style>body { font-family: sans-serif } td, th { text-align: left; "
+                                  "padding-right: 1.5em; vertical-align: top }</style></head>\n"
+                                  "<body><h1>%1</h1>\n<table>\n")
+                       .arg(report.title.toHtmlEscaped());
+    for (const auto &[name, what] : report.facts)
+        html += htmlRow({name, what}, QStringLiteral("td"));
+    html += QStringLiteral("</table>\n");
+    for (const Table &table : report.tables) {
+        html += QStringLiteral("<h2>%1</h2>\n<table>\n").arg(table.title.toHtmlEscaped());
+        html += htmlRow(table.header, QStringLiteral("th"));
+        for (const QStringList &row : table.rows)
+            html += htmlRow(row, QStringLiteral("td"));
+        html += QStringLiteral("</table>\n");
+    }
+    return html + QStringLiteral("</body></html>\n");
+}
+
+} // namespace codewheel
