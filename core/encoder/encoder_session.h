@@ -42,7 +42,7 @@ public:
     virtual int eepromWrites() const = 0;
 
 Q_SIGNALS:
-    void latestChanged();
+    void latestChanged(); // a newer reading, which may say the same; at most once a picture
     void knownChanged();
     void jobStarted(codewheel::JobId job);
     void progressed(const codewheel::Progress &progress);

@@ -7,16 +7,6 @@
 #include "ring/send_permission.h"
 
 namespace codewheel {
-namespace {
-
-bool showsTheSame(Reading a, const Reading &b)
-{
-    a.at = b.at;
-    return a == b;
-}
-
-} // namespace
-
 RingEncoderSession::RingEncoderSession(BusSession &bus, std::size_t device, DeviceNumber number,
                                        const DeviceDescription &description)
     : m_bus(bus)
@@ -77,9 +67,9 @@ void RingEncoderSession::cancel(OnCancel how)
 
 void RingEncoderSession::show(const Reading &reading)
 {
-    const bool same = showsTheSame(m_reading, reading);
+    const bool fresh = reading.at != m_reading.at || reading.state != m_reading.state;
     m_reading = reading;
-    if (!same)
+    if (fresh)
         Q_EMIT latestChanged();
 }
 

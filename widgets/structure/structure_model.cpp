@@ -164,7 +164,7 @@ QModelIndex StructureModel::indexOf(DeviceNumber number) const
 {
     for (std::size_t node = 0; node < m_nodes.size(); ++node)
         if (m_nodes[node].participant.number == number)
-            return createIndex(rowOf(static_cast<int>(node)), deviceColumn, static_cast<quintptr>(node + 1));
+            return createIndex(rowOf(static_cast<int>(node)), deviceColumn, static_cast<quintptr>(node) + 1);
     return {};
 }
 
@@ -194,7 +194,7 @@ QModelIndex StructureModel::index(int row, int column, const QModelIndex &parent
     if (!parent.isValid())
         return createIndex(0, column, masterId);
     return createIndex(row, column,
-                       static_cast<quintptr>(childrenOf(parent)[static_cast<std::size_t>(row)] + 1));
+                       static_cast<quintptr>(childrenOf(parent)[static_cast<std::size_t>(row)]) + 1);
 }
 
 QModelIndex StructureModel::parent(const QModelIndex &index) const
@@ -204,7 +204,7 @@ QModelIndex StructureModel::parent(const QModelIndex &index) const
         return {};
     const int above = m_nodes[static_cast<std::size_t>(node)].parent;
     return above < 0 ? createIndex(0, deviceColumn, masterId)
-                     : createIndex(rowOf(above), deviceColumn, static_cast<quintptr>(above + 1));
+                     : createIndex(rowOf(above), deviceColumn, static_cast<quintptr>(above) + 1);
 }
 
 int StructureModel::rowCount(const QModelIndex &parent) const

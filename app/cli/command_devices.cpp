@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/explain_word.h"
+#include "catalog/value_text.h"
+#include "cli/commands.h"
+#include "cli/device_text.h"
+#include "cli/json.h"
+#include "cli/parameter_text.h"
+#include "cli/text_table.h"
+#include "cli/texts.h"
+#include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
+
+namespace codewheel {
+namespace {
+
+constexpr const char *examples[] = {"devices", "devices fraba-ocd-ib", "devices baumer-gxp6w --json"};
+
+QString yesNo(bool yes)
+{
+    return yes ? CommandLine::tr("yes") : CommandLine::tr("no");
+}
+
+Answer listOf(const Catalog &catalog)
+{
+    TextTable table;
+    table.add({CommandLine::tr("name"), CommandLine::tr("profile"), CommandLine::tr("device code"),
+               CommandLine::tr("read-out"), CommandLine::tr("encoder")});
+    QJsonArray devices;
+    for (const DeviceDescription &device : catalog.devices()) {
+        table.add({device.key, profileText(device.profile), hexCode(device.deviceCode, 4),
+                   yesNo(device.capabilities.reads), device.fullName()});
+        devices.append(QJsonObject{{QStringLiteral("name"), device.key},
+                                   {QStringLiteral("vendor"), device.vendor},
+                                   {QStringLiteral("model"), device.name},
+                                   {QStringLiteral("profile"), profileText(device.profile)},
+                                   {QStringLiteral("idCode"), static_cast<int>(device.idCode)},
+                                   {QStringLiteral("deviceCode"), static_cast<int>(device.deviceCode)},
+                                   {QStringLiteral("reads"), device.capabilities.reads}});
+    }
+    return {table.toString(), {{QStringLiteral("devices"), devices}}};
+}
+
+QString optionalText(const std::optional<unsigned> &number)
+{
+    return number ? QString::number(*number) : QStringLiteral("-");
+}
+
+QString parameterLines(const DeviceDescription &device)
+{
+    using enum TextTable::Align;
+    TextTable table({left, right, right});
+    table.add({CommandLine::tr("parameter"), CommandLine::tr("number"), CommandLine::tr("read-out"),
+               CommandLine::tr("factory"), CommandLine::tr("unit"), CommandLine::tr("values")});
+    for (const ParameterDescription &parameter : device.parameters)
+        table.add({parameterKey(parameter.parameter), optionalText(parameter.number),
+                   optionalText(parameter.readOut),
+                   parameter.factory ? typedValue(parameter, *parameter.factory) : QStringLiteral("-"),
+                   unitText(parameter.unit), rangeText(parameter)});
+    return table.toString();
+}
+
+QJsonObject parameterJson(const ParameterDescription &parameter)
+{
+    QJsonArray choices;
+    for (const Choice &choice : parameter.choices)
+        choices.append(QJsonObject{{QStringLiteral("value"), static_cast<qint64>(choice.value)},
+                                   {QStringLiteral("choice"), choice.key}});
+    const auto code = [](const std::optional<unsigned> &number) { return numberJson(number); };
+    return {{QStringLiteral("parameter"), parameterKey(parameter.parameter)},
+            {QStringLiteral("number"), code(parameter.number)},
+            {QStringLiteral("readOut"), code(parameter.readOut)},
+            {QStringLiteral("minimum"), static_cast<qint64>(parameter.minimum)},
+            {QStringLiteral("maximum"), static_cast<qint64>(parameter.maximum)},
+            {QStringLiteral("factory"), numberJson(parameter.factory)},
+            {QStringLiteral("unit"), unitKey(parameter.unit)},
+            {QStringLiteral("choices"), choices}};
+}
+
+QString errorLines(const DeviceDescription &device)
+{
+    QString text;
+    for (const DeviceError &error : device.errors)
+        text += explanationText(device, Meaning{MeaningId::deviceError, {error.number}}) + u'\n';
+    return text;
+}
+
+QString budgetText(const Capabilities &can)
+{
+    if (!can.eepromBudget)
+        return CommandLine::tr("EEPROM writes: not stated in the manual");
+    if (!can.eepromLimit)
+        return sentence(CommandLine::tr("EEPROM writes: about %1"),
+                        argumentTexts({std::int64_t{*can.eepromBudget}}));
+    return sentence(CommandLine::tr("EEPROM writes: about %1, nothing is guaranteed past %2"),
+                    argumentTexts({std::int64_t{*can.eepromBudget}, std::int64_t{*can.eepromLimit}}));
+}
+
+Answer detailsOf(const DeviceDescription &device)
+{
+    QString text = QStringLiteral("%1 (%2)\n").arg(device.fullName(), device.manual);
+    if (!device.notes.isEmpty())
+        text += device.notes + u'\n';
+    text += u'\n' + parameterLines(device) + u'\n' + errorLines(device) + u'\n' +
+            budgetText(device.capabilities) + u'\n';
+
+    QJsonArray parameters;
+    for (const ParameterDescription &parameter : device.parameters)
+        parameters.append(parameterJson(parameter));
+    QJsonArray errors;
+    for (const DeviceError &error : device.errors)
+        errors.append(QJsonObject{{QStringLiteral("number"), static_cast<int>(error.number)},
+                                  {QStringLiteral("meaning"), refusalKey(error.meaning)},
+                                  {QStringLiteral("warning"), error.warning}});
+    return {text,
+            {{QStringLiteral("name"), device.key},
+             {QStringLiteral("parameters"), parameters},
+             {QStringLiteral("errors"), errors},
+             {QStringLiteral("eepromBudget"), numberJson(device.capabilities.eepromBudget)},
+             {QStringLiteral("eepromLimit"), numberJson(device.capabilities.eepromLimit)}}};
+}
+
+Checked<Answer> run(const Call &call)
+{
+    if (call.arguments.rest.isEmpty())
+        return listOf(call.catalog);
+    const auto device = deviceNamed(call.catalog, call.arguments.rest.front());
+    if (!device)
+        return tl::unexpected(device.error());
+    return detailsOf(**device);
+}
+
+} // namespace
+
+const Subcommand devicesCommand{
+    .name = "devices",
+    .usage = "[NAME]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "list the encoders this program knows"),
+    .details = QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                                 "Lists the encoders this program knows. With a NAME: its parameters with "
+                                 "their numbers,\nread-out codes, factory values and ranges, its errors and "
+                                 "how often its EEPROM can be written."),
+    .examples = examples,
+    .options = {},
+    .minimumArguments = 0,
+    .maximumArguments = 1,
+    .needsBus = false,
+    .run = run,
+};
+
+} // namespace codewheel

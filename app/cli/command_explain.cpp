@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/explain_word.h"
+#include "cli/commands.h"
+#include "cli/device_text.h"
+#include "cli/json.h"
+#include "cli/parameter_arguments.h"
+#include "cli/texts.h"
+#include "drivers/k3_knowledge.h"
+#include "encoder/hex.h"
+#include "encoder/sentence.h"
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *examples[] = {
+    "explain 020000FF --device fraba-ocd-ib --direction out",
+    "explain A0002000 --device fraba-ocd-ib --direction in --other 20210001",
+    "explain 40000000 --device fraba-ocd-ib --direction out --mode cam",
+    "explain 00003039 --device baumer-gxp6w --direction in --coding gray-cw",
+};
+
+constexpr std::array options{
+    Option{"--device", "NAME", QT_TRANSLATE_NOOP("codewheel::CommandLine", "whose word it is (see devices)")},
+    Option{"--direction", "in|out",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "out: master to encoder; in: encoder to master")},
+    Option{"--mode", "position|cam|velocity",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "the mode the encoder is in, if it has several")},
+    Option{"--other", "WORD",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "the word that stands the other way")},
+    Option{"--coding", "N",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "how positions are coded: 1 to 6, or its name")},
+};
+
+template <typename T>
+struct Named
+{
+    const char *key;
+    T value;
+};
+constexpr std::array directions{Named<WordDirection>{"in", WordDirection::in},
+                                Named<WordDirection>{"out", WordDirection::out}};
+constexpr std::array modes{Named<Mode>{"position", Mode::position}, Named<Mode>{"cam", Mode::cam},
+                           Named<Mode>{"velocity", Mode::velocity}};
+
+// One of a few keys; nothing where the option is not given.
+template <typename T, std::size_t n>
+Checked<std::optional<T>> keyword(const Call &call, const char *option, const std::array<Named<T>, n> &names)
+{
+    const auto given = call.arguments.value(option);
+    if (!given)
+        return std::optional<T>();
+    QStringList keys;
+    for (const Named<T> &name : names) {
+        if (*given == QLatin1String(name.key))
+            return std::optional(name.value);
+        keys << QString::fromLatin1(name.key);
+    }
+    return badInput(QStringLiteral("optionNotAllowed"),
+                    CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
+                    {QString::fromLatin1(option), *given, keys.join(QStringLiteral(", "))});
+}
+
+Checked<QString> required(const Call &call, const char *option, const QString &values)
+{
+    if (const auto given = call.arguments.value(option))
+        return *given;
+    return badInput(QStringLiteral("missingOption"), CommandLine::tr("%1 is missing. Give one of: %2."),
+                    {QString::fromLatin1(option), values});
+}
+
+QString deviceKeys(const Catalog &catalog)
+{
+    QStringList keys;
+    for (const DeviceDescription &device : catalog.devices())
+        keys << device.key;
+    return keys.join(QStringLiteral(", "));
+}
+
+// The coding is parameter 3 of encoders that have it; where the make is not known, it is taken as theirs.
+Checked<std::optional<PositionCoding>> codingOf(const Call &call, const DeviceDescription &device)
+{
+    const auto given = call.arguments.value("--coding");
+    if (!given)
+        return std::optional<PositionCoding>();
+    if (device.dialect == k3::Dialect::fraba)
+        return badInput(QStringLiteral("oneCodingOnly"),
+                        CommandLine::tr("The %1 has one coding only. Leave --coding out."),
+                        {device.fullName()});
+    const DeviceDescription *withCoding = &device;
+    for (const DeviceDescription &other : call.catalog.devices())
+        if (!withCoding->find(Parameter::coding))
+            withCoding = &other;
+    const auto value = valueFrom(*withCoding->find(Parameter::coding), *given);
+    if (!value)
+        return tl::unexpected(value.error());
+    K3Knowledge knowledge(*withCoding);
+    knowledge.set({{.parameter = Parameter::coding, .value = *value}});
+    return knowledge.coding();
+}
+
+Checked<WordDirection> directionOf(const Call &call)
+{
+    const auto given = required(call, "--direction", QStringLiteral("in, out"));
+    if (!given)
+        return tl::unexpected(given.error());
+    const auto direction = keyword(call, "--direction", directions);
+    if (!direction)
+        return tl::unexpected(direction.error());
+    return **direction;
+}
+
+Checked<k3::ExplainContext> contextOf(const Call &call, const DeviceDescription &device)
+{
+    k3::ExplainContext context;
+    const auto direction = directionOf(call);
+    if (!direction)
+        return tl::unexpected(direction.error());
+    context.direction = *direction;
+    const auto mode = keyword(call, "--mode", modes);
+    if (!mode)
+        return tl::unexpected(mode.error());
+    context.mode = *mode;
+    const auto coding = codingOf(call, device);
+    if (!coding)
+        return tl::unexpected(coding.error());
+    context.coding = *coding;
+    if (const auto other = call.arguments.value("--other")) {
+        const auto word = wordFrom(*other);
+        if (!word)
+            return tl::unexpected(word.error());
+        context.counterpart = *word;
+    }
+    return context;
+}
+
+// What was not told and may leave fewer meanings.
+QString whatMayHelp(const DeviceDescription &device, const k3::ExplainContext &context)
+{
+    QStringList missing;
+    if (device.quirks.hasModes && !context.mode)
+        missing << QStringLiteral("--mode");
+    if (!context.counterpart)
+        missing << QStringLiteral("--other");
+    if (device.dialect != k3::Dialect::fraba && !context.coding)
+        missing << QStringLiteral("--coding");
+    return missing.isEmpty() ? QString()
+                             : sentence(CommandLine::tr("One of these. What may tell which: %1."),
+                                        {missing.join(QStringLiteral(", "))}) +
+                                   u'\n';
+}
+
+Checked<Answer> run(const Call &call)
+{
+    const auto word = wordFrom(call.arguments.rest.front());
+    if (!word)
+        return tl::unexpected(word.error());
+    const auto key = required(call, "--device", deviceKeys(call.catalog));
+    if (!key)
+        return tl::unexpected(key.error());
+    const auto device = deviceNamed(call.catalog, *key);
+    if (!device)
+        return tl::unexpected(device.error());
+    const auto context = contextOf(call, **device);
+    if (!context)
+        return tl::unexpected(context.error());
+
+    const Explanation explanation = explainWord(**device, *word, *context);
+    const bool isOut = context->direction == WordDirection::out;
+    QString text =
+        QStringLiteral("%1 %2, %3\n")
+            .arg(isOut ? QStringLiteral("OUT") : QStringLiteral("IN"), hexWord(*word), (*device)->fullName());
+    for (const Meaning &meaning : explanation)
+        text += QStringLiteral("  ") + explanationText(**device, meaning) + u'\n';
+    if (!explanation.isUnique())
+        text += whatMayHelp(**device, *context);
+    return Answer{text,
+                  {{QStringLiteral("word"), wordJson(*word)},
+                   {QStringLiteral("direction"), isOut ? QStringLiteral("out") : QStringLiteral("in")},
+                   {QStringLiteral("device"), (*device)->key},
+                   {QStringLiteral("meanings"), meaningsJson(explanation)}}};
+}
+
+} // namespace
+
+const Subcommand explainCommand{
+    .name = "explain",
+    .usage =
+        "WORD --device NAME --direction in|out [--mode position|cam|velocity] [--other WORD] [--coding N]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "tell what a word means"),
+    .details =
+        QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                          "Tells what a 32-bit word means to an encoder. Every word gets an answer. What "
+                          "is not told\n(mode, coding, the word the other way) widens it to all meanings "
+                          "the word can have.\nNeeds no bus and sends nothing."),
+    .examples = examples,
+    .options = options,
+    .minimumArguments = 1,
+    .maximumArguments = 1,
+    .needsBus = false,
+    .run = run,
+};
+
+} // namespace codewheel

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command_line.h"
+
+#include "catalog/catalog.h"
+#include "cli/commands.h"
+#include "cli/help.h"
+#include "cli/json.h"
+#include "cli/texts.h"
+#include "training_session.h"
+
+#include <QJsonDocument>
+
+namespace codewheel {
+namespace {
+
+const QString trainingLink = QStringLiteral("training");
+
+QString commandNames()
+{
+    QStringList names;
+    for (const Subcommand *command : allCommands())
+        names << QString::fromLatin1(command->name);
+    return names.join(QStringLiteral(", "));
+}
+
+int fail(const Complaint &complaint, const QString &command, bool asJson, QJsonObject json,
+         const Terminal &terminal)
+{
+    if (asJson) {
+        if (!command.isEmpty())
+            json.insert(QStringLiteral("command"), command);
+        json.insert(QStringLiteral("exit"), static_cast<int>(complaint.exit));
+        json.insert(QStringLiteral("error"), errorJson(complaint));
+        terminal.print(QString::fromUtf8(QJsonDocument(json).toJson()));
+    }
+    terminal.complain(complaint.text);
+    return static_cast<int>(complaint.exit);
+}
+
+int fail(const Complaint &complaint, const QString &command, const QStringList &words,
+         const Terminal &terminal)
+{
+    return fail(complaint, command, words.contains(QStringLiteral("--json")), {}, terminal);
+}
+
+Complaint aboutUnknownCommand(const QString &name)
+{
+    return badInput(QStringLiteral("unknownCommand"),
+                    CommandLine::tr("There is no command \"%1\". The commands are: %2. See codewheel-cli "
+                                    "--help."),
+                    {name, commandNames()})
+        .value();
+}
+
+Complaint aboutMissingCommand()
+{
+    return badInput(QStringLiteral("missingCommand"),
+                    CommandLine::tr("Name a command: %1. See codewheel-cli --help."), {commandNames()})
+        .value();
+}
+
+Checked<void> checkCount(const Subcommand &command, const Arguments &arguments)
+{
+    const QString call =
+        QStringLiteral("%1 %2").arg(QString::fromLatin1(command.name), QString::fromLatin1(command.usage));
+    if (arguments.rest.size() < command.minimumArguments)
+        return badInput(QStringLiteral("missingArgument"),
+                        CommandLine::tr("Something is missing. It is called so: codewheel-cli %1"), {call});
+    if (arguments.rest.size() > command.maximumArguments)
+        return badInput(QStringLiteral("tooManyArguments"),
+                        CommandLine::tr("\"%1\" is too much. It is called so: codewheel-cli %2"),
+                        {arguments.rest[command.maximumArguments], call});
+    return {};
+}
+
+Checked<void> checkLink(const Arguments &arguments)
+{
+    const QString link = arguments.value("--link").value_or(trainingLink);
+    if (link != trainingLink)
+        return badInput(QStringLiteral("unknownLink"),
+                        CommandLine::tr("There is no link \"%1\". This version knows one: training, the "
+                                        "simulated bus. Leave --link out, or give --link training."),
+                        {link});
+    return {};
+}
+
+bool asksForHelp(const Arguments &arguments)
+{
+    return arguments.has("--help") || arguments.has("-h");
+}
+
+int runOnTrainingBus(const Subcommand &command, const Arguments &arguments, const Terminal &terminal)
+{
+    const Catalog catalog = Catalog::builtIn();
+    if (!command.needsBus)
+        return runCommand(command, arguments, catalog, nullptr, terminal);
+    const TrainingSession training = openTrainingSession(catalog, QDateTime::currentDateTime());
+    return runCommand(command, arguments, catalog, training.bus.get(), terminal);
+}
+
+int printed(const QString &text, const Terminal &terminal)
+{
+    terminal.print(text);
+    return static_cast<int>(ExitCode::done);
+}
+
+int withoutCommand(const QStringList &words, const Terminal &terminal)
+{
+    const auto arguments = parseArguments(words, commonOptions(), QStringLiteral("codewheel-cli"));
+    if (!arguments)
+        return fail(arguments.error(), {}, words, terminal);
+    if (arguments->has("--version"))
+        return printed(versionText(), terminal);
+    if (asksForHelp(*arguments))
+        return printed(overallHelp(), terminal);
+    return fail(aboutMissingCommand(), {}, words, terminal);
+}
+
+} // namespace
+
+int runCommand(const Subcommand &command, const Arguments &arguments, const Catalog &catalog, BusSession *bus,
+               const Terminal &terminal)
+{
+    const QString name = QString::fromLatin1(command.name);
+    const bool asJson = arguments.has("--json");
+    const auto answer = command.run({arguments, catalog, bus, terminal});
+    if (!answer)
+        return fail(answer.error(), name, asJson, {}, terminal);
+    if (!asJson)
+        terminal.print(answer->text);
+    if (answer->complaint)
+        return fail(*answer->complaint, name, asJson, answer->json, terminal);
+    if (asJson) {
+        QJsonObject json = answer->json;
+        json.insert(QStringLiteral("command"), name);
+        json.insert(QStringLiteral("exit"), static_cast<int>(ExitCode::done));
+        terminal.print(QString::fromUtf8(QJsonDocument(json).toJson()));
+    }
+    return static_cast<int>(ExitCode::done);
+}
+
+// The command is the first word that is no option; the common options may stand before it.
+int runCommandLine(const QStringList &words, const Terminal &terminal)
+{
+    qsizetype place = 0;
+    while (place < words.size() && words[place].startsWith(u'-'))
+        place += words[place] == QStringLiteral("--link") ? 2 : 1;
+    if (place >= words.size())
+        return withoutCommand(words, terminal);
+
+    const QString &name = words[place];
+    const Subcommand *command = findCommand(name);
+    if (!command)
+        return fail(aboutUnknownCommand(name), {}, words, terminal);
+    const QStringList behind = words.first(place) + words.sliced(place + 1);
+    const auto arguments = parseArguments(behind, optionsOf(*command), name);
+    if (!arguments)
+        return fail(arguments.error(), name, words, terminal);
+    if (arguments->has("--version"))
+        return printed(versionText(), terminal);
+    if (asksForHelp(*arguments))
+        return printed(helpOf(*command), terminal);
+    auto checked = checkLink(*arguments);
+    if (checked)
+        checked = checkCount(*command, *arguments);
+    if (!checked)
+        return fail(checked.error(), name, words, terminal);
+    return runOnTrainingBus(*command, *arguments, terminal);
+}
+
+} // namespace codewheel

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringList>
+
+namespace codewheel {
+
+class BusSession;
+class Catalog;
+struct Subcommand;
+struct Arguments;
+struct Terminal;
+
+// The whole of codewheel-cli. `words` are the arguments without the name of the program; the answer is its
+// exit code (cli/complaint.h). Each call has a training bus of its own.
+int runCommandLine(const QStringList &words, const Terminal &terminal);
+
+// One command on a bus that is there already (null for commands that need none).
+int runCommand(const Subcommand &command, const Arguments &arguments, const Catalog &catalog, BusSession *bus,
+               const Terminal &terminal);
+
+} // namespace codewheel

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bus_access.h"
+#include "cli/commands.h"
+#include "cli/json.h"
+#include "cli/texts.h"
+#include "cli/trace.h"
+#include "ring/bus_session.h"
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *examples[] = {"monitor 2.0", "monitor 2.0 --for 60 --every 1000",
+                                    "monitor 1.0 --for 1 --json"};
+
+constexpr int longestTime = 3'600;      // s
+constexpr int longestInterval = 60'000; // ms
+constexpr int usualTime = 10;           // s
+constexpr int usualInterval = 100;      // ms
+
+constexpr std::array options{
+    Option{"--for", "SECONDS", QT_TRANSLATE_NOOP("codewheel::CommandLine", "how long to look (10)")},
+    Option{"--every", "MS", QT_TRANSLATE_NOOP("codewheel::CommandLine", "how often to look (100)")},
+};
+
+// One row for each sample that differs from the one before.
+std::vector<Exchange> watch(BusSession &bus, const EncoderSession &encoder, int milliseconds, int interval)
+{
+    std::vector<Exchange> rows{currentRow(bus, encoder)};
+    for (int passed = interval; passed <= milliseconds; passed += interval) {
+        bus.advance(interval);
+        const Exchange row = currentRow(bus, encoder);
+        if (row.in != rows.back().in || row.out != rows.back().out)
+            rows.push_back(row);
+    }
+    return rows;
+}
+
+Checked<Answer> run(const Call &call)
+{
+    const auto encoder = encoderAt(*call.bus, call.arguments.rest.front());
+    if (!encoder)
+        return tl::unexpected(encoder.error());
+    const auto seconds = call.arguments.number("--for", usualTime, 1, longestTime);
+    if (!seconds)
+        return tl::unexpected(seconds.error());
+    const auto interval = call.arguments.number("--every", usualInterval, 1, longestInterval);
+    if (!interval)
+        return tl::unexpected(interval.error());
+
+    const std::vector<Exchange> rows = watch(*call.bus, **encoder, *seconds * 1000, *interval);
+    return Answer{traceText((*encoder)->device(), rows),
+                  {{QStringLiteral("place"), (*encoder)->number().toString()},
+                   {QStringLiteral("device"), (*encoder)->device().key},
+                   {QStringLiteral("samples"), traceJson((*encoder)->device(), rows)}}};
+}
+
+} // namespace
+
+const Subcommand monitorCommand{
+    .name = "monitor",
+    .usage = "PLACE [--for SECONDS] [--every MS]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "watch the words of an encoder"),
+    .details =
+        QT_TRANSLATE_NOOP("codewheel::CommandLine", "Looks at the words of an encoder every 100 ms and "
+                                                    "prints a row when they differ from the last look.\n"
+                                                    "Sends nothing. The time is the bus's own: on the "
+                                                    "training bus a cycle is 1 ms, and as it runs without\n"
+                                                    "waiting, the answer comes at once."),
+    .examples = examples,
+    .options = options,
+    .minimumArguments = 1,
+    .maximumArguments = 1,
+    .needsBus = true,
+    .run = run,
+};
+
+} // namespace codewheel

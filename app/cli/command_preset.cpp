@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bus_access.h"
+#include "cli/commands.h"
+#include "cli/json.h"
+#include "cli/parameter_arguments.h"
+#include "cli/position_text.h"
+#include "cli/texts.h"
+#include "cli/trace.h"
+#include "encoder/sentence.h"
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *examples[] = {"preset 1.0", "preset 1.0 1000", "preset 1.0 3E8h --trace"};
+
+constexpr std::array options{
+    Option{"--trace", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
+};
+
+Checked<SetPreset> jobFrom(const Call &call, const DeviceDescription &device)
+{
+    SetPreset job;
+    if (call.arguments.rest.size() < 2)
+        return job;
+    const ParameterDescription *preset = device.find(Parameter::preset);
+    if (!preset)
+        return tl::unexpected(
+            complaintAbout({RefusalKind::notSupported, RefusalId::presetNotSupported, {device.fullName()}}));
+    const auto value = valueFrom(*preset, call.arguments.rest[1]);
+    if (!value)
+        return tl::unexpected(value.error());
+    job.value = *value;
+    return job;
+}
+
+Checked<Answer> run(const Call &call)
+{
+    const auto encoder = encoderAt(*call.bus, call.arguments.rest.front());
+    if (!encoder)
+        return tl::unexpected(encoder.error());
+    const DeviceDescription &device = (*encoder)->device();
+    const auto preset = jobFrom(call, device);
+    if (!preset)
+        return tl::unexpected(preset.error());
+
+    const Reading before = (*encoder)->latest();
+    const FinishedJob job = runToEnd(*call.bus, **encoder, *preset);
+    Answer answer;
+    answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
+                   {QStringLiteral("device"), device.key},
+                   {QStringLiteral("positionBefore"), numberJson(job.outcome.positionBefore)},
+                   {QStringLiteral("positionAfter"), numberJson(job.outcome.positionAfter)},
+                   {QStringLiteral("eepromWrites"), job.outcome.eepromWrites}};
+    if (call.arguments.has("--trace")) {
+        answer.text = traceText(device, job.rows) + u'\n';
+        answer.json.insert(QStringLiteral("trace"), traceJson(device, job.rows));
+    }
+    if (!job.outcome.result) {
+        answer.complaint = complaintAbout(job.outcome.result.error());
+        return answer;
+    }
+    answer.text += sentence(CommandLine::tr("Position before: %1"),
+                            {positionText(job.outcome.positionBefore, before.in)}) +
+                   u'\n' +
+                   sentence(CommandLine::tr("Position after:  %1"),
+                            {positionText(job.outcome.positionAfter, (*encoder)->latest().in)}) +
+                   u'\n' +
+                   sentence(CommandLine::tr("EEPROM writes:   %1"),
+                            argumentTexts({std::int64_t{job.outcome.eepromWrites}})) +
+                   u'\n';
+    return answer;
+}
+
+} // namespace
+
+const Subcommand presetCommand{
+    .name = "preset",
+    .usage = "PLACE [VALUE] [--trace]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "set the position of an encoder"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Makes the encoder show its preset value at the place where its shaft stands. With a VALUE, that is\n"
+        "written as the preset first. Sends at once, without asking."),
+    .examples = examples,
+    .options = options,
+    .minimumArguments = 1,
+    .maximumArguments = 2,
+    .needsBus = true,
+    .run = run,
+};
+
+} // namespace codewheel

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/value_text.h"
+#include "cli/bus_access.h"
+#include "cli/commands.h"
+#include "cli/json.h"
+#include "cli/parameter_arguments.h"
+#include "cli/parameter_text.h"
+#include "cli/text_table.h"
+#include "cli/texts.h"
+#include "cli/trace.h"
+#include "encoder/sentence.h"
+
+#include <array>
+#include <limits>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *examples[] = {"read 1.0", "read 1.0 steps revolutions direction preset",
+                                    "read 1.0 serial-number --trace", "read 1.0 --json"};
+
+constexpr std::array options{
+    Option{"--trace", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
+};
+
+std::vector<Parameter> allThatCanBeRead(const DeviceDescription &device)
+{
+    std::vector<Parameter> parameters;
+    for (const ParameterDescription &parameter : device.parameters)
+        if (parameter.readOut)
+            parameters.push_back(parameter.parameter);
+    return parameters;
+}
+
+// "= 8192", "= 21.5 °C". Steps and revolutions are their own units.
+QString valueCell(const ParameterDescription &parameter, std::int64_t value)
+{
+    const bool isItsUnit = parameterKey(parameter.parameter) == unitKey(parameter.unit);
+    const QString unit = isItsUnit ? QString() : unitText(parameter.unit);
+    return QStringLiteral("= %1 %2").arg(typedValue(parameter, value), unit).trimmed();
+}
+
+QString valueLines(const DeviceDescription &device, const ParameterValues &values)
+{
+    TextTable table;
+    for (const ParameterValue &value : values) {
+        const ParameterDescription &parameter = *device.find(value.parameter);
+        table.add({parameterKey(value.parameter), valueCell(parameter, value.value)});
+    }
+    return table.toString();
+}
+
+QJsonArray valuesJson(const DeviceDescription &device, const ParameterValues &values)
+{
+    QJsonArray json;
+    for (const ParameterValue &value : values)
+        json.append(valueJson(*device.find(value.parameter), value.value));
+    return json;
+}
+
+// The encoder cannot be read: what is known of it from what was written here.
+Answer whatIsKnown(const EncoderSession &encoder)
+{
+    TextTable table;
+    QJsonArray known;
+    for (const ParameterDescription &parameter : encoder.device().parameters) {
+        const auto value = encoder.known(parameter.parameter);
+        if (!value)
+            continue;
+        table.add({parameterKey(parameter.parameter), valueCell(parameter, value->value),
+                   evidenceText(value->evidence)});
+        QJsonObject json = valueJson(parameter, value->value);
+        json.insert(QStringLiteral("evidence"), evidenceKey(value->evidence));
+        known.append(json);
+    }
+    Answer answer;
+    answer.complaint = complaintAbout(
+        {RefusalKind::notSupported, RefusalId::readingNotSupported, {encoder.device().fullName()}});
+    answer.json = {{QStringLiteral("known"), known}};
+    if (known.isEmpty())
+        answer.complaint->text +=
+            u' ' + CommandLine::tr("Nothing was written to it from here either, so nothing is known of it.");
+    else
+        answer.text = CommandLine::tr("Last written from here:") + u'\n' + table.toString(2);
+    return answer;
+}
+
+Answer readFrom(BusSession &bus, EncoderSession &encoder, std::vector<Parameter> parameters, bool trace)
+{
+    const DeviceDescription &device = encoder.device();
+    const FinishedJob job = runToEnd(bus, encoder, ReadParameters{std::move(parameters)});
+    Answer answer;
+    answer.json = {{QStringLiteral("values"), valuesJson(device, job.outcome.read)}};
+    if (trace) {
+        answer.text = traceText(device, job.rows) + u'\n';
+        answer.json.insert(QStringLiteral("trace"), traceJson(device, job.rows));
+    }
+    answer.text += valueLines(device, job.outcome.read);
+    if (!job.outcome.result)
+        answer.complaint = complaintAbout(job.outcome.result.error());
+    return answer;
+}
+
+Checked<Answer> run(const Call &call)
+{
+    const auto encoder = encoderAt(*call.bus, call.arguments.rest.front());
+    if (!encoder)
+        return tl::unexpected(encoder.error());
+    const DeviceDescription &device = (*encoder)->device();
+    Answer answer;
+    if (!device.capabilities.reads) {
+        answer = whatIsKnown(**encoder);
+    } else {
+        auto named = parametersToRead(device, call.arguments.rest.sliced(1));
+        if (!named)
+            return tl::unexpected(named.error());
+        if (named->empty())
+            *named = allThatCanBeRead(device);
+        answer = readFrom(*call.bus, **encoder, std::move(*named), call.arguments.has("--trace"));
+    }
+    answer.json.insert(QStringLiteral("place"), (*encoder)->number().toString());
+    answer.json.insert(QStringLiteral("device"), device.key);
+    return answer;
+}
+
+} // namespace
+
+const Subcommand readCommand{
+    .name = "read",
+    .usage = "PLACE [PARAMETER...] [--trace]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "read the parameters that an encoder has"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Reads the parameters named, or all that can be read. While it is read, the encoder shows no\n"
+        "position. An encoder without read-out (devices tells which) is not asked: exit code 1."),
+    .examples = examples,
+    .options = options,
+    .minimumArguments = 1,
+    .maximumArguments = std::numeric_limits<int>::max(),
+    .needsBus = true,
+    .run = run,
+};
+
+} // namespace codewheel

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bus_access.h"
+#include "cli/commands.h"
+#include "cli/json.h"
+#include "cli/parameter_arguments.h"
+#include "cli/texts.h"
+#include "cli/trace.h"
+
+#include <array>
+#include <limits>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *examples[] = {
+    "words 1.0 020000FF 04000001 06000003 08000000 80000000 00000000",
+    "words 1.0 20210000 00000000",
+    "words 2.0 04004E20 06000001 80000000 --json",
+};
+
+constexpr std::array options{
+    Option{
+        "--hold", "CYCLES",
+        QT_TRANSLATE_NOOP("codewheel::CommandLine", "how long a word stands that nothing acknowledges (3)")},
+};
+
+constexpr int longestHold = 100'000;
+
+Checked<std::vector<Word>> wordsFrom(const QStringList &texts)
+{
+    std::vector<Word> words;
+    for (const QString &text : texts) {
+        const auto word = wordFrom(text);
+        if (!word)
+            return tl::unexpected(word.error());
+        words.push_back(*word);
+    }
+    return words;
+}
+
+Checked<Answer> run(const Call &call)
+{
+    const auto words = wordsFrom(call.arguments.rest.sliced(1));
+    if (!words)
+        return tl::unexpected(words.error());
+    const auto hold = call.arguments.number("--hold", 3, 1, longestHold);
+    if (!hold)
+        return tl::unexpected(hold.error());
+    const auto encoder = encoderAt(*call.bus, call.arguments.rest.front());
+    if (!encoder)
+        return tl::unexpected(encoder.error());
+
+    const FinishedJob job = runToEnd(*call.bus, **encoder, SendWords{*words, *hold});
+    Answer answer;
+    answer.text = traceText((*encoder)->device(), job.rows);
+    answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
+                   {QStringLiteral("device"), (*encoder)->device().key},
+                   {QStringLiteral("trace"), traceJson((*encoder)->device(), job.rows)},
+                   {QStringLiteral("eepromWrites"), job.outcome.eepromWrites},
+                   {QStringLiteral("leftIn"), stateKey(job.outcome.leftIn)}};
+    if (!job.outcome.result)
+        answer.complaint = complaintAbout(job.outcome.result.error());
+    return answer;
+}
+
+} // namespace
+
+const Subcommand wordsCommand{
+    .name = "words",
+    .usage = "PLACE WORD... [--hold CYCLES]",
+    .summary =
+        QT_TRANSLATE_NOOP("codewheel::CommandLine", "send words as they are, and print what comes back"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Sends words as they are, one after the other, and prints a row for each change of OUT or IN.\n"
+        "A parameter word stands until the encoder has confirmed it, run (80000000) until it shows a "
+        "position\n"
+        "or an error, a read-out until it answers; any other word stands for 3 cycles. An error of the "
+        "encoder\n"
+        "ends the sequence. Words are hexadecimal, as the manuals print them."),
+    .examples = examples,
+    .options = options,
+    .minimumArguments = 2,
+    .maximumArguments = std::numeric_limits<int>::max(),
+    .needsBus = true,
+    .run = run,
+};
+
+} // namespace codewheel

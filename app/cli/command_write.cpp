@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bus_access.h"
+#include "cli/commands.h"
+#include "cli/json.h"
+#include "cli/parameter_arguments.h"
+#include "cli/parameter_text.h"
+#include "cli/position_text.h"
+#include "cli/text_table.h"
+#include "cli/texts.h"
+#include "cli/trace.h"
+#include "cli/write_plan.h"
+#include "encoder/sentence.h"
+
+#include <array>
+#include <limits>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *examples[] = {
+    "write 1.0 steps=255 revolutions=1 direction=cw preset=0",
+    "write 1.0 steps=255 revolutions=1 direction=cw preset=0 --yes --trace",
+    "write 2.0 steps=4096 coding=gray-cw --dry-run",
+};
+
+constexpr std::array options{
+    Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "write without asking")},
+    Option{"--dry-run", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "show what would be written, and send nothing")},
+    Option{"--all", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "write also what the encoder already has")},
+    Option{"--trace", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
+};
+
+// Nobody is asked where nobody can answer, or where the answer is for a program.
+Checked<void> consent(const Call &call, const EncoderSession &encoder)
+{
+    if (call.arguments.has("--yes"))
+        return {};
+    if (!call.terminal.isInteractive || call.arguments.has("--json"))
+        return badInput(QStringLiteral("noConsent"),
+                        CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to write, or "
+                                        "--dry-run to look only."));
+    const QString question = sentence(CommandLine::tr("Write this to %1?"), {encoder.number().toString()});
+    if (!call.terminal.confirms(question))
+        return badInput(QStringLiteral("declined"), CommandLine::tr("Nothing was sent."));
+    return {};
+}
+
+// What became of a value, by the best evidence the encoder has.
+QString whatBecameOf(const ParameterValue &value, const EncoderSession &encoder, const Outcome &outcome)
+{
+    if (valueOf(outcome.written, value.parameter)) {
+        const auto known = encoder.known(value.parameter);
+        return known && known->evidence == Evidence::read
+                   ? CommandLine::tr("written, and read back")
+                   : CommandLine::tr("written, confirmed by the handshake");
+    }
+    return valueOf(outcome.alreadyThere, value.parameter) ? CommandLine::tr("was there already")
+                                                          : CommandLine::tr("did not become active");
+}
+
+QString accountText(const EncoderSession &encoder, const ParameterValues &wanted, const Outcome &outcome,
+                    const Reading &before)
+{
+    TextTable values;
+    for (const ParameterValue &value : wanted) {
+        const ParameterDescription &parameter = *encoder.device().find(value.parameter);
+        values.add({parameterKey(value.parameter),
+                    QStringLiteral("= %1").arg(typedValue(parameter, value.value)),
+                    whatBecameOf(value, encoder, outcome)});
+    }
+    const Reading &after = encoder.latest();
+    QString text = values.toString() +
+                   sentence(CommandLine::tr("EEPROM writes:   %1"),
+                            argumentTexts({std::int64_t{outcome.eepromWrites}})) +
+                   u'\n';
+    if (before.state == EncoderState::operation)
+        text += sentence(CommandLine::tr("Position before: %1"), {positionText(before.position, before.in)}) +
+                u'\n';
+    if (after.state == EncoderState::operation)
+        text += sentence(CommandLine::tr("Position after:  %1"), {positionText(after.position, after.in)}) +
+                u'\n';
+    return text;
+}
+
+QJsonArray writtenJson(const EncoderSession &encoder, const ParameterValues &values)
+{
+    QJsonArray json;
+    for (const ParameterValue &value : values) {
+        QJsonObject object = valueJson(*encoder.device().find(value.parameter), value.value);
+        const auto known = encoder.known(value.parameter);
+        object.insert(QStringLiteral("evidence"),
+                      known ? QJsonValue(evidenceKey(known->evidence)) : QJsonValue());
+        json.append(object);
+    }
+    return json;
+}
+
+void addAccount(QJsonObject &json, const EncoderSession &encoder, const Outcome &outcome,
+                const Reading &before)
+{
+    json.insert(QStringLiteral("written"), writtenJson(encoder, outcome.written));
+    json.insert(QStringLiteral("alreadyThere"), writtenJson(encoder, outcome.alreadyThere));
+    json.insert(QStringLiteral("eepromWrites"), outcome.eepromWrites);
+    json.insert(QStringLiteral("positionBefore"), numberJson(before.position));
+    json.insert(QStringLiteral("positionAfter"), numberJson(encoder.latest().position));
+    json.insert(QStringLiteral("leftIn"), stateKey(outcome.leftIn));
+}
+
+QString whereItWasLeft(EncoderState state)
+{
+    switch (state) {
+    case EncoderState::parameterization:
+        return CommandLine::tr("The encoder was left in parameterization: it shows no position.");
+    case EncoderState::error:
+        return CommandLine::tr("The encoder was left in error: it shows no position.");
+    default:
+        return CommandLine::tr("The encoder is in operation.");
+    }
+}
+
+void carryOut(const Call &call, EncoderSession &encoder, const WritePlan &plan, Answer &answer)
+{
+    const Reading before = encoder.latest();
+    const FinishedJob job = runToEnd(*call.bus, encoder, plan.job());
+    if (call.arguments.has("--trace")) {
+        answer.text += u'\n' + traceText(encoder.device(), job.rows);
+        answer.json.insert(QStringLiteral("trace"), traceJson(encoder.device(), job.rows));
+    }
+    answer.text += u'\n' + accountText(encoder, plan.job().values, job.outcome, before);
+    addAccount(answer.json, encoder, job.outcome, before);
+    if (!job.outcome.result) {
+        answer.complaint = complaintAbout(job.outcome.result.error());
+        answer.complaint->text += u' ' + whereItWasLeft(job.outcome.leftIn);
+    }
+}
+
+Checked<Answer> run(const Call &call)
+{
+    const auto encoder = encoderAt(*call.bus, call.arguments.rest.front());
+    if (!encoder)
+        return tl::unexpected(encoder.error());
+    const DeviceDescription &device = (*encoder)->device();
+    const auto values = valuesToWrite(device, call.arguments.rest.sliced(1));
+    if (!values)
+        return tl::unexpected(values.error());
+    const auto plan = WritePlan::make(**encoder, *values, call.arguments.has("--all"));
+    if (!plan)
+        return tl::unexpected(plan.error());
+
+    if (!call.arguments.has("--json"))
+        call.terminal.print(plan->toText());
+    Answer answer;
+    answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
+                   {QStringLiteral("device"), device.key},
+                   {QStringLiteral("plan"), plan->toJson()}};
+    if (call.arguments.has("--dry-run") || plan->isEmpty())
+        return answer;
+    if (const auto agreed = consent(call, **encoder); agreed)
+        carryOut(call, **encoder, *plan, answer);
+    else
+        answer.complaint = agreed.error();
+    return answer;
+}
+
+} // namespace
+
+const Subcommand writeCommand{
+    .name = "write",
+    .usage = "PLACE PARAMETER=VALUE... [--yes] [--dry-run] [--all] [--trace]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "write parameters, after showing what and asking"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Shows what is known of the parameters, what they shall become, and the words for it; asks; writes "
+        "them\n"
+        "in the order given, and tells by which evidence they are there. What the encoder already has is "
+        "not\n"
+        "written again, unless --all is given: it is read first where that is possible, else it is what was\n"
+        "written from here. Where nobody can be asked, --yes is needed: without it nothing is sent, exit "
+        "code "
+        "2.\n"
+        "\n"
+        "Parameters: steps revolutions direction coding preset zero-offset offset measuring-range, as far as "
+        "the\n"
+        "encoder has them (devices NAME). A VALUE is a number or a name: 255, 0xFF, FFh, cw."),
+    .examples = examples,
+    .options = options,
+    .minimumArguments = 2,
+    .maximumArguments = std::numeric_limits<int>::max(),
+    .needsBus = true,
+    .run = run,
+};
+
+} // namespace codewheel

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/subcommand.h"
+
+namespace codewheel {
+
+// One file each: command_devices.cpp, ...
+extern const Subcommand devicesCommand;
+extern const Subcommand scanCommand;
+extern const Subcommand explainCommand;
+extern const Subcommand wordsCommand;
+extern const Subcommand readCommand;
+extern const Subcommand writeCommand;
+extern const Subcommand presetCommand;
+extern const Subcommand monitorCommand;
+
+// In the order of the help.
+std::span<const Subcommand *const> allCommands();
+const Subcommand *findCommand(const QString &name);
+// Those that each command has, --json first.
+std::span<const Option> commonOptions();
+// The command's own and the common ones.
+std::vector<Option> optionsOf(const Subcommand &command);
+
+} // namespace codewheel

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/refusal.h"
+
+namespace codewheel {
+
+// How the program ends; scripts rely on the numbers.
+enum class ExitCode { done = 0, refused = 1, badInput = 2 };
+
+// Why a call was not done: a sentence for people, a key and arguments for programs.
+struct Complaint
+{
+    ExitCode exit = ExitCode::badInput;
+    QString key;
+    QString text; // what was wrong and what would be right
+    std::vector<RefusalArgument> arguments{};
+};
+
+template <typename T>
+using Checked = tl::expected<T, Complaint>;
+
+// Bad input of the call itself. `pattern` is a translated sentence with %1.. for the arguments.
+tl::unexpected<Complaint> badInput(const QString &key, const QString &pattern,
+                                   std::vector<RefusalArgument> arguments = {});
+
+// What core refused: exit 2 where the input is to blame, 1 where encoder or bus are.
+Complaint complaintAbout(const Refusal &refusal);
+
+} // namespace codewheel

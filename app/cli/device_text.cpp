@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/device_text.h"
+
+#include "cli/texts.h"
+
+namespace codewheel {
+
+QString profileText(Profile profile)
+{
+    switch (profile) {
+    case Profile::k1:
+        return QStringLiteral("K1");
+    case Profile::k2:
+        return QStringLiteral("K2");
+    case Profile::k3:
+        break;
+    }
+    return QStringLiteral("K3");
+}
+
+QString hexCode(unsigned code, int digits)
+{
+    return QStringLiteral("%1h").arg(QString::number(code, 16).toUpper().rightJustified(digits, u'0'));
+}
+
+Checked<const DeviceDescription *> deviceNamed(const Catalog &catalog, const QString &key)
+{
+    if (const DeviceDescription *device = catalog.find(key))
+        return device;
+    QStringList keys;
+    for (const DeviceDescription &device : catalog.devices())
+        keys << device.key;
+    return badInput(QStringLiteral("unknownDeviceName"),
+                    CommandLine::tr("There is no device named \"%1\". The names are: %2."),
+                    {key, keys.join(QStringLiteral(", "))});
+}
+
+} // namespace codewheel

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/catalog.h"
+#include "cli/complaint.h"
+
+namespace codewheel {
+
+QString profileText(Profile profile);       // "K3"
+QString hexCode(unsigned code, int digits); // "37h"
+
+// The device of this key, or the keys there are.
+Checked<const DeviceDescription *> deviceNamed(const Catalog &catalog, const QString &key);
+
+} // namespace codewheel

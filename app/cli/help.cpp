@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/help.h"
+
+#include "cli/commands.h"
+#include "cli/text_table.h"
+#include "cli/texts.h"
+#include "encoder/sentence.h"
+
+namespace codewheel {
+namespace {
+
+QString optionLines(std::span<const Option> options)
+{
+    TextTable table;
+    for (const Option &option : options) {
+        if (!option.help) // a short form of the one before
+            continue;
+        QString name = QString::fromLatin1(option.name);
+        if (option.value)
+            name += u' ' + QString::fromLatin1(option.value);
+        table.add({name, CommandLine::tr(option.help)});
+    }
+    return table.toString(2);
+}
+
+QString exampleLines(std::span<const char *const> examples)
+{
+    QString text;
+    for (const char *example : examples)
+        text += QStringLiteral("  codewheel-cli ") + QString::fromLatin1(example) + u'\n';
+    return text;
+}
+
+constexpr const char *overallExamples[] = {
+    "scan",
+    "explain C20000FF --device fraba-ocd-ib --direction in",
+    "words 1.0 020000FF 04000001 06000003 08000000 80000000 00000000",
+    "write 1.0 steps=255 revolutions=1 direction=cw preset=0 --yes --trace",
+};
+
+} // namespace
+
+QString overallHelp()
+{
+    TextTable commands;
+    for (const Subcommand *command : allCommands())
+        commands.add({QString::fromLatin1(command->name), CommandLine::tr(command->summary)});
+    return CommandLine::tr("codewheel-cli sets up, watches and diagnoses absolute encoders on INTERBUS.") +
+           QStringLiteral("\n\n") + CommandLine::tr("Usage: codewheel-cli COMMAND ...") +
+           QStringLiteral("\n\n") + CommandLine::tr("Commands:") + u'\n' + commands.toString(2) + u'\n' +
+           CommandLine::tr("Options of every command:") + u'\n' + optionLines(commonOptions()) + u'\n' +
+           CommandLine::tr("Examples:") + u'\n' + exampleLines(overallExamples) + u'\n' +
+           CommandLine::tr(
+               "PLACE is the device number of an encoder, segment.position: 1.0. Numbers are decimal unless\n"
+               "they are written 0x.. or ..h; a WORD is always hexadecimal, as the manuals print it.\n"
+               "\n"
+               "Each call has a new training bus, which always starts the same: 1.0 FRABA OCD-IB K3 that "
+               "stands\n"
+               "still, 2.0 Baumer GXP6W K3 that turns at 10 rpm. What one call wrote, the next one does not "
+               "find.\n"
+               "\n"
+               "Exit code: 0 done, 1 the encoder or the bus refused, 2 bad input.\n"
+               "codewheel-cli COMMAND --help explains a command.") +
+           u'\n';
+}
+
+QString helpOf(const Subcommand &command)
+{
+    QString text = sentence(CommandLine::tr("Usage: codewheel-cli %1"),
+                            {QStringLiteral("%1 %2").arg(QString::fromLatin1(command.name),
+                                                         QString::fromLatin1(command.usage))}) +
+                   QStringLiteral("\n\n") + CommandLine::tr(command.details) + QStringLiteral("\n\n");
+    if (!command.options.empty())
+        text += CommandLine::tr("Options:") + u'\n' + optionLines(command.options) + u'\n';
+    return text + CommandLine::tr("Options of every command:") + u'\n' + optionLines(commonOptions()) +
+           u'\n' + CommandLine::tr("Examples:") + u'\n' + exampleLines(command.examples);
+}
+
+QString versionText()
+{
+    return QStringLiteral("codewheel-cli %1\n").arg(QStringLiteral(CODEWHEEL_VERSION));
+}
+
+} // namespace codewheel

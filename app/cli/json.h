@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "cli/complaint.h"
+#include "encoder/known.h"
+#include "encoder/reading.h"
+#include "words/meaning.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+
+namespace codewheel {
+
+// The language-neutral schema of --json, which docs/command-line.md documents: numbers are numbers, words are
+// strings of eight hexadecimal digits, everything that has a name is told by its key.
+QJsonValue wordJson(Word word);
+QJsonValue numberJson(std::optional<std::int64_t> number); // null where there is none
+QJsonArray meaningsJson(const Explanation &explanation);
+QJsonObject errorJson(const Complaint &complaint);
+// {"parameter", "value", "choice", "unit"}; choice only where the value has a name.
+QJsonObject valueJson(const ParameterDescription &parameter, std::int64_t value);
+
+QString unitKey(Unit unit);
+QString evidenceKey(Evidence evidence);
+QString stateKey(EncoderState state);
+
+} // namespace codewheel

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/parameter_text.h"
+
+#include "catalog/value_text.h"
+#include "cli/texts.h"
+
+namespace codewheel {
+
+QString typedValue(const ParameterDescription &parameter, std::int64_t value)
+{
+    const Choice *choice = parameter.findChoice(value);
+    return choice ? QStringLiteral("%1 (%2)").arg(choice->key).arg(value) : valueText(parameter, value);
+}
+
+QString rangeText(const ParameterDescription &parameter)
+{
+    if (parameter.choices.empty())
+        return QStringLiteral("%1..%2").arg(parameter.minimum).arg(parameter.maximum);
+    QStringList texts;
+    for (const Choice &choice : parameter.choices)
+        texts << typedValue(parameter, choice.value);
+    return texts.join(QStringLiteral(", "));
+}
+
+QString evidenceText(Evidence evidence)
+{
+    switch (evidence) {
+    case Evidence::read:
+        return CommandLine::tr("read from the encoder");
+    case Evidence::echoed:
+        return CommandLine::tr("confirmed by the handshake");
+    case Evidence::told:
+        break;
+    }
+    return CommandLine::tr("told, not checked");
+}
+
+} // namespace codewheel

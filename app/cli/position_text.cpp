@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/position_text.h"
+
+#include "cli/texts.h"
+#include "encoder/hex.h"
+#include "encoder/sentence.h"
+
+namespace codewheel {
+
+QString positionText(std::optional<std::int64_t> position, Word in)
+{
+    if (position)
+        return argumentText(*position);
+    return sentence(CommandLine::tr("IN %1, and how it is coded is not known"), {hexWord(in)});
+}
+
+} // namespace codewheel

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringList>
+
+#include <vector>
+
+namespace codewheel {
+
+// Lines of text in columns, two spaces apart, for the terminal. A line without columns is an empty one.
+class TextTable
+{
+public:
+    enum class Align { left, right };
+
+    // `columns` that are not named are aligned left.
+    explicit TextTable(std::vector<Align> columns = {})
+        : m_columns(std::move(columns))
+    {}
+
+    void add(QStringList cells) { m_lines.push_back(std::move(cells)); }
+    // Every line ends with a line break and without trailing spaces.
+    QString toString(int indent = 0) const;
+
+private:
+    std::vector<Align> m_columns;
+    std::vector<QStringList> m_lines;
+};
+
+} // namespace codewheel

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/complaint.h"
+#include "encoder/encoder_session.h"
+
+#include <QJsonArray>
+
+#include <vector>
+
+namespace codewheel {
+
+struct ParameterDescription;
+
+// What `write` is about to do, shown before anything is sent: each value, what is known of it, and the word
+// that will carry it.
+class WritePlan
+{
+public:
+    struct Row
+    {
+        const ParameterDescription *parameter;
+        std::int64_t wanted = 0;
+        std::optional<Known> known;
+        Word word = 0;
+        bool leftOut = false; // known to be there already
+    };
+
+    // Refuses what the encoder does not have or cannot take. With `all`, nothing is left out.
+    static Checked<WritePlan> make(const EncoderSession &encoder, const ParameterValues &wanted, bool all);
+
+    // What the job is to write, in the order given.
+    WriteParameters job() const;
+    bool isEmpty() const { return job().values.empty(); }
+
+    QString toText() const;
+    QJsonArray toJson() const;
+
+private:
+    WritePlan(const EncoderSession &encoder, bool all);
+    QString notes() const;
+
+    const EncoderSession &m_encoder;
+    bool m_readsFirst;          // the job asks the encoder and leaves out what it has
+    bool m_stepsMinusOneIsOpen; // the word of steps depends on a flag that is not known
+    std::vector<Row> m_rows;
+};
+
+} // namespace codewheel

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command_line.h"
+#include "cli/terminal.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <iostream>
+#include <unistd.h>
+
+int main(int argc, char **argv)
+{
+    const QCoreApplication application(argc, argv);
+
+    // What is printed can be typed in again: numbers without group separators.
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    QLocale::setDefault(locale);
+
+    const bool isInteractive = isatty(STDIN_FILENO) == 1 && isatty(STDOUT_FILENO) == 1;
+    const codewheel::Terminal terminal{std::cin, std::cout, std::cerr, isInteractive};
+    return codewheel::runCommandLine(QCoreApplication::arguments().sliced(1), terminal);
+}

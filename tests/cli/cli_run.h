@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/catalog.h"
+#include "training_session.h"
+
+#include <QJsonObject>
+#include <QString>
+
+#include <ostream>
+#include <string>
+
+namespace codewheel {
+
+// What a call of the command line left behind.
+struct CliRun
+{
+    int exit = -1;
+    std::string out;
+    std::string err;
+
+    QJsonObject json() const; // of `out`
+};
+
+// Who sits at the terminal: nobody, or somebody who types this.
+struct Person
+{
+    bool isThere = false;
+    std::string types{};
+};
+
+// A whole call, in this process. `line` is what stands behind codewheel-cli, split at spaces.
+CliRun runLine(const QString &line, const Person &person = {});
+
+// Calls that share one training bus.
+class SharedBus
+{
+public:
+    SharedBus();
+    CliRun runLine(const QString &line, const Person &person = {});
+    BusSession &bus() { return *m_training.bus; }
+    // Writes to the EEPROMs of all encoders, as the simulated encoders count them.
+    int eepromWrites() const;
+
+private:
+    Catalog m_catalog = Catalog::builtIn();
+    TrainingSession m_training;
+};
+
+// "OUT IN" of each row of a trace in JSON.
+std::vector<std::string> rowsOf(const QJsonObject &json, const char *key = "trace");
+std::string errorKey(const CliRun &run);
+
+} // namespace codewheel

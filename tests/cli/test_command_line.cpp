@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/cli_run.h"
+
+#include <QJsonArray>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+using testing::StartsWith;
+
+TEST(CliCommandLine, HelpTellsCommandsOptionsExamplesAndExitCodes)
+{
+    for (const char *line : {"--help", "-h", "--json --help"}) {
+        const CliRun run = runLine(QString::fromLatin1(line));
+        EXPECT_EQ(run.exit, 0);
+        EXPECT_EQ(run.err, "");
+        for (const char *part : {"devices", "scan", "explain", "words", "read", "write", "preset", "monitor",
+                                 "--json", "--link", "new training bus", "Exit code: 0 done, 1", "020000FF"})
+            EXPECT_THAT(run.out, HasSubstr(part));
+    }
+}
+
+TEST(CliCommandLine, EachCommandExplainsItself)
+{
+    for (const char *command :
+         {"devices", "scan", "explain", "words", "read", "write", "preset", "monitor"}) {
+        const CliRun run = runLine(QStringLiteral("%1 --help").arg(QString::fromLatin1(command)));
+        EXPECT_EQ(run.exit, 0);
+        EXPECT_THAT(run.out, StartsWith(std::string("Usage: codewheel-cli ") + command));
+        EXPECT_THAT(run.out, HasSubstr(std::string("  codewheel-cli ") + command));
+    }
+}
+
+// The examples are what a user types first.
+TEST(CliCommandLine, TheExamplesOfTheHelpWork)
+{
+    const QString prefix = QStringLiteral("  codewheel-cli ");
+    for (const char *command :
+         {"devices", "scan", "explain", "words", "read", "write", "preset", "monitor"}) {
+        const CliRun help = runLine(QStringLiteral("%1 --help").arg(QString::fromLatin1(command)));
+        for (const QString &line : QString::fromStdString(help.out).split(u'\n')) {
+            if (!line.startsWith(prefix))
+                continue;
+            const CliRun run = runLine(line.sliced(prefix.size()), {true, "y\n"});
+            EXPECT_NE(run.exit, 2) << line.toStdString() << '\n' << run.err;
+            EXPECT_NE(run.out, "") << line.toStdString();
+        }
+    }
+}
+
+TEST(CliCommandLine, TellsItsVersion)
+{
+    EXPECT_THAT(runLine(QStringLiteral("--version")).out, StartsWith("codewheel-cli 0."));
+    EXPECT_EQ(runLine(QStringLiteral("scan --version")).out, runLine(QStringLiteral("--version")).out);
+}
+
+TEST(CliCommandLine, CommonOptionsMayStandBeforeTheCommand)
+{
+    EXPECT_EQ(runLine(QStringLiteral("--json scan")).json()[u"command"], QStringLiteral("scan"));
+    EXPECT_EQ(runLine(QStringLiteral("--link training --json scan")).exit, 0);
+    EXPECT_EQ(runLine(QStringLiteral("--link=training scan --json")).exit, 0);
+}
+
+TEST(CliCommandLine, EachCallHasANewBusThatStartsTheSame)
+{
+    const CliRun first = runLine(QStringLiteral("write 1.0 steps=255 --yes --trace --json"));
+    EXPECT_EQ(first.exit, 0);
+    EXPECT_EQ(runLine(QStringLiteral("write 1.0 steps=255 --yes --trace --json")).out, first.out);
+}
+
+TEST(CliCommandLine, JsonHasCommandAndExitCode)
+{
+    const CliRun done = runLine(QStringLiteral("read 1.0 steps --json"));
+    EXPECT_EQ(done.json()[u"command"], QStringLiteral("read"));
+    EXPECT_EQ(done.json()[u"exit"], 0);
+    EXPECT_FALSE(done.json().contains(u"error"));
+
+    const CliRun refused = runLine(QStringLiteral("read 2.0 --json"));
+    EXPECT_EQ(refused.json()[u"command"], QStringLiteral("read"));
+    EXPECT_EQ(refused.json()[u"exit"], 1);
+    EXPECT_EQ(refused.json()[u"error"][u"arguments"][0], QStringLiteral("Baumer GXP6W K3"));
+}
+
+struct BadCall
+{
+    const char *line;
+    const char *key;
+    const char *help;
+};
+
+class CliCommandLineBadInput : public testing::TestWithParam<BadCall>
+{};
+
+TEST_P(CliCommandLineBadInput, SaysWhatWouldBeRightAndExits2)
+{
+    const QString line = QString::fromLatin1(GetParam().line);
+    const CliRun plain = runLine(line);
+    EXPECT_EQ(plain.exit, 2);
+    EXPECT_EQ(plain.out, "");
+    EXPECT_THAT(plain.err, StartsWith("codewheel-cli: "));
+    EXPECT_THAT(plain.err, HasSubstr(GetParam().help));
+    const CliRun json = runLine(line + QStringLiteral(" --json"));
+    EXPECT_EQ(json.exit, 2);
+    EXPECT_EQ(errorKey(json), GetParam().key);
+    EXPECT_EQ(json.json()[u"exit"], 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Calls, CliCommandLineBadInput,
+    testing::Values(BadCall{"", "missingCommand", "devices, scan, explain, words, read, write"},
+                    BadCall{"--quiet", "unknownOption", "--json"},
+                    BadCall{"rad 1.0", "unknownCommand", "devices, scan, explain, words, read, write"},
+                    BadCall{"scan --all", "unknownOption", "--json"},
+                    BadCall{"write 1.0 steps=1 --force", "unknownOption", "--dry-run"},
+                    BadCall{"scan 1.0", "tooManyArguments", "codewheel-cli scan"},
+                    BadCall{"preset 1.0 5 6", "tooManyArguments", "\"6\" is too much"},
+                    BadCall{"read", "missingArgument", "read PLACE [PARAMETER...]"},
+                    BadCall{"write 1.0", "missingArgument", "write PLACE PARAMETER=VALUE..."},
+                    BadCall{"words 1.0", "missingArgument", "words PLACE WORD..."},
+                    BadCall{"scan --link modbus", "unknownLink", "training"},
+                    BadCall{"devices --link modbus", "unknownLink", "training"}));
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/cli_run.h"
+
+#include <QJsonArray>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::vector<std::string> meanings(const char *line)
+{
+    const QJsonObject json =
+        runLine(QStringLiteral("explain %1 --json").arg(QString::fromLatin1(line))).json();
+    std::vector<std::string> ids;
+    for (const QJsonValue meaning : json[u"meanings"].toArray())
+        ids.push_back(meaning[u"id"].toString().toStdString());
+    return ids;
+}
+
+TEST(CliExplain, TellsWhatAWordMeans)
+{
+    const CliRun run = runLine(QStringLiteral("explain 020000FF --device fraba-ocd-ib --direction out"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_EQ(run.out, "OUT 020000FF, FRABA OCD-IB K3\n"
+                       "  Parameter 1 steps = 255\n");
+}
+
+TEST(CliExplain, TellsProgramsIdAndNumbers)
+{
+    const QJsonObject json =
+        runLine(QStringLiteral("explain 0xC20000ff --device fraba-ocd-ib --direction in --json")).json();
+    EXPECT_EQ(json[u"word"], QStringLiteral("C20000FF"));
+    EXPECT_EQ(json[u"direction"], QStringLiteral("in"));
+    EXPECT_EQ(json[u"meanings"][0][u"id"], QStringLiteral("confirmed"));
+    EXPECT_EQ(json[u"meanings"][0][u"numbers"][1], 255);
+}
+
+TEST(CliExplain, TheCounterpartTellsWhatWasRead)
+{
+    EXPECT_THAT(meanings("A0002000 --device fraba-ocd-ib --direction in --other 20210001"),
+                ElementsAre("readOutValue"));
+    EXPECT_THAT(meanings("A0002000 --device fraba-ocd-ib --direction in"),
+                testing::Not(ElementsAre("readOutValue")));
+}
+
+TEST(CliExplain, WithoutTheModeAllMeaningsAreGiven)
+{
+    EXPECT_THAT(meanings("40000000 --device fraba-ocd-ib --direction out"),
+                ElementsAre("initialisePreset", "camStart"));
+    EXPECT_THAT(meanings("40000000 --device fraba-ocd-ib --direction out --mode cam"),
+                ElementsAre("camStart"));
+    EXPECT_THAT(meanings("40000000 --device fraba-ocd-ib --direction out --mode position"),
+                ElementsAre("initialisePreset"));
+    EXPECT_THAT(runLine(QStringLiteral("explain 40000000 --device fraba-ocd-ib --direction out")).out,
+                HasSubstr("What may tell which: --mode"));
+}
+
+TEST(CliExplain, TheCodingDecidesWhatAPositionIs)
+{
+    EXPECT_THAT(meanings("01FFFFFF --device baumer-gxp6w --direction in --coding 1"),
+                ElementsAre("signedPosition"));
+    EXPECT_THAT(meanings("01FFFFFF --device baumer-gxp6w --direction in --coding unsigned-ccw"),
+                ElementsAre("position"));
+    EXPECT_THAT(meanings("01FFFFFF --device generic-k3 --direction in --coding 5"),
+                ElementsAre("grayPosition"));
+}
+
+struct BadCall
+{
+    const char *line;
+    const char *key;
+    const char *help;
+};
+
+class CliExplainBadInput : public testing::TestWithParam<BadCall>
+{};
+
+TEST_P(CliExplainBadInput, IsRefused)
+{
+    const CliRun run = runLine(QStringLiteral("explain %1 --json").arg(QString::fromLatin1(GetParam().line)));
+    EXPECT_EQ(run.exit, 2);
+    EXPECT_EQ(errorKey(run), GetParam().key);
+    EXPECT_THAT(run.err, HasSubstr(GetParam().help));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Calls, CliExplainBadInput,
+    testing::Values(
+        BadCall{"020000FF --direction in", "missingOption", "fraba-ocd-ib"},
+        BadCall{"020000FF --device fraba-ocd-ib", "missingOption", "in, out"},
+        BadCall{"020000FF --device fraba --direction in", "unknownDeviceName", "fraba-ocd-ib"},
+        BadCall{"020000FF --device fraba-ocd-ib --direction up", "optionNotAllowed", "in, out"},
+        BadCall{"020000FF --device fraba-ocd-ib --direction in --mode x", "optionNotAllowed",
+                "position, cam, velocity"},
+        BadCall{"020000FF --device fraba-ocd-ib --direction in --coding 3", "oneCodingOnly", "--coding"},
+        BadCall{"020000FF --device baumer-gxp6w --direction in --coding 7", "valueNotAllowed",
+                "signed-cw (1)"},
+        BadCall{"020000FF --device baumer-gxp6w --direction in --other xyz", "notAWord", "\"xyz\""},
+        BadCall{"0020000FF --device baumer-gxp6w --direction in", "notAWord", "8 hexadecimal digits"}));
+
+} // namespace
+} // namespace codewheel

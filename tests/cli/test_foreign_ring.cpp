@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
+#include "cli/bus_access.h"
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "ring/bus_session.h"
+#include "tests/support/scripted_link.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sstream>
+
+namespace codewheel {
+namespace {
+
+// A ring without a plan: an encoder whose make nobody has named, and a digital input.
+class CliForeignRing : public testing::Test
+{
+protected:
+    CliForeignRing()
+        : m_bus(std::make_unique<ScriptedLink>(
+                    RingStructure{{{1, 0}, 0x37, 0x0237, 2, 2, {}}, {{2, 0}, 0xBE, 0x81BE, 1, 0, {}}}),
+                m_catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC))
+    {
+        EXPECT_TRUE(m_bus.open(BusSession::Start::operating));
+    }
+
+    const Catalog m_catalog = Catalog::builtIn();
+    BusSession m_bus;
+};
+
+TEST_F(CliForeignRing, ScanDoesNotGuessTheMake)
+{
+    std::istringstream in;
+    std::ostringstream out;
+    std::ostringstream err;
+    runCommand(scanCommand, {}, m_catalog, &m_bus, Terminal{in, out, err});
+    EXPECT_EQ(out.str(), "place  ID code    device code  IN words  OUT words  profile  encoder\n"
+                         "1.0    37h (55)   0237h               2          2  K3       make not known\n"
+                         "2.0    BEh (190)  81BEh               1          0  -        make not known\n");
+}
+
+TEST_F(CliForeignRing, ADeviceThatIsNoEncoderIsNotDriven)
+{
+    EXPECT_TRUE(encoderAt(m_bus, QStringLiteral("1.0")));
+    const auto input = encoderAt(m_bus, QStringLiteral("2.0"));
+    ASSERT_FALSE(input);
+    EXPECT_EQ(input.error().key, QStringLiteral("noEncoder"));
+    EXPECT_EQ(input.error().exit, ExitCode::badInput);
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/cli_run.h"
+
+#include <QJsonArray>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::vector<int> cyclesOf(const CliRun &run)
+{
+    std::vector<int> cycles;
+    for (const QJsonValue row : run.json()[u"samples"].toArray())
+        cycles.push_back(row[u"cycle"].toInt());
+    return cycles;
+}
+
+TEST(CliMonitor, AShaftThatStandsStillIsOneRow)
+{
+    SharedBus shared;
+    const CliRun run = shared.runLine(QStringLiteral("monitor 1.0 --json"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_THAT(rowsOf(run.json(), "samples"), ElementsAre("00000000 00003039"));
+    EXPECT_EQ(shared.bus().latest().cycle, 10'001u);
+}
+
+// 10 rpm of 8192 steps: 1365 steps a second.
+TEST(CliMonitor, AShaftThatTurnsIsARowEachTenthOfASecond)
+{
+    const CliRun run = runLine(QStringLiteral("monitor 2.0 --for 1 --json"));
+    EXPECT_THAT(cyclesOf(run), ElementsAre(1, 101, 201, 301, 401, 501, 601, 701, 801, 901, 1001));
+    EXPECT_EQ(rowsOf(run.json(), "samples").front(), "00000000 000F4240");
+    EXPECT_EQ(rowsOf(run.json(), "samples").back(), "00000000 000F4795");
+}
+
+TEST(CliMonitor, TimeAndIntervalCanBeSet)
+{
+    EXPECT_THAT(cyclesOf(runLine(QStringLiteral("monitor 2.0 --for 2 --every 1000 --json"))),
+                ElementsAre(1, 1001, 2001));
+}
+
+TEST(CliMonitor, PrintsWhatTheWordsMean)
+{
+    EXPECT_THAT(runLine(QStringLiteral("monitor 1.0 --for 1")).out,
+                HasSubstr("    1  00000000  00003039  Normal running  Running, position 12345\n"));
+}
+
+TEST(CliMonitor, RefusesTimesThatMakeNoSense)
+{
+    for (const char *option : {"--for 0", "--for soon", "--every 0", "--for 3601"}) {
+        const CliRun run = runLine(QStringLiteral("monitor 1.0 %1 --json").arg(QString::fromLatin1(option)));
+        EXPECT_EQ(run.exit, 2) << option;
+        EXPECT_EQ(errorKey(run), "optionOutOfRange") << option;
+    }
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/cli_run.h"
+
+#include <QJsonArray>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(CliPreset, PrintsThePositionBeforeAndAfter)
+{
+    const CliRun run = runLine(QStringLiteral("preset 1.0 1000"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_EQ(run.out, "Position before: 12345\n"
+                       "Position after:  1000\n"
+                       "EEPROM writes:   2\n");
+}
+
+TEST(CliPreset, WithoutAValueThePresetOfTheEncoderIsUsed)
+{
+    const QJsonObject json = runLine(QStringLiteral("preset 1.0 --json")).json();
+    EXPECT_EQ(json[u"positionBefore"], 12345);
+    EXPECT_EQ(json[u"positionAfter"], 0);
+}
+
+TEST(CliPreset, ATraceShowsTheWords)
+{
+    const CliRun run = runLine(QStringLiteral("preset 1.0 3E8h --trace --json"));
+    EXPECT_THAT(rowsOf(run.json()),
+                testing::IsSupersetOf({"080003E8 C80003E8", "40000000 00003039", "00000000 000003E8"}));
+    EXPECT_THAT(runLine(QStringLiteral("preset 1.0 --trace")).out, HasSubstr("40000000  00003039"));
+}
+
+TEST(CliPreset, WhereTheCodingIsNotKnownTheRawWordIsTold)
+{
+    const CliRun run = runLine(QStringLiteral("preset 2.0"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_THAT(run.out, HasSubstr("Position before: IN 000F4240, and how it is coded is not known\n"));
+    EXPECT_TRUE(runLine(QStringLiteral("preset 2.0 --json")).json()[u"positionAfter"].isNull());
+}
+
+TEST(CliPreset, ShowsPositionsOfACodingThatWasWritten)
+{
+    SharedBus shared;
+    shared.runLine(QStringLiteral("write 2.0 coding=unsigned-cw --yes"));
+    const QJsonObject json = shared.runLine(QStringLiteral("preset 2.0 500 --json")).json();
+    EXPECT_EQ(json[u"exit"], 0);
+    EXPECT_GT(json[u"positionBefore"].toInt(), 1'000'000);
+    EXPECT_NEAR(json[u"positionAfter"].toInt(), 500, 50); // the shaft turns
+}
+
+TEST(CliPreset, RefusesValuesTheEncoderCannotHave)
+{
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("preset 1.0 33554432 --json"))), "valueOutOfRange");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("preset 1.0 here --json"))), "valueNotAllowed");
+    EXPECT_EQ(runLine(QStringLiteral("preset 1.0 33554432")).exit, 2);
+    EXPECT_EQ(runLine(QStringLiteral("preset 9.9")).exit, 2);
+}
+
+// In cam mode 40000000 would set the start of cam 0.
+TEST(CliPreset, IsRefusedInCamMode)
+{
+    SharedBus shared;
+    shared.runLine(QStringLiteral("words 1.0 20800001 00000000"));
+    const CliRun run = shared.runLine(QStringLiteral("preset 1.0 --json"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(errorKey(run), "modeNotKnown");
+}
+
+} // namespace
+} // namespace codewheel

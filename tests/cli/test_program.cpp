@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program itself, as a script starts it: nobody at a terminal.
+#include <QProcess>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::HasSubstr;
+
+struct Ended
+{
+    int exit = -1;
+    std::string out;
+    std::string err;
+};
+
+Ended start(const QString &line)
+{
+    QProcess program;
+    program.setStandardInputFile(QProcess::nullDevice());
+    program.start(QStringLiteral(CODEWHEEL_CLI), line.split(u' ', Qt::SkipEmptyParts));
+    EXPECT_TRUE(program.waitForFinished(60'000));
+    EXPECT_EQ(program.exitStatus(), QProcess::NormalExit);
+    return {program.exitCode(), program.readAllStandardOutput().toStdString(),
+            program.readAllStandardError().toStdString()};
+}
+
+TEST(CliProgram, DoesTheMainJob)
+{
+    const Ended run =
+        start(QStringLiteral("write 1.0 steps=255 revolutions=1 direction=cw preset=0 --yes --trace"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_EQ(run.err, "");
+    EXPECT_THAT(run.out, HasSubstr("020000FF  C20000FF"));
+}
+
+TEST(CliProgram, WithoutATerminalNothingIsWritten)
+{
+    const Ended run = start(QStringLiteral("write 1.0 steps=255"));
+    EXPECT_EQ(run.exit, 2);
+    EXPECT_THAT(run.out, HasSubstr("020000FF"));
+    EXPECT_THAT(run.err, HasSubstr("Add --yes"));
+}
+
+TEST(CliProgram, ExitCodesTellWhoRefused)
+{
+    EXPECT_EQ(start(QStringLiteral("--version")).exit, 0);
+    EXPECT_EQ(start(QStringLiteral("read 2.0")).exit, 1);
+    EXPECT_EQ(start(QStringLiteral("words 2.0 04004E20 80000000")).exit, 1);
+    EXPECT_EQ(start(QStringLiteral("words 1.0 nohex")).exit, 2);
+    EXPECT_EQ(start(QString()).exit, 2);
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/cli_run.h"
+
+#include <QJsonArray>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(CliRead, ReadsAllThatHasAReadOut)
+{
+    const CliRun run = runLine(QStringLiteral("read 1.0"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_EQ(run.err, "");
+    EXPECT_EQ(run.out, "steps                     = 8192\n"
+                       "revolutions               = 1\n"
+                       "direction                 = cw (3)\n"
+                       "preset                    = 0 steps\n"
+                       "zero-offset               = 0 steps\n"
+                       "serial-number             = 20417\n"
+                       "preset-flag               = activated (0)\n"
+                       "software-version          = 259\n"
+                       "operating-time            = 205.7 h\n"
+                       "start-up-mode             = k3 (1)\n"
+                       "multi-turn-steps-minus-1  = multi-turn (2)\n"
+                       "temperature               = 24.5 °C\n");
+}
+
+TEST(CliRead, ReadsWhatIsNamedInThatOrder)
+{
+    const QJsonObject json = runLine(QStringLiteral("read 1.0 direction serial-number --json")).json();
+    const QJsonArray values = json[u"values"].toArray();
+    ASSERT_EQ(values.size(), 2);
+    EXPECT_EQ(values[0].toObject(), (QJsonObject{{QStringLiteral("parameter"), QStringLiteral("direction")},
+                                                 {QStringLiteral("value"), 3},
+                                                 {QStringLiteral("choice"), QStringLiteral("cw")},
+                                                 {QStringLiteral("unit"), QStringLiteral("none")}}));
+    EXPECT_EQ(values[1][u"value"], 20417);
+    EXPECT_EQ(json[u"device"], QStringLiteral("fraba-ocd-ib"));
+}
+
+TEST(CliRead, ATraceShowsTheReadOut)
+{
+    const CliRun run = runLine(QStringLiteral("read 1.0 serial-number --trace --json"));
+    EXPECT_THAT(rowsOf(run.json()), ElementsAre("00000000 00003039", "20210000 00003039", "20210000 A0004FC1",
+                                                "00000000 A0004FC1", "00000000 00003039"));
+}
+
+TEST(CliRead, TellsWhatWasWrittenBefore)
+{
+    SharedBus shared;
+    shared.runLine(QStringLiteral("write 1.0 steps=255 --yes"));
+    EXPECT_EQ(shared.runLine(QStringLiteral("read 1.0 steps")).out, "steps  = 255\n");
+}
+
+TEST(CliRead, AnEncoderWithoutReadOutOfWhichNothingIsKnown)
+{
+    SharedBus shared;
+    const CliRun run = shared.runLine(QStringLiteral("read 2.0"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(run.out, "");
+    EXPECT_THAT(run.err, HasSubstr("Baumer GXP6W K3 has no read-out"));
+    EXPECT_THAT(run.err, HasSubstr("nothing is known of it"));
+    EXPECT_LE(shared.bus().latest().cycle, 1u);
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("read 2.0 --json"))), "readingNotSupported");
+}
+
+TEST(CliRead, AnEncoderWithoutReadOutTellsWhatWasWrittenFromHere)
+{
+    SharedBus shared;
+    shared.runLine(QStringLiteral("write 2.0 steps=4096 coding=gray-ccw --yes"));
+    const CliRun run = shared.runLine(QStringLiteral("read 2.0"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(run.out, "Last written from here:\n"
+                       "  steps   = 4096          confirmed by the handshake\n"
+                       "  coding  = gray-ccw (6)  confirmed by the handshake\n");
+    EXPECT_THAT(run.err, HasSubstr("has no read-out"));
+    const QJsonObject json = shared.runLine(QStringLiteral("read 2.0 --json")).json();
+    EXPECT_EQ(json[u"known"][0][u"value"], 4096);
+    EXPECT_EQ(json[u"known"][0][u"evidence"], QStringLiteral("echoed"));
+}
+
+struct BadCall
+{
+    const char *line;
+    const char *key;
+    const char *help;
+};
+
+class CliReadBadInput : public testing::TestWithParam<BadCall>
+{};
+
+TEST_P(CliReadBadInput, IsRefusedAndNothingIsSent)
+{
+    SharedBus shared;
+    const CliRun run = shared.runLine(QString::fromLatin1(GetParam().line) + QStringLiteral(" --json"));
+    EXPECT_EQ(run.exit, 2);
+    EXPECT_EQ(errorKey(run), GetParam().key);
+    EXPECT_THAT(run.err, HasSubstr(GetParam().help));
+    EXPECT_LE(shared.bus().latest().cycle, 1u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Calls, CliReadBadInput,
+                         testing::Values(BadCall{"read 1.0 colour", "unknownParameter", "serial-number"},
+                                         BadCall{"read 1.0 coding", "parameterNotSupported", "It has: steps"},
+                                         BadCall{"read 1.0 steps steps", "parameterGivenTwice", "once"},
+                                         BadCall{"read 1.1", "unknownDevice", "1.0, 2.0"}));
+
+} // namespace
+} // namespace codewheel

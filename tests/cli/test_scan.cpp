@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/cli_run.h"
+
+#include <QJsonArray>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(CliScan, NamesEachParticipant)
+{
+    SharedBus shared;
+    const CliRun run = shared.runLine(QStringLiteral("scan"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_EQ(run.out, "place  ID code   device code  IN words  OUT words  profile  encoder\n"
+                       "1.0    37h (55)  0237h               2          2  K3       FRABA OCD-IB K3\n"
+                       "2.0    37h (55)  0237h               2          2  K3       Baumer GXP6W K3\n");
+    EXPECT_EQ(shared.bus().latest().cycle, 0u);
+}
+
+TEST(CliScan, TellsProgramsTheSame)
+{
+    const QJsonArray participants = runLine(QStringLiteral("scan --json")).json()[u"participants"].toArray();
+    ASSERT_EQ(participants.size(), 2);
+    EXPECT_EQ(participants[1].toObject(),
+              (QJsonObject{{QStringLiteral("place"), QStringLiteral("2.0")},
+                           {QStringLiteral("idCode"), 0x37},
+                           {QStringLiteral("deviceCode"), 0x237},
+                           {QStringLiteral("inWords"), 2},
+                           {QStringLiteral("outWords"), 2},
+                           {QStringLiteral("profile"), QStringLiteral("K3")},
+                           {QStringLiteral("device"), QStringLiteral("baumer-gxp6w")}}));
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/cli_run.h"
+
+#include <QJsonArray>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+// FRABA manual 5.3, with the position of the training bus before and after.
+TEST(CliWords, SendsTheTableOfTheManualBitForBit)
+{
+    const CliRun run =
+        runLine(QStringLiteral("words 1.0 020000FF 04000001 06000003 08000000 80000000 00000000 --json"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_EQ(run.err, "");
+    EXPECT_THAT(rowsOf(run.json()),
+                ElementsAre("00000000 00003039", "020000FF 00003039", "020000FF C20000FF",
+                            "04000001 C20000FF", "04000001 C4000001", "06000003 C4000001",
+                            "06000003 C6000003", "08000000 C6000003", "08000000 C8000000",
+                            "80000000 C8000000", "80000000 00000180", "00000000 00000180"));
+}
+
+TEST(CliWords, PrintsOutAndInSideBySideWithTheirMeaning)
+{
+    const CliRun run = runLine(QStringLiteral("words 1.0 020000FF 04000001 80000000 00000000"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_THAT(run.out, HasSubstr("cycle  OUT       IN        OUT means "));
+    EXPECT_THAT(run.out, HasSubstr("    5  020000FF  C20000FF  Parameter 1 steps = 255      Parameter 1 "
+                                   "steps = 255 confirmed\n"));
+    EXPECT_THAT(run.out, HasSubstr("    6  04000001  C20000FF  Parameter 2 revolutions = 1  Old "
+                                   "confirmation: parameter 1 steps = 255\n"));
+}
+
+TEST(CliWords, BaumerExample2EndsInError1)
+{
+    const CliRun run = runLine(QStringLiteral("words 2.0 04004E20 06000001 80000000 --json"));
+    EXPECT_EQ(run.exit, 1);
+    const std::vector<std::string> rows = rowsOf(run.json());
+    EXPECT_THAT(std::vector(rows.begin() + 2, rows.end()),
+                ElementsAre("04004E20 C0004E20", "04004E20 C4004E20", "06000001 C4004E20",
+                            "06000001 C4000001", "06000001 C6000001", "80000000 C6000001",
+                            "80000000 82000000"));
+    EXPECT_EQ(errorKey(run), "wrongParameterData");
+    EXPECT_THAT(run.err, HasSubstr("82000000"));
+    EXPECT_EQ(run.json()[u"leftIn"], QStringLiteral("error"));
+}
+
+TEST(CliWords, AnErrorEndsTheSequence)
+{
+    const CliRun run = runLine(QStringLiteral("words 2.0 04004E20 80000000 020000FF --json"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(rowsOf(run.json()).back(), "80000000 82000000");
+}
+
+TEST(CliWords, AReadOutStandsUntilItIsAnswered)
+{
+    const CliRun run = runLine(QStringLiteral("words 1.0 20210001 00000000 --json"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_THAT(rowsOf(run.json()), ElementsAre("00000000 00003039", "20210001 00003039", "20210001 A0002000",
+                                                "00000000 A0002000", "00000000 00003039"));
+}
+
+int cyclesHeld(const QString &option)
+{
+    const QJsonObject json = runLine(QStringLiteral("words 1.0 01000000 00000000 --json ") + option).json();
+    const QJsonArray trace = json[u"trace"].toArray();
+    return trace[2][u"cycle"].toInt() - trace[1][u"cycle"].toInt();
+}
+
+TEST(CliWords, AWordThatNothingAcknowledgesStandsForThreeCyclesOrAsAsked)
+{
+    EXPECT_EQ(cyclesHeld({}), 3);
+    EXPECT_EQ(cyclesHeld(QStringLiteral("--hold 20")), 20);
+}
+
+TEST(CliWords, TakesTheNotationsOfTheManuals)
+{
+    const std::vector<std::string> expected =
+        rowsOf(runLine(QStringLiteral("words 1.0 020000FF 80000000 --json")).json());
+    EXPECT_EQ(rowsOf(runLine(QStringLiteral("words 1.0 0x20000ff 80000000h --json")).json()), expected);
+}
+
+struct BadCall
+{
+    const char *line;
+    const char *key;
+    const char *help; // what the sentence must offer
+};
+
+class CliWordsBadInput : public testing::TestWithParam<BadCall>
+{};
+
+TEST_P(CliWordsBadInput, IsRefusedAndNothingIsSent)
+{
+    SharedBus shared;
+    const CliRun run = shared.runLine(QString::fromLatin1(GetParam().line) + QStringLiteral(" --json"));
+    EXPECT_EQ(run.exit, 2);
+    EXPECT_EQ(errorKey(run), GetParam().key);
+    EXPECT_THAT(run.err, HasSubstr(GetParam().help));
+    EXPECT_EQ(shared.bus().latest().cycle, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Calls, CliWordsBadInput,
+    testing::Values(BadCall{"words 1.0 020000FF 0200XYFF", "notAWord", "\"0200XYFF\" is no word"},
+                    BadCall{"words 1.0 0020000FF", "notAWord", "up to 8 hexadecimal digits"},
+                    BadCall{"words 1.0 -1", "notAWord", "\"-1\""},
+                    BadCall{"words 7.0 020000FF", "unknownDevice", "1.0, 2.0"},
+                    BadCall{"words one 020000FF", "unknownDevice", "1.0, 2.0"},
+                    BadCall{"words 1.0 020000FF --hold 0", "optionOutOfRange", "from 1 to"},
+                    BadCall{"words 1.0 020000FF --hold x", "optionOutOfRange", "\"x\""}));
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/training_bus_session.h"
+#include "widgets/dial/code_disc.h"
+#include "widgets/dial/dial_panel.h"
+
+namespace codewheel {
+namespace {
+
+using test::baumer;
+using test::fraba;
+using namespace std::chrono_literals;
+
+class DialPanelTest : public testing::Test
+{
+protected:
+    DialPanelTest()
+    {
+        panel.resize(280, 360);
+        panel.show();
+    }
+
+    const DialState &shown() { return panel.findChild<CodeDisc *>()->state(); }
+    QPushButton &readButton() { return *panel.findChild<QPushButton *>(QStringLiteral("readMissing")); }
+    void advance(int milliseconds)
+    {
+        for (; milliseconds > 0; milliseconds -= 33)
+            ring.bus.advance(33);
+    }
+    void tellBaumer(std::int64_t coding)
+    {
+        EncoderSession &encoder = ring.encoder(baumer);
+        encoder.tell(Parameter::coding, coding);
+        encoder.tell(Parameter::steps, 8192);
+        encoder.tell(Parameter::revolutions, 1);
+        encoder.tell(Parameter::measuringRange, 4096);
+    }
+
+    test::TrainingBusSession ring;
+    DialPanel panel;
+};
+
+TEST_F(DialPanelTest, WithoutAnEncoderItSaysWhatBelongsThere)
+{
+    EXPECT_FALSE(panel.findChild<CodeDisc *>()->isVisible());
+}
+
+TEST_F(DialPanelTest, APositionWithoutItsScaleIsANumberAndADiscThatStands)
+{
+    ring.encoder(fraba).tell(Parameter::startUpMode, 1);
+    panel.setEncoder(&ring.encoder(fraba));
+    advance(66);
+    EXPECT_EQ(shown().position, 12345);
+    EXPECT_EQ(shown().turnFraction, std::nullopt);
+    EXPECT_TRUE(shown().note.contains(QStringLiteral("Steps")));
+    EXPECT_EQ(ring.channel(fraba).out(), 0u) << "looking sends nothing";
+}
+
+TEST_F(DialPanelTest, ReadingOnRequestMakesItTurn)
+{
+    ring.encoder(fraba).tell(Parameter::startUpMode, 1);
+    panel.setEncoder(&ring.encoder(fraba));
+    advance(66);
+    ASSERT_TRUE(readButton().isVisible());
+    QTest::mouseClick(&readButton(), Qt::LeftButton);
+    advance(1000);
+    EXPECT_FALSE(readButton().isVisible());
+    ASSERT_TRUE(shown().turnFraction) << shown().note.toStdString();
+    EXPECT_NEAR(*shown().turnFraction, 12345.0 / 8192 - 1, 1e-9);
+    EXPECT_EQ(shown().turn, 1);
+    EXPECT_NEAR(shown().rpm.value_or(99), 0, 1e-9);
+    EXPECT_TRUE(shown().note.isEmpty());
+}
+
+TEST_F(DialPanelTest, WithoutTheCodingThereIsNoPositionButTheRawWord)
+{
+    panel.setEncoder(&ring.encoder(baumer));
+    advance(66);
+    EXPECT_EQ(shown().position, std::nullopt);
+    EXPECT_TRUE(shown().note.contains(QStringLiteral("coding")));
+    EXPECT_FALSE(readButton().isVisible()) << "a Baumer cannot be read";
+}
+
+TEST_F(DialPanelTest, SpeedIsClockwisePositiveWhateverTheCounting)
+{
+    tellBaumer(3);
+    panel.setEncoder(&ring.encoder(baumer));
+    advance(1000);
+    EXPECT_NEAR(shown().rpm.value_or(0), 10, 0.1);
+    ASSERT_TRUE(
+        ring.encoder(baumer).start(WriteParameters{.values = {{Parameter::coding, 4}}, .previous = {}}));
+    advance(2000);
+    ASSERT_TRUE(shown().rpm);
+    EXPECT_NEAR(*shown().rpm, 10, 0.1);
+}
+
+TEST_F(DialPanelTest, ParameterizationHasNoPosition)
+{
+    tellBaumer(3);
+    panel.setEncoder(&ring.encoder(baumer));
+    ring.channel(baumer).stage(0x0200'2000);
+    ASSERT_TRUE(ring.channel(baumer).write());
+    advance(66);
+    EXPECT_EQ(shown().position, std::nullopt);
+    EXPECT_EQ(shown().role, Role::attention);
+}
+
+TEST(ShaftMotion, AWrapIsNoJump)
+{
+    ShaftMotion motion;
+    for (int i = 0; i <= 10; ++i)
+        motion.observe(i * 33ms, (990 + i * 2) % 1000, 1000);
+    EXPECT_NEAR(motion.stepsPerSecond().value_or(0), 2 / 0.033, 0.5);
+}
+
+TEST(ShaftMotion, TooFewReadingsGiveNoSpeed)
+{
+    ShaftMotion motion;
+    EXPECT_EQ(motion.stepsPerSecond(), std::nullopt);
+    motion.observe(0ms, 5, {});
+    motion.observe(33ms, 6, {});
+    EXPECT_EQ(motion.stepsPerSecond(), std::nullopt);
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/parameters/wanted_values.h"
+
+namespace codewheel {
+namespace {
+
+constexpr DeviceNumber fraba{1, 0};
+constexpr DeviceNumber baumer{2, 0};
+
+TEST(WantedValues, AreKeptForEachDevice)
+{
+    WantedValues wanted;
+    wanted.set(fraba, Parameter::steps, 255);
+    EXPECT_EQ(wanted.value(fraba, Parameter::steps), 255);
+    EXPECT_EQ(wanted.value(fraba, Parameter::preset), std::nullopt);
+    EXPECT_EQ(wanted.value(baumer, Parameter::steps), std::nullopt);
+    wanted.set(fraba, Parameter::steps, std::nullopt);
+    EXPECT_EQ(wanted.value(fraba, Parameter::steps), std::nullopt);
+}
+
+TEST(WantedValues, TellOnlyOfARealChange)
+{
+    WantedValues wanted;
+    std::vector<DeviceNumber> told;
+    QObject::connect(&wanted, &WantedValues::changed, [&](DeviceNumber number) { told.push_back(number); });
+    wanted.set(fraba, Parameter::steps, 255);
+    wanted.set(fraba, Parameter::steps, 255);
+    wanted.clear(baumer);
+    EXPECT_EQ(told, std::vector{fraba});
+    wanted.clear(fraba);
+    EXPECT_EQ(told, (std::vector{fraba, fraba}));
+    EXPECT_TRUE(wanted.values(fraba).empty());
+}
+
+TEST(WantedValues, ComeInTheOrderOfTheParameters)
+{
+    WantedValues wanted;
+    wanted.set(fraba, Parameter::preset, 0);
+    wanted.set(fraba, Parameter::steps, 255);
+    EXPECT_EQ(wanted.values(fraba), (ParameterValues{{Parameter::steps, 255}, {Parameter::preset, 0}}));
+}
+
+} // namespace
+} // namespace codewheel

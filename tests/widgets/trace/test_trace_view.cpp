@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/model_tester.h"
+#include "tests/widgets/training_bus_session.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/trace/trace_model.h"
+#include "widgets/trace/trace_view.h"
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+using test::baumer;
+using test::fraba;
+
+class TraceViewTest : public testing::Test
+{
+protected:
+    TraceViewTest()
+    {
+        view.resize(900, 300);
+        view.show();
+        view.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&view));
+        view.setEncoder(&ring.encoder(fraba));
+        model().clear();
+    }
+    TraceModel &model(DeviceNumber number = fraba) { return *view.model(number); }
+    void write(DeviceNumber number, Word word)
+    {
+        ring.channel(number).stage(word);
+        EXPECT_TRUE(ring.channel(number).write());
+        ring.bus.advance(20);
+    }
+    QString cell(int row, int column) { return model().index(row, column).data().toString(); }
+    void key(Qt::Key which, Qt::KeyboardModifiers modifiers = Qt::ControlModifier)
+    {
+        table.setFocus();
+        QTest::keyClick(&table, which, modifiers);
+    }
+    QString counts()
+    {
+        for (auto *label : view.findChildren<QLabel *>())
+            if (label->text().contains(QLatin1String("rows")) && label->isVisible())
+                return label->text();
+        return {};
+    }
+
+    test::TrainingBusSession ring;
+    TraceView view{ring.bus};
+    QTableView &table = *view.findChild<QTableView *>();
+};
+
+TEST_F(TraceViewTest, WithoutAnEncoderItSaysWhatBelongsHere)
+{
+    view.setEncoder(nullptr);
+    EXPECT_TRUE(view.findChild<EmptyState *>()->isVisible());
+}
+
+TEST_F(TraceViewTest, AHandshakeIsARowForEachChange)
+{
+    const test::ModelTester tester(model());
+    write(fraba, 0x020000FF);
+    ASSERT_GE(model().rowCount(), 2);
+    EXPECT_EQ(cell(0, TraceModel::out), QStringLiteral("020000FF"));
+    EXPECT_EQ(cell(0, TraceModel::sinceLast), QString());
+    const int last = model().rowCount() - 1;
+    EXPECT_EQ(cell(last, TraceModel::out), QStringLiteral("020000FF"));
+    EXPECT_EQ(cell(last, TraceModel::in), QStringLiteral("C20000FF"));
+    EXPECT_TRUE(cell(last, TraceModel::meaning).startsWith(QStringLiteral("Parameter 1 steps = 255 – ")))
+        << cell(last, TraceModel::meaning).toStdString();
+    EXPECT_TRUE(cell(last, TraceModel::meaning).endsWith(QLatin1String("confirmed")));
+    EXPECT_GT(cell(last, TraceModel::sinceLast).toDouble(), 0.0);
+    EXPECT_TRUE(cell(last, TraceModel::time).contains(QLatin1String("14:02:00.")));
+}
+
+TEST_F(TraceViewTest, EachEncoderHasItsOwnRowsWhicheverIsSelected)
+{
+    write(baumer, 0x02000064);
+    EXPECT_EQ(model().rowCount(), 0);
+    EXPECT_GE(model(baumer).rowCount(), 2);
+    view.setEncoder(&ring.encoder(baumer));
+    EXPECT_EQ(table.model(), &model(baumer));
+}
+
+TEST_F(TraceViewTest, ARemarkIsTheUsers)
+{
+    const test::ModelTester tester(model());
+    write(fraba, 0x020000FF);
+    table.edit(model().index(0, TraceModel::remark));
+    auto *editor = qobject_cast<QLineEdit *>(QApplication::focusWidget());
+    ASSERT_TRUE(editor);
+    QTest::keyClicks(editor, QStringLiteral("first, \"steps\""));
+    QTest::keyClick(editor, Qt::Key_Return);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(cell(0, TraceModel::remark), QStringLiteral("first, \"steps\""));
+    EXPECT_FALSE(model().flags(model().index(0, TraceModel::out)) & Qt::ItemIsEditable);
+}
+
+TEST_F(TraceViewTest, PausedItKeepsWhatComesForLater)
+{
+    const test::ModelTester tester(model());
+    key(Qt::Key_P);
+    write(fraba, 0x020000FF);
+    EXPECT_EQ(model().rowCount(), 0);
+    EXPECT_TRUE(counts().contains(QLatin1String("paused, "))) << counts().toStdString();
+    const int waiting = model().waiting();
+    EXPECT_GE(waiting, 2);
+    key(Qt::Key_P);
+    EXPECT_EQ(model().rowCount(), waiting);
+}
+
+TEST_F(TraceViewTest, TheOldestRowsGoAndAreCounted)
+{
+    const DeviceDescription device = model().device();
+    TraceModel many(device);
+    many.setHeld(true);
+    for (int i = 0; i <= TraceModel::mostRows; ++i)
+        many.add({.cycle = static_cast<std::uint64_t>(i), .at = 1ms * i, .mode = {}, .coding = {}}, {});
+    many.setHeld(false);
+    EXPECT_EQ(many.dropped() + static_cast<quint64>(many.rowCount()), TraceModel::mostRows + 1U);
+    EXPECT_LE(many.rowCount(), TraceModel::mostRows);
+    EXPECT_EQ(many.rowAt(many.rowCount() - 1).exchange.cycle,
+              static_cast<std::uint64_t>(TraceModel::mostRows));
+    while (many.rowCount() < TraceModel::mostRows)
+        many.add({.mode = {}, .coding = {}}, {});
+    const quint64 before = many.dropped();
+    many.add({.mode = {}, .coding = {}}, {});
+    EXPECT_GT(many.dropped(), before);
+    EXPECT_LE(many.rowCount(), TraceModel::mostRows);
+}
+
+TEST_F(TraceViewTest, FollowsTheNewestRowUnlessToldNotTo)
+{
+    for (Word word = 1; word < 40; ++word)
+        write(fraba, word);
+    EXPECT_EQ(table.verticalScrollBar()->value(), table.verticalScrollBar()->maximum());
+    key(Qt::Key_End);
+    table.scrollToTop();
+    write(fraba, 100);
+    EXPECT_EQ(table.verticalScrollBar()->value(), 0);
+}
+
+TEST_F(TraceViewTest, CopiesSelectedRowsWithTabs)
+{
+    write(fraba, 0x020000FF);
+    table.selectRow(0);
+    key(Qt::Key_C);
+    const QStringList lines = QApplication::clipboard()->text().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    ASSERT_EQ(lines.size(), 1);
+    const QStringList cells = lines.first().split(QLatin1Char('\t'));
+    ASSERT_EQ(cells.size(), 7);
+    EXPECT_EQ(cells.at(TraceModel::out), QStringLiteral("020000FF"));
+    table.clearSelection();
+    key(Qt::Key_C);
+    EXPECT_EQ(QApplication::clipboard()->text().count(QLatin1Char('\n')), model().rowCount());
+}
+
+TEST_F(TraceViewTest, ExportsCommaSeparatedUtf8)
+{
+    write(fraba, 0x020000FF);
+    model().setData(model().index(0, TraceModel::remark), QStringLiteral("a \"b\", c"));
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("trace.csv"));
+    ASSERT_TRUE(view.exportTo(path));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QStringList lines = QString::fromUtf8(file.readAll()).split(QStringLiteral("\r\n"));
+    EXPECT_EQ(lines.at(0), QStringLiteral("time,since_last_ms,cycle,out,in,meaning,remark"));
+    EXPECT_TRUE(lines.at(1).startsWith(QLatin1String("2026-03-01T14:02:00."))) << lines.at(1).toStdString();
+    EXPECT_TRUE(lines.at(1).contains(QLatin1String(",020000FF,")));
+    EXPECT_TRUE(lines.at(1).endsWith(QLatin1String(",\"a \"\"b\"\", c\""))) << lines.at(1).toStdString();
+    EXPECT_FALSE(view.exportTo(folder.filePath(QStringLiteral("no/such/trace.csv"))));
+    EXPECT_TRUE(view.findChild<InlineMessage *>()->sentence().contains(QLatin1String("was not written")));
+}
+
+TEST_F(TraceViewTest, WhatWasCollectedOutlivesTheConnection)
+{
+    write(fraba, 0x020000FF);
+    const int rows = model().rowCount();
+    ASSERT_TRUE(ring.bus.open(BusSession::Start::operating));
+    ring.bus.advance(10);
+    view.setEncoder(&ring.encoder(fraba));
+    EXPECT_GE(model().rowCount(), rows);
+    const int before = model().rowCount();
+    write(fraba, 0x04000001);
+    EXPECT_GT(model().rowCount(), before);
+}
+
+} // namespace
+} // namespace codewheel

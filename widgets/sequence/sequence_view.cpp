@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/sequence/sequence_view.h"
+
+#include "catalog/device_description.h"
+#include "encoder/refusal_text.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/sequence/sequence_model.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFile>
+#include <QFileDialog>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QSpinBox>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+namespace codewheel {
+
+SequenceView::SequenceView(QWidget *parent)
+    : QWidget(parent)
+    , m_model(new SequenceModel(this))
+    , m_job(new SequenceJob(this))
+    , m_pages(new QStackedWidget(this))
+    , m_tools(new QToolBar(this))
+    , m_table(new QTableView(this))
+    , m_hold(new QSpinBox(this))
+    , m_summary(new QLabel(this))
+    , m_send(new QPushButton(lineIcon(Icon::start), tr("&Send"), this))
+    , m_stop(new QPushButton(lineIcon(Icon::stop), tr("S&top"), this))
+    , m_message(new InlineMessage(this))
+{
+    makeTable();
+    makeTools();
+    makeSending();
+
+    auto *page = new QWidget;
+    auto *rows = new QVBoxLayout(page);
+    rows->setContentsMargins(grid::unit, 0, grid::unit, grid::unit);
+    rows->setSpacing(grid::unit);
+    rows->addWidget(m_tools);
+    rows->addWidget(m_table, 1);
+    rows->addWidget(m_message);
+    auto *sending = new QHBoxLayout;
+    sending->setSpacing(grid::groupGap);
+    auto *holdLabel = new QLabel(tr("&Unacknowledged words for"), page);
+    holdLabel->setBuddy(m_hold);
+    sending->addWidget(holdLabel);
+    sending->addWidget(m_hold);
+    sending->addWidget(m_summary, 1);
+    sending->addWidget(m_send);
+    sending->addWidget(m_stop);
+    rows->addLayout(sending);
+    m_pages->addWidget(
+        new EmptyState(Icon::sequence, tr("No encoder is selected"),
+                       tr("A sequence is a list of words that are sent to an encoder one after "
+                          "the other. Select an encoder in the bus structure."),
+                       this));
+    m_pages->addWidget(page);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins({});
+    layout->addWidget(m_pages);
+    setEncoder(nullptr);
+}
+
+void SequenceView::makeTable()
+{
+    m_table->setModel(m_model);
+    m_table->setAccessibleName(tr("Words to send"));
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setWordWrap(false);
+    m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + 2 * grid::unit);
+    m_table->horizontalHeader()->setSectionResizeMode(SequenceModel::meaning, QHeaderView::Stretch);
+    m_table->setTabKeyNavigation(false);
+    connect(m_model, &SequenceModel::badInput, this,
+            [this](const QString &sentence) { say(Role::attention, sentence); });
+    connect(m_model, &QAbstractItemModel::dataChanged, this, [this] {
+        if (!m_job->isRunning())
+            m_message->withdraw();
+    });
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &SequenceView::showWhatIsPossible);
+    for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+        connect(m_model, signal, this, &SequenceView::showWhatIsPossible);
+    connect(m_model, &QAbstractItemModel::modelReset, this, &SequenceView::showWhatIsPossible);
+}
+
+QAction *SequenceView::addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip,
+                               void (SequenceView::*slot)())
+{
+    auto *action = new QAction(lineIcon(icon), text, this);
+    action->setShortcut(key);
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    action->setToolTip(tr("%1 (%2)", "what it does, key").arg(tip, key.toString(QKeySequence::NativeText)));
+    addAction(action);
+    m_tools->addAction(action);
+    connect(action, &QAction::triggered, this, slot);
+    return action;
+}
+
+void SequenceView::makeTools()
+{
+    m_tools->setIconSize({grid::smallIcon, grid::smallIcon});
+    m_tools->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    addTool(Icon::add, tr("Add"), QKeySequence(Qt::Key_Insert), tr("Insert a word below"),
+            &SequenceView::add);
+    m_rowActions = {
+        addTool(Icon::remove, tr("Remove"), QKeySequence(Qt::Key_Delete), tr("Remove the selected words"),
+                &SequenceView::removeSelected),
+        addTool(Icon::back, tr("Up"), QKeySequence(Qt::ALT | Qt::Key_Up), tr("Move the word up"),
+                &SequenceView::moveUp),
+        addTool(Icon::next, tr("Down"), QKeySequence(Qt::ALT | Qt::Key_Down), tr("Move the word down"),
+                &SequenceView::moveDown),
+    };
+    addTool(Icon::copy, tr("Paste"), QKeySequence::Paste, tr("Insert the column of words that was copied"),
+            &SequenceView::paste);
+    addTool(Icon::read, tr("Open"), QKeySequence(Qt::CTRL | Qt::Key_L), tr("Read a sequence from a file"),
+            &SequenceView::askLoad);
+    addTool(Icon::exportData, tr("Save"), QKeySequence(Qt::CTRL | Qt::Key_E),
+            tr("Keep this sequence in a file"), &SequenceView::askSave);
+}
+
+void SequenceView::makeSending()
+{
+    m_hold->setRange(1, WordList::longestHold);
+    m_hold->setValue(WordList().holdCycles);
+    m_hold->setSuffix(tr(" cycles", "unit of a number of bus cycles"));
+    m_hold->setAccessibleName(tr("Cycles for words that nothing acknowledges"));
+    m_hold->setToolTip(tr("How long a word stands that nothing acknowledges; others stand until they are"));
+    m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_send->setAccessibleName(tr("Send the sequence"));
+    m_stop->setAccessibleName(tr("Stop the sequence"));
+    m_stop->setToolTip(tr("End the sequence, and choose what becomes of the encoder"));
+    auto *menu = new QMenu(m_stop);
+    menu->addAction(tr("&Run: end the parameterization with what the encoder has taken"), this,
+                    [this] { stop(OnCancel::runWithWhatItHas); });
+    menu->addAction(tr("&Leave the encoder as it is, OUT back to 0"), this,
+                    [this] { stop(OnCancel::leaveAsIs); });
+    m_stop->setMenu(menu);
+    connect(m_send, &QPushButton::clicked, this, &SequenceView::send);
+    connect(m_job, &SequenceJob::reached, this, [this](int row) {
+        m_model->setSendingRow(row);
+        m_table->scrollTo(m_model->index(row, SequenceModel::word));
+    });
+    connect(m_job, &SequenceJob::ended, this, &SequenceView::showEnd);
+}
+
+void SequenceView::setEncoder(EncoderSession *encoder)
+{
+    if (m_encoder)
+        m_encoder->disconnect(this);
+    m_encoder = encoder;
+    m_pages->setCurrentIndex(encoder || m_job->isRunning() ? 1 : 0);
+    if (!m_job->isRunning())
+        m_message->withdraw();
+    if (encoder) {
+        connect(encoder, &EncoderSession::latestChanged, this, &SequenceView::explainWords);
+        connect(encoder, &QObject::destroyed, this, [this] { setEncoder(nullptr); });
+    }
+    explainWords();
+    showWhatIsPossible();
+}
+
+void SequenceView::explainWords()
+{
+    m_model->setDevice(m_encoder ? &m_encoder->device() : nullptr,
+                       m_encoder ? m_encoder->latest().mode : std::nullopt);
+}
+
+WordList SequenceView::list() const
+{
+    return {.words = m_model->words(), .holdCycles = m_hold->value()};
+}
+
+void SequenceView::setList(const WordList &list)
+{
+    m_model->setWords(list.words);
+    m_hold->setValue(list.holdCycles);
+}
+
+int SequenceView::selectedRow() const
+{
+    const QModelIndexList selected = m_table->selectionModel()->selectedRows();
+    return selected.isEmpty() ? -1 : selected.last().row();
+}
+
+void SequenceView::add()
+{
+    const int row = selectedRow() < 0 ? m_model->rowCount() : selectedRow() + 1;
+    m_model->insertAt(row, {});
+    const QModelIndex added = m_model->index(row, SequenceModel::word);
+    m_table->setCurrentIndex(added);
+    m_table->edit(added);
+}
+
+void SequenceView::removeSelected()
+{
+    QList<int> selected;
+    for (const QModelIndex &index : m_table->selectionModel()->selectedRows())
+        selected << index.row();
+    std::ranges::sort(selected, std::greater());
+    for (const int row : selected)
+        m_model->removeAt(row);
+}
+
+void SequenceView::moveSelected(int by)
+{
+    const int row = selectedRow();
+    if (row < 0 || row + by < 0 || row + by >= m_model->rowCount())
+        return;
+    m_model->moveRowTo(row, row + by);
+    m_table->selectRow(row + by);
+}
+
+void SequenceView::paste()
+{
+    const auto words = parseColumn(QApplication::clipboard()->text());
+    if (!words) {
+        say(Role::attention, words.error());
+        return;
+    }
+    m_message->withdraw();
+    int row = selectedRow() < 0 ? m_model->rowCount() : selectedRow() + 1;
+    for (const Word word : *words)
+        m_model->insertAt(row++, {.word = word});
+    m_table->selectRow(row - 1);
+}
+
+void SequenceView::askLoad()
+{
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Open a sequence"), {}, tr("Sequences (*.json)"));
+    if (!path.isEmpty())
+        load(path);
+}
+
+void SequenceView::askSave()
+{
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save the sequence"), tr("sequence.json"),
+                                                      tr("Sequences (*.json)"));
+    if (!path.isEmpty())
+        save(path);
+}
+
+bool SequenceView::load(const QString &path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        say(Role::attention, tr("%1 cannot be read: %2").arg(path, file.errorString()));
+        return false;
+    }
+    const auto read = sequenceFromJson(file.readAll());
+    if (!read) {
+        say(Role::attention, tr("%1 was not read. %2", "file, reason").arg(path, read.error()));
+        return false;
+    }
+    m_message->withdraw();
+    setList(*read);
+    return true;
+}
+
+bool SequenceView::save(const QString &path)
+{
+    QSaveFile file(path);
+    const QByteArray json = sequenceToJson(list());
+    if (!file.open(QIODevice::WriteOnly) || file.write(json) != json.size() || !file.commit()) {
+        say(Role::attention, tr("%1 was not saved: %2", "file, reason").arg(path, file.errorString()));
+        return false;
+    }
+    m_message->withdraw();
+    return true;
+}
+
+void SequenceView::send()
+{
+    if (!m_encoder)
+        return;
+    m_message->withdraw();
+    m_model->setSendingRow({});
+    const auto started = m_job->start(*m_encoder, {.words = m_model->words(), .holdCycles = m_hold->value()});
+    if (!started)
+        say(Role::attention, refusalText(started.error()));
+    showWhatIsPossible();
+}
+
+void SequenceView::stop(OnCancel how)
+{
+    m_job->cancel(how);
+}
+
+void SequenceView::showEnd(const Outcome &outcome, int words)
+{
+    m_model->setSendingRow(words);
+    if (outcome.result)
+        say(Role::running, tr("All %n words were sent.", nullptr, words));
+    else
+        say(outcome.result.error().kind == RefusalKind::stopped ? Role::attention : Role::fault,
+            tr("%1 Sent before that: %2 of %3 words.", "reason, counts")
+                .arg(refusalText(outcome.result.error()), QLocale().toString(words),
+                     QLocale().toString(m_model->rowCount())));
+    if (!m_encoder)
+        m_pages->setCurrentIndex(0);
+    showWhatIsPossible();
+}
+
+void SequenceView::showWhatIsPossible()
+{
+    const bool runs = m_job->isRunning();
+    m_model->setLocked(runs);
+    for (QAction *action : actions())
+        action->setEnabled(!runs && (selectedRow() >= 0 || !m_rowActions.contains(action)));
+    m_hold->setEnabled(!runs);
+    m_send->setEnabled(!runs && m_encoder && m_model->rowCount() > 0);
+    m_stop->setEnabled(runs);
+    const QString place = m_encoder ? m_encoder->number().toString() : QString();
+    m_summary->setText(m_model->rowCount() == 0
+                           ? tr("Add or paste words to send.")
+                           : tr("%n words to %1", nullptr, m_model->rowCount()).arg(place));
+    m_send->setToolTip(
+        tr("Send the words to %1 one after the other, each until it is acknowledged").arg(place));
+}
+
+void SequenceView::say(Role role, const QString &sentence)
+{
+    m_message->showMessage(role, sentence);
+}
+
+} // namespace codewheel

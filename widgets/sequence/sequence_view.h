@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/look/icons.h"
+#include "widgets/sequence/sequence_job.h"
+#include "widgets/sequence/word_list.h"
+
+#include <QPointer>
+#include <QWidget>
+
+class QAction;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+class QStackedWidget;
+class QTableView;
+class QToolBar;
+
+namespace codewheel {
+
+class InlineMessage;
+class SequenceModel;
+
+// A list of words that are sent one after the other to the selected encoder, as a manual tells them. The list
+// stays when another encoder is selected.
+class SequenceView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit SequenceView(QWidget *parent = nullptr);
+
+    void setEncoder(codewheel::EncoderSession *encoder);
+
+    WordList list() const;
+    void setList(const WordList &list);
+    // Says on the spot what went wrong.
+    bool load(const QString &path);
+    bool save(const QString &path);
+
+private:
+    void makeTable();
+    void makeTools();
+    void makeSending();
+    QAction *addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip,
+                     void (SequenceView::*slot)());
+    void add();
+    void removeSelected();
+    void moveUp() { moveSelected(-1); }
+    void moveDown() { moveSelected(1); }
+    void moveSelected(int by);
+    void paste();
+    void askLoad();
+    void askSave();
+    void send();
+    void stop(OnCancel how);
+    void showEnd(const Outcome &outcome, int words);
+    void showWhatIsPossible();
+    void explainWords();
+    int selectedRow() const; // -1: none
+    void say(Role role, const QString &sentence);
+
+    QPointer<EncoderSession> m_encoder;
+    SequenceModel *m_model;
+    SequenceJob *m_job;
+    QStackedWidget *m_pages;
+    QToolBar *m_tools;
+    QTableView *m_table;
+    QSpinBox *m_hold;
+    QLabel *m_summary;
+    QPushButton *m_send;
+    QPushButton *m_stop;
+    InlineMessage *m_message;
+    QList<QAction *> m_rowActions; // need a selected row
+};
+
+} // namespace codewheel

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/trace/trace_row.h"
+
+#include "catalog/explain_word.h"
+#include "encoder/hex.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace codewheel {
+
+namespace {
+
+QString explained(const DeviceDescription &device, const Exchange &exchange, WordDirection direction)
+{
+    const bool out = direction == WordDirection::out;
+    k3::ExplainContext context;
+    context.direction = direction;
+    context.mode = exchange.mode;
+    context.coding = exchange.coding;
+    context.counterpart = out ? exchange.in : exchange.out;
+    return explanationText(device, explainWord(device, out ? exchange.out : exchange.in, context));
+}
+
+double milliseconds(Instant duration)
+{
+    return std::chrono::duration<double, std::milli>(duration).count();
+}
+
+// RFC 4180
+QString quoted(QString cell)
+{
+    cell.replace(QLatin1Char('"'), QLatin1String("\"\""));
+    return QLatin1Char('"') + cell + QLatin1Char('"');
+}
+
+} // namespace
+
+QString exchangeText(const DeviceDescription &device, const Exchange &exchange)
+{
+    return QCoreApplication::translate("Trace", "%1 – %2", "meaning of OUT, meaning of IN")
+        .arg(explained(device, exchange, WordDirection::out), explained(device, exchange, WordDirection::in));
+}
+
+QString traceTimeText(const TraceRow &row)
+{
+    return QLocale().toString(row.at.date(), QLocale::ShortFormat) + QLatin1Char(' ') +
+           row.at.time().toString(QStringLiteral("HH:mm:ss.zzz"));
+}
+
+QString sinceLastText(const TraceRow &row)
+{
+    return row.sinceLast ? QLocale().toString(milliseconds(*row.sinceLast), 'f', 1) : QString();
+}
+
+QByteArray traceCsv(const DeviceDescription &device, const std::vector<TraceRow> &rows)
+{
+    QString csv = QStringLiteral("time,since_last_ms,cycle,out,in,meaning,remark\r\n");
+    for (const TraceRow &row : rows)
+        csv += QStringList{row.at.toString(Qt::ISODateWithMs),
+                           row.sinceLast ? QString::number(milliseconds(*row.sinceLast), 'f', 1) : QString(),
+                           QString::number(row.exchange.cycle),
+                           hexWord(row.exchange.out),
+                           hexWord(row.exchange.in),
+                           quoted(exchangeText(device, row.exchange)),
+                           quoted(row.remark)}
+                   .join(QLatin1Char(',')) +
+               QLatin1String("\r\n");
+    return csv.toUtf8();
+}
+
+QString traceText(const DeviceDescription &device, const std::vector<TraceRow> &rows)
+{
+    QString text;
+    for (const TraceRow &row : rows)
+        text += QStringList{traceTimeText(row),
+                            sinceLastText(row),
+                            QLocale().toString(static_cast<qulonglong>(row.exchange.cycle)),
+                            hexWord(row.exchange.out),
+                            hexWord(row.exchange.in),
+                            exchangeText(device, row.exchange),
+                            row.remark}
+                    .join(QLatin1Char('\t')) +
+                QLatin1Char('\n');
+    return text;
+}
+
+} // namespace codewheel

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/trace/trace_view.h"
+
+#include "widgets/look/empty_state.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/trace/trace_model.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QHeaderView>
+#include <QLabel>
+#include <QSaveFile>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+namespace codewheel {
+
+namespace {
+
+constexpr int meaningLetters = 60; // about as long as the sentences of a handshake
+
+} // namespace
+
+TraceView::TraceView(BusSession &bus, QWidget *parent)
+    : QWidget(parent)
+    , m_bus(bus)
+    , m_pages(new QStackedWidget(this))
+    , m_tools(new QToolBar(this))
+    , m_table(new QTableView(this))
+    , m_counts(new QLabel(this))
+    , m_message(new InlineMessage(this))
+{
+    makeTable();
+    makeTools();
+    auto *page = new QWidget;
+    auto *rows = new QVBoxLayout(page);
+    rows->setContentsMargins(grid::unit, 0, grid::unit, grid::unit);
+    rows->setSpacing(grid::unit);
+    auto *bar = new QHBoxLayout;
+    bar->addWidget(m_tools);
+    bar->addWidget(m_counts, 1);
+    rows->addLayout(bar);
+    rows->addWidget(m_message);
+    rows->addWidget(m_table, 1);
+    m_pages->addWidget(new EmptyState(Icon::trace, tr("No encoder is selected"),
+                                      tr("The handshake trace has a row for each change of the words of an "
+                                         "encoder. Select an encoder in the bus structure."),
+                                      this));
+    m_pages->addWidget(page);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins({});
+    layout->addWidget(m_pages);
+
+    connect(&bus, &BusSession::stateChanged, this, &TraceView::watchEncoders);
+    watchEncoders();
+}
+
+TraceView::~TraceView()
+{
+    m_table->setModel(nullptr);
+}
+
+void TraceView::makeTable()
+{
+    m_table->setAccessibleName(tr("Handshake trace"));
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setWordWrap(false);
+    m_table->setTabKeyNavigation(false);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + grid::unit);
+}
+
+QAction *TraceView::addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip)
+{
+    auto *action = new QAction(lineIcon(icon), text, this);
+    action->setShortcut(key);
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    action->setToolTip(tr("%1 (%2)", "what it does, key").arg(tip, key.toString(QKeySequence::NativeText)));
+    addAction(action);
+    m_tools->addAction(action);
+    return action;
+}
+
+void TraceView::makeTools()
+{
+    m_tools->setIconSize({grid::smallIcon, grid::smallIcon});
+    m_tools->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_follow = addTool(Icon::next, tr("Follow"), QKeySequence(Qt::CTRL | Qt::Key_End),
+                       tr("Keep the newest row in view"));
+    m_follow->setCheckable(true);
+    m_follow->setChecked(true);
+    m_hold = addTool(Icon::stop, tr("Pause"), QKeySequence(Qt::CTRL | Qt::Key_P),
+                     tr("Hold the table; rows that come are kept and shown afterwards"));
+    m_hold->setCheckable(true);
+    const QAction *copying = addTool(Icon::copy, tr("Copy"), QKeySequence::Copy,
+                                     tr("Copy the selected rows, or all, with tabs between the columns"));
+    const QAction *exporting = addTool(Icon::exportData, tr("Export"), QKeySequence(Qt::CTRL | Qt::Key_E),
+                                       tr("Save all rows as a CSV file"));
+    const QAction *clearing = addTool(Icon::remove, tr("Clear"), QKeySequence(Qt::CTRL | Qt::Key_Delete),
+                                      tr("Remove all rows of this encoder"));
+    connect(m_follow, &QAction::toggled, this, &TraceView::follow);
+    connect(m_hold, &QAction::toggled, this, [this](bool held) {
+        for (const auto &[number, model] : m_models)
+            model->setHeld(held);
+        follow();
+    });
+    connect(copying, &QAction::triggered, this, &TraceView::copy);
+    connect(exporting, &QAction::triggered, this, &TraceView::askExport);
+    connect(clearing, &QAction::triggered, this, [this] {
+        if (m_shown)
+            m_shown->clear();
+    });
+}
+
+void TraceView::watchEncoders()
+{
+    std::erase(m_watched, nullptr);
+    const auto isWatched = [this](const EncoderSession *encoder) {
+        return std::ranges::any_of(m_watched, [encoder](const auto &watched) { return watched == encoder; });
+    };
+    for (const DeviceNumber number : m_bus.numbers())
+        if (EncoderSession *encoder = m_bus.encoder(number); encoder && !isWatched(encoder))
+            watch(*encoder);
+}
+
+void TraceView::watch(EncoderSession &encoder)
+{
+    m_watched.emplace_back(&encoder);
+    std::unique_ptr<TraceModel> &model = m_models[encoder.number()];
+    if (!model || model->device() != encoder.device()) {
+        const bool isShown = model && model.get() == m_shown;
+        auto fresh = std::make_unique<TraceModel>(encoder.device());
+        if (isShown) {
+            m_shown = fresh.get();
+            showModel();
+        }
+        model = std::move(fresh);
+        model->setHeld(m_hold->isChecked());
+        connect(model.get(), &TraceModel::countsChanged, this, [this, changed = model.get()] {
+            if (changed == m_shown)
+                showCounts();
+        });
+    }
+    connect(&encoder, &EncoderSession::exchanged, model.get(),
+            [this, into = model.get()](const Exchange &row) { into->add(row, m_bus.dateTime(row.at)); });
+}
+
+void TraceView::setEncoder(EncoderSession *encoder)
+{
+    watchEncoders();
+    m_shown = encoder ? model(encoder->number()) : nullptr;
+    m_message->withdraw();
+    showModel();
+}
+
+TraceModel *TraceView::model(DeviceNumber number) const
+{
+    const auto found = m_models.find(number);
+    return found == m_models.end() ? nullptr : found->second.get();
+}
+
+void TraceView::showModel()
+{
+    m_pages->setCurrentIndex(m_shown ? 1 : 0);
+    const QItemSelectionModel *before = m_table->selectionModel();
+    m_table->setModel(m_shown);
+    delete before;
+    if (!m_shown)
+        return;
+    const QFontMetrics metrics{numberFont()};
+    const auto width = [&metrics](const char *widest) {
+        return metrics.horizontalAdvance(QLatin1String(widest)) + 4 * grid::unit;
+    };
+    m_table->setColumnWidth(TraceModel::time, width("20/20/2026 22:22:22.222"));
+    m_table->setColumnWidth(
+        TraceModel::sinceLast,
+        std::max(width("1 000 000.0"), m_table->horizontalHeader()->sectionSizeHint(TraceModel::sinceLast)));
+    m_table->setColumnWidth(TraceModel::cycle, width("100 000 000"));
+    m_table->setColumnWidth(TraceModel::out, width("020000FF"));
+    m_table->setColumnWidth(TraceModel::in, width("020000FF"));
+    m_table->setColumnWidth(TraceModel::meaning, m_table->fontMetrics().averageCharWidth() * meaningLetters);
+    showCounts();
+}
+
+void TraceView::showCounts()
+{
+    QStringList texts{tr("%n rows", nullptr, m_shown->rowCount())};
+    if (m_shown->isHeld())
+        texts << tr("paused, %n new", nullptr, m_shown->waiting());
+    if (m_shown->dropped() > 0)
+        texts << tr("%1 oldest dropped").arg(QLocale().toString(m_shown->dropped()));
+    m_counts->setText(texts.join(QStringLiteral("; ")));
+    follow();
+}
+
+void TraceView::follow()
+{
+    if (m_follow->isChecked() && m_shown && !m_shown->isHeld())
+        m_table->scrollToBottom();
+}
+
+void TraceView::copy()
+{
+    if (!m_shown)
+        return;
+    std::vector<TraceRow> rows;
+    for (int row = 0; row < m_shown->rowCount(); ++row)
+        if (m_table->selectionModel()->isRowSelected(row))
+            rows.push_back(m_shown->rowAt(row));
+    QApplication::clipboard()->setText(traceText(m_shown->device(), rows.empty() ? m_shown->rows() : rows));
+}
+
+void TraceView::askExport()
+{
+    const QString path =
+        QFileDialog::getSaveFileName(this, tr("Export the trace"), tr("trace.csv"), tr("Tables (*.csv)"));
+    if (!path.isEmpty())
+        exportTo(path);
+}
+
+bool TraceView::exportTo(const QString &path)
+{
+    if (!m_shown)
+        return false;
+    QSaveFile file(path);
+    const QByteArray csv = traceCsv(m_shown->device(), m_shown->rows());
+    if (!file.open(QIODevice::WriteOnly) || file.write(csv) != csv.size() || !file.commit()) {
+        m_message->showMessage(Role::attention,
+                               tr("%1 was not written: %2", "file, reason").arg(path, file.errorString()));
+        return false;
+    }
+    m_message->withdraw();
+    return true;
+}
+
+} // namespace codewheel

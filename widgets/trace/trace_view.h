@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ring/bus_session.h"
+#include "widgets/look/icons.h"
+
+#include <QPointer>
+#include <QWidget>
+
+#include <map>
+
+class QAction;
+class QLabel;
+class QStackedWidget;
+class QTableView;
+class QToolBar;
+
+namespace codewheel {
+
+class InlineMessage;
+class TraceModel;
+
+// The handshake trace: one row per change of the words of the selected encoder, as the manuals print it. It
+// collects for all encoders of the bus, also those that are not selected.
+class TraceView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit TraceView(BusSession &bus, QWidget *parent = nullptr);
+    ~TraceView() override;
+
+    void setEncoder(codewheel::EncoderSession *encoder);
+    TraceModel *model(DeviceNumber number) const; // null: nothing was collected for it
+
+    // UTF-8, comma separated (docs/manual/sequence-and-trace.md). Says on the spot what went wrong.
+    bool exportTo(const QString &path);
+
+private:
+    // Sessions come and go with the connection; what was collected stays.
+    void watchEncoders();
+    void watch(EncoderSession &encoder);
+    void makeTable();
+    void makeTools();
+    QAction *addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip);
+    void showModel();
+    void showCounts();
+    void follow();
+    void copy();
+    void askExport();
+
+    BusSession &m_bus;
+    std::map<DeviceNumber, std::unique_ptr<TraceModel>> m_models;
+    TraceModel *m_shown = nullptr;
+    std::vector<QPointer<EncoderSession>> m_watched;
+    QStackedWidget *m_pages;
+    QToolBar *m_tools;
+    QAction *m_follow = nullptr;
+    QAction *m_hold = nullptr;
+    QTableView *m_table;
+    QLabel *m_counts;
+    InlineMessage *m_message;
+};
+
+} // namespace codewheel
