@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command_line.h"
 #include "cli/terminal.h"
+#include "language.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -11,6 +12,9 @@
 int main(int argc, char **argv)
 {
     const QCoreApplication application(argc, argv);
+
+    codewheel::Language language;
+    language.use(QString()); // that of the system
 
     // What is printed can be typed in again: numbers without group separators.
     QLocale locale;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language.h"
+
+#include <QCoreApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+
+namespace codewheel {
+namespace {
+
+const QString separator = QStringLiteral("_");
+
+// English has a file too (its singulars), so somebody who prefers English to German gets English.
+bool loadOurs(QTranslator &translator, const QLocale &locale)
+{
+    const QString name = QStringLiteral("codewheel");
+    const QString folder = QStringLiteral(":/i18n");
+    return translator.load(locale, name, separator, folder) ||
+           translator.load(QLocale(QLocale::English), name, separator, folder);
+}
+
+} // namespace
+
+void Language::use(const QString &chosen)
+{
+    QCoreApplication::removeTranslator(&m_ours);
+    QCoreApplication::removeTranslator(&m_qts);
+
+    const QLocale locale = chosen.isEmpty() ? QLocale::system() : QLocale(chosen);
+    QLocale::setDefault(locale);
+    if (!loadOurs(m_ours, locale))
+        return;
+    // Qt speaks the language that our texts are in, not one that only Qt knows.
+    if (m_qts.load(QLocale(m_ours.language()), QStringLiteral("qtbase"), separator,
+                   QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+        QCoreApplication::installTranslator(&m_qts);
+    QCoreApplication::installTranslator(&m_ours);
+}
+
+} // namespace codewheel

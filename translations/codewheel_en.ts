@@ -1,0 +1,38 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>codewheel::SequenceView</name>
+    <message numerus="yes">
+        <source>All %n words were sent.</source>
+        <translation>
+            <numerusform>%n word was sent.</numerusform>
+            <numerusform>All %n words were sent.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n words to %1</source>
+        <translation>
+            <numerusform>%n word to %1</numerusform>
+            <numerusform>%n words to %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TraceView</name>
+    <message numerus="yes">
+        <source>%n rows</source>
+        <translation>
+            <numerusform>%n row</numerusform>
+            <numerusform>%n rows</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>paused, %n new</source>
+        <translation>
+            <numerusform>paused, %n new</numerusform>
+            <numerusform>paused, %n new</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>
