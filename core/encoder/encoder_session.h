@@ -5,6 +5,7 @@
 #include "encoder/device_number.h"
 #include "encoder/event.h"
 
+#include <QDateTime>
 #include <QObject>
 
 #include <optional>
@@ -40,6 +41,9 @@ public:
 
     // EEPROM writes by this program since this session began.
     virtual int eepromWrites() const = 0;
+
+    // The date and time of a reading or a known value.
+    virtual QDateTime dateTime(Instant at) const = 0;
 
 Q_SIGNALS:
     void latestChanged(); // a newer reading, which may say the same; at most once a picture

@@ -21,6 +21,11 @@ std::optional<Known> RingEncoderSession::known(Parameter parameter) const
     return found == m_known.end() ? std::nullopt : std::optional(found->second);
 }
 
+QDateTime RingEncoderSession::dateTime(Instant at) const
+{
+    return m_bus.dateTime(at);
+}
+
 void RingEncoderSession::tell(Parameter parameter, std::optional<std::int64_t> value)
 {
     if (value)

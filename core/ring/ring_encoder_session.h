@@ -36,6 +36,7 @@ public:
     void cancel(OnCancel how) override;
 
     int eepromWrites() const override { return m_eepromWrites; }
+    QDateTime dateTime(Instant at) const override;
 
 private:
     friend class BusSession;

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parameter panel on the training bus, in virtual time, with mouse and keys.
+#include "catalog/catalog.h"
+#include "ring/bus_session.h"
+#include "simulator/training_bus.h"
+#include "tests/support/model_tester.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/look/role_label.h"
+#include "widgets/parameters/parameter_model.h"
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/parameter_table.h"
+#include "widgets/parameters/value_input.h"
+#include "widgets/parameters/write_review.h"
+
+namespace codewheel {
+namespace {
+
+constexpr DeviceNumber fraba{1, 0};
+constexpr DeviceNumber baumer{2, 0};
+
+class Parameters : public testing::Test
+{
+protected:
+    Parameters()
+    {
+        EXPECT_TRUE(bus.open(BusSession::Start::operating));
+        bus.encoder(fraba)->tell(Parameter::startUpMode, 1); // position mode
+        bus.advance(10);
+        panel.resize(290, 480);
+        panel.show();
+        panel.setEncoder(bus.encoder(fraba));
+    }
+
+    QAbstractItemModel &model() { return *table().model(); }
+    ParameterTable &table() { return *panel.findChild<ParameterTable *>(); }
+    QString textAt(Parameter parameter, int column)
+    {
+        return indexOf(parameter, column).data(Qt::AccessibleTextRole).toString();
+    }
+    QModelIndex indexOf(Parameter parameter, int column)
+    {
+        for (int row = 0; row < model().rowCount(); ++row)
+            if (model().index(row, ParameterModel::nameColumn).data().toString() == parameterName(parameter))
+                return model().index(row, column);
+        return {};
+    }
+    // A field is closed by an event of its own, and deleted by another.
+    static void settle()
+    {
+        QCoreApplication::processEvents();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+    void clickWanted(Parameter parameter)
+    {
+        const QModelIndex cell = indexOf(parameter, ParameterModel::wantedColumn);
+        table().scrollTo(cell);
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, table().visualRect(cell).center());
+    }
+    void want(Parameter parameter, const QString &text)
+    {
+        clickWanted(parameter);
+        auto *field = panel.findChild<NumberInput *>();
+        ASSERT_NE(field, nullptr);
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, Qt::Key_Return);
+        settle();
+    }
+    QAbstractButton *button(const QString &text)
+    {
+        for (auto *found : panel.findChildren<QAbstractButton *>())
+            if (found->isVisible() && found->text().remove(QLatin1Char('&')) == text)
+                return found;
+        return nullptr;
+    }
+    void click(const QString &text)
+    {
+        QAbstractButton *found = button(text);
+        ASSERT_NE(found, nullptr) << text.toStdString();
+        ASSERT_TRUE(found->isEnabled()) << text.toStdString();
+        QTest::mouseClick(found, Qt::LeftButton);
+    }
+    // At most 5 s of bus time.
+    void finishJob(DeviceNumber number = fraba)
+    {
+        for (int i = 0; i < 500 && bus.encoder(number)->runningJob(); ++i)
+            bus.advance(10);
+        ASSERT_FALSE(bus.encoder(number)->runningJob());
+    }
+    QString message() { return panel.findChild<InlineMessage *>()->sentence(); }
+
+    const Catalog catalog = Catalog::builtIn();
+    TrainingBus training = makeTrainingBus();
+    BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 2), QTime(14, 2))};
+    WantedValues wanted;
+    ParameterPanel panel{wanted};
+};
+
+TEST_F(Parameters, WithoutAnEncoderItSaysWhatBelongsHere)
+{
+    panel.setEncoder(nullptr);
+    EXPECT_FALSE(table().isVisible());
+    EXPECT_EQ(button(QStringLiteral("Write...")), nullptr);
+}
+
+TEST_F(Parameters, UnknownIsShownAsUnknownAndNeverAsADefault)
+{
+    const test::ModelTester tester(model());
+    EXPECT_EQ(textAt(Parameter::steps, ParameterModel::knownColumn), QStringLiteral("unknown"));
+    EXPECT_EQ(textAt(Parameter::steps, ParameterModel::wantedColumn), QStringLiteral("as it is"));
+    EXPECT_EQ(textAt(Parameter::serialNumber, ParameterModel::wantedColumn), QStringLiteral("read only"));
+    const QString tip =
+        indexOf(Parameter::steps, ParameterModel::nameColumn).data(Qt::ToolTipRole).toString();
+    EXPECT_TRUE(tip.contains(QStringLiteral("Factory setting: 8192"))) << tip.toStdString();
+}
+
+TEST_F(Parameters, ReadsOnlyWhenAskedAndSaysHowItKnows)
+{
+    const test::ModelTester tester(model());
+    EXPECT_TRUE(bus.devicesWithOut().empty());
+    click(QStringLiteral("Read from encoder"));
+    finishJob();
+    EXPECT_TRUE(
+        textAt(Parameter::steps, ParameterModel::knownColumn).startsWith(QStringLiteral("8192 read 14:02")))
+        << textAt(Parameter::steps, ParameterModel::knownColumn).toStdString();
+    EXPECT_TRUE(message().startsWith(QStringLiteral("Values read:"))) << message().toStdString();
+}
+
+TEST_F(Parameters, AnEncoderWithoutReadOutSaysSoInsteadOfOfferingIt)
+{
+    panel.setEncoder(bus.encoder(baumer));
+    QAbstractButton *read = button(QStringLiteral("Read from encoder"));
+    ASSERT_NE(read, nullptr);
+    EXPECT_FALSE(read->isEnabled());
+    EXPECT_TRUE(read->accessibleDescription().contains(QStringLiteral("has no read-out")));
+}
+
+TEST_F(Parameters, TypingIsCheckedAtTheFieldAndBadInputStaysThere)
+{
+    clickWanted(Parameter::revolutions);
+    QPointer<NumberInput> field = panel.findChild<NumberInput *>();
+    ASSERT_NE(field, nullptr);
+    QTest::keyClicks(field, QStringLiteral("4097"));
+    EXPECT_TRUE(message().contains(QStringLiteral("out of range"))) << message().toStdString();
+    QTest::keyClick(field, Qt::Key_Return);
+    settle();
+    ASSERT_TRUE(field && field->isVisible());
+    EXPECT_EQ(wanted.value(fraba, Parameter::revolutions), std::nullopt);
+    click(QStringLiteral("Write..."));
+    EXPECT_FALSE(panel.findChild<WriteReview *>()->isVisible());
+    ASSERT_TRUE(field && field->isVisible());
+    QTest::keyClick(field, Qt::Key_Backspace);
+    EXPECT_EQ(message(), QString());
+    QTest::keyClick(field, Qt::Key_Return);
+    settle();
+    EXPECT_EQ(wanted.value(fraba, Parameter::revolutions), 409);
+}
+
+TEST_F(Parameters, EscapeGivesBadInputUp)
+{
+    clickWanted(Parameter::steps);
+    auto *field = panel.findChild<NumberInput *>();
+    ASSERT_NE(field, nullptr);
+    QTest::keyClicks(field, QStringLiteral("none"));
+    EXPECT_NE(message(), QString());
+    QTest::keyClick(field, Qt::Key_Escape);
+    settle();
+    EXPECT_EQ(message(), QString());
+    EXPECT_EQ(wanted.value(fraba, Parameter::steps), std::nullopt);
+}
+
+TEST_F(Parameters, KeysAloneEnterOneValueAfterTheOther)
+{
+    table().setFocus();
+    QTest::keyClick(&table(), Qt::Key_Return);
+    auto *field = panel.findChild<NumberInput *>();
+    ASSERT_NE(field, nullptr);
+    QTest::keyClicks(field, QStringLiteral("FFh"));
+    QTest::keyClick(field, Qt::Key_Tab);
+    settle();
+    field = panel.findChild<NumberInput *>();
+    ASSERT_NE(field, nullptr);
+    QTest::keyClicks(field, QStringLiteral("1"));
+    QTest::keyClick(field, Qt::Key_Return);
+    settle();
+    EXPECT_EQ(wanted.values(fraba), (ParameterValues{{Parameter::steps, 255}, {Parameter::revolutions, 1}}));
+}
+
+TEST_F(Parameters, ShowsOldNewAndTheExactWordBeforeItWrites)
+{
+    const test::ModelTester tester(model());
+    click(QStringLiteral("Read from encoder"));
+    finishJob();
+    want(Parameter::steps, QStringLiteral("255"));
+    want(Parameter::revolutions, QStringLiteral("1"));
+    EXPECT_EQ(textAt(Parameter::steps, ParameterModel::wantedColumn), QStringLiteral("255 differs"));
+    EXPECT_EQ(textAt(Parameter::revolutions, ParameterModel::wantedColumn), QStringLiteral("1 the same"));
+    EXPECT_EQ(panel.findChild<RoleLabel *>()->word(), QStringLiteral("1 value differs"));
+
+    click(QStringLiteral("Write..."));
+    auto *review = panel.findChild<WriteReviewModel *>();
+    const test::ModelTester reviewTester(*review);
+    ASSERT_EQ(review->rowCount(), 1);
+    EXPECT_EQ(review->index(0, WriteReviewModel::oldValue).data().toString(), QStringLiteral("8192"));
+    EXPECT_EQ(review->index(0, WriteReviewModel::newValue).data().toString(), QStringLiteral("255"));
+    EXPECT_EQ(review->index(0, WriteReviewModel::word).data().toString(), QStringLiteral("020000FF"));
+    EXPECT_TRUE(bus.devicesWithOut().empty());
+
+    click(QStringLiteral("Write this value"));
+    finishJob();
+    EXPECT_TRUE(message().startsWith(QStringLiteral("Written and active: Steps = 255.")))
+        << message().toStdString();
+    EXPECT_EQ(bus.encoder(fraba)->eepromWrites(), 1);
+    EXPECT_TRUE(textAt(Parameter::steps, ParameterModel::knownColumn).startsWith(QStringLiteral("255 read")));
+    EXPECT_EQ(textAt(Parameter::steps, ParameterModel::wantedColumn), QStringLiteral("255 the same"));
+
+    click(QStringLiteral("Write..."));
+    EXPECT_EQ(review->rowCount(), 0);
+    QTest::mouseClick(panel.findChild<QCheckBox *>(), Qt::LeftButton, {},
+                      QPoint(8, panel.findChild<QCheckBox *>()->height() / 2));
+    EXPECT_EQ(review->rowCount(), 2);
+    click(QStringLiteral("Cancel"));
+    EXPECT_TRUE(table().isVisible());
+    EXPECT_EQ(bus.encoder(fraba)->eepromWrites(), 1);
+}
+
+TEST_F(Parameters, AValueIsToldAndTakenAsWanted)
+{
+    panel.setEncoder(bus.encoder(baumer));
+    table().setCurrentIndex(indexOf(Parameter::steps, ParameterModel::wantedColumn));
+    QMenu *menu = panel.findChild<QMenu *>();
+    menu->actions().at(0)->trigger();
+    auto *field = panel.findChild<NumberInput *>(QStringLiteral("toldValue"));
+    ASSERT_NE(field, nullptr);
+    QTest::keyClicks(field, QStringLiteral("4096"));
+    QTest::keyClick(field, Qt::Key_Return);
+    ASSERT_TRUE(bus.encoder(baumer)->known(Parameter::steps));
+    EXPECT_EQ(bus.encoder(baumer)->known(Parameter::steps)->evidence, Evidence::told);
+    EXPECT_TRUE(
+        textAt(Parameter::steps, ParameterModel::knownColumn).startsWith(QStringLiteral("4096 told")));
+    menu->actions().at(2)->trigger();
+    EXPECT_EQ(wanted.values(baumer), (ParameterValues{{Parameter::steps, 4096}}));
+    menu->actions().at(3)->trigger();
+    EXPECT_TRUE(wanted.values(baumer).empty());
+}
+
+TEST_F(Parameters, CancelAsksHowToLeaveAnEncoderThatHasTakenSomething)
+{
+    click(QStringLiteral("Read from encoder"));
+    finishJob();
+    training.controls->setSlow(fraba, true);
+    want(Parameter::steps, QStringLiteral("255"));
+    want(Parameter::revolutions, QStringLiteral("2"));
+    click(QStringLiteral("Write..."));
+    click(QStringLiteral("Write these 2 values"));
+    ParameterValues confirmed;
+    QObject::connect(bus.encoder(fraba), &EncoderSession::progressed, &panel,
+                     [&](const Progress &progress) { confirmed = progress.confirmed; });
+    for (int i = 0; i < 3000 && confirmed.empty(); ++i)
+        bus.advance(1);
+    ASSERT_EQ(confirmed, (ParameterValues{{Parameter::steps, 255}}));
+    click(QStringLiteral("Cancel"));
+    ASSERT_TRUE(bus.encoder(fraba)->runningJob());
+    QAbstractButton *restore = button(QStringLiteral("Restore previous"));
+    ASSERT_NE(restore, nullptr);
+    EXPECT_TRUE(restore->isEnabled());
+    click(QStringLiteral("Leave it so"));
+    finishJob();
+    EXPECT_EQ(bus.encoder(fraba)->latest().state, EncoderState::parameterization);
+    EXPECT_EQ(message(), QStringLiteral("The job was cancelled."));
+
+    click(QStringLiteral("Send run"));
+    finishJob();
+    EXPECT_EQ(bus.encoder(fraba)->latest().state, EncoderState::operation);
+}
+
+TEST_F(Parameters, WhatCannotBeRestoredIsNotOffered)
+{
+    panel.setEncoder(bus.encoder(baumer));
+    training.controls->setSlow(baumer, true);
+    want(Parameter::steps, QStringLiteral("255"));
+    want(Parameter::revolutions, QStringLiteral("2"));
+    click(QStringLiteral("Write..."));
+    click(QStringLiteral("Write these 2 values"));
+    bool hasTaken = false;
+    QObject::connect(bus.encoder(baumer), &EncoderSession::progressed, &panel,
+                     [&](const Progress &progress) { hasTaken = !progress.confirmed.empty(); });
+    for (int i = 0; i < 3000 && !hasTaken; ++i)
+        bus.advance(1);
+    ASSERT_TRUE(hasTaken);
+    click(QStringLiteral("Cancel"));
+    ASSERT_NE(button(QStringLiteral("Restore previous")), nullptr);
+    EXPECT_FALSE(button(QStringLiteral("Restore previous"))->isEnabled());
+    click(QStringLiteral("Go on"));
+    training.controls->setSlow(baumer, false);
+    finishJob(baumer);
+    EXPECT_TRUE(message().startsWith(QStringLiteral("Written and active: Steps = 255, Revolutions = 2.")))
+        << message().toStdString();
+}
+
+TEST_F(Parameters, ARefusalStandsInThePanelAndNothingIsSent)
+{
+    want(Parameter::steps, QStringLiteral("255"));
+    bus.setOperate(false);
+    bus.advance(2);
+    click(QStringLiteral("Write..."));
+    click(QStringLiteral("Write this value"));
+    EXPECT_TRUE(message().contains(QStringLiteral("Switch to Operate first"))) << message().toStdString();
+    bus.advance(10);
+    EXPECT_TRUE(bus.devicesWithOut().empty());
+}
+
+TEST_F(Parameters, TheWizardIsAsked)
+{
+    const QSignalSpy asked(&panel, &ParameterPanel::wizardRequested);
+    click(QStringLiteral("Wizard..."));
+    EXPECT_EQ(asked.size(), 1);
+}
+
+TEST_F(Parameters, EveryControlHasANameAndATip)
+{
+    for (auto *control : panel.findChildren<QAbstractButton *>()) {
+        if (!control->isVisible() || control->inherits("QTableCornerButton"))
+            continue;
+        const QString name = QAccessible::queryAccessibleInterface(control)->text(QAccessible::Name);
+        EXPECT_FALSE(name.isEmpty());
+        EXPECT_FALSE(control->toolTip().isEmpty()) << name.toStdString();
+    }
+}
+
+} // namespace
+} // namespace codewheel

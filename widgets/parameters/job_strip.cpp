@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/parameters/job_strip.h"
+
+#include "catalog/explain_word.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+#include "widgets/parameters/parameter_words.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+
+namespace codewheel {
+
+namespace {
+
+QPushButton *button(const QString &text, const QString &tip, QWidget *parent)
+{
+    auto *made = new QPushButton(text, parent);
+    made->setToolTip(tip);
+    return made;
+}
+
+} // namespace
+
+JobStrip::JobStrip(QWidget *parent)
+    : QWidget(parent)
+    , m_step(new QLabel(this))
+    , m_bar(new QProgressBar(this))
+    , m_cancel(button(tr("&Cancel"), tr("Ends the job; asks how to leave the encoder"), this))
+    , m_choices(new QWidget(this))
+    , m_question(new QLabel(m_choices))
+    , m_restore(button(tr("&Restore previous"), tr("Writes the values from before, then run"), m_choices))
+    , m_run(button(tr("R&un as it is"), tr("Sends run: what the encoder has taken becomes valid"), m_choices))
+    , m_leave(button(tr("&Leave it so"),
+                     tr("The encoder stays in parameterization: no position until run is sent"), m_choices))
+    , m_goOn(button(tr("&Go on"), tr("The job goes on"), m_choices))
+{
+    m_step->setWordWrap(true);
+    m_question->setWordWrap(true);
+    m_bar->setTextVisible(false);
+    m_bar->setAccessibleName(tr("Progress of the job"));
+    m_bar->setFixedHeight(2 * grid::unit);
+    m_cancel->setObjectName(QStringLiteral("cancelJob"));
+
+    auto *choices = new QGridLayout(m_choices);
+    choices->setContentsMargins(0, 0, 0, 0);
+    choices->addWidget(m_question, 0, 0, 1, 2);
+    choices->addWidget(m_restore, 1, 0);
+    choices->addWidget(m_run, 1, 1);
+    choices->addWidget(m_leave, 2, 0);
+    choices->addWidget(m_goOn, 2, 1);
+    m_choices->hide();
+
+    auto *layout = new QGridLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_step, 0, 0, 1, 2);
+    layout->addWidget(m_bar, 1, 0);
+    layout->addWidget(m_cancel, 1, 1);
+    layout->addWidget(m_choices, 2, 0, 1, 2);
+    layout->setColumnStretch(0, 1);
+
+    connect(m_cancel, &QPushButton::clicked, this, &JobStrip::cancel);
+    connect(m_restore, &QPushButton::clicked, this, [this] { leave(OnCancel::restorePrevious); });
+    connect(m_run, &QPushButton::clicked, this, [this] { leave(OnCancel::runWithWhatItHas); });
+    connect(m_leave, &QPushButton::clicked, this, [this] { leave(OnCancel::leaveAsIs); });
+    connect(m_goOn, &QPushButton::clicked, this, [this] { showChoices(false); });
+}
+
+void JobStrip::setEncoder(EncoderSession *encoder)
+{
+    if (m_encoder)
+        m_encoder->disconnect(this);
+    m_encoder = encoder;
+    if (encoder != nullptr)
+        connect(encoder, &EncoderSession::progressed, this, &JobStrip::showProgress);
+}
+
+void JobStrip::begin()
+{
+    m_progress = {};
+    m_step->setText(tr("The job begins."));
+    m_bar->setRange(0, 0);
+    m_cancel->setEnabled(true);
+    showChoices(false);
+}
+
+void JobStrip::showProgress(const Progress &progress)
+{
+    m_progress = progress;
+    const int count = static_cast<int>(progress.steps.size());
+    m_bar->setRange(0, count);
+    m_bar->setValue(progress.index);
+    if (progress.index < count)
+        m_step->setText(tr("Step %1 of %2: %3")
+                            .arg(progress.index + 1)
+                            .arg(count)
+                            .arg(stepText(progress.steps[static_cast<std::size_t>(progress.index)])));
+    m_restore->setEnabled(progress.canRestore);
+    if (!m_choices->isHidden())
+        showChoices(true); // it may have taken more
+}
+
+QString JobStrip::stepText(const Step &step) const
+{
+    const DeviceDescription &device = m_encoder->device();
+    const Explanation meaning = explainWord(device, step.out,
+                                            {.direction = WordDirection::out,
+                                             .dialect = device.dialect,
+                                             .mode = Mode::position, // a job sends nothing else
+                                             .coding = {},
+                                             .counterpart = {}});
+    return explanationText(device, meaning);
+}
+
+// Before the encoder has taken anything, OUT goes back to 0 and that is all.
+void JobStrip::cancel()
+{
+    if (!m_encoder)
+        return;
+    if (m_progress.confirmed.empty())
+        leave(OnCancel::leaveAsIs);
+    else
+        showChoices(true);
+}
+
+void JobStrip::showChoices(bool visible)
+{
+    const bool appears = visible && m_choices->isHidden();
+    m_choices->setVisible(visible);
+    m_cancel->setEnabled(!visible);
+    if (!visible)
+        return;
+    m_question->setText(tr("The encoder has taken: %1. How is it to be left?")
+                            .arg(parameter_words::list(m_encoder->device(), m_progress.confirmed)));
+    m_restore->setEnabled(m_progress.canRestore);
+    m_restore->setToolTip(m_progress.canRestore
+                              ? tr("Writes the values from before, then run")
+                              : tr("The values from before are not all known, so they cannot be restored"));
+    if (appears)
+        (m_progress.canRestore ? m_restore : m_goOn)->setFocus();
+}
+
+void JobStrip::leave(OnCancel how)
+{
+    showChoices(false);
+    m_cancel->setEnabled(false);
+    if (m_encoder)
+        m_encoder->cancel(how);
+}
+
+} // namespace codewheel

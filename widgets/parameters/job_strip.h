@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+
+#include <QPointer>
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace codewheel {
+
+// Where a job of the encoder stands, with Cancel. Once the encoder has taken something, Cancel asks how to
+// leave it; the job goes on meanwhile.
+class JobStrip : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit JobStrip(QWidget *parent = nullptr);
+
+    void setEncoder(EncoderSession *encoder);
+    void begin();
+
+private:
+    void showProgress(const Progress &progress);
+    void cancel();
+    void showChoices(bool visible);
+    void leave(OnCancel how);
+    QString stepText(const Step &step) const;
+
+    QPointer<EncoderSession> m_encoder;
+    Progress m_progress;
+    QLabel *m_step;
+    QProgressBar *m_bar;
+    QPushButton *m_cancel;
+    QWidget *m_choices;
+    QLabel *m_question;
+    QPushButton *m_restore;
+    QPushButton *m_run;
+    QPushButton *m_leave;
+    QPushButton *m_goOn;
+};
+
+} // namespace codewheel

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/parameters/parameter_delegate.h"
+
+#include "widgets/look/appearance.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+#include "widgets/parameters/parameter_model.h"
+#include "widgets/parameters/value_input.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QPainter>
+
+namespace codewheel {
+
+namespace {
+
+constexpr int markSize = 12;
+
+QColor inkOf(const QStyleOptionViewItem &option, bool isPale)
+{
+    if (option.state.testFlag(QStyle::State_Selected))
+        return option.palette.color(QPalette::HighlightedText);
+    return option.palette.color(isPale ? QPalette::PlaceholderText : QPalette::Text);
+}
+
+QRect inside(const QRect &cell)
+{
+    return cell.adjusted(grid::unit, grid::unit / 2, -grid::unit, -grid::unit / 2);
+}
+
+void drawLine(QPainter &painter, const QRect &where, Qt::Alignment alignment, const QString &text)
+{
+    const QString shown = painter.fontMetrics().elidedText(text, Qt::ElideRight, where.width());
+    painter.drawText(where, static_cast<int>((alignment & Qt::AlignHorizontal_Mask) | Qt::AlignVCenter),
+                     shown);
+}
+
+} // namespace
+
+void ParameterDelegate::paint(QPainter *painter, const QStyleOptionViewItem &given,
+                              const QModelIndex &index) const
+{
+    QStyleOptionViewItem option = given;
+    initStyleOption(&option, index);
+    const QString value = std::exchange(option.text, {});
+    const QStyle *style = option.widget ? option.widget->style() : QApplication::style();
+    style->drawControl(QStyle::CE_ItemViewItem, &option, painter, option.widget);
+
+    painter->save();
+    const QString detail = index.data(ParameterModel::detailRole).toString();
+    QRect first = inside(option.rect);
+    QRect second = first;
+    if (!detail.isEmpty()) {
+        first.setBottom(first.top() + first.height() * 3 / 5);
+        second.setTop(first.bottom());
+    }
+    painter->setFont(option.font);
+    painter->setPen(inkOf(option, index.data(ParameterModel::isPaleRole).toBool()));
+    drawLine(*painter, first, option.displayAlignment, value);
+
+    painter->setFont(textFont(TextSize::small));
+    painter->setPen(inkOf(option, true));
+    drawLine(*painter, second, option.displayAlignment, detail);
+    if (const QVariant mark = index.data(ParameterModel::detailMarkRole); mark.isValid()) {
+        const int width = painter->fontMetrics().horizontalAdvance(detail);
+        const auto role = static_cast<Role>(mark.toInt());
+        const QRect place(second.right() - width - markSize - grid::unit, second.center().y() - markSize / 2,
+                          markSize, markSize);
+        lineIcon(roleIcon(role), role)
+            .paint(painter, place, Qt::AlignCenter,
+                   option.state.testFlag(QStyle::State_Selected) ? QIcon::Selected : QIcon::Normal);
+    }
+    painter->restore();
+}
+
+QSize ParameterDelegate::sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const
+{
+    const QFontMetrics big(qvariant_cast<QFont>(index.data(Qt::FontRole)));
+    const QFontMetrics small(textFont(TextSize::small));
+    const bool isMarked = index.data(ParameterModel::detailMarkRole).isValid();
+    const int width = std::max(big.horizontalAdvance(index.data().toString()),
+                               small.horizontalAdvance(index.data(ParameterModel::detailRole).toString()) +
+                                   (isMarked ? markSize + grid::unit : 0));
+    const double factor = option.widget ? controlFactor(*option.widget) : 1;
+    const int lines = QFontMetrics(textFont()).height() + small.height();
+    return {width + 3 * grid::unit, std::max(lines + grid::unit, qRound(26 * factor))};
+}
+
+QWidget *ParameterDelegate::createEditor(QWidget *parent, const QStyleOptionViewItem &,
+                                         const QModelIndex &index) const
+{
+    const auto &model = static_cast<const ParameterModel &>(*index.model());
+    const ParameterDescription &parameter = model.rowAt(index.row()).parameter;
+    QWidget *editor = makeValueInput(parameter, tr("as it is"), parent);
+    editor->setAccessibleName(tr("Wanted: %1").arg(parameterName(parameter.parameter)));
+    if (auto *number = qobject_cast<NumberInput *>(editor)) {
+        connect(number, &NumberInput::inputChecked, this, &ParameterDelegate::inputChecked);
+        connect(number, &QObject::destroyed, this, [this] { Q_EMIT inputChecked({}); });
+    } else if (auto *choices = qobject_cast<QComboBox *>(editor)) {
+        auto *self = const_cast<ParameterDelegate *>(this);
+        connect(choices, &QComboBox::activated, self, [self, choices] {
+            Q_EMIT self->commitData(choices);
+            Q_EMIT self->closeEditor(choices);
+        });
+    }
+    return editor;
+}
+
+// What the user is typing is not overwritten by what comes from the bus.
+void ParameterDelegate::setEditorData(QWidget *editor, const QModelIndex &index) const
+{
+    if (const auto *number = qobject_cast<NumberInput *>(editor); number && number->isModified())
+        return;
+    const QVariant value = index.data(Qt::EditRole);
+    setInputValue(*editor, value.isValid() ? std::optional<std::int64_t>(value.toLongLong()) : std::nullopt);
+}
+
+void ParameterDelegate::setModelData(QWidget *editor, QAbstractItemModel *model,
+                                     const QModelIndex &index) const
+{
+    if (const auto value = inputValue(*editor))
+        model->setData(index, *value ? QVariant(qlonglong{**value}) : QVariant(), Qt::EditRole);
+}
+
+bool ParameterDelegate::eventFilter(QObject *editor, QEvent *event)
+{
+    if (event->type() == QEvent::FocusOut) {
+        const auto *number = qobject_cast<NumberInput *>(editor);
+        if (number != nullptr && !number->value())
+            return false;
+    }
+    return QStyledItemDelegate::eventFilter(editor, event);
+}
+
+} // namespace codewheel

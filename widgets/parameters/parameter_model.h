@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "encoder/encoder_session.h"
+#include "widgets/models/table_model_base.h"
+#include "widgets/parameters/wanted_values.h"
+
+#include <QPointer>
+
+namespace codewheel {
+
+// What an encoder is known to have of one parameter, and what the user wants it to have.
+struct ParameterRow
+{
+    ParameterDescription parameter;
+    std::optional<Known> known;
+    std::optional<std::int64_t> wanted;
+
+    bool isReadOnly() const { return !parameter.number; }
+    // Both are there and not the same.
+    bool differs() const { return known && wanted && known->value != *wanted; }
+
+    friend bool operator==(const ParameterRow &, const ParameterRow &) = default;
+};
+
+// The table of the parameter panel: parameter, what the encoder has, what is wanted. What can be written
+// comes first. A cell has a second, small line (DetailRole): the unit, how and when the value came to be
+// known, whether it differs.
+class ParameterModel final : public TableModelBase<ParameterRow>
+{
+    Q_OBJECT
+
+public:
+    enum Column { nameColumn, knownColumn, wantedColumn };
+    static constexpr int detailRole = Qt::UserRole + 1;     // QString
+    static constexpr int detailMarkRole = Qt::UserRole + 2; // int, a Role: icon before the detail
+    static constexpr int isPaleRole = Qt::UserRole + 3;     // bool: stands for "no value"
+
+    explicit ParameterModel(WantedValues &wanted, QObject *parent = nullptr);
+
+    void setEncoder(EncoderSession *encoder);
+    int differing() const; // rows
+
+    Qt::ItemFlags flags(const QModelIndex &index) const override;
+    // The wanted value, a qlonglong; an invalid variant leaves the parameter as it is.
+    bool setData(const QModelIndex &index, const QVariant &value, int role) override;
+
+protected:
+    int columns() const override { return 3; }
+    QVariant headerCell(int column, int role) const override;
+    QVariant cell(const ParameterRow &row, int column, int role) const override;
+
+private:
+    ParameterRow rowFor(const ParameterDescription &parameter) const;
+    void refresh();
+    QString text(const ParameterRow &row, int column) const;
+    QString detail(const ParameterRow &row, int column) const;
+    QString toolTip(const ParameterRow &row, int column) const;
+
+    WantedValues &m_wanted;
+    QPointer<EncoderSession> m_encoder;
+};
+
+} // namespace codewheel

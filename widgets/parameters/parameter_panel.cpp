@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/parameters/parameter_panel.h"
+
+#include "encoder/refusal_text.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/look/role_label.h"
+#include "widgets/parameters/job_strip.h"
+#include "widgets/parameters/parameter_model.h"
+#include "widgets/parameters/parameter_table.h"
+#include "widgets/parameters/parameter_words.h"
+#include "widgets/parameters/tell_bar.h"
+#include "widgets/parameters/wanted_values.h"
+#include "widgets/parameters/write_review.h"
+
+#include <QAction>
+#include <QGridLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace codewheel {
+
+ParameterPanel::ParameterPanel(WantedValues &wanted, QWidget *parent)
+    : QWidget(parent)
+    , m_wanted(wanted)
+    , m_model(new ParameterModel(wanted, this))
+    , m_pages(new QStackedWidget(this))
+    , m_empty(new EmptyState(Icon::parameters, tr("No encoder is chosen"),
+                             tr("Choose an encoder in the bus structure. Its parameters are shown here: what "
+                                "it has, and what you want it to have."),
+                             this))
+    , m_review(new WriteReview(this))
+{
+    m_tablePage = makeTablePage();
+    m_pages->addWidget(m_empty);
+    m_pages->addWidget(m_tablePage);
+    m_pages->addWidget(m_review);
+    auto *layout = new QVBoxLayout(this);
+    layout->addWidget(m_pages);
+    connectParts();
+    setEncoder(nullptr);
+}
+
+QWidget *ParameterPanel::makeTablePage()
+{
+    auto *page = new QWidget(this);
+    m_table = new ParameterTable(*m_model, page);
+    m_differences = new RoleLabel(page);
+    m_message = new InlineMessage(page);
+    m_tell = new TellBar(page);
+    m_foot = new QStackedWidget(page);
+    m_foot->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    m_buttons = makeButtons();
+    m_job = new JobStrip(page);
+    m_foot->addWidget(m_buttons);
+    m_foot->addWidget(m_job);
+
+    auto *layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_table, 1);
+    layout->addWidget(m_message);
+    layout->addWidget(m_tell);
+    layout->addWidget(m_differences);
+    layout->addWidget(m_foot);
+    return page;
+}
+
+QWidget *ParameterPanel::makeButtons()
+{
+    auto *buttons = new QWidget(this);
+    m_read = new QPushButton(lineIcon(Icon::read), tr("&Read from encoder"), buttons);
+    m_write = new QPushButton(lineIcon(Icon::write), tr("&Write..."), buttons);
+    m_wizard = new QPushButton(lineIcon(Icon::wizard), tr("Wi&zard..."), buttons);
+    m_more = new QToolButton(buttons);
+    m_readingNote = new QLabel(buttons);
+    m_readingNote->setFont(textFont(TextSize::small));
+    m_readingNote->setWordWrap(true);
+    m_write->setToolTip(tr("Shows what will be written before anything is sent"));
+    m_wizard->setToolTip(tr("Sets the encoder up step by step"));
+    m_more->setText(tr("&More"));
+    m_more->setToolTip(tr("Take over, clear or tell values"));
+    m_more->setAccessibleName(tr("More for the parameters"));
+    m_more->setPopupMode(QToolButton::InstantPopup);
+    m_more->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    makeMenu();
+
+    auto *layout = new QGridLayout(buttons);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_read, 0, 0);
+    layout->addWidget(m_write, 0, 1);
+    layout->addWidget(m_wizard, 1, 0);
+    layout->addWidget(m_more, 1, 1);
+    layout->addWidget(m_readingNote, 2, 0, 1, 2);
+    return buttons;
+}
+
+void ParameterPanel::makeMenu()
+{
+    auto *menu = new QMenu(m_more);
+    m_tellValue = menu->addAction(tr("&Tell what the encoder has..."));
+    menu->addSeparator();
+    m_takeKnown = menu->addAction(tr("Take &known values as wanted"));
+    m_leaveAll = menu->addAction(tr("&Leave all as they are"));
+    m_more->setMenu(menu);
+    m_table->setContextMenuPolicy(Qt::CustomContextMenu);
+}
+
+void ParameterPanel::connectParts()
+{
+    connect(m_read, &QPushButton::clicked, this, &ParameterPanel::read);
+    connect(m_write, &QPushButton::clicked, this, &ParameterPanel::review);
+    connect(m_wizard, &QPushButton::clicked, this, &ParameterPanel::wizardRequested);
+    connect(m_takeKnown, &QAction::triggered, this, &ParameterPanel::takeKnownAsWanted);
+    connect(m_leaveAll, &QAction::triggered, this, &ParameterPanel::leaveAllAsTheyAre);
+    connect(m_tellValue, &QAction::triggered, this, &ParameterPanel::askWhatItHas);
+    connect(m_table, &QWidget::customContextMenuRequested, this, &ParameterPanel::showMenu);
+    connect(m_table, &ParameterTable::inputChecked, this, &ParameterPanel::showWrongInput);
+    connect(m_message, &InlineMessage::actionTriggered, this, &ParameterPanel::bringBack);
+    connect(m_tell, &TellBar::told, this, [this](Parameter parameter, std::optional<std::int64_t> value) {
+        if (m_encoder)
+            m_encoder->tell(parameter, value);
+        m_table->setFocus();
+    });
+    connect(m_review, &WriteReview::cancelled, this, [this] {
+        m_pages->setCurrentWidget(m_tablePage);
+        m_write->setFocus();
+    });
+    connect(m_review, &WriteReview::confirmed, this, [this](const WriteParameters &job) {
+        m_pages->setCurrentWidget(m_tablePage);
+        start(job);
+    });
+    connect(m_model, &QAbstractItemModel::modelReset, this, &ParameterPanel::showDifferences);
+    connect(m_model, &QAbstractItemModel::dataChanged, this, &ParameterPanel::showDifferences);
+}
+
+void ParameterPanel::setEncoder(EncoderSession *encoder)
+{
+    if (m_encoder)
+        m_encoder->disconnect(this);
+    m_encoder = encoder;
+    m_message->withdraw();
+    m_tell->hide();
+    m_model->setEncoder(encoder);
+    m_job->setEncoder(encoder);
+    m_pages->setCurrentWidget(encoder != nullptr ? m_tablePage : m_empty);
+    if (encoder == nullptr)
+        return;
+    m_table->setCurrentIndex(m_model->index(0, ParameterModel::wantedColumn));
+    connectEncoder();
+    showReadingNote();
+    showRunningJob();
+}
+
+void ParameterPanel::connectEncoder()
+{
+    connect(m_encoder, &EncoderSession::jobStarted, this, &ParameterPanel::jobStarted);
+    connect(m_encoder, &EncoderSession::finished, this, &ParameterPanel::finished);
+    connect(m_encoder, &QObject::destroyed, this, [this] { setEncoder(nullptr); });
+}
+
+void ParameterPanel::showReadingNote()
+{
+    const Capabilities &can = m_encoder->can();
+    m_read->setEnabled(can.reads);
+    const QString note = !can.reads
+                             ? tr("The %1 has no read-out. Known is what was written from here or told.")
+                                   .arg(m_encoder->device().fullName())
+                         : can.readingHidesPosition ? tr("Reading takes the position away for some cycles.")
+                                                    : QString();
+    m_readingNote->setText(note);
+    m_readingNote->setVisible(!note.isEmpty());
+    m_read->setToolTip(note);
+    m_read->setAccessibleDescription(note);
+    m_write->setVisible(can.writes);
+}
+
+void ParameterPanel::showDifferences()
+{
+    const int count = m_model->differing();
+    m_differences->setVisible(count > 0);
+    m_differences->setState(Role::attention,
+                            count == 1 ? tr("1 value differs") : tr("%1 values differ").arg(count));
+}
+
+void ParameterPanel::read()
+{
+    if (!m_table->finishEditing())
+        return;
+    ReadParameters job;
+    for (const ParameterDescription &parameter : m_encoder->device().parameters)
+        if (parameter.readOut)
+            job.parameters.push_back(parameter.parameter);
+    start(job);
+}
+
+void ParameterPanel::review()
+{
+    if (!m_table->finishEditing())
+        return;
+    const ParameterValues wanted = m_wanted.values(m_encoder->number());
+    if (wanted.empty()) {
+        m_message->showMessage(Role::attention,
+                               tr("No value is wanted. Enter what you want in the column \"Wanted\" first."));
+        m_table->setFocus();
+        return;
+    }
+    m_message->withdraw();
+    m_review->review(*m_encoder, wanted);
+    m_pages->setCurrentWidget(m_review);
+}
+
+void ParameterPanel::start(const Job &job)
+{
+    m_message->withdraw();
+    const auto taken = m_encoder->start(job);
+    if (!taken)
+        m_message->showMessage(Role::attention, refusalText(taken.error()));
+}
+
+void ParameterPanel::bringBack()
+{
+    if (m_encoder)
+        start(EndParameterization{});
+}
+
+void ParameterPanel::takeKnownAsWanted()
+{
+    for (const ParameterRow &row : std::vector(m_model->rows()))
+        if (row.known && !row.isReadOnly())
+            m_wanted.set(m_encoder->number(), row.parameter.parameter, row.known->value);
+}
+
+void ParameterPanel::leaveAllAsTheyAre()
+{
+    m_wanted.clear(m_encoder->number());
+}
+
+Parameter ParameterPanel::currentParameter() const
+{
+    return m_model->rowAt(std::max(m_table->currentIndex().row(), 0)).parameter.parameter;
+}
+
+void ParameterPanel::askWhatItHas()
+{
+    const Parameter parameter = currentParameter();
+    const auto known = m_encoder->known(parameter);
+    m_tell->ask(*m_encoder->device().find(parameter), known ? std::optional(known->value) : std::nullopt);
+}
+
+void ParameterPanel::showMenu(const QPoint &position)
+{
+    if (const QModelIndex at = m_table->indexAt(position); at.isValid())
+        m_table->setCurrentIndex(at);
+    m_more->menu()->popup(m_table->viewport()->mapToGlobal(position));
+}
+
+void ParameterPanel::jobStarted()
+{
+    m_message->withdraw();
+    showRunningJob();
+}
+
+void ParameterPanel::showRunningJob()
+{
+    const bool isRunning = m_encoder->runningJob().has_value();
+    if (isRunning)
+        m_job->begin();
+    m_foot->setCurrentWidget(isRunning ? static_cast<QWidget *>(m_job) : m_buttons);
+}
+
+void ParameterPanel::finished(const Outcome &outcome)
+{
+    showRunningJob();
+    const bool isStuck =
+        outcome.leftIn == EncoderState::parameterization || outcome.leftIn == EncoderState::error;
+    const QString help = isStuck ? tr("Send run") : QString();
+    if (outcome.result)
+        m_message->showMessage(isStuck ? Role::attention : Role::running, successText(outcome), help);
+    else
+        m_message->showMessage(outcome.result.error().kind == RefusalKind::device ? Role::fault
+                                                                                  : Role::attention,
+                               refusalText(outcome.result.error()), help);
+}
+
+QString ParameterPanel::successText(const Outcome &outcome) const
+{
+    QStringList sentences;
+    if (!outcome.written.empty()) {
+        sentences
+            << tr("Written and active: %1.").arg(parameter_words::list(m_encoder->device(), outcome.written));
+        sentences << (m_encoder->can().reads ? tr("Verified by reading it back.")
+                                             : tr("Verified by its echo and by operation afterwards."));
+        sentences << tr("EEPROM writes: %1.").arg(outcome.eepromWrites);
+    }
+    if (!outcome.alreadyThere.empty())
+        sentences
+            << tr("Already there: %1.").arg(parameter_words::list(m_encoder->device(), outcome.alreadyThere));
+    else if (outcome.written.empty() && !outcome.read.empty())
+        sentences << tr("Values read: %1.").arg(outcome.read.size());
+    return sentences.isEmpty() ? tr("Done.") : sentences.join(QLatin1Char(' '));
+}
+
+void ParameterPanel::showWrongInput(const QString &wrong)
+{
+    if (!wrong.isEmpty())
+        m_message->showMessage(Role::fault, wrong);
+    else if (m_messageIsOfInput)
+        m_message->withdraw();
+    m_messageIsOfInput = !wrong.isEmpty();
+}
+
+} // namespace codewheel

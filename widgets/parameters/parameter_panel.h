@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+
+#include <QPointer>
+#include <QWidget>
+
+class QAction;
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+class QToolButton;
+
+namespace codewheel {
+
+class EmptyState;
+class InlineMessage;
+class JobStrip;
+class ParameterModel;
+class ParameterTable;
+class RoleLabel;
+class TellBar;
+class WantedValues;
+class WriteReview;
+
+// The parameters of the encoder that is chosen in the bus structure: what it is known to have, what is
+// wanted, and the ways to make them the same. Sends nothing unless asked, and shows what will be written
+// before.
+class ParameterPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ParameterPanel(WantedValues &wanted, QWidget *parent = nullptr);
+
+    void setEncoder(codewheel::EncoderSession *encoder); // null: none is chosen
+
+Q_SIGNALS:
+    void wizardRequested();
+
+private:
+    QWidget *makeTablePage();
+    QWidget *makeButtons();
+    void makeMenu();
+    void connectParts();
+    void connectEncoder();
+
+    void read();
+    void review();
+    void start(const Job &job);
+    void bringBack();
+    void takeKnownAsWanted();
+    void leaveAllAsTheyAre();
+    void askWhatItHas();
+    void showMenu(const QPoint &position);
+
+    void jobStarted();
+    void finished(const Outcome &outcome);
+    QString successText(const Outcome &outcome) const;
+    void showReadingNote();
+    void showDifferences();
+    void showRunningJob();
+    void showWrongInput(const QString &wrong);
+    Parameter currentParameter() const;
+
+    WantedValues &m_wanted;
+    QPointer<EncoderSession> m_encoder;
+    bool m_messageIsOfInput = false;
+
+    ParameterModel *m_model;
+    QStackedWidget *m_pages; // empty, table, review
+    EmptyState *m_empty;
+    QWidget *m_tablePage = nullptr;
+    WriteReview *m_review;
+    ParameterTable *m_table = nullptr;
+    RoleLabel *m_differences = nullptr;
+    QLabel *m_readingNote = nullptr;
+    InlineMessage *m_message = nullptr;
+    TellBar *m_tell = nullptr;
+    QStackedWidget *m_foot = nullptr; // buttons, or the running job
+    QWidget *m_buttons = nullptr;
+    JobStrip *m_job = nullptr;
+    QPushButton *m_read = nullptr;
+    QPushButton *m_write = nullptr;
+    QPushButton *m_wizard = nullptr;
+    QToolButton *m_more = nullptr;
+    QAction *m_takeKnown = nullptr;
+    QAction *m_leaveAll = nullptr;
+    QAction *m_tellValue = nullptr;
+};
+
+} // namespace codewheel

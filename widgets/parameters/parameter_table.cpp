@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/parameters/parameter_table.h"
+
+#include "widgets/parameters/parameter_delegate.h"
+#include "widgets/parameters/parameter_model.h"
+#include "widgets/parameters/value_input.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QKeyEvent>
+
+namespace codewheel {
+
+ParameterTable::ParameterTable(ParameterModel &model, QWidget *parent)
+    : QTableView(parent)
+{
+    auto *delegate = new ParameterDelegate(this);
+    setModel(&model);
+    setItemDelegate(delegate);
+    setAccessibleName(tr("Parameters of the encoder"));
+    setSelectionMode(QAbstractItemView::SingleSelection);
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
+    setTabKeyNavigation(false);
+    setShowGrid(false);
+    setWordWrap(false);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    verticalHeader()->hide();
+    verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setMinimumSectionSize(60);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    connect(delegate, &ParameterDelegate::inputChecked, this, &ParameterTable::inputChecked);
+    connect(this, &QTableView::clicked, this, &ParameterTable::editWanted);
+}
+
+bool ParameterTable::finishEditing()
+{
+    for (NumberInput *input : viewport()->findChildren<NumberInput *>())
+        if (input->isVisible() && !input->value()) {
+            input->setFocus();
+            return false;
+        }
+    setFocus();
+    return true;
+}
+
+void ParameterTable::editWanted(const QModelIndex &index)
+{
+    if (index.isValid() && index.flags().testFlag(Qt::ItemIsEditable) && state() != EditingState)
+        edit(index);
+}
+
+// Tab and Shift+Tab in a field: the next and the previous wanted value.
+QModelIndex ParameterTable::moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers)
+{
+    if (action != MoveNext && action != MovePrevious)
+        return QTableView::moveCursor(action, modifiers);
+    const int step = action == MoveNext ? 1 : -1;
+    for (int row = currentIndex().row() + step; row >= 0 && row < model()->rowCount(); row += step) {
+        const QModelIndex wanted = model()->index(row, ParameterModel::wantedColumn);
+        if (wanted.flags().testFlag(Qt::ItemIsEditable))
+            return wanted;
+    }
+    return {};
+}
+
+void ParameterTable::keyPressEvent(QKeyEvent *event)
+{
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    const QModelIndex wanted = currentIndex().siblingAtColumn(ParameterModel::wantedColumn);
+    if (state() != EditingState && wanted.isValid() && wanted.flags().testFlag(Qt::ItemIsEditable)) {
+        if (isEnter || event->key() == Qt::Key_F2) {
+            edit(wanted);
+            return;
+        }
+        if (event->key() == Qt::Key_Delete) {
+            model()->setData(wanted, {}, Qt::EditRole);
+            return;
+        }
+        if (!event->text().isEmpty() && event->text().front().isPrint())
+            setCurrentIndex(wanted); // so that typing begins there
+    }
+    QTableView::keyPressEvent(event);
+}
+
+void ParameterTable::changeEvent(QEvent *event)
+{
+    QTableView::changeEvent(event);
+    if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)
+        scheduleDelayedItemsLayout();
+}
+
+} // namespace codewheel

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTableView>
+
+namespace codewheel {
+
+class ParameterDelegate;
+class ParameterModel;
+
+// The view of a ParameterModel: one click or Enter edits a wanted value, and while editing, Tab goes on to
+// the next one.
+class ParameterTable : public QTableView
+{
+    Q_OBJECT
+
+public:
+    explicit ParameterTable(ParameterModel &model, QWidget *parent = nullptr);
+
+    // False, and back in its field, while what is typed is bad.
+    bool finishEditing();
+
+Q_SIGNALS:
+    void inputChecked(const QString &wrong); // empty: good, or given up
+
+protected:
+    QModelIndex moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    void editWanted(const QModelIndex &index);
+};
+
+} // namespace codewheel

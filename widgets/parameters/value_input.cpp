@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/parameters/value_input.h"
+
+#include "catalog/value_text.h"
+#include "encoder/hex.h"
+#include "encoder/refusal_text.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/roles.h"
+#include "widgets/parameters/parameter_words.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QValidator>
+
+#include <algorithm>
+
+namespace codewheel {
+
+namespace {
+
+// Anything can be typed, so that what is wrong can be said; only what is good is taken.
+class RangeCheck final : public QValidator
+{
+public:
+    explicit RangeCheck(NumberInput &input)
+        : QValidator(&input)
+        , m_input(input)
+    {}
+
+    State validate(QString &, int &) const override { return m_input.value() ? Acceptable : Intermediate; }
+
+private:
+    const NumberInput &m_input;
+};
+
+} // namespace
+
+NumberInput::NumberInput(ParameterDescription parameter, QWidget *parent)
+    : QLineEdit(parent)
+    , m_parameter(std::move(parameter))
+    , m_mark(addAction(lineIcon(Icon::fault, Role::fault), QLineEdit::TrailingPosition))
+{
+    setFont(numberFont());
+    setAlignment(Qt::AlignRight);
+    setToolTip(parameter_words::rangeAndFactory(m_parameter));
+    setValidator(new RangeCheck(*this));
+    m_mark->setVisible(false);
+    connect(this, &QLineEdit::textChanged, this, &NumberInput::check);
+}
+
+void NumberInput::setValue(std::optional<std::int64_t> value)
+{
+    setText(value ? QString::number(*value) : QString());
+}
+
+Result<std::optional<std::int64_t>> NumberInput::value() const
+{
+    if (text().trimmed().isEmpty())
+        return std::optional<std::int64_t>();
+    const auto number = parseNumber(text());
+    if (number && *number >= m_parameter.minimum && *number <= m_parameter.maximum)
+        return number;
+    const RefusalArgument given = number ? RefusalArgument(*number) : RefusalArgument(text().trimmed());
+    return refuse(RefusalKind::badInput, RefusalId::valueOutOfRange,
+                  {m_parameter.parameter, given, m_parameter.minimum, m_parameter.maximum});
+}
+
+void NumberInput::check()
+{
+    const auto checked = value();
+    const QString wrong = checked ? QString() : refusalText(checked.error());
+    m_mark->setVisible(!checked);
+    m_mark->setToolTip(wrong);
+    setAccessibleDescription(wrong);
+    Q_EMIT inputChecked(wrong);
+}
+
+QWidget *makeValueInput(const ParameterDescription &parameter, const QString &ifEmpty, QWidget *parent)
+{
+    QWidget *input = nullptr;
+    if (parameter.choices.empty()) {
+        auto *number = new NumberInput(parameter, parent);
+        number->setPlaceholderText(ifEmpty);
+        input = number;
+    } else {
+        auto *choices = new QComboBox(parent);
+        choices->addItem(ifEmpty);
+        for (const Choice &choice : parameter.choices)
+            choices->addItem(valueText(parameter, choice.value), qlonglong{choice.value});
+        choices->setToolTip(parameter_words::rangeAndFactory(parameter));
+        input = choices;
+    }
+    input->setAccessibleName(parameterName(parameter.parameter));
+    return input;
+}
+
+void setInputValue(QWidget &input, std::optional<std::int64_t> value)
+{
+    if (auto *number = qobject_cast<NumberInput *>(&input))
+        number->setValue(value);
+    else if (auto *choices = qobject_cast<QComboBox *>(&input))
+        choices->setCurrentIndex(value ? std::max(choices->findData(qlonglong{*value}), 0) : 0);
+}
+
+Result<std::optional<std::int64_t>> inputValue(const QWidget &input)
+{
+    if (const auto *number = qobject_cast<const NumberInput *>(&input))
+        return number->value();
+    const QVariant chosen = static_cast<const QComboBox &>(input).currentData();
+    return chosen.isValid() ? std::optional<std::int64_t>(chosen.toLongLong()) : std::nullopt;
+}
+
+} // namespace codewheel

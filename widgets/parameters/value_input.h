@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "encoder/refusal.h"
+
+#include <QLineEdit>
+
+class QComboBox;
+
+namespace codewheel {
+
+// A field for one number of an encoder, decimal or hexadecimal, that says while you type what is wrong with
+// it. Empty is allowed: no value.
+class NumberInput : public QLineEdit
+{
+    Q_OBJECT
+
+public:
+    NumberInput(ParameterDescription parameter, QWidget *parent = nullptr);
+
+    void setValue(std::optional<std::int64_t> value);
+    Result<std::optional<std::int64_t>> value() const;
+
+Q_SIGNALS:
+    // While typing: a sentence, or empty where the input is good.
+    void inputChecked(const QString &wrong);
+
+private:
+    void check();
+
+    ParameterDescription m_parameter;
+    QAction *m_mark; // at the field while its input is bad
+};
+
+// What an item delegate and the "tell" row both need: a NumberInput, or a combo box for the choices the
+// device has. ifEmpty is how no value is called: "as it is".
+QWidget *makeValueInput(const ParameterDescription &parameter, const QString &ifEmpty, QWidget *parent);
+void setInputValue(QWidget &input, std::optional<std::int64_t> value);
+Result<std::optional<std::int64_t>> inputValue(const QWidget &input);
+
+} // namespace codewheel

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+
+#include <vector>
+
+namespace codewheel {
+
+// What writing the wanted values means, to be looked at before anything is sent.
+struct WritePlan
+{
+    struct Row
+    {
+        ParameterValue value;
+        std::optional<Known> old;
+        Word word = 0; // as it will stand in OUT
+    };
+
+    WriteParameters job;
+    std::vector<Row> rows; // one for each value of the job
+    int alreadyThere = 0;  // wanted, known to be there, and left out
+    // The encoder may count steps minus 1, which is read before the first word: the word for the steps may be
+    // one less.
+    bool stepsMayBeLess = false;
+};
+
+// Leaves out what the encoder is known to have, unless all is to be written. What is told and could be read
+// is read by the job first.
+WritePlan planWrite(const EncoderSession &encoder, const ParameterValues &wanted, bool writeAll);
+
+} // namespace codewheel
