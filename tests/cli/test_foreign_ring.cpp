@@ -4,6 +4,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "ring/bus_session.h"
+#include "tests/cli/cli_run.h"
 #include "tests/support/scripted_link.h"
 
 #include <gmock/gmock.h>
@@ -13,31 +14,42 @@
 namespace codewheel {
 namespace {
 
+using testing::HasSubstr;
+
 // A ring without a plan: an encoder whose make nobody has named, and a digital input.
 class CliForeignRing : public testing::Test
 {
 protected:
     CliForeignRing()
-        : m_bus(std::make_unique<ScriptedLink>(
-                    RingStructure{{{1, 0}, 0x37, 0x0237, 2, 2, {}}, {{2, 0}, 0xBE, 0x81BE, 1, 0, {}}}),
-                m_catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC))
+        : m_link(new ScriptedLink(
+              RingStructure{{{1, 0}, 0x37, 0x0237, 2, 2, {}}, {{2, 0}, 0xBE, 0x81BE, 1, 0, {}}}))
+        , m_bus(std::unique_ptr<ScriptedLink>(m_link), m_catalog,
+                QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC))
     {
         EXPECT_TRUE(m_bus.open(BusSession::Start::operating));
     }
 
+    CliRun run(const Subcommand &command, const QStringList &rest)
+    {
+        std::istringstream in;
+        std::ostringstream out;
+        std::ostringstream err;
+        const int exit =
+            runCommand(command, {.rest = rest, .options = {}}, m_catalog, &m_bus, Terminal{in, out, err});
+        return {exit, out.str(), err.str()};
+    }
+
+    ScriptedLink *m_link; // owned by the bus
     const Catalog m_catalog = Catalog::builtIn();
     BusSession m_bus;
 };
 
 TEST_F(CliForeignRing, ScanDoesNotGuessTheMake)
 {
-    std::istringstream in;
-    std::ostringstream out;
-    std::ostringstream err;
-    runCommand(scanCommand, {}, m_catalog, &m_bus, Terminal{in, out, err});
-    EXPECT_EQ(out.str(), "place  ID code    device code  IN words  OUT words  profile  encoder\n"
-                         "1.0    37h (55)   0237h               2          2  K3       make not known\n"
-                         "2.0    BEh (190)  81BEh               1          0  -        make not known\n");
+    EXPECT_EQ(run(scanCommand, {}).out,
+              "place  ID code    device code  IN words  OUT words  profile  encoder\n"
+              "1.0    37h (55)   0237h               2          2  K3       make not known\n"
+              "2.0    BEh (190)  81BEh               1          0  -        make not known\n");
 }
 
 TEST_F(CliForeignRing, ADeviceThatIsNoEncoderIsNotDriven)
@@ -47,6 +59,22 @@ TEST_F(CliForeignRing, ADeviceThatIsNoEncoderIsNotDriven)
     ASSERT_FALSE(input);
     EXPECT_EQ(input.error().key, QStringLiteral("noEncoder"));
     EXPECT_EQ(input.error().exit, ExitCode::badInput);
+}
+
+TEST_F(CliForeignRing, AnEncoderThatDoesNotAnswerIsExit1)
+{
+    const CliRun words = run(wordsCommand, {QStringLiteral("1.0"), QStringLiteral("020000FF")});
+    EXPECT_EQ(words.exit, 1);
+    EXPECT_THAT(words.err, HasSubstr("did not answer within 2 s"));
+}
+
+TEST_F(CliForeignRing, ALinkThatFailsIsExit1)
+{
+    ASSERT_TRUE(encoderAt(m_bus, QStringLiteral("1.0")));
+    m_link->failAt(5);
+    const CliRun words = run(wordsCommand, {QStringLiteral("1.0"), QStringLiteral("020000FF")});
+    EXPECT_EQ(words.exit, 1);
+    EXPECT_NE(words.err, "");
 }
 
 } // namespace
