@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// docs/command-line.md prints what the program prints.
+// README and manual page print what the program prints.
 #include "tests/cli/cli_run.h"
 
 #include <QFile>
@@ -33,17 +33,27 @@ std::vector<Example> examplesIn(const QString &page)
     return examples;
 }
 
-TEST(CliManual, EveryExamplePrintsWhatThePageSays)
+void comparePage(const char *name, std::size_t atLeast)
 {
-    QFile file(QStringLiteral(CODEWHEEL_DOCS "/command-line.md"));
+    QFile file(QStringLiteral(CODEWHEEL_ROOT "/") + QString::fromLatin1(name));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     const std::vector<Example> examples = examplesIn(QString::fromUtf8(file.readAll()));
-    EXPECT_GT(examples.size(), 20u);
+    EXPECT_GE(examples.size(), atLeast);
     for (const Example &example : examples) {
         const CliRun run = runLine(example.line);
         EXPECT_EQ(QString::fromStdString(run.out + run.err).trimmed(), example.printed.trimmed())
-            << "codewheel-cli " << example.line.toStdString();
+            << name << ": codewheel-cli " << example.line.toStdString();
     }
+}
+
+TEST(CliManual, EveryExampleOfTheManualPagePrintsWhatItSays)
+{
+    comparePage("docs/command-line.md", 20);
+}
+
+TEST(CliManual, EveryExampleOfTheReadmePrintsWhatItSays)
+{
+    comparePage("README.md", 1);
 }
 
 } // namespace
