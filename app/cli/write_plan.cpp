@@ -6,9 +6,11 @@
 #include "cli/parameter_text.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
-#include "drivers/k3_plan.h"
+#include "drivers/planned_words.h"
 #include "encoder/hex.h"
 #include "encoder/sentence.h"
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {
@@ -20,6 +22,14 @@ std::vector<Known> allKnown(const EncoderSession &encoder)
         if (const auto known = encoder.known(parameter))
             all.push_back(*known);
     return all;
+}
+
+Word wordFor(Parameter parameter, const std::vector<Step> &steps)
+{
+    const auto step = std::ranges::find_if(steps, [parameter](const Step &one) {
+        return one.kind == StepKind::parameter && one.parameter == parameter;
+    });
+    return step->out; // each value has its step
 }
 
 QString knownText(const WritePlan::Row &row)
@@ -38,11 +48,10 @@ WritePlan::WritePlan(const EncoderSession &encoder, bool all)
 Checked<WritePlan> WritePlan::make(const EncoderSession &encoder, const ParameterValues &wanted, bool all)
 {
     const DeviceDescription &device = encoder.device();
-    K3Knowledge knowledge(device);
-    knowledge.set(allKnown(encoder));
-    const K3Plan words(device, knowledge);
-    if (const auto checked = words.check(WriteParameters{.values = wanted, .previous = {}}); !checked)
-        return tl::unexpected(complaintAbout(checked.error()));
+    const auto steps =
+        plannedSteps(device, allKnown(encoder), WriteParameters{.values = wanted, .previous = {}});
+    if (!steps)
+        return tl::unexpected(complaintAbout(steps.error()));
 
     WritePlan plan(encoder, all);
     for (const auto &[parameter, value] : wanted) {
@@ -51,10 +60,11 @@ Checked<WritePlan> WritePlan::make(const EncoderSession &encoder, const Paramete
         plan.m_rows.push_back({.parameter = device.find(parameter),
                                .wanted = value,
                                .known = known,
-                               .word = words.parameterWord(parameter, value),
+                               .word = wordFor(parameter, *steps),
                                .leftOut = isThere && !all});
     }
-    plan.m_stepsMinusOneIsOpen = valueOf(wanted, Parameter::steps) && !knowledge.countsStepsMinusOne();
+    plan.m_stepsMinusOneIsOpen = device.quirks.mayCountStepsMinusOne && valueOf(wanted, Parameter::steps) &&
+                                 !encoder.known(Parameter::multiTurnAndStepsMinusOne);
     return plan;
 }
 
