@@ -136,6 +136,18 @@ void MonitorArea::openMonitor(DeviceNumber number, MonitorKind kind)
     opened->setFocus();
 }
 
+void MonitorArea::openFirst()
+{
+    for (const DeviceNumber number : m_bus.numbers()) {
+        if (!hasWord(number, MonitorKind::in32) || !hasWord(number, MonitorKind::out32))
+            continue;
+        for (const MonitorKind kind : {MonitorKind::in32, MonitorKind::out32})
+            if (!monitor(number, kind))
+                addMonitor(number, kind);
+        return;
+    }
+}
+
 WordMonitor *MonitorArea::addMonitor(DeviceNumber number, MonitorKind kind)
 {
     WordChannel *channel = m_bus.channel(number);

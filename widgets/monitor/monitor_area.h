@@ -29,6 +29,8 @@ public:
 
     // Opens it at the end, or brings it into view where it is open already; says on the spot why it cannot.
     void openMonitor(DeviceNumber number, MonitorKind kind);
+    // At first start: IN 32 and OUT 32 of the first device that has both.
+    void openFirst();
     void closeMonitor(DeviceNumber number, MonitorKind kind);
     void closeAll();
     WordMonitor *monitor(DeviceNumber number, MonitorKind kind) const; // null: not open

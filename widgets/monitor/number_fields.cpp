@@ -23,10 +23,10 @@ NumberFields::NumberFields(const QString &place, int bits, bool editable, QWidge
     : QWidget(parent)
     , m_bits(bits)
     , m_hex(new WordField(widestHex, this))
-    , m_decimal(new WordField(widestNumber, this))
-    , m_signed(new WordField(widestNumber, this))
-    , m_gray(new WordField(widestNumber, this))
-    , m_binary(new WordField(binaryText(0, bits), this))
+    , m_decimal(new NumberField(widestNumber, this))
+    , m_signed(new NumberField(widestNumber, this))
+    , m_gray(new NumberField(widestNumber, this))
+    , m_binary(new NumberField(binaryText(0, bits), this))
 {
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins({});
@@ -65,7 +65,7 @@ NumberFields::NumberFields(const QString &place, int bits, bool editable, QWidge
     showNumbers();
 }
 
-void NumberFields::addField(WordField *field, const QString &caption, const QString &name,
+void NumberFields::addField(QWidget *field, const QString &caption, const QString &name,
                             QBoxLayout *captioned)
 {
     auto *label = new QLabel(caption, this);
@@ -74,8 +74,13 @@ void NumberFields::addField(WordField *field, const QString &caption, const QStr
     captioned->addWidget(label);
     captioned->addWidget(field);
     field->setAccessibleName(name);
-    field->setReadOnly(true);
-    field->setCaption(label);
+    m_captions.insert(field, label);
+}
+
+void NumberFields::show(QWidget *field, bool shown)
+{
+    field->setVisible(shown);
+    m_captions.value(field)->setVisible(shown);
 }
 
 void NumberFields::setWord(Word word)
@@ -91,10 +96,10 @@ void NumberFields::setWord(Word word)
 void NumberFields::setDisplay(const MonitorDisplay &display)
 {
     m_display = display;
-    m_decimal->setShown(display.decimal);
-    m_signed->setShown(display.signedDecimal);
-    m_gray->setShown(display.gray);
-    m_binary->setShown(display.binary);
+    show(m_decimal, display.decimal);
+    show(m_signed, display.signedDecimal);
+    show(m_gray, display.gray);
+    show(m_binary, display.binary);
     const bool dataOnly = numberBits() == k3::dataBits;
     m_decimal->setToolTip(dataOnly ? tr("D24..D0 as a number") : tr("The whole word as a number"));
     m_signed->setToolTip(dataOnly ? tr("D24..D0 as a signed number (two's complement)")

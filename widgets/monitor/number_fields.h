@@ -2,10 +2,14 @@
 #pragma once
 
 #include "widgets/monitor/monitor_display.h"
+#include "widgets/monitor/number_field.h"
 #include "widgets/monitor/word_field.h"
 #include "words/k3_word.h"
 
+#include <QHash>
+
 class QBoxLayout;
+class QLabel;
 
 namespace codewheel {
 
@@ -31,7 +35,8 @@ Q_SIGNALS:
     void entered();                               // Return, on a good word
 
 private:
-    void addField(WordField *field, const QString &caption, const QString &name, QBoxLayout *captioned);
+    void addField(QWidget *field, const QString &caption, const QString &name, QBoxLayout *captioned);
+    void show(QWidget *field, bool shown); // with its caption
     void hexTyped(const QString &text);
     void hexLeft();
     void setProblem(const QString &sentence);
@@ -40,10 +45,11 @@ private:
 
     int m_bits;
     WordField *m_hex;
-    WordField *m_decimal;
-    WordField *m_signed;
-    WordField *m_gray;
-    WordField *m_binary;
+    NumberField *m_decimal;
+    NumberField *m_signed;
+    NumberField *m_gray;
+    NumberField *m_binary;
+    QHash<QWidget *, QLabel *> m_captions;
     MonitorDisplay m_display;
     Word m_word = 0;
 };

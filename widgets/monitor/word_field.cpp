@@ -7,7 +7,6 @@
 #include "widgets/look/roles.h"
 
 #include <QAction>
-#include <QLabel>
 #include <QPainter>
 #include <QStyle>
 
@@ -20,13 +19,6 @@ WordField::WordField(const QString &widest, QWidget *parent)
     setFont(numberFont());
     setAlignment(Qt::AlignRight);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-}
-
-void WordField::setShown(bool shown)
-{
-    setVisible(shown);
-    if (m_caption)
-        m_caption->setVisible(shown);
 }
 
 void WordField::showText(const QString &text)

@@ -4,11 +4,10 @@
 #include <QLineEdit>
 
 class QAction;
-class QLabel;
 
 namespace codewheel {
 
-// A field of a monitor: fixed width and fixed font, so that nothing moves while its number does.
+// The hexadecimal field of a monitor: fixed width and fixed font, so that nothing moves while its word does.
 class WordField : public QLineEdit
 {
     Q_OBJECT
@@ -17,8 +16,6 @@ public:
     // widest: the longest text it will show.
     explicit WordField(const QString &widest, QWidget *parent = nullptr);
 
-    void setCaption(QLabel *caption) { m_caption = caption; }
-    void setShown(bool shown);          // with its caption
     void showText(const QString &text); // does nothing where it is shown already
     // Marks what was typed as no input; empty: it is one.
     void setProblem(const QString &sentence);
@@ -35,7 +32,6 @@ private:
     QString m_problem;
     QString m_toolTip;
     QAction *m_mark = nullptr;
-    QLabel *m_caption = nullptr;
 };
 
 } // namespace codewheel

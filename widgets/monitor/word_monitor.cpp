@@ -50,6 +50,7 @@ WordMonitor::WordMonitor(WordChannel &channel, EncoderSession *encoder, const De
     setAccessibleName(tr("Monitor %1", "Monitor OUT 1.0").arg(m_place));
     m_bits->setPlace(m_place);
     m_bits->setEditable(isOut());
+    setFocusProxy(m_bits);
     m_bits->setBitText([this](int bit) {
         return m_channel && m_device ? bitText(*m_device, directionOf(m_kind), bit + shift()) : QString();
     });

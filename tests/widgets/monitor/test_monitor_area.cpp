@@ -3,6 +3,7 @@
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/monitor/monitor_area.h"
+#include "widgets/monitor/number_field.h"
 #include "widgets/monitor/word_monitor.h"
 
 namespace codewheel {
@@ -39,6 +40,12 @@ TEST_F(MonitorAreaTest, EmptyItSaysHowToOpenAMonitor)
     EXPECT_FALSE(empty->isVisible());
     area.closeMonitor(fraba, MonitorKind::in32);
     EXPECT_TRUE(empty->isVisible());
+}
+
+TEST_F(MonitorAreaTest, AtFirstStartBothWordsOfTheFirstEncoderAreOpen)
+{
+    area.openFirst();
+    EXPECT_EQ(open(), (QStringList{QStringLiteral("1.0 IN 32"), QStringLiteral("1.0 OUT 32")}));
 }
 
 TEST_F(MonitorAreaTest, OpensEachMonitorOnce)
@@ -98,7 +105,7 @@ TEST_F(MonitorAreaTest, WhatAMonitorShowsIsKeptForItsKind)
     EXPECT_EQ(another.state(), state);
     EXPECT_TRUE(another.monitor(fraba, MonitorKind::in16)->isHighHalf());
     another.openMonitor(baumer, MonitorKind::in32);
-    for (const auto *field : another.monitor(baumer, MonitorKind::in32)->findChildren<QLineEdit *>())
+    for (const auto *field : another.monitor(baumer, MonitorKind::in32)->findChildren<NumberField *>())
         EXPECT_EQ(field->isHidden(), field->accessibleName() == QLatin1String("IN 2.0 Gray"));
 }
 

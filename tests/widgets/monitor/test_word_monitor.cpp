@@ -2,6 +2,7 @@
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/monitor/bar_view.h"
+#include "widgets/monitor/number_field.h"
 #include "widgets/monitor/word_field.h"
 #include "widgets/monitor/word_monitor.h"
 #include "widgets/monitor/word_view.h"
@@ -47,9 +48,13 @@ protected:
         ADD_FAILURE() << "no " << name;
         std::abort();
     }
-    QString text(const WordMonitor &monitor, const char *name)
+    QString number(const WordMonitor &monitor, const char *name)
     {
-        return find<WordField>(monitor, name).text();
+        return find<NumberField>(monitor, name).text();
+    }
+    QString hexadecimal(const WordMonitor &monitor)
+    {
+        return find<WordField>(monitor, "IN 1.0 hexadecimal").text();
     }
     WordField &hex() { return find<WordField>(out, "OUT 1.0 hexadecimal"); }
     QAbstractButton &write() { return find<QAbstractButton>(out, "Write OUT 1.0"); }
@@ -94,11 +99,11 @@ TEST_F(WordMonitorTest, AWordIsShownInEveryWriting)
 {
     ring.controls->turnTo(fraba, 0x1234);
     ring.bus.advance(10);
-    EXPECT_EQ(text(in, "IN 1.0 hexadecimal"), QStringLiteral("00001234"));
-    EXPECT_EQ(text(in, "IN 1.0 decimal"), QStringLiteral("4660"));
-    EXPECT_EQ(text(in, "IN 1.0 signed"), QStringLiteral("4660"));
-    EXPECT_EQ(text(in, "IN 1.0 Gray"), QStringLiteral("7207"));
-    EXPECT_EQ(text(in, "IN 1.0 binary"), QStringLiteral("0000 0000 0000 0000 0001 0010 0011 0100"));
+    EXPECT_EQ(hexadecimal(in), QStringLiteral("00001234"));
+    EXPECT_EQ(number(in, "IN 1.0 decimal"), QStringLiteral("4660"));
+    EXPECT_EQ(number(in, "IN 1.0 signed"), QStringLiteral("4660"));
+    EXPECT_EQ(number(in, "IN 1.0 Gray"), QStringLiteral("7207"));
+    EXPECT_EQ(number(in, "IN 1.0 binary"), QStringLiteral("0000 0000 0000 0000 0001 0010 0011 0100"));
     EXPECT_TRUE(find<WordField>(in, "IN 1.0 hexadecimal").isReadOnly());
     EXPECT_TRUE(in.meaning().contains(QLatin1String("position 4660"))) << in.meaning().toStdString();
 }
@@ -124,7 +129,7 @@ TEST_F(WordMonitorTest, AClickedBitIsStagedAndSentByWrite)
     EXPECT_EQ(sentWord(), 0x020000FFU);
     EXPECT_FALSE(ring.channel(fraba).staged());
     ring.bus.advance(10);
-    EXPECT_EQ(text(in, "IN 1.0 hexadecimal"), QStringLiteral("C20000FF"));
+    EXPECT_EQ(hexadecimal(in), QStringLiteral("C20000FF"));
 }
 
 TEST_F(WordMonitorTest, TypedWordsAreTakenAsTheFieldWritesThem)
@@ -260,6 +265,15 @@ TEST_F(WordMonitorTest, CopiesAsHexadecimalAndAsTheWordsOfAPlc)
     EXPECT_EQ(QApplication::clipboard()->text(), QStringLiteral("0200 00FF"));
 }
 
+TEST_F(WordMonitorTest, ANumberIsCopiedByItself)
+{
+    type("020000FF");
+    auto &decimal = find<NumberField>(out, "OUT 1.0 decimal");
+    decimal.setFocus();
+    QTest::keyClick(&decimal, Qt::Key_C, Qt::ControlModifier);
+    EXPECT_EQ(QApplication::clipboard()->text(), QStringLiteral("255"));
+}
+
 TEST_F(WordMonitorTest, TheBarShowsThePositionOnceTheRangeIsKnown)
 {
     const auto &bar = *in.findChild<BarView *>();
@@ -295,8 +309,8 @@ TEST_F(WordMonitorTest, ChosenBitsStandInRowsOfEight)
 TEST_F(WordMonitorTest, AHiddenNumberIsHiddenWithItsCaption)
 {
     out.setDisplay({.gray = false, .binary = false});
-    EXPECT_FALSE(find<WordField>(out, "OUT 1.0 Gray").isVisible());
-    EXPECT_TRUE(find<WordField>(out, "OUT 1.0 signed").isVisible());
+    EXPECT_FALSE(find<NumberField>(out, "OUT 1.0 Gray").isVisible());
+    EXPECT_TRUE(find<NumberField>(out, "OUT 1.0 signed").isVisible());
 }
 
 TEST_F(WordMonitorTest, OnlyWhatChangedIsLaidOutAndPainted)

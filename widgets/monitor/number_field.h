@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/look/value_widget.h"
+
+namespace codewheel {
+
+// A number of a monitor, to be read and copied. Looks like a field, but paints only the digits that
+// changed, since a monitor changes four such numbers 30 times a second.
+//
+// Keys: Ctrl+C copies the number.
+class NumberField : public ValueWidget
+{
+    Q_OBJECT
+
+public:
+    // widest: the longest text it will show.
+    explicit NumberField(const QString &widest, QWidget *parent = nullptr);
+
+    void showText(const QString &text);
+    QString text() const { return m_text; }
+    QString valueText() const override { return m_text; }
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    bool event(QEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
+
+private:
+    QRect textRect() const;
+    QRect cells(int first, int end) const;
+    void copy() const;
+
+    QString m_widest;
+    QString m_text;
+};
+
+} // namespace codewheel
