@@ -52,6 +52,8 @@ DirectionPage::DirectionPage(Setup &setup, QWidget *parent)
     m_position->setObjectName(QStringLiteral("directionPosition"));
     m_position->setAccessibleName(tr("Position"));
     m_verdict->setObjectName(QStringLiteral("verdict"));
+    m_otherWay->setObjectName(QStringLiteral("otherWay"));
+    m_problem->setObjectName(QStringLiteral("directionProblem"));
     m_again->setToolTip(tr("Forget the moves seen so far."));
     m_asNow->setToolTip(tr("The direction of the encoder is kept."));
     m_otherWay->setToolTip(tr("The other direction is put among the wanted values."));

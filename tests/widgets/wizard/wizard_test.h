@@ -16,6 +16,8 @@
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
 #include <QTimer>
@@ -54,7 +56,7 @@ protected:
         auto *button = find<QAbstractButton>(name);
         ASSERT_TRUE(button->isEnabled()) << name;
         ASSERT_TRUE(button->isVisible()) << name;
-        QTest::mouseClick(button, Qt::LeftButton);
+        QTest::mouseClick(button, Qt::LeftButton, {}, QPoint(12, button->height() / 2));
     }
     void next() { click("wizardNext"); }
     void type(const char *field, const char *text)

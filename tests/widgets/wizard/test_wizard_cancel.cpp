@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cancel at each step with each choice, closing, and what stops a handshake.
+#include "tests/widgets/wizard/wizard_test.h"
+
+namespace codewheel {
+namespace {
+
+constexpr std::int64_t stepsBefore = 8192;
+
+class WizardHandshake : public test::WizardTest
+{
+protected:
+    // To the handshake page: steps 255 and revolutions 2 at 1.0, all values read before.
+    void begin(const char *steps = "255", const char *revolutions = "2")
+    {
+        wizard.setEncoder(&fraba());
+        next();
+        click("readAll");
+        bus.advance(2000);
+        next();
+        next();
+        type("steps", steps);
+        type("revolutions", revolutions);
+        next();
+        next();
+        EXPECT_EQ(wizard.page(), ParameterWizard::handshake);
+        bus.advance(60);
+    }
+    void step(int count)
+    {
+        for (int i = 0; i < count; ++i) {
+            click("nextStep");
+            bus.advance(60);
+        }
+    }
+    void settle() { bus.advance(3000); }
+    std::int64_t readBack(Parameter parameter)
+    {
+        EXPECT_TRUE(fraba().start(ReadParameters{{parameter}}));
+        bus.advance(300);
+        return fraba().known(parameter)->value;
+    }
+};
+
+TEST_F(WizardHandshake, NothingIsSentBeforeTheFirstStepIsAskedFor)
+{
+    begin();
+    settle();
+    EXPECT_EQ(out(), 0u);
+    EXPECT_TRUE(wizard.isBusy());
+    EXPECT_FALSE(isEnabled("wizardNext"));
+    EXPECT_FALSE(isEnabled("wizardBack"));
+}
+
+TEST_F(WizardHandshake, CancelBeforeAnythingWasTakenAsksNothing)
+{
+    begin();
+    click("wizardCancel");
+    bus.advance(60);
+    EXPECT_FALSE(wizard.isBusy());
+    EXPECT_EQ(out(), 0u);
+    EXPECT_EQ(text("leftIn"), QStringLiteral("The encoder is in operation."));
+    EXPECT_EQ(fraba().eepromWrites(), 0);
+}
+
+// Steps: 1 steps, 2 revolutions, 3 run, 4 normal running, then the read-back.
+struct CancelRow
+{
+    int stepsTaken;
+    const char *button;
+    EncoderState leftIn;
+    std::int64_t steps; // afterwards; 0: cannot be read, the encoder is in parameterization
+};
+
+class WizardCancelTable : public WizardHandshake, public testing::WithParamInterface<CancelRow>
+{};
+
+TEST_P(WizardCancelTable, LeavesTheEncoderAsWasChosen)
+{
+    const CancelRow &row = GetParam();
+    begin();
+    step(row.stepsTaken);
+    answer(row.button);
+    click("wizardCancel");
+    settle();
+    EXPECT_FALSE(wizard.isBusy());
+    EXPECT_EQ(out(), 0u);
+    EXPECT_EQ(fraba().latest().state, row.leftIn);
+    if (row.steps != 0) {
+        EXPECT_EQ(readBack(Parameter::steps), row.steps);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(EachStepEachChoice, WizardCancelTable,
+                         testing::Values(CancelRow{1, "Restore", EncoderState::operation, stepsBefore},
+                                         CancelRow{2, "Restore", EncoderState::operation, stepsBefore},
+                                         CancelRow{3, "Restore", EncoderState::operation, stepsBefore},
+                                         CancelRow{4, "Restore", EncoderState::operation, stepsBefore},
+                                         CancelRow{1, "Run", EncoderState::operation, 255},
+                                         CancelRow{2, "Run", EncoderState::operation, 255},
+                                         CancelRow{3, "Run", EncoderState::operation, 255},
+                                         CancelRow{4, "Run", EncoderState::operation, 255},
+                                         CancelRow{1, "Leave", EncoderState::parameterization, 0},
+                                         CancelRow{2, "Leave", EncoderState::parameterization, 0},
+                                         CancelRow{3, "Leave", EncoderState::operation, 255},
+                                         CancelRow{4, "Leave", EncoderState::operation, 255}));
+
+TEST_F(WizardHandshake, GoingOnAfterTheQuestionEndsVerified)
+{
+    begin();
+    step(1);
+    answer("Go on");
+    click("wizardCancel");
+    EXPECT_TRUE(wizard.isBusy());
+    stepByHand();
+    EXPECT_TRUE(text("leftIn").startsWith(QStringLiteral("Verified")));
+}
+
+TEST_F(WizardHandshake, LeftInParameterizationItCanBeBroughtBack)
+{
+    begin();
+    step(1);
+    answer("Leave");
+    click("wizardCancel");
+    settle();
+    click("recoverRestore");
+    settle();
+    EXPECT_EQ(fraba().latest().state, EncoderState::operation);
+    EXPECT_EQ(readBack(Parameter::steps), stepsBefore);
+}
+
+TEST_F(WizardHandshake, SwitchedToByItselfItRunsToItsEnd)
+{
+    begin();
+    step(1);
+    click("runByItself");
+    for (int i = 0; i < 100 && wizard.isBusy(); ++i)
+        bus.advance(60);
+    EXPECT_TRUE(text("leftIn").startsWith(QStringLiteral("Verified")));
+    EXPECT_EQ(readBack(Parameter::steps), 255);
+}
+
+TEST_F(WizardHandshake, ClosingAsksTheSameAndWaitsForTheEncoder)
+{
+    begin();
+    EXPECT_TRUE(wizard.isBusy());
+    step(1);
+    answer("Go on");
+    EXPECT_EQ(wizard.askBeforeClosing(), ParameterWizard::Closing::stay);
+    QSignalSpy ready(&wizard, &ParameterWizard::readyToClose);
+    answer("Restore");
+    EXPECT_EQ(wizard.askBeforeClosing(), ParameterWizard::Closing::whenReady);
+    EXPECT_TRUE(ready.isEmpty());
+    settle();
+    EXPECT_EQ(ready.count(), 1);
+    EXPECT_EQ(wizard.askBeforeClosing(), ParameterWizard::Closing::now);
+    EXPECT_EQ(readBack(Parameter::steps), stepsBefore);
+}
+
+// Baumer manual, example 2, with a value of today's range: run fails with error 1.
+TEST_F(WizardHandshake, AnErrorStopsItAndRestoreBringsTheEncoderBack)
+{
+    begin("9000", "1"); // finer than the disc
+    stepByHand();
+    EXPECT_FALSE(wizard.isBusy());
+    EXPECT_TRUE(sentence("handshakeProblem").startsWith(QStringLiteral("Error 1")))
+        << sentence("handshakeProblem").toStdString();
+    EXPECT_EQ(fraba().latest().state, EncoderState::error);
+    EXPECT_EQ(out(), 0u);
+    click("recoverRestore");
+    settle();
+    EXPECT_EQ(fraba().latest().state, EncoderState::operation);
+    EXPECT_EQ(readBack(Parameter::steps), stepsBefore);
+    EXPECT_EQ(sentence("handshakeProblem"), QString());
+    next();
+    const QString report = find<QPlainTextEdit>("report")->toPlainText();
+    EXPECT_TRUE(report.contains(QStringLiteral("Error 1")));
+    EXPECT_TRUE(report.contains(QStringLiteral("Brought back")));
+}
+
+TEST_F(WizardHandshake, AnEncoderSwitchedOffTimesOut)
+{
+    begin();
+    controls->setPower({1, 0}, false);
+    click("nextStep");
+    settle();
+    EXPECT_FALSE(wizard.isBusy());
+    EXPECT_TRUE(sentence("handshakeProblem").contains(QStringLiteral("did not answer")))
+        << sentence("handshakeProblem").toStdString();
+    EXPECT_EQ(out(), 0u);
+}
+
+TEST_F(WizardHandshake, AlarmStopEndsItAndClosesTheQuestion)
+{
+    begin();
+    step(1);
+    QTimer::singleShot(0, qApp, [this] {
+        ASSERT_NE(QApplication::activeModalWidget(), nullptr);
+        bus.alarmStop();
+        bus.advance(10);
+    });
+    click("wizardCancel");
+    settle();
+    EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+    EXPECT_FALSE(wizard.isBusy());
+    EXPECT_TRUE(find<QAbstractButton>("recoverRun")->isVisible());
+}
+
+TEST_F(WizardHandshake, InWatchItSaysSoAndMayBeTriedAgain)
+{
+    bus.setOperate(false);
+    bus.advance(5);
+    wizard.setEncoder(&baumer());
+    next();
+    next();
+    next();
+    type("steps", "4096");
+    next();
+    next();
+    EXPECT_TRUE(sentence("handshakeProblem").contains(QStringLiteral("Operate")));
+    bus.setOperate(true);
+    bus.advance(5);
+    QTest::mouseClick(find<InlineMessage>("handshakeProblem")->findChild<QPushButton *>(), Qt::LeftButton);
+    EXPECT_TRUE(wizard.isBusy());
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/model_tester.h"
+#include "tests/widgets/wizard/wizard_test.h"
+#include "widgets/wizard/report_page.h"
+
+#include <QComboBox>
+#include <QTemporaryDir>
+
+namespace codewheel {
+namespace {
+
+class WizardPages : public test::WizardTest
+{
+protected:
+    QString verdict() const { return find<QWidget>("verdict")->accessibleName(); }
+};
+
+TEST_F(WizardPages, UnknownIsShownAsUnknownAndToldIsToldApart)
+{
+    wizard.setEncoder(&baumer());
+    next();
+    auto *table = find<QTableView>("known");
+    test::ModelTester tester(*table->model());
+    EXPECT_EQ(table->model()->index(0, 2).data(), QStringLiteral("unknown"));
+    baumer().tell(Parameter::steps, 8192);
+    EXPECT_EQ(table->model()->index(0, 2).data(), QStringLiteral("told"));
+    EXPECT_FALSE(find<QAbstractButton>("readAll")->isVisible()); // no read-out
+}
+
+TEST_F(WizardPages, DirectionIsCheckedByTurningTheShaft)
+{
+    wizard.setEncoder(&fraba());
+    next();
+    click("readAll");
+    bus.advance(2000);
+    click("isPositionMode");
+    bus.advance(5);
+    next();
+    EXPECT_EQ(verdict(), QStringLiteral("Does not move yet"));
+    controls->turnBy({1, 0}, 100);
+    bus.advance(5);
+    EXPECT_EQ(verdict(), QStringLiteral("Counts up"));
+    controls->turnBy({1, 0}, -300);
+    bus.advance(5);
+    controls->turnBy({1, 0}, -300);
+    bus.advance(5);
+    EXPECT_EQ(verdict(), QStringLiteral("Counts down"));
+    click("otherWay");
+    EXPECT_EQ(wanted.value({1, 0}, Parameter::direction), 4);
+}
+
+TEST_F(WizardPages, TheRawWordIsWatchedWhereTheCodingIsNotKnown)
+{
+    wizard.setEncoder(&baumer());
+    next();
+    next();
+    EXPECT_TRUE(sentence("directionProblem").contains(QStringLiteral("not known")));
+    bus.advance(100); // turns clockwise
+    EXPECT_EQ(verdict(), QStringLiteral("Counts up"));
+}
+
+TEST_F(WizardPages, BadInputIsNamedAtItsPlaceAndHoldsThePage)
+{
+    wizard.setEncoder(&baumer());
+    next();
+    next();
+    next();
+    for (const char *bad : {"20000", "abc", "-1", "0"}) {
+        type("revolutions", bad);
+        EXPECT_TRUE(sentence("badInput").contains(QStringLiteral("from 1 to 4096"))) << bad;
+        EXPECT_FALSE(isEnabled("wizardNext"));
+    }
+    type("revolutions", "2");
+    EXPECT_EQ(sentence("badInput"), QString());
+    EXPECT_TRUE(isEnabled("wizardNext"));
+}
+
+TEST_F(WizardPages, AMeasuringRangeThatJumpsIsSaid)
+{
+    for (const auto &[parameter, value] :
+         {std::pair(Parameter::steps, 200), {Parameter::revolutions, 1}, {Parameter::coding, 3}})
+        baumer().tell(parameter, value);
+    wizard.setEncoder(&baumer());
+    next();
+    next();
+    next();
+    type("measuring-range", "5");
+    EXPECT_TRUE(sentence("scaleWarning").contains(QStringLiteral("jump")));
+    EXPECT_TRUE(text("scaleText").contains(QStringLiteral("total range 1000 steps")));
+    type("measuring-range", "8");
+    EXPECT_EQ(sentence("scaleWarning"), QString());
+}
+
+TEST_F(WizardPages, TheCalculatorFillsStepsAndRevolutions)
+{
+    wizard.setEncoder(&fraba());
+    next();
+    next();
+    next();
+    click("gearUse"); // 10 mm per turn, 0.01 mm per step
+    EXPECT_EQ(wanted.value({1, 0}, Parameter::steps), 1000);
+    EXPECT_EQ(wanted.value({1, 0}, Parameter::revolutions), 1);
+    EXPECT_EQ(find<QLineEdit>("steps")->text(), QStringLiteral("1000"));
+}
+
+TEST_F(WizardPages, ValuesTheEncoderHasAreNotWrittenUnlessAskedFor)
+{
+    wizard.setEncoder(&fraba());
+    next();
+    click("readAll");
+    bus.advance(2000);
+    next();
+    next();
+    type("steps", "8192");
+    next();
+    EXPECT_TRUE(sentence("reviewProblem").contains(QStringLiteral("nothing to write")));
+    EXPECT_FALSE(isEnabled("wizardNext"));
+    click("writeAll");
+    EXPECT_TRUE(isEnabled("wizardNext"));
+    auto *words = find<QTableView>("plannedWords");
+    test::ModelTester tester(*words->model());
+    EXPECT_EQ(words->model()->index(0, 1).data(), QStringLiteral("02002000"));
+    EXPECT_EQ(out(), 0u);
+}
+
+TEST_F(WizardPages, ThePositionIsNotSetWhileTheModeIsUnknown)
+{
+    wizard.setEncoder(&fraba());
+    next();
+    next();
+    next();
+    type("preset", "0");
+    next();
+    EXPECT_TRUE(sentence("reviewProblem").contains(QStringLiteral("cam mode")));
+    EXPECT_FALSE(isEnabled("wizardNext"));
+}
+
+TEST_F(WizardPages, TheReportIsSavedAsTextAndAsHtml)
+{
+    wizard.setEncoder(&baumer());
+    next();
+    next();
+    next();
+    type("steps", "4096");
+    type("revolutions", "1");
+    next();
+    next();
+    stepByHand();
+    next();
+    const QTemporaryDir folder;
+    auto *page = wizard.findChild<ReportPage *>();
+    const QString path = folder.filePath(QStringLiteral("report"));
+    ASSERT_TRUE(page->saveTo(path + QStringLiteral(".txt")));
+    ASSERT_TRUE(page->saveTo(path + QStringLiteral(".html")));
+    EXPECT_FALSE(page->saveTo(folder.filePath(QStringLiteral("missing/report.txt"))));
+    QFile text(path + QStringLiteral(".txt"));
+    QFile html(path + QStringLiteral(".html"));
+    ASSERT_TRUE(text.open(QIODevice::ReadOnly));
+    ASSERT_TRUE(html.open(QIODevice::ReadOnly));
+    for (const QString &report : {QString::fromUtf8(text.readAll()), QString::fromUtf8(html.readAll())})
+        for (const char *part : {"2.0", "Baumer GXP6W K3", "2026", "02001000", "(echoed)", "EEPROM writes",
+                                 "Position before", "cannot be read"})
+            EXPECT_TRUE(report.contains(QString::fromLatin1(part))) << part << report.toStdString();
+}
+
+} // namespace
+} // namespace codewheel
