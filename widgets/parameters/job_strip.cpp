@@ -44,22 +44,25 @@ JobStrip::JobStrip(QWidget *parent)
     m_bar->setFixedHeight(2 * grid::unit);
     m_cancel->setObjectName(QStringLiteral("cancelJob"));
 
-    auto *choices = new QGridLayout(m_choices);
+    auto *ways = new QGridLayout;
+    ways->addWidget(m_restore, 0, 0);
+    ways->addWidget(m_run, 0, 1);
+    ways->addWidget(m_leave, 1, 0);
+    ways->addWidget(m_goOn, 1, 1);
+    auto *choices = new QVBoxLayout(m_choices);
     choices->setContentsMargins(0, 0, 0, 0);
-    choices->addWidget(m_question, 0, 0, 1, 2);
-    choices->addWidget(m_restore, 1, 0);
-    choices->addWidget(m_run, 1, 1);
-    choices->addWidget(m_leave, 2, 0);
-    choices->addWidget(m_goOn, 2, 1);
+    choices->addWidget(m_question);
+    choices->addLayout(ways);
     m_choices->hide();
 
-    auto *layout = new QGridLayout(this);
+    auto *row = new QHBoxLayout;
+    row->addWidget(m_bar, 1);
+    row->addWidget(m_cancel);
+    auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_step, 0, 0, 1, 2);
-    layout->addWidget(m_bar, 1, 0);
-    layout->addWidget(m_cancel, 1, 1);
-    layout->addWidget(m_choices, 2, 0, 1, 2);
-    layout->setColumnStretch(0, 1);
+    layout->addWidget(m_step);
+    layout->addLayout(row);
+    layout->addWidget(m_choices);
 
     connect(m_cancel, &QPushButton::clicked, this, &JobStrip::cancel);
     connect(m_restore, &QPushButton::clicked, this, [this] { leave(OnCancel::restorePrevious); });

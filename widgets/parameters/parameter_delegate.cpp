@@ -48,16 +48,20 @@ void ParameterDelegate::paint(QPainter *painter, const QStyleOptionViewItem &giv
     style->drawControl(QStyle::CE_ItemViewItem, &option, painter, option.widget);
 
     painter->save();
+    painter->setClipRect(option.rect);
     const QString detail = index.data(ParameterModel::detailRole).toString();
     QRect first = inside(option.rect);
     QRect second = first;
-    if (!detail.isEmpty()) {
+    if (!detail.isEmpty() && !value.isEmpty()) {
         first.setBottom(first.top() + first.height() * 3 / 5);
         second.setTop(first.bottom());
     }
     painter->setFont(option.font);
     painter->setPen(inkOf(option, index.data(ParameterModel::isPaleRole).toBool()));
-    drawLine(*painter, first, option.displayAlignment, value);
+    if (index.column() == ParameterModel::nameColumn) // may take both lines
+        painter->drawText(first, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, value);
+    else
+        drawLine(*painter, first, option.displayAlignment, value);
 
     painter->setFont(textFont(TextSize::small));
     painter->setPen(inkOf(option, true));
@@ -83,7 +87,7 @@ QSize ParameterDelegate::sizeHint(const QStyleOptionViewItem &option, const QMod
                                small.horizontalAdvance(index.data(ParameterModel::detailRole).toString()) +
                                    (isMarked ? markSize + grid::unit : 0));
     const double factor = option.widget ? controlFactor(*option.widget) : 1;
-    const int lines = QFontMetrics(textFont()).height() + small.height();
+    const int lines = 2 * QFontMetrics(textFont()).height();
     return {width + 3 * grid::unit, std::max(lines + grid::unit, qRound(26 * factor))};
 }
 

@@ -5,6 +5,7 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/roles.h"
 #include "widgets/parameters/parameter_words.h"
+#include "widgets/wizard/known_text.h"
 
 #include <QLocale>
 
@@ -117,12 +118,19 @@ QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) con
     }
 }
 
+// The unit stands behind the value, except where the parameter is called like its unit.
 QString ParameterModel::text(const ParameterRow &row, int column) const
 {
+    const Parameter parameter = row.parameter.parameter;
     if (column == nameColumn)
-        return parameterName(row.parameter.parameter);
-    if (column == knownColumn)
-        return row.known ? valueText(row.parameter, row.known->value) : tr("unknown");
+        return parameterName(parameter);
+    if (column == knownColumn) {
+        if (!row.known)
+            return evidenceText(row.known);
+        return unitText(row.parameter.unit) == parameterNameInText(parameter)
+                   ? valueText(row.parameter, row.known->value)
+                   : valueWithUnit(m_encoder->device(), {parameter, row.known->value});
+    }
     if (row.isReadOnly())
         return {};
     return row.wanted ? valueText(row.parameter, *row.wanted) : tr("as it is");
@@ -130,16 +138,13 @@ QString ParameterModel::text(const ParameterRow &row, int column) const
 
 QString ParameterModel::detail(const ParameterRow &row, int column) const
 {
-    if (column == nameColumn) {
-        const QString unit = unitText(row.parameter.unit);
-        return unit == parameterNameInText(row.parameter.parameter) ? QString() : unit;
+    if (column == knownColumn && row.known) {
+        const QTime time = m_encoder->dateTime(row.known->at).time();
+        return tr("%1 %2", "how known, time: read 14:02")
+            .arg(evidenceText(row.known), QLocale().toString(time, QLocale::ShortFormat));
     }
-    if (column == knownColumn)
-        return row.known ? tr("%1 %2", "how known, time: read 14:02")
-                               .arg(parameter_words::evidence(row.known->evidence),
-                                    QLocale().toString(m_encoder->dateTime(row.known->at).time(),
-                                                       QLocale::ShortFormat))
-                         : QString();
+    if (column != wantedColumn)
+        return {};
     if (row.isReadOnly())
         return tr("read only");
     if (!row.wanted)
@@ -157,7 +162,8 @@ QString ParameterModel::toolTip(const ParameterRow &row, int column) const
     const QDateTime when = row.known ? m_encoder->dateTime(row.known->at) : QDateTime();
     const QString how = parameter_words::howKnown(row.known, when);
     return row.known
-               ? QStringLiteral("%1\n%2").arg(parameter_words::withUnit(row.parameter, row.known->value), how)
+               ? QStringLiteral("%1\n%2").arg(
+                     valueWithUnit(m_encoder->device(), {row.parameter.parameter, row.known->value}), how)
                : how;
 }
 

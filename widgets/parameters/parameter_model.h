@@ -25,8 +25,8 @@ struct ParameterRow
 };
 
 // The table of the parameter panel: parameter, what the encoder has, what is wanted. What can be written
-// comes first. A cell has a second, small line (DetailRole): the unit, how and when the value came to be
-// known, whether it differs.
+// comes first. A cell may have a second, small line (detailRole): how and when the value came to be known,
+// whether it differs.
 class ParameterModel final : public TableModelBase<ParameterRow>
 {
     Q_OBJECT

@@ -9,10 +9,10 @@
 #include "widgets/parameters/job_strip.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/parameter_table.h"
-#include "widgets/parameters/parameter_words.h"
 #include "widgets/parameters/tell_bar.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/parameters/write_review.h"
+#include "widgets/wizard/known_text.h"
 
 #include <QAction>
 #include <QGridLayout>
@@ -53,12 +53,11 @@ QWidget *ParameterPanel::makeTablePage()
     m_differences = new RoleLabel(page);
     m_message = new InlineMessage(page);
     m_tell = new TellBar(page);
-    m_foot = new QStackedWidget(page);
-    m_foot->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     m_buttons = makeButtons();
     m_job = new JobStrip(page);
-    m_foot->addWidget(m_buttons);
-    m_foot->addWidget(m_job);
+    m_readingNote = new QLabel(page);
+    m_readingNote->setFont(textFont(TextSize::small));
+    m_readingNote->setWordWrap(true);
 
     auto *layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -66,7 +65,9 @@ QWidget *ParameterPanel::makeTablePage()
     layout->addWidget(m_message);
     layout->addWidget(m_tell);
     layout->addWidget(m_differences);
-    layout->addWidget(m_foot);
+    layout->addWidget(m_buttons);
+    layout->addWidget(m_job);
+    layout->addWidget(m_readingNote);
     return page;
 }
 
@@ -77,9 +78,6 @@ QWidget *ParameterPanel::makeButtons()
     m_write = new QPushButton(lineIcon(Icon::write), tr("&Write..."), buttons);
     m_wizard = new QPushButton(lineIcon(Icon::wizard), tr("Wi&zard..."), buttons);
     m_more = new QToolButton(buttons);
-    m_readingNote = new QLabel(buttons);
-    m_readingNote->setFont(textFont(TextSize::small));
-    m_readingNote->setWordWrap(true);
     m_write->setToolTip(tr("Shows what will be written before anything is sent"));
     m_wizard->setToolTip(tr("Sets the encoder up step by step"));
     m_more->setText(tr("&More"));
@@ -95,7 +93,6 @@ QWidget *ParameterPanel::makeButtons()
     layout->addWidget(m_write, 0, 1);
     layout->addWidget(m_wizard, 1, 0);
     layout->addWidget(m_more, 1, 1);
-    layout->addWidget(m_readingNote, 2, 0, 1, 2);
     return buttons;
 }
 
@@ -270,7 +267,8 @@ void ParameterPanel::showRunningJob()
     const bool isRunning = m_encoder->runningJob().has_value();
     if (isRunning)
         m_job->begin();
-    m_foot->setCurrentWidget(isRunning ? static_cast<QWidget *>(m_job) : m_buttons);
+    m_job->setVisible(isRunning);
+    m_buttons->setVisible(!isRunning);
 }
 
 void ParameterPanel::finished(const Outcome &outcome)
@@ -282,27 +280,32 @@ void ParameterPanel::finished(const Outcome &outcome)
     if (outcome.result)
         m_message->showMessage(isStuck ? Role::attention : Role::running, successText(outcome), help);
     else
-        m_message->showMessage(outcome.result.error().kind == RefusalKind::device ? Role::fault
-                                                                                  : Role::attention,
-                               refusalText(outcome.result.error()), help);
+        m_message->showMessage(
+            outcome.result.error().kind == RefusalKind::device ? Role::fault : Role::attention,
+            QStringLiteral("%1 %2").arg(refusalText(outcome.result.error()), leftInText(outcome.leftIn)),
+            help);
 }
 
+// Short: the table shows the values, the messages keep them.
 QString ParameterPanel::successText(const Outcome &outcome) const
 {
     QStringList sentences;
     if (!outcome.written.empty()) {
-        sentences
-            << tr("Written and active: %1.").arg(parameter_words::list(m_encoder->device(), outcome.written));
-        sentences << (m_encoder->can().reads ? tr("Verified by reading it back.")
-                                             : tr("Verified by its echo and by operation afterwards."));
+        const QString verified = m_encoder->can().reads
+                                     ? tr("%1 written, active and read back.", "names of parameters")
+                                     : tr("%1 written, echoed and active.", "names of parameters");
+        QStringList names;
+        for (const ParameterValue &value : outcome.written)
+            names << parameterName(value.parameter);
+        sentences << verified.arg(names.join(QStringLiteral(", ")));
         sentences << tr("EEPROM writes: %1.").arg(outcome.eepromWrites);
     }
     if (!outcome.alreadyThere.empty())
-        sentences
-            << tr("Already there: %1.").arg(parameter_words::list(m_encoder->device(), outcome.alreadyThere));
+        sentences << tr("There already: %1.").arg(outcome.alreadyThere.size());
     else if (outcome.written.empty() && !outcome.read.empty())
         sentences << tr("Values read: %1.").arg(outcome.read.size());
-    return sentences.isEmpty() ? tr("Done.") : sentences.join(QLatin1Char(' '));
+    sentences << leftInText(outcome.leftIn);
+    return sentences.join(QLatin1Char(' '));
 }
 
 void ParameterPanel::showWrongInput(const QString &wrong)

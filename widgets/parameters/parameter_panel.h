@@ -78,8 +78,7 @@ private:
     QLabel *m_readingNote = nullptr;
     InlineMessage *m_message = nullptr;
     TellBar *m_tell = nullptr;
-    QStackedWidget *m_foot = nullptr; // buttons, or the running job
-    QWidget *m_buttons = nullptr;
+    QWidget *m_buttons = nullptr; // or, while a job runs,
     JobStrip *m_job = nullptr;
     QPushButton *m_read = nullptr;
     QPushButton *m_write = nullptr;

@@ -11,6 +11,13 @@
 
 namespace codewheel {
 
+namespace {
+
+constexpr double nameShare = 0.38; // of the width
+constexpr double knownShare = 0.32;
+
+} // namespace
+
 ParameterTable::ParameterTable(ParameterModel &model, QWidget *parent)
     : QTableView(parent)
 {
@@ -28,8 +35,8 @@ ParameterTable::ParameterTable(ParameterModel &model, QWidget *parent)
     verticalHeader()->hide();
     verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setHighlightSections(false);
-    horizontalHeader()->setMinimumSectionSize(60);
-    horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setStretchLastSection(true);
     connect(delegate, &ParameterDelegate::inputChecked, this, &ParameterTable::inputChecked);
     connect(this, &QTableView::clicked, this, &ParameterTable::editWanted);
 }
@@ -82,6 +89,13 @@ void ParameterTable::keyPressEvent(QKeyEvent *event)
             setCurrentIndex(wanted); // so that typing begins there
     }
     QTableView::keyPressEvent(event);
+}
+
+void ParameterTable::resizeEvent(QResizeEvent *event)
+{
+    QTableView::resizeEvent(event);
+    setColumnWidth(ParameterModel::nameColumn, qRound(viewport()->width() * nameShare));
+    setColumnWidth(ParameterModel::knownColumn, qRound(viewport()->width() * knownShare));
 }
 
 void ParameterTable::changeEvent(QEvent *event)

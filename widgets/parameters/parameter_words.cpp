@@ -2,6 +2,7 @@
 #include "widgets/parameters/parameter_words.h"
 
 #include "catalog/value_text.h"
+#include "widgets/wizard/known_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -20,7 +21,7 @@ QString range(const ParameterDescription &parameter)
 {
     if (parameter.choices.empty())
         return tr("Range: %1 to %2.")
-            .arg(valueText(parameter, parameter.minimum), withUnit(parameter, parameter.maximum));
+            .arg(valueText(parameter, parameter.minimum), valueText(parameter, parameter.maximum));
     QStringList choices;
     for (const Choice &choice : parameter.choices)
         choices << valueText(parameter, choice.value);
@@ -28,13 +29,6 @@ QString range(const ParameterDescription &parameter)
 }
 
 } // namespace
-
-QString withUnit(const ParameterDescription &parameter, std::int64_t value)
-{
-    const QString unit = unitText(parameter.unit);
-    const QString text = valueText(parameter, value);
-    return unit.isEmpty() ? text : QStringLiteral("%1 %2").arg(text, unit);
-}
 
 QString list(const DeviceDescription &device, const ParameterValues &values)
 {
@@ -46,33 +40,10 @@ QString list(const DeviceDescription &device, const ParameterValues &values)
     return texts.join(QStringLiteral(", "));
 }
 
-QString evidence(Evidence evidence)
-{
-    switch (evidence) {
-    case Evidence::read:
-        return tr("read");
-    case Evidence::echoed:
-        return tr("echoed");
-    case Evidence::told:
-        break;
-    }
-    return tr("told");
-}
-
 QString howKnown(const std::optional<Known> &known, const QDateTime &when)
 {
-    if (!known)
-        return tr("Not known: nobody has read, written or told it.");
-    const QString time = QLocale().toString(when, QLocale::ShortFormat);
-    switch (known->evidence) {
-    case Evidence::read:
-        return tr("Read from the encoder, %1.").arg(time);
-    case Evidence::echoed:
-        return tr("Confirmed by the encoder in a handshake that ended in operation, %1.").arg(time);
-    case Evidence::told:
-        break;
-    }
-    return tr("Told by the user or by the plan of the bus, %1. The encoder was not asked.").arg(time);
+    const QString how = evidenceExplanation(known);
+    return known ? how + QLatin1Char('\n') + QLocale().toString(when, QLocale::ShortFormat) : how;
 }
 
 QString rangeAndFactory(const ParameterDescription &parameter)

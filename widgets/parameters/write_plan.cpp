@@ -2,33 +2,26 @@
 #include "widgets/parameters/write_plan.h"
 
 #include "catalog/device_description.h"
-#include "drivers/k3_plan.h"
+#include "drivers/planned_words.h"
+#include "widgets/wizard/values_to_write.h"
 
 namespace codewheel {
 
 namespace {
 
-std::vector<Known> everythingKnown(const EncoderSession &encoder)
+bool isWritable(const DeviceDescription &device, Parameter parameter)
 {
-    std::vector<Known> all;
-    for (const Parameter parameter : allParameters())
-        if (const auto known = encoder.known(parameter))
-            all.push_back(*known);
-    return all;
+    const ParameterDescription *description = device.find(parameter);
+    return description != nullptr && description->number.has_value();
 }
 
-// A value that was only told is not sure where the encoder can be asked.
-bool isThere(const EncoderSession &encoder, const ParameterValue &value)
+ParameterValues writable(const DeviceDescription &device, const std::vector<Known> &known)
 {
-    const auto known = encoder.known(value.parameter);
-    return known && known->value == value.value &&
-           (known->evidence != Evidence::told || !encoder.can().reads);
-}
-
-bool isRead(const EncoderSession &encoder, Parameter parameter)
-{
-    const auto known = encoder.known(parameter);
-    return known && known->evidence == Evidence::read;
+    ParameterValues values;
+    for (const Known &one : known)
+        if (isWritable(device, one.parameter))
+            values.push_back({one.parameter, one.value});
+    return values;
 }
 
 } // namespace
@@ -36,31 +29,20 @@ bool isRead(const EncoderSession &encoder, Parameter parameter)
 WritePlan planWrite(const EncoderSession &encoder, const ParameterValues &wanted, bool writeAll)
 {
     const DeviceDescription &device = encoder.device();
-    K3Knowledge knowledge(device);
-    const std::vector<Known> all = everythingKnown(encoder);
-    knowledge.set(all);
-    const K3Plan words(device, knowledge);
-
-    WritePlan plan;
-    for (const ParameterDescription &parameter : device.parameters) {
-        const auto value = valueOf(wanted, parameter.parameter);
-        if (!value || !parameter.number)
-            continue;
-        const ParameterValue one{parameter.parameter, *value};
-        if (!writeAll && isThere(encoder, one)) {
-            ++plan.alreadyThere;
-            continue;
-        }
-        plan.job.values.push_back(one);
-        plan.rows.push_back(
-            {one, encoder.known(one.parameter), words.parameterWord(one.parameter, one.value)});
-        if (!writeAll && encoder.can().reads && !isRead(encoder, one.parameter))
-            plan.job.onlyWhatDiffers = true;
-    }
-    for (const Known &known : all)
-        if (const auto *parameter = device.find(known.parameter); parameter && parameter->number)
-            plan.job.previous.push_back({known.parameter, known.value});
-    plan.stepsMayBeLess = valueOf(plan.job.values, Parameter::steps) && !knowledge.countsStepsMinusOne();
+    const std::vector<Known> known = allKnown(encoder);
+    WritePlan plan{
+        .job = jobForWish(encoder, {.wanted = wanted, .initialisePreset = false, .writeAll = writeAll})};
+    plan.job.previous = writable(device, known);
+    plan.alreadyThere = static_cast<int>(wanted.size() - plan.job.values.size());
+    plan.stepsMayBeLess = device.quirks.mayCountStepsMinusOne &&
+                          !encoder.known(Parameter::multiTurnAndStepsMinusOne) &&
+                          valueOf(plan.job.values, Parameter::steps);
+    if (const auto steps = plannedSteps(device, known, plan.job))
+        for (const Step &step : *steps)
+            if (step.kind == StepKind::parameter && step.parameter)
+                plan.rows.push_back({{*step.parameter, *valueOf(plan.job.values, *step.parameter)},
+                                     encoder.known(*step.parameter),
+                                     step.out});
     return plan;
 }
 

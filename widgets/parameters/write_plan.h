@@ -17,9 +17,9 @@ struct WritePlan
         Word word = 0; // as it will stand in OUT
     };
 
-    WriteParameters job;
-    std::vector<Row> rows; // one for each value of the job
-    int alreadyThere = 0;  // wanted, known to be there, and left out
+    WriteParameters job{};
+    std::vector<Row> rows{}; // one for each value of the job
+    int alreadyThere = 0;    // wanted, known to be there, and left out
     // The encoder may count steps minus 1, which is read before the first word: the word for the steps may be
     // one less.
     bool stepsMayBeLess = false;

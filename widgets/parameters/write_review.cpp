@@ -123,8 +123,11 @@ WriteReview::WriteReview(QWidget *parent)
 
 void WriteReview::review(EncoderSession &encoder, const ParameterValues &wanted)
 {
+    if (m_encoder)
+        m_encoder->disconnect(this);
     m_encoder = &encoder;
     m_wanted = wanted;
+    connect(&encoder, &EncoderSession::knownChanged, this, &WriteReview::showPlan);
     m_writeAll->setChecked(false);
     showPlan();
     (m_write->isEnabled() ? m_write : m_cancel)->setFocus();

@@ -207,7 +207,8 @@ TEST_F(Parameters, ShowsOldNewAndTheExactWordBeforeItWrites)
 
     click(QStringLiteral("Write this value"));
     finishJob();
-    EXPECT_TRUE(message().startsWith(QStringLiteral("Written and active: Steps = 255.")))
+    EXPECT_TRUE(
+        message().startsWith(QStringLiteral("Steps written, active and read back. EEPROM writes: 1.")))
         << message().toStdString();
     EXPECT_EQ(bus.encoder(fraba)->eepromWrites(), 1);
     EXPECT_TRUE(textAt(Parameter::steps, ParameterModel::knownColumn).startsWith(QStringLiteral("255 read")));
@@ -266,7 +267,9 @@ TEST_F(Parameters, CancelAsksHowToLeaveAnEncoderThatHasTakenSomething)
     click(QStringLiteral("Leave it so"));
     finishJob();
     EXPECT_EQ(bus.encoder(fraba)->latest().state, EncoderState::parameterization);
-    EXPECT_EQ(message(), QStringLiteral("The job was cancelled."));
+    EXPECT_EQ(message(),
+              QStringLiteral("The job was cancelled. The encoder is in parameterization: it gives no "
+                             "position until run is sent."));
 
     click(QStringLiteral("Send run"));
     finishJob();
@@ -293,7 +296,7 @@ TEST_F(Parameters, WhatCannotBeRestoredIsNotOffered)
     click(QStringLiteral("Go on"));
     training.controls->setSlow(baumer, false);
     finishJob(baumer);
-    EXPECT_TRUE(message().startsWith(QStringLiteral("Written and active: Steps = 255, Revolutions = 2.")))
+    EXPECT_TRUE(message().startsWith(QStringLiteral("Steps, Revolutions written, echoed and active.")))
         << message().toStdString();
 }
 
@@ -307,6 +310,37 @@ TEST_F(Parameters, ARefusalStandsInThePanelAndNothingIsSent)
     EXPECT_TRUE(message().contains(QStringLiteral("Switch to Operate first"))) << message().toStdString();
     bus.advance(10);
     EXPECT_TRUE(bus.devicesWithOut().empty());
+}
+
+TEST_F(Parameters, TheReviewFollowsWhatComesToBeKnown)
+{
+    panel.setEncoder(bus.encoder(baumer));
+    want(Parameter::steps, QStringLiteral("255"));
+    click(QStringLiteral("Write..."));
+    const auto *review = panel.findChild<WriteReviewModel *>();
+    ASSERT_EQ(review->rowCount(), 1);
+    bus.encoder(baumer)->tell(Parameter::steps, 255);
+    EXPECT_EQ(review->rowCount(), 0);
+    EXPECT_FALSE(panel.findChild<QPushButton *>(QStringLiteral("confirmWrite"))->isEnabled());
+}
+
+TEST_F(Parameters, AnErrorOfTheEncoderStandsInThePanelWithAWayBack)
+{
+    panel.setEncoder(bus.encoder(baumer));
+    want(Parameter::steps, QStringLiteral("33554431")); // in range, but finer than the encoder's steps
+    click(QStringLiteral("Write..."));
+    click(QStringLiteral("Write this value"));
+    finishJob(baumer);
+    EXPECT_TRUE(message().startsWith(QStringLiteral("Error 1: the encoder refused")))
+        << message().toStdString();
+    EXPECT_NE(button(QStringLiteral("Send run")), nullptr);
+}
+
+TEST_F(Parameters, AConnectionThatEndsTakesItsEncoderAway)
+{
+    ASSERT_TRUE(bus.open(BusSession::Start::watching));
+    EXPECT_EQ(model().rowCount(), 0);
+    EXPECT_FALSE(table().isVisible());
 }
 
 TEST_F(Parameters, TheWizardIsAsked)
