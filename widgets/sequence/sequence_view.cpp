@@ -115,12 +115,12 @@ void SequenceView::makeTools()
     m_rowActions = {
         addTool(Icon::remove, tr("Remove"), QKeySequence(Qt::Key_Delete), tr("Remove the selected words"),
                 &SequenceView::removeSelected),
-        addTool(Icon::back, tr("Up"), QKeySequence(Qt::ALT | Qt::Key_Up), tr("Move the word up"),
+        addTool(Icon::up, tr("Up"), QKeySequence(Qt::ALT | Qt::Key_Up), tr("Move the word up"),
                 &SequenceView::moveUp),
-        addTool(Icon::next, tr("Down"), QKeySequence(Qt::ALT | Qt::Key_Down), tr("Move the word down"),
+        addTool(Icon::down, tr("Down"), QKeySequence(Qt::ALT | Qt::Key_Down), tr("Move the word down"),
                 &SequenceView::moveDown),
     };
-    addTool(Icon::copy, tr("Paste"), QKeySequence::Paste, tr("Insert the column of words that was copied"),
+    addTool(Icon::paste, tr("Paste"), QKeySequence::Paste, tr("Insert the column of words that was copied"),
             &SequenceView::paste);
     addTool(Icon::read, tr("Open"), QKeySequence(Qt::CTRL | Qt::Key_L), tr("Read a sequence from a file"),
             &SequenceView::askLoad);
