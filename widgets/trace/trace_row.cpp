@@ -11,7 +11,7 @@ namespace codewheel {
 
 namespace {
 
-QString explained(const DeviceDescription &device, const Exchange &exchange, WordDirection direction)
+Explanation explained(const DeviceDescription &device, const Exchange &exchange, WordDirection direction)
 {
     const bool out = direction == WordDirection::out;
     k3::ExplainContext context;
@@ -19,7 +19,12 @@ QString explained(const DeviceDescription &device, const Exchange &exchange, Wor
     context.mode = exchange.mode;
     context.coding = exchange.coding;
     context.counterpart = out ? exchange.in : exchange.out;
-    return explanationText(device, explainWord(device, out ? exchange.out : exchange.in, context));
+    return explainWord(device, out ? exchange.out : exchange.in, context);
+}
+
+bool isOnly(const Explanation &explanation, MeaningId id)
+{
+    return explanation.isUnique() && explanation.first().id == id;
 }
 
 double milliseconds(Instant duration)
@@ -36,10 +41,22 @@ QString quoted(QString cell)
 
 } // namespace
 
+// As the manuals tell a handshake: what the master asks for, and how far the encoder is.
 QString exchangeText(const DeviceDescription &device, const Exchange &exchange)
 {
-    return QCoreApplication::translate("Trace", "%1 – %2", "meaning of OUT, meaning of IN")
-        .arg(explained(device, exchange, WordDirection::out), explained(device, exchange, WordDirection::in));
+    const Explanation out = explained(device, exchange, WordDirection::out);
+    const Explanation in = explained(device, exchange, WordDirection::in);
+    const QString said = explanationText(device, in);
+    if (isOnly(out, MeaningId::normalRunning))
+        return said;
+    const QString asked = explanationText(device, out);
+    if (isOnly(out, MeaningId::parameterRequest)) {
+        if (isOnly(in, MeaningId::confirmed) && in.first().number == out.first().number)
+            return QCoreApplication::translate("Trace", "%1: confirmed", "parameter = value").arg(asked);
+        if (isOnly(in, MeaningId::oldConfirmation) || k3::isOperation(exchange.in))
+            return QCoreApplication::translate("Trace", "%1: not taken yet", "parameter = value").arg(asked);
+    }
+    return QCoreApplication::translate("Trace", "%1 – %2", "meaning of OUT, meaning of IN").arg(asked, said);
 }
 
 QString traceTimeText(const TraceRow &row)

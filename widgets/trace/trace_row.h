@@ -17,7 +17,7 @@ struct TraceRow
     QString remark;                   // the user's
 };
 
-// What both words say, in one sentence like the manual's: "Parameter 1 steps = 255 – confirmed".
+// What both words say, in one sentence like the manual's: "Parameter 1 steps = 255: confirmed".
 QString exchangeText(const DeviceDescription &device, const Exchange &exchange);
 
 // By locale: date and time to the millisecond, milliseconds since the last row.
