@@ -9,9 +9,9 @@
 #include <QClipboard>
 #include <QKeyEvent>
 #include <QPainter>
-#include <QStyleOptionFrame>
 
 #include <algorithm>
+#include <cmath>
 
 namespace codewheel {
 
@@ -44,17 +44,26 @@ void NumberField::showText(const QString &text)
         return;
     }
     const auto first = std::mismatch(text.begin(), text.end(), before.begin()).first - text.begin();
-    update(cells(static_cast<int>(first), static_cast<int>(text.size())));
+    update(cells(static_cast<int>(first), static_cast<int>(text.size())).toAlignedRect());
 }
 
-// Of the characters from first to before end.
-QRect NumberField::cells(int first, int end) const
+// Of the characters from first to before end. The advance of a character may be a fraction of a pixel.
+QRectF NumberField::cells(int first, int end) const
 {
-    const QRect all = textRect();
-    const int width = fontMetrics().horizontalAdvance(QLatin1Char('0'));
-    const int right = all.right() + 1 - rightGap;
-    const int length = static_cast<int>(m_text.size());
-    return {right - (length - first) * width, all.top(), (end - first) * width, all.height()};
+    const QRectF all = textRect();
+    const double width = QFontMetricsF(font()).horizontalAdvance(QLatin1Char('0'));
+    const auto length = static_cast<int>(m_text.size());
+    return {all.right() - rightGap - (length - first) * width, all.top(), (end - first) * width,
+            all.height()};
+}
+
+QStyleOptionFrame NumberField::frame() const
+{
+    QStyleOptionFrame option;
+    option.initFrom(this);
+    option.lineWidth = style()->pixelMetric(QStyle::PM_DefaultFrameWidth, &option, this);
+    option.state |= QStyle::State_Sunken | QStyle::State_ReadOnly;
+    return option;
 }
 
 void NumberField::copy() const
@@ -65,8 +74,7 @@ void NumberField::copy() const
 // As high as the line edit beside it.
 QSize NumberField::sizeHint() const
 {
-    QStyleOptionFrame option;
-    option.initFrom(this);
+    const QStyleOptionFrame option = frame();
     const QSize contents(fontMetrics().horizontalAdvance(m_widest) + 4 * grid::unit,
                          std::max(fontMetrics().height(), 14) + 2);
     const QSize size = style()->sizeFromContents(QStyle::CT_LineEdit, &option, contents, this);
@@ -85,21 +93,19 @@ void NumberField::paintEvent(QPaintEvent *event)
     if (textRect().contains(exposed)) {
         painter.fillRect(exposed, palette().base());
     } else {
-        QStyleOptionFrame option;
-        option.initFrom(this);
-        option.lineWidth = style()->pixelMetric(QStyle::PM_DefaultFrameWidth, &option, this);
-        option.state |= QStyle::State_Sunken | QStyle::State_ReadOnly;
+        const QStyleOptionFrame option = frame();
         style()->drawPrimitive(QStyle::PE_PanelLineEdit, &option, &painter, this);
     }
     int first = 0;
     const int length = static_cast<int>(m_text.size());
     while (first < length && cells(first, first + 1).right() < exposed.left())
         ++first;
-    const QFontMetrics metrics = fontMetrics();
-    const QRect area = cells(first, length);
-    const int baseLine = area.top() + (area.height() - metrics.height()) / 2 + metrics.ascent();
+    const QFontMetricsF metrics(font());
+    const QRectF area = cells(first, length);
+    const double baseLine =
+        std::round(area.top() + (area.height() - metrics.height()) / 2 + metrics.ascent());
     painter.setPen(palette().color(QPalette::Text));
-    painter.drawText(area.left(), baseLine, m_text.mid(first));
+    painter.drawText(QPointF(area.left(), baseLine), m_text.mid(first));
 }
 
 // Before the shortcut of the monitor, which copies the word.

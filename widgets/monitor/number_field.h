@@ -3,6 +3,8 @@
 
 #include "widgets/look/value_widget.h"
 
+#include <QStyleOptionFrame>
+
 namespace codewheel {
 
 // A number of a monitor, to be read and copied. Looks like a field, but paints only the digits that
@@ -33,7 +35,8 @@ protected:
 
 private:
     QRect textRect() const;
-    QRect cells(int first, int end) const;
+    QRectF cells(int first, int end) const;
+    QStyleOptionFrame frame() const;
     void copy() const;
 
     QString m_widest;
