@@ -122,8 +122,8 @@ void SequenceView::makeTools()
     };
     addTool(Icon::paste, tr("Paste"), QKeySequence::Paste, tr("Insert the column of words that was copied"),
             &SequenceView::paste);
-    addTool(Icon::read, tr("Open"), QKeySequence(Qt::CTRL | Qt::Key_L), tr("Read a sequence from a file"),
-            &SequenceView::askLoad);
+    addTool(Icon::read, tr("Open"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
+            tr("Read a sequence from a file"), &SequenceView::askLoad);
     addTool(Icon::exportData, tr("Save"), QKeySequence(Qt::CTRL | Qt::Key_E),
             tr("Keep this sequence in a file"), &SequenceView::askSave);
 }
