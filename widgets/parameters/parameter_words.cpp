@@ -12,20 +12,21 @@ namespace codewheel::parameter_words {
 
 namespace {
 
-QString tr(const char *text)
+// The context of these texts.
+struct ParameterWords
 {
-    return QCoreApplication::translate("ParameterWords", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(ParameterWords)
+};
 
 QString range(const ParameterDescription &parameter)
 {
     if (parameter.choices.empty())
-        return tr("Range: %1 to %2.")
+        return ParameterWords::tr("Range: %1 to %2.")
             .arg(valueText(parameter, parameter.minimum), valueText(parameter, parameter.maximum));
     QStringList choices;
     for (const Choice &choice : parameter.choices)
         choices << valueText(parameter, choice.value);
-    return tr("Choices: %1.").arg(choices.join(QStringLiteral("; ")));
+    return ParameterWords::tr("Choices: %1.").arg(choices.join(QStringLiteral("; ")));
 }
 
 } // namespace
@@ -49,10 +50,11 @@ QString howKnown(const std::optional<Known> &known, const QDateTime &when)
 QString rangeAndFactory(const ParameterDescription &parameter)
 {
     if (!parameter.number)
-        return tr("Can be read, not written.");
-    const QString factory = parameter.factory
-                                ? tr("Factory setting: %1.").arg(valueText(parameter, *parameter.factory))
-                                : tr("The factory setting is not stated.");
+        return ParameterWords::tr("Can be read, not written.");
+    const QString factory =
+        parameter.factory
+            ? ParameterWords::tr("Factory setting: %1.").arg(valueText(parameter, *parameter.factory))
+            : ParameterWords::tr("The factory setting is not stated.");
     return range(parameter) + QLatin1Char('\n') + factory;
 }
 

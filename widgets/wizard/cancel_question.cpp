@@ -11,10 +11,11 @@
 namespace codewheel {
 namespace {
 
-QString tr(const char *text)
+// The context of these texts.
+struct CancelQuestion
 {
-    return QCoreApplication::translate("CancelQuestion", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(CancelQuestion)
+};
 
 QString takenText(const EncoderSession &encoder, const ParameterValues &taken)
 {
@@ -25,20 +26,22 @@ QString takenText(const EncoderSession &encoder, const ParameterValues &taken)
                                                parameter ? valueText(*parameter, value.value)
                                                          : QString::number(value.value));
     }
-    return texts.isEmpty() ? tr("a value it has not confirmed yet") : texts.join(QStringLiteral(", "));
+    return texts.isEmpty() ? CancelQuestion::tr("a value it has not confirmed yet")
+                           : texts.join(QStringLiteral(", "));
 }
 
 QString explanation(const EncoderSession &encoder, const CancelSituation &situation)
 {
-    QStringList lines{tr("It has already taken: %1.").arg(takenText(encoder, situation.taken))};
+    QStringList lines{
+        CancelQuestion::tr("It has already taken: %1.").arg(takenText(encoder, situation.taken))};
     if (situation.canRestore)
-        lines += tr("Restore writes the values from before again and runs with them.");
+        lines += CancelQuestion::tr("Restore writes the values from before again and runs with them.");
     else
-        lines += tr("The values from before are not all known, so they cannot be restored.");
-    lines += tr("Run makes what it has taken valid.");
+        lines += CancelQuestion::tr("The values from before are not all known, so they cannot be restored.");
+    lines += CancelQuestion::tr("Run makes what it has taken valid.");
     if (!situation.positionNote.isEmpty())
         lines += situation.positionNote;
-    lines += tr("Left in parameterization, it gives no position until somebody sends run.");
+    lines += CancelQuestion::tr("Left in parameterization, it gives no position until somebody sends run.");
     return lines.join(QLatin1Char('\n'));
 }
 
@@ -50,13 +53,16 @@ std::optional<OnCancel> askHowToCancel(QWidget *parent, const EncoderSession &en
     QMessageBox box(parent);
     box.setObjectName(QStringLiteral("cancelQuestion"));
     box.setIcon(QMessageBox::Question);
-    box.setWindowTitle(tr("Cancel the handshake"));
-    box.setText(tr("How shall the encoder %1 be left?").arg(encoder.number().toString()));
+    box.setWindowTitle(CancelQuestion::tr("Cancel the handshake"));
+    box.setText(CancelQuestion::tr("How shall the encoder %1 be left?").arg(encoder.number().toString()));
     box.setInformativeText(explanation(encoder, situation));
-    QPushButton *restore = box.addButton(tr("&Restore values from before"), QMessageBox::AcceptRole);
-    QPushButton *run = box.addButton(tr("R&un with what it has"), QMessageBox::AcceptRole);
-    QPushButton *leave = box.addButton(tr("&Leave in parameterization"), QMessageBox::AcceptRole);
-    QPushButton *goOn = box.addButton(tr("&Go on with the handshake"), QMessageBox::RejectRole);
+    QPushButton *restore =
+        box.addButton(CancelQuestion::tr("&Restore values from before"), QMessageBox::AcceptRole);
+    QPushButton *run = box.addButton(CancelQuestion::tr("R&un with what it has"), QMessageBox::AcceptRole);
+    QPushButton *leave =
+        box.addButton(CancelQuestion::tr("&Leave in parameterization"), QMessageBox::AcceptRole);
+    QPushButton *goOn =
+        box.addButton(CancelQuestion::tr("&Go on with the handshake"), QMessageBox::RejectRole);
     restore->setEnabled(situation.canRestore);
     box.setDefaultButton(situation.canRestore ? restore : goOn);
     box.setEscapeButton(goOn);

@@ -8,24 +8,25 @@
 namespace codewheel {
 namespace {
 
-QString tr(const char *text)
+// The context of these texts.
+struct KnownText
 {
-    return QCoreApplication::translate("KnownText", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(KnownText)
+};
 
 } // namespace
 
 QString evidenceText(const std::optional<Known> &known)
 {
     if (!known)
-        return tr("unknown");
+        return KnownText::tr("unknown");
     switch (known->evidence) {
     case Evidence::read:
-        return tr("read");
+        return KnownText::tr("read");
     case Evidence::echoed:
-        return tr("echoed");
+        return KnownText::tr("echoed");
     case Evidence::told:
-        return tr("told");
+        return KnownText::tr("told");
     }
     return {};
 }
@@ -33,14 +34,14 @@ QString evidenceText(const std::optional<Known> &known)
 QString evidenceExplanation(const std::optional<Known> &known)
 {
     if (!known)
-        return tr("Nobody knows what the encoder has here.");
+        return KnownText::tr("Nobody knows what the encoder has here.");
     switch (known->evidence) {
     case Evidence::read:
-        return tr("The encoder told it when it was read.");
+        return KnownText::tr("The encoder told it when it was read.");
     case Evidence::echoed:
-        return tr("The encoder confirmed it in a handshake, and went into operation with it.");
+        return KnownText::tr("The encoder confirmed it in a handshake, and went into operation with it.");
     case Evidence::told:
-        return tr("The user or the plan of the bus said so; the encoder was not asked.");
+        return KnownText::tr("The user or the plan of the bus said so; the encoder was not asked.");
     }
     return {};
 }
@@ -67,19 +68,19 @@ QString leftInText(EncoderState state)
 {
     switch (state) {
     case EncoderState::operation:
-        return tr("The encoder is in operation.");
+        return KnownText::tr("The encoder is in operation.");
     case EncoderState::parameterization:
-        return tr("The encoder is in parameterization: it gives no position until run is sent.");
+        return KnownText::tr("The encoder is in parameterization: it gives no position until run is sent.");
     case EncoderState::error:
-        return tr("The encoder is in the error state: it gives no position.");
+        return KnownText::tr("The encoder is in the error state: it gives no position.");
     case EncoderState::readOut:
-        return tr("The encoder still shows a read-out value.");
+        return KnownText::tr("The encoder still shows a read-out value.");
     case EncoderState::notSeen:
-        return tr("The encoder has not been seen on the bus.");
+        return KnownText::tr("The encoder has not been seen on the bus.");
     case EncoderState::unknown:
         break;
     }
-    return tr("The state of the encoder is not known.");
+    return KnownText::tr("The state of the encoder is not known.");
 }
 
 } // namespace codewheel

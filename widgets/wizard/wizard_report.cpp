@@ -14,10 +14,11 @@
 namespace codewheel {
 namespace {
 
-QString tr(const char *text)
+// The context of these texts.
+struct WizardReport
 {
-    return QCoreApplication::translate("WizardReport", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(WizardReport)
+};
 
 struct Table
 {
@@ -42,14 +43,14 @@ std::optional<Known> knownIn(const std::vector<Known> &all, Parameter parameter)
 
 QString positionText(const std::optional<std::int64_t> &position)
 {
-    return position ? QLocale().toString(qlonglong{*position}) : tr("not known");
+    return position ? QLocale().toString(qlonglong{*position}) : WizardReport::tr("not known");
 }
 
 QString resultText(const HandshakeRecord &record)
 {
     if (!record.outcome)
-        return tr("not finished");
-    return record.outcome->result ? tr("done") : refusalText(record.outcome->result.error());
+        return WizardReport::tr("not finished");
+    return record.outcome->result ? WizardReport::tr("done") : refusalText(record.outcome->result.error());
 }
 
 EncoderState leftIn(const HandshakeRecord &record)
@@ -61,7 +62,10 @@ EncoderState leftIn(const HandshakeRecord &record)
 
 Table valueTable(const HandshakeRecord &record, const DeviceDescription &device)
 {
-    Table table{tr("Values"), {tr("Parameter"), tr("Before"), tr("Wanted"), tr("After")}, {}};
+    Table table{WizardReport::tr("Values"),
+                {WizardReport::tr("Parameter"), WizardReport::tr("Before"), WizardReport::tr("Wanted"),
+                 WizardReport::tr("After")},
+                {}};
     for (const ParameterDescription &parameter : device.parameters) {
         if (!parameter.number)
             continue;
@@ -86,7 +90,10 @@ QString meaningOf(const DeviceDescription &device, const Exchange &row, bool isO
 
 Table traceTable(const HandshakeRecord &record, const DeviceDescription &device)
 {
-    Table table{tr("Words"), {tr("Cycle"), tr("OUT"), tr("IN"), tr("OUT means"), tr("IN means")}, {}};
+    Table table{WizardReport::tr("Words"),
+                {WizardReport::tr("Cycle"), WizardReport::tr("OUT"), WizardReport::tr("IN"),
+                 WizardReport::tr("OUT means"), WizardReport::tr("IN means")},
+                {}};
     for (const Exchange &row : record.rows)
         table.rows.append({QString::number(row.cycle), hexWord(row.out), hexWord(row.in),
                            meaningOf(device, row, true), meaningOf(device, row, false)});
@@ -96,27 +103,29 @@ Table traceTable(const HandshakeRecord &record, const DeviceDescription &device)
 Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, const QString &version)
 {
     const QLocale locale;
-    Report report{tr("Parameterization of encoder %1").arg(record.place), {}, {}};
+    Report report{WizardReport::tr("Parameterization of encoder %1").arg(record.place), {}, {}};
     auto fact = [&](const QString &name, const QString &what) { report.facts.append({name, what}); };
-    fact(tr("Device"), QStringLiteral("%1 (%2)").arg(record.place, record.device));
+    fact(WizardReport::tr("Device"), QStringLiteral("%1 (%2)").arg(record.place, record.device));
     if (record.serialNumber)
-        fact(tr("Serial number"), QString::number(*record.serialNumber));
-    fact(tr("Begun"), locale.toString(record.begun, QLocale::LongFormat));
-    fact(tr("Ended"), locale.toString(record.ended, QLocale::LongFormat));
-    fact(tr("Result"), resultText(record));
-    fact(tr("Verified"), verificationText(record, device));
+        fact(WizardReport::tr("Serial number"), QString::number(*record.serialNumber));
+    fact(WizardReport::tr("Begun"), locale.toString(record.begun, QLocale::LongFormat));
+    fact(WizardReport::tr("Ended"), locale.toString(record.ended, QLocale::LongFormat));
+    fact(WizardReport::tr("Result"), resultText(record));
+    fact(WizardReport::tr("Verified"), verificationText(record, device));
     if (record.recovery)
-        fact(tr("Brought back"),
-             record.recovery->result ? tr("done") : refusalText(record.recovery->result.error()));
-    fact(tr("Left in"), leftInText(leftIn(record)));
-    fact(tr("Position before"), positionText(record.positionBefore));
-    fact(tr("Position after"), positionText(record.positionAfter));
+        fact(WizardReport::tr("Brought back"), record.recovery->result
+                                                   ? WizardReport::tr("done")
+                                                   : refusalText(record.recovery->result.error()));
+    fact(WizardReport::tr("Left in"), leftInText(leftIn(record)));
+    fact(WizardReport::tr("Position before"), positionText(record.positionBefore));
+    fact(WizardReport::tr("Position after"), positionText(record.positionAfter));
     const int writes = (record.outcome ? record.outcome->eepromWrites : 0) +
                        (record.recovery ? record.recovery->eepromWrites : 0);
-    fact(tr("EEPROM writes"), tr("%1 by this handshake, %2 by this program since it was connected")
-                                  .arg(writes)
-                                  .arg(record.eepromWritesInAll));
-    fact(tr("Program"), QStringLiteral("Codewheel %1").arg(version));
+    fact(WizardReport::tr("EEPROM writes"),
+         WizardReport::tr("%1 by this handshake, %2 by this program since it was connected")
+             .arg(writes)
+             .arg(record.eepromWritesInAll));
+    fact(WizardReport::tr("Program"), QStringLiteral("Codewheel %1").arg(version));
     report.tables = {valueTable(record, device), traceTable(record, device)};
     return report;
 }
@@ -152,10 +161,11 @@ QString htmlRow(const QStringList &cells, const QString &tag)
 QString verificationText(const HandshakeRecord &record, const DeviceDescription &device)
 {
     if (!record.outcome || !record.outcome->result)
-        return tr("no: the handshake did not end well");
+        return WizardReport::tr("no: the handshake did not end well");
     if (device.capabilities.reads)
-        return tr("read back from the encoder, and equal");
-    return tr("confirmed in the handshake, and run was answered by operation; this encoder cannot be read");
+        return WizardReport::tr("read back from the encoder, and equal");
+    return WizardReport::tr(
+        "confirmed in the handshake, and run was answered by operation; this encoder cannot be read");
 }
 
 QString reportAsText(const HandshakeRecord &record, const DeviceDescription &device, const QString &version)
