@@ -5,905 +5,1038 @@
     <name>BitText</name>
     <message>
         <source>D31: start (run), when it changes from 0 to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>D31: Start (Run), beim Wechsel von 0 auf 1</translation>
     </message>
     <message>
         <source>D30: initialise the preset; in cam mode: start or stop of a cam</source>
-        <translation type="unfinished"></translation>
+        <translation>D30: Preset initialisieren; im Nockenbetrieb: Anfang oder Ende eines Nockens</translation>
     </message>
     <message>
         <source>D30: initialise the preset</source>
-        <translation type="unfinished"></translation>
+        <translation>D30: Preset initialisieren</translation>
     </message>
     <message>
         <source>D29: FRABA command</source>
-        <translation type="unfinished"></translation>
+        <translation>D29: FRABA-Befehl</translation>
     </message>
     <message>
         <source>D29: ignored by this encoder</source>
-        <translation type="unfinished"></translation>
+        <translation>D29: von diesem Drehgeber nicht beachtet</translation>
     </message>
     <message>
         <source>D29: manufacturer specific</source>
-        <translation type="unfinished"></translation>
+        <translation>D29: herstellerspezifisch</translation>
     </message>
     <message>
         <source>D28..D25: parameter number; in cam mode: number of the cam</source>
-        <translation type="unfinished"></translation>
+        <translation>D28..D25: Parameternummer; im Nockenbetrieb: Nummer des Nockens</translation>
     </message>
     <message>
         <source>D28..D25: parameter number</source>
-        <translation type="unfinished"></translation>
+        <translation>D28..D25: Parameternummer</translation>
     </message>
     <message>
         <source>D24..D0: parameter data; D16 with D29 and D21: read out as long as it is 1</source>
-        <translation type="unfinished"></translation>
+        <translation>D24..D0: Parameterdaten; D16 mit D29 und D21: Auslesen, solange es 1 ist</translation>
     </message>
     <message>
         <source>D24..D0: parameter data</source>
-        <translation type="unfinished"></translation>
+        <translation>D24..D0: Parameterdaten</translation>
     </message>
     <message>
         <source>D31: position not valid</source>
-        <translation type="unfinished"></translation>
+        <translation>D31: Position nicht gültig</translation>
     </message>
     <message>
         <source>D30: parameterization</source>
-        <translation type="unfinished"></translation>
+        <translation>D30: Parametrierung</translation>
     </message>
     <message>
         <source>D29: with D31: read-out value or self test</source>
-        <translation type="unfinished"></translation>
+        <translation>D29: mit D31: Auslesewert oder Selbsttest</translation>
     </message>
     <message>
         <source>D29: means nothing at this encoder</source>
-        <translation type="unfinished"></translation>
+        <translation>D29: bei diesem Drehgeber ohne Bedeutung</translation>
     </message>
     <message>
         <source>D28..D25: parameter number, or error number</source>
-        <translation type="unfinished"></translation>
+        <translation>D28..D25: Parameternummer oder Fehlernummer</translation>
     </message>
     <message>
         <source>D24..D0: position, confirmed data or read-out value</source>
-        <translation type="unfinished"></translation>
+        <translation>D24..D0: Position, quittierte Daten oder Auslesewert</translation>
     </message>
     <message>
         <source>D24..D0: position or confirmed data</source>
-        <translation type="unfinished"></translation>
+        <translation>D24..D0: Position oder quittierte Daten</translation>
+    </message>
+</context>
+<context>
+    <name>CancelQuestion</name>
+    <message>
+        <source>a value it has not confirmed yet</source>
+        <translation>einen Wert, den er noch nicht quittiert hat</translation>
+    </message>
+    <message>
+        <source>It has already taken: %1.</source>
+        <translation>Übernommen hat er schon: %1.</translation>
+    </message>
+    <message>
+        <source>Restore writes the values from before again and runs with them.</source>
+        <translation>Herstellen schreibt die vorigen Werte neu, dann Run.</translation>
+    </message>
+    <message>
+        <source>The values from before are not all known, so they cannot be restored.</source>
+        <translation>Die Werte von vorher sind nicht alle bekannt und deshalb nicht wiederherstellbar.</translation>
+    </message>
+    <message>
+        <source>Run makes what it has taken valid.</source>
+        <translation>Run macht gültig, was er übernommen hat.</translation>
+    </message>
+    <message>
+        <source>Left in parameterization, it gives no position until somebody sends run.</source>
+        <translation>In der Parametrierung liefert er keine Position, bis jemand Run sendet.</translation>
+    </message>
+    <message>
+        <source>Cancel the handshake</source>
+        <translation>Handshake abbrechen</translation>
+    </message>
+    <message>
+        <source>How shall the encoder %1 be left?</source>
+        <translation>Wie soll der Drehgeber %1 zurückbleiben?</translation>
+    </message>
+    <message>
+        <source>&amp;Restore values from before</source>
+        <translation>&amp;Vorige Werte herstellen</translation>
+    </message>
+    <message>
+        <source>R&amp;un with what it has</source>
+        <translation>R&amp;un mit dem, was er hat</translation>
+    </message>
+    <message>
+        <source>&amp;Leave in parameterization</source>
+        <translation>In &amp;Parametrierung lassen</translation>
+    </message>
+    <message>
+        <source>&amp;Go on with the handshake</source>
+        <translation>Handshake &amp;fortsetzen</translation>
     </message>
 </context>
 <context>
     <name>Choice</name>
     <message>
         <source>CW</source>
-        <translation type="unfinished"></translation>
+        <translation>CW</translation>
     </message>
     <message>
         <source>CCW</source>
-        <translation type="unfinished"></translation>
+        <translation>CCW</translation>
     </message>
     <message>
         <source>signed, CW</source>
-        <translation type="unfinished"></translation>
+        <translation>mit Vorzeichen, CW</translation>
     </message>
     <message>
         <source>signed, CCW</source>
-        <translation type="unfinished"></translation>
+        <translation>mit Vorzeichen, CCW</translation>
     </message>
     <message>
         <source>unsigned, CW</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Vorzeichen, CW</translation>
     </message>
     <message>
         <source>unsigned, CCW</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Vorzeichen, CCW</translation>
     </message>
     <message>
         <source>Gray, CW</source>
-        <translation type="unfinished"></translation>
+        <translation>Gray, CW</translation>
     </message>
     <message>
         <source>Gray, CCW</source>
-        <translation type="unfinished"></translation>
+        <translation>Gray, CCW</translation>
     </message>
     <message>
         <source>preset activated</source>
-        <translation type="unfinished"></translation>
+        <translation>Preset aktiv</translation>
     </message>
     <message>
         <source>preset programmed, not activated</source>
-        <translation type="unfinished"></translation>
+        <translation>Preset gesetzt, nicht aktiv</translation>
     </message>
     <message>
         <source>position, as K2</source>
-        <translation type="unfinished"></translation>
+        <translation>Position, als K2</translation>
     </message>
     <message>
         <source>position, as K3</source>
-        <translation type="unfinished"></translation>
+        <translation>Position, als K3</translation>
     </message>
     <message>
         <source>velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehzahl</translation>
     </message>
     <message>
         <source>single-turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Singleturn</translation>
     </message>
     <message>
         <source>single-turn, steps minus 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Singleturn, Schritte minus 1</translation>
     </message>
     <message>
         <source>multi-turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Multiturn</translation>
     </message>
     <message>
         <source>multi-turn, steps minus 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Multiturn, Schritte minus 1</translation>
     </message>
     <message>
         <source>cam program %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nockenprogramm %1</translation>
     </message>
 </context>
 <context>
     <name>DeviceDescription</name>
     <message>
         <source>%1, make not known</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Hersteller unbekannt</translation>
+    </message>
+</context>
+<context>
+    <name>KnownText</name>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>gelesen</translation>
+    </message>
+    <message>
+        <source>echoed</source>
+        <translation>quittiert</translation>
+    </message>
+    <message>
+        <source>told</source>
+        <translation>angegeben</translation>
+    </message>
+    <message>
+        <source>Nobody knows what the encoder has here.</source>
+        <translation>Niemand weiß, was der Drehgeber hier hat.</translation>
+    </message>
+    <message>
+        <source>The encoder told it when it was read.</source>
+        <translation>Aus dem Drehgeber ausgelesen.</translation>
+    </message>
+    <message>
+        <source>The encoder confirmed it in a handshake, and went into operation with it.</source>
+        <translation>Vom Drehgeber im Handshake quittiert, und er ging damit in Betrieb.</translation>
+    </message>
+    <message>
+        <source>The user or the plan of the bus said so; the encoder was not asked.</source>
+        <translation>Vom Benutzer oder vom Busplan angegeben; der Drehgeber wurde nicht gefragt.</translation>
+    </message>
+    <message>
+        <source>The encoder is in operation.</source>
+        <translation>Der Drehgeber ist in Betrieb.</translation>
+    </message>
+    <message>
+        <source>The encoder is in parameterization: it gives no position until run is sent.</source>
+        <translation>Der Drehgeber ist in der Parametrierung: keine Position, bis Run gesendet wird.</translation>
+    </message>
+    <message>
+        <source>The encoder is in the error state: it gives no position.</source>
+        <translation>Der Drehgeber ist im Fehlerzustand: keine Position.</translation>
+    </message>
+    <message>
+        <source>The encoder still shows a read-out value.</source>
+        <translation>Der Drehgeber zeigt noch einen Auslesewert.</translation>
+    </message>
+    <message>
+        <source>The encoder has not been seen on the bus.</source>
+        <translation>Der Drehgeber war noch nicht am Bus zu sehen.</translation>
+    </message>
+    <message>
+        <source>The state of the encoder is not known.</source>
+        <translation>Der Zustand des Drehgebers ist unbekannt.</translation>
     </message>
 </context>
 <context>
     <name>Meaning</name>
     <message>
         <source>, or: </source>
-        <translation type="unfinished"></translation>
+        <translation>, oder: </translation>
     </message>
     <message>
         <source>Running, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>In Betrieb, %1</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>keine</translation>
     </message>
     <message>
         <source>%1 (there are only %2 to %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (es gibt nur %2 bis %3)</translation>
     </message>
     <message>
         <source>%1: cam start or stop above the largest position</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Anfang oder Ende eines Nockens über der größten Position</translation>
     </message>
     <message>
         <source>Parameter %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter %1</translation>
     </message>
     <message>
         <source>parameter %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter %1</translation>
     </message>
     <message>
         <source>Parameter %1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter %1 %2</translation>
     </message>
     <message>
         <source>parameter %1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter %1 %2</translation>
     </message>
     <message>
         <source>code %1, which is not defined</source>
-        <translation type="unfinished"></translation>
+        <translation>Code %1, nicht definiert</translation>
     </message>
     <message>
         <source>wrong parameter data</source>
-        <translation type="unfinished"></translation>
+        <translation>falsche Parameterdaten</translation>
     </message>
     <message>
         <source>unknown parameter number</source>
-        <translation type="unfinished"></translation>
+        <translation>unbekannte Parameternummer</translation>
     </message>
     <message>
         <source>parameters lost</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter verloren</translation>
     </message>
     <message>
         <source>parameters could not be stored</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter nicht speicherbar</translation>
     </message>
     <message>
         <source>battery low</source>
-        <translation type="unfinished"></translation>
+        <translation>Batterie schwach</translation>
     </message>
     <message>
         <source>faulty value of the code disc</source>
-        <translation type="unfinished"></translation>
+        <translation>fehlerhafter Wert der Codescheibe</translation>
     </message>
     <message>
         <source>an error of the manufacturer&apos;s own</source>
-        <translation type="unfinished"></translation>
+        <translation>ein herstellereigener Fehler</translation>
     </message>
     <message>
         <source>not defined for this encoder</source>
-        <translation type="unfinished"></translation>
+        <translation>für diesen Drehgeber nicht definiert</translation>
     </message>
     <message>
         <source>Normal running</source>
-        <translation type="unfinished"></translation>
+        <translation>Normalbetrieb</translation>
     </message>
     <message>
         <source>Normal running; the data %1 mean nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Normalbetrieb; die Daten %1 sind ohne Bedeutung</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Run (Start)</translation>
     </message>
     <message>
         <source>Run; the other bits (%1) are ignored</source>
-        <translation type="unfinished"></translation>
+        <translation>Run (Start); die übrigen Bits (%1) zählen nicht</translation>
     </message>
     <message>
         <source>Initialise the preset</source>
-        <translation type="unfinished"></translation>
+        <translation>Preset initialisieren</translation>
     </message>
     <message>
         <source>FRABA preset: activate the preset in every cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>FRABA-Preset: Preset in jedem Zyklus aktivieren</translation>
     </message>
     <message>
         <source>%1 = %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 = %2</translation>
     </message>
     <message>
         <source>%1 = %2: refused in cam mode</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 = %2: im Nockenbetrieb abgelehnt</translation>
     </message>
     <message>
         <source>Reset to factory settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf Werkseinstellungen zurücksetzen</translation>
     </message>
     <message>
         <source>Velocity mode on</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehzahlbetrieb ein</translation>
     </message>
     <message>
         <source>Velocity mode off</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehzahlbetrieb aus</translation>
     </message>
     <message>
         <source>Read out %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Auslesen: %1</translation>
     </message>
     <message>
         <source>Read out register %1 of the bus chip</source>
-        <translation type="unfinished"></translation>
+        <translation>Auslesen: Register %1 des Busbausteins</translation>
     </message>
     <message>
         <source>Cam mode, program %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nockenbetrieb, Programm %1</translation>
     </message>
     <message>
         <source>Position mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Positionsbetrieb</translation>
     </message>
     <message>
         <source>Active cams: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktive Nocken: %1</translation>
     </message>
     <message>
         <source>Start of cam %1 = %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Anfang von Nocken %1 = %2</translation>
     </message>
     <message>
         <source>Stop of cam %1 = %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Ende von Nocken %1 = %2</translation>
     </message>
     <message>
         <source>Position beside the cams shifted by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Position neben den Nocken um %1 verschoben</translation>
     </message>
     <message>
         <source>Read out the active cams</source>
-        <translation type="unfinished"></translation>
+        <translation>Auslesen: aktive Nocken</translation>
     </message>
     <message>
         <source>Read out the start of cam %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Auslesen: Anfang von Nocken %1</translation>
     </message>
     <message>
         <source>Read out the stop of cam %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Auslesen: Ende von Nocken %1</translation>
     </message>
     <message>
         <source>Read out the shift of the position beside the cams</source>
-        <translation type="unfinished"></translation>
+        <translation>Auslesen: Verschiebung der Position neben den Nocken</translation>
     </message>
     <message>
         <source>%1 (D29 is ignored)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (D29 wird nicht beachtet)</translation>
     </message>
     <message>
         <source>Manufacturer specific (D29), and the make is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>Herstellerspezifisch (D29), Hersteller unbekannt</translation>
     </message>
     <message>
         <source>Not defined for this encoder</source>
-        <translation type="unfinished"></translation>
+        <translation>Für diesen Drehgeber nicht definiert</translation>
     </message>
     <message>
         <source>position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Position %1</translation>
     </message>
     <message>
         <source>position %1 (Gray code %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>Position %1 (Gray-Code %2)</translation>
     </message>
     <message>
         <source>position %1 in a coding that is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>Position %1 in unbekannter Codierung</translation>
     </message>
     <message>
         <source>speed %1 rpm</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehzahl %1 U/min</translation>
     </message>
     <message>
         <source>cams on: %1, position part %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Nocken ein: %1, Positionsteil %2</translation>
     </message>
     <message>
         <source>Processing, data %1</source>
-        <translation type="unfinished"></translation>
+        <translation>In Bearbeitung, Daten %1</translation>
     </message>
     <message>
         <source>%1 = %2 confirmed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 = %2 quittiert</translation>
     </message>
     <message>
         <source>Old confirmation: %1 = %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Alte Quittung: %1 = %2</translation>
     </message>
     <message>
         <source>Acknowledged: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Bestätigt: %1</translation>
     </message>
     <message>
         <source>Self test, or read-out of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Selbsttest oder Auslesewert %1</translation>
     </message>
     <message>
         <source>Read-out: %1 = %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgelesen: %1 = %2</translation>
     </message>
     <message>
         <source>Read-out: register %1 of the bus chip = %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgelesen: Register %1 des Busbausteins = %2</translation>
     </message>
     <message>
         <source>Read-out: active cams %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgelesen: aktive Nocken %1</translation>
     </message>
     <message>
         <source>Read-out: start of cam %1 = %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgelesen: Anfang von Nocken %1 = %2</translation>
     </message>
     <message>
         <source>Read-out: stop of cam %1 = %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgelesen: Ende von Nocken %1 = %2</translation>
     </message>
     <message>
         <source>Read-out: position beside the cams shifted by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgelesen: Position neben den Nocken um %1 verschoben</translation>
     </message>
     <message>
         <source>The encoder does not know the read-out code %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber kennt den Auslesecode %1 nicht</translation>
     </message>
     <message>
         <source>No valid position</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine gültige Position</translation>
     </message>
     <message>
         <source>Error %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler %1: %2</translation>
     </message>
     <message>
         <source>Error 2: wrong cam command</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler 2: falscher Nockenbefehl</translation>
     </message>
     <message>
         <source>Manufacturer&apos;s error %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Herstellerfehler %1</translation>
     </message>
     <message>
         <source>D31 D30 = 01: a state in no manual</source>
-        <translation type="unfinished"></translation>
+        <translation>D31 D30 = 01: ein Zustand, den kein Handbuch nennt</translation>
     </message>
 </context>
 <context>
     <name>Message</name>
     <message>
         <source>Refused.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgelehnt.</translation>
     </message>
     <message>
         <source>The bus runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Bus läuft.</translation>
     </message>
     <message>
         <source>The bus is stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Bus ist gestoppt.</translation>
     </message>
     <message>
         <source>ALARM STOP: all OUT words of the ring were set to 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>ALARM-STOPP: Alle OUT-Worte des Rings wurden auf 0 gesetzt.</translation>
     </message>
     <message>
         <source>Operate: writing is allowed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bedienen: Schreiben ist erlaubt.</translation>
     </message>
     <message>
         <source>Watch: nothing is sent any more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beobachten: Es wird nichts mehr gesendet.</translation>
     </message>
     <message>
         <source>OUT %1 written.</source>
-        <translation type="unfinished"></translation>
+        <translation>OUT %1 geschrieben.</translation>
     </message>
     <message>
         <source>Written and activated: %3 (parameters: %1, EEPROM writes: %2).</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschrieben und aktiviert: %3 (Parameter: %1, EEPROM-Schreibvorgänge: %2).</translation>
     </message>
     <message>
         <source>Values read: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgelesene Werte: %1.</translation>
     </message>
     <message>
         <source>Preset initialised: position %1 before, %2 after.</source>
-        <translation type="unfinished"></translation>
+        <translation>Preset initialisiert: Position vorher %1, nachher %2.</translation>
     </message>
     <message>
         <source>Words sent: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesendete Worte: %1.</translation>
     </message>
     <message>
         <source>The encoder is in operation again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber ist wieder in Betrieb.</translation>
     </message>
     <message>
         <source>The encoder was left in parameterization. Send run to bring it back to operation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber blieb in der Parametrierung. Run bringt ihn wieder in Betrieb.</translation>
     </message>
     <message>
         <source>The encoder reports error %1 (IN %2).</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber meldet Fehler %1 (IN %2).</translation>
     </message>
     <message>
         <source>The encoder reports no error any more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber meldet keinen Fehler mehr.</translation>
     </message>
     <message>
         <source>The encoder was powered up again. What was known of it may not hold: read it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber wurde neu eingeschaltet. Was von ihm bekannt war, gilt vielleicht nicht mehr: neu auslesen.</translation>
     </message>
     <message>
         <source>Bus cycles that came late: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verspätete Buszyklen: %1.</translation>
     </message>
     <message>
         <source>Preset initialised.</source>
-        <translation type="unfinished"></translation>
+        <translation>Preset initialisiert.</translation>
     </message>
     <message>
         <source>Preset initialised: position %1 after.</source>
-        <translation type="unfinished"></translation>
+        <translation>Preset initialisiert: Position nachher %1.</translation>
     </message>
     <message>
         <source>Preset initialised: position %1 before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Preset initialisiert: Position vorher %1.</translation>
     </message>
 </context>
 <context>
     <name>Parameter</name>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte</translation>
     </message>
     <message>
         <source>steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte</translation>
     </message>
     <message>
         <source>Revolutions</source>
-        <translation type="unfinished"></translation>
+        <translation>Umdrehungen</translation>
     </message>
     <message>
         <source>revolutions</source>
-        <translation type="unfinished"></translation>
+        <translation>Umdrehungen</translation>
     </message>
     <message>
         <source>Direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehrichtung</translation>
     </message>
     <message>
         <source>direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehrichtung</translation>
     </message>
     <message>
         <source>Coding</source>
-        <translation type="unfinished"></translation>
+        <translation>Codierung</translation>
     </message>
     <message>
         <source>coding</source>
-        <translation type="unfinished"></translation>
+        <translation>Codierung</translation>
     </message>
     <message>
         <source>Preset</source>
-        <translation type="unfinished"></translation>
+        <translation>Preset</translation>
     </message>
     <message>
         <source>preset</source>
-        <translation type="unfinished"></translation>
+        <translation>Preset</translation>
     </message>
     <message>
         <source>Zero offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Nullpunktverschiebung</translation>
     </message>
     <message>
         <source>zero offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Nullpunktverschiebung</translation>
     </message>
     <message>
         <source>Offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Offset</translation>
     </message>
     <message>
         <source>offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Offset</translation>
     </message>
     <message>
         <source>Measuring range</source>
-        <translation type="unfinished"></translation>
+        <translation>Messbereich</translation>
     </message>
     <message>
         <source>measuring range</source>
-        <translation type="unfinished"></translation>
+        <translation>Messbereich</translation>
     </message>
     <message>
         <source>Serial number</source>
-        <translation type="unfinished"></translation>
+        <translation>Seriennummer</translation>
     </message>
     <message>
         <source>serial number</source>
-        <translation type="unfinished"></translation>
+        <translation>Seriennummer</translation>
     </message>
     <message>
         <source>Preset flag</source>
-        <translation type="unfinished"></translation>
+        <translation>Preset-Merker</translation>
     </message>
     <message>
         <source>preset flag</source>
-        <translation type="unfinished"></translation>
+        <translation>Preset-Merker</translation>
     </message>
     <message>
         <source>Software version</source>
-        <translation type="unfinished"></translation>
+        <translation>Softwarestand</translation>
     </message>
     <message>
         <source>software version</source>
-        <translation type="unfinished"></translation>
+        <translation>Softwarestand</translation>
     </message>
     <message>
         <source>Operating time</source>
-        <translation type="unfinished"></translation>
+        <translation>Betriebszeit</translation>
     </message>
     <message>
         <source>operating time</source>
-        <translation type="unfinished"></translation>
+        <translation>Betriebszeit</translation>
     </message>
     <message>
         <source>Start-up mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Anlaufbetriebsart</translation>
     </message>
     <message>
         <source>start-up mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Anlaufbetriebsart</translation>
     </message>
     <message>
         <source>Multi-turn and steps minus 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Multiturn und Schritte minus 1</translation>
     </message>
     <message>
         <source>multi-turn and steps minus 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Multiturn und Schritte minus 1</translation>
     </message>
     <message>
         <source>Temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur</translation>
     </message>
     <message>
         <source>temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterWords</name>
+    <message>
+        <source>Range: %1 to %2.</source>
+        <translation>Bereich: %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>Choices: %1.</source>
+        <translation>Auswahl: %1.</translation>
+    </message>
+    <message>
+        <source>Can be read, not written.</source>
+        <translation>Nur lesbar, nicht schreibbar.</translation>
+    </message>
+    <message>
+        <source>Factory setting: %1.</source>
+        <translation>Werkseinstellung: %1.</translation>
+    </message>
+    <message>
+        <source>The factory setting is not stated.</source>
+        <translation>Die Werkseinstellung ist nicht angegeben.</translation>
     </message>
 </context>
 <context>
     <name>Refusal</name>
     <message>
         <source>%1 = %2 is out of range. Give a value from %3 to %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 = %2 liegt außerhalb des Bereichs. Einen Wert von %3 bis %4 angeben.</translation>
     </message>
     <message>
         <source>%1 cannot be &quot;%2&quot;. Allowed are: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 kann nicht „%2“ sein. Erlaubt sind: %3.</translation>
     </message>
     <message>
         <source>%1 is given twice. Give it once.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist doppelt angegeben. Nur einmal angeben.</translation>
     </message>
     <message>
         <source>%1 of the %2 can be read but not written. Leave it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: beim Drehgeber %2 nur lesbar, nicht schreibbar. Weglassen.</translation>
     </message>
     <message>
         <source>There is nothing to do. Name at least one parameter, value or word.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt nichts zu tun. Mindestens einen Parameter, einen Wert oder ein Wort angeben.</translation>
     </message>
     <message>
         <source>There is no device at %1. There are devices at: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf %1 gibt es kein Gerät. Geräte gibt es auf: %2.</translation>
     </message>
     <message>
         <source>The total range would be %1 steps; the largest is %2. Choose fewer steps or more revolutions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Gesamtbereich wäre %1 Schritte groß; möglich sind höchstens %2. Weniger Schritte oder mehr Umdrehungen wählen.</translation>
     </message>
     <message>
         <source>%1 steps in revolutions %2 are finer than the %3 steps per turn the encoder has. Choose fewer steps or more revolutions.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Schritte bei Umdrehungen %2 sind feiner als die %3 Schritte je Umdrehung, die der Drehgeber hat. Weniger Schritte oder mehr Umdrehungen wählen.</translation>
     </message>
     <message>
         <source>%1 = %2 is outside the total range. Give a value of at most %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 = %2 liegt außerhalb des Gesamtbereichs. Höchstens %3 angeben.</translation>
     </message>
     <message>
         <source>The %2 does not have the parameter &quot;%1&quot;. Leave it out, or check which encoder it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber %2 hat den Parameter „%1“ nicht. Weglassen, oder prüfen, welcher Drehgeber es ist.</translation>
     </message>
     <message>
         <source>The %1 has no read-out: its values cannot be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber %1 kennt kein Auslesen: Seine Werte sind nicht lesbar.</translation>
     </message>
     <message>
         <source>The %1 cannot be parameterized over the bus.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber %1 ist über den Bus nicht parametrierbar.</translation>
     </message>
     <message>
         <source>The position of the %1 cannot be set over the bus.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Position des Drehgebers %1 ist über den Bus nicht setzbar.</translation>
     </message>
     <message>
         <source>Nothing was sent: the mode of the encoder is not known. In cam mode the word %1 %2. Make sure that the encoder is in position mode, and confirm it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts gesendet: Die Betriebsart des Drehgebers ist unbekannt. Im Nockenbetrieb gilt: Das Wort %1 %2. Sicherstellen, dass der Drehgeber im Positionsbetrieb ist, und das bestätigen.</translation>
     </message>
     <message>
         <source>A job is running at %1. Wait for its end, or cancel it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf %1 läuft ein Auftrag. Sein Ende abwarten oder ihn abbrechen.</translation>
     </message>
     <message>
         <source>A job is running at this encoder. Wait for its end, or cancel it.</source>
-        <translation type="unfinished"></translation>
+        <translation>An diesem Drehgeber läuft ein Auftrag. Sein Ende abwarten oder ihn abbrechen.</translation>
     </message>
     <message>
         <source>Nothing was sent to %1: a job holds its OUT word. Wait for its end, or cancel it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts an %1 gesendet: Ein Auftrag belegt das OUT-Wort. Sein Ende abwarten oder ihn abbrechen.</translation>
     </message>
     <message>
         <source>Nothing was sent: a job holds the OUT word. Wait for its end, or cancel it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts gesendet: Ein Auftrag belegt das OUT-Wort. Sein Ende abwarten oder ihn abbrechen.</translation>
     </message>
     <message>
         <source>Nothing was sent to %1: the program only watches. Switch to Operate first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts an %1 gesendet: Das Programm beobachtet nur. Erst auf Bedienen umschalten.</translation>
     </message>
     <message>
         <source>Nothing was sent: the program only watches. Switch to Operate first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts gesendet: Das Programm beobachtet nur. Erst auf Bedienen umschalten.</translation>
     </message>
     <message>
         <source>Nothing was sent to %1: the bus is stopped. Start it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts an %1 gesendet: Der Bus ist gestoppt. Erst starten.</translation>
     </message>
     <message>
         <source>Nothing was sent: the bus is stopped. Start it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts gesendet: Der Bus ist gestoppt. Erst starten.</translation>
     </message>
     <message>
         <source>Nothing was sent: the encoder is in parameterization already (IN %1). End that first, with run.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts gesendet: Der Drehgeber ist schon in der Parametrierung (IN %1). Diese erst mit Run beenden.</translation>
     </message>
     <message>
         <source>Error 1: the encoder refused the value of %1 (IN %2). Check the value and write it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler 1: Der Drehgeber hat den Wert für %1 abgelehnt (IN %2). Wert prüfen und neu schreiben.</translation>
     </message>
     <message>
         <source>Error 1: the encoder refused a value (IN %2). Check the values and write them again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler 1: Der Drehgeber hat einen Wert abgelehnt (IN %2). Werte prüfen und neu schreiben.</translation>
     </message>
     <message>
         <source>Error 2: the encoder does not know the number of %1 (IN %2). Check which encoder it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler 2: Der Drehgeber kennt die Nummer für %1 nicht (IN %2). Prüfen, welcher Drehgeber es ist.</translation>
     </message>
     <message>
         <source>Error 2: the encoder does not know a parameter number (IN %2). Check which encoder it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler 2: Der Drehgeber kennt eine Parameternummer nicht (IN %2). Prüfen, welcher Drehgeber es ist.</translation>
     </message>
     <message>
         <source>Error 3: the encoder has lost its parameters (IN %1). Write parameters 1 to 4 again, or reset it to factory settings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler 3: Der Drehgeber hat seine Parameter verloren (IN %1). Parameter 1 bis 4 neu schreiben, oder auf Werkseinstellungen zurücksetzen.</translation>
     </message>
     <message>
         <source>Error 13: the encoder could not store its parameters (IN %1). Write them again; if the error comes back, replace the encoder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler 13: Der Drehgeber konnte seine Parameter nicht speichern (IN %1). Neu schreiben; kommt der Fehler wieder, den Drehgeber tauschen.</translation>
     </message>
     <message>
         <source>Error 14: the battery of the encoder is low (IN %1). Have it replaced; run brings the encoder back to operation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler 14: Die Batterie des Drehgebers ist schwach (IN %1). Tauschen lassen; Run bringt den Drehgeber wieder in Betrieb.</translation>
     </message>
     <message>
         <source>Error 15: the encoder reads a faulty value from its code disc (IN %1). Send run; if the error comes back, replace the encoder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler 15: Der Drehgeber liest einen fehlerhaften Wert von seiner Codescheibe (IN %1). Run senden; kommt der Fehler wieder, den Drehgeber tauschen.</translation>
     </message>
     <message>
         <source>The encoder does not know the read-out code %1 (IN %2). Check which encoder it is, and whether it has what you want to read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber kennt den Auslesecode %1 nicht (IN %2). Prüfen, welcher Drehgeber es ist und ob er den gesuchten Wert hat.</translation>
     </message>
     <message>
         <source>The encoder reports the manufacturer&apos;s error %1 (IN %2). See its manual.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber meldet den Herstellerfehler %1 (IN %2). Siehe sein Handbuch.</translation>
     </message>
     <message>
         <source>The encoder gives no valid position (IN %1). Turn the shaft more slowly, and send run.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber liefert keine gültige Position (IN %1). Die Welle langsamer drehen und Run senden.</translation>
     </message>
     <message>
         <source>The encoder reports error %1 (IN %2), which its description does not name. See its manual.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber meldet Fehler %1 (IN %2), den seine Beschreibung nicht nennt. Siehe sein Handbuch.</translation>
     </message>
     <message>
         <source>The encoder did not answer within %1 s (OUT %2, IN %3). Check which encoder it is, and whether it is switched on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber hat in %1 s nicht geantwortet (OUT %2, IN %3). Prüfen, welcher Drehgeber es ist und ob er eingeschaltet ist.</translation>
     </message>
     <message>
         <source>%1 was written as %2 but read back as %3. Read the encoder before you rely on it, and write again.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 geschrieben, aber %3 zurückgelesen. Den Drehgeber auslesen, bevor man sich darauf verlässt, und neu schreiben.</translation>
     </message>
     <message>
         <source>The encoder shows a state that is in no manual (IN %1). Send run, or switch the encoder off and on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber zeigt einen Zustand, den kein Handbuch nennt (IN %1). Run senden, oder den Drehgeber aus- und einschalten.</translation>
     </message>
     <message>
         <source>The link failed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Verbindung ist gestört: %1</translation>
     </message>
     <message>
         <source>The job was cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Auftrag wurde abgebrochen.</translation>
     </message>
     <message>
         <source>ALARM STOP ended the job. Check in which state it left the encoder.</source>
-        <translation type="unfinished"></translation>
+        <translation>ALARM-STOPP hat den Auftrag beendet. Prüfen, in welchem Zustand der Drehgeber jetzt ist.</translation>
     </message>
     <message>
         <source>The job ended because the bus was stopped. Start the bus, and check in which state the encoder is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Auftrag endete, weil der Bus gestoppt wurde. Den Bus starten und prüfen, in welchem Zustand der Drehgeber ist.</translation>
     </message>
     <message>
         <source>sets the start of cam %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>setzt den Anfang von Nocken %1 auf %2</translation>
     </message>
     <message>
         <source>sets the stop of cam %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>setzt das Ende von Nocken %1 auf %2</translation>
     </message>
     <message>
         <source>changes which cams are active</source>
-        <translation type="unfinished"></translation>
+        <translation>ändert, welche Nocken aktiv sind</translation>
     </message>
     <message>
         <source>parameter %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter %1</translation>
     </message>
     <message>
         <source> or </source>
-        <translation type="unfinished"></translation>
+        <translation> oder </translation>
     </message>
 </context>
 <context>
     <name>Role</name>
     <message>
         <source>Running</source>
-        <translation type="unfinished"></translation>
+        <translation>In Betrieb</translation>
     </message>
     <message>
         <source>Attention</source>
-        <translation type="unfinished"></translation>
+        <translation>Achtung</translation>
     </message>
     <message>
         <source>Fault</source>
-        <translation type="unfinished"></translation>
+        <translation>Störung</translation>
     </message>
     <message>
         <source>Set</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesetzt</translation>
     </message>
     <message>
         <source>Inactive</source>
-        <translation type="unfinished"></translation>
+        <translation>Inaktiv</translation>
     </message>
 </context>
 <context>
     <name>Sequence</name>
     <message>
         <source>Nothing was pasted: line %1, &quot;%2&quot;, is no hexadecimal word. Each line takes up to 8 digits of 0 to 9 and A to F.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts eingefügt: Zeile %1, „%2“, ist kein hexadezimales Wort. Je Zeile bis zu 8 Ziffern 0 bis 9 und A bis F.</translation>
     </message>
     <message>
         <source>There is no word to paste. Copy a column of hexadecimal words first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt kein Wort zum Einfügen. Erst eine Spalte hexadezimaler Worte kopieren.</translation>
     </message>
     <message>
         <source>Nothing was pasted: a sequence has at most %1 words.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts eingefügt: Eine Folge hat höchstens %1 Worte.</translation>
     </message>
 </context>
 <context>
     <name>SequenceFile</name>
     <message>
         <source>Line %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1: %2</translation>
     </message>
     <message>
         <source>The file is nested too deeply.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei ist zu tief verschachtelt.</translation>
     </message>
     <message>
         <source>This is not valid JSON: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist kein gültiges JSON: %1</translation>
     </message>
     <message>
         <source>This is no sequence of words: &quot;format&quot; is not &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist keine Folge von Worten: „format“ ist nicht „%1“.</translation>
     </message>
     <message>
         <source>Only version %1 of the format can be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Version %1 des Formats ist lesbar.</translation>
     </message>
     <message>
         <source>The key &quot;%1&quot; is not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Schlüssel „%1“ ist unbekannt.</translation>
     </message>
     <message>
         <source>&quot;holdCycles&quot; is a whole number from 1 to %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>„holdCycles“ ist eine ganze Zahl von 1 bis %1.</translation>
     </message>
     <message>
         <source>&quot;words&quot; is a list of at most %1 words.</source>
-        <translation type="unfinished"></translation>
+        <translation>„words“ ist eine Liste von höchstens %1 Worten.</translation>
     </message>
     <message>
         <source>A word is a text of up to 8 hexadecimal digits, such as &quot;020000FF&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Wort ist ein Text aus bis zu 8 hexadezimalen Ziffern, etwa „020000FF“.</translation>
     </message>
 </context>
 <context>
     <name>SimulatedRing</name>
     <message>
         <source>The training bus is not connected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Übungsbus ist nicht verbunden.</translation>
     </message>
     <message>
         <source>The words do not match the devices of the training bus.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Worte passen nicht zu den Geräten des Übungsbusses.</translation>
     </message>
 </context>
 <context>
@@ -911,37 +1044,174 @@
     <message>
         <source>%1 – %2</source>
         <comment>meaning of OUT, meaning of IN</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>%1: confirmed</source>
+        <comment>parameter = value</comment>
+        <translation>%1: quittiert</translation>
+    </message>
+    <message>
+        <source>%1: not taken yet</source>
+        <comment>parameter = value</comment>
+        <translation>%1: noch nicht übernommen</translation>
     </message>
 </context>
 <context>
     <name>Unit</name>
     <message>
         <source>steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte</translation>
     </message>
     <message>
         <source>revolutions</source>
-        <translation type="unfinished"></translation>
+        <translation>Umdrehungen</translation>
     </message>
     <message>
         <source>h</source>
-        <translation type="unfinished"></translation>
+        <translation>h</translation>
     </message>
     <message>
         <source>°C</source>
-        <translation type="unfinished"></translation>
+        <translation>°C</translation>
+    </message>
+</context>
+<context>
+    <name>WizardReport</name>
+    <message>
+        <source>not known</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>not finished</source>
+        <translation>nicht beendet</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Wanted</source>
+        <translation>Gewünscht</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Worte</translation>
+    </message>
+    <message>
+        <source>Cycle</source>
+        <translation>Zyklus</translation>
+    </message>
+    <message>
+        <source>OUT</source>
+        <translation>OUT</translation>
+    </message>
+    <message>
+        <source>IN</source>
+        <translation>IN</translation>
+    </message>
+    <message>
+        <source>OUT means</source>
+        <translation>OUT bedeutet</translation>
+    </message>
+    <message>
+        <source>IN means</source>
+        <translation>IN bedeutet</translation>
+    </message>
+    <message>
+        <source>Parameterization of encoder %1</source>
+        <translation>Parametrierung des Drehgebers %1</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>Begun</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Verified</source>
+        <translation>Geprüft</translation>
+    </message>
+    <message>
+        <source>Brought back</source>
+        <translation>Zurückgeholt</translation>
+    </message>
+    <message>
+        <source>Left in</source>
+        <translation>Zustand danach</translation>
+    </message>
+    <message>
+        <source>Position before</source>
+        <translation>Position vorher</translation>
+    </message>
+    <message>
+        <source>Position after</source>
+        <translation>Position nachher</translation>
+    </message>
+    <message>
+        <source>EEPROM writes</source>
+        <translation>EEPROM-Schreibvorgänge</translation>
+    </message>
+    <message>
+        <source>%1 by this handshake, %2 by this program since it was connected</source>
+        <translation>%1 durch diesen Handshake, %2 durch dieses Programm seit dem Verbinden</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>no: the handshake did not end well</source>
+        <translation>nein: Der Handshake endete nicht gut</translation>
+    </message>
+    <message>
+        <source>read back from the encoder, and equal</source>
+        <translation>aus dem Drehgeber zurückgelesen, gleich</translation>
+    </message>
+    <message>
+        <source>confirmed in the handshake, and run was answered by operation; this encoder cannot be read</source>
+        <translation>im Handshake quittiert, und auf Run folgte der Betrieb; dieser Drehgeber ist nicht auslesbar</translation>
     </message>
 </context>
 <context>
     <name>WordFormat</name>
     <message>
         <source>There is no word here. Type up to 8 hexadecimal digits, such as 020000FF.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier steht kein Wort. Bis zu 8 hexadezimale Ziffern eingeben, etwa 020000FF.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no hexadecimal word. Type up to 8 of the digits 0 to 9 and A to F, such as 020000FF.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist kein hexadezimales Wort. Bis zu 8 Ziffern 0 bis 9 und A bis F eingeben, etwa 020000FF.</translation>
     </message>
 </context>
 <context>
@@ -949,401 +1219,413 @@
     <message>
         <source>%1 bar</source>
         <comment>IN 1.0 bar</comment>
-        <translation type="unfinished"></translation>
+        <translation>Balken %1</translation>
     </message>
     <message>
         <source>Not known</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbekannt</translation>
     </message>
     <message>
         <source>%1 of %2 to %3</source>
         <comment>value, range</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 bis %3</translation>
     </message>
 </context>
 <context>
     <name>codewheel::Catalog</name>
     <message>
         <source>The file is nested too deeply.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei ist zu tief verschachtelt.</translation>
     </message>
     <message>
         <source>This is not valid JSON: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist kein gültiges JSON: %1</translation>
     </message>
     <message>
         <source>A device with the key &quot;%1&quot; is in the catalog already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gerät mit dem Schlüssel „%1“ ist schon im Katalog.</translation>
     </message>
 </context>
 <context>
     <name>codewheel::CodeDisc</name>
     <message>
         <source>Dial</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheibe</translation>
     </message>
     <message>
         <source>Dial of %1</source>
         <comment>device number</comment>
-        <translation type="unfinished"></translation>
+        <translation>Scheibe von %1</translation>
     </message>
     <message>
         <source>turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Umdrehung</translation>
     </message>
     <message>
         <source>%1 rpm</source>
         <comment>revolutions per minute</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 U/min</translation>
     </message>
     <message>
         <source>%1 rpm cw</source>
         <comment>clockwise</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 U/min CW</translation>
     </message>
     <message>
         <source>%1 rpm ccw</source>
         <comment>counter-clockwise</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 U/min CCW</translation>
     </message>
     <message>
         <source>No position yet. Start the bus and choose an encoder in the bus structure.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Position. Den Bus starten und im Busaufbau einen Drehgeber wählen.</translation>
     </message>
     <message>
         <source>Position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Position %1</translation>
     </message>
     <message>
         <source>turn %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Umdrehung %1</translation>
     </message>
     <message>
         <source>%1 degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Grad</translation>
     </message>
 </context>
 <context>
     <name>codewheel::CommandLine</name>
     <message>
         <source>There is no option &quot;%1&quot; of %2. Its options are: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 hat keine Option „%1“. Seine Optionen sind: %3.</translation>
     </message>
     <message>
         <source>%1 is given twice. Give it once.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist doppelt angegeben. Nur einmal angeben.</translation>
     </message>
     <message>
         <source>%1 takes no value. Give it alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat keinen Wert. Allein angeben.</translation>
     </message>
     <message>
         <source>%1 needs a value: %1 %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 braucht einen Wert: %1 %2.</translation>
     </message>
     <message>
         <source>%1 cannot be &quot;%2&quot;. Give a whole number from %3 to %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 kann nicht „%2“ sein. Eine ganze Zahl von %3 bis %4 angeben.</translation>
     </message>
     <message>
         <source>The device at %1 is no encoder this program can drive. See codewheel-cli scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gerät auf %1 ist kein Drehgeber, den dieses Programm ansteuern kann. Siehe codewheel-cli scan.</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>ja</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>nein</translation>
     </message>
     <message>
         <source>name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil</translation>
     </message>
     <message>
         <source>device code</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerätecode</translation>
     </message>
     <message>
         <source>read-out</source>
-        <translation type="unfinished"></translation>
+        <translation>Auslesen</translation>
     </message>
     <message>
         <source>encoder</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehgeber</translation>
     </message>
     <message>
         <source>parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>number</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer</translation>
     </message>
     <message>
         <source>factory</source>
-        <translation type="unfinished"></translation>
+        <translation>Werk</translation>
     </message>
     <message>
         <source>unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>values</source>
-        <translation type="unfinished"></translation>
+        <translation>Werte</translation>
     </message>
     <message>
         <source>EEPROM writes: not stated in the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>EEPROM-Schreibvorgänge: im Handbuch nicht angegeben</translation>
     </message>
     <message>
         <source>EEPROM writes: about %1</source>
-        <translation type="unfinished"></translation>
+        <translation>EEPROM-Schreibvorgänge: etwa %1</translation>
     </message>
     <message>
         <source>EEPROM writes: about %1, nothing is guaranteed past %2</source>
-        <translation type="unfinished"></translation>
+        <translation>EEPROM-Schreibvorgänge: etwa %1, über %2 ohne Gewähr</translation>
     </message>
     <message>
         <source>list the encoders this program knows</source>
-        <translation type="unfinished"></translation>
+        <translation>die Drehgeber auflisten, die dieses Programm kennt</translation>
     </message>
     <message>
         <source>Lists the encoders this program knows. With a NAME: its parameters with their numbers,
 read-out codes, factory values and ranges, its errors and how often its EEPROM can be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Listet die Drehgeber auf, die dieses Programm kennt. Mit NAME: seine Parameter mit Nummern,
+Auslesecodes, Werkseinstellungen und Bereichen, seine Fehler und wie oft sein EEPROM beschreibbar ist.</translation>
     </message>
     <message>
         <source>whose word it is (see devices)</source>
-        <translation type="unfinished"></translation>
+        <translation>wessen Wort es ist (siehe devices)</translation>
     </message>
     <message>
         <source>out: master to encoder; in: encoder to master</source>
-        <translation type="unfinished"></translation>
+        <translation>out: Master an Drehgeber; in: Drehgeber an Master</translation>
     </message>
     <message>
         <source>the mode the encoder is in, if it has several</source>
-        <translation type="unfinished"></translation>
+        <translation>die Betriebsart des Drehgebers, falls er mehrere hat</translation>
     </message>
     <message>
         <source>the word that stands the other way</source>
-        <translation type="unfinished"></translation>
+        <translation>das Wort, das in der Gegenrichtung steht</translation>
     </message>
     <message>
         <source>how positions are coded: 1 to 6, or its name</source>
-        <translation type="unfinished"></translation>
+        <translation>wie Positionen codiert sind: 1 bis 6 oder der Name</translation>
     </message>
     <message>
         <source>%1 cannot be &quot;%2&quot;. Allowed are: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 kann nicht „%2“ sein. Erlaubt sind: %3.</translation>
     </message>
     <message>
         <source>%1 is missing. Give one of: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 fehlt. Eines davon angeben: %2.</translation>
     </message>
     <message>
         <source>The %1 has one coding only. Leave --coding out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber %1 hat nur eine Codierung. --coding weglassen.</translation>
     </message>
     <message>
         <source>One of these. What may tell which: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eines davon. Genauer wird es vielleicht mit: %1.</translation>
     </message>
     <message>
         <source>tell what a word means</source>
-        <translation type="unfinished"></translation>
+        <translation>sagen, was ein Wort bedeutet</translation>
     </message>
     <message>
         <source>Tells what a 32-bit word means to an encoder. Every word gets an answer. What is not told
 (mode, coding, the word the other way) widens it to all meanings the word can have.
 Needs no bus and sends nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sagt, was ein 32-Bit-Wort für einen Drehgeber bedeutet. Jedes Wort bekommt eine Antwort. Was nicht
+angegeben ist (Betriebsart, Codierung, Wort der Gegenrichtung), lässt alle Bedeutungen zu, die das
+Wort haben kann. Braucht keinen Bus und sendet nichts.</translation>
     </message>
     <message>
         <source>There is no command &quot;%1&quot;. The commands are: %2. See codewheel-cli --help.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keinen Befehl „%1“. Die Befehle sind: %2. Siehe codewheel-cli --help.</translation>
     </message>
     <message>
         <source>Name a command: %1. See codewheel-cli --help.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Befehl angeben: %1. Siehe codewheel-cli --help.</translation>
     </message>
     <message>
         <source>Something is missing. It is called so: codewheel-cli %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Es fehlt etwas. Der Aufruf lautet: codewheel-cli %1</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is too much. It is called so: codewheel-cli %2</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist zu viel. Der Aufruf lautet: codewheel-cli %2</translation>
     </message>
     <message>
         <source>There is no link &quot;%1&quot;. This version knows one: training, the simulated bus. Leave --link out, or give --link training.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Verbindung „%1“. Diese Version kennt eine: training, den simulierten Bus. --link weglassen, oder --link training angeben.</translation>
     </message>
     <message>
         <source>how long to look (10)</source>
-        <translation type="unfinished"></translation>
+        <translation>wie lange beobachtet wird (10)</translation>
     </message>
     <message>
         <source>how often to look (100)</source>
-        <translation type="unfinished"></translation>
+        <translation>wie oft nachgesehen wird (100)</translation>
     </message>
     <message>
         <source>watch the words of an encoder</source>
-        <translation type="unfinished"></translation>
+        <translation>die Worte eines Drehgebers beobachten</translation>
     </message>
     <message>
         <source>Looks at the words of an encoder every 100 ms and prints a row when they differ from the last look.
 Sends nothing. The time is the bus&apos;s own: on the training bus a cycle is 1 ms, and as it runs without
 waiting, the answer comes at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sieht alle 100 ms nach den Worten eines Drehgebers und gibt eine Zeile aus, wenn sie sich geändert
+haben. Sendet nichts. Die Zeit ist die des Busses: Auf dem Übungsbus dauert ein Zyklus 1 ms, und weil
+er ohne Warten läuft, kommt die Antwort sofort.</translation>
     </message>
     <message>
         <source>print the words that went over the bus</source>
-        <translation type="unfinished"></translation>
+        <translation>die Worte ausgeben, die über den Bus gingen</translation>
     </message>
     <message>
         <source>Position before: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Position vorher:        %1</translation>
     </message>
     <message>
         <source>Position after:  %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Position nachher:       %1</translation>
     </message>
     <message>
         <source>EEPROM writes:   %1</source>
-        <translation type="unfinished"></translation>
+        <translation>EEPROM-Schreibvorgänge: %1</translation>
     </message>
     <message>
         <source>set the position of an encoder</source>
-        <translation type="unfinished"></translation>
+        <translation>die Position eines Drehgebers setzen</translation>
     </message>
     <message>
         <source>Makes the encoder show its preset value at the place where its shaft stands. With a VALUE, that is
 written as the preset first. Sends at once, without asking.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lässt den Drehgeber dort, wo seine Welle steht, den Presetwert zeigen. Mit VALUE wird dieser Wert
+erst als Preset geschrieben. Sendet sofort, ohne zu fragen.</translation>
     </message>
     <message>
         <source>Nothing was written to it from here either, so nothing is known of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von hier wurde auch nichts geschrieben, deshalb ist nichts von ihm bekannt.</translation>
     </message>
     <message>
         <source>Last written from here:</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuletzt von hier geschrieben:</translation>
     </message>
     <message>
         <source>read the parameters that an encoder has</source>
-        <translation type="unfinished"></translation>
+        <translation>die Parameter eines Drehgebers auslesen</translation>
     </message>
     <message>
         <source>Reads the parameters named, or all that can be read. While it is read, the encoder shows no
 position. An encoder without read-out (devices tells which) is not asked: exit code 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Liest die genannten Parameter oder alle lesbaren. Während des Auslesens zeigt der Drehgeber keine
+Position. Ein Drehgeber ohne Auslesen (siehe devices) wird nicht gefragt: Exit-Code 1.</translation>
     </message>
     <message>
         <source>make not known</source>
-        <translation type="unfinished"></translation>
+        <translation>Hersteller unbekannt</translation>
     </message>
     <message>
         <source>place</source>
-        <translation type="unfinished"></translation>
+        <translation>Platz</translation>
     </message>
     <message>
         <source>ID code</source>
-        <translation type="unfinished"></translation>
+        <translation>ID-Code</translation>
     </message>
     <message>
         <source>IN words</source>
-        <translation type="unfinished"></translation>
+        <translation>IN-Worte</translation>
     </message>
     <message>
         <source>OUT words</source>
-        <translation type="unfinished"></translation>
+        <translation>OUT-Worte</translation>
     </message>
     <message>
         <source>list the participants of the bus</source>
-        <translation type="unfinished"></translation>
+        <translation>die Teilnehmer des Busses auflisten</translation>
     </message>
     <message>
         <source>Lists the participants of the bus in ring order, with their ID codes and words (16 bit each).
 The ID code tells the profile but not the make: that is named where the plan of the bus tells it.
 Sends nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Listet die Teilnehmer des Busses in der Folge des Rings auf, mit ID-Codes und Worten (je 16 Bit).
+Der ID-Code nennt das Profil, nicht den Hersteller: Der steht da, wo ihn der Busplan nennt.
+Sendet nichts.</translation>
     </message>
     <message>
         <source>how long a word stands that nothing acknowledges (3)</source>
-        <translation type="unfinished"></translation>
+        <translation>wie lange ein Wort steht, das nichts bestätigt (3)</translation>
     </message>
     <message>
         <source>send words as they are, and print what comes back</source>
-        <translation type="unfinished"></translation>
+        <translation>Worte unverändert senden und ausgeben, was zurückkommt</translation>
     </message>
     <message>
         <source>Sends words as they are, one after the other, and prints a row for each change of OUT or IN.
 A parameter word stands until the encoder has confirmed it, run (80000000) until it shows a position
 or an error, a read-out until it answers; any other word stands for 3 cycles. An error of the encoder
 ends the sequence. Words are hexadecimal, as the manuals print them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sendet Worte unverändert nacheinander und gibt für jede Änderung von OUT oder IN eine Zeile aus.
+Ein Parameterwort steht, bis der Drehgeber es quittiert hat, Run (80000000), bis er eine Position oder
+einen Fehler zeigt, ein Auslesen, bis er antwortet; jedes andere Wort steht 3 Zyklen. Ein Fehler des
+Drehgebers beendet die Folge. Worte sind hexadezimal, wie in den Handbüchern.</translation>
     </message>
     <message>
         <source>write without asking</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Rückfrage schreiben</translation>
     </message>
     <message>
         <source>show what would be written, and send nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>zeigen, was geschrieben würde, und nichts senden</translation>
     </message>
     <message>
         <source>write also what the encoder already has</source>
-        <translation type="unfinished"></translation>
+        <translation>auch schreiben, was der Drehgeber schon hat</translation>
     </message>
     <message>
         <source>Nothing was sent: there is nobody to ask. Add --yes to write, or --dry-run to look only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts gesendet: Es ist niemand da, der gefragt werden kann. Zum Schreiben --yes angeben, nur zum Ansehen --dry-run.</translation>
     </message>
     <message>
         <source>Write this to %1?</source>
-        <translation type="unfinished"></translation>
+        <translation>Das auf %1 schreiben?</translation>
     </message>
     <message>
         <source>Nothing was sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts gesendet.</translation>
     </message>
     <message>
         <source>written, and read back</source>
-        <translation type="unfinished"></translation>
+        <translation>geschrieben und zurückgelesen</translation>
     </message>
     <message>
         <source>written, confirmed by the handshake</source>
-        <translation type="unfinished"></translation>
+        <translation>geschrieben, vom Handshake quittiert</translation>
     </message>
     <message>
         <source>was there already</source>
-        <translation type="unfinished"></translation>
+        <translation>war schon da</translation>
     </message>
     <message>
         <source>did not become active</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht wirksam geworden</translation>
     </message>
     <message>
         <source>The encoder was left in parameterization: it shows no position.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber blieb in der Parametrierung: Er zeigt keine Position.</translation>
     </message>
     <message>
         <source>The encoder was left in error: it shows no position.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber blieb im Fehlerzustand: Er zeigt keine Position.</translation>
     </message>
     <message>
         <source>The encoder is in operation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber ist in Betrieb.</translation>
     </message>
     <message>
         <source>write parameters, after showing what and asking</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter schreiben, nach Anzeige und Rückfrage</translation>
     </message>
     <message>
         <source>Shows what is known of the parameters, what they shall become, and the words for it; asks; writes them
@@ -1353,47 +1635,54 @@ written from here. Where nobody can be asked, --yes is needed: without it nothin
 
 Parameters: steps revolutions direction coding preset zero-offset offset measuring-range, as far as the
 encoder has them (devices NAME). A VALUE is a number or a name: 255, 0xFF, FFh, cw.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt, was von den Parametern bekannt ist, was sie werden sollen und die Worte dafür; fragt; schreibt
+sie in der angegebenen Folge und nennt den Nachweis, dass sie da sind. Was der Drehgeber schon hat,
+wird ohne --all nicht noch einmal geschrieben: Wo es geht, wird er erst ausgelesen, sonst zählt, was
+von hier geschrieben wurde. Wo niemand gefragt werden kann, ist --yes nötig: Ohne wird nichts gesendet,
+Exit-Code 2.
+
+Parameter: steps revolutions direction coding preset zero-offset offset measuring-range, soweit der
+Drehgeber sie hat (devices NAME). VALUE ist eine Zahl oder ein Name: 255, 0xFF, FFh, cw.</translation>
     </message>
     <message>
         <source>answer as one JSON object, for programs</source>
-        <translation type="unfinished"></translation>
+        <translation>Antwort als ein JSON-Objekt, für Programme</translation>
     </message>
     <message>
         <source>the way to the bus; &quot;training&quot; (the default) is the simulated one</source>
-        <translation type="unfinished"></translation>
+        <translation>der Weg zum Bus; „training“ (die Vorgabe) ist der simulierte</translation>
     </message>
     <message>
         <source>explain this and stop; also -h</source>
-        <translation type="unfinished"></translation>
+        <translation>das hier erklären und beenden; auch -h</translation>
     </message>
     <message>
         <source>print the version and stop</source>
-        <translation type="unfinished"></translation>
+        <translation>die Version ausgeben und beenden</translation>
     </message>
     <message>
         <source>There is no device named &quot;%1&quot;. The names are: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt kein Gerät namens „%1“. Die Namen sind: %2.</translation>
     </message>
     <message>
         <source>codewheel-cli sets up, watches and diagnoses absolute encoders on INTERBUS.</source>
-        <translation type="unfinished"></translation>
+        <translation>codewheel-cli richtet Absolut-Drehgeber am INTERBUS ein, beobachtet und prüft sie.</translation>
     </message>
     <message>
         <source>Usage: codewheel-cli COMMAND ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufruf: codewheel-cli COMMAND ...</translation>
     </message>
     <message>
         <source>Commands:</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehle:</translation>
     </message>
     <message>
         <source>Options of every command:</source>
-        <translation type="unfinished"></translation>
+        <translation>Optionen aller Befehle:</translation>
     </message>
     <message>
         <source>Examples:</source>
-        <translation type="unfinished"></translation>
+        <translation>Beispiele:</translation>
     </message>
     <message>
         <source>PLACE is the device number of an encoder, segment.position: 1.0. Numbers are decimal unless
@@ -1404,865 +1693,1824 @@ still, 2.0 Baumer GXP6W K3 that turns at 10 rpm. What one call wrote, the next o
 
 Exit code: 0 done, 1 the encoder or the bus refused, 2 bad input.
 codewheel-cli COMMAND --help explains a command.</source>
-        <translation type="unfinished"></translation>
+        <translation>PLACE ist die Gerätenummer eines Drehgebers, Segment.Position: 1.0. Zahlen sind dezimal, außer
+in der Form 0x.. oder ..h; ein WORD ist immer hexadezimal, wie in den Handbüchern.
+
+Jeder Aufruf hat einen neuen Übungsbus, der immer gleich beginnt: 1.0 FRABA OCD-IB K3, der steht,
+2.0 Baumer GXP6W K3, der mit 10 U/min dreht. Was ein Aufruf schrieb, findet der nächste nicht.
+
+Exit-Code: 0 erledigt, 1 Drehgeber oder Bus hat abgelehnt, 2 falsche Eingabe.
+codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Usage: codewheel-cli %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufruf: codewheel-cli %1</translation>
     </message>
     <message>
         <source>Options:</source>
-        <translation type="unfinished"></translation>
+        <translation>Optionen:</translation>
     </message>
     <message>
         <source>It has: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Er hat: %1.</translation>
     </message>
     <message>
         <source>There is no parameter &quot;%1&quot;. The %2 has: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keinen Parameter „%1“. Der Drehgeber %2 hat: %3.</translation>
     </message>
     <message>
         <source>Hexadecimal numbers are written 0xFF or FFh.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hexadezimale Zahlen haben die Form 0xFF oder FFh.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no word. Give up to 8 hexadecimal digits, such as 020000FF.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist kein Wort. Bis zu 8 hexadezimale Ziffern angeben, etwa 020000FF.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no PARAMETER=VALUE. Write for example steps=255.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ hat nicht die Form PARAMETER=VALUE. Zum Beispiel: steps=255.</translation>
     </message>
     <message>
         <source>read from the encoder</source>
-        <translation type="unfinished"></translation>
+        <translation>aus dem Drehgeber gelesen</translation>
     </message>
     <message>
         <source>confirmed by the handshake</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Handshake quittiert</translation>
     </message>
     <message>
         <source>told, not checked</source>
-        <translation type="unfinished"></translation>
+        <translation>angegeben, nicht geprüft</translation>
     </message>
     <message>
         <source>IN %1, and how it is coded is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>IN %1, Codierung unbekannt</translation>
     </message>
     <message>
         <source>y/N</source>
         <comment>answers to a question</comment>
-        <translation type="unfinished"></translation>
+        <translation>j/N</translation>
     </message>
     <message>
         <source>y</source>
         <comment>answer to a question</comment>
-        <translation type="unfinished"></translation>
+        <translation>j</translation>
     </message>
     <message>
         <source>yes</source>
         <comment>answer to a question</comment>
-        <translation type="unfinished"></translation>
+        <translation>ja</translation>
     </message>
     <message>
         <source>cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>Zyklus</translation>
     </message>
     <message>
         <source>OUT means</source>
-        <translation type="unfinished"></translation>
+        <translation>OUT bedeutet</translation>
     </message>
     <message>
         <source>IN means</source>
-        <translation type="unfinished"></translation>
+        <translation>IN bedeutet</translation>
     </message>
     <message>
         <source>unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>unbekannt</translation>
     </message>
     <message>
         <source>known</source>
-        <translation type="unfinished"></translation>
+        <translation>bekannt</translation>
     </message>
     <message>
         <source>wanted</source>
-        <translation type="unfinished"></translation>
+        <translation>gewünscht</translation>
     </message>
     <message>
         <source>left out: already there</source>
-        <translation type="unfinished"></translation>
+        <translation>entfällt: schon da</translation>
     </message>
     <message>
         <source>run</source>
-        <translation type="unfinished"></translation>
+        <translation>Run</translation>
     </message>
     <message>
         <source>To be written to %1, %2:</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf %1, %2, ist zu schreiben:</translation>
     </message>
     <message>
         <source>The encoder has all of it: there is nothing to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber hat schon alles: Es gibt nichts zu schreiben.</translation>
     </message>
     <message>
         <source>The encoder is read first, and what it already has is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber wird erst ausgelesen, und was er schon hat, entfällt.</translation>
     </message>
     <message>
         <source>If it turns out to count steps minus 1, the word of steps carries one less.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zählt der Drehgeber Schritte minus 1, steht im Wort der Schritte eins weniger.</translation>
     </message>
 </context>
 <context>
     <name>codewheel::DescriptionReader</name>
     <message>
         <source>A key consists of the letters a to z, digits and hyphens.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Schlüssel besteht aus den Buchstaben a bis z, Ziffern und Bindestrichen.</translation>
     </message>
     <message>
         <source>A generic description has no vendor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine allgemeine Beschreibung hat keinen Hersteller.</translation>
     </message>
     <message>
         <source>The last two digits must be those of idCode.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die letzten zwei Ziffern müssen die von idCode sein.</translation>
     </message>
     <message>
         <source>This value stands here twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Wert steht hier doppelt.</translation>
     </message>
     <message>
         <source>This key stands here twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Schlüssel steht hier doppelt.</translation>
     </message>
     <message>
         <source>The minimum is larger than the maximum.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Minimum ist größer als das Maximum.</translation>
     </message>
     <message>
         <source>The factory setting is not between minimum and maximum.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Werkseinstellung liegt nicht zwischen Minimum und Maximum.</translation>
     </message>
     <message>
         <source>The factory setting is none of the choices.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Werkseinstellung ist nicht unter den Auswahlwerten.</translation>
     </message>
     <message>
         <source>A parameter needs a number to write it, a readOut code to read it, or both.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Parameter braucht eine Nummer zum Schreiben, einen Code readOut zum Lesen oder beides.</translation>
     </message>
     <message>
         <source>This parameter stands here twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Parameter steht hier doppelt.</translation>
     </message>
     <message>
         <source>This number stands here twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Nummer steht hier doppelt.</translation>
     </message>
     <message>
         <source>This readOut code stands here twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Code readOut steht hier doppelt.</translation>
     </message>
     <message>
         <source>The budget is larger than eepromLimit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Budget ist größer als eepromLimit.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::DevicePage</name>
+    <message>
+        <source>Encoder</source>
+        <translation>Drehgeber</translation>
+    </message>
+    <message>
+        <source>Which en&amp;coder is to be set up?</source>
+        <translation>Welcher D&amp;rehgeber soll eingerichtet werden?</translation>
+    </message>
+    <message>
+        <source>Encoders of the bus</source>
+        <translation>Drehgeber am Bus</translation>
+    </message>
+    <message>
+        <source>The encoders of the bus. Nothing is sent by choosing one.</source>
+        <translation>Die Drehgeber am Bus. Das Wählen sendet nichts.</translation>
+    </message>
+    <message>
+        <source>There is no encoder on the bus. Start the bus first: Bus &gt; Start.</source>
+        <translation>Am Bus ist kein Drehgeber. Erst den Bus starten: Bus &gt; Starten.</translation>
+    </message>
+    <message>
+        <source>Choose one with the arrow keys or the mouse.</source>
+        <translation>Einen mit den Pfeiltasten oder der Maus wählen.</translation>
+    </message>
+    <message>
+        <source>Description: %1</source>
+        <translation>Beschreibung: %1</translation>
+    </message>
+    <message>
+        <source>The make of this encoder is not known. If you know it, name it in the bus structure: then direction and errors can be told by their names.</source>
+        <translation>Der Hersteller dieses Drehgebers ist unbekannt. Ist er bekannt, im Busaufbau nennen: Dann sind Drehrichtung und Fehler beim Namen zu nennen.</translation>
     </message>
 </context>
 <context>
     <name>codewheel::DialPanel</name>
     <message>
         <source>&amp;Read what is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehlendes ausles&amp;en</translation>
     </message>
     <message>
         <source>No encoder is chosen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Drehgeber gewählt.</translation>
     </message>
     <message>
         <source>Choose one in the bus structure.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen im Busaufbau wählen.</translation>
     </message>
     <message>
         <source>Reads what the dial needs from the encoder. That sends words, and takes the position away for some cycles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Liest aus dem Drehgeber, was die Scheibe braucht. Das sendet Worte; die Position fehlt für einige Zyklen.</translation>
     </message>
     <message>
         <source>Read what the dial needs</source>
-        <translation type="unfinished"></translation>
+        <translation>Auslesen, was die Scheibe braucht</translation>
     </message>
     <message>
         <source>In parameterization: there is no position.</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Parametrierung: keine Position.</translation>
     </message>
     <message>
         <source>A read-out value stands in IN: there is no position.</source>
-        <translation type="unfinished"></translation>
+        <translation>In IN steht ein Auslesewert: keine Position.</translation>
     </message>
     <message>
         <source>The encoder has no valid position.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber hat keine gültige Position.</translation>
     </message>
     <message>
         <source>The encoder shows error %1: there is no position.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Drehgeber zeigt Fehler %1: keine Position.</translation>
     </message>
     <message>
         <source>IN %1 is in no manual: there is no position.</source>
-        <translation type="unfinished"></translation>
+        <translation>IN %1 steht in keinem Handbuch: keine Position.</translation>
     </message>
     <message>
         <source>Nothing came from the encoder yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom Drehgeber kam noch nichts.</translation>
     </message>
     <message>
         <source>Raw word %1. The mode is not known: tell the start-up mode under Parameters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rohwort %1. Betriebsart unbekannt: die Anlaufbetriebsart unter Parameter angeben.</translation>
     </message>
     <message>
         <source>Raw word %1, in velocity mode: there is no position.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rohwort %1, im Drehzahlbetrieb: keine Position.</translation>
     </message>
     <message>
         <source>Raw word %1, in cam mode: there is no position.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rohwort %1, im Nockenbetrieb: keine Position.</translation>
     </message>
     <message>
         <source>Raw word %1. The coding is not known: write it, or tell it under Parameters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rohwort %1. Codierung unbekannt: schreiben oder unter Parameter angeben.</translation>
     </message>
     <message>
         <source>Not known: %1. The disc needs it to turn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbekannt: %1. Ohne das dreht die Scheibe nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::DirectionPage</name>
+    <message>
+        <source>Direction</source>
+        <translation>Drehrichtung</translation>
+    </message>
+    <message>
+        <source>Check &amp;again</source>
+        <translation>Neu &amp;prüfen</translation>
+    </message>
+    <message>
+        <source>Count as it does no&amp;w</source>
+        <translation>Zählen wie &amp;jetzt</translation>
+    </message>
+    <message>
+        <source>Count the &amp;other way round</source>
+        <translation>A&amp;ndersherum zählen</translation>
+    </message>
+    <message>
+        <source>Turn the shaft a little, the way the machine moves forward. Nothing is sent.</source>
+        <translation>Die Welle ein wenig so drehen, wie die Maschine vorwärts fährt. Nichts wird gesendet.</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Forget the moves seen so far.</source>
+        <translation>Die bisherigen Bewegungen vergessen.</translation>
+    </message>
+    <message>
+        <source>The direction of the encoder is kept.</source>
+        <translation>Die Drehrichtung des Drehgebers bleibt.</translation>
+    </message>
+    <message>
+        <source>The other direction is put among the wanted values.</source>
+        <translation>Die andere Drehrichtung kommt zu den gewünschten Werten.</translation>
+    </message>
+    <message>
+        <source>When turned this way, the position shall:</source>
+        <translation>In dieser Richtung soll die Position:</translation>
+    </message>
+    <message>
+        <source>The direction the encoder has now is not known: read it, or choose it on the page of the values.</source>
+        <translation>Die jetzige Drehrichtung des Drehgebers ist unbekannt: auslesen, oder auf der Seite der Werte wählen.</translation>
+    </message>
+    <message>
+        <source>The encoder shows no position now (IN %1). Bring it back to operation first.</source>
+        <translation>Der Drehgeber zeigt jetzt keine Position (IN %1). Ihn erst wieder in Betrieb bringen.</translation>
+    </message>
+    <message>
+        <source>The position cannot be told: mode or coding of the encoder is not known. The raw word is watched instead; trust it only for slow, small moves.</source>
+        <translation>Die Position ist nicht bestimmbar: Betriebsart oder Codierung des Drehgebers ist unbekannt. Beobachtet wird das Rohwort; verlässlich nur bei langsamen, kleinen Bewegungen.</translation>
+    </message>
+    <message>
+        <source>%1 steps so far</source>
+        <translation>bisher %1 Schritte</translation>
+    </message>
+    <message>
+        <source>Does not move yet</source>
+        <translation>Steht noch still</translation>
+    </message>
+    <message>
+        <source>Counts up</source>
+        <translation>Zählt aufwärts</translation>
+    </message>
+    <message>
+        <source>Counts down</source>
+        <translation>Zählt abwärts</translation>
+    </message>
+    <message>
+        <source>Goes both ways: turn it one way only</source>
+        <translation>Läuft hin und her: nur in eine Richtung drehen</translation>
     </message>
 </context>
 <context>
     <name>codewheel::DisplayMenu</name>
     <message>
         <source>Bits in &amp;rows of 8</source>
-        <translation type="unfinished"></translation>
+        <translation>Bits in &amp;8er-Reihen</translation>
     </message>
     <message>
         <source>Bar over the &amp;position range</source>
-        <translation type="unfinished"></translation>
+        <translation>Balken über dem &amp;Positionsbereich</translation>
     </message>
     <message>
         <source>&amp;Decimal</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dezimal</translation>
     </message>
     <message>
         <source>&amp;Signed</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit &amp;Vorzeichen</translation>
     </message>
     <message>
         <source>&amp;Gray</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gray</translation>
     </message>
     <message>
         <source>&amp;Binary</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Binär</translation>
     </message>
     <message>
         <source>Numbers of the &amp;whole word, not of D24..D0</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen für das ga&amp;nze Wort, nicht für D24..D0</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::GearPanel</name>
+    <message>
+        <source>From mm and gear to steps and revolutions</source>
+        <translation>Von mm und Getriebe zu Schritten und Umdrehungen</translation>
+    </message>
+    <message>
+        <source>Travel per turn of the driven part</source>
+        <translation>Weg je Umdrehung des angetriebenen Teils</translation>
+    </message>
+    <message>
+        <source>mm the machine moves in one turn of its spindle, wheel or drum.</source>
+        <translation>mm, die die Maschine bei einer Umdrehung von Spindel, Rad oder Trommel fährt.</translation>
+    </message>
+    <message>
+        <source>Encoder turns of the gear</source>
+        <translation>Getriebe: Umdrehungen des Drehgebers</translation>
+    </message>
+    <message>
+        <source>Turns of the encoder ...</source>
+        <translation>Umdrehungen des Drehgebers ...</translation>
+    </message>
+    <message>
+        <source>Part turns of the gear</source>
+        <translation>Getriebe: Umdrehungen des Teils</translation>
+    </message>
+    <message>
+        <source>... while the driven part makes so many turns.</source>
+        <translation>... während das angetriebene Teil so viele Umdrehungen macht.</translation>
+    </message>
+    <message>
+        <source>Wanted resolution</source>
+        <translation>Gewünschte Auflösung</translation>
+    </message>
+    <message>
+        <source>mm for one step of the position.</source>
+        <translation>mm für einen Schritt der Position.</translation>
+    </message>
+    <message>
+        <source>&amp;Use these</source>
+        <translation>Über&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;mm per turn</source>
+        <translation>&amp;mm je Umdrehung</translation>
+    </message>
+    <message>
+        <source>mm per s&amp;tep</source>
+        <translation>mm je S&amp;chritt</translation>
+    </message>
+    <message>
+        <source>&amp;Gear, encoder turns</source>
+        <translation>Get&amp;riebe, Drehgeber</translation>
+    </message>
+    <message>
+        <source>to &amp;part turns</source>
+        <translation>zu &amp;Teil</translation>
+    </message>
+    <message>
+        <source>Puts these steps and revolutions among the wanted values.</source>
+        <translation>Nimmt diese Schritte und Umdrehungen zu den gewünschten Werten.</translation>
+    </message>
+    <message>
+        <source>The encoder cannot resolve this. Choose more mm per step.</source>
+        <translation>So fein löst der Drehgeber nicht auf. Mehr mm je Schritt wählen.</translation>
+    </message>
+    <message>
+        <source>%1 steps in %2 revolutions: %3 mm per step, %4 mm off over %5 mm.</source>
+        <translation>%1 Schritte bei %2 Umdrehungen: %3 mm je Schritt, %4 mm Abweichung auf %5 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::HandshakePage</name>
+    <message>
+        <source>Handshake</source>
+        <translation>Handshake</translation>
+    </message>
+    <message>
+        <source>Next &amp;step</source>
+        <translation>Nächster &amp;Schritt</translation>
+    </message>
+    <message>
+        <source>Run b&amp;y itself</source>
+        <translation>Auto&amp;matisch</translation>
+    </message>
+    <message>
+        <source>Rest&amp;ore values from before</source>
+        <translation>&amp;Vorige Werte herstellen</translation>
+    </message>
+    <message>
+        <source>R&amp;un with what it has</source>
+        <translation>R&amp;un mit dem, was er hat</translation>
+    </message>
+    <message>
+        <source>Steps of the handshake</source>
+        <translation>Schritte des Handshakes</translation>
+    </message>
+    <message>
+        <source>Sends the word of the next step.</source>
+        <translation>Sendet das Wort des nächsten Schritts.</translation>
+    </message>
+    <message>
+        <source>The remaining words follow each other as the encoder confirms them.</source>
+        <translation>Die übrigen Worte folgen einander, sobald der Drehgeber sie quittiert.</translation>
+    </message>
+    <message>
+        <source>Writes the values from before, then run.</source>
+        <translation>Schreibt die Werte von vorher, dann Run.</translation>
+    </message>
+    <message>
+        <source>Sends run: what the encoder has taken becomes valid, if it accepts it.</source>
+        <translation>Sendet Run: Was der Drehgeber übernommen hat, wird gültig, wenn er es annimmt.</translation>
+    </message>
+    <message>
+        <source>Begins</source>
+        <translation>Beginnt</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>OUT %1  %2</source>
+        <translation>OUT %1  %2</translation>
+    </message>
+    <message>
+        <source>IN  %1  %2</source>
+        <translation>IN  %1  %2</translation>
+    </message>
+    <message>
+        <source>Brought back</source>
+        <translation>Zurückgeholt</translation>
+    </message>
+    <message>
+        <source>Verified</source>
+        <translation>Geprüft</translation>
+    </message>
+    <message>
+        <source>Verified: %1. %2</source>
+        <translation>Geprüft: %1. %2</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Beendet</translation>
+    </message>
+    <message>
+        <source>Stopped by an error</source>
+        <translation>Durch Fehler gestoppt</translation>
+    </message>
+    <message>
+        <source>The position will then read %1%2.</source>
+        <translation>Die Position ist dann %1%2.</translation>
+    </message>
+    <message>
+        <source>about </source>
+        <translation>etwa </translation>
+    </message>
+    <message>
+        <source>What the position will then read cannot be told.</source>
+        <translation>Was die Position dann zeigt, ist nicht bestimmbar.</translation>
+    </message>
+    <message>
+        <source>Brings the encoder back</source>
+        <translation>Holt den Drehgeber zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Report</source>
+        <translation>Be&amp;richt</translation>
     </message>
 </context>
 <context>
     <name>codewheel::InlineMessage</name>
     <message>
         <source>Close this message</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Meldung schließen</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <comment>role: sentence</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::JobStrip</name>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>Ends the job; asks how to leave the encoder</source>
+        <translation>Beendet den Auftrag; fragt, wie der Drehgeber zurückbleiben soll</translation>
+    </message>
+    <message>
+        <source>&amp;Restore previous</source>
+        <translation>&amp;Vorige Werte</translation>
+    </message>
+    <message>
+        <source>Writes the values from before, then run</source>
+        <translation>Schreibt die Werte von vorher, dann Run</translation>
+    </message>
+    <message>
+        <source>R&amp;un as it is</source>
+        <translation>R&amp;un wie er ist</translation>
+    </message>
+    <message>
+        <source>Sends run: what the encoder has taken becomes valid</source>
+        <translation>Sendet Run: Was der Drehgeber übernommen hat, wird gültig</translation>
+    </message>
+    <message>
+        <source>&amp;Leave it so</source>
+        <translation>So &amp;lassen</translation>
+    </message>
+    <message>
+        <source>The encoder stays in parameterization: no position until run is sent</source>
+        <translation>Der Drehgeber bleibt in der Parametrierung: keine Position, bis Run gesendet wird</translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>&amp;Fortsetzen</translation>
+    </message>
+    <message>
+        <source>The job goes on</source>
+        <translation>Der Auftrag geht weiter</translation>
+    </message>
+    <message>
+        <source>Progress of the job</source>
+        <translation>Fortschritt des Auftrags</translation>
+    </message>
+    <message>
+        <source>The job begins.</source>
+        <translation>Der Auftrag beginnt.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Schritt %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>The encoder has taken: %1. How is it to be left?</source>
+        <translation>Der Drehgeber hat übernommen: %1. Wie soll er zurückbleiben?</translation>
+    </message>
+    <message>
+        <source>The values from before are not all known, so they cannot be restored</source>
+        <translation>Die Werte von vorher sind nicht alle bekannt und deshalb nicht wiederherstellbar</translation>
     </message>
 </context>
 <context>
     <name>codewheel::JsonObject</name>
     <message>
         <source>An object { } is expected here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier wird ein Objekt { } erwartet.</translation>
     </message>
     <message>
         <source>This key is not known. Known are: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Schlüssel ist unbekannt. Bekannt sind: %1.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not known here. Known are: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist hier unbekannt. Bekannt sind: %2.</translation>
     </message>
     <message>
         <source>This key is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Schlüssel fehlt.</translation>
     </message>
     <message>
         <source>A text in quotation marks is expected here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier wird ein Text in Anführungszeichen erwartet.</translation>
     </message>
     <message>
         <source>true or false is expected here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier wird true oder false erwartet.</translation>
     </message>
     <message>
         <source>A whole number is expected here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier wird eine ganze Zahl erwartet.</translation>
     </message>
     <message>
         <source>%1 is not between %2 and %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 liegt nicht zwischen %2 und %3.</translation>
     </message>
     <message>
         <source>A hexadecimal number such as &quot;37h&quot; is expected here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier wird eine hexadezimale Zahl wie „37h“ erwartet.</translation>
     </message>
     <message>
         <source>A list [ ] is expected here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier wird eine Liste [ ] erwartet.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::KnownPage</name>
+    <message>
+        <source>What is known</source>
+        <translation>Was bekannt ist</translation>
+    </message>
+    <message>
+        <source>&amp;Read from the encoder</source>
+        <translation>Aus&amp;lesen</translation>
+    </message>
+    <message>
+        <source>&amp;Tell</source>
+        <translation>A&amp;ngeben</translation>
+    </message>
+    <message>
+        <source>It is in &amp;position mode</source>
+        <translation>Er ist im &amp;Positionsbetrieb</translation>
+    </message>
+    <message>
+        <source>What is known of the encoder</source>
+        <translation>Was vom Drehgeber bekannt ist</translation>
+    </message>
+    <message>
+        <source>Reads all values. The position is away for some cycles each.</source>
+        <translation>Liest alle Werte aus. Die Position fehlt jeweils für einige Zyklen.</translation>
+    </message>
+    <message>
+        <source>Say what the encoder has, for instance from its papers. Nothing is sent.</source>
+        <translation>Angeben, was der Drehgeber hat, etwa laut Unterlagen. Nichts wird gesendet.</translation>
+    </message>
+    <message>
+        <source>Say that the encoder is in position mode, not in velocity or cam mode. Setting the position would change a cam otherwise.</source>
+        <translation>Angeben, dass der Drehgeber im Positionsbetrieb ist, nicht im Drehzahl- oder Nockenbetrieb. Das Setzen der Position würde sonst einen Nocken ändern.</translation>
+    </message>
+    <message>
+        <source>Reading sends words: the position is away for some cycles. Needs Operate.</source>
+        <translation>Auslesen sendet Worte: Die Position fehlt für einige Zyklen. Nur beim Bedienen.</translation>
+    </message>
+    <message>
+        <source>The %1 has no read-out. Known is only what was written from here, or what you tell.</source>
+        <translation>Der Drehgeber %1 kennt kein Auslesen. Bekannt ist nur, was von hier geschrieben oder angegeben wurde.</translation>
+    </message>
+    <message>
+        <source>Mode not known: position, velocity or cam</source>
+        <translation>Betriebsart unbekannt: Position, Drehzahl oder Nocken</translation>
+    </message>
+    <message>
+        <source>Position mode</source>
+        <translation>Positionsbetrieb</translation>
+    </message>
+    <message>
+        <source>Velocity mode</source>
+        <translation>Drehzahlbetrieb</translation>
+    </message>
+    <message>
+        <source>Cam mode</source>
+        <translation>Nockenbetrieb</translation>
+    </message>
+    <message>
+        <source>Reading, step %1 of %2 ...</source>
+        <translation>Auslesen, Schritt %1 von %2 ...</translation>
+    </message>
+    <message>
+        <source>All values were read.</source>
+        <translation>Alle Werte sind ausgelesen.</translation>
+    </message>
+    <message>
+        <source>%1, from its papers:</source>
+        <translation>%1, laut Unterlagen:</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::KnownTable</name>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Known by</source>
+        <translation>Bekannt durch</translation>
     </message>
 </context>
 <context>
     <name>codewheel::MonitorArea</name>
     <message>
         <source>No monitor is open</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Monitor ist offen</translation>
     </message>
     <message>
         <source>A monitor shows one word of one device, and lets you set the bits of an OUT word. Use Add monitor, or the menu of a device in the bus structure.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Monitor zeigt ein Wort eines Geräts; in einem OUT-Wort lassen sich die Bits setzen. „Neuer Monitor“ oder das Menü eines Geräts im Busaufbau öffnet einen.</translation>
     </message>
     <message>
         <source>Add &amp;monitor</source>
-        <translation type="unfinished"></translation>
+        <translation>Neuer &amp;Monitor</translation>
     </message>
     <message>
         <source>Add monitor</source>
-        <translation type="unfinished"></translation>
+        <translation>Neuer Monitor</translation>
     </message>
     <message>
         <source>Open another word of a device</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein weiteres Wort eines Geräts öffnen</translation>
     </message>
     <message>
         <source>There is no device on the bus</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Bus ist kein Gerät</translation>
     </message>
     <message>
         <source>%1 has no word %2 to show. Choose another device or word.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat kein Wort %2. Ein anderes Gerät oder Wort wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::NumberField</name>
+    <message>
+        <source>Copy this number</source>
+        <translation>Diese Zahl kopieren</translation>
     </message>
 </context>
 <context>
     <name>codewheel::NumberFields</name>
     <message>
         <source>Hexadecimal</source>
-        <translation type="unfinished"></translation>
+        <translation>Hexadezimal</translation>
     </message>
     <message>
         <source>%1 hexadecimal</source>
         <comment>OUT 1.0 hexadecimal</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 hexadezimal</translation>
     </message>
     <message>
         <source>Decimal</source>
-        <translation type="unfinished"></translation>
+        <translation>Dezimal</translation>
     </message>
     <message>
         <source>%1 decimal</source>
         <comment>OUT 1.0 decimal</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 dezimal</translation>
     </message>
     <message>
         <source>Signed</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit Vorzeichen</translation>
     </message>
     <message>
         <source>%1 signed</source>
         <comment>OUT 1.0 signed</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 mit Vorzeichen</translation>
     </message>
     <message>
         <source>Gray</source>
-        <translation type="unfinished"></translation>
+        <translation>Gray</translation>
     </message>
     <message>
         <source>%1 Gray</source>
         <comment>OUT 1.0 Gray</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 Gray</translation>
     </message>
     <message>
         <source>Binary</source>
-        <translation type="unfinished"></translation>
+        <translation>Binär</translation>
     </message>
     <message>
         <source>%1 binary</source>
         <comment>OUT 1.0 binary</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 binär</translation>
     </message>
     <message>
         <source>Type the word: 020000FF, 0x020000FF, 20000FFh; spaces are allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Wort eingeben: 020000FF, 0x020000FF, 20000FFh; Leerzeichen sind erlaubt</translation>
     </message>
     <message>
         <source>D24..D0 as a number</source>
-        <translation type="unfinished"></translation>
+        <translation>D24..D0 als Zahl</translation>
     </message>
     <message>
         <source>The whole word as a number</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ganze Wort als Zahl</translation>
     </message>
     <message>
         <source>D24..D0 as a signed number (two&apos;s complement)</source>
-        <translation type="unfinished"></translation>
+        <translation>D24..D0 als Zahl mit Vorzeichen (Zweierkomplement)</translation>
     </message>
     <message>
         <source>The whole word as a signed number (two&apos;s complement)</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ganze Wort als Zahl mit Vorzeichen (Zweierkomplement)</translation>
     </message>
     <message>
         <source>The number that D24..D0 give when read as Gray code</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahl, die D24..D0 als Gray-Code ergeben</translation>
     </message>
     <message>
         <source>The number that the whole word gives when read as Gray code</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahl, die das ganze Wort als Gray-Code ergibt</translation>
     </message>
     <message>
         <source>All bits, the highest first</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Bits, das höchste zuerst</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ParameterDelegate</name>
+    <message>
+        <source>as it is</source>
+        <translation>wie er ist</translation>
+    </message>
+    <message>
+        <source>Wanted: %1</source>
+        <translation>Gewünscht: %1</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ParameterModel</name>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Encoder has</source>
+        <translation>Drehgeber hat</translation>
+    </message>
+    <message>
+        <source>Wanted</source>
+        <translation>Gewünscht</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>wie er ist</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>how known, time: read 14:02</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>read only</source>
+        <translation>nur lesbar</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>nicht verglichen</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>verschieden</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>gleich</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ParameterPanel</name>
+    <message>
+        <source>No encoder is chosen</source>
+        <translation>Kein Drehgeber gewählt</translation>
+    </message>
+    <message>
+        <source>Choose an encoder in the bus structure. Its parameters are shown here: what it has, and what you want it to have.</source>
+        <translation>Einen Drehgeber im Busaufbau wählen. Hier stehen seine Parameter: was er hat und was er haben soll.</translation>
+    </message>
+    <message>
+        <source>&amp;Read from encoder</source>
+        <translation>Aus&amp;lesen</translation>
+    </message>
+    <message>
+        <source>&amp;Write...</source>
+        <translation>&amp;Schreiben...</translation>
+    </message>
+    <message>
+        <source>Wi&amp;zard...</source>
+        <translation>Assis&amp;tent...</translation>
+    </message>
+    <message>
+        <source>Shows what will be written before anything is sent</source>
+        <translation>Zeigt, was geschrieben wird, bevor etwas gesendet wird</translation>
+    </message>
+    <message>
+        <source>Sets the encoder up step by step</source>
+        <translation>Richtet den Drehgeber Schritt für Schritt ein</translation>
+    </message>
+    <message>
+        <source>&amp;More</source>
+        <translation>&amp;Mehr</translation>
+    </message>
+    <message>
+        <source>Take over, clear or tell values</source>
+        <translation>Werte übernehmen, leeren oder angeben</translation>
+    </message>
+    <message>
+        <source>More for the parameters</source>
+        <translation>Mehr zu den Parametern</translation>
+    </message>
+    <message>
+        <source>&amp;Tell what the encoder has...</source>
+        <translation>&amp;Angeben, was der Drehgeber hat...</translation>
+    </message>
+    <message>
+        <source>Take &amp;known values as wanted</source>
+        <translation>&amp;Bekannte Werte als gewünschte nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Leave all as they are</source>
+        <translation>Alle lassen, &amp;wie sie sind</translation>
+    </message>
+    <message>
+        <source>The %1 has no read-out. Known is what was written from here or told.</source>
+        <translation>Der Drehgeber %1 kennt kein Auslesen. Bekannt ist, was von hier geschrieben oder angegeben wurde.</translation>
+    </message>
+    <message>
+        <source>Reading takes the position away for some cycles.</source>
+        <translation>Beim Auslesen fehlt die Position für einige Zyklen.</translation>
+    </message>
+    <message>
+        <source>1 value differs</source>
+        <translation>1 Wert verschieden</translation>
+    </message>
+    <message>
+        <source>%1 values differ</source>
+        <translation>%1 Werte verschieden</translation>
+    </message>
+    <message>
+        <source>No value is wanted. Enter what you want in the column &quot;Wanted&quot; first.</source>
+        <translation>Kein Wert ist gewünscht. Erst in der Spalte „Gewünscht“ eingeben.</translation>
+    </message>
+    <message>
+        <source>Send run</source>
+        <translation>Run senden</translation>
+    </message>
+    <message>
+        <source>%1 written, active and read back.</source>
+        <comment>names of parameters</comment>
+        <translation>%1 geschrieben, aktiv und zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>%1 written, echoed and active.</source>
+        <comment>names of parameters</comment>
+        <translation>%1 geschrieben, quittiert und aktiv.</translation>
+    </message>
+    <message>
+        <source>EEPROM writes: %1.</source>
+        <translation>EEPROM-Schreibvorgänge: %1.</translation>
+    </message>
+    <message>
+        <source>There already: %1.</source>
+        <translation>Schon da: %1.</translation>
+    </message>
+    <message>
+        <source>Values read: %1.</source>
+        <translation>Ausgelesene Werte: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ParameterTable</name>
+    <message>
+        <source>Parameters of the encoder</source>
+        <translation>Parameter des Drehgebers</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ParameterWizard</name>
+    <message>
+        <source>Cance&amp;l</source>
+        <translation>Abbr&amp;echen</translation>
+    </message>
+    <message>
+        <source>Bac&amp;k</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>Leaves the wizard. During a handshake it first asks how to leave the encoder.</source>
+        <translation>Verlässt den Assistenten. Während eines Handshakes kommt erst die Frage, wie der Drehgeber zurückbleiben soll.</translation>
+    </message>
+    <message>
+        <source>To the page before.</source>
+        <translation>Zur vorigen Seite.</translation>
+    </message>
+    <message>
+        <source>%1 of %2  %3</source>
+        <translation>%1 von %2  %3</translation>
+    </message>
+    <message>
+        <source>Sends the words above to the encoder.</source>
+        <translation>Sendet die Worte oben an den Drehgeber.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ReportPage</name>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>S&amp;ave the report...</source>
+        <translation>Bericht &amp;sichern...</translation>
+    </message>
+    <message>
+        <source>As plain text, or as HTML if the name ends in .html.</source>
+        <translation>Als reinen Text, oder als HTML, wenn der Name auf .html endet.</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht sichern</translation>
+    </message>
+    <message>
+        <source>Text (*.txt);;Web page (*.html)</source>
+        <translation>Text (*.txt);;Webseite (*.html)</translation>
+    </message>
+    <message>
+        <source>The report was saved as %1.</source>
+        <translation>Der Bericht wurde als %1 gesichert.</translation>
+    </message>
+    <message>
+        <source>The report was not saved as %1: %2. Choose another place.</source>
+        <translation>Der Bericht wurde nicht als %1 gesichert: %2. Einen anderen Ort wählen.</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ReviewPage</name>
+    <message>
+        <source>Review</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>&amp;Write all, also what is there already</source>
+        <translation>A&amp;lles schreiben, auch schon Vorhandenes</translation>
+    </message>
+    <message>
+        <source>Step by step, b&amp;y hand</source>
+        <translation>&amp;Schritt für Schritt, von Hand</translation>
+    </message>
+    <message>
+        <source>&amp;Running by itself</source>
+        <translation>Auto&amp;matisch</translation>
+    </message>
+    <message>
+        <source>Old and new values</source>
+        <translation>Alte und neue Werte</translation>
+    </message>
+    <message>
+        <source>Words that will be sent</source>
+        <translation>Worte, die gesendet werden</translation>
+    </message>
+    <message>
+        <source>Each write costs the EEPROM of the encoder one of its writes.</source>
+        <translation>Jedes Schreiben kostet das EEPROM des Drehgebers einen seiner Schreibvorgänge.</translation>
+    </message>
+    <message>
+        <source>Each word waits until you press Next step.</source>
+        <translation>Jedes Wort wartet auf „Nächster Schritt“.</translation>
+    </message>
+    <message>
+        <source>The words follow each other as the encoder confirms them.</source>
+        <translation>Die Worte folgen einander, sobald der Drehgeber sie quittiert.</translation>
+    </message>
+    <message>
+        <source>Words that will be sent, in this order:</source>
+        <translation>Worte, die gesendet werden, in dieser Folge:</translation>
+    </message>
+    <message>
+        <source>there already, not written</source>
+        <translation>schon da, nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>read, written if it differs</source>
+        <translation>ausgelesen, bei Abweichung geschrieben</translation>
+    </message>
+    <message>
+        <source>written</source>
+        <translation>geschrieben</translation>
+    </message>
+    <message>
+        <source>The encoder has all of these values already: there is nothing to write. Go back and change a value, or write all.</source>
+        <translation>Der Drehgeber hat alle diese Werte schon: Es gibt nichts zu schreiben. Zurückgehen und einen Wert ändern, oder alles schreiben.</translation>
+    </message>
+    <message>
+        <source>The position cannot be set: the mode of the encoder is not known, and in cam mode the same word sets a cam. Say on the page What is known that it is in position mode, or do not set the position.</source>
+        <translation>Die Position ist nicht setzbar: Die Betriebsart des Drehgebers ist unbekannt, und im Nockenbetrieb setzt dasselbe Wort einen Nocken. Auf der Seite „Was bekannt ist“ den Positionsbetrieb angeben, oder die Position nicht setzen.</translation>
+    </message>
+    <message>
+        <source>EEPROM writes by this program so far: %1. This handshake: %2%3.</source>
+        <translation>EEPROM-Schreibvorgänge durch dieses Programm bisher: %1. Dieser Handshake: %2%3.</translation>
+    </message>
+    <message>
+        <source>at most </source>
+        <translation>höchstens </translation>
+    </message>
+    <message>
+        <source>The manual states about %1 in all.</source>
+        <translation>Das Handbuch nennt insgesamt etwa %1.</translation>
+    </message>
+    <message>
+        <source>Afterwards each written value is read back.</source>
+        <translation>Danach wird jeder geschriebene Wert zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>This encoder cannot be read: its confirmation, and operation after run, are the evidence.</source>
+        <translation>Dieser Drehgeber ist nicht auslesbar: Der Nachweis sind seine Quittung und der Betrieb nach Run.</translation>
+    </message>
+    <message>
+        <source>&amp;Start the handshake</source>
+        <translation>Handshake s&amp;tarten</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ScalePreview</name>
+    <message>
+        <source>Will read, &amp;after turns from here:</source>
+        <translation>Zeigt nach &amp;Umdrehungen ab hier:</translation>
+    </message>
+    <message>
+        <source>Dial with the wanted values</source>
+        <translation>Scheibe mit den gewünschten Werten</translation>
+    </message>
+    <message>
+        <source>Turns from here</source>
+        <translation>Umdrehungen ab hier</translation>
+    </message>
+    <message>
+        <source>Turn the shaft in thought, clockwise; negative: counter-clockwise.</source>
+        <translation>Die Welle in Gedanken drehen, im Uhrzeigersinn; negativ: gegen ihn.</translation>
     </message>
 </context>
 <context>
     <name>codewheel::SequenceModel</name>
     <message>
         <source>Word</source>
-        <translation type="unfinished"></translation>
+        <translation>Wort</translation>
     </message>
     <message>
         <source>Meaning</source>
-        <translation type="unfinished"></translation>
+        <translation>Bedeutung</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>Sending</source>
-        <translation type="unfinished"></translation>
+        <translation>Sendet</translation>
     </message>
     <message>
         <source>Sent</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesendet</translation>
     </message>
 </context>
 <context>
     <name>codewheel::SequenceView</name>
     <message>
         <source>&amp;Send</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Senden</translation>
     </message>
     <message>
         <source>S&amp;top</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;topp</translation>
     </message>
     <message>
         <source>&amp;Unacknowledged words for</source>
-        <translation type="unfinished"></translation>
+        <translation>Worte &amp;unbestätigt für</translation>
     </message>
     <message>
         <source>No encoder is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Drehgeber gewählt</translation>
     </message>
     <message>
         <source>A sequence is a list of words that are sent to an encoder one after the other. Select an encoder in the bus structure.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Folge ist eine Liste von Worten, die nacheinander an einen Drehgeber gehen. Einen Drehgeber im Busaufbau wählen.</translation>
     </message>
     <message>
         <source>Words to send</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu sendende Worte</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
         <comment>what it does, key</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu</translation>
     </message>
     <message>
         <source>Insert a word below</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Wort darunter einfügen</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Remove the selected words</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählten Worte entfernen</translation>
     </message>
     <message>
         <source>Up</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoch</translation>
     </message>
     <message>
         <source>Move the word up</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Wort nach oben schieben</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation type="unfinished"></translation>
+        <translation>Runter</translation>
     </message>
     <message>
         <source>Move the word down</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Wort nach unten schieben</translation>
     </message>
     <message>
         <source>Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>Einfügen</translation>
     </message>
     <message>
         <source>Insert the column of words that was copied</source>
-        <translation type="unfinished"></translation>
+        <translation>Die kopierte Spalte von Worten einfügen</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Read a sequence from a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Folge aus einer Datei lesen</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>Sichern</translation>
     </message>
     <message>
         <source>Keep this sequence in a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Folge in einer Datei sichern</translation>
     </message>
     <message>
         <source> cycles</source>
         <comment>unit of a number of bus cycles</comment>
-        <translation type="unfinished"></translation>
+        <translation> Zyklen</translation>
     </message>
     <message>
         <source>Cycles for words that nothing acknowledges</source>
-        <translation type="unfinished"></translation>
+        <translation>Zyklen für Worte, die nichts bestätigt</translation>
     </message>
     <message>
         <source>How long a word stands that nothing acknowledges; others stand until they are</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie lange ein Wort steht, das nichts bestätigt; andere stehen bis zur Bestätigung</translation>
     </message>
     <message>
         <source>Send the sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Folge senden</translation>
     </message>
     <message>
         <source>Stop the sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Folge stoppen</translation>
     </message>
     <message>
         <source>End the sequence, and choose what becomes of the encoder</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Folge beenden und wählen, was aus dem Drehgeber wird</translation>
     </message>
     <message>
         <source>&amp;Run: end the parameterization with what the encoder has taken</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Run: die Parametrierung mit dem beenden, was der Drehgeber übernommen hat</translation>
     </message>
     <message>
         <source>&amp;Leave the encoder as it is, OUT back to 0</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Drehgeber lassen, wie er ist, OUT zurück auf 0</translation>
     </message>
     <message>
         <source>Open a sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>Folge öffnen</translation>
     </message>
     <message>
         <source>Sequences (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Folgen (*.json)</translation>
     </message>
     <message>
         <source>Save the sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>Folge sichern</translation>
     </message>
     <message>
         <source>sequence.json</source>
-        <translation type="unfinished"></translation>
+        <translation>folge.json</translation>
     </message>
     <message>
         <source>%1 cannot be read: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist nicht lesbar: %2</translation>
     </message>
     <message>
         <source>%1 was not read. %2</source>
         <comment>file, reason</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde nicht gelesen. %2</translation>
     </message>
     <message>
         <source>%1 was not saved: %2</source>
         <comment>file, reason</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde nicht gesichert: %2</translation>
     </message>
     <message numerus="yes">
         <source>All %n words were sent.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Wort wurde gesendet.</numerusform>
+            <numerusform>Alle %n Worte wurden gesendet.</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 Sent before that: %2 of %3 words.</source>
         <comment>reason, counts</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 Davor gesendet: %2 von %3 Worten.</translation>
     </message>
     <message>
         <source>Add or paste words to send.</source>
-        <translation type="unfinished"></translation>
+        <translation>Worte zum Senden eingeben oder einfügen.</translation>
     </message>
     <message numerus="yes">
         <source>%n words to %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Wort an %1</numerusform>
+            <numerusform>%n Worte an %1</numerusform>
         </translation>
     </message>
     <message>
         <source>Send the words to %1 one after the other, each until it is acknowledged</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Worte nacheinander an %1 senden, jedes bis zur Bestätigung</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::StepList</name>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Schritt %1 von %2: %3</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::StepTable</name>
+    <message>
+        <source>next</source>
+        <translation>nächster</translation>
+    </message>
+    <message>
+        <source>sent</source>
+        <translation>gesendet</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>gescheitert</translation>
+    </message>
+    <message>
+        <source>Back to normal running</source>
+        <translation>Zurück zum Normalbetrieb</translation>
+    </message>
+    <message>
+        <source>Run: the values become valid</source>
+        <translation>Run: Die Werte werden gültig</translation>
+    </message>
+    <message>
+        <source>Set the position to the preset</source>
+        <translation>Position auf den Preset setzen</translation>
+    </message>
+    <message>
+        <source>Read whether the encoder counts steps minus 1</source>
+        <translation>Auslesen, ob der Drehgeber Schritte minus 1 zählt</translation>
+    </message>
+    <message>
+        <source>Read %1</source>
+        <translation>Auslesen: %1</translation>
+    </message>
+    <message>
+        <source>Read out</source>
+        <translation>Auslesen</translation>
+    </message>
+    <message>
+        <source>End the read-out</source>
+        <translation>Auslesen beenden</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>OUT</source>
+        <translation>OUT</translation>
+    </message>
+    <message>
+        <source>IN</source>
+        <translation>IN</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
     </message>
 </context>
 <context>
     <name>codewheel::StructureModel</name>
     <message>
         <source>device not known</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerät unbekannt</translation>
     </message>
     <message>
         <source>READY</source>
-        <translation type="unfinished"></translation>
+        <translation>READY</translation>
     </message>
     <message>
         <source>ACTIVE</source>
-        <translation type="unfinished"></translation>
+        <translation>ACTIVE</translation>
     </message>
     <message>
         <source>RUN</source>
-        <translation type="unfinished"></translation>
+        <translation>RUN</translation>
     </message>
     <message>
         <source>BUS FAIL</source>
-        <translation type="unfinished"></translation>
+        <translation>BUS FAIL</translation>
     </message>
     <message>
         <source>not seen yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch nicht gesehen</translation>
     </message>
     <message>
         <source>stopped</source>
-        <translation type="unfinished"></translation>
+        <translation>gestoppt</translation>
     </message>
     <message>
         <source>error %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler %1</translation>
     </message>
     <message>
         <source>job running</source>
-        <translation type="unfinished"></translation>
+        <translation>Auftrag läuft</translation>
     </message>
     <message>
         <source>OUT not sent</source>
-        <translation type="unfinished"></translation>
+        <translation>OUT nicht gesendet</translation>
     </message>
     <message>
         <source>parameterization</source>
-        <translation type="unfinished"></translation>
+        <translation>Parametrierung</translation>
     </message>
     <message>
         <source>read-out</source>
-        <translation type="unfinished"></translation>
+        <translation>Auslesen</translation>
     </message>
     <message>
         <source>unknown state</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand unbekannt</translation>
     </message>
     <message>
         <source>ok</source>
-        <translation type="unfinished"></translation>
+        <translation>ok</translation>
     </message>
     <message>
         <source>Device</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerät</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>Profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil</translation>
     </message>
     <message>
         <source>ID code</source>
-        <translation type="unfinished"></translation>
+        <translation>ID-Code</translation>
     </message>
     <message>
         <source>Words IN / OUT</source>
-        <translation type="unfinished"></translation>
+        <translation>Worte IN / OUT</translation>
     </message>
     <message>
         <source>Master</source>
-        <translation type="unfinished"></translation>
+        <translation>Master</translation>
     </message>
     <message>
         <source>The master of the ring is in the state %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Master des Rings ist im Zustand %1.</translation>
     </message>
     <message>
         <source>%1  %2
 ID code %3, device code %4
 %5 words IN, %6 words OUT
 State: %7</source>
-        <translation type="unfinished"></translation>
+        <translation>%1  %2
+ID-Code %3, Gerätecode %4
+%5 Worte IN, %6 Worte OUT
+Zustand: %7</translation>
     </message>
 </context>
 <context>
     <name>codewheel::StructureView</name>
     <message>
         <source>No ring is connected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Ring ist verbunden.</translation>
     </message>
     <message>
         <source>The training bus starts with the program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Übungsbus startet mit dem Programm.</translation>
     </message>
     <message>
         <source>Bus structure</source>
-        <translation type="unfinished"></translation>
+        <translation>Busaufbau</translation>
     </message>
     <message>
         <source>Choose a device to see it in the panels. Enter opens its monitors.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gerät wählen, um es in den Feldern zu sehen. Eingabe öffnet seine Monitore.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TellBar</name>
+    <message>
+        <source>&amp;Tell</source>
+        <translation>A&amp;ngeben</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Takes the value as known by telling; nothing is sent. An empty field takes it back.</source>
+        <translation>Nimmt den Wert als angegeben; nichts wird gesendet. Ein leeres Feld nimmt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>Leaves what is known as it is (Esc)</source>
+        <translation>Lässt, was bekannt ist, wie es ist (Esc)</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>%1: the encoder has</source>
+        <comment>parameter name</comment>
+        <translation>%1: Der Drehgeber hat</translation>
     </message>
 </context>
 <context>
     <name>codewheel::TraceModel</name>
     <message>
         <source>Date and time</source>
-        <translation type="unfinished"></translation>
+        <translation>Datum und Zeit</translation>
     </message>
     <message>
         <source>Since last, ms</source>
-        <translation type="unfinished"></translation>
+        <translation>Seit letzter, ms</translation>
     </message>
     <message>
         <source>Cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>Zyklus</translation>
     </message>
     <message>
         <source>Meaning</source>
-        <translation type="unfinished"></translation>
+        <translation>Bedeutung</translation>
     </message>
     <message>
         <source>Remark</source>
-        <translation type="unfinished"></translation>
+        <translation>Bemerkung</translation>
     </message>
 </context>
 <context>
     <name>codewheel::TraceView</name>
     <message>
         <source>No encoder is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Drehgeber gewählt</translation>
     </message>
     <message>
         <source>The handshake trace has a row for each change of the words of an encoder. Select an encoder in the bus structure.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Handshake-Protokoll hat eine Zeile für jede Änderung der Worte eines Drehgebers. Einen Drehgeber im Busaufbau wählen.</translation>
     </message>
     <message>
         <source>Handshake trace</source>
-        <translation type="unfinished"></translation>
+        <translation>Handshake-Protokoll</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
         <comment>what it does, key</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Follow</source>
-        <translation type="unfinished"></translation>
+        <translation>Folgen</translation>
     </message>
     <message>
         <source>Keep the newest row in view</source>
-        <translation type="unfinished"></translation>
+        <translation>Die neueste Zeile im Blick behalten</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Hold the table; rows that come are kept and shown afterwards</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tabelle anhalten; neue Zeilen werden behalten und danach gezeigt</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren</translation>
     </message>
     <message>
         <source>Copy the selected rows, or all, with tabs between the columns</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählten Zeilen oder alle kopieren, mit Tabulatoren zwischen den Spalten</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>Save all rows as a CSV file</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Zeilen als CSV-Datei sichern</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>Leeren</translation>
     </message>
     <message>
         <source>Remove all rows of this encoder</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Zeilen dieses Drehgebers entfernen</translation>
     </message>
     <message numerus="yes">
         <source>%n rows</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Zeile</numerusform>
+            <numerusform>%n Zeilen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>paused, %n new</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>angehalten, %n neue</numerusform>
+            <numerusform>angehalten, %n neue</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 oldest dropped</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 älteste verworfen</translation>
     </message>
     <message>
         <source>Export the trace</source>
-        <translation type="unfinished"></translation>
+        <translation>Handshake-Protokoll exportieren</translation>
     </message>
     <message>
         <source>trace.csv</source>
-        <translation type="unfinished"></translation>
+        <translation>protokoll.csv</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen (*.csv)</translation>
     </message>
     <message>
         <source>%1 was not written: %2</source>
         <comment>file, reason</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde nicht geschrieben: %2</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ValueChangeTable</name>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Old</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>What happens</source>
+        <translation>Was geschieht</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ValueField</name>
+    <message>
+        <source>%1 to %2; decimal, or hexadecimal as 0x.. or ..h. Empty: %3.</source>
+        <translation>%1 bis %2; dezimal, oder hexadezimal als 0x.. oder ..h. Leer: %3.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ValuesPage</name>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>&amp;Set the position to the preset now</source>
+        <translation>Position jetzt auf den Preset &amp;setzen</translation>
+    </message>
+    <message>
+        <source>After run, 40000000 makes the place where the shaft stands the preset value.</source>
+        <translation>Nach Run macht 40000000 die Stelle, an der die Welle steht, zum Presetwert.</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>wie er ist</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <translation>jetzt %1</translation>
+    </message>
+    <message>
+        <source>Resolution and range can be told once steps, revolutions and direction are known or wanted.</source>
+        <translation>Auflösung und Bereich sind bestimmbar, sobald Schritte, Umdrehungen und Drehrichtung bekannt oder gewünscht sind.</translation>
+    </message>
+    <message>
+        <source>What it will read here cannot be told: the zero offset or the scale is not known.</source>
+        <translation>Was er hier zeigen wird, ist nicht bestimmbar: Nullpunktverschiebung oder Skalierung ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>Resolution %1 steps per turn, total range %2 steps over %3 turns.</source>
+        <translation>Auflösung %1 Schritte je Umdrehung, Gesamtbereich %2 Schritte über %3 Umdrehungen.</translation>
+    </message>
+    <message>
+        <source>The position will jump: the measuring range of %1 turns does not divide the %2 turns of the encoder. Where those are used up, it goes from %3 to 0.</source>
+        <translation>Die Position wird springen: Der Messbereich von %1 Umdrehungen teilt die %2 Umdrehungen des Drehgebers nicht. Wo diese zu Ende sind, springt sie von %3 auf 0.</translation>
+    </message>
+    <message>
+        <source>The position will jump a little: %1 steps in %2 revolutions give no whole number of steps over %3 turns. A fraction of a step is lost each time they are used up.</source>
+        <translation>Die Position wird etwas springen: %1 Schritte bei %2 Umdrehungen ergeben keine ganze Zahl von Schritten über %3 Umdrehungen. Jedes Mal, wenn diese zu Ende sind, geht ein Bruchteil eines Schritts verloren.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::WizardPage</name>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Weiter</translation>
     </message>
 </context>
 <context>
@@ -2270,110 +3518,110 @@ State: %7</source>
     <message>
         <source>Monitor %1</source>
         <comment>Monitor OUT 1.0</comment>
-        <translation type="unfinished"></translation>
+        <translation>Monitor %1</translation>
     </message>
     <message>
         <source>%1 half</source>
         <comment>IN 1.0 half</comment>
-        <translation type="unfinished"></translation>
+        <translation>Hälfte von %1</translation>
     </message>
     <message>
         <source>Which half of the 32 bits is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Hälfte der 32 Bits zu sehen ist</translation>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzeige</translation>
     </message>
     <message>
         <source>Show of %1</source>
         <comment>Show of OUT 1.0</comment>
-        <translation type="unfinished"></translation>
+        <translation>Anzeige von %1</translation>
     </message>
     <message>
         <source>Choose what this kind of monitor shows</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen, was Monitore dieser Art zeigen</translation>
     </message>
     <message>
         <source>Close monitor %1</source>
         <comment>Close monitor OUT 1.0</comment>
-        <translation type="unfinished"></translation>
+        <translation>Monitor %1 schließen</translation>
     </message>
     <message>
         <source>Close this monitor</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Monitor schließen</translation>
     </message>
     <message>
         <source>Copy as hexadecimal</source>
-        <translation type="unfinished"></translation>
+        <translation>Hexadezimal kopieren</translation>
     </message>
     <message>
         <source>Copy as two words of a PLC</source>
-        <translation type="unfinished"></translation>
+        <translation>Als zwei SPS-Worte kopieren</translation>
     </message>
     <message>
         <source>Not explained: there is no description of this device.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Erklärung: Für dieses Gerät gibt es keine Beschreibung.</translation>
     </message>
     <message>
         <source>Not sent yet: %1</source>
         <comment>meaning of a word</comment>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht gesendet: %1</translation>
     </message>
     <message>
         <source>%1 has a command bit or a parameter number, so it is not sent at once. Send it?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat ein Befehlsbit oder eine Parameternummer und geht deshalb nicht sofort hinaus. Senden?</translation>
     </message>
     <message>
         <source>Send %1</source>
         <comment>a word</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 senden</translation>
     </message>
 </context>
 <context>
     <name>codewheel::WordSender</name>
     <message>
         <source>Write</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreiben</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwerfen</translation>
     </message>
     <message>
         <source>At once</source>
-        <translation type="unfinished"></translation>
+        <translation>Sofort</translation>
     </message>
     <message>
         <source>Write %1</source>
         <comment>Write OUT 1.0</comment>
-        <translation type="unfinished"></translation>
+        <translation>Schreiben %1</translation>
     </message>
     <message>
         <source>Send this word to the encoder; it stands there until another is sent (Ctrl+Return)</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Wort an den Drehgeber senden; es steht dort, bis ein anderes gesendet wird (Strg+Eingabe)</translation>
     </message>
     <message>
         <source>Discard %1</source>
         <comment>Discard OUT 1.0</comment>
-        <translation type="unfinished"></translation>
+        <translation>Verwerfen %1</translation>
     </message>
     <message>
         <source>Back to the word that stands on the bus (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zum Wort, das auf dem Bus steht (Esc)</translation>
     </message>
     <message>
         <source>Send %1 at once</source>
         <comment>Send OUT 1.0 at once</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 sofort senden</translation>
     </message>
     <message>
         <source>Send each change as it is made. Words with a parameter number or a command bit (D31..D25) still ask.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Änderung sofort senden. Bei Worten mit Parameternummer oder Befehlsbit (D31..D25) kommt trotzdem eine Rückfrage.</translation>
     </message>
     <message>
         <source>Not sent yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht gesendet</translation>
     </message>
 </context>
 <context>
@@ -2381,30 +3629,120 @@ State: %7</source>
     <message>
         <source>%1 bits</source>
         <comment>OUT 1.0 bits</comment>
-        <translation type="unfinished"></translation>
+        <translation>Bits %1</translation>
     </message>
     <message>
         <source>%1 bit %2</source>
         <comment>OUT 1.0 bit 25</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 Bit %2</translation>
     </message>
     <message>
         <source>Not sent yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht gesendet</translation>
     </message>
     <message>
         <source>%1 (not sent yet)</source>
         <comment>meaning of a bit</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 (noch nicht gesendet)</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <comment>bit: meaning</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Bit %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Bit %1</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::WriteReview</name>
+    <message>
+        <source>Write &amp;all, also what is there</source>
+        <translation>A&amp;lles schreiben, auch Vorhandenes</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>What will be written</source>
+        <translation>Was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Writes every wanted value once more. Each costs an EEPROM write.</source>
+        <translation>Schreibt jeden gewünschten Wert noch einmal. Jeder kostet einen EEPROM-Schreibvorgang.</translation>
+    </message>
+    <message>
+        <source>Sends these words, then run (80000000)</source>
+        <translation>Sendet diese Worte, dann Run (80000000)</translation>
+    </message>
+    <message>
+        <source>Back to the table; nothing is sent (Esc)</source>
+        <translation>Zurück zur Tabelle; nichts wird gesendet (Esc)</translation>
+    </message>
+    <message>
+        <source>&amp;Write this value</source>
+        <translation>Diesen Wert &amp;schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Write these %1 values</source>
+        <translation>Diese %1 Werte &amp;schreiben</translation>
+    </message>
+    <message>
+        <source>The encoder is known to have all wanted values. There is nothing to write.</source>
+        <translation>Der Drehgeber hat bekanntlich alle gewünschten Werte. Es gibt nichts zu schreiben.</translation>
+    </message>
+    <message>
+        <source>Left out because they are there already: %1.</source>
+        <translation>Entfallen, weil schon da: %1.</translation>
+    </message>
+    <message>
+        <source>The encoder is read first; what it already has is not written again.</source>
+        <translation>Der Drehgeber wird erst ausgelesen; was er schon hat, wird nicht noch einmal geschrieben.</translation>
+    </message>
+    <message>
+        <source>If the encoder counts steps minus 1, the word for the steps is one less.</source>
+        <translation>Zählt der Drehgeber Schritte minus 1, ist das Wort für die Schritte um eins kleiner.</translation>
+    </message>
+    <message>
+        <source>The preset acts once it is initialised (40000000).</source>
+        <translation>Der Preset wirkt erst, wenn er initialisiert wird (40000000).</translation>
+    </message>
+    <message>
+        <source>EEPROM writes: %1 so far by this program, up to %2 with this.</source>
+        <translation>EEPROM-Schreibvorgänge: bisher %1 durch dieses Programm, damit bis zu %2.</translation>
+    </message>
+    <message>
+        <source>The manual states about %1 writes for the encoder&apos;s life.</source>
+        <translation>Das Handbuch nennt etwa %1 Schreibvorgänge für die Lebensdauer des Drehgebers.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::WriteReviewModel</name>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Old</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Word</source>
+        <translation>Wort</translation>
+    </message>
+    <message>
+        <source>The word that will stand in OUT</source>
+        <translation>Das Wort, das in OUT stehen wird</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
     </message>
 </context>
 </TS>
