@@ -100,6 +100,8 @@ void K3Driver::cancel(OnCancel how, Instant)
         return;
     Run &run = *m_run;
     run.cancelled = how;
+    if (run.begun && current().kind == StepKind::parameter && m_handshake.hasConfirmed())
+        replaceValue(run.confirmed, {*current().parameter, current().value});
     const bool runIsOnItsWay = run.begun && current().kind == StepKind::run;
     if (runIsOnItsWay) // cannot be taken back: its answer is waited for
         ++run.index;

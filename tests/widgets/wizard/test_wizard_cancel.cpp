@@ -105,6 +105,19 @@ INSTANTIATE_TEST_SUITE_P(EachStepEachChoice, WizardCancelTable,
                                          CancelRow{3, "Leave", EncoderState::operation, 255},
                                          CancelRow{4, "Leave", EncoderState::operation, 255}));
 
+TEST_F(WizardHandshake, AValueOnItsWayIsRestoredToo)
+{
+    begin();
+    click("nextStep");
+    bus.advance(8); // confirmed, and not settled yet
+    ASSERT_EQ(fraba().latest().state, EncoderState::parameterization);
+    answer("Restore");
+    click("wizardCancel");
+    settle();
+    EXPECT_EQ(fraba().latest().state, EncoderState::operation);
+    EXPECT_EQ(readBack(Parameter::steps), stepsBefore);
+}
+
 TEST_F(WizardHandshake, GoingOnAfterTheQuestionEndsVerified)
 {
     begin();
