@@ -23,7 +23,7 @@ QString number(double value, int digits)
 } // namespace
 
 GearPanel::GearPanel(QWidget *parent)
-    : QGroupBox(tr("From mm and gear to steps and revolutions"), parent)
+    : QGroupBox(tr("From mm and gear"), parent)
     , m_mmPerTurn(makeField(10, 0.001, 4, tr("Travel per turn of the driven part"),
                             tr("mm the machine moves in one turn of its spindle, wheel or drum.")))
     , m_encoderTurns(makeField(1, 0.001, 3, tr("Encoder turns of the gear"), tr("Turns of the encoder ...")))
@@ -43,15 +43,15 @@ GearPanel::GearPanel(QWidget *parent)
     layout->setSpacing(grid::unit);
     layout->addWidget(label(tr("&mm per turn"), m_mmPerTurn), 0, 0);
     layout->addWidget(m_mmPerTurn, 0, 1);
-    layout->addWidget(label(tr("mm per s&tep"), m_mmPerStep), 0, 2);
-    layout->addWidget(m_mmPerStep, 0, 3);
     layout->addWidget(label(tr("&Gear, encoder turns"), m_encoderTurns), 1, 0);
     layout->addWidget(m_encoderTurns, 1, 1);
-    layout->addWidget(label(tr("to &part turns"), m_partTurns), 1, 2);
-    layout->addWidget(m_partTurns, 1, 3);
-    layout->addWidget(m_answer, 2, 0, 1, 4);
-    layout->addWidget(m_take, 3, 0);
-    layout->setColumnStretch(4, 1);
+    layout->addWidget(label(tr("to &part turns"), m_partTurns), 2, 0);
+    layout->addWidget(m_partTurns, 2, 1);
+    layout->addWidget(label(tr("mm per s&tep"), m_mmPerStep), 3, 0);
+    layout->addWidget(m_mmPerStep, 3, 1);
+    layout->addWidget(m_answer, 4, 0, 1, 2);
+    layout->addWidget(m_take, 5, 0);
+    layout->setColumnStretch(1, 1);
     m_answer->setWordWrap(true);
     m_answer->setObjectName(QStringLiteral("gearAnswer"));
     m_take->setObjectName(QStringLiteral("gearUse"));

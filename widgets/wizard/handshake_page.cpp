@@ -83,7 +83,7 @@ HandshakePage::HandshakePage(Setup &setup, QWidget *parent)
     auto *stepping = new QHBoxLayout;
     stepping->addWidget(m_next);
     stepping->addWidget(m_byItself);
-    stepping->addStretch();
+    stepping->addStretch(1);
     stepping->addWidget(m_state);
     auto *recovery = new QHBoxLayout;
     recovery->addWidget(m_leftIn, 1);

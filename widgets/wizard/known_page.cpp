@@ -106,6 +106,8 @@ bool KnownPage::mayGoOn() const
 void KnownPage::showKnown()
 {
     m_table.show(*m_setup.encoder);
+    if (m_tellField != nullptr && !m_tellField->focusProxy()->hasFocus())
+        m_tellField->setValue(m_setup.valueNow(m_table.rowAt(m_view->currentIndex().row()).parameter));
 }
 
 void KnownPage::showLatest()

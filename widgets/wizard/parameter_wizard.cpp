@@ -21,6 +21,11 @@
 #include <QStackedWidget>
 
 namespace codewheel {
+namespace {
+
+constexpr int widthWithStepList = 680; // logical pixels
+
+} // namespace
 
 ParameterWizard::ParameterWizard(BusSession &bus, WantedValues &wanted, QWidget *parent)
     : QWidget(parent)
@@ -122,6 +127,13 @@ void ParameterWizard::follow(EncoderSession *encoder)
     connect(encoder, &EncoderSession::finished, this, &ParameterWizard::takeOutcome);
     connect(encoder, &EncoderSession::exchanged, this, &ParameterWizard::takeRow);
     connect(encoder, &QObject::destroyed, this, [this] { showPage(device); });
+}
+
+// The title tells the step too: where it is narrow, that must do.
+void ParameterWizard::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    m_stepList->setVisible(width() >= widthWithStepList);
 }
 
 bool ParameterWizard::isBusy() const

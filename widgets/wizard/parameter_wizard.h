@@ -44,6 +44,9 @@ public:
 
     Page page() const;
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 Q_SIGNALS:
     void closeRequested(); // back to the monitors
     void readyToClose();

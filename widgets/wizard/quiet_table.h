@@ -22,7 +22,7 @@ inline void setUpQuietTable(QTableView &view, QAbstractItemModel &model, const Q
     view.verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     view.horizontalHeader()->setHighlightSections(false);
     view.horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    view.horizontalHeader()->setStretchLastSection(true);
+    view.horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch); // long names are cut there
 }
 
 } // namespace codewheel

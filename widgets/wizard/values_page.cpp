@@ -46,21 +46,19 @@ ValuesPage::ValuesPage(Setup &setup, QWidget *parent)
     m_badInput->setObjectName(QStringLiteral("badInput"));
     m_warning->setObjectName(QStringLiteral("scaleWarning"));
 
-    auto *left = new QVBoxLayout;
-    left->setSpacing(grid::margin);
-    left->addWidget(m_form);
-    left->addWidget(m_initialise);
-    left->addWidget(m_badInput);
-    left->addWidget(m_scaleText);
-    left->addWidget(m_warning);
-    left->addStretch();
-    auto *layout = new QGridLayout(this);
+    auto *aids = new QHBoxLayout;
+    aids->setSpacing(grid::margin);
+    aids->addWidget(m_gear, 1, Qt::AlignTop);
+    aids->addWidget(m_preview, 0, Qt::AlignTop);
+    auto *layout = new QVBoxLayout(this);
     layout->setSpacing(grid::margin);
-    layout->addLayout(left, 0, 0);
-    layout->addWidget(m_preview, 0, 1);
-    layout->addWidget(m_gear, 1, 0, 1, 2);
-    layout->setColumnStretch(0, 1);
-    layout->setRowStretch(2, 1);
+    layout->addWidget(m_form);
+    layout->addWidget(m_initialise);
+    layout->addWidget(m_badInput);
+    layout->addWidget(m_scaleText);
+    layout->addWidget(m_warning);
+    layout->addLayout(aids);
+    layout->addStretch();
 
     connect(m_initialise, &QCheckBox::clicked, this, [this](bool on) {
         m_setup.wish.initialisePreset = on;
