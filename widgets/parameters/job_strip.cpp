@@ -30,7 +30,7 @@ JobStrip::JobStrip(QWidget *parent)
     , m_bar(new QProgressBar(this))
     , m_cancel(button(tr("&Cancel"), tr("Ends the job; asks how to leave the encoder"), this))
     , m_choices(new QWidget(this))
-    , m_question(new QLabel(m_choices))
+    , m_question(new QLabel(this))
     , m_restore(button(tr("&Restore previous"), tr("Writes the values from before, then run"), m_choices))
     , m_run(button(tr("R&un as it is"), tr("Sends run: what the encoder has taken becomes valid"), m_choices))
     , m_leave(button(tr("&Leave it so"),
@@ -49,11 +49,10 @@ JobStrip::JobStrip(QWidget *parent)
     ways->addWidget(m_run, 0, 1);
     ways->addWidget(m_leave, 1, 0);
     ways->addWidget(m_goOn, 1, 1);
-    auto *choices = new QVBoxLayout(m_choices);
-    choices->setContentsMargins(0, 0, 0, 0);
-    choices->addWidget(m_question);
-    choices->addLayout(ways);
+    ways->setContentsMargins(0, 0, 0, 0);
+    m_choices->setLayout(ways);
     m_choices->hide();
+    m_question->hide();
 
     auto *row = new QHBoxLayout;
     row->addWidget(m_bar, 1);
@@ -62,6 +61,7 @@ JobStrip::JobStrip(QWidget *parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_step);
     layout->addLayout(row);
+    layout->addWidget(m_question);
     layout->addWidget(m_choices);
 
     connect(m_cancel, &QPushButton::clicked, this, &JobStrip::cancel);
@@ -131,16 +131,16 @@ void JobStrip::cancel()
 void JobStrip::showChoices(bool visible)
 {
     const bool appears = visible && m_choices->isHidden();
-    m_choices->setVisible(visible);
-    m_cancel->setEnabled(!visible);
-    if (!visible)
-        return;
-    m_question->setText(tr("The encoder has taken: %1. How is it to be left?")
-                            .arg(parameter_words::list(m_encoder->device(), m_progress.confirmed)));
+    if (visible)
+        m_question->setText(tr("The encoder has taken: %1. How is it to be left?")
+                                .arg(parameter_words::list(m_encoder->device(), m_progress.confirmed)));
     m_restore->setEnabled(m_progress.canRestore);
     m_restore->setToolTip(m_progress.canRestore
                               ? tr("Writes the values from before, then run")
                               : tr("The values from before are not all known, so they cannot be restored"));
+    m_cancel->setEnabled(!visible);
+    m_question->setVisible(visible);
+    m_choices->setVisible(visible);
     if (appears)
         (m_progress.canRestore ? m_restore : m_goOn)->setFocus();
 }

@@ -36,6 +36,15 @@ void drawLine(QPainter &painter, const QRect &where, Qt::Alignment alignment, co
                      shown);
 }
 
+// On two lines where it has to be, or on three small ones.
+void drawName(QPainter &painter, const QRect &where, const QString &name)
+{
+    const auto flags = static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap);
+    if (painter.boundingRect(where, flags, name).height() > where.height())
+        painter.setFont(textFont(TextSize::small));
+    painter.drawText(where, flags, name);
+}
+
 } // namespace
 
 void ParameterDelegate::paint(QPainter *painter, const QStyleOptionViewItem &given,
@@ -58,8 +67,8 @@ void ParameterDelegate::paint(QPainter *painter, const QStyleOptionViewItem &giv
     }
     painter->setFont(option.font);
     painter->setPen(inkOf(option, index.data(ParameterModel::isPaleRole).toBool()));
-    if (index.column() == ParameterModel::nameColumn) // may take both lines
-        painter->drawText(first, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, value);
+    if (index.column() == ParameterModel::nameColumn)
+        drawName(*painter, first, value);
     else
         drawLine(*painter, first, option.displayAlignment, value);
 

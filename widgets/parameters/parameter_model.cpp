@@ -83,7 +83,7 @@ QVariant ParameterModel::headerCell(int column, int role) const
     case nameColumn:
         return tr("Parameter");
     case knownColumn:
-        return tr("Encoder has");
+        return tr("Known");
     default:
         return tr("Wanted");
     }

@@ -13,8 +13,8 @@ namespace codewheel {
 
 namespace {
 
-constexpr double nameShare = 0.38; // of the width
-constexpr double knownShare = 0.32;
+constexpr double nameShare = 0.36; // of the width
+constexpr int smallestColumn = 40;
 
 } // namespace
 
@@ -35,8 +35,9 @@ ParameterTable::ParameterTable(ParameterModel &model, QWidget *parent)
     verticalHeader()->hide();
     verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setHighlightSections(false);
-    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    horizontalHeader()->setStretchLastSection(true);
+    horizontalHeader()->setMinimumSectionSize(smallestColumn);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    horizontalHeader()->setSectionResizeMode(ParameterModel::nameColumn, QHeaderView::Fixed);
     connect(delegate, &ParameterDelegate::inputChecked, this, &ParameterTable::inputChecked);
     connect(this, &QTableView::clicked, this, &ParameterTable::editWanted);
 }
@@ -95,7 +96,6 @@ void ParameterTable::resizeEvent(QResizeEvent *event)
 {
     QTableView::resizeEvent(event);
     setColumnWidth(ParameterModel::nameColumn, qRound(viewport()->width() * nameShare));
-    setColumnWidth(ParameterModel::knownColumn, qRound(viewport()->width() * knownShare));
 }
 
 void ParameterTable::changeEvent(QEvent *event)

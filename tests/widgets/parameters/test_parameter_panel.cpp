@@ -113,6 +113,14 @@ TEST_F(Parameters, UnknownIsShownAsUnknownAndNeverAsADefault)
     EXPECT_TRUE(tip.contains(QStringLiteral("Factory setting: 8192"))) << tip.toStdString();
 }
 
+TEST_F(Parameters, AllColumnsFitTheNarrowDock)
+{
+    panel.resize(panel.minimumSizeHint().width(), 300);
+    settle();
+    EXPECT_EQ(table().horizontalScrollBar()->value(), 0);
+    EXPECT_EQ(table().horizontalHeader()->length(), table().viewport()->width());
+}
+
 TEST_F(Parameters, ReadsOnlyWhenAskedAndSaysHowItKnows)
 {
     const test::ModelTester tester(model());
@@ -263,6 +271,8 @@ TEST_F(Parameters, CancelAsksHowToLeaveAnEncoderThatHasTakenSomething)
     ASSERT_TRUE(bus.encoder(fraba)->runningJob());
     QAbstractButton *restore = button(QStringLiteral("Restore previous"));
     ASSERT_NE(restore, nullptr);
+    settle();
+    EXPECT_GE(restore->height(), restore->sizeHint().height()); // not squeezed by the table
     EXPECT_TRUE(restore->isEnabled());
     click(QStringLiteral("Leave it so"));
     finishJob();
