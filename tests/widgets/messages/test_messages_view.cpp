@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/training_bus_session.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/messages/messages_view.h"
+
+#include <QClipboard>
+#include <QFileDialog>
+#include <QScrollBar>
+#include <QTableView>
+#include <QTemporaryDir>
+
+namespace codewheel {
+namespace {
+
+using test::fraba;
+
+class MessagesViewTest : public testing::Test
+{
+protected:
+    MessagesViewTest()
+    {
+        messages.setBus(ring.bus);
+        view.resize(900, 200);
+        view.show();
+        view.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&view));
+    }
+
+    void add(const char *what, std::optional<DeviceNumber> place = {},
+             Severity severity = Severity::information)
+    {
+        view.add({.place = place,
+                  .severity = severity,
+                  .id = MessageId::training,
+                  .arguments = {QString::fromUtf8(what)}});
+    }
+    template <typename Widget>
+    Widget &find(const char *name) const
+    {
+        for (Widget *widget : view.findChildren<Widget *>())
+            if (widget->accessibleName().startsWith(QLatin1String(name)))
+                return *widget;
+        ADD_FAILURE() << "no " << name;
+        std::abort();
+    }
+    void click(const char *name) { QTest::mouseClick(&find<QAbstractButton>(name), Qt::LeftButton); }
+    QTableView &table() const { return find<QTableView>("List of messages"); }
+    int shownRows() const { return table().model()->rowCount(); }
+    QString note() const
+    {
+        const auto *message = view.findChild<InlineMessage *>();
+        return message->isVisible() ? message->sentence() : QString();
+    }
+    void exportTo(const QString &fileName)
+    {
+        click("Write the messages shown");
+        auto *dialog = view.findChild<QFileDialog *>();
+        ASSERT_NE(dialog, nullptr);
+        dialog->setOption(QFileDialog::DontConfirmOverwrite);
+        dialog->findChild<QLineEdit *>()->setText(fileName);
+        dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Save)->click();
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !note().isEmpty(); }));
+    }
+
+    test::TrainingBusSession ring;
+    MessageModel messages;
+    MessagesView view{messages};
+    QTemporaryDir folder;
+};
+
+TEST_F(MessagesViewTest, SaysWhatBelongsThereAsLongAsThereIsNothing)
+{
+    EXPECT_TRUE(view.findChild<EmptyState *>()->isVisible());
+    EXPECT_FALSE(table().isVisible());
+    ring.bus.setOperate(false);
+    ring.bus.advance(5);
+    EXPECT_FALSE(view.findChild<EmptyState *>()->isVisible());
+    EXPECT_TRUE(table().isVisible());
+}
+
+TEST_F(MessagesViewTest, FiltersByKeysAndShowsAllAgain)
+{
+    add("power off", fraba);
+    add("speed", fraba);
+    QTest::keyClick(&view, Qt::Key_F, Qt::ControlModifier);
+    QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("power"));
+    EXPECT_EQ(shownRows(), 1);
+    QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("less"));
+    EXPECT_EQ(shownRows(), 0);
+    auto *empty = view.findChild<EmptyState *>();
+    ASSERT_TRUE(empty->isVisible());
+    QTest::mouseClick(empty->findChild<QPushButton *>(), Qt::LeftButton);
+    EXPECT_EQ(shownRows(), 2);
+}
+
+TEST_F(MessagesViewTest, OffersThePlacesWhereSomethingHappened)
+{
+    add("b", DeviceNumber{10, 0});
+    add("a", DeviceNumber{2, 0});
+    add("again", DeviceNumber{2, 0});
+    add("bus");
+    auto &places = find<QComboBox>("Place of messages");
+    ASSERT_EQ(places.count(), 4);
+    EXPECT_EQ(places.itemText(2), QStringLiteral("2.0"));
+    EXPECT_EQ(places.itemText(3), QStringLiteral("10.0"));
+    places.setFocus();
+    QTest::keyClicks(&places, QStringLiteral("2"));
+    EXPECT_EQ(shownRows(), 2);
+    QTest::keyClick(&places, Qt::Key_Up);
+    EXPECT_EQ(shownRows(), 1);
+}
+
+TEST_F(MessagesViewTest, ShowsFaultsOnlyWhenAsked)
+{
+    add("fine");
+    add("look", fraba, Severity::attention);
+    add("broken", fraba, Severity::fault);
+    auto &severities = find<QComboBox>("Severity");
+    severities.setFocus();
+    QTest::keyClick(&severities, Qt::Key_Down);
+    EXPECT_EQ(shownRows(), 2);
+    QTest::keyClick(&severities, Qt::Key_Down);
+    EXPECT_EQ(shownRows(), 1);
+}
+
+TEST_F(MessagesViewTest, CopiesTheRowsChosenSeparatedByTabs)
+{
+    add("one", fraba);
+    add("two");
+    table().setFocus();
+    QTest::mouseClick(table().viewport(), Qt::LeftButton, {},
+                      table().visualRect(table().model()->index(0, MessageModel::textColumn)).center());
+    QTest::keyClick(&table(), Qt::Key_C, Qt::ControlModifier);
+    QString text = QApplication::clipboard()->text();
+    EXPECT_TRUE(text.endsWith(QStringLiteral("\tInformation\t1.0\tone\n"))) << text.toStdString();
+    EXPECT_EQ(text.count(QLatin1Char('\n')), 1);
+}
+
+TEST_F(MessagesViewTest, CopiesAllThatAreShownWhenNoneIsChosen)
+{
+    add("one", fraba);
+    add("two");
+    click("Copy the messages");
+    const QString text = QApplication::clipboard()->text();
+    EXPECT_EQ(text.count(QLatin1Char('\n')), 2);
+    EXPECT_TRUE(text.endsWith(QStringLiteral("\tInformation\tBus\ttwo\n"))) << text.toStdString();
+}
+
+TEST_F(MessagesViewTest, FollowsTheNewestUntilOneScrollsUp)
+{
+    for (int i = 0; i < 50; ++i)
+        add("something");
+    QScrollBar &bar = *table().verticalScrollBar();
+    EXPECT_GT(bar.maximum(), 0);
+    EXPECT_EQ(bar.value(), bar.maximum());
+
+    auto &follow = find<QAbstractButton>("Keep the newest");
+    bar.triggerAction(QAbstractSlider::SliderToMinimum);
+    EXPECT_FALSE(follow.isChecked());
+    add("more");
+    EXPECT_EQ(bar.value(), 0);
+
+    QTest::mouseClick(&follow, Qt::LeftButton);
+    EXPECT_EQ(bar.value(), bar.maximum());
+    bar.triggerAction(QAbstractSlider::SliderToMinimum);
+    table().setFocus();
+    QTest::keyClick(&table(), Qt::Key_End, Qt::ControlModifier);
+    EXPECT_TRUE(follow.isChecked());
+}
+
+TEST_F(MessagesViewTest, BringsBackWhatWasCleared)
+{
+    add("before");
+    click("Remove all messages");
+    EXPECT_EQ(messages.rowCount(), 0);
+    EXPECT_EQ(note(), QStringLiteral("The list of messages was cleared."));
+    add("after");
+    QTest::mouseClick(view.findChild<InlineMessage *>()->findChild<QPushButton *>(), Qt::LeftButton);
+    ASSERT_EQ(messages.rowCount(), 2);
+    EXPECT_EQ(MessageModel::text(messages.rowAt(0), MessageModel::textColumn), QStringLiteral("before"));
+    EXPECT_EQ(note(), QString());
+}
+
+TEST_F(MessagesViewTest, ExportsTheRowsShown)
+{
+    add("power off", fraba);
+    add("speed", fraba);
+    QTest::keyClicks(&find<QLineEdit>("Search"), QStringLiteral("speed"));
+    const QString name = folder.filePath(QStringLiteral("all.csv"));
+    exportTo(name);
+    QFile file(name);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QByteArray csv = file.readAll();
+    EXPECT_EQ(csv.count("\r\n"), 2);
+    EXPECT_TRUE(csv.contains(",information,1.0,training,\"speed\"")) << csv.constData();
+    EXPECT_TRUE(note().contains(name));
+}
+
+TEST_F(MessagesViewTest, SaysWhyAFileCouldNotBeWritten)
+{
+    add("power off", fraba);
+    const QString name = folder.filePath(QStringLiteral("no such folder/all.csv"));
+    exportTo(name);
+    EXPECT_FALSE(QFile::exists(name));
+    EXPECT_TRUE(note().contains(QStringLiteral("could not be written"))) << note().toStdString();
+}
+
+} // namespace
+} // namespace codewheel
