@@ -8,6 +8,8 @@
 
 namespace codewheel {
 
+static_assert(TrainingControls::fastest == TurningShaft::fastest);
+
 void SimulatedRing::add(Participant participant, std::unique_ptr<SimulatedK3> encoder)
 {
     m_structure.push_back(std::move(participant));

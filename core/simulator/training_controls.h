@@ -13,6 +13,8 @@ namespace codewheel {
 class TrainingControls
 {
 public:
+    static constexpr double fastest = 12'000; // rpm, mechanical limit of every shaft
+
     struct Shaft
     {
         DeviceNumber number;

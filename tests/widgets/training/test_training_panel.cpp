@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/training_bus_session.h"
+#include "widgets/training/training_panel.h"
+
+namespace codewheel {
+namespace {
+
+using test::baumer;
+using test::fraba;
+
+class TrainingPanelTest : public testing::Test
+{
+protected:
+    struct Act
+    {
+        DeviceNumber number;
+        QString what;
+    };
+
+    TrainingPanelTest()
+    {
+        panel.resize(240, 900);
+        panel.show();
+        panel.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&panel));
+        QObject::connect(&panel, &TrainingPanel::acted, &panel,
+                         [this](DeviceNumber number, const QString &what) {
+                             acts.push_back({number, what});
+                         });
+        panel.setDevice(fraba);
+    }
+
+    template <typename Widget>
+    Widget &find(const char *name) const
+    {
+        for (Widget *widget : panel.findChildren<Widget *>())
+            if (widget->accessibleName() == QLatin1String(name))
+                return *widget;
+        ADD_FAILURE() << "no " << name;
+        std::abort();
+    }
+    template <typename Button>
+    Button &button(const char *text) const
+    {
+        for (Button *each : panel.findChildren<Button *>())
+            if (each->text() == QLatin1String(text) || each->accessibleName() == QLatin1String(text))
+                return *each;
+        ADD_FAILURE() << "no " << text;
+        std::abort();
+    }
+    void click(const char *text)
+    {
+        auto &each = button<QAbstractButton>(text);
+        QTest::mouseClick(&each, Qt::LeftButton, {}, QPoint(8, each.height() / 2));
+    }
+    void picture(int cycles = 33)
+    {
+        ring.bus.advance(cycles);
+        panel.refresh();
+    }
+    TrainingControls::Shaft shaft(DeviceNumber number) const
+    {
+        for (const auto &each : ring.controls->shafts())
+            if (each.number == number)
+                return each;
+        ADD_FAILURE() << "no shaft";
+        return {};
+    }
+    QString text(const char *name) const { return find<QLabel>(name).text(); }
+    QString lastAct() const { return acts.empty() ? QString() : acts.back().what; }
+
+    test::TrainingBusSession ring;
+    TrainingPanel panel{*ring.controls};
+    std::vector<Act> acts;
+};
+
+TEST_F(TrainingPanelTest, ShowsHowTheEncoderStands)
+{
+    EXPECT_EQ(text("Raw position"), QLocale().toString(12345));
+    EXPECT_EQ(text("Turn"), QStringLiteral("1"));
+    EXPECT_EQ(text("EEPROM writes"), QStringLiteral("0"));
+    EXPECT_TRUE(button<QCheckBox>("Power on").isChecked());
+    EXPECT_FALSE(button<QCheckBox>("Slow confirmation").isChecked());
+    EXPECT_TRUE(acts.empty());
+}
+
+TEST_F(TrainingPanelTest, OtherDeviceOtherFields)
+{
+    EXPECT_FALSE(button<QCheckBox>("Battery low").isVisible());
+    auto &devices = find<QComboBox>("Encoder to train with");
+    devices.setFocus();
+    QTest::keyClick(&devices, Qt::Key_Down);
+    EXPECT_TRUE(button<QCheckBox>("Battery low").isVisible());
+    EXPECT_EQ(find<QDoubleSpinBox>("Speed in revolutions per minute").value(), 10);
+    EXPECT_TRUE(acts.empty());
+    panel.setDevice({7, 0}); // no such device: stays
+    EXPECT_EQ(devices.currentText(), QStringLiteral("2.0"));
+}
+
+TEST_F(TrainingPanelTest, TurnsByButtonsAndTellsOnceWhenTheShaftIsLeftAlone)
+{
+    click("1 step clockwise");
+    click("A quarter turn clockwise");
+    picture();
+    EXPECT_EQ(shaft(fraba).raw, 12345 + 1 + 2048);
+    EXPECT_EQ(text("Raw position"), QLocale().toString(14394));
+    EXPECT_TRUE(acts.empty());
+    for (int i = 0; i < 20; ++i)
+        picture();
+    ASSERT_EQ(acts.size(), 1U);
+    EXPECT_EQ(acts[0].number, fraba);
+    EXPECT_EQ(acts[0].what,
+              QStringLiteral("Shaft turned by hand to raw position %1.").arg(QLocale().toString(14394)));
+}
+
+TEST_F(TrainingPanelTest, TellsOfTurningBeforeAnotherDeviceIsChosen)
+{
+    click("1 step clockwise");
+    picture();
+    panel.setDevice(baumer);
+    ASSERT_EQ(acts.size(), 1U);
+    EXPECT_EQ(acts[0].number, fraba);
+}
+
+TEST_F(TrainingPanelTest, TurnsToAnExactPosition)
+{
+    auto &target = find<QSpinBox>("Raw position to turn to");
+    EXPECT_EQ(target.maximum(), 8192 * 4096 - 1);
+    target.setFocus();
+    target.selectAll();
+    QTest::keyClicks(&target, QStringLiteral("16384"));
+    picture();
+    EXPECT_EQ(shaft(fraba).raw, 12345); // not before Enter
+    QTest::keyClick(&target, Qt::Key_Return);
+    picture();
+    EXPECT_EQ(shaft(fraba).raw, 16384);
+    EXPECT_EQ(text("Turn"), QStringLiteral("2"));
+    ASSERT_EQ(acts.size(), 1U);
+    EXPECT_TRUE(lastAct().contains(QLocale().toString(16384)));
+
+    target.setValue(5);
+    click("Turn to the raw position");
+    picture();
+    EXPECT_EQ(shaft(fraba).raw, 5);
+}
+
+TEST_F(TrainingPanelTest, SetsTheSpeedAndStops)
+{
+    auto &speed = find<QDoubleSpinBox>("Speed in revolutions per minute");
+    speed.setFocus();
+    speed.selectAll();
+    QTest::keyClicks(&speed, QStringLiteral("-120"));
+    QTest::keyClick(&speed, Qt::Key_Return);
+    picture();
+    EXPECT_EQ(shaft(fraba).revolutionsPerMinute, -120);
+    EXPECT_LT(shaft(fraba).raw, 12345);
+    EXPECT_EQ(acts.size(), 1U);
+    click("Stop the shaft");
+    picture();
+    EXPECT_EQ(shaft(fraba).revolutionsPerMinute, 0);
+    EXPECT_EQ(lastAct(), QStringLiteral("Shaft stopped."));
+}
+
+TEST_F(TrainingPanelTest, ShowsASpeedSetElsewhereWithoutActing)
+{
+    ring.controls->setSpeed(fraba, 33);
+    picture();
+    EXPECT_EQ(find<QDoubleSpinBox>("Speed in revolutions per minute").value(), 33);
+    EXPECT_TRUE(acts.empty());
+}
+
+TEST_F(TrainingPanelTest, KeepsWhatWasTypedUntilTheBusComesRound)
+{
+    auto &speed = find<QDoubleSpinBox>("Speed in revolutions per minute");
+    speed.stepUp();
+    panel.refresh(); // no cycle yet
+    EXPECT_EQ(speed.value(), 10);
+    speed.stepUp();
+    picture();
+    EXPECT_EQ(shaft(fraba).revolutionsPerMinute, 20);
+}
+
+TEST_F(TrainingPanelTest, SwitchesThePower)
+{
+    click("Power on");
+    picture();
+    EXPECT_FALSE(shaft(fraba).powered);
+    EXPECT_EQ(lastAct(), QStringLiteral("Power off."));
+    button<QCheckBox>("Power on").setFocus();
+    QTest::keyClick(&button<QCheckBox>("Power on"), Qt::Key_Space);
+    picture();
+    EXPECT_TRUE(shaft(fraba).powered);
+}
+
+TEST_F(TrainingPanelTest, ShowsAPowerCycle)
+{
+    click("Power off and on");
+    picture(10);
+    EXPECT_FALSE(button<QCheckBox>("Power on").isChecked());
+    picture(100);
+    EXPECT_TRUE(button<QCheckBox>("Power on").isChecked());
+    EXPECT_EQ(acts.size(), 1U);
+}
+
+TEST_F(TrainingPanelTest, CausesTroubles)
+{
+    click("Slow confirmation");
+    picture();
+    EXPECT_TRUE(shaft(fraba).slow);
+    click("Lose parameters");
+    picture(200);
+    EXPECT_EQ(ring.encoder(fraba).latest().state, EncoderState::error);
+    EXPECT_EQ(lastAct(), QStringLiteral("Parameters lost."));
+
+    panel.setDevice(baumer);
+    click("Battery low");
+    picture();
+    EXPECT_TRUE(shaft(baumer).batteryLow);
+    EXPECT_EQ(acts.back().number, baumer);
+}
+
+} // namespace
+} // namespace codewheel
