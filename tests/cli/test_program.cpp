@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program itself, as a script starts it: nobody at a terminal.
 #include <QProcess>
+#include <QProcessEnvironment>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,9 +18,14 @@ struct Ended
     std::string err;
 };
 
-Ended start(const QString &line)
+// `locale` is what the system is set to: English without one.
+Ended start(const QString &line, const QString &locale = QStringLiteral("C.UTF-8"))
 {
     QProcess program;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove(QStringLiteral("LANGUAGE"));
+    environment.insert(QStringLiteral("LC_ALL"), locale);
+    program.setProcessEnvironment(environment);
     program.setStandardInputFile(QProcess::nullDevice());
     program.start(QStringLiteral(CODEWHEEL_CLI), line.split(u' ', Qt::SkipEmptyParts));
     EXPECT_TRUE(program.waitForFinished(60'000));
@@ -43,6 +49,13 @@ TEST(CliProgram, WithoutATerminalNothingIsWritten)
     EXPECT_EQ(run.exit, 2);
     EXPECT_THAT(run.out, HasSubstr("020000FF"));
     EXPECT_THAT(run.err, HasSubstr("Add --yes"));
+}
+
+TEST(CliProgram, SpeaksTheLanguageOfTheSystem)
+{
+    const QString line = QStringLiteral("explain 00012A4F --device fraba-ocd-ib --direction in");
+    EXPECT_THAT(start(line).out, HasSubstr("Running, position 76367"));
+    EXPECT_THAT(start(line, QStringLiteral("de_DE.UTF-8")).out, HasSubstr("In Betrieb, Position 76367"));
 }
 
 TEST(CliProgram, ExitCodesTellWhoRefused)
