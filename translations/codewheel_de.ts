@@ -2076,10 +2076,6 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
 <context>
     <name>codewheel::GearPanel</name>
     <message>
-        <source>From mm and gear to steps and revolutions</source>
-        <translation>Von mm und Getriebe zu Schritten und Umdrehungen</translation>
-    </message>
-    <message>
         <source>Travel per turn of the driven part</source>
         <translation>Weg je Umdrehung des angetriebenen Teils</translation>
     </message>
@@ -2142,6 +2138,49 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>%1 steps in %2 revolutions: %3 mm per step, %4 mm off over %5 mm.</source>
         <translation>%1 Schritte bei %2 Umdrehungen: %3 mm je Schritt, %4 mm Abweichung auf %5 mm.</translation>
+    </message>
+    <message>
+        <source>From mm and gear</source>
+        <translation>Von mm und Getriebe</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::HandWheel</name>
+    <message>
+        <source>Wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>Turn the shaft by hand: drag, or use the arrow keys and Page Up, Page Down</source>
+        <translation>Die Welle von Hand drehen: ziehen, oder Pfeiltasten und Bild auf, Bild ab</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>Umdrehung</translation>
+    </message>
+    <message>
+        <source>1 step counter-clockwise</source>
+        <translation>1 Schritt gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>1 step clockwise</source>
+        <translation>1 Schritt im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>A quarter turn counter-clockwise</source>
+        <translation>Eine Viertelumdrehung gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>A quarter turn clockwise</source>
+        <translation>Eine Viertelumdrehung im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>1 turn counter-clockwise</source>
+        <translation>1 Umdrehung gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>1 turn clockwise</source>
+        <translation>1 Umdrehung im Uhrzeigersinn</translation>
     </message>
 </context>
 <context>
@@ -2456,6 +2495,181 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::MessageModel</name>
+    <message>
+        <source>Fault</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>Attention</source>
+        <translation>Achtung</translation>
+    </message>
+    <message>
+        <source>Information</source>
+        <translation>Information</translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation>Bus</translation>
+    </message>
+    <message>
+        <source>Date and time</source>
+        <translation>Datum und Zeit</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::MessagesView</name>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search in messages</source>
+        <translation>In Meldungen suchen</translation>
+    </message>
+    <message>
+        <source>Show only messages with this text (Ctrl+F)</source>
+        <translation>Nur Meldungen mit diesem Text zeigen (Strg+F)</translation>
+    </message>
+    <message>
+        <source>All messages</source>
+        <translation>Alle Meldungen</translation>
+    </message>
+    <message>
+        <source>Attention and faults</source>
+        <translation>Achtung und Störungen</translation>
+    </message>
+    <message>
+        <source>Faults only</source>
+        <translation>Nur Störungen</translation>
+    </message>
+    <message>
+        <source>Severity of messages</source>
+        <translation>Stufe der Meldungen</translation>
+    </message>
+    <message>
+        <source>Show only messages of this severity or worse</source>
+        <translation>Nur Meldungen dieser Stufe oder höher zeigen</translation>
+    </message>
+    <message>
+        <source>All places</source>
+        <translation>Alle Orte</translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation>Bus</translation>
+    </message>
+    <message>
+        <source>Place of messages</source>
+        <translation>Ort der Meldungen</translation>
+    </message>
+    <message>
+        <source>Show only messages of this device, or of the bus itself</source>
+        <translation>Nur Meldungen dieses Geräts oder des Busses selbst zeigen</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Folgen</translation>
+    </message>
+    <message>
+        <source>Keep the newest message in sight (Ctrl+End)</source>
+        <translation>Die neueste Meldung im Blick behalten (Strg+Ende)</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the messages chosen, or all that are shown (Ctrl+C)</source>
+        <translation>Die gewählten Meldungen kopieren, oder alle gezeigten (Strg+C)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the messages shown to a file (CSV)</source>
+        <translation>Die gezeigten Meldungen in eine Datei schreiben (CSV)</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Remove all messages from this list</source>
+        <translation>Alle Meldungen aus dieser Liste entfernen</translation>
+    </message>
+    <message>
+        <source>List of messages</source>
+        <translation>Liste der Meldungen</translation>
+    </message>
+    <message>
+        <source>No messages yet</source>
+        <translation>Noch keine Meldungen</translation>
+    </message>
+    <message>
+        <source>What happens to the bus and its devices is told here.</source>
+        <translation>Hier steht, was am Bus und an seinen Geräten geschieht.</translation>
+    </message>
+    <message>
+        <source>No message fits the filter</source>
+        <translation>Keine Meldung passt zum Filter</translation>
+    </message>
+    <message>
+        <source>Change it, or show all messages.</source>
+        <translation>Ihn ändern oder alle Meldungen zeigen.</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle zeigen</translation>
+    </message>
+    <message>
+        <source>The list of messages was cleared.</source>
+        <translation>Die Liste der Meldungen wurde geleert.</translation>
+    </message>
+    <message>
+        <source>Bring back</source>
+        <translation>Zurückholen</translation>
+    </message>
+    <message>
+        <source>Export messages</source>
+        <translation>Meldungen exportieren</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>messages.csv</source>
+        <comment>name of a file</comment>
+        <translation>meldungen.csv</translation>
+    </message>
+    <message>
+        <source>Messages written to %1: %2.</source>
+        <translation>Meldungen nach %1 geschrieben: %2.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: %2. Choose another folder or name.</source>
+        <translation>%1 war nicht schreibbar: %2. Einen anderen Ordner oder Namen wählen.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::MonitorArea</name>
     <message>
         <source>No monitor is open</source>
@@ -2591,10 +2805,6 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Parameter</translation>
     </message>
     <message>
-        <source>Encoder has</source>
-        <translation>Drehgeber hat</translation>
-    </message>
-    <message>
         <source>Wanted</source>
         <translation>Gewünscht</translation>
     </message>
@@ -2622,6 +2832,10 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>the same</source>
         <translation>gleich</translation>
+    </message>
+    <message>
+        <source>Known</source>
+        <translation>Bekannt</translation>
     </message>
 </context>
 <context>
@@ -3435,6 +3649,157 @@ Zustand: %7</translation>
         <source>%1 was not written: %2</source>
         <comment>file, reason</comment>
         <translation>%1 wurde nicht geschrieben: %2</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TrainingPanel</name>
+    <message>
+        <source>Raw position</source>
+        <translation>Rohposition</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Umdrehung</translation>
+    </message>
+    <message>
+        <source>EEPROM writes</source>
+        <translation>EEPROM-Schreibvorgänge</translation>
+    </message>
+    <message>
+        <source>Training</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Encoder to train with</source>
+        <translation>Drehgeber zum Üben</translation>
+    </message>
+    <message>
+        <source>The simulated encoder that is turned, switched and disturbed here</source>
+        <translation>Der simulierte Drehgeber, der hier gedreht, geschaltet und gestört wird</translation>
+    </message>
+    <message>
+        <source>Encoder</source>
+        <translation>Drehgeber</translation>
+    </message>
+    <message>
+        <source>Raw position to turn to</source>
+        <translation>Rohposition, auf die gedreht wird</translation>
+    </message>
+    <message>
+        <source>Raw position, in the encoder&apos;s own steps; Enter turns the shaft to it</source>
+        <translation>Rohposition in Schritten des Drehgebers; Eingabe dreht die Welle dorthin</translation>
+    </message>
+    <message>
+        <source>Turn to the raw position</source>
+        <translation>Auf die Rohposition drehen</translation>
+    </message>
+    <message>
+        <source>Turn to</source>
+        <translation>Drehen auf</translation>
+    </message>
+    <message>
+        <source>Speed in revolutions per minute</source>
+        <translation>Drehzahl in Umdrehungen je Minute</translation>
+    </message>
+    <message>
+        <source>Revolutions per minute; positive is clockwise, looking at the shaft</source>
+        <translation>Umdrehungen je Minute; positiv ist im Uhrzeigersinn, Blick auf die Welle</translation>
+    </message>
+    <message>
+        <source>Stop the shaft</source>
+        <translation>Die Welle anhalten</translation>
+    </message>
+    <message>
+        <source>Speed, rpm</source>
+        <translation>Drehzahl, U/min</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Eingeschaltet</translation>
+    </message>
+    <message>
+        <source>Supply of the encoder. It forgets what was not activated.</source>
+        <translation>Versorgung des Drehgebers. Er vergisst, was nicht aktiviert wurde.</translation>
+    </message>
+    <message>
+        <source>Slow confirmation</source>
+        <translation>Langsame Quittung</translation>
+    </message>
+    <message>
+        <source>The encoder takes 50 times as long to confirm a parameter</source>
+        <translation>Der Drehgeber braucht 50-mal so lang, um einen Parameter zu quittieren</translation>
+    </message>
+    <message>
+        <source>Slow confirmation on.</source>
+        <translation>Langsame Quittung ein.</translation>
+    </message>
+    <message>
+        <source>Slow confirmation off.</source>
+        <translation>Langsame Quittung aus.</translation>
+    </message>
+    <message>
+        <source>Battery low</source>
+        <translation>Batterie schwach</translation>
+    </message>
+    <message>
+        <source>The encoder tests its battery when it is switched on</source>
+        <translation>Der Drehgeber prüft seine Batterie beim Einschalten</translation>
+    </message>
+    <message>
+        <source>Battery low; the encoder finds it when it is switched on.</source>
+        <translation>Batterie schwach; der Drehgeber merkt es beim Einschalten.</translation>
+    </message>
+    <message>
+        <source>Battery full; the encoder finds it when it is switched on.</source>
+        <translation>Batterie voll; der Drehgeber merkt es beim Einschalten.</translation>
+    </message>
+    <message>
+        <source>Power off and on</source>
+        <translation>Aus- und einschalten</translation>
+    </message>
+    <message>
+        <source>Switch the encoder off and on again after 50 ms</source>
+        <translation>Den Drehgeber ausschalten und nach 50 ms wieder ein</translation>
+    </message>
+    <message>
+        <source>Power off and on.</source>
+        <translation>Aus- und eingeschaltet.</translation>
+    </message>
+    <message>
+        <source>Lose parameters</source>
+        <translation>Parameter verlieren</translation>
+    </message>
+    <message>
+        <source>The EEPROM content is destroyed: error 3, until it is parameterized again</source>
+        <translation>Der EEPROM-Inhalt wird zerstört: Fehler 3 bis zur nächsten Parametrierung</translation>
+    </message>
+    <message>
+        <source>Parameters lost.</source>
+        <translation>Parameter verloren.</translation>
+    </message>
+    <message>
+        <source>Shaft turned to raw position %1.</source>
+        <translation>Welle auf Rohposition %1 gedreht.</translation>
+    </message>
+    <message>
+        <source>Shaft stopped.</source>
+        <translation>Welle angehalten.</translation>
+    </message>
+    <message>
+        <source>Shaft turns at %1 rpm.</source>
+        <translation>Welle dreht mit %1 U/min.</translation>
+    </message>
+    <message>
+        <source>Power on.</source>
+        <translation>Eingeschaltet.</translation>
+    </message>
+    <message>
+        <source>Power off.</source>
+        <translation>Ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Shaft turned by hand to raw position %1.</source>
+        <translation>Welle von Hand auf Rohposition %1 gedreht.</translation>
     </message>
 </context>
 <context>
