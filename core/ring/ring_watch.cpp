@@ -27,7 +27,7 @@ std::optional<Message> LatenessWatch::look(std::uint64_t lateCycles, Instant now
 {
     if (lateCycles < m_told) // a new thread counts from 0
         m_told = 0;
-    if (lateCycles == m_told || (m_toldAt && now - *m_toldAt < std::chrono::seconds(1)))
+    if (lateCycles == m_told || (m_toldAt && now - *m_toldAt < std::chrono::minutes(1)))
         return std::nullopt;
 
     Message message;

@@ -24,7 +24,7 @@ private:
     std::vector<std::optional<unsigned>> m_faults; // error numbers
 };
 
-// Tells of late cycles at most once a second.
+// Tells of late cycles at most once a minute.
 class LatenessWatch
 {
 public:
