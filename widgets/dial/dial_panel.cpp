@@ -100,6 +100,8 @@ void DialPanel::knownChanged()
 
 void DialPanel::read()
 {
+    if (m_encoder == nullptr)
+        return;
     const auto started = m_encoder->start(ReadParameters{m_missing});
     if (!started)
         m_message->showMessage(Role::attention, refusalText(started.error()));

@@ -54,6 +54,7 @@ void EmptyState::setTexts(const QString &what, const QString &how)
 void EmptyState::setAction(const QString &text)
 {
     m_action->setText(text);
+    m_action->setToolTip(m_how->text());
     m_action->setVisible(!text.isEmpty());
 }
 

@@ -40,6 +40,7 @@ InlineMessage::InlineMessage(QWidget *parent)
         withdraw();
         Q_EMIT closed();
     });
+    m_action->hide();
     hide();
 }
 
@@ -48,6 +49,7 @@ void InlineMessage::showMessage(Role role, const QString &sentence, const QStrin
     m_role = role;
     m_sentence->setText(sentence);
     m_action->setText(actionText);
+    m_action->setToolTip(sentence);
     m_action->setVisible(!actionText.isEmpty());
     setAccessibleName(tr("%1: %2", "role: sentence").arg(roleWord(role), sentence));
     drawIcon();

@@ -19,6 +19,7 @@ RoleLabel::RoleLabel(QWidget *parent)
     layout->setSpacing(grid::unit);
     layout->addWidget(m_icon);
     layout->addWidget(m_word, 1);
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     m_word->setText(roleWord(m_role));
     setAccessibleName(m_word->text());
     drawIcon();

@@ -53,9 +53,9 @@ NumberFields::NumberFields(const QString &place, int bits, bool editable, QWidge
     last->addStretch(1);
 
     m_hex->setReadOnly(!editable);
-    if (editable)
-        m_hex->setToolTip(tr("Type the word: 020000FF, 0x020000FF, 20000FFh; spaces are allowed"));
-    connect(m_hex, &QLineEdit::textEdited, this, &NumberFields::hexTyped);
+    m_hex->setToolTip(editable ? tr("Type the word: 020000FF, 0x020000FF, 20000FFh; spaces are allowed")
+                               : tr("The whole word, as the manuals write it"));
+    connect(m_hex, &WordField::typed, this, &NumberFields::hexTyped);
     connect(m_hex, &QLineEdit::returnPressed, this, [this] {
         if (!m_hex->hasProblem() && !m_hex->isReadOnly())
             Q_EMIT entered();

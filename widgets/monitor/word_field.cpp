@@ -19,12 +19,19 @@ WordField::WordField(const QString &widest, QWidget *parent)
     setFont(numberFont());
     setAlignment(Qt::AlignRight);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    connect(this, &QLineEdit::textChanged, this, [this](const QString &text) {
+        if (!m_shows)
+            Q_EMIT typed(text);
+    });
 }
 
 void WordField::showText(const QString &text)
 {
-    if (this->text() != text)
-        setText(text);
+    if (this->text() == text)
+        return;
+    m_shows = true;
+    setText(text);
+    m_shows = false;
 }
 
 void WordField::setProblem(const QString &sentence)

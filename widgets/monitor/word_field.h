@@ -21,6 +21,11 @@ public:
     void setProblem(const QString &sentence);
     bool hasProblem() const { return !m_problem.isEmpty(); }
 
+Q_SIGNALS:
+    // Typed, pasted, or set by a screen reader (which Qt does not count as edited).
+    void typed(const QString &text);
+
+public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -29,6 +34,7 @@ protected:
 
 private:
     QString m_widest;
+    bool m_shows = false; // a text of the program's own
     QString m_problem;
     QString m_toolTip;
     QAction *m_mark = nullptr;

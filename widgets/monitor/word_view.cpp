@@ -3,8 +3,10 @@
 
 #include "widgets/look/appearance.h"
 #include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
 #include "widgets/monitor/word_view_accessible.h"
 
+#include <QAbstractScrollArea>
 #include <QApplication>
 #include <QHelpEvent>
 #include <QPainter>
@@ -19,6 +21,7 @@ namespace {
 
 // A narrower window has no room for 32 bits beside its docks.
 constexpr int oneRowWindowWidth = 1280;
+constexpr int cardMargins = 8 * grid::unit; // beside the bits, in a column of monitors
 
 int numberHeight()
 {
@@ -28,6 +31,15 @@ int numberHeight()
 constexpr Word maskOf(int bit)
 {
     return Word{1} << bit;
+}
+
+// The column of a scroll area the view stands in; null: none.
+QWidget *viewportAround(const QWidget &view)
+{
+    for (QWidget *above = view.parentWidget(); above != nullptr; above = above->parentWidget())
+        if (const auto *area = qobject_cast<QAbstractScrollArea *>(above))
+            return area->viewport();
+    return nullptr;
 }
 
 } // namespace
@@ -134,10 +146,19 @@ int WordView::wantedRows() const
     if (m_matrix)
         return bits() / WordLayout::matrixBitsPerRow;
     const bool narrow = window()->width() < oneRowWindowWidth * controlFactor(*this);
-    return bits() == 32 && narrow ? 2 : 1;
+    return bits() == 32 && (narrow || !fitsIntoOneRow()) ? 2 : 1;
 }
 
-// The window's width decides on one row or two, the style on the size of the cells.
+// Panels beside the monitors take room that the width of the window does not tell of.
+bool WordView::fitsIntoOneRow() const
+{
+    if (m_room == nullptr)
+        return true;
+    const int needed = WordLayout(bits(), 1, controlFactor(*this), numberHeight()).size().width();
+    return needed + cardMargins <= m_room->width();
+}
+
+// The width of window and column decides on one row or two, the style on the size of the cells.
 void WordView::arrange()
 {
     m_layout = WordLayout(bits(), wantedRows(), controlFactor(*this), numberHeight());
@@ -147,19 +168,23 @@ void WordView::arrange()
 
 void WordView::watchWindow()
 {
-    if (m_window == window())
+    QWidget *room = viewportAround(*this);
+    if (m_window == window() && m_room == room)
         return;
-    if (m_window)
-        m_window->removeEventFilter(this);
+    for (QWidget *watched : {m_window.data(), m_room.data()})
+        if (watched != nullptr)
+            watched->removeEventFilter(this);
     m_window = window();
-    if (m_window != this)
-        m_window->installEventFilter(this);
+    m_room = room;
+    for (QWidget *watched : {m_window.data(), m_room.data()})
+        if (watched != nullptr && watched != this)
+            watched->installEventFilter(this);
     arrange();
 }
 
 bool WordView::eventFilter(QObject *watched, QEvent *event)
 {
-    if (watched == m_window && event->type() == QEvent::Resize) {
+    if ((watched == m_window || watched == m_room) && event->type() == QEvent::Resize) {
         if (wantedRows() != m_layout.rows())
             arrange();
     }

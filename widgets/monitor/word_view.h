@@ -82,6 +82,7 @@ private:
     void updateCells(Word bits);
     void watchWindow();
     int wantedRows() const;
+    bool fitsIntoOneRow() const;
     void arrange();
     void showStatusTip(std::optional<int> bit);
     bool showToolTip(QPoint position, QPoint globalPosition);
@@ -89,6 +90,7 @@ private:
     WordLayout m_layout;
     BitCellPictures m_pictures;
     QPointer<QWidget> m_window;
+    QPointer<QWidget> m_room; // of the column it stands in, if it does
     QString m_place;
     std::function<QString(int)> m_bitText;
     Word m_shown = 0;

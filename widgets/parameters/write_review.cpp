@@ -117,6 +117,7 @@ WriteReview::WriteReview(QWidget *parent)
     layout->addLayout(buttons);
 
     connect(m_writeAll, &QCheckBox::toggled, this, &WriteReview::showPlan);
+    m_write->setAccessibleName(tr("Write these values"));
     connect(m_write, &QPushButton::clicked, this, [this] { Q_EMIT confirmed(m_plan.job); });
     connect(m_cancel, &QPushButton::clicked, this, &WriteReview::cancelled);
 }

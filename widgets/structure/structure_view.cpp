@@ -11,6 +11,11 @@
 #include <QVBoxLayout>
 
 namespace codewheel {
+namespace {
+
+constexpr int indentation = 3 * grid::unit; // a ring is wide and flat, and the panel narrow
+
+} // namespace
 
 StructureView::StructureView(QWidget *parent)
     : QWidget(parent)
@@ -29,6 +34,7 @@ StructureView::StructureView(QWidget *parent)
     m_tree->setToolTip(tr("Choose a device to see it in the panels. Enter opens its monitors."));
     m_tree->setModel(m_model);
     m_tree->setIconSize({grid::smallIcon, grid::smallIcon});
+    m_tree->setIndentation(indentation);
     m_tree->setUniformRowHeights(true);
     m_tree->setAllColumnsShowFocus(true);
     m_tree->setContextMenuPolicy(Qt::CustomContextMenu);

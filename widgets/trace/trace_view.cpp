@@ -112,7 +112,7 @@ void TraceView::makeTools()
         follow();
     });
     connect(copying, &QAction::triggered, this, &TraceView::copy);
-    connect(exporting, &QAction::triggered, this, &TraceView::askExport);
+    connect(exporting, &QAction::triggered, this, &TraceView::exportRows);
     connect(clearing, &QAction::triggered, this, [this] {
         if (m_shown)
             m_shown->clear();
@@ -217,7 +217,7 @@ void TraceView::copy()
     QApplication::clipboard()->setText(traceText(m_shown->device(), rows.empty() ? m_shown->rows() : rows));
 }
 
-void TraceView::askExport()
+void TraceView::exportRows()
 {
     const QString path =
         QFileDialog::getSaveFileName(this, tr("Export the trace"), tr("trace.csv"), tr("Tables (*.csv)"));

@@ -35,6 +35,7 @@ public:
 
     // UTF-8, comma separated (docs/manual/sequence-and-trace.md). Says on the spot what went wrong.
     bool exportTo(const QString &path);
+    void exportRows(); // asks for the file
 
 private:
     // Sessions come and go with the connection; what was collected stays.
@@ -47,7 +48,6 @@ private:
     void showCounts();
     void follow();
     void copy();
-    void askExport();
 
     BusSession &m_bus;
     std::map<DeviceNumber, std::unique_ptr<TraceModel>> m_models;

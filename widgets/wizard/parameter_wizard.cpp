@@ -136,6 +136,11 @@ void ParameterWizard::resizeEvent(QResizeEvent *event)
     m_stepList->setVisible(width() >= widthWithStepList);
 }
 
+void ParameterWizard::focusPage()
+{
+    current()->setFocus();
+}
+
 bool ParameterWizard::isBusy() const
 {
     return m_handshakePage->isBusy();
@@ -204,7 +209,8 @@ void ParameterWizard::showButtons()
 {
     m_next->setText(current()->nextText());
     m_next->setEnabled(current()->mayGoOn());
-    m_next->setToolTip(page() == review ? tr("Sends the words above to the encoder.") : QString());
+    m_next->setToolTip(page() == review ? tr("Sends the words above to the encoder.")
+                                        : tr("To the next page."));
     m_back->setEnabled(page() > device && current()->mayGoBack());
     m_cancel->setVisible(page() != report);
     if (page() == handshake && current()->mayGoOn())

@@ -36,6 +36,7 @@ public:
     void setEncoder(codewheel::EncoderSession *encoder);
     EncoderSession *encoder() const;
 
+    void focusPage();    // the keys go to the page that is shown
     bool isBusy() const; // a handshake is on its way
 
     enum class Closing { now, whenReady, stay };
