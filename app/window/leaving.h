@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+
+#include <QObject>
+#include <QPointer>
+
+#include <functional>
+#include <map>
+
+class QWidget;
+
+namespace codewheel {
+
+class BusSession;
+
+// What has to be asked before the bus is stopped or the window is closed: how to end a handshake that is on
+// its way, and whether OUT words that are not 0 shall be set to 0. Nothing is lost by saying "no".
+class Leaving : public QObject
+{
+    Q_OBJECT
+
+public:
+    enum class Why { stop, quit };
+
+    explicit Leaving(QWidget &window);
+
+    void setBus(BusSession *bus);
+    // Calls `then` once all is answered and done; not at all if the user stays.
+    void ask(Why why, std::function<void()> then);
+
+private:
+    void goOn();
+    bool endJob(EncoderSession &encoder);
+    bool askForOut(const std::vector<DeviceNumber> &devices);
+    EncoderSession *busyEncoder() const;
+    void stay();
+
+    QWidget &m_window;
+    QPointer<BusSession> m_bus;
+    std::map<DeviceNumber, Progress> m_progress; // of the jobs on their way
+    Why m_why = Why::stop;
+    std::function<void()> m_then;
+    bool m_outAnswered = false;
+    bool m_waitsForZero = false;
+};
+
+} // namespace codewheel

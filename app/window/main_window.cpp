@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/main_window.h"
+
+#include "app/window/alarm_stop.h"
+#include "app/window/leaving.h"
+#include "app/window/status_line.h"
+#include "ring/bus_session.h"
+#include "ring/word_channel.h"
+#include "simulator/training_controls.h"
+#include "widgets/dial/dial_panel.h"
+#include "widgets/messages/message_model.h"
+#include "widgets/messages/messages_view.h"
+#include "widgets/monitor/monitor_area.h"
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/wanted_values.h"
+#include "widgets/sequence/sequence_view.h"
+#include "widgets/structure/structure_view.h"
+#include "widgets/trace/trace_view.h"
+#include "widgets/training/training_panel.h"
+#include "widgets/wizard/parameter_wizard.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMessageBox>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QTimer>
+
+namespace codewheel {
+namespace {
+
+constexpr int layoutVersion = 1; // of docks and tool bar: another one is not restored
+constexpr QSize firstSize(1280, 800);
+
+} // namespace
+
+MainWindow::MainWindow(WindowSettings &settings, QWidget *parent)
+    : QMainWindow(parent)
+    , m_settings(settings)
+    , m_actions(*this)
+    , m_alarmStop(new AlarmStopEverywhere(*m_actions.alarmStop, this))
+    , m_leaving(new Leaving(*this))
+    , m_status(new StatusLine(*statusBar(), this))
+    , m_wanted(new WantedValues(this))
+    , m_pages(new QStackedWidget(this))
+{
+    setObjectName(QStringLiteral("mainWindow"));
+    setWindowTitle(tr("Training bus"));
+    setCentralWidget(m_pages);
+    setDockNestingEnabled(true);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    connectActions();
+    connectViewActions();
+    showBusState();
+    if (!restoreGeometry(m_settings.geometry()))
+        resize(firstSize);
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::attach(BusSession &bus, std::shared_ptr<TrainingControls> training, const QString &link,
+                        MessageModel &messages)
+{
+    m_bus = &bus;
+    m_training = std::move(training);
+    m_messageModel = &messages;
+    m_monitors = new MonitorArea(bus, this);
+    m_wizard = new ParameterWizard(bus, *m_wanted, this);
+    m_pages->addWidget(m_monitors);
+    m_pages->addWidget(m_wizard);
+    makeDocks(messages);
+    m_leaving->setBus(&bus);
+    m_status->setBus(&bus, link);
+    connectViews();
+    m_structure->setBus(&bus);
+    openFirstMonitors();
+    connect(&bus, &BusSession::stateChanged, this, &MainWindow::showBusState);
+    showBusState();
+    m_structure->setFocus();
+}
+
+void MainWindow::makeDocks(MessageModel &messages)
+{
+    m_structure = new StructureView(this);
+    m_trainingPanel = new TrainingPanel(*m_training, this);
+    m_parameters = new ParameterPanel(*m_wanted, this);
+    m_dial = new DialPanel(this);
+    m_trace = new TraceView(*m_bus, this);
+    m_sequence = new SequenceView(this);
+    m_messages = new MessagesView(messages, this);
+    addDock(QStringLiteral("structureDock"), tr("Bus structure"), m_structure, Qt::LeftDockWidgetArea);
+    addDock(QStringLiteral("trainingDock"), tr("Training"), m_trainingPanel, Qt::LeftDockWidgetArea);
+    addDock(QStringLiteral("parametersDock"), tr("Parameters"), m_parameters, Qt::RightDockWidgetArea);
+    addDock(QStringLiteral("dialDock"), tr("Encoder"), m_dial, Qt::RightDockWidgetArea);
+    addDock(QStringLiteral("messagesDock"), tr("Messages"), m_messages, Qt::BottomDockWidgetArea);
+    addDock(QStringLiteral("traceDock"), tr("Handshake trace"), m_trace, Qt::BottomDockWidgetArea);
+    addDock(QStringLiteral("sequenceDock"), tr("Sequence"), m_sequence, Qt::BottomDockWidgetArea);
+    arrangeDocks();
+    m_defaultLayout = saveState(layoutVersion);
+    restoreState(m_settings.layout(), layoutVersion);
+}
+
+QDockWidget *MainWindow::addDock(const QString &name, const QString &title, QWidget *content,
+                                 Qt::DockWidgetArea area)
+{
+    auto *dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    addDockWidget(area, dock);
+    QAction *toggle = dock->toggleViewAction();
+    toggle->setToolTip(tr("Shows or hides the panel \"%1\"").arg(title));
+    toggle->setShortcut(QKeySequence(Qt::ALT | Qt::Key(Qt::Key_1 + static_cast<int>(m_docks.size()))));
+    m_actions.docks->addAction(toggle);
+    m_docks.push_back(dock);
+    return dock;
+}
+
+void MainWindow::arrangeDocks()
+{
+    const auto dock = [this](const char *name) { return findChild<QDockWidget *>(QLatin1String(name)); };
+    splitDockWidget(dock("structureDock"), dock("trainingDock"), Qt::Vertical);
+    splitDockWidget(dock("parametersDock"), dock("dialDock"), Qt::Vertical);
+    tabifyDockWidget(dock("messagesDock"), dock("traceDock"));
+    tabifyDockWidget(dock("traceDock"), dock("sequenceDock"));
+    dock("traceDock")->raise();
+    resizeDocks({dock("structureDock"), dock("parametersDock")}, {280, 310}, Qt::Horizontal);
+    resizeDocks({dock("parametersDock"), dock("dialDock")}, {430, 300}, Qt::Vertical);
+    resizeDocks({dock("traceDock")}, {170}, Qt::Vertical);
+}
+
+void MainWindow::connectActions()
+{
+    const auto withBus = [this](auto what) {
+        return [this, what] {
+            if (m_bus != nullptr)
+                what(*m_bus);
+        };
+    };
+    connect(m_actions.quit, &QAction::triggered, this, &QWidget::close);
+    connect(m_actions.watch, &QAction::triggered, this,
+            withBus([](BusSession &bus) { bus.setOperate(false); }));
+    connect(m_actions.operate, &QAction::triggered, this,
+            withBus([](BusSession &bus) { bus.setOperate(true); }));
+    connect(m_actions.start, &QAction::triggered, this, withBus([](BusSession &bus) { bus.startBus(); }));
+    connect(m_actions.alarmStop, &QAction::triggered, this,
+            withBus([](BusSession &bus) { bus.alarmStop(); }));
+    connect(m_actions.stop, &QAction::triggered, this,
+            [this] { m_leaving->ask(Leaving::Why::stop, [this] { m_bus->stopBus(); }); });
+    connect(m_actions.wizard, &QAction::triggered, this, &MainWindow::showWizard);
+    connect(m_actions.monitors, &QAction::triggered, this, &MainWindow::showMonitors);
+    const auto open = [this](MonitorKind kind) {
+        return [this, kind] {
+            if (const auto number = currentNumber()) {
+                showMonitors();
+                m_monitors->openMonitor(*number, kind);
+            }
+        };
+    };
+    connect(m_actions.openIn32, &QAction::triggered, this, open(MonitorKind::in32));
+    connect(m_actions.openOut32, &QAction::triggered, this, open(MonitorKind::out32));
+    connect(m_actions.openIn16, &QAction::triggered, this, open(MonitorKind::in16));
+    connect(m_actions.zeroOut, &QAction::triggered, this, [this] {
+        if (const auto number = currentNumber())
+            m_bus->zeroOut(*number);
+    });
+    connect(m_actions.exportTrace, &QAction::triggered, this, [this] { m_trace->exportRows(); });
+    connect(m_actions.exportMessages, &QAction::triggered, this, [this] { m_messages->exportRows(); });
+}
+
+void MainWindow::connectViewActions()
+{
+    const Appearance appearance = m_settings.appearance();
+    m_actions.scheme->actions().at(static_cast<int>(appearance.scheme))->setChecked(true);
+    m_actions.largeControls->setChecked(appearance.largeControls);
+    m_actions.lessMotion->setChecked(appearance.lessMotion);
+    setAnimated(!appearance.lessMotion);
+    for (QAction *language : m_actions.language->actions())
+        language->setChecked(language->data().toString() == m_settings.language());
+
+    const auto change = [this] {
+        const Appearance chosen{.scheme =
+                                    static_cast<Scheme>(m_actions.scheme->checkedAction()->data().toInt()),
+                                .largeControls = m_actions.largeControls->isChecked(),
+                                .lessMotion = m_actions.lessMotion->isChecked()};
+        m_settings.setAppearance(chosen);
+        setAnimated(!chosen.lessMotion);
+        applyAppearance(*qApp, chosen);
+    };
+    connect(m_actions.scheme, &QActionGroup::triggered, this, change);
+    connect(m_actions.largeControls, &QAction::triggered, this, change);
+    connect(m_actions.lessMotion, &QAction::triggered, this, change);
+    connect(m_actions.language, &QActionGroup::triggered, this,
+            [this](const QAction *language) { Q_EMIT languageChosen(language->data().toString()); });
+    connect(m_actions.defaultLayout, &QAction::triggered, this,
+            [this] { restoreState(m_defaultLayout, layoutVersion); });
+    connect(m_actions.keys, &QAction::triggered, this, &MainWindow::showKeys);
+    connect(m_actions.about, &QAction::triggered, this, &MainWindow::showAbout);
+}
+
+void MainWindow::connectViews()
+{
+    connect(m_structure, &StructureView::chosen, this, &MainWindow::choose);
+    connect(m_structure, &StructureView::opened, this, [this](DeviceNumber number) {
+        showMonitors();
+        m_monitors->openMonitor(number, MonitorKind::in32);
+        if (m_bus->channel(number)->outWords() > 0)
+            m_monitors->openMonitor(number, MonitorKind::out32);
+    });
+    connect(m_structure, &StructureView::menuRequested, this,
+            [this](DeviceNumber, const QPoint &position) { m_actions.deviceMenu->popup(position); });
+    connect(m_parameters, &ParameterPanel::wizardRequested, this, &MainWindow::showWizard);
+    connect(m_wizard, &ParameterWizard::closeRequested, this, &MainWindow::showMonitors);
+    connect(m_trainingPanel, &TrainingPanel::acted, this, [this](DeviceNumber number, const QString &what) {
+        m_messageModel->addNow({.place = number,
+                                .severity = Severity::information,
+                                .id = MessageId::training,
+                                .arguments = {what}});
+    });
+}
+
+void MainWindow::choose(DeviceNumber number)
+{
+    EncoderSession *encoder = m_bus->encoder(number);
+    m_parameters->setEncoder(encoder);
+    m_dial->setEncoder(encoder);
+    m_trace->setEncoder(encoder);
+    m_sequence->setEncoder(encoder);
+    m_status->setEncoder(encoder);
+    m_wizard->setEncoder(encoder);
+}
+
+void MainWindow::openFirstMonitors()
+{
+    if (const auto state = m_settings.monitors())
+        m_monitors->restoreState(*state);
+    else
+        m_monitors->openFirst();
+}
+
+void MainWindow::showPicture()
+{
+    if (m_bus == nullptr)
+        return;
+    m_bus->pump();
+    m_trainingPanel->refresh();
+}
+
+void MainWindow::showWizard()
+{
+    if (m_wizard == nullptr)
+        return;
+    m_pages->setCurrentWidget(m_wizard);
+    m_wizard->focusPage();
+}
+
+void MainWindow::showMonitors()
+{
+    if (m_monitors != nullptr)
+        m_pages->setCurrentWidget(m_monitors);
+}
+
+void MainWindow::showBusState()
+{
+    const bool connected = m_bus != nullptr;
+    const bool running = connected && m_bus->isRunning();
+    const bool operating = connected && m_bus->isOperating();
+    m_actions.watch->setEnabled(connected);
+    m_actions.operate->setEnabled(connected);
+    m_actions.watch->setChecked(!operating);
+    m_actions.operate->setChecked(operating);
+    m_actions.start->setEnabled(connected && !running);
+    m_actions.stop->setEnabled(running);
+    m_actions.alarmStop->setEnabled(connected);
+    m_actions.deviceMenu->setEnabled(connected);
+    m_actions.exportTrace->setEnabled(connected);
+    m_actions.exportMessages->setEnabled(connected);
+}
+
+std::optional<DeviceNumber> MainWindow::currentNumber() const
+{
+    return m_structure == nullptr ? std::nullopt : m_structure->current();
+}
+
+void MainWindow::showKeys()
+{
+    QStringList rows;
+    for (const QAction *action : findChildren<QAction *>())
+        if (!action->shortcut().isEmpty())
+            rows.append(QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
+                            .arg(action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped(),
+                                 action->text().remove(u'&').toHtmlEscaped()));
+    rows.removeDuplicates();
+    QMessageBox::information(this, tr("Keys"),
+                             tr("<p>Space or a click toggles a bit, the arrows move.</p>") +
+                                 QStringLiteral("<table>%1</table>").arg(rows.join(QString())));
+}
+
+void MainWindow::showAbout()
+{
+    QMessageBox::about(
+        this, tr("About Codewheel"),
+        tr("<h3>Codewheel %1</h3><p>Sets up, watches and diagnoses absolute encoders on INTERBUS.</p>"
+           "<p>Free software under the GNU General Public License, version 3 or later. It comes without any "
+           "warranty.</p>")
+            .arg(QApplication::applicationVersion()));
+}
+
+void MainWindow::closeEvent(QCloseEvent *event)
+{
+    if (m_bus != nullptr && !m_mayClose) {
+        event->ignore();
+        m_leaving->ask(Leaving::Why::quit, [this] {
+            m_mayClose = true;
+            QTimer::singleShot(0, this, &QWidget::close);
+        });
+        return;
+    }
+    saveWindow();
+    QMainWindow::closeEvent(event);
+}
+
+void MainWindow::saveWindow()
+{
+    if (m_monitors == nullptr)
+        return; // never filled: there is nothing worth keeping
+    m_settings.setWindow(saveGeometry(), saveState(layoutVersion));
+    m_settings.setMonitors(m_monitors->state());
+}
+
+bool MainWindow::event(QEvent *event)
+{
+    const bool handled = QMainWindow::event(event);
+    if (event->type() == QEvent::Paint && !m_painted) {
+        m_painted = true;
+        QTimer::singleShot(0, this, &MainWindow::firstPainted);
+    }
+    return handled;
+}
+
+} // namespace codewheel

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/window/window_actions.h"
+#include "app/window/window_settings.h"
+#include "encoder/device_number.h"
+
+#include <QMainWindow>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+class QDockWidget;
+class QStackedWidget;
+
+namespace codewheel {
+
+class AlarmStopEverywhere;
+class BusSession;
+class DialPanel;
+class EncoderSession;
+class Leaving;
+class MessageModel;
+class MessagesView;
+class MonitorArea;
+class ParameterPanel;
+class ParameterWizard;
+class SequenceView;
+class StatusLine;
+class StructureView;
+class TraceView;
+class TrainingControls;
+class TrainingPanel;
+class WantedValues;
+
+// The window: menus, tool bar, panels around the monitors or the wizard, status line. Wires views to the bus
+// session and to each other; does nothing of its own with a word. Made empty, so that it is seen at once;
+// attach() fills it.
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+
+public:
+    explicit MainWindow(WindowSettings &settings, QWidget *parent = nullptr);
+    ~MainWindow() override;
+
+    // The bus must outlive the window, or the window be closed first. link: its name in the status line.
+    // The messages outlive it: they are kept when the window is made anew in another language.
+    void attach(BusSession &bus, std::shared_ptr<TrainingControls> training, const QString &link,
+                MessageModel &messages);
+
+    // Takes a picture of the bus and shows it. Called 30 times a second by the program, by hand in tests.
+    void showPicture();
+
+    const WindowActions &actions() const { return m_actions; }
+    void showWizard();
+    void showMonitors();
+    // Size, layout and monitors, for the next start.
+    void saveWindow();
+
+Q_SIGNALS:
+    void firstPainted();
+    void languageChosen(const QString &language);
+
+protected:
+    void closeEvent(QCloseEvent *event) override;
+    bool event(QEvent *event) override;
+
+private:
+    void makeDocks(MessageModel &messages);
+    QDockWidget *addDock(const QString &name, const QString &title, QWidget *content,
+                         Qt::DockWidgetArea area);
+    void arrangeDocks();
+    void connectActions();
+    void connectViewActions();
+    void connectViews();
+    void choose(DeviceNumber number);
+    void openFirstMonitors();
+    void showBusState();
+    void showKeys();
+    void showAbout();
+    std::optional<DeviceNumber> currentNumber() const;
+
+    WindowSettings &m_settings;
+    BusSession *m_bus = nullptr;
+    std::shared_ptr<TrainingControls> m_training;
+    WindowActions m_actions;
+    AlarmStopEverywhere *m_alarmStop;
+    Leaving *m_leaving;
+    StatusLine *m_status;
+    WantedValues *m_wanted;
+    QStackedWidget *m_pages;
+    std::vector<QDockWidget *> m_docks;
+    StructureView *m_structure = nullptr;
+    MonitorArea *m_monitors = nullptr;
+    ParameterWizard *m_wizard = nullptr;
+    ParameterPanel *m_parameters = nullptr;
+    DialPanel *m_dial = nullptr;
+    TraceView *m_trace = nullptr;
+    SequenceView *m_sequence = nullptr;
+    MessageModel *m_messageModel = nullptr;
+    MessagesView *m_messages = nullptr;
+    TrainingPanel *m_trainingPanel = nullptr;
+    QByteArray m_defaultLayout;
+    bool m_painted = false;
+    bool m_mayClose = false;
+};
+
+} // namespace codewheel

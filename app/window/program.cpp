@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/program.h"
+
+#include "app/window/main_window.h"
+#include "app/window/start_probe.h"
+#include "widgets/messages/message_model.h"
+
+#include <QApplication>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto busPeriod = 1ms;      // of the training bus
+constexpr auto picturePeriod = 33ms; // 30 pictures a second
+constexpr auto measuredRun = 2s;     // then a measured start ends
+
+} // namespace
+
+Program::Program(QApplication &application, const QString &settingsFile)
+    : m_application(application)
+    , m_settings(settingsFile)
+{
+    applyAppearance(application, m_settings.appearance());
+    m_language.use(m_settings.language());
+    m_pictures.setTimerType(Qt::PreciseTimer);
+    connect(&m_pictures, &QTimer::timeout, this, [this] { m_window->showPicture(); });
+}
+
+Program::~Program()
+{
+    m_pictures.stop();
+    m_window.reset(); // before the sessions it looks at
+}
+
+int Program::run()
+{
+    openWindow();
+    m_window->show();
+    return QApplication::exec();
+}
+
+// Nothing but the window is made before it is seen; the bus comes after.
+void Program::openWindow()
+{
+    m_window = std::make_unique<MainWindow>(m_settings);
+    connect(m_window.get(), &MainWindow::languageChosen, this, &Program::useLanguage, Qt::QueuedConnection);
+    if (m_training.bus)
+        attach();
+    else
+        connect(m_window.get(), &MainWindow::firstPainted, this, &Program::startBus);
+}
+
+void Program::startBus()
+{
+    const bool measured = reportFirstPaint();
+    m_catalog = std::make_unique<Catalog>(Catalog::builtIn());
+    m_messages = std::make_unique<MessageModel>();
+    m_training = openTrainingSession(*m_catalog, QDateTime::currentDateTime());
+    m_messages->setBus(*m_training.bus);
+    attach();
+    m_training.bus->startThread(busPeriod);
+    m_pictures.start(picturePeriod);
+    if (measured)
+        QTimer::singleShot(measuredRun, &m_application, [] {
+            reportMemory();
+            QCoreApplication::exit();
+        });
+}
+
+void Program::attach()
+{
+    m_window->attach(*m_training.bus, m_training.controls, tr("training bus"), *m_messages);
+}
+
+// All texts are made with the window, so it is made again; bus, jobs and messages go on.
+void Program::useLanguage(const QString &language)
+{
+    m_settings.setLanguage(language);
+    m_window->saveWindow();
+    m_language.use(language);
+    const bool visible = m_window->isVisible();
+    m_window.reset();
+    openWindow();
+    m_window->setVisible(visible);
+}
+
+} // namespace codewheel

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/language.h"
+#include "app/training_session.h"
+#include "app/window/window_settings.h"
+#include "catalog/catalog.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+
+class QApplication;
+
+namespace codewheel {
+
+class MainWindow;
+class MessageModel;
+
+// The program with a window, from start to end: language, appearance, the window, and after its first paint
+// the training bus with a thread of its own. The language can be chosen at any time: the window is made anew,
+// the bus goes on.
+class Program : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit Program(QApplication &application, const QString &settingsFile = {});
+    ~Program() override;
+
+    int run();
+    void openWindow();
+    MainWindow *window() const { return m_window.get(); }
+    const TrainingSession &training() const { return m_training; } // empty before the first paint
+
+private:
+    void startBus();
+    void attach();
+    void showPicture();
+    void useLanguage(const QString &language);
+
+    QApplication &m_application;
+    WindowSettings m_settings;
+    Language m_language;
+    std::unique_ptr<Catalog> m_catalog;
+    std::unique_ptr<MessageModel> m_messages;
+    TrainingSession m_training;
+    std::unique_ptr<MainWindow> m_window;
+    QTimer m_pictures;
+};
+
+} // namespace codewheel

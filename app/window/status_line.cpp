@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/status_line.h"
+
+#include "catalog/device_description.h"
+#include "ring/bus_session.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/role_label.h"
+
+#include <QLabel>
+#include <QLocale>
+#include <QStatusBar>
+
+namespace codewheel {
+namespace {
+
+QLabel *addLabel(QStatusBar &bar, const QString &name, const QString &toolTip)
+{
+    auto *label = new QLabel(&bar);
+    label->setFont(textFont(TextSize::small));
+    label->setAccessibleName(name);
+    label->setToolTip(toolTip);
+    return label;
+}
+
+// Repainting a text that is the same costs a picture of its own.
+void setTextOf(QLabel *label, const QString &text)
+{
+    if (label->text() != text)
+        label->setText(text);
+}
+
+} // namespace
+
+StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
+    : QObject(parent)
+    , m_state(new RoleLabel(&bar))
+    , m_mode(new RoleLabel(&bar))
+    , m_cycle(addLabel(bar, tr("Cycle time"), tr("The time from one exchange of all words to the next")))
+    , m_late(
+          addLabel(bar, tr("Late cycles"), tr("Cycles that began too late; they are counted, not caught up")))
+    , m_linkLabel(addLabel(bar, tr("Link"), tr("How the program is connected to the ring")))
+    , m_writes(
+          addLabel(bar, tr("EEPROM writes"),
+                   tr("Writes to the memory of the chosen encoder by this program since it was started")))
+{
+    m_state->setToolTip(tr("State of the master"));
+    m_mode->setToolTip(tr("Watch: nothing is sent. Operate: writing is allowed."));
+    bar.setSizeGripEnabled(false);
+    bar.addWidget(m_state);
+    bar.addWidget(m_mode);
+    bar.addWidget(m_cycle);
+    bar.addWidget(m_late);
+    bar.addWidget(m_linkLabel);
+    bar.addPermanentWidget(m_writes);
+}
+
+void StatusLine::setBus(BusSession *bus, const QString &link)
+{
+    if (m_bus != nullptr)
+        m_bus->disconnect(this);
+    m_bus = bus;
+    m_link = link;
+    if (bus != nullptr) {
+        connect(bus, &BusSession::updated, this, &StatusLine::refresh);
+        connect(bus, &BusSession::stateChanged, this, &StatusLine::refresh);
+    }
+    refresh();
+}
+
+void StatusLine::setEncoder(EncoderSession *encoder)
+{
+    m_encoder = encoder;
+    refresh();
+}
+
+void StatusLine::refresh()
+{
+    showState();
+    if (m_bus == nullptr)
+        return;
+    const Snapshot &snapshot = m_bus->latest();
+    const QLocale locale;
+    const double period = std::chrono::duration<double, std::milli>(snapshot.period).count();
+    setTextOf(m_cycle,
+              period > 0 ? tr("cycle %1 ms").arg(locale.toString(period, 'f', 1)) : tr("virtual time"));
+    setTextOf(m_late, tr("%n late cycle(s)", nullptr, static_cast<int>(snapshot.lateCycles)));
+    setTextOf(m_linkLabel, tr("link: %1").arg(m_link));
+    setTextOf(m_writes, m_encoder == nullptr
+                            ? QString()
+                            : tr("%1 %2: %n write(s) from here", nullptr, m_encoder->eepromWrites())
+                                  .arg(m_encoder->number().toString(), m_encoder->device().vendor));
+}
+
+void StatusLine::showState()
+{
+    if (m_bus == nullptr) {
+        m_state->setState(Role::inactive, tr("not connected"));
+        m_mode->setState(Role::inactive, tr("Watch"));
+        return;
+    }
+    switch (m_bus->latest().state) {
+    case MasterState::run:
+        m_state->setState(Role::running, tr("RUN"));
+        break;
+    case MasterState::busFail:
+        m_state->setState(Role::fault, tr("BUS FAIL"));
+        break;
+    case MasterState::ready:
+        m_state->setState(Role::inactive, tr("READY"));
+        break;
+    case MasterState::active:
+        m_state->setState(Role::inactive, tr("ACTIVE"));
+        break;
+    }
+    if (m_bus->isOperating())
+        m_mode->setState(Role::running, tr("Operate"));
+    else
+        m_mode->setState(Role::inactive, tr("Watch"));
+}
+
+} // namespace codewheel

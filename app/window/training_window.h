@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/training_session.h"
+#include "app/window/main_window.h"
+#include "catalog/catalog.h"
+#include "widgets/messages/message_model.h"
+
+namespace codewheel {
+
+// The main window on a training bus in virtual time: nothing moves but by advance(). For tests, and for the
+// pictures of the manual, which agree because each begins at the same date and time.
+class TrainingWindow
+{
+public:
+    // An ini file of its own keeps what the window keeps.
+    explicit TrainingWindow(const QString &settingsFile);
+    ~TrainingWindow();
+
+    MainWindow &window() { return *m_window; }
+    BusSession &bus() { return *m_training.bus; }
+    TrainingControls &controls() { return *m_training.controls; }
+    MessageModel &messages() { return m_messages; }
+    // So many milliseconds pass on the bus; a picture is taken every 33.
+    void advance(int milliseconds);
+
+    static QDateTime begin();
+
+private:
+    Catalog m_catalog = Catalog::builtIn();
+    WindowSettings m_settings;
+    MessageModel m_messages;
+    TrainingSession m_training;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+} // namespace codewheel

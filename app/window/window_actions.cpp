@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/window_actions.h"
+
+#include "app/window/alarm_stop.h"
+#include "widgets/look/appearance.h"
+#include "widgets/look/icons.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace codewheel {
+namespace {
+
+QAction *checkable(QAction *action)
+{
+    action->setCheckable(true);
+    return action;
+}
+
+QAction *choice(QActionGroup *group, const QString &text, const QVariant &data, const QString &toolTip)
+{
+    QAction *action = checkable(new QAction(text, group));
+    action->setData(data);
+    action->setToolTip(toolTip);
+    return action;
+}
+
+QAction *described(QAction *action, const QKeySequence &key, const QString &what)
+{
+    action->setShortcut(key);
+    action->setStatusTip(what);
+    action->setToolTip(
+        key.isEmpty() ? what : QStringLiteral("%1 (%2)").arg(what, key.toString(QKeySequence::NativeText)));
+    return action;
+}
+
+} // namespace
+
+WindowActions::WindowActions(QMainWindow &window)
+    : QObject(&window)
+    , m_window(window)
+{
+    makeFileMenu();
+    makeBusMenu();
+    makeDeviceMenu();
+    makeViewMenu();
+    makeHelpMenu();
+    makeToolBar();
+}
+
+void WindowActions::makeFileMenu()
+{
+    QMenu *menu = m_window.menuBar()->addMenu(tr("&File"));
+    exportTrace = described(menu->addAction(lineIcon(Icon::exportData), tr("Export handshake &trace...")), {},
+                            tr("Saves the handshake trace as a CSV file"));
+    exportMessages = described(menu->addAction(lineIcon(Icon::exportData), tr("Export &messages...")), {},
+                               tr("Saves the messages as a CSV file"));
+    menu->addSeparator();
+    quit = described(menu->addAction(tr("&Quit")), QKeySequence::Quit, tr("Ends the program"));
+}
+
+void WindowActions::makeBusMenu()
+{
+    QMenu *menu = m_window.menuBar()->addMenu(tr("&Bus"));
+    auto *mode = new QActionGroup(this);
+    watch = described(choice(mode, tr("&Watch"), {}, {}), Qt::CTRL | Qt::Key_W, tr("Watch: nothing is sent"));
+    watch->setIcon(lineIcon(Icon::watch));
+    operate = described(choice(mode, tr("&Operate"), {}, {}), Qt::CTRL | Qt::Key_O,
+                        tr("Operate: writing is allowed"));
+    operate->setIcon(lineIcon(Icon::operate));
+    menu->addActions(mode->actions());
+    menu->addSeparator();
+    start = described(menu->addAction(lineIcon(Icon::start), tr("&Start")), Qt::Key_F5,
+                      tr("Starts the bus: data cycles run"));
+    stop = described(menu->addAction(lineIcon(Icon::stop), tr("S&top")), Qt::SHIFT | Qt::Key_F5,
+                     tr("Stops the bus: no more data cycles"));
+    menu->addSeparator();
+    alarmStop = described(menu->addAction(lineIcon(Icon::alarmStop), tr("&ALARM STOP whole ring")),
+                          alarmStopKey(), tr("Sets all OUT words of the whole ring to 0, at once"));
+}
+
+void WindowActions::makeDeviceMenu()
+{
+    deviceMenu = m_window.menuBar()->addMenu(tr("&Device"));
+    const auto open = [this](const QString &text, const QKeySequence &key, const QString &what) {
+        return described(deviceMenu->addAction(lineIcon(Icon::monitor), text), key, what);
+    };
+    openIn32 = open(tr("Monitor &IN 32"), Qt::CTRL | Qt::Key_1, tr("Opens a monitor of the 32-bit IN word"));
+    openOut32 =
+        open(tr("Monitor &OUT 32"), Qt::CTRL | Qt::Key_2, tr("Opens a monitor of the 32-bit OUT word"));
+    openIn16 = open(tr("Monitor IN &16"), Qt::CTRL | Qt::Key_3, tr("Opens a monitor of a 16-bit IN word"));
+    deviceMenu->addSeparator();
+    wizard = described(deviceMenu->addAction(lineIcon(Icon::wizard), tr("Parameter &wizard")), Qt::Key_F6,
+                       tr("Sets up the chosen encoder step by step"));
+    zeroOut = described(deviceMenu->addAction(lineIcon(Icon::write), tr("Set OUT to &00000000")),
+                        Qt::CTRL | Qt::Key_0, tr("Sends 00000000 to the chosen device: normal running"));
+}
+
+void WindowActions::makeViewMenu()
+{
+    QMenu *menu = m_window.menuBar()->addMenu(tr("&View"));
+    monitors = described(menu->addAction(lineIcon(Icon::monitor), tr("&Monitors")), Qt::Key_F7,
+                         tr("Shows the monitors"));
+    menu->addSeparator();
+    docks = menu->addMenu(tr("&Panels"));
+    defaultLayout =
+        described(menu->addAction(tr("&Default layout")), {}, tr("Puts all panels back to their places"));
+    menu->addSeparator();
+
+    QMenu *schemes = menu->addMenu(tr("&Appearance"));
+    scheme = new QActionGroup(this);
+    choice(scheme, tr("&System"), static_cast<int>(Scheme::system), tr("As light or dark as the desktop"));
+    choice(scheme, tr("&Light"), static_cast<int>(Scheme::light), tr("Dark on light"));
+    choice(scheme, tr("&Dark"), static_cast<int>(Scheme::dark), tr("Light on dark"));
+    schemes->addActions(scheme->actions());
+    largeControls = described(checkable(menu->addAction(tr("Large &controls"))), Qt::CTRL | Qt::Key_L,
+                              tr("Larger bits and buttons, for gloves"));
+    lessMotion = described(checkable(menu->addAction(tr("Less m&otion"))), {},
+                           tr("Nothing on the screen is animated"));
+
+    QMenu *languages = menu->addMenu(tr("Lan&guage"));
+    language = new QActionGroup(this);
+    choice(language, tr("S&ystem"), QString(), tr("The language of the desktop"));
+    // A language is called by its own name, whatever the language of the window.
+    choice(language, QStringLiteral("&English"), QStringLiteral("en"), QStringLiteral("English"));
+    choice(language, QStringLiteral("&Deutsch"), QStringLiteral("de"), QStringLiteral("Deutsch"));
+    languages->addActions(language->actions());
+}
+
+void WindowActions::makeHelpMenu()
+{
+    QMenu *menu = m_window.menuBar()->addMenu(tr("&Help"));
+    keys = described(menu->addAction(tr("&Keys")), QKeySequence::HelpContents,
+                     tr("Lists the keys of the window"));
+    about = described(menu->addAction(lineIcon(Icon::information), tr("&About Codewheel")), {},
+                      tr("Version and licence"));
+}
+
+void WindowActions::makeToolBar()
+{
+    QToolBar *bar = m_window.addToolBar(tr("Bus"));
+    bar->setObjectName(QStringLiteral("busToolBar"));
+    bar->setMovable(false);
+    bar->setContextMenuPolicy(
+        Qt::PreventContextMenu); // it cannot be hidden: ALARM STOP is always one click away
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    bar->addAction(watch);
+    bar->addAction(operate);
+    bar->addSeparator();
+    bar->addAction(start);
+    bar->addAction(stop);
+    bar->addSeparator();
+    bar->addAction(wizard);
+    auto *space = new QWidget(bar);
+    space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    bar->addWidget(space);
+    bar->addWidget(makeAlarmStopButton(alarmStop, bar));
+    for (QAction *action : bar->actions())
+        if (QWidget *button = bar->widgetForAction(action); button != nullptr && !action->isSeparator())
+            button->setFocusPolicy(Qt::TabFocus);
+    space->setFocusPolicy(Qt::NoFocus);
+}
+
+} // namespace codewheel

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include <vector>
+
+class QAction;
+class QActionGroup;
+class QMainWindow;
+class QMenu;
+
+namespace codewheel {
+
+// Everything that can be asked for in the main window, with text, icon, tooltip and key, in menus and tool
+// bar. Who carries it out is connected by MainWindow.
+class WindowActions : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit WindowActions(QMainWindow &window);
+
+    // File
+    QAction *exportTrace;
+    QAction *exportMessages;
+    QAction *quit;
+    // Bus
+    QAction *watch;
+    QAction *operate;
+    QAction *start;
+    QAction *stop;
+    QAction *alarmStop;
+    // Device
+    QAction *openIn32;
+    QAction *openOut32;
+    QAction *openIn16;
+    QAction *wizard;
+    QAction *zeroOut;
+    // View
+    QMenu *docks;
+    QAction *monitors;
+    QAction *largeControls;
+    QAction *lessMotion;
+    QActionGroup *scheme;   // data(): int(Scheme)
+    QActionGroup *language; // data(): QString, empty for the system's
+    QAction *defaultLayout;
+    // Help
+    QAction *keys;
+    QAction *about;
+
+    QMenu *deviceMenu;
+
+private:
+    void makeFileMenu();
+    void makeBusMenu();
+    void makeDeviceMenu();
+    void makeViewMenu();
+    void makeHelpMenu();
+    void makeToolBar();
+
+    QMainWindow &m_window;
+};
+
+} // namespace codewheel

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/window_settings.h"
+
+#include <QJsonDocument>
+#include <QSettings>
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr std::array schemeNames{"system", "light", "dark"};
+
+QString nameOf(Scheme scheme)
+{
+    return QString::fromLatin1(schemeNames.at(static_cast<std::size_t>(scheme)));
+}
+
+Scheme schemeOf(const QString &name)
+{
+    const auto found =
+        std::ranges::find_if(schemeNames, [&](const char *known) { return name == QLatin1String(known); });
+    return found == schemeNames.end() ? Scheme::system : static_cast<Scheme>(found - schemeNames.begin());
+}
+
+const QString languageKey = QStringLiteral("language");
+const QString schemeKey = QStringLiteral("appearance/scheme");
+const QString largeControlsKey = QStringLiteral("appearance/largeControls");
+const QString lessMotionKey = QStringLiteral("appearance/lessMotion");
+const QString geometryKey = QStringLiteral("window/geometry");
+const QString layoutKey = QStringLiteral("window/layout");
+const QString monitorsKey = QStringLiteral("window/monitors");
+
+} // namespace
+
+WindowSettings::WindowSettings(const QString &file)
+    : m_settings(file.isEmpty()
+                     ? std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope,
+                                                   QStringLiteral("codewheel"), QStringLiteral("codewheel"))
+                     : std::make_unique<QSettings>(file, QSettings::IniFormat))
+{}
+
+WindowSettings::~WindowSettings() = default;
+
+QString WindowSettings::language() const
+{
+    return m_settings->value(languageKey).toString();
+}
+
+void WindowSettings::setLanguage(const QString &language)
+{
+    m_settings->setValue(languageKey, language);
+}
+
+Appearance WindowSettings::appearance() const
+{
+    return {.scheme = schemeOf(m_settings->value(schemeKey).toString()),
+            .largeControls = m_settings->value(largeControlsKey).toBool(),
+            .lessMotion = m_settings->value(lessMotionKey).toBool()};
+}
+
+void WindowSettings::setAppearance(const Appearance &appearance)
+{
+    m_settings->setValue(schemeKey, nameOf(appearance.scheme));
+    m_settings->setValue(largeControlsKey, appearance.largeControls);
+    m_settings->setValue(lessMotionKey, appearance.lessMotion);
+}
+
+QByteArray WindowSettings::geometry() const
+{
+    return m_settings->value(geometryKey).toByteArray();
+}
+
+QByteArray WindowSettings::layout() const
+{
+    return m_settings->value(layoutKey).toByteArray();
+}
+
+void WindowSettings::setWindow(const QByteArray &geometry, const QByteArray &layout)
+{
+    m_settings->setValue(geometryKey, geometry);
+    m_settings->setValue(layoutKey, layout);
+}
+
+std::optional<QJsonObject> WindowSettings::monitors() const
+{
+    if (!m_settings->contains(monitorsKey))
+        return std::nullopt;
+    return QJsonDocument::fromJson(m_settings->value(monitorsKey).toByteArray()).object();
+}
+
+void WindowSettings::setMonitors(const QJsonObject &monitors)
+{
+    m_settings->setValue(monitorsKey, QJsonDocument(monitors).toJson(QJsonDocument::Compact));
+}
+
+} // namespace codewheel

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/look/appearance.h"
+
+#include <QByteArray>
+#include <QJsonObject>
+#include <QString>
+
+#include <memory>
+#include <optional>
+
+class QSettings;
+
+namespace codewheel {
+
+// What is kept between two runs of the window. The only place that knows the keys.
+class WindowSettings
+{
+public:
+    // An ini file; empty: the user's own.
+    explicit WindowSettings(const QString &file = {});
+    ~WindowSettings();
+
+    QString language() const; // "de", "en", or empty: the system's
+    void setLanguage(const QString &language);
+    Appearance appearance() const;
+    void setAppearance(const Appearance &appearance);
+
+    QByteArray geometry() const;
+    QByteArray layout() const; // of docks and tool bar
+    void setWindow(const QByteArray &geometry, const QByteArray &layout);
+
+    std::optional<QJsonObject> monitors() const; // nothing at first start
+    void setMonitors(const QJsonObject &monitors);
+
+private:
+    std::unique_ptr<QSettings> m_settings;
+};
+
+} // namespace codewheel

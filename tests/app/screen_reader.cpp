@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/screen_reader.h"
+
+#include <QAccessible>
+#include <QSignalSpy>
+#include <QWidget>
+
+#include <gtest/gtest.h>
+
+namespace codewheel::test {
+namespace {
+
+QAccessibleInterface *findIn(QAccessibleInterface *in, QAccessible::Role role, const QString &name)
+{
+    if (in == nullptr || in->state().invisible)
+        return nullptr;
+    if (in->role() == role && in->text(QAccessible::Name) == name)
+        return in;
+    for (int i = 0; i < in->childCount(); ++i)
+        if (QAccessibleInterface *found = findIn(in->child(i), role, name))
+            return found;
+    return nullptr;
+}
+
+} // namespace
+
+ScreenReader::ScreenReader(QWidget &window)
+    : m_window(window)
+{}
+
+QAccessibleInterface *ScreenReader::find(QAccessible::Role role, const QString &name) const
+{
+    QAccessibleInterface *found = findIn(QAccessible::queryAccessibleInterface(&m_window), role, name);
+    EXPECT_NE(found, nullptr) << "nothing is called " << name.toStdString();
+    return found;
+}
+
+// A button is pressed visibly; its click comes a little later.
+void ScreenReader::press(const QString &name) const
+{
+    QAccessibleInterface *found = find(QAccessible::Button, name);
+    ASSERT_NE(found, nullptr);
+    ASSERT_FALSE(found->state().disabled) << name.toStdString();
+    ASSERT_NE(found->actionInterface(), nullptr) << name.toStdString();
+    QSignalSpy clicked(found->object(), SIGNAL(clicked(bool)));
+    found->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+    EXPECT_TRUE(clicked.count() == 1 || clicked.wait()) << name.toStdString();
+}
+
+void ScreenReader::toggle(const QString &name) const
+{
+    QAccessibleInterface *found = find(QAccessible::CheckBox, name);
+    ASSERT_NE(found, nullptr);
+    found->actionInterface()->doAction(QAccessibleActionInterface::toggleAction());
+}
+
+bool ScreenReader::isChecked(const QString &name) const
+{
+    QAccessibleInterface *found = find(QAccessible::CheckBox, name);
+    return found != nullptr && found->state().checked;
+}
+
+void ScreenReader::type(const QString &name, const QString &text) const
+{
+    QAccessibleInterface *found = find(QAccessible::EditableText, name);
+    ASSERT_NE(found, nullptr);
+    found->setText(QAccessible::Value, text);
+}
+
+QString ScreenReader::read(const QString &name) const
+{
+    QAccessibleInterface *found = find(QAccessible::EditableText, name);
+    return found == nullptr ? QString() : found->text(QAccessible::Value);
+}
+
+} // namespace codewheel::test

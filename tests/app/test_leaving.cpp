@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is asked before the bus is stopped and the window is closed.
+#include "tests/app/question.h"
+#include "tests/app/window_test.h"
+
+namespace codewheel {
+namespace {
+
+using test::baumer;
+using test::fraba;
+
+class LeavingTest : public test::WindowTest
+{
+protected:
+    void startHandshake()
+    {
+        ASSERT_TRUE(bus().encoder(baumer)->start(
+            WriteParameters{.values = {{Parameter::steps, 255}, {Parameter::revolutions, 1}}, .previous = {}},
+            Pace::byHand));
+        advance(20);
+        bus().encoder(baumer)->proceed();
+        advance(100);
+        ASSERT_EQ(in(baumer), 0xC200'00FFu);
+    }
+};
+
+TEST_F(LeavingTest, WithAllWordsZeroNothingIsAsked)
+{
+    actions().stop->trigger();
+    advance(5);
+    EXPECT_FALSE(bus().isRunning());
+    window().close();
+    advance(5);
+    EXPECT_FALSE(window().isVisible());
+}
+
+TEST_F(LeavingTest, StopNamesTheDevicesWhoseOutIsNotZeroAndSetsThemToZero)
+{
+    send(fraba, 0x0000'0001);
+    test::Question question = test::Question::answeredBy(QStringLiteral("Set to 00000000"));
+    actions().stop->trigger();
+    EXPECT_TRUE(question.text().contains(QStringLiteral("OUT 1.0 is 00000001")))
+        << question.text().toStdString();
+    EXPECT_FALSE(question.text().contains(QStringLiteral("2.0")));
+    advance(50);
+    EXPECT_EQ(out(fraba), 0u);
+    EXPECT_FALSE(bus().isRunning());
+}
+
+TEST_F(LeavingTest, StopLeavesTheWordsIfTheUserSaysSo)
+{
+    send(fraba, 0x0000'0001);
+    test::Question question = test::Question::answeredBy(QStringLiteral("Leave as they are"));
+    actions().stop->trigger();
+    advance(50);
+    EXPECT_EQ(out(fraba), 1u);
+    EXPECT_FALSE(bus().isRunning());
+}
+
+TEST_F(LeavingTest, CancelKeepsTheBusRunning)
+{
+    send(fraba, 0x0000'0001);
+    test::Question question = test::Question::answeredBy(QStringLiteral("Cancel"));
+    actions().stop->trigger();
+    advance(50);
+    EXPECT_EQ(out(fraba), 1u);
+    EXPECT_TRUE(bus().isRunning());
+}
+
+TEST_F(LeavingTest, ClosingAsksHowToEndAHandshake)
+{
+    startHandshake();
+    test::Question question = test::Question::answeredBy(QStringLiteral("Run"));
+    window().close();
+    EXPECT_TRUE(window().isVisible()) << "until the encoder is back in operation";
+    advance(300);
+    EXPECT_TRUE(k3::isOperation(in(baumer)));
+    EXPECT_EQ(bus().encoder(baumer)->known(Parameter::steps)->value, 255);
+    EXPECT_FALSE(window().isVisible());
+}
+
+TEST_F(LeavingTest, GoingOnWithTheHandshakeKeepsTheWindow)
+{
+    startHandshake();
+    test::Question question = test::Question::answeredBy(QStringLiteral("Go on"));
+    window().close();
+    advance(100);
+    EXPECT_TRUE(window().isVisible());
+    EXPECT_TRUE(bus().encoder(baumer)->runningJob());
+    EXPECT_EQ(out(baumer), 0x0200'00FFu) << "nothing was sent";
+}
+
+} // namespace
+} // namespace codewheel

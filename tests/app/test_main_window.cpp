@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/window_test.h"
+#include "widgets/structure/structure_view.h"
+
+namespace codewheel {
+namespace {
+
+using test::baumer;
+using test::fraba;
+
+class MainWindowTest : public test::WindowTest
+{
+protected:
+    QDockWidget *dock(const char *name) { return window().findChild<QDockWidget *>(QLatin1String(name)); }
+};
+
+TEST_F(MainWindowTest, AtFirstStartIn32AndOut32Of10AreOpen)
+{
+    EXPECT_EQ(monitors().monitors().size(), 2u);
+    EXPECT_NE(monitors().monitor(fraba, MonitorKind::in32), nullptr);
+    EXPECT_NE(monitors().monitor(fraba, MonitorKind::out32), nullptr);
+    EXPECT_EQ(in(fraba), 12345u);
+}
+
+TEST_F(MainWindowTest, NothingIsSentByOpeningChoosingAndLooking)
+{
+    window().findChild<StructureView *>()->choose(baumer);
+    window().showWizard();
+    window().showMonitors();
+    advance(500);
+    EXPECT_EQ(out(fraba), 0u);
+    EXPECT_EQ(out(baumer), 0u);
+}
+
+TEST_F(MainWindowTest, LayoutAndMonitorsAreKept)
+{
+    dock("messagesDock")->close();
+    monitors().openMonitor(baumer, MonitorKind::in16);
+    monitors().closeMonitor(fraba, MonitorKind::in32);
+    window().resize(1100, 700);
+    const QSize size = window().size();
+    window().close();
+    advance(5);
+    open();
+    EXPECT_FALSE(dock("messagesDock")->isVisible());
+    EXPECT_EQ(window().size(), size);
+    EXPECT_EQ(monitors().monitor(fraba, MonitorKind::in32), nullptr);
+    EXPECT_NE(monitors().monitor(baumer, MonitorKind::in16), nullptr);
+}
+
+TEST_F(MainWindowTest, DefaultLayoutBringsThePanelsBack)
+{
+    dock("structureDock")->close();
+    dock("dialDock")->close();
+    actions().defaultLayout->trigger();
+    EXPECT_TRUE(dock("structureDock")->isVisible());
+    EXPECT_TRUE(dock("dialDock")->isVisible());
+}
+
+TEST_F(MainWindowTest, FitsInto1024By640)
+{
+    window().resize(1024, 640);
+    advance(5);
+    EXPECT_LE(window().minimumSizeHint().width(), 1024);
+    EXPECT_LE(window().minimumSizeHint().height(), 640);
+    EXPECT_EQ(window().size(), QSize(1024, 640));
+}
+
+TEST_F(MainWindowTest, WatchAndOperateAreTold)
+{
+    EXPECT_TRUE(actions().operate->isChecked());
+    actions().watch->trigger();
+    advance(50);
+    EXPECT_TRUE(actions().watch->isChecked());
+    EXPECT_FALSE(bus().isOperating());
+    bus().channel(fraba)->stage(1);
+    EXPECT_FALSE(bus().channel(fraba)->write());
+    EXPECT_EQ(bus().channel(fraba)->staged(), Word{1}) << "nothing is lost";
+    actions().operate->trigger();
+    advance(50);
+    EXPECT_TRUE(bus().isOperating());
+}
+
+TEST_F(MainWindowTest, StartAndStopFollowTheBus)
+{
+    EXPECT_FALSE(actions().start->isEnabled());
+    actions().stop->trigger();
+    advance(50);
+    EXPECT_TRUE(actions().start->isEnabled());
+    EXPECT_FALSE(actions().stop->isEnabled());
+    actions().start->trigger();
+    advance(50);
+    EXPECT_TRUE(bus().isRunning());
+    EXPECT_TRUE(actions().stop->isEnabled());
+}
+
+// Every control has an accessible name, a tooltip and a way to it by keys
+TEST_F(MainWindowTest, EveryControlHasANameAndATooltip)
+{
+    window().showWizard();
+    advance(5);
+    window().showMonitors();
+    for (QWidget *widget : window().findChildren<QWidget *>()) {
+        const bool isControl = qobject_cast<QAbstractButton *>(widget) || qobject_cast<QLineEdit *>(widget) ||
+                               qobject_cast<QComboBox *>(widget) ||
+                               qobject_cast<QAbstractSpinBox *>(widget) ||
+                               qobject_cast<QAbstractSlider *>(widget);
+        // parts of Qt's own widgets: spin box editors, scroll bars, dock and tab bar buttons
+        const QWidget *owner = widget->parentWidget();
+        const bool isPart = qobject_cast<QScrollBar *>(widget) || widget->objectName().startsWith(u"qt_") ||
+                            qobject_cast<const QAbstractSpinBox *>(owner) ||
+                            qobject_cast<const QLineEdit *>(owner) || qobject_cast<const QTabBar *>(owner) ||
+                            qobject_cast<const QTableView *>(owner) ||
+                            qobject_cast<const QToolBar *>(owner) || qobject_cast<const QMenuBar *>(owner);
+        if (!isControl || isPart || widget->isHidden())
+            continue;
+        const QAccessibleInterface *accessible = QAccessible::queryAccessibleInterface(widget);
+        ASSERT_NE(accessible, nullptr);
+        EXPECT_FALSE(accessible->text(QAccessible::Name).isEmpty())
+            << widget->metaObject()->className() << " in "
+            << widget->parentWidget()->metaObject()->className();
+        EXPECT_FALSE(widget->toolTip().isEmpty())
+            << widget->metaObject()->className() << " " << accessible->text(QAccessible::Name).toStdString()
+            << " in " << widget->parentWidget()->metaObject()->className();
+    }
+}
+
+TEST_F(MainWindowTest, KeysAreGivenOnce)
+{
+    QMap<QString, QString> keys;
+    for (const QAction *action : window().findChildren<QAction *>()) {
+        if (action->shortcut().isEmpty() || action->shortcutContext() == Qt::WidgetWithChildrenShortcut ||
+            action->shortcutContext() == Qt::WidgetShortcut)
+            continue;
+        const QString key = action->shortcut().toString();
+        EXPECT_FALSE(keys.contains(key)) << key.toStdString() << ": " << action->text().toStdString()
+                                         << " and " << keys.value(key).toStdString();
+        keys.insert(key, action->text());
+    }
+    EXPECT_TRUE(keys.contains(QStringLiteral("Ctrl+F12")));
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program as it runs: bus at 1 ms in a thread of its own, four monitors, a wizard's job, starts and
+// stops. Meant for ThreadSanitizer; every wait is for something that happens.
+#include "app/window/main_window.h"
+#include "app/window/program.h"
+#include "ring/bus_session.h"
+#include "widgets/monitor/monitor_area.h"
+
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+constexpr DeviceNumber fraba{1, 0};
+constexpr DeviceNumber baumer{2, 0};
+constexpr int generous = 60'000; // ms; sanitizers are slow
+
+class RunningProgram : public testing::Test
+{
+protected:
+    RunningProgram()
+    {
+        program.openWindow();
+        program.window()->show();
+        EXPECT_TRUE(QTest::qWaitFor([this] { return program.training().bus != nullptr; }, generous));
+    }
+
+    BusSession &bus() { return *program.training().bus; }
+    bool waitFor(const std::function<bool()> &what) { return QTest::qWaitFor(what, generous); }
+
+    QTemporaryDir folder;
+    Program program{*qApp, folder.filePath(QStringLiteral("program.ini"))};
+};
+
+TEST_F(RunningProgram, MonitorsJobAndFiftyStartsAndStops)
+{
+    auto *monitors = program.window()->findChild<MonitorArea *>();
+    for (const DeviceNumber number : {fraba, baumer})
+        for (const MonitorKind kind : {MonitorKind::in32, MonitorKind::out32})
+            monitors->openMonitor(number, kind);
+    program.training().controls->setSpeed(fraba, 300);
+    ASSERT_TRUE(waitFor([this] { return bus().latest().cycle > 100; }));
+
+    std::optional<Outcome> outcome;
+    QObject::connect(bus().encoder(fraba), &EncoderSession::finished, qApp,
+                     [&](const Outcome &end) { outcome = end; });
+    ASSERT_TRUE(bus().encoder(fraba)->start(WriteParameters{
+        .values = {{Parameter::steps, 255}, {Parameter::revolutions, 1}, {Parameter::direction, 3}},
+        .previous = {}}));
+    ASSERT_TRUE(waitFor([&] { return outcome.has_value(); }));
+    EXPECT_TRUE(outcome->result);
+
+    for (int i = 0; i < 50; ++i) {
+        program.window()->actions().stop->trigger();
+        ASSERT_TRUE(waitFor([this] { return !bus().isRunning(); })) << i;
+        program.window()->actions().start->trigger();
+        ASSERT_TRUE(waitFor([this] { return bus().isRunning(); })) << i;
+    }
+    const std::uint64_t cycle = bus().latest().cycle;
+    EXPECT_TRUE(waitFor([&] { return bus().latest().cycle > cycle; }));
+}
+
+TEST_F(RunningProgram, AnotherLanguageMakesTheWindowAnewWhileTheBusGoesOn)
+{
+    const QLocale before;
+    const BusSession *session = program.training().bus.get();
+    const std::uint64_t cycle = bus().latest().cycle;
+    Q_EMIT program.window()->languageChosen(QStringLiteral("de"));
+    ASSERT_TRUE(waitFor([this] {
+        return program.window()->findChild<MonitorArea *>() != nullptr &&
+               QLocale().language() == QLocale::German;
+    }));
+    EXPECT_EQ(program.training().bus.get(), session);
+    EXPECT_TRUE(waitFor([&] { return bus().latest().cycle > cycle; }));
+    EXPECT_EQ(program.window()->findChild<MonitorArea *>()->monitors().size(), 2u);
+    Q_EMIT program.window()->languageChosen(QStringLiteral("en"));
+    ASSERT_TRUE(waitFor([] { return QLocale().language() == QLocale::English; }));
+    QLocale::setDefault(before);
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/window/training_window.h"
+#include "ring/bus_session.h"
+#include "ring/word_channel.h"
+#include "widgets/monitor/monitor_area.h"
+#include "widgets/monitor/word_monitor.h"
+
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+namespace codewheel::test {
+
+inline constexpr DeviceNumber fraba{1, 0};
+inline constexpr DeviceNumber baumer{2, 0};
+
+// The whole window on the training bus in virtual time, shown and active.
+class WindowTest : public testing::Test
+{
+protected:
+    WindowTest() { open(); }
+
+    void open()
+    {
+        shown.reset();
+        shown = std::make_unique<TrainingWindow>(folder.filePath(QStringLiteral("window.ini")));
+        window().show();
+        window().activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&window()));
+    }
+
+    MainWindow &window() { return shown->window(); }
+    BusSession &bus() { return shown->bus(); }
+    const WindowActions &actions() { return window().actions(); }
+    MonitorArea &monitors() { return *window().findChild<MonitorArea *>(); }
+    void advance(int milliseconds) { shown->advance(milliseconds); }
+
+    Word out(DeviceNumber number) { return bus().channel(number)->out(); }
+    Word in(DeviceNumber number) { return bus().channel(number)->in(); }
+    void send(DeviceNumber number, Word word)
+    {
+        bus().channel(number)->stage(word);
+        EXPECT_TRUE(bus().channel(number)->write());
+        advance(10);
+    }
+
+    QTemporaryDir folder;
+    std::unique_ptr<TrainingWindow> shown;
+};
+
+} // namespace codewheel::test
