@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// codewheel-screenshots FOLDER [LANGUAGE]: makes the pictures of the manual from the training bus in virtual
+// time, light and dark. Two runs give the same files.
+#include "app/language.h"
+#include "app/screenshots/manual_pictures.h"
+
+#include <QApplication>
+#include <QDir>
+
+#include <cstdio>
+
+int main(int argc, char **argv)
+{
+    qputenv("TZ", "UTC"); // the same hour in every place
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    QApplication application(argc, argv);
+    QApplication::setApplicationDisplayName(QStringLiteral("Codewheel"));
+    const QStringList arguments = QApplication::arguments();
+    if (arguments.size() < 2 || !QDir().mkpath(arguments.at(1))) {
+        std::fprintf(stderr, "codewheel-screenshots: name a folder that can be written to\n");
+        return 2;
+    }
+    codewheel::Language language;
+    language.use(arguments.value(2, QStringLiteral("en")));
+    return codewheel::makeManualPictures(application, QDir(arguments.at(1))) ? 0 : 1;
+}

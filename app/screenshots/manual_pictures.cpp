@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/screenshots/manual_pictures.h"
+
+#include "app/window/training_window.h"
+#include "ring/bus_session.h"
+#include "ring/word_channel.h"
+#include "widgets/look/appearance.h"
+#include "widgets/monitor/monitor_area.h"
+#include "widgets/parameters/wanted_values.h"
+#include "widgets/structure/structure_view.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QDockWidget>
+#include <QPainter>
+#include <QStackedWidget>
+#include <QTemporaryDir>
+
+#include <functional>
+#include <vector>
+
+namespace codewheel {
+namespace {
+
+constexpr DeviceNumber fraba{1, 0};
+constexpr DeviceNumber baumer{2, 0};
+constexpr QSize usual(1280, 800);
+constexpr QSize smallest(1024, 640);
+constexpr int whileMilliseconds = 600; // until what was asked for is done
+
+// What a picture shows of a window at work.
+struct Picture
+{
+    QString name;
+    QSize size;
+    std::function<QWidget *(TrainingWindow &)> prepare; // answers what is to be seen
+};
+
+QDockWidget *dock(TrainingWindow &shown, const QString &name)
+{
+    auto *dock = shown.window().findChild<QDockWidget *>(name);
+    dock->raise();
+    shown.advance(1);
+    return dock;
+}
+
+void send(TrainingWindow &shown, DeviceNumber number, Word word)
+{
+    WordChannel &channel = *shown.bus().channel(number);
+    channel.stage(word);
+    if (channel.write())
+        shown.advance(33);
+}
+
+void readAll(TrainingWindow &shown)
+{
+    EncoderSession &encoder = *shown.bus().encoder(fraba);
+    ReadParameters all;
+    for (const ParameterDescription &parameter : encoder.device().parameters)
+        if (parameter.readOut)
+            all.parameters.push_back(parameter.parameter);
+    if (encoder.start(all))
+        shown.advance(whileMilliseconds);
+}
+
+void want255(TrainingWindow &shown)
+{
+    auto *wanted = shown.window().findChild<WantedValues *>();
+    wanted->set(fraba, Parameter::steps, 255);
+    wanted->set(fraba, Parameter::revolutions, 1);
+    wanted->set(fraba, Parameter::direction, 3);
+    wanted->set(fraba, Parameter::preset, 0);
+}
+
+// FRABA manual 5.3, as words
+void sendManualWords(TrainingWindow &shown)
+{
+    const SendWords words{
+        .words = {0x0200'00FF, 0x0400'0001, 0x0600'0003, 0x0800'0000, 0x8000'0000, 0x0000'0000}};
+    if (shown.bus().encoder(fraba)->start(words))
+        shown.advance(whileMilliseconds);
+}
+
+QWidget *wholeWindow(TrainingWindow &shown)
+{
+    readAll(shown);
+    want255(shown);
+    sendManualWords(shown);
+    shown.bus().channel(fraba)->stage(0x0200'00FF);
+    shown.advance(whileMilliseconds);
+    return &shown.window();
+}
+
+QWidget *monitorsAtWork(TrainingWindow &shown)
+{
+    send(shown, fraba, 0x0200'00FF);
+    shown.bus().channel(fraba)->stage(0x0400'0001);
+    shown.advance(whileMilliseconds);
+    return shown.window().findChild<MonitorArea *>();
+}
+
+std::vector<Picture> pictures()
+{
+    return {
+        {QStringLiteral("window"), usual, wholeWindow},
+        {QStringLiteral("window-small"), smallest, wholeWindow},
+        {QStringLiteral("monitors"), usual, monitorsAtWork},
+        {QStringLiteral("trace"), usual,
+         [](TrainingWindow &shown) {
+             sendManualWords(shown);
+             return dock(shown, QStringLiteral("traceDock"));
+         }},
+        {QStringLiteral("parameters"), usual,
+         [](TrainingWindow &shown) {
+             readAll(shown);
+             want255(shown);
+             return dock(shown, QStringLiteral("parametersDock"));
+         }},
+        {QStringLiteral("dial"), usual,
+         [](TrainingWindow &shown) {
+             shown.controls().setSpeed(fraba, 60);
+             readAll(shown);
+             return dock(shown, QStringLiteral("dialDock"));
+         }},
+        {QStringLiteral("messages"), usual,
+         [](TrainingWindow &shown) {
+             readAll(shown);
+             send(shown, baumer, 0x0400'4E20);
+             send(shown, baumer, 0x8000'0000);
+             return dock(shown, QStringLiteral("messagesDock"));
+         }},
+        {QStringLiteral("training"), usual,
+         [](TrainingWindow &shown) {
+             shown.controls().setSpeed(fraba, 60);
+             shown.advance(whileMilliseconds);
+             return dock(shown, QStringLiteral("trainingDock"));
+         }},
+    };
+}
+
+bool save(const Picture &picture, const QDir &folder, const QString &suffix)
+{
+    const QTemporaryDir settings; // each picture is of a first start
+    TrainingWindow shown(settings.filePath(QStringLiteral("picture.ini")));
+    shown.window().resize(picture.size);
+    shown.window().show();
+    shown.advance(99);
+    QWidget *seen = picture.prepare(shown);
+    QCoreApplication::processEvents();
+    return seen->grab().save(folder.filePath(picture.name + suffix + QStringLiteral(".png")));
+}
+
+} // namespace
+
+bool makeManualPictures(QApplication &application, const QDir &folder)
+{
+    QApplication::setCursorFlashTime(0); // a cursor is there or not, by chance
+    bool saved = true;
+    for (const Scheme scheme : {Scheme::light, Scheme::dark}) {
+        applyAppearance(application, {.scheme = scheme, .largeControls = false, .lessMotion = true});
+        const QString suffix = scheme == Scheme::dark ? QStringLiteral("-dark") : QString();
+        for (const Picture &picture : pictures())
+            saved = save(picture, folder, suffix) && saved;
+    }
+    return saved;
+}
+
+} // namespace codewheel
