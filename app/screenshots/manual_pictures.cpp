@@ -7,13 +7,13 @@
 #include "widgets/look/appearance.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/parameters/wanted_values.h"
-#include "widgets/structure/structure_view.h"
+#include "widgets/sequence/sequence_view.h"
+#include "widgets/wizard/parameter_wizard.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QDir>
 #include <QDockWidget>
-#include <QPainter>
-#include <QStackedWidget>
 #include <QTemporaryDir>
 
 #include <functional>
@@ -73,11 +73,12 @@ void want255(TrainingWindow &shown)
 }
 
 // FRABA manual 5.3, as words
+const std::vector<Word> manualWords{0x0200'00FF, 0x0400'0001, 0x0600'0003,
+                                    0x0800'0000, 0x8000'0000, 0x0000'0000};
+
 void sendManualWords(TrainingWindow &shown)
 {
-    const SendWords words{
-        .words = {0x0200'00FF, 0x0400'0001, 0x0600'0003, 0x0800'0000, 0x8000'0000, 0x0000'0000}};
-    if (shown.bus().encoder(fraba)->start(words))
+    if (shown.bus().encoder(fraba)->start(SendWords{.words = manualWords}))
         shown.advance(whileMilliseconds);
 }
 
@@ -99,6 +100,43 @@ QWidget *monitorsAtWork(TrainingWindow &shown)
     return shown.window().findChild<MonitorArea *>();
 }
 
+void click(TrainingWindow &shown, const QString &button)
+{
+    if (auto *found = shown.window().findChild<QAbstractButton *>(button);
+        found != nullptr && found->isEnabled())
+        found->click();
+    shown.advance(whileMilliseconds);
+}
+
+// The way through the wizard, as far as the page that is wanted.
+QWidget *wizardAt(TrainingWindow &shown, ParameterWizard::Page page)
+{
+    shown.window().showWizard();
+    auto *wizard = shown.window().findChild<ParameterWizard *>();
+    want255(shown);
+    while (wizard->page() < page) {
+        if (wizard->page() == ParameterWizard::known)
+            click(shown, QStringLiteral("readAll"));
+        if (wizard->page() == ParameterWizard::handshake)
+            while (wizard->isBusy())
+                click(shown, QStringLiteral("nextStep"));
+        click(shown, QStringLiteral("wizardNext"));
+    }
+    return wizard;
+}
+
+Picture wizardPicture(const QString &name, ParameterWizard::Page page)
+{
+    return {name, usual, [page](TrainingWindow &shown) { return wizardAt(shown, page); }};
+}
+
+QWidget *handshakeHalfWay(TrainingWindow &shown)
+{
+    QWidget *wizard = wizardAt(shown, ParameterWizard::handshake);
+    click(shown, QStringLiteral("nextStep"));
+    return wizard;
+}
+
 std::vector<Picture> pictures()
 {
     return {
@@ -110,6 +148,18 @@ std::vector<Picture> pictures()
              sendManualWords(shown);
              return dock(shown, QStringLiteral("traceDock"));
          }},
+        {QStringLiteral("sequence"), usual,
+         [](TrainingWindow &shown) {
+             WordList list;
+             list.words = manualWords;
+             shown.window().findChild<SequenceView *>()->setList(list);
+             return dock(shown, QStringLiteral("sequenceDock"));
+         }},
+        wizardPicture(QStringLiteral("wizard-known"), ParameterWizard::known),
+        wizardPicture(QStringLiteral("wizard-values"), ParameterWizard::values),
+        wizardPicture(QStringLiteral("wizard-review"), ParameterWizard::review),
+        {QStringLiteral("wizard-handshake"), usual, handshakeHalfWay},
+        wizardPicture(QStringLiteral("wizard-report"), ParameterWizard::report),
         {QStringLiteral("parameters"), usual,
          [](TrainingWindow &shown) {
              readAll(shown);
