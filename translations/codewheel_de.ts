@@ -204,6 +204,11 @@
         <source>%1, make not known</source>
         <translation>%1, Hersteller unbekannt</translation>
     </message>
+    <message>
+        <source>en</source>
+        <comment>code of the language of these texts</comment>
+        <translation>de</translation>
+    </message>
 </context>
 <context>
     <name>KnownText</name>

@@ -99,7 +99,7 @@ Answer detailsOf(const DeviceDescription &device)
 {
     QString text = QStringLiteral("%1 (%2)\n").arg(device.fullName(), device.manual);
     if (!device.notes.isEmpty())
-        text += device.notes + u'\n';
+        text += device.notesText() + u'\n';
     text += u'\n' + parameterLines(device) + u'\n' + errorLines(device) + u'\n' +
             budgetText(device.capabilities) + u'\n';
 

@@ -47,6 +47,7 @@ public:
 private:
     static Parameter readParameterName(const JsonObject &row);
     static ParameterDescription readParameter(const JsonObject &row);
+    static QMap<QString, QString> readNotes(const JsonObject &json);
     static void readChoices(const JsonObject &row, ParameterDescription &parameter);
     static void checkRange(const JsonObject &row, const ParameterDescription &parameter);
     static void refuseTaken(const JsonObject &row, const ParameterDescription &parameter,
@@ -60,6 +61,14 @@ bool isKey(QStringView text)
     });
 }
 
+QMap<QString, QString> DescriptionReader::readNotes(const JsonObject &json)
+{
+    QMap<QString, QString> notes{{QStringLiteral("en"), json.text("en")}};
+    if (json.has("de"))
+        notes.insert(QStringLiteral("de"), json.text("de"));
+    return notes;
+}
+
 void DescriptionReader::readIdentity(const JsonObject &json, DeviceDescription &device)
 {
     device.key = json.text("key");
@@ -67,7 +76,8 @@ void DescriptionReader::readIdentity(const JsonObject &json, DeviceDescription &
         json.report("key", tr("A key consists of the letters a to z, digits and hyphens."));
     device.name = json.text("name");
     device.manual = json.text("manual");
-    device.notes = json.textOr("notes", QString());
+    if (json.has("notes"))
+        device.notes = readNotes(json.object("notes", {"en", "de"}));
     device.profile = json.oneOf("profile", profiles);
     device.dialect = json.oneOf("dialect", dialects);
     if (!device.isGeneric())

@@ -54,4 +54,11 @@ QString DeviceDescription::fullName() const
     return vendor + u' ' + name;
 }
 
+QString DeviceDescription::notesText() const
+{
+    const QString language =
+        QCoreApplication::translate("DeviceDescription", "en", "code of the language of these texts");
+    return notes.value(language, notes.value(QStringLiteral("en")));
+}
+
 } // namespace codewheel

@@ -6,6 +6,7 @@
 #include "encoder/refusal.h"
 #include "words/k3_explain.h"
 
+#include <QMap>
 #include <QString>
 
 #include <optional>
@@ -72,7 +73,9 @@ struct DeviceDescription
     QString vendor; // "FRABA"; empty for a generic description
     QString name;   // "OCD-IB K3"
     QString manual; // the source, with edition
-    QString notes;  // what is assumed where the manual is silent; may be empty
+    // What is assumed where the manual is silent, by language ("en", "de"). May be empty; else it has
+    // English.
+    QMap<QString, QString> notes;
     Profile profile = Profile::k3;
     k3::Dialect dialect = k3::Dialect::generic;
     unsigned idCode = 0;     // 37h
@@ -95,6 +98,8 @@ struct DeviceDescription
     bool isGeneric() const { return dialect == k3::Dialect::generic; }
     // "FRABA OCD-IB K3"; "K3, make not known" for a generic description.
     QString fullName() const;
+    // The notes in the language of all texts, or in English. May be empty.
+    QString notesText() const;
 
     friend bool operator==(const DeviceDescription &, const DeviceDescription &) = default;
 };

@@ -136,7 +136,15 @@ TEST(BuiltInDevices, BaumerCannotReadAndStatesNoBudget)
     EXPECT_TRUE(baumer.capabilities.writes && baumer.capabilities.hasBattery);
     EXPECT_FALSE(baumer.capabilities.eepromBudget);
     EXPECT_EQ(baumer.quirks, Quirks{});
-    EXPECT_TRUE(baumer.notes.contains(QStringLiteral("assumed")));
+    EXPECT_TRUE(baumer.notesText().contains(QStringLiteral("assumed")));
+}
+
+TEST(BuiltInDevices, NotesAreInEachLanguage)
+{
+    const Catalog catalog = Catalog::builtIn();
+    for (const DeviceDescription &device : catalog.devices())
+        EXPECT_EQ(device.notes.keys(), (QStringList{QStringLiteral("de"), QStringLiteral("en")}))
+            << qPrintable(device.key);
 }
 
 TEST(BuiltInDevices, AnUnnamed0237hIsTheGenericK3)

@@ -92,7 +92,7 @@ void DevicePage::describe()
         lines += tr("The make of this encoder is not known. If you know it, name it in the bus structure: "
                     "then direction and errors can be told by their names.");
     if (!device.notes.isEmpty())
-        lines += device.notes;
+        lines += device.notesText();
     m_description->setText(lines.join(QLatin1Char('\n')));
     if (!m_setup.encoder->can().writes)
         m_problem->showMessage(
