@@ -2500,6 +2500,108 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::Leaving</name>
+    <message>
+        <source>OUT %1 is %2</source>
+        <translation>OUT %1 ist %2</translation>
+    </message>
+    <message>
+        <source>Quit Codewheel</source>
+        <translation>Codewheel beenden</translation>
+    </message>
+    <message>
+        <source>Stop the bus</source>
+        <translation>Bus stoppen</translation>
+    </message>
+    <message>
+        <source>Not all OUT words are 00000000.</source>
+        <translation>Nicht alle OUT-Worte sind 00000000.</translation>
+    </message>
+    <message>
+        <source>Shall they be set to 00000000 (normal running) first?</source>
+        <translation>Sollen sie erst auf 00000000 (Normalbetrieb) gesetzt werden?</translation>
+    </message>
+    <message>
+        <source>Set to &amp;00000000</source>
+        <translation>Auf &amp;00000000 setzen</translation>
+    </message>
+    <message>
+        <source>Sends 00000000 to these devices, then goes on</source>
+        <translation>Sendet 00000000 an diese Geräte und macht dann weiter</translation>
+    </message>
+    <message>
+        <source>Nothing can be sent now: the bus is stopped, or in Watch</source>
+        <translation>Jetzt ist kein Senden möglich: Der Bus ist gestoppt oder wird nur beobachtet</translation>
+    </message>
+    <message>
+        <source>&amp;Leave as they are</source>
+        <translation>So &amp;lassen</translation>
+    </message>
+    <message>
+        <source>Goes on without sending anything</source>
+        <translation>Macht weiter, ohne etwas zu senden</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::MainWindow</name>
+    <message>
+        <source>Training bus</source>
+        <translation>Übungsbus</translation>
+    </message>
+    <message>
+        <source>Bus structure</source>
+        <translation>Busaufbau</translation>
+    </message>
+    <message>
+        <source>Training</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Encoder</source>
+        <translation>Drehgeber</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Handshake trace</source>
+        <translation>Handshake-Protokoll</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Folge</translation>
+    </message>
+    <message>
+        <source>Shows or hides the panel &quot;%1&quot;</source>
+        <translation>Zeigt oder verbirgt das Feld „%1“</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Space or a click toggles a bit, the arrows move.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Leertaste oder Klick schaltet ein Bit um, die Pfeile bewegen.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>About Codewheel</source>
+        <translation>Über Codewheel</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Codewheel %1&lt;/h3&gt;&lt;p&gt;Sets up, watches and diagnoses absolute encoders on INTERBUS.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. It comes without any warranty.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Codewheel %1&lt;/h3&gt;&lt;p&gt;Richtet Absolut-Drehgeber am INTERBUS ein, beobachtet und prüft sie.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später. Ohne jede Gewährleistung.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>training bus</source>
+        <translation>Übungsbus</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::MessageModel</name>
     <message>
         <source>Fault</source>
@@ -2791,6 +2893,10 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>All bits, the highest first</source>
         <translation>Alle Bits, das höchste zuerst</translation>
     </message>
+    <message>
+        <source>The whole word, as the manuals write it</source>
+        <translation>Das ganze Wort, wie es in den Handbüchern steht</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ParameterDelegate</name>
@@ -2980,6 +3086,17 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>Sends the words above to the encoder.</source>
         <translation>Sendet die Worte oben an den Drehgeber.</translation>
+    </message>
+    <message>
+        <source>To the next page.</source>
+        <translation>Zur nächsten Seite.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::Program</name>
+    <message>
+        <source>training bus</source>
+        <translation>Übungsbus</translation>
     </message>
 </context>
 <context>
@@ -3322,6 +3439,103 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>Send the words to %1 one after the other, each until it is acknowledged</source>
         <translation>Die Worte nacheinander an %1 senden, jedes bis zur Bestätigung</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::StatusLine</name>
+    <message>
+        <source>Cycle time</source>
+        <translation>Zykluszeit</translation>
+    </message>
+    <message>
+        <source>The time from one exchange of all words to the next</source>
+        <translation>Die Zeit von einem Austausch aller Worte bis zum nächsten</translation>
+    </message>
+    <message>
+        <source>Late cycles</source>
+        <translation>Verspätete Zyklen</translation>
+    </message>
+    <message>
+        <source>Cycles that began too late; they are counted, not caught up</source>
+        <translation>Zyklen, die zu spät begannen; sie werden gezählt, nicht nachgeholt</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>How the program is connected to the ring</source>
+        <translation>Wie das Programm mit dem Ring verbunden ist</translation>
+    </message>
+    <message>
+        <source>EEPROM writes</source>
+        <translation>EEPROM-Schreibvorgänge</translation>
+    </message>
+    <message>
+        <source>Writes to the memory of the chosen encoder by this program since it was started</source>
+        <translation>Schreibvorgänge dieses Programms in den Speicher des gewählten Drehgebers seit dem Programmstart</translation>
+    </message>
+    <message>
+        <source>State of the master</source>
+        <translation>Zustand des Masters</translation>
+    </message>
+    <message>
+        <source>Watch: nothing is sent. Operate: writing is allowed.</source>
+        <translation>Beobachten: Nichts wird gesendet. Bedienen: Schreiben ist erlaubt.</translation>
+    </message>
+    <message>
+        <source>cycle %1 ms</source>
+        <translation>Zyklus %1 ms</translation>
+    </message>
+    <message>
+        <source>virtual time</source>
+        <translation>virtuelle Zeit</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n late cycle(s)</source>
+        <translation>
+            <numerusform>%n verspäteter Zyklus</numerusform>
+            <numerusform>%n verspätete Zyklen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>link: %1</source>
+        <translation>Verbindung: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 %2: %n write(s) from here</source>
+        <translation>
+            <numerusform>%1 %2: %n Schreibvorgang von hier</numerusform>
+            <numerusform>%1 %2: %n Schreibvorgänge von hier</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Beobachten</translation>
+    </message>
+    <message>
+        <source>RUN</source>
+        <translation>RUN</translation>
+    </message>
+    <message>
+        <source>BUS FAIL</source>
+        <translation>BUS FAIL</translation>
+    </message>
+    <message>
+        <source>READY</source>
+        <translation>READY</translation>
+    </message>
+    <message>
+        <source>ACTIVE</source>
+        <translation>ACTIVE</translation>
+    </message>
+    <message>
+        <source>Operate</source>
+        <translation>Bedienen</translation>
     </message>
 </context>
 <context>
@@ -3877,6 +4091,229 @@ Zustand: %7</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::WindowActions</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Export handshake &amp;trace...</source>
+        <translation>Handshake-&amp;Protokoll exportieren...</translation>
+    </message>
+    <message>
+        <source>Saves the handshake trace as a CSV file</source>
+        <translation>Sichert das Handshake-Protokoll als CSV-Datei</translation>
+    </message>
+    <message>
+        <source>Export &amp;messages...</source>
+        <translation>&amp;Meldungen exportieren...</translation>
+    </message>
+    <message>
+        <source>Saves the messages as a CSV file</source>
+        <translation>Sichert die Meldungen als CSV-Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Ends the program</source>
+        <translation>Beendet das Programm</translation>
+    </message>
+    <message>
+        <source>&amp;Bus</source>
+        <translation>&amp;Bus</translation>
+    </message>
+    <message>
+        <source>&amp;Watch</source>
+        <translation>Be&amp;obachten</translation>
+    </message>
+    <message>
+        <source>Watch: nothing is sent</source>
+        <translation>Beobachten: Nichts wird gesendet</translation>
+    </message>
+    <message>
+        <source>&amp;Operate</source>
+        <translation>Be&amp;dienen</translation>
+    </message>
+    <message>
+        <source>Operate: writing is allowed</source>
+        <translation>Bedienen: Schreiben ist erlaubt</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>&amp;Starten</translation>
+    </message>
+    <message>
+        <source>Starts the bus: data cycles run</source>
+        <translation>Startet den Bus: Datenzyklen laufen</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>S&amp;toppen</translation>
+    </message>
+    <message>
+        <source>Stops the bus: no more data cycles</source>
+        <translation>Stoppt den Bus: keine Datenzyklen mehr</translation>
+    </message>
+    <message>
+        <source>&amp;ALARM STOP whole ring</source>
+        <translation>&amp;ALARM-STOPP ganzer Ring</translation>
+    </message>
+    <message>
+        <source>Sets all OUT words of the whole ring to 0, at once</source>
+        <translation>Setzt alle OUT-Worte des ganzen Rings sofort auf 0</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>&amp;Gerät</translation>
+    </message>
+    <message>
+        <source>Monitor &amp;IN 32</source>
+        <translation>Monitor &amp;IN 32</translation>
+    </message>
+    <message>
+        <source>Opens a monitor of the 32-bit IN word</source>
+        <translation>Öffnet einen Monitor des 32-Bit-Wortes IN</translation>
+    </message>
+    <message>
+        <source>Monitor &amp;OUT 32</source>
+        <translation>Monitor &amp;OUT 32</translation>
+    </message>
+    <message>
+        <source>Opens a monitor of the 32-bit OUT word</source>
+        <translation>Öffnet einen Monitor des 32-Bit-Wortes OUT</translation>
+    </message>
+    <message>
+        <source>Monitor IN &amp;16</source>
+        <translation>Monitor IN &amp;16</translation>
+    </message>
+    <message>
+        <source>Opens a monitor of a 16-bit IN word</source>
+        <translation>Öffnet einen Monitor eines 16-Bit-Wortes IN</translation>
+    </message>
+    <message>
+        <source>Parameter &amp;wizard</source>
+        <translation>&amp;Parametrier-Assistent</translation>
+    </message>
+    <message>
+        <source>Sets up the chosen encoder step by step</source>
+        <translation>Richtet den gewählten Drehgeber Schritt für Schritt ein</translation>
+    </message>
+    <message>
+        <source>Set OUT to &amp;00000000</source>
+        <translation>OUT auf &amp;00000000 setzen</translation>
+    </message>
+    <message>
+        <source>Sends 00000000 to the chosen device: normal running</source>
+        <translation>Sendet 00000000 an das gewählte Gerät: Normalbetrieb</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Monitors</source>
+        <translation>&amp;Monitore</translation>
+    </message>
+    <message>
+        <source>Shows the monitors</source>
+        <translation>Zeigt die Monitore</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Felder</translation>
+    </message>
+    <message>
+        <source>&amp;Default layout</source>
+        <translation>&amp;Standardanordnung</translation>
+    </message>
+    <message>
+        <source>Puts all panels back to their places</source>
+        <translation>Bringt alle Felder an ihren Platz zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>&amp;Darstellung</translation>
+    </message>
+    <message>
+        <source>&amp;System</source>
+        <translation>Wie &amp;System</translation>
+    </message>
+    <message>
+        <source>As light or dark as the desktop</source>
+        <translation>So hell oder dunkel wie der Desktop</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>Dark on light</source>
+        <translation>Dunkel auf Hell</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>Light on dark</source>
+        <translation>Hell auf Dunkel</translation>
+    </message>
+    <message>
+        <source>Large &amp;controls</source>
+        <translation>&amp;Große Bedienelemente</translation>
+    </message>
+    <message>
+        <source>Larger bits and buttons, for gloves</source>
+        <translation>Größere Bits und Tasten, für Handschuhe</translation>
+    </message>
+    <message>
+        <source>Less m&amp;otion</source>
+        <translation>&amp;Weniger Bewegung</translation>
+    </message>
+    <message>
+        <source>Nothing on the screen is animated</source>
+        <translation>Nichts auf dem Bildschirm ist animiert</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>S&amp;prache</translation>
+    </message>
+    <message>
+        <source>S&amp;ystem</source>
+        <translation>Wie S&amp;ystem</translation>
+    </message>
+    <message>
+        <source>The language of the desktop</source>
+        <translation>Die Sprache des Desktops</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>Lists the keys of the window</source>
+        <translation>Listet die Tasten des Fensters auf</translation>
+    </message>
+    <message>
+        <source>&amp;About Codewheel</source>
+        <translation>&amp;Über Codewheel</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>Version und Lizenz</translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation>Bus</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::WizardPage</name>
     <message>
         <source>&amp;Next</source>
@@ -4086,6 +4523,10 @@ Zustand: %7</translation>
     <message>
         <source>The manual states about %1 writes for the encoder&apos;s life.</source>
         <translation>Das Handbuch nennt etwa %1 Schreibvorgänge für die Lebensdauer des Drehgebers.</translation>
+    </message>
+    <message>
+        <source>Write these values</source>
+        <translation>Diese Werte schreiben</translation>
     </message>
 </context>
 <context>

@@ -19,6 +19,23 @@
     </message>
 </context>
 <context>
+    <name>codewheel::StatusLine</name>
+    <message numerus="yes">
+        <source>%n late cycle(s)</source>
+        <translation>
+            <numerusform>%n late cycle</numerusform>
+            <numerusform>%n late cycles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 %2: %n write(s) from here</source>
+        <translation>
+            <numerusform>%1 %2: %n write from here</numerusform>
+            <numerusform>%1 %2: %n writes from here</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::TraceView</name>
     <message numerus="yes">
         <source>%n rows</source>
