@@ -23,6 +23,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace codewheel {
 
 ParameterPanel::ParameterPanel(WantedValues &wanted, QWidget *parent)
@@ -291,7 +293,11 @@ QString ParameterPanel::successText(const Outcome &outcome) const
 {
     QStringList sentences;
     if (!outcome.written.empty()) {
-        const QString verified = m_encoder->can().reads
+        const auto isReadBack = [this](const ParameterValue &value) {
+            const auto known = m_encoder->known(value.parameter);
+            return known && known->evidence == Evidence::read;
+        };
+        const QString verified = std::ranges::all_of(outcome.written, isReadBack)
                                      ? tr("%1 written, active and read back.", "names of parameters")
                                      : tr("%1 written, echoed and active.", "names of parameters");
         QStringList names;

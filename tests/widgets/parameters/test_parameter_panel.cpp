@@ -113,6 +113,16 @@ TEST_F(Parameters, UnknownIsShownAsUnknownAndNeverAsADefault)
     EXPECT_TRUE(tip.contains(QStringLiteral("Factory setting: 8192"))) << tip.toStdString();
 }
 
+// Words sent elsewhere are echoed; nothing reads them back.
+TEST_F(Parameters, WhatASequenceWroteIsNotSaidToBeReadBack)
+{
+    bus.encoder(fraba)->tell(Parameter::multiTurnAndStepsMinusOne, 2);
+    ASSERT_TRUE(bus.encoder(fraba)->start(SendWords{.words = {0x0600'0003, 0x8000'0000, 0x0000'0000}}));
+    bus.advance(100);
+    EXPECT_TRUE(message().startsWith(QStringLiteral("Direction written, echoed and active.")))
+        << message().toStdString();
+}
+
 TEST_F(Parameters, AllColumnsFitTheNarrowDock)
 {
     panel.resize(panel.minimumSizeHint().width(), 300);
