@@ -6,8 +6,8 @@ class QDir;
 
 namespace codewheel {
 
-// Every view of the window at work, as PNG files, light ("window.png") and dark ("window-dark.png"). False if a file
-// cannot be written.
+// Every view of the window at work, as PNG files, light ("window.png") and dark ("window-dark.png"). False if
+// a file cannot be written.
 bool makeManualPictures(QApplication &application, const QDir &folder);
 
 } // namespace codewheel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window at work: bus at 1 ms in a thread of its own, both encoders turning, four monitors (eight words with hex and
-// meaning) and the dial. Prints pictures a second and the share of one core.
+// The window at work: bus at 1 ms in a thread of its own, both encoders turning, four monitors (eight words
+// with hex and meaning) and the dial. Prints pictures a second and the share of one core.
 #include "app/window/main_window.h"
 #include "app/window/program.h"
 #include "ring/bus_session.h"
@@ -54,7 +54,8 @@ int main(int argc, char **argv)
     QElapsedTimer clock;
     QTimer::singleShot(settleMilliseconds / 2, &application, [&] { fillWindow(program); });
     QTimer::singleShot(settleMilliseconds, &application, [&] {
-        QObject::connect(program.training().bus.get(), &BusSession::updated, &application, [&] { ++pictures; });
+        QObject::connect(program.training().bus.get(), &BusSession::updated, &application,
+                         [&] { ++pictures; });
         usedBefore = processorSeconds();
         clock.start();
         QTimer::singleShot(measuredMilliseconds, Qt::PreciseTimer, &application, [&] {

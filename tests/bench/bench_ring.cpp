@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The time of one cycle of a simulated ring with 128 moving K3 encoders, drivers and snapshot included; and that of the
-// hand-over of a snapshot.
+// The time of one cycle of a simulated ring with 128 moving K3 encoders, drivers and snapshot included; and
+// that of the hand-over of a snapshot.
 #include "catalog/catalog.h"
 #include "drivers/make_driver.h"
 #include "ring/cycle_time.h"
@@ -60,7 +60,9 @@ int main()
     std::printf("%d moving K3 encoders, %d cycles: median %.2f us, 99 %% below %.2f us\n", encoders, cycles,
                 times[middle], times[high]);
     const RingLoad load = ringLoad(structure);
-    const auto milliseconds = [&](CycleTimeForm form) { return cycleTime(load, bitAt2MBd, form).count() / 1000; };
+    const auto milliseconds = [&](CycleTimeForm form) {
+        return cycleTime(load, bitAt2MBd, form).count() / 1000;
+    };
     std::printf("the same ring on the wire at 2 MBd: about %.1f ms (G3 form), about %.1f ms (G4 form)\n",
                 milliseconds(CycleTimeForm::g3), milliseconds(CycleTimeForm::g4));
     return 0;

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <string>
-
 #include <unistd.h>
 
 int main(int argc, char **argv)
