@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+#include <memory>
+
+namespace codewheel {
+namespace {
+
+constexpr int generous = 300'000; // ms; sanitizers are slow
+
+QByteArray contentOf(const QString &path)
+{
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
+    return file.readAll();
+}
+
+void makePictures(const QString &folder)
+{
+    QProcess program;
+    program.start(QStringLiteral(CODEWHEEL_SCREENSHOTS), {folder});
+    ASSERT_TRUE(program.waitForFinished(generous));
+    ASSERT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
+}
+
+// The pictures are made once for all tests.
+class ManualPictures : public testing::Test
+{
+protected:
+    static void SetUpTestSuite()
+    {
+        made = std::make_unique<QTemporaryDir>();
+        makePictures(made->path());
+    }
+    static void TearDownTestSuite() { made.reset(); }
+
+    static inline std::unique_ptr<QTemporaryDir> made;
+};
+
+// The pictures of the manual are from the training bus in virtual time: nothing in them is chance.
+TEST_F(ManualPictures, TwoRunsGiveTheSameFiles)
+{
+    const QTemporaryDir &first = *made;
+    const QTemporaryDir second;
+    makePictures(second.path());
+    const QStringList names = QDir(first.path()).entryList({QStringLiteral("*.png")});
+    EXPECT_EQ(names, QDir(second.path()).entryList({QStringLiteral("*.png")}));
+    EXPECT_TRUE(names.contains(QStringLiteral("window.png")));
+    EXPECT_TRUE(names.contains(QStringLiteral("window-dark.png")));
+    for (const QString &name : names)
+        EXPECT_EQ(contentOf(first.filePath(name)), contentOf(second.filePath(name))) << name.toStdString();
+}
+
+TEST_F(ManualPictures, EveryPictureOfTheManualIsMade)
+{
+    QDir root(QStringLiteral(CODEWHEEL_ROOT));
+    QStringList pages{root.filePath(QStringLiteral("README.md"))};
+    QDir manual(root.filePath(QStringLiteral("docs/manual")));
+    for (const QString &page : manual.entryList({QStringLiteral("*.md")}))
+        pages.append(manual.filePath(page));
+    const QRegularExpression picture(QStringLiteral(R"(images/([a-z-]+\.png))"));
+    for (const QString &page : pages) {
+        auto found = picture.globalMatch(QString::fromUtf8(contentOf(page)));
+        while (found.hasNext()) {
+            const QString name = found.next().captured(1);
+            EXPECT_TRUE(QFile::exists(made->filePath(name)))
+                << page.toStdString() << " shows " << name.toStdString();
+        }
+    }
+}
+
+} // namespace
+} // namespace codewheel
