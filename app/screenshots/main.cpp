@@ -15,6 +15,7 @@ int main(int argc, char **argv)
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     QApplication application(argc, argv);
     QApplication::setApplicationDisplayName(QStringLiteral("Codewheel"));
+    QApplication::setApplicationVersion(QStringLiteral(CODEWHEEL_VERSION));
     const QStringList arguments = QApplication::arguments();
     if (arguments.size() < 2 || !QDir().mkpath(arguments.at(1))) {
         std::fprintf(stderr, "codewheel-screenshots: name a folder that can be written to\n");

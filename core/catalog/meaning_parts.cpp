@@ -2,6 +2,7 @@
 #include "catalog/meaning_parts.h"
 
 #include "catalog/explain_word.h"
+#include "encoder/device_error_name.h"
 #include "encoder/hex.h"
 #include "encoder/sentence.h"
 #include "words/k3_cam_word.h"
@@ -113,24 +114,7 @@ QString MeaningParts::readOutValueText(unsigned code, Word value) const
 QString MeaningParts::errorText(unsigned errorNumber) const
 {
     const DeviceError *error = m_device.findError(errorNumber);
-    switch (error ? error->meaning : RefusalId::otherDeviceError) {
-    case RefusalId::wrongParameterData:
-        return tr("wrong parameter data");
-    case RefusalId::unknownParameterNumber:
-        return tr("unknown parameter number");
-    case RefusalId::parametersLost:
-        return tr("parameters lost");
-    case RefusalId::eepromStoreError:
-        return tr("parameters could not be stored");
-    case RefusalId::batteryLow:
-        return tr("battery low");
-    case RefusalId::codeDiscFault:
-        return tr("faulty value of the code disc");
-    case RefusalId::manufacturerError:
-        return tr("an error of the manufacturer's own");
-    default:
-        return tr("not defined for this encoder");
-    }
+    return deviceErrorName(error ? error->meaning : RefusalId::otherDeviceError);
 }
 
 QString MeaningParts::outText(Word word, Mode mode) const

@@ -27,9 +27,9 @@ enum class MessageId : std::uint8_t {
     wordsSent,         // number of words
     broughtBack,       // the encoder is in operation again
     leftInParameterization,
-    deviceFault,     // error number, Word IN
+    deviceFault,     // error number, Word IN; Message::refusal names it where the device is known
     deviceFaultGone, //
-    valuesForgotten, // an encoder was powered up again: what is known may not hold
+    valuesForgotten, // the encoder lost its parameters: what is known does not hold any more
     lateCycles,      // number since the last message
     training,        // text of what the trainer did (QString)
 };
@@ -42,7 +42,7 @@ struct Message
     Severity severity = Severity::information;
     MessageId id = MessageId::refused;
     std::vector<RefusalArgument> arguments{};
-    std::optional<Refusal> refusal{}; // with MessageId::refused
+    std::optional<Refusal> refusal{}; // with MessageId::refused and deviceFault
 
     friend bool operator==(const Message &, const Message &) = default;
 };

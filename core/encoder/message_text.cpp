@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/device_error_name.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 
@@ -42,9 +43,7 @@ constexpr std::array rows{
     Row{MessageId::deviceFaultGone, "deviceFaultGone",
         QT_TRANSLATE_NOOP("Message", "The encoder reports no error any more.")},
     Row{MessageId::valuesForgotten, "valuesForgotten",
-        QT_TRANSLATE_NOOP("Message",
-                          "The encoder was powered up again. What was known of it may not hold: read it "
-                          "again.")},
+        QT_TRANSLATE_NOOP("Message", "What was known of the encoder may not hold any more: read it again.")},
     Row{MessageId::lateCycles, "lateCycles", QT_TRANSLATE_NOOP("Message", "Bus cycles that came late: %1.")},
     Row{MessageId::training, "training", "%1"},
 };
@@ -93,6 +92,9 @@ QString messageText(const Message &message)
     const QStringList parts = argumentTexts(message.arguments);
     if (message.id == MessageId::presetDone)
         return presetText(parts);
+    if (message.id == MessageId::deviceFault && message.refusal)
+        return sentence(pattern(QT_TRANSLATE_NOOP("Message", "The encoder reports error %1, %3 (IN %2).")),
+                        parts + QStringList{deviceErrorName(message.refusal->id)});
     return sentence(pattern(rowOf(message.id).text), parts);
 }
 

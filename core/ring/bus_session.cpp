@@ -229,14 +229,15 @@ void BusSession::dispatch(const RingEvent &event)
             session->take(*ofDriver, event.at);
         return;
     }
-    const auto &message = std::get<Message>(event.what);
+    auto message = std::get<Message>(event.what);
+    const bool isFault = session && message.id == MessageId::deviceFault;
+    if (isFault)
+        message.refusal = session->nameOf(message);
     Q_EMIT messaged(message);
-    if (!message.place)
-        return;
-    if (message.refusal)
-        Q_EMIT d->channels[event.device]->refused(*message.refusal);
-    else if (session && message.id == MessageId::deviceFault)
+    if (isFault)
         session->takeFault(message);
+    else if (message.place && message.refusal)
+        Q_EMIT d->channels[event.device]->refused(*message.refusal);
 }
 
 Result<void> BusSession::write(std::size_t device, Word word)

@@ -107,11 +107,19 @@ void RingEncoderSession::take(const KnowledgeChanged &change)
     Q_EMIT knownChanged();
 }
 
+// The number is 0 where the encoder has no valid position (80000000h).
+Refusal RingEncoderSession::nameOf(const Message &fault) const
+{
+    const auto number = static_cast<unsigned>(std::get<std::int64_t>(fault.arguments.front()));
+    const DeviceError *error = m_description.findError(number);
+    if (number == 0)
+        return {RefusalKind::device, RefusalId::noValidPosition, {}};
+    return {RefusalKind::device, error ? error->meaning : RefusalId::otherDeviceError, {}};
+}
+
 void RingEncoderSession::takeFault(const Message &fault)
 {
-    const auto number = std::get<std::int64_t>(fault.arguments.front());
-    const DeviceError *error = m_description.findError(static_cast<unsigned>(number));
-    if (!error || error->meaning != RefusalId::parametersLost || m_known.empty())
+    if (nameOf(fault).id != RefusalId::parametersLost || m_known.empty())
         return;
     m_known.clear();
     postKnown();

@@ -45,6 +45,7 @@ private:
     void take(const Outcome &outcome, Instant at);
     void take(const KnowledgeChanged &change);
     // An error the encoder shows may say that it has lost its parameters.
+    Refusal nameOf(const Message &fault) const;
     void takeFault(const Message &fault);
     void report(Message message, Instant at);
     void postKnown();

@@ -316,6 +316,7 @@ TEST_F(BusSessionTest, AnEncoderThatLostItsParametersIsKnownNoMore)
     EXPECT_EQ(encoder()->known(Parameter::steps), std::nullopt);
     EXPECT_THAT(messages(), ElementsAre(MessageId::busStarted, MessageId::deviceFault,
                                         MessageId::valuesForgotten, MessageId::deviceFaultGone));
+    EXPECT_EQ(m_messages.at(1).refusal->id, RefusalId::parametersLost) << "named as the manual does";
     m_bus->advance(1);
     EXPECT_THAT(m_drivers[0]->known(), IsEmpty());
 }
