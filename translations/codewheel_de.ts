@@ -663,11 +663,11 @@
     </message>
     <message>
         <source>Zero offset</source>
-        <translation>Nullpunktverschiebung</translation>
+        <translation>Nullpunkt-Verschiebung</translation>
     </message>
     <message>
         <source>zero offset</source>
-        <translation>Nullpunktverschiebung</translation>
+        <translation>Nullpunkt-Verschiebung</translation>
     </message>
     <message>
         <source>Offset</source>
@@ -1264,7 +1264,7 @@
     </message>
     <message>
         <source>turn</source>
-        <translation>Umdrehung</translation>
+        <translation>Umdr.</translation>
     </message>
     <message>
         <source>%1 rpm</source>
@@ -2161,7 +2161,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>turn</source>
-        <translation>Umdrehung</translation>
+        <translation>Umdr.</translation>
     </message>
     <message>
         <source>1 step counter-clockwise</source>
@@ -3648,7 +3648,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>OUT not sent</source>
-        <translation>OUT nicht gesendet</translation>
+        <translation>OUT wartet</translation>
     </message>
     <message>
         <source>parameterization</source>
@@ -4075,7 +4075,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>What it will read here cannot be told: the zero offset or the scale is not known.</source>
-        <translation>Was er hier zeigen wird, ist nicht bestimmbar: Nullpunktverschiebung oder Skalierung ist unbekannt.</translation>
+        <translation>Was er hier zeigen wird, ist nicht bestimmbar: Nullpunkt-Verschiebung oder Skalierung ist unbekannt.</translation>
     </message>
     <message>
         <source>Resolution %1 steps per turn, total range %2 steps over %3 turns.</source>

@@ -36,11 +36,12 @@ void drawLine(QPainter &painter, const QRect &where, Qt::Alignment alignment, co
                      shown);
 }
 
-// On two lines where it has to be, or on three small ones.
+// On two lines where it has to be, or small where it does not fit.
 void drawName(QPainter &painter, const QRect &where, const QString &name)
 {
     const auto flags = static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap);
-    if (painter.boundingRect(where, flags, name).height() > where.height())
+    const QRect needed = painter.boundingRect(where, flags, name);
+    if (needed.height() > where.height() || needed.width() > where.width())
         painter.setFont(textFont(TextSize::small));
     painter.drawText(where, flags, name);
 }
