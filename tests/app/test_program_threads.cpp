@@ -5,6 +5,8 @@
 #include "app/window/program.h"
 #include "ring/bus_session.h"
 #include "widgets/monitor/monitor_area.h"
+#include "widgets/parameters/wanted_values.h"
+#include "widgets/wizard/parameter_wizard.h"
 
 #include <QTemporaryDir>
 
@@ -30,11 +32,37 @@ protected:
     BusSession &bus() { return *program.training().bus; }
     bool waitFor(const std::function<bool()> &what) { return QTest::qWaitFor(what, generous); }
 
+    void click(const QString &button)
+    {
+        auto *found = program.window()->findChild<QAbstractButton *>(button);
+        ASSERT_TRUE(found != nullptr && waitFor([found] { return found->isEnabled(); }))
+            << button.toStdString();
+        found->click();
+    }
+    void runTheWizard()
+    {
+        auto *wanted = program.window()->findChild<WantedValues *>();
+        wanted->set(fraba, Parameter::steps, 255);
+        wanted->set(fraba, Parameter::revolutions, 1);
+        program.window()->showWizard();
+        auto *wizard = program.window()->findChild<ParameterWizard *>();
+        while (wizard->page() < ParameterWizard::review)
+            click(QStringLiteral("wizardNext"));
+        click(QStringLiteral("byItself"));
+        std::optional<Outcome> outcome;
+        QObject::connect(bus().encoder(fraba), &EncoderSession::finished, wizard,
+                         [&](const Outcome &end) { outcome = end; });
+        click(QStringLiteral("wizardNext"));
+        ASSERT_TRUE(waitFor([&] { return outcome.has_value(); }));
+        EXPECT_TRUE(outcome->result);
+        program.window()->showMonitors();
+    }
+
     QTemporaryDir folder;
     Program program{*qApp, folder.filePath(QStringLiteral("program.ini"))};
 };
 
-TEST_F(RunningProgram, MonitorsJobAndFiftyStartsAndStops)
+TEST_F(RunningProgram, FourMonitorsARunOfTheWizardAndFiftyStartsAndStops)
 {
     auto *monitors = program.window()->findChild<MonitorArea *>();
     for (const DeviceNumber number : {fraba, baumer})
@@ -43,14 +71,8 @@ TEST_F(RunningProgram, MonitorsJobAndFiftyStartsAndStops)
     program.training().controls->setSpeed(fraba, 300);
     ASSERT_TRUE(waitFor([this] { return bus().latest().cycle > 100; }));
 
-    std::optional<Outcome> outcome;
-    QObject::connect(bus().encoder(fraba), &EncoderSession::finished, qApp,
-                     [&](const Outcome &end) { outcome = end; });
-    ASSERT_TRUE(bus().encoder(fraba)->start(WriteParameters{
-        .values = {{Parameter::steps, 255}, {Parameter::revolutions, 1}, {Parameter::direction, 3}},
-        .previous = {}}));
-    ASSERT_TRUE(waitFor([&] { return outcome.has_value(); }));
-    EXPECT_TRUE(outcome->result);
+    runTheWizard();
+    EXPECT_EQ(bus().encoder(fraba)->known(Parameter::steps)->value, 255);
 
     for (int i = 0; i < 50; ++i) {
         program.window()->actions().stop->trigger();
