@@ -211,6 +211,45 @@
     </message>
 </context>
 <context>
+    <name>DeviceError</name>
+    <message>
+        <source>wrong parameter data</source>
+        <translation>falsche Parameterdaten</translation>
+    </message>
+    <message>
+        <source>unknown parameter number</source>
+        <translation>unbekannte Parameternummer</translation>
+    </message>
+    <message>
+        <source>parameters lost</source>
+        <translation>Parameter verloren</translation>
+    </message>
+    <message>
+        <source>parameters could not be stored</source>
+        <translation>Parameter nicht speicherbar</translation>
+    </message>
+    <message>
+        <source>battery low</source>
+        <translation>Batterie schwach</translation>
+    </message>
+    <message>
+        <source>faulty value of the code disc</source>
+        <translation>fehlerhafter Wert der Codescheibe</translation>
+    </message>
+    <message>
+        <source>an error of the manufacturer&apos;s own</source>
+        <translation>ein herstellereigener Fehler</translation>
+    </message>
+    <message>
+        <source>no valid position</source>
+        <translation>keine gültige Position</translation>
+    </message>
+    <message>
+        <source>not defined for this encoder</source>
+        <translation>für diesen Drehgeber nicht definiert</translation>
+    </message>
+</context>
+<context>
     <name>KnownText</name>
     <message>
         <source>unknown</source>
@@ -310,38 +349,6 @@
     <message>
         <source>code %1, which is not defined</source>
         <translation>Code %1, nicht definiert</translation>
-    </message>
-    <message>
-        <source>wrong parameter data</source>
-        <translation>falsche Parameterdaten</translation>
-    </message>
-    <message>
-        <source>unknown parameter number</source>
-        <translation>unbekannte Parameternummer</translation>
-    </message>
-    <message>
-        <source>parameters lost</source>
-        <translation>Parameter verloren</translation>
-    </message>
-    <message>
-        <source>parameters could not be stored</source>
-        <translation>Parameter nicht speicherbar</translation>
-    </message>
-    <message>
-        <source>battery low</source>
-        <translation>Batterie schwach</translation>
-    </message>
-    <message>
-        <source>faulty value of the code disc</source>
-        <translation>fehlerhafter Wert der Codescheibe</translation>
-    </message>
-    <message>
-        <source>an error of the manufacturer&apos;s own</source>
-        <translation>ein herstellereigener Fehler</translation>
-    </message>
-    <message>
-        <source>not defined for this encoder</source>
-        <translation>für diesen Drehgeber nicht definiert</translation>
     </message>
     <message>
         <source>Normal running</source>
@@ -599,10 +606,6 @@
         <translation>Der Drehgeber meldet keinen Fehler mehr.</translation>
     </message>
     <message>
-        <source>The encoder was powered up again. What was known of it may not hold: read it again.</source>
-        <translation>Der Drehgeber wurde neu eingeschaltet. Was von ihm bekannt war, gilt vielleicht nicht mehr: neu auslesen.</translation>
-    </message>
-    <message>
         <source>Bus cycles that came late: %1.</source>
         <translation>Verspätete Buszyklen: %1.</translation>
     </message>
@@ -617,6 +620,14 @@
     <message>
         <source>Preset initialised: position %1 before.</source>
         <translation>Preset initialisiert: Position vorher %1.</translation>
+    </message>
+    <message>
+        <source>What was known of the encoder may not hold any more: read it again.</source>
+        <translation>Was vom Drehgeber bekannt war, gilt vielleicht nicht mehr: neu auslesen.</translation>
+    </message>
+    <message>
+        <source>The encoder reports error %1, %3 (IN %2).</source>
+        <translation>Der Drehgeber meldet Fehler %1, %3 (IN %2).</translation>
     </message>
 </context>
 <context>
@@ -2692,7 +2703,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Follow</source>
-        <translation>Folgen</translation>
+        <translation>Mitlaufen</translation>
     </message>
     <message>
         <source>Keep the newest message in sight (Ctrl+End)</source>
@@ -3796,7 +3807,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>Follow</source>
-        <translation>Folgen</translation>
+        <translation>Mitlaufen</translation>
     </message>
     <message>
         <source>Keep the newest row in view</source>
