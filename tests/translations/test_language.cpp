@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
+#include "catalog/explain_word.h"
+#include "encoder/refusal_text.h"
+#include "language.h"
+#include "tests/translations/ts_file.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QLibraryInfo>
+#include <QLocale>
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+class LanguageTest : public testing::Test
+{
+protected:
+    ~LanguageTest() override { QLocale::setDefault(QLocale::c()); }
+
+    void use(const char *chosen) { m_language.use(QString::fromLatin1(chosen)); }
+    std::string meaning(WordDirection direction, Word word) const
+    {
+        return explanationText(m_fraba, explainWord(m_fraba, word, {direction, {}, Mode::position, {}, {}}))
+            .toStdString();
+    }
+    QString notes() const { return m_fraba.notesText(); }
+
+private:
+    Language m_language;
+    const Catalog m_catalog = Catalog::builtIn();
+    const DeviceDescription &m_fraba = *m_catalog.find(u"fraba-ocd-ib");
+};
+
+std::string tooManyRevolutions()
+{
+    return refusalText({RefusalKind::badInput,
+                        RefusalId::valueOutOfRange,
+                        {Parameter::revolutions, std::int64_t{5000}, std::int64_t{1}, std::int64_t{4096}}})
+        .toStdString();
+}
+
+std::string wordsTo(int count)
+{
+    return QCoreApplication::translate("codewheel::SequenceView", "%n words to %1", nullptr, count)
+        .toStdString();
+}
+
+TEST_F(LanguageTest, GermanSaysWhatWordsMean)
+{
+    use("de");
+    EXPECT_EQ(meaning(WordDirection::out, 0x0200'00FF), "Parameter 1 Schritte = 255");
+    EXPECT_EQ(meaning(WordDirection::out, 0x0600'0003), "Parameter 3 Drehrichtung = 3 (CW)");
+    EXPECT_EQ(meaning(WordDirection::out, 0x8000'0000), "Run (Start)");
+    EXPECT_EQ(meaning(WordDirection::out, 0x0000'0000), "Normalbetrieb");
+    EXPECT_EQ(meaning(WordDirection::in, 0x0001'2A4F), "In Betrieb, Position 76.367");
+}
+
+TEST_F(LanguageTest, GermanSaysWhyAndWhatToDo)
+{
+    use("de");
+    EXPECT_EQ(tooManyRevolutions(),
+              "Umdrehungen = 5.000 liegt außerhalb des Bereichs. Einen Wert von 1 bis 4.096 angeben.");
+    EXPECT_EQ(refusalText({RefusalKind::busy, RefusalId::watchOnly, {QStringLiteral("1.0")}}).toStdString(),
+              "Nichts an 1.0 gesendet: Das Programm beobachtet nur. Erst auf Bedienen umschalten.");
+}
+
+TEST_F(LanguageTest, GermanHasTheNotesOnDevices)
+{
+    use("de");
+    EXPECT_TRUE(notes().contains(QStringLiteral("angenommen"))) << qPrintable(notes());
+    use("en");
+    EXPECT_TRUE(notes().contains(QStringLiteral("assumed"))) << qPrintable(notes());
+}
+
+TEST_F(LanguageTest, GermanIsBuiltIn)
+{
+    use("de");
+    for (const TsText &text :
+         readTs(QStringLiteral(CODEWHEEL_SOURCE_FOLDER "/translations/codewheel_de.ts"))) {
+        const int one = text.hasNumber ? 1 : -1;
+        const QString translation = QCoreApplication::translate(text.context.toUtf8(), text.source.toUtf8(),
+                                                                text.comment.toUtf8(), one);
+        QString expected = text.translations.front();
+        if (text.hasNumber)
+            expected.replace(QStringLiteral("%n"), QStringLiteral("1"));
+        EXPECT_EQ(translation.toStdString(), expected.toStdString()) << qPrintable(text.name());
+    }
+}
+
+TEST_F(LanguageTest, CountsInBothLanguages)
+{
+    use("de");
+    EXPECT_EQ(wordsTo(1), "1 Wort an %1");
+    EXPECT_EQ(wordsTo(2), "2 Worte an %1");
+    use("en");
+    EXPECT_EQ(wordsTo(1), "1 word to %1");
+    EXPECT_EQ(wordsTo(2), "2 words to %1");
+}
+
+TEST_F(LanguageTest, ComesBackToEnglish)
+{
+    use("de");
+    use("en");
+    EXPECT_EQ(meaning(WordDirection::in, 0x0001'2A4F), "Running, position 76,367");
+    EXPECT_EQ(tooManyRevolutions(), "Revolutions = 5,000 is out of range. Give a value from 1 to 4,096.");
+}
+
+TEST_F(LanguageTest, LanguagesWithoutTranslationGetEnglishTextsAndTheirOwnNumbers)
+{
+    use("nl");
+    EXPECT_EQ(meaning(WordDirection::in, 0x0001'2A4F), "Running, position 76.367");
+    EXPECT_EQ(wordsTo(1), "1 word to %1");
+}
+
+TEST_F(LanguageTest, QtsOwnTextsAreInTheSameLanguage)
+{
+    const QString translations = QLibraryInfo::path(QLibraryInfo::TranslationsPath);
+    if (!QFile::exists(translations + QStringLiteral("/qtbase_de.qm")))
+        GTEST_SKIP() << "the package qt6-translations-l10n is not installed";
+    const auto cancel = [] { return QCoreApplication::translate("QPlatformTheme", "Cancel").toStdString(); };
+    use("de");
+    EXPECT_EQ(cancel(), "Abbrechen");
+    use("nl"); // Qt would know it, but ours are English
+    EXPECT_EQ(cancel(), "Cancel");
+}
+
+} // namespace
+} // namespace codewheel

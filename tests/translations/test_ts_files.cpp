@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The .ts files are complete: for what the sources say, nothing more, nothing less. Where one of these fails
+// after a text was changed, docs/translating.md tells what to do.
+#include "tests/translations/translation_rules.h"
+
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+const QString sourceFolder = QStringLiteral(CODEWHEEL_SOURCE_FOLDER);
+const QString germanFile = sourceFolder + QStringLiteral("/translations/codewheel_de.ts");
+const QString englishFile = sourceFolder + QStringLiteral("/translations/codewheel_en.ts");
+
+// What engineers call by the same word in German. Add to it only what a German manual prints so.
+const QStringList sameInGerman{
+    QStringLiteral("ACTIVE"),
+    QStringLiteral("Bit %1"),
+    QStringLiteral("Bus"),
+    QStringLiteral("&Bus"),
+    QStringLiteral("BUS FAIL"),
+    QStringLiteral("CCW"),
+    QStringLiteral("CW"),
+    QStringLiteral("Gray"),
+    QStringLiteral("%1 Gray"),
+    QStringLiteral("&Gray"),
+    QStringLiteral("Gray, CCW"),
+    QStringLiteral("Gray, CW"),
+    QStringLiteral("h"),
+    QStringLiteral("Handshake"),
+    QStringLiteral("IN"),
+    QStringLiteral("IN  %1  %2"),
+    QStringLiteral("Information"),
+    QStringLiteral("Master"),
+    QStringLiteral("Monitor %1"),
+    QStringLiteral("Monitor &IN 32"),
+    QStringLiteral("Monitor &OUT 32"),
+    QStringLiteral("Monitor IN &16"),
+    QStringLiteral("Offset"),
+    QStringLiteral("ok"),
+    QStringLiteral("OUT"),
+    QStringLiteral("OUT %1  %2"),
+    QStringLiteral("Parameter %1"),
+    QStringLiteral("Parameter"),
+    QStringLiteral("Parameter %1 %2"),
+    QStringLiteral("Position"),
+    QStringLiteral("Position %1"),
+    QStringLiteral("Preset"),
+    QStringLiteral("READY"),
+    QStringLiteral("RUN"),
+    QStringLiteral("°C"),
+};
+
+void expectNoFaults(const std::vector<TsText> &texts, const QStringList &sameInBoth)
+{
+    for (const TsText &text : texts)
+        for (const QString &fault : faultsOf(text, sameInBoth))
+            ADD_FAILURE() << qPrintable(text.name()) << "\n  " << qPrintable(fault);
+}
+
+// The texts that lupdate finds in the sources. A text that it cannot put into a context makes it complain.
+std::vector<TsText> textsOfSources(const QStringList &options)
+{
+    const QTemporaryDir folder;
+    const QString found = folder.filePath(QStringLiteral("found_de.ts"));
+    QProcess lupdate;
+    lupdate.setWorkingDirectory(sourceFolder);
+    lupdate.start(QStringLiteral(CODEWHEEL_LUPDATE),
+                  QStringList{QStringLiteral("-silent"), QStringLiteral("@translations/sources.lst")} +
+                      options + QStringList{QStringLiteral("-ts"), found});
+    EXPECT_TRUE(lupdate.waitForFinished(120'000)) << qPrintable(lupdate.errorString());
+    EXPECT_EQ(lupdate.readAllStandardError().toStdString(), "");
+    return readTs(found);
+}
+
+void expectAllOf(const std::vector<TsText> &sources, const QString &file)
+{
+    const QSet<QString> inSources = namesOf(sources);
+    const QSet<QString> inFile = namesOf(readTs(file));
+    for (const QString &name : inSources - inFile)
+        ADD_FAILURE() << "not in " << qPrintable(file) << ":\n  " << qPrintable(name);
+    for (const QString &name : inFile - inSources)
+        ADD_FAILURE() << "no longer in the sources:\n  " << qPrintable(name);
+}
+
+TEST(TsFiles, GermanIsComplete)
+{
+    const std::vector<TsText> texts = readTs(germanFile);
+    EXPECT_FALSE(texts.empty());
+    expectNoFaults(texts, sameInGerman);
+}
+
+TEST(TsFiles, WhatIsTheSameInGermanIsStillThere)
+{
+    QSet<QString> same;
+    for (const TsText &text : readTs(germanFile))
+        if (text.translations.contains(text.source))
+            same.insert(text.source);
+    for (const QString &text : sameInGerman)
+        EXPECT_TRUE(same.contains(text)) << qPrintable(text) << " needs no exception any more";
+}
+
+TEST(TsFiles, GermanHasTheTextsOfTheSources)
+{
+    expectAllOf(textsOfSources({}), germanFile);
+}
+
+TEST(TsFiles, EnglishHasASingularForEachNumber)
+{
+    const std::vector<TsText> texts = readTs(englishFile);
+    QStringList same;
+    for (const TsText &text : texts)
+        same << text.source;
+    expectNoFaults(texts, same);
+    expectAllOf(textsOfSources({QStringLiteral("-pluralonly")}), englishFile);
+}
+
+} // namespace
+} // namespace codewheel
