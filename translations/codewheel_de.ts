@@ -3502,23 +3502,9 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>virtual time</source>
         <translation>virtuelle Zeit</translation>
     </message>
-    <message numerus="yes">
-        <source>%n late cycle(s)</source>
-        <translation>
-            <numerusform>%n verspäteter Zyklus</numerusform>
-            <numerusform>%n verspätete Zyklen</numerusform>
-        </translation>
-    </message>
     <message>
         <source>link: %1</source>
         <translation>Verbindung: %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 %2: %n write(s) from here</source>
-        <translation>
-            <numerusform>%1 %2: %n Schreibvorgang von hier</numerusform>
-            <numerusform>%1 %2: %n Schreibvorgänge von hier</numerusform>
-        </translation>
     </message>
     <message>
         <source>not connected</source>
@@ -3547,6 +3533,20 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>Operate</source>
         <translation>Bedienen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n late cycles</source>
+        <translation>
+            <numerusform>%n verspäteter Zyklus</numerusform>
+            <numerusform>%n verspätete Zyklen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 %2: %n writes from here</source>
+        <translation>
+            <numerusform>%1 %2: %n Schreibvorgang von hier</numerusform>
+            <numerusform>%1 %2: %n Schreibvorgänge von hier</numerusform>
+        </translation>
     </message>
 </context>
 <context>

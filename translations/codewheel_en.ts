@@ -21,14 +21,14 @@
 <context>
     <name>codewheel::StatusLine</name>
     <message numerus="yes">
-        <source>%n late cycle(s)</source>
+        <source>%n late cycles</source>
         <translation>
             <numerusform>%n late cycle</numerusform>
             <numerusform>%n late cycles</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 %2: %n write(s) from here</source>
+        <source>%1 %2: %n writes from here</source>
         <translation>
             <numerusform>%1 %2: %n write from here</numerusform>
             <numerusform>%1 %2: %n writes from here</numerusform>

@@ -83,11 +83,11 @@ void StatusLine::refresh()
     const double period = std::chrono::duration<double, std::milli>(snapshot.period).count();
     setTextOf(m_cycle,
               period > 0 ? tr("cycle %1 ms").arg(locale.toString(period, 'f', 1)) : tr("virtual time"));
-    setTextOf(m_late, tr("%n late cycle(s)", nullptr, static_cast<int>(snapshot.lateCycles)));
+    setTextOf(m_late, tr("%n late cycles", nullptr, static_cast<int>(snapshot.lateCycles)));
     setTextOf(m_linkLabel, tr("link: %1").arg(m_link));
     setTextOf(m_writes, m_encoder == nullptr
                             ? QString()
-                            : tr("%1 %2: %n write(s) from here", nullptr, m_encoder->eepromWrites())
+                            : tr("%1 %2: %n writes from here", nullptr, m_encoder->eepromWrites())
                                   .arg(m_encoder->number().toString(), m_encoder->device().vendor));
 }
 
