@@ -48,6 +48,7 @@ public:
 Q_SIGNALS:
     void latestChanged(); // a newer reading, which may say the same; at most once a picture
     void knownChanged();
+    void permissionChanged(); // Watch or Operate, started or stopped: what start() refused may be taken now
     void jobStarted(codewheel::JobId job);
     void progressed(const codewheel::Progress &progress);
     void finished(const codewheel::Outcome &outcome);

@@ -13,7 +13,9 @@ RingEncoderSession::RingEncoderSession(BusSession &bus, std::size_t device, Devi
     , m_place(device)
     , m_number(number)
     , m_description(description)
-{}
+{
+    connect(&bus, &BusSession::stateChanged, this, &EncoderSession::permissionChanged);
+}
 
 std::optional<Known> RingEncoderSession::known(Parameter parameter) const
 {

@@ -85,6 +85,7 @@ void DialPanel::setEncoder(EncoderSession *encoder)
         if (outcome.result)
             m_message->withdraw();
     });
+    connect(encoder, &EncoderSession::permissionChanged, m_message, &InlineMessage::withdraw);
     m_read->setEnabled(!encoder->runningJob());
     knownChanged();
 }
@@ -172,7 +173,9 @@ DialState DialPanel::running(const Reading &reading)
 {
     if (!reading.position)
         return {.note = rawNote(reading), .role = Role::attention};
-    DialState state{.position = *reading.position, .note = missingNote(), .role = Role::running};
+    DialState state{.position = *reading.position,
+                    .note = missingNote(),
+                    .role = m_missing.empty() ? Role::running : Role::attention};
     if (!m_scale)
         return state;
     const double turns = static_cast<double>(*reading.position) / m_scale->stepsPerTurn;

@@ -133,6 +133,7 @@ void ParameterPanel::connectParts()
         m_pages->setCurrentWidget(m_tablePage);
         start(job);
     });
+    connect(&m_wanted, &WantedValues::changed, this, [this] { withdraw(Cause::refusal); });
     connect(m_model, &QAbstractItemModel::modelReset, this, &ParameterPanel::showDifferences);
     connect(m_model, &QAbstractItemModel::dataChanged, this, &ParameterPanel::showDifferences);
 }
@@ -159,6 +160,7 @@ void ParameterPanel::connectEncoder()
 {
     connect(m_encoder, &EncoderSession::jobStarted, this, &ParameterPanel::jobStarted);
     connect(m_encoder, &EncoderSession::finished, this, &ParameterPanel::finished);
+    connect(m_encoder, &EncoderSession::permissionChanged, this, [this] { withdraw(Cause::refusal); });
     connect(m_encoder, &QObject::destroyed, this, [this] { setEncoder(nullptr); });
 }
 
@@ -203,8 +205,8 @@ void ParameterPanel::review()
         return;
     const ParameterValues wanted = m_wanted.values(m_encoder->number());
     if (wanted.empty()) {
-        m_message->showMessage(Role::attention,
-                               tr("No value is wanted. Enter what you want in the column \"Wanted\" first."));
+        showMessage(Cause::refusal, Role::attention,
+                    tr("No value is wanted. Enter what you want in the column \"Wanted\" first."));
         m_table->setFocus();
         return;
     }
@@ -218,7 +220,7 @@ void ParameterPanel::start(const Job &job)
     m_message->withdraw();
     const auto taken = m_encoder->start(job);
     if (!taken)
-        m_message->showMessage(Role::attention, refusalText(taken.error()));
+        showMessage(Cause::refusal, Role::attention, refusalText(taken.error()));
 }
 
 void ParameterPanel::bringBack()
@@ -280,9 +282,10 @@ void ParameterPanel::finished(const Outcome &outcome)
         outcome.leftIn == EncoderState::parameterization || outcome.leftIn == EncoderState::error;
     const QString help = isStuck ? tr("Send run") : QString();
     if (outcome.result)
-        m_message->showMessage(isStuck ? Role::attention : Role::running, successText(outcome), help);
+        showMessage(Cause::outcome, isStuck ? Role::attention : Role::running, successText(outcome), help);
     else
-        m_message->showMessage(
+        showMessage(
+            Cause::outcome,
             outcome.result.error().kind == RefusalKind::device ? Role::fault : Role::attention,
             QStringLiteral("%1 %2").arg(refusalText(outcome.result.error()), leftInText(outcome.leftIn)),
             help);
@@ -317,10 +320,21 @@ QString ParameterPanel::successText(const Outcome &outcome) const
 void ParameterPanel::showWrongInput(const QString &wrong)
 {
     if (!wrong.isEmpty())
-        m_message->showMessage(Role::fault, wrong);
-    else if (m_messageIsOfInput)
+        showMessage(Cause::input, Role::fault, wrong);
+    else
+        withdraw(Cause::input);
+}
+
+void ParameterPanel::showMessage(Cause cause, Role role, const QString &sentence, const QString &action)
+{
+    m_cause = cause;
+    m_message->showMessage(role, sentence, action);
+}
+
+void ParameterPanel::withdraw(Cause cause)
+{
+    if (m_cause == cause)
         m_message->withdraw();
-    m_messageIsOfInput = !wrong.isEmpty();
 }
 
 } // namespace codewheel

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "encoder/encoder_session.h"
+#include "widgets/look/roles.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -40,6 +41,8 @@ Q_SIGNALS:
     void wizardRequested();
 
 private:
+    enum class Cause { input, refusal, outcome };
+
     QWidget *makeTablePage();
     QWidget *makeButtons();
     void makeMenu();
@@ -62,11 +65,13 @@ private:
     void showDifferences();
     void showRunningJob();
     void showWrongInput(const QString &wrong);
+    void showMessage(Cause cause, Role role, const QString &sentence, const QString &action = {});
+    void withdraw(Cause cause); // its message, if that is the one which is shown
     Parameter currentParameter() const;
 
     WantedValues &m_wanted;
     QPointer<EncoderSession> m_encoder;
-    bool m_messageIsOfInput = false;
+    std::optional<Cause> m_cause; // of the message that is shown
 
     ParameterModel *m_model;
     QStackedWidget *m_pages; // empty, table, review

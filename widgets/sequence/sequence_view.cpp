@@ -163,6 +163,10 @@ void SequenceView::setEncoder(EncoderSession *encoder)
         m_message->withdraw();
     if (encoder) {
         connect(encoder, &EncoderSession::latestChanged, this, &SequenceView::explainWords);
+        connect(encoder, &EncoderSession::permissionChanged, this, [this] {
+            if (m_isRefused)
+                m_message->withdraw();
+        });
         connect(encoder, &QObject::destroyed, this, [this] { setEncoder(nullptr); });
     }
     explainWords();
@@ -286,8 +290,10 @@ void SequenceView::send()
     m_message->withdraw();
     m_model->setSendingRow({});
     const auto started = m_job->start(*m_encoder, {.words = m_model->words(), .holdCycles = m_hold->value()});
-    if (!started)
+    if (!started) {
         say(Role::attention, refusalText(started.error()));
+        m_isRefused = true;
+    }
     showWhatIsPossible();
 }
 
@@ -330,6 +336,7 @@ void SequenceView::showWhatIsPossible()
 
 void SequenceView::say(Role role, const QString &sentence)
 {
+    m_isRefused = false;
     m_message->showMessage(role, sentence);
 }
 

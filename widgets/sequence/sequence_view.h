@@ -71,6 +71,7 @@ private:
     QPushButton *m_send;
     QPushButton *m_stop;
     InlineMessage *m_message;
+    bool m_isRefused = false;      // what the message says: it goes when sending is allowed
     QList<QAction *> m_rowActions; // need a selected row
 };
 

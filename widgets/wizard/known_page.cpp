@@ -62,7 +62,8 @@ KnownPage::KnownPage(Setup &setup, QWidget *parent)
     m_tellRow->addWidget(m_tell);
     m_tellRow->addStretch();
     auto *mode = new QHBoxLayout;
-    mode->addWidget(m_mode, 1);
+    mode->addWidget(m_mode);
+    mode->addStretch(1);
     mode->addWidget(m_isPositionMode);
 
     auto *layout = new QVBoxLayout(this);
@@ -110,6 +111,12 @@ void KnownPage::showKnown()
         m_tellField->setValue(m_setup.valueNow(m_table.rowAt(m_view->currentIndex().row()).parameter));
 }
 
+void KnownPage::showPermission()
+{
+    if (std::exchange(m_isRefused, false))
+        m_problem->withdraw();
+}
+
 void KnownPage::showLatest()
 {
     const bool hasModes = m_setup.encoder->device().quirks.hasModes;
@@ -129,6 +136,7 @@ void KnownPage::read()
     const auto job = m_setup.encoder->start(everythingOf(m_setup.encoder->device()));
     if (!job) {
         m_problem->showMessage(Role::attention, refusalText(job.error()));
+        m_isRefused = true;
         return;
     }
     m_problem->withdraw();
@@ -181,6 +189,7 @@ void KnownPage::selectRow()
 void KnownPage::tell()
 {
     const auto value = m_tellField->value();
+    m_isRefused = false;
     if (!value) {
         m_problem->showMessage(Role::attention, refusalText(value.error()));
         return;

@@ -29,6 +29,7 @@ public:
     bool mayGoBack() const override { return mayGoOn(); }
     void showLatest() override;
     void showKnown() override;
+    void showPermission() override;
     void showProgress() override;
     void showOutcome(const Outcome &outcome) override;
 
@@ -49,6 +50,7 @@ private:
     RoleLabel *m_mode;
     QPushButton *m_isPositionMode;
     InlineMessage *m_problem;
+    bool m_isRefused = false; // what the problem says: it goes when sending is allowed
     std::optional<JobId> m_reading;
 };
 

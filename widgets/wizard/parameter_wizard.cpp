@@ -123,6 +123,7 @@ void ParameterWizard::follow(EncoderSession *encoder)
         return;
     connect(encoder, &EncoderSession::latestChanged, this, [this] { current()->showLatest(); });
     connect(encoder, &EncoderSession::knownChanged, this, [this] { current()->showKnown(); });
+    connect(encoder, &EncoderSession::permissionChanged, this, [this] { current()->showPermission(); });
     connect(encoder, &EncoderSession::progressed, this, &ParameterWizard::takeProgress);
     connect(encoder, &EncoderSession::finished, this, &ParameterWizard::takeOutcome);
     connect(encoder, &EncoderSession::exchanged, this, &ParameterWizard::takeRow);

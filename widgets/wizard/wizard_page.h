@@ -30,6 +30,7 @@ public:
     // Called while the page is shown.
     virtual void showLatest() {}
     virtual void showKnown() {}
+    virtual void showPermission() {}
     virtual void showProgress() {}
     virtual void showOutcome(const Outcome &) {}
 

@@ -143,6 +143,18 @@ TEST_F(Parameters, ReadsOnlyWhenAskedAndSaysHowItKnows)
     EXPECT_TRUE(message().startsWith(QStringLiteral("Values read:"))) << message().toStdString();
 }
 
+TEST_F(Parameters, ARefusalGoesWhenSendingIsAllowed)
+{
+    const auto &message = *panel.findChild<InlineMessage *>();
+    bus.setOperate(false);
+    bus.advance(2);
+    QTest::mouseClick(button(QStringLiteral("Read from encoder")), Qt::LeftButton);
+    EXPECT_TRUE(message.isVisible());
+    bus.setOperate(true);
+    bus.advance(2);
+    EXPECT_FALSE(message.isVisible());
+}
+
 TEST_F(Parameters, AnEncoderWithoutReadOutSaysSoInsteadOfOfferingIt)
 {
     panel.setEncoder(bus.encoder(baumer));
