@@ -10,9 +10,35 @@
 #include <QPushButton>
 #include <QTimer>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace codewheel {
+namespace {
+
+bool setsParameter(const Step &step)
+{
+    return step.kind == StepKind::parameter || (step.kind == StepKind::word && k3::isParameterWord(step.out));
+}
+
+bool isSetting(const Progress &progress)
+{
+    return progress.index < std::ssize(progress.steps) && !progress.waitsForUser &&
+           setsParameter(progress.steps.at(static_cast<std::size_t>(progress.index)));
+}
+
+// Else cancel has nothing to deal with: OUT goes back to 0.
+bool mayHaveTaken(const EncoderSession &encoder, const Progress &progress)
+{
+    const auto done =
+        progress.steps.begin() + std::min<std::ptrdiff_t>(progress.index, std::ssize(progress.steps));
+    return !progress.confirmed.empty() || isSetting(progress) ||
+           encoder.latest().state == EncoderState::parameterization ||
+           std::any_of(progress.steps.begin(), done, setsParameter);
+}
+
+} // namespace
 
 Leaving::Leaving(QWidget &window)
     : QObject(&window)
@@ -85,9 +111,17 @@ EncoderSession *Leaving::busyEncoder() const
 bool Leaving::endJob(EncoderSession &encoder)
 {
     const Progress progress = m_progress[encoder.number()];
-    const auto how =
-        askHowToCancel(&m_window, encoder,
-                       {.taken = progress.confirmed, .canRestore = progress.canRestore, .positionNote = {}});
+    if (!mayHaveTaken(encoder, progress)) {
+        encoder.cancel(OnCancel::leaveAsIs);
+        return true;
+    }
+    const bool isActive = progress.confirmed.empty() && !isSetting(progress) &&
+                          encoder.latest().state == EncoderState::operation;
+    const auto how = askHowToCancel(&m_window, encoder,
+                                    {.taken = progress.confirmed,
+                                     .isActive = isActive,
+                                     .canRestore = progress.canRestore,
+                                     .positionNote = {}});
     if (how && encoder.runningJob())
         encoder.cancel(*how);
     return how.has_value() || !encoder.runningJob();

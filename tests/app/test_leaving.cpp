@@ -90,5 +90,38 @@ TEST_F(LeavingTest, GoingOnWithTheHandshakeKeepsTheWindow)
     EXPECT_EQ(out(baumer), 0x0200'00FFu) << "nothing was sent";
 }
 
+TEST_F(LeavingTest, AJobThatOnlyReadsIsEndedWithoutAQuestion)
+{
+    ASSERT_TRUE(bus().encoder(fraba)->start(ReadParameters{{Parameter::steps}}, Pace::byHand));
+    advance(20);
+    bus().encoder(fraba)->proceed();
+    advance(20);
+    ASSERT_NE(out(fraba), 0u);
+    window().close();
+    advance(300);
+    EXPECT_EQ(out(fraba), 0u);
+    EXPECT_FALSE(window().isVisible());
+}
+
+TEST_F(LeavingTest, WhatRunHasMadeValidIsNotCalledUnconfirmed)
+{
+    startHandshake();
+    EncoderSession &encoder = *bus().encoder(baumer);
+    for (int step = 0; step < 2; ++step) { // revolutions, run
+        encoder.proceed();
+        advance(100);
+    }
+    ASSERT_TRUE(k3::isOperation(in(baumer)));
+    ASSERT_TRUE(encoder.runningJob());
+    test::Question question = test::Question::answeredBy(QStringLiteral("Leave it with"));
+    window().close();
+    EXPECT_TRUE(question.text().contains(QStringLiteral("is valid"))) << question.text().toStdString();
+    EXPECT_FALSE(question.text().contains(QStringLiteral("not confirmed")));
+    EXPECT_FALSE(question.text().contains(QStringLiteral("parameterization")));
+    advance(300);
+    EXPECT_FALSE(window().isVisible());
+    EXPECT_EQ(encoder.known(Parameter::steps)->value, 255);
+}
+
 } // namespace
 } // namespace codewheel

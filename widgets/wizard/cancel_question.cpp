@@ -32,16 +32,22 @@ QString takenText(const EncoderSession &encoder, const ParameterValues &taken)
 
 QString explanation(const EncoderSession &encoder, const CancelSituation &situation)
 {
-    QStringList lines{
-        CancelQuestion::tr("It has already taken: %1.").arg(takenText(encoder, situation.taken))};
+    QStringList lines;
+    if (!situation.isActive || !situation.taken.empty())
+        lines += CancelQuestion::tr("It has already taken: %1.").arg(takenText(encoder, situation.taken));
     if (situation.canRestore)
         lines += CancelQuestion::tr("Restore writes the values from before again and runs with them.");
     else
         lines += CancelQuestion::tr("The values from before are not all known, so they cannot be restored.");
-    lines += CancelQuestion::tr("Run makes what it has taken valid.");
+    if (situation.isActive)
+        lines += CancelQuestion::tr("Run has been sent: what it has taken is valid.");
+    else
+        lines += CancelQuestion::tr("Run makes what it has taken valid.");
     if (!situation.positionNote.isEmpty())
         lines += situation.positionNote;
-    lines += CancelQuestion::tr("Left in parameterization, it gives no position until somebody sends run.");
+    if (!situation.isActive)
+        lines +=
+            CancelQuestion::tr("Left in parameterization, it gives no position until somebody sends run.");
     return lines.join(QLatin1Char('\n'));
 }
 
@@ -58,9 +64,13 @@ std::optional<OnCancel> askHowToCancel(QWidget *parent, const EncoderSession &en
     box.setInformativeText(explanation(encoder, situation));
     QPushButton *restore =
         box.addButton(CancelQuestion::tr("&Restore values from before"), QMessageBox::AcceptRole);
-    QPushButton *run = box.addButton(CancelQuestion::tr("R&un with what it has"), QMessageBox::AcceptRole);
-    QPushButton *leave =
-        box.addButton(CancelQuestion::tr("&Leave in parameterization"), QMessageBox::AcceptRole);
+    const QPushButton *run = situation.isActive ? nullptr
+                                                : box.addButton(CancelQuestion::tr("R&un with what it has"),
+                                                                QMessageBox::AcceptRole);
+    const QPushButton *leave =
+        box.addButton(situation.isActive ? CancelQuestion::tr("&Leave it with what it has")
+                                         : CancelQuestion::tr("&Leave in parameterization"),
+                      QMessageBox::AcceptRole);
     QPushButton *goOn =
         box.addButton(CancelQuestion::tr("&Go on with the handshake"), QMessageBox::RejectRole);
     restore->setEnabled(situation.canRestore);
@@ -72,7 +82,7 @@ std::optional<OnCancel> askHowToCancel(QWidget *parent, const EncoderSession &en
     box.exec();
     if (box.clickedButton() == restore)
         return OnCancel::restorePrevious;
-    if (box.clickedButton() == run)
+    if (run != nullptr && box.clickedButton() == run)
         return OnCancel::runWithWhatItHas;
     if (box.clickedButton() == leave)
         return OnCancel::leaveAsIs;

@@ -17,6 +17,7 @@ class EncoderSession;
 struct CancelSituation
 {
     ParameterValues taken;   // by the encoder so far
+    bool isActive = false;   // what it has taken is valid already: run was sent, and nothing since
     bool canRestore = false; // the values from before are known
     QString positionNote;    // what the position will read if it runs with what it has; may be empty
 };

@@ -266,6 +266,8 @@ bool HandshakePage::cancel()
         how = askHowToCancel(
             window(), *m_setup.encoder,
             {.taken = record.taken(),
+             .isActive = record.progress.confirmed.empty() &&
+                         m_setup.encoder->latest().state == EncoderState::operation,
              .canRestore = record.progress.canRestore,
              .positionNote = position ? tr("The position will then read %1%2.")
                                             .arg(position->exact ? QString() : tr("about "),
