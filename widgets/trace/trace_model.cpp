@@ -87,13 +87,15 @@ QVariant TraceModel::headerCell(int column, int role) const
     const bool isNumber = column == sinceLast || column == cycle;
     if (role == Qt::TextAlignmentRole)
         return QVariant((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    if (column == sinceLast && (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole))
+        return tr("Since last, ms");
     if (role != Qt::DisplayRole)
         return {};
     switch (column) {
     case time:
-        return tr("Date and time");
+        return tr("Time");
     case sinceLast:
-        return tr("Since last, ms");
+        return QStringLiteral("\u0394 ms");
     case cycle:
         return tr("Cycle");
     case out:
@@ -111,7 +113,7 @@ QString TraceModel::text(const TraceRow &row, int column) const
 {
     switch (column) {
     case time:
-        return traceTimeText(row);
+        return clockText(row);
     case sinceLast:
         return sinceLastText(row);
     case cycle:
@@ -135,6 +137,8 @@ QVariant TraceModel::cell(const TraceRow &row, int column, int role) const
     case Qt::EditRole:
         return column == remark ? QVariant(row.remark) : QVariant();
     case Qt::ToolTipRole:
+        if (column == time)
+            return traceTimeText(row);
         return column == meaning || column == remark ? QVariant(text(row, column)) : QVariant();
     case Qt::FontRole:
         return column < meaning ? QVariant(numberFont()) : QVariant();

@@ -59,10 +59,14 @@ QString exchangeText(const DeviceDescription &device, const Exchange &exchange)
     return QCoreApplication::translate("Trace", "%1 – %2", "meaning of OUT, meaning of IN").arg(asked, said);
 }
 
+QString clockText(const TraceRow &row)
+{
+    return row.at.time().toString(QStringLiteral("HH:mm:ss.zzz"));
+}
+
 QString traceTimeText(const TraceRow &row)
 {
-    return QLocale().toString(row.at.date(), QLocale::ShortFormat) + QLatin1Char(' ') +
-           row.at.time().toString(QStringLiteral("HH:mm:ss.zzz"));
+    return QLocale().toString(row.at.date(), QLocale::ShortFormat) + QLatin1Char(' ') + clockText(row);
 }
 
 QString sinceLastText(const TraceRow &row)

@@ -20,7 +20,8 @@ struct TraceRow
 // What both words say, in one sentence like the manual's: "Parameter 1 steps = 255: confirmed".
 QString exchangeText(const DeviceDescription &device, const Exchange &exchange);
 
-// By locale: date and time to the millisecond, milliseconds since the last row.
+// By locale: time to the millisecond, date and time, milliseconds since the last row.
+QString clockText(const TraceRow &row);
 QString traceTimeText(const TraceRow &row);
 QString sinceLastText(const TraceRow &row);
 

@@ -23,6 +23,8 @@ namespace codewheel {
 namespace {
 
 constexpr int meaningLetters = 60; // about as long as the sentences of a handshake
+constexpr int fewestLetters = 20;
+constexpr int remarkWidth = 25 * grid::unit;
 
 } // namespace
 
@@ -147,6 +149,11 @@ void TraceView::watch(EncoderSession &encoder)
             if (changed == m_shown)
                 showCounts();
         });
+        connect(model.get(), &QAbstractItemModel::rowsInserted, this,
+                [this, changed = model.get()](const QModelIndex &, int first, int last) {
+                    if (changed == m_shown)
+                        makeRoom(first, last);
+                });
     }
     connect(&encoder, &EncoderSession::exchanged, model.get(),
             [this, into = model.get()](const Exchange &row) { into->add(row, m_bus.dateTime(row.at)); });
@@ -174,19 +181,43 @@ void TraceView::showModel()
     delete before;
     if (!m_shown)
         return;
-    const QFontMetrics metrics{numberFont()};
-    const auto width = [&metrics](const char *widest) {
-        return metrics.horizontalAdvance(QLatin1String(widest)) + 4 * grid::unit;
-    };
-    m_table->setColumnWidth(TraceModel::time, width("20/20/2026 22:22:22.222"));
-    m_table->setColumnWidth(
-        TraceModel::sinceLast,
-        std::max(width("1 000 000.0"), m_table->horizontalHeader()->sectionSizeHint(TraceModel::sinceLast)));
-    m_table->setColumnWidth(TraceModel::cycle, width("100 000 000"));
-    m_table->setColumnWidth(TraceModel::out, width("020000FF"));
-    m_table->setColumnWidth(TraceModel::in, width("020000FF"));
-    m_table->setColumnWidth(TraceModel::meaning, m_table->fontMetrics().averageCharWidth() * meaningLetters);
+    for (int column = 0; column < TraceModel::meaning; ++column)
+        m_table->setColumnWidth(column, m_table->horizontalHeader()->sectionSizeHint(column));
+    makeRoom(0, m_shown->rowCount() - 1);
     showCounts();
+}
+
+// Columns of numbers become wider with their numbers and never narrower: nothing is cut off, nothing jumps.
+void TraceView::makeRoom(int first, int last)
+{
+    const QFontMetrics metrics{numberFont()};
+    for (int column = 0; column < TraceModel::meaning; ++column) {
+        int width = m_table->columnWidth(column);
+        for (int row = first; row <= last; ++row)
+            width = std::max(width, metrics.horizontalAdvance(m_shown->index(row, column).data().toString()) +
+                                        2 * grid::unit);
+        m_table->setColumnWidth(column, width);
+    }
+    fitMeaning();
+}
+
+// The meaning has what the numbers leave it, the remark what is left then; in a narrow dock it is scrolled
+// to.
+void TraceView::fitMeaning()
+{
+    const int letter = m_table->fontMetrics().averageCharWidth();
+    int left = m_table->viewport()->width();
+    for (int column = 0; column < TraceModel::meaning; ++column)
+        left -= m_table->columnWidth(column);
+    if (left - remarkWidth > fewestLetters * letter)
+        left = std::min(left - remarkWidth, meaningLetters * letter);
+    m_table->setColumnWidth(TraceModel::meaning, std::max(left, fewestLetters * letter));
+}
+
+void TraceView::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fitMeaning();
 }
 
 void TraceView::showCounts()

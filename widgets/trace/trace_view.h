@@ -37,6 +37,9 @@ public:
     bool exportTo(const QString &path);
     void exportRows(); // asks for the file
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
     // Sessions come and go with the connection; what was collected stays.
     void watchEncoders();
@@ -45,6 +48,8 @@ private:
     void makeTools();
     QAction *addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip);
     void showModel();
+    void makeRoom(int first, int last); // for these rows
+    void fitMeaning();
     void showCounts();
     void follow();
     void copy();

@@ -70,7 +70,21 @@ TEST_F(TraceViewTest, AHandshakeIsARowForEachChange)
     EXPECT_EQ(cell(0, TraceModel::meaning), QStringLiteral("Parameter 1 steps = 255: not taken yet"));
     EXPECT_EQ(cell(last, TraceModel::meaning), QStringLiteral("Parameter 1 steps = 255: confirmed"));
     EXPECT_GT(cell(last, TraceModel::sinceLast).toDouble(), 0.0);
-    EXPECT_TRUE(cell(last, TraceModel::time).contains(QLatin1String("14:02:00.")));
+    EXPECT_TRUE(cell(last, TraceModel::time).startsWith(QLatin1String("14:02:00.")));
+    const QModelIndex time = model().index(last, TraceModel::time);
+    EXPECT_EQ(time.data(Qt::ToolTipRole).toString(), traceTimeText(model().rowAt(last)));
+}
+
+TEST_F(TraceViewTest, NumbersAndMeaningHaveRoomInANarrowDock)
+{
+    view.resize(460, 200);
+    write(fraba, 0x020000FF);
+    const QFontMetrics metrics{model().index(0, TraceModel::time).data(Qt::FontRole).value<QFont>()};
+    for (int row = 0; row < model().rowCount(); ++row)
+        for (int column = 0; column < TraceModel::meaning; ++column)
+            EXPECT_LT(metrics.horizontalAdvance(cell(row, column)), table.columnWidth(column));
+    EXPECT_GE(table.columnWidth(TraceModel::meaning), 20 * table.fontMetrics().averageCharWidth());
+    EXPECT_LE(table.columnViewportPosition(TraceModel::remark), table.viewport()->width());
 }
 
 TEST_F(TraceViewTest, EachEncoderHasItsOwnRowsWhicheverIsSelected)
