@@ -10,9 +10,12 @@
 #include <QTreeView>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace codewheel {
 namespace {
 
+constexpr int narrowestName = 20 * grid::unit;
 constexpr int indentation = 3 * grid::unit; // a ring is wide and flat, and the panel narrow
 
 } // namespace
@@ -40,6 +43,7 @@ StructureView::StructureView(QWidget *parent)
     m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
     m_tree->setExpandsOnDoubleClick(false);
     m_tree->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_tree->header()->setSectionResizeMode(StructureModel::deviceColumn, QHeaderView::Interactive);
     m_tree->header()->setStretchLastSection(false);
     m_tree->hide();
 
@@ -57,7 +61,26 @@ StructureView::StructureView(QWidget *parent)
         if (const auto number = numberAt(m_tree->indexAt(position)))
             Q_EMIT menuRequested(*number, m_tree->viewport()->mapToGlobal(position));
     });
+    connect(m_tree->header(), &QHeaderView::sectionResized, this, [this](int column) {
+        if (column == StructureModel::stateColumn)
+            fitColumns();
+    });
     setFocusProxy(m_tree);
+}
+
+// The state is seen before the whole name is; the tooltip has that too.
+void StructureView::fitColumns()
+{
+    m_tree->resizeColumnToContents(StructureModel::deviceColumn);
+    const int whole = m_tree->columnWidth(StructureModel::deviceColumn);
+    const int left = m_tree->viewport()->width() - m_tree->columnWidth(StructureModel::stateColumn);
+    m_tree->setColumnWidth(StructureModel::deviceColumn, std::min(whole, std::max(left, narrowestName)));
+}
+
+void StructureView::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fitColumns();
 }
 
 void StructureView::setBus(BusSession *bus)
@@ -66,6 +89,7 @@ void StructureView::setBus(BusSession *bus)
     m_tree->expandAll();
     m_tree->setVisible(bus != nullptr);
     m_empty->setVisible(bus == nullptr);
+    fitColumns();
     if (bus != nullptr && !bus->structure().empty())
         choose(bus->structure().front().number);
 }

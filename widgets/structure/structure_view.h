@@ -34,7 +34,12 @@ Q_SIGNALS:
     void opened(codewheel::DeviceNumber number);
     void menuRequested(codewheel::DeviceNumber number, const QPoint &globalPosition);
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
+    void fitColumns();
+
     StructureModel *m_model;
     QTreeView *m_tree;
     EmptyState *m_empty;

@@ -86,5 +86,22 @@ TEST_F(StructureTest, ArrowsChooseAndEnterOpens)
     EXPECT_EQ(view.current(), std::nullopt) << "the master";
 }
 
+TEST_F(StructureTest, TheStateIsSeenInANarrowPanelWhateverTheNames)
+{
+    StructureView view;
+    view.resize(200, 300);
+    view.show();
+    view.setBus(&ring.bus);
+    const auto &tree = *view.findChild<QTreeView *>();
+    const QModelIndex state = tree.model()->index(0, StructureModel::stateColumn, tree.model()->index(0, 0));
+    EXPECT_LE(tree.visualRect(state).right(), tree.viewport()->width());
+    ring.channel(fraba).stage(0x0200'00FF);
+    ASSERT_TRUE(ring.channel(fraba).write());
+    ring.bus.advance(10);
+    EXPECT_EQ(state.data().toString(), QStringLiteral("parameterization"));
+    view.resize(280, 300);
+    EXPECT_LE(tree.visualRect(state).right(), tree.viewport()->width());
+}
+
 } // namespace
 } // namespace codewheel

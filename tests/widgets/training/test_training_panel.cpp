@@ -74,6 +74,12 @@ protected:
     std::vector<Act> acts;
 };
 
+TEST_F(TrainingPanelTest, NothingIsCutOffInANarrowDock)
+{
+    panel.resize(200, 400);
+    EXPECT_LE(panel.widget()->width(), panel.viewport()->width());
+}
+
 TEST_F(TrainingPanelTest, ShowsHowTheEncoderStands)
 {
     EXPECT_EQ(text("Raw position"), QLocale().toString(12345));
