@@ -4,6 +4,7 @@
 #include "catalog/device_description.h"
 #include "ring/bus_session.h"
 #include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
 #include "widgets/look/role_label.h"
 
 #include <QLabel>
@@ -39,6 +40,7 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     , m_late(
           addLabel(bar, tr("Late cycles"), tr("Cycles that began too late; they are counted, not caught up")))
     , m_linkLabel(addLabel(bar, tr("Link"), tr("How the program is connected to the ring")))
+    , m_hint(addLabel(bar, {}, {}))
     , m_writes(
           addLabel(bar, tr("EEPROM writes"),
                    tr("Writes to the memory of the chosen encoder by this program since it was started")))
@@ -46,12 +48,17 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     m_state->setToolTip(tr("State of the master"));
     m_mode->setToolTip(tr("Watch: nothing is sent. Operate: writing is allowed."));
     bar.setSizeGripEnabled(false);
-    bar.addWidget(m_state);
-    bar.addWidget(m_mode);
-    bar.addWidget(m_cycle);
-    bar.addWidget(m_late);
-    bar.addWidget(m_linkLabel);
+    // Permanent, since the bar hides all others while it shows what the mouse or the focus is on.
+    bar.addPermanentWidget(m_state);
+    bar.addPermanentWidget(m_mode);
+    bar.addPermanentWidget(m_cycle);
+    bar.addPermanentWidget(m_late);
+    bar.addPermanentWidget(m_linkLabel);
+    m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_hint->setIndent(grid::margin);
+    bar.addPermanentWidget(m_hint, 1);
     bar.addPermanentWidget(m_writes);
+    connect(&bar, &QStatusBar::messageChanged, m_hint, &QLabel::setText);
 }
 
 void StatusLine::setBus(BusSession *bus, const QString &link)

@@ -40,6 +40,7 @@ private:
     QLabel *m_cycle;
     QLabel *m_late;
     QLabel *m_linkLabel;
+    QLabel *m_hint; // what the mouse or the focus is on
     QLabel *m_writes;
 };
 

@@ -81,6 +81,21 @@ TEST_F(MainWindowTest, WatchAndOperateAreTold)
     EXPECT_TRUE(bus().isOperating());
 }
 
+TEST_F(MainWindowTest, TheStateStaysInSightWhileTheStatusLineTellsOfSomethingElse)
+{
+    const auto inStatusLine = [this](const QString &text) {
+        for (const QLabel *label : window().statusBar()->findChildren<QLabel *>())
+            if (label->isVisible() && label->text() == text)
+                return true;
+        return false;
+    };
+    window().statusBar()->showMessage(QStringLiteral("a bit"));
+    EXPECT_TRUE(inStatusLine(QStringLiteral("RUN")));
+    EXPECT_TRUE(inStatusLine(QStringLiteral("a bit")));
+    window().statusBar()->clearMessage();
+    EXPECT_FALSE(inStatusLine(QStringLiteral("a bit")));
+}
+
 TEST_F(MainWindowTest, StartAndStopFollowTheBus)
 {
     EXPECT_FALSE(actions().start->isEnabled());
