@@ -122,6 +122,14 @@
         <source>&amp;Go on with the handshake</source>
         <translation>Handshake &amp;fortsetzen</translation>
     </message>
+    <message>
+        <source>Run has been sent: what it has taken is valid.</source>
+        <translation>Run wurde gesendet: Was er übernommen hat, gilt.</translation>
+    </message>
+    <message>
+        <source>&amp;Leave it with what it has</source>
+        <translation>Lassen, wie er &amp;ist</translation>
+    </message>
 </context>
 <context>
     <name>Choice</name>
@@ -3479,22 +3487,6 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Wie das Programm mit dem Ring verbunden ist</translation>
     </message>
     <message>
-        <source>EEPROM writes</source>
-        <translation>EEPROM-Schreibvorgänge</translation>
-    </message>
-    <message>
-        <source>Writes to the memory of the chosen encoder by this program since it was started</source>
-        <translation>Schreibvorgänge dieses Programms in den Speicher des gewählten Drehgebers seit dem Programmstart</translation>
-    </message>
-    <message>
-        <source>State of the master</source>
-        <translation>Zustand des Masters</translation>
-    </message>
-    <message>
-        <source>Watch: nothing is sent. Operate: writing is allowed.</source>
-        <translation>Beobachten: Nichts wird gesendet. Bedienen: Schreiben ist erlaubt.</translation>
-    </message>
-    <message>
         <source>cycle %1 ms</source>
         <translation>Zyklus %1 ms</translation>
     </message>
@@ -3547,6 +3539,22 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
             <numerusform>%1 %2: %n Schreibvorgang von hier</numerusform>
             <numerusform>%1 %2: %n Schreibvorgänge von hier</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>EEPROM writes</source>
+        <translation>EEPROM-Schreibvorgänge</translation>
+    </message>
+    <message>
+        <source>Writes to the memory of the chosen encoder by this program since it was started</source>
+        <translation>Schreibvorgänge dieses Programms in den Speicher des gewählten Drehgebers seit dem Programmstart</translation>
+    </message>
+    <message>
+        <source>State of the master</source>
+        <translation>Zustand des Masters</translation>
+    </message>
+    <message>
+        <source>Watch: nothing is sent. Operate: writing is allowed.</source>
+        <translation>Beobachten: Nichts wird gesendet. Bedienen: Schreiben ist erlaubt.</translation>
     </message>
 </context>
 <context>
@@ -3766,10 +3774,6 @@ Zustand: %7</translation>
 <context>
     <name>codewheel::TraceModel</name>
     <message>
-        <source>Date and time</source>
-        <translation>Datum und Zeit</translation>
-    </message>
-    <message>
         <source>Since last, ms</source>
         <translation>Seit letzter, ms</translation>
     </message>
@@ -3784,6 +3788,10 @@ Zustand: %7</translation>
     <message>
         <source>Remark</source>
         <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
     </message>
 </context>
 <context>

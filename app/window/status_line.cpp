@@ -40,7 +40,7 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     , m_late(
           addLabel(bar, tr("Late cycles"), tr("Cycles that began too late; they are counted, not caught up")))
     , m_linkLabel(addLabel(bar, tr("Link"), tr("How the program is connected to the ring")))
-    , m_hint(addLabel(bar, {}, {}))
+    , m_hint(addLabel(bar, QString(), QString()))
     , m_writes(
           addLabel(bar, tr("EEPROM writes"),
                    tr("Writes to the memory of the chosen encoder by this program since it was started")))
