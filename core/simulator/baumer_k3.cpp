@@ -3,7 +3,7 @@
 
 namespace codewheel {
 
-BaumerK3::BaumerK3(PhysicalResolution resolution, std::int64_t raw, K3Timing timing)
+BaumerK3::BaumerK3(PhysicalResolution resolution, std::int64_t raw, EncoderTiming timing)
     : SimulatedK3(TurningShaft(resolution, raw), ParameterSet(), timing)
 {
     begin();

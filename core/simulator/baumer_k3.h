@@ -11,9 +11,9 @@ class BaumerK3 final : public SimulatedK3
 {
 public:
     static constexpr int startUpCycles = 20; // battery test, loading, check (assumed)
-    static constexpr K3Timing usualTiming{.startUp = startUpCycles};
+    static constexpr EncoderTiming usualTiming{.startUp = startUpCycles};
 
-    BaumerK3(PhysicalResolution resolution, std::int64_t raw, K3Timing timing = usualTiming);
+    BaumerK3(PhysicalResolution resolution, std::int64_t raw, EncoderTiming timing = usualTiming);
 
     bool hasBattery() const override { return true; }
     bool isBatteryLow() const override { return m_batteryLow; }

@@ -26,7 +26,7 @@ ParameterSet factorySet(PhysicalResolution resolution)
 
 } // namespace
 
-FrabaK3::FrabaK3(PhysicalResolution resolution, std::int64_t raw, FrabaPlate plate, K3Timing timing)
+FrabaK3::FrabaK3(PhysicalResolution resolution, std::int64_t raw, FrabaPlate plate, EncoderTiming timing)
     : SimulatedK3(TurningShaft(resolution, raw), factorySet(resolution), timing)
     , m_plate(plate)
 {

@@ -23,7 +23,7 @@ class FrabaK3 final : public SimulatedK3
 public:
     static constexpr std::int64_t fastestCode = 800; // steps per 1 ms: 800 kHz
 
-    FrabaK3(PhysicalResolution resolution, std::int64_t raw, FrabaPlate plate, K3Timing timing = {});
+    FrabaK3(PhysicalResolution resolution, std::int64_t raw, FrabaPlate plate, EncoderTiming timing = {});
 
 private:
     enum class Mode : std::uint8_t { position, velocity, cam };

@@ -3,7 +3,7 @@
 
 namespace codewheel {
 
-SimulatedK3::SimulatedK3(TurningShaft shaft, ParameterSet factory, K3Timing timing)
+SimulatedK3::SimulatedK3(TurningShaft shaft, ParameterSet factory, EncoderTiming timing)
     : m_shaft(shaft)
     , m_memory(factory, shaft.resolution())
     , m_arithmetic(factory, shaft.resolution())

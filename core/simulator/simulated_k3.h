@@ -10,7 +10,7 @@
 namespace codewheel {
 
 // When an encoder acts, in bus cycles (assumed: the manuals give an order, no times).
-struct K3Timing
+struct EncoderTiming
 {
     int takenAfter = 2; // a word must have stood this long
     int processing = 2;
@@ -35,6 +35,7 @@ public:
     Word cycle(Word out);
 
     const TurningShaft &shaft() const { return m_shaft; }
+    const ParameterSet &parameters() const { return m_memory.active(); } // that it works with
     int eepromWrites() const { return m_memory.eepromWrites(); }
     bool isPowered() const { return m_phase != Phase::off; }
     bool isSlow() const { return m_slow; }
@@ -53,7 +54,7 @@ public:
 protected:
     enum class Phase : std::uint8_t { off, startingUp, operation, processing, parameterization, error };
 
-    SimulatedK3(TurningShaft shaft, ParameterSet factory, K3Timing timing);
+    SimulatedK3(TurningShaft shaft, ParameterSet factory, EncoderTiming timing);
     // To be called at the end of the constructor of the make.
     void begin() { refresh(); }
 
@@ -104,7 +105,7 @@ private:
     TurningShaft m_shaft;
     ParameterMemory m_memory;
     EncoderArithmetic m_arithmetic;
-    K3Timing m_timing;
+    EncoderTiming m_timing;
     WordWatch m_watch;
     Phase m_phase = Phase::operation;
     Word m_in = 0;      // prepared for the next cycle
