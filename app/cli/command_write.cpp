@@ -107,6 +107,7 @@ void addAccount(QJsonObject &json, const EncoderSession &encoder, const Outcome 
     json.insert(QStringLiteral("positionBefore"), numberJson(before.position));
     json.insert(QStringLiteral("positionAfter"), numberJson(encoder.latest().position));
     json.insert(QStringLiteral("leftIn"), stateKey(outcome.leftIn));
+    json.insert(QStringLiteral("onlyZeroSinceRun"), outcome.onlyZeroSinceRun);
 }
 
 QString whereItWasLeft(EncoderState state)

@@ -48,8 +48,8 @@ Result<void> K3Driver::begin(JobId id, const Job &job, Pace pace, Word in, Word 
         return refuse(RefusalKind::busy, RefusalId::jobRunning);
     if (auto checked = m_plan.check(job); !checked)
         return checked;
-    if (auto checked = checkState(job, in); !checked)
-        return checked;
+    if (initialisesPreset(job) && m_device.quirks.hasModes && m_knowledge.mode() != Mode::position)
+        return refuse(RefusalKind::notSupported, RefusalId::modeNotKnown, {k3::initialisePreset});
 
     Run run;
     run.id = id;
@@ -60,24 +60,36 @@ Result<void> K3Driver::begin(JobId id, const Job &job, Pace pace, Word in, Word 
     if (const auto *write = std::get_if<WriteParameters>(&job))
         for (const ParameterValue &value : write->previous)
             replaceValue(run.before, value);
+    m_run = std::move(run);
+    if (m_reading.state == EncoderState::notSeen)
+        return {}; // IN is not known before the first cycle
+    auto prepared = prepare(in, out);
+    if (!prepared)
+        m_run.reset();
+    return prepared;
+}
 
+// Plans the steps from the state the encoder is in, or says why it must not be.
+Result<void> K3Driver::prepare(Word in, Word out)
+{
+    Run &run = *m_run;
+    if (auto checked = checkState(run.job, in); !checked)
+        return checked;
     const EncoderState state = stateOf(in, m_device.dialect);
-    if (const auto *end = std::get_if<EndParameterization>(&job))
+    if (const auto *end = std::get_if<EndParameterization>(&run.job))
         run.steps =
             m_plan.endParameterization(end->restore, end->restore.empty() || state != EncoderState::error);
     else
-        run.steps = m_plan.stepsFor(job);
+        run.steps = m_plan.stepsFor(run.job);
     const bool mustClear = out != k3::normalRunning || state == EncoderState::readOut;
-    if (mustClear && !std::holds_alternative<SendWords>(job))
+    if (mustClear && !std::holds_alternative<SendWords>(run.job))
         run.steps.insert(run.steps.begin(), K3Plan::toNormal(false));
-    m_run = std::move(run);
+    run.prepared = true;
     return {};
 }
 
 Result<void> K3Driver::checkState(const Job &job, Word in) const
 {
-    if (initialisesPreset(job) && m_device.quirks.hasModes && m_knowledge.mode() != Mode::position)
-        return refuse(RefusalKind::notSupported, RefusalId::modeNotKnown, {k3::initialisePreset});
     if (!startsParameterization(job))
         return {};
     const EncoderState state = stateOf(in, m_device.dialect);
@@ -94,14 +106,19 @@ void K3Driver::proceed()
         m_run->mayBegin = true;
 }
 
-void K3Driver::cancel(OnCancel how, Instant)
+void K3Driver::cancel(OnCancel how, Instant now)
 {
     if (!m_run || m_run->cancelled || m_run->failure)
         return;
     Run &run = *m_run;
     run.cancelled = how;
-    if (run.begun && current().kind == StepKind::parameter && m_handshake.hasConfirmed())
-        replaceValue(run.confirmed, {*current().parameter, current().value});
+    run.cancelledAt = now;
+    if (run.begun && current().kind == StepKind::parameter) {
+        if (m_handshake.hasConfirmed())
+            replaceValue(run.confirmed, {*current().parameter, current().value});
+        else
+            run.inFlight = current();
+    }
     const bool runIsOnItsWay = run.begun && current().kind == StepKind::run;
     if (runIsOnItsWay) // cannot be taken back: its answer is waited for
         ++run.index;
@@ -125,7 +142,52 @@ Word K3Driver::cycle(Word in, Word out, Instant now)
     flushKnowledge();
     m_view.mode = m_knowledge.mode();
     m_reading = decodeReading(in, now, m_view);
+    if (m_run && !m_run->prepared && !m_run->cancelled) {
+        if (auto prepared = prepare(in, out); !prepared)
+            finish(std::move(prepared));
+    }
+    if (m_run) {
+        lookForLateAnswer(in);
+        lookForRestart(in);
+    }
     return m_run ? carryOn(in, out, now) : out;
+}
+
+// Only run ends a parameterization. An encoder that is in operation before run was sent has started anew, and
+// dropped what it had confirmed.
+void K3Driver::lookForRestart(Word in)
+{
+    Run &run = *m_run;
+    const bool isBegun = run.begun && run.index < run.steps.size();
+    const bool hasConfirmed = !run.confirmed.empty() || (isBegun && current().kind == StepKind::parameter &&
+                                                         m_handshake.hasConfirmed());
+    const bool runIsSent = isBegun && current().out == k3::run;
+    if (!hasConfirmed || runIsSent || !k3::isOperation(in))
+        return;
+    run.confirmed.clear();
+    const bool dropsAnyway = run.cancelled && !run.cancelPlanned;
+    if (!std::holds_alternative<SendWords>(run.job) && !dropsAnyway && !run.failure)
+        fail(restarted(in));
+}
+
+// What was on its way as the job was cancelled may be confirmed, or what was confirmed be refused, later.
+void K3Driver::lookForLateAnswer(Word in)
+{
+    Run &run = *m_run;
+    if (!run.cancelled || run.cancelPlanned)
+        return;
+    if (run.inFlight && k3::isConfirmation(in) && k3::number(in) == k3::number(run.inFlight->out)) {
+        replaceValue(run.confirmed, {*run.inFlight->parameter, run.inFlight->value});
+        run.inFlight.reset();
+    }
+}
+
+// Baumer: the new data beside the number from before.
+bool K3Driver::isStillProcessing(Word in, Instant now) const
+{
+    const Run &run = *m_run;
+    return run.cancelled && !run.cancelPlanned && run.inFlight && k3::isConfirmation(in) &&
+           k3::data(in) == k3::data(run.inFlight->out) && now - run.cancelledAt < m_timing.timeOut;
 }
 
 Word K3Driver::carryOn(Word in, Word out, Instant now)
@@ -135,6 +197,8 @@ Word K3Driver::carryOn(Word in, Word out, Instant now)
         if (run.index == run.steps.size()) {
             if (run.failure)
                 finish(tl::unexpected(*run.failure));
+            else if (run.mismatch)
+                finish(tl::unexpected(*run.mismatch));
             else if (run.cancelled)
                 finish(refuse(RefusalKind::stopped, RefusalId::cancelled));
             else
@@ -151,7 +215,13 @@ Word K3Driver::carryOn(Word in, Word out, Instant now)
         case K3Handshake::State::waiting:
             return current().out;
         case K3Handshake::State::done:
+            if (isStillProcessing(in, now))
+                return current().out;
             stepDone(in);
+            break;
+        case K3Handshake::State::restarted:
+            run.confirmed.clear();
+            fail(restarted(in));
             break;
         case K3Handshake::State::error:
             fail(refusalFor(in));
@@ -227,10 +297,13 @@ void K3Driver::stepDone(Word in)
 
 void K3Driver::ranWithWhatWasConfirmed()
 {
-    if (m_reading.state != EncoderState::error || !m_reading.errorNumber.value_or(0))
-        for (const ParameterValue &value : m_run->confirmed)
-            replaceValue(m_run->written, value);
-    m_run->confirmed.clear();
+    Run &run = *m_run;
+    const bool hasRun = m_reading.state != EncoderState::error || !m_reading.errorNumber.value_or(0);
+    run.ranAtZero = m_reading.in == 0;
+    if (hasRun && !(run.ranAtZero && m_device.capabilities.reads)) // else the read-back tells
+        for (const ParameterValue &value : run.confirmed)
+            replaceValue(run.written, value);
+    run.confirmed.clear();
 }
 
 void K3Driver::readDone(const K3Step &step, Word in)
@@ -239,15 +312,27 @@ void K3Driver::readDone(const K3Step &step, Word in)
     if (!value)
         return;
     if (step.expected) {
-        if (*value != *step.expected)
-            fail({RefusalKind::device,
-                  RefusalId::verificationFailed,
-                  {*step.parameter, *step.expected, *value}});
+        verify(step, *value);
         return;
     }
     replaceValue(m_run->read, {*step.parameter, *value});
     replaceValue(m_run->before, {*step.parameter, *value});
     refine(*step.parameter, *value);
+}
+
+// A difference is a failure, but the others are read all the same, so that what the encoder has is known.
+void K3Driver::verify(const K3Step &step, std::int64_t value)
+{
+    Run &run = *m_run;
+    if (value == *step.expected) {
+        if (!valueOf(run.alreadyThere, *step.parameter))
+            replaceValue(run.written, {*step.parameter, value});
+        return;
+    }
+    std::erase_if(run.written, [&](const ParameterValue &one) { return one.parameter == *step.parameter; });
+    if (!run.mismatch)
+        run.mismatch = {
+            RefusalKind::device, RefusalId::verificationFailed, {*step.parameter, *step.expected, value}};
 }
 
 // A value that was read changes the rest of the plan: what is already there is left out, steps are sent minus
@@ -358,6 +443,7 @@ void K3Driver::finish(Result<void> result)
     outcome.written = std::move(run.written);
     outcome.alreadyThere = std::move(run.alreadyThere);
     outcome.read = std::move(run.read);
+    outcome.onlyZeroSinceRun = run.ranAtZero && m_reading.in == 0 && !m_device.capabilities.reads;
     outcome.positionBefore = run.positionBefore;
     outcome.positionAfter = run.positionAfter;
     m_events.emplace_back(std::move(outcome));
@@ -424,6 +510,14 @@ Refusal K3Driver::noAnswer(Word in) const
     return {RefusalKind::device,
             RefusalId::noAnswer,
             {std::chrono::duration<double>(m_timing.timeOut).count(), current().out, in}};
+}
+
+// No answer to the word that stands: "Check ... whether it is switched on."
+Refusal K3Driver::restarted(Word in) const
+{
+    return {RefusalKind::device,
+            RefusalId::noAnswer,
+            {std::chrono::duration<double>(m_handshake.elapsed()).count(), m_handshake.step().out, in}};
 }
 
 void K3Driver::flushKnowledge()

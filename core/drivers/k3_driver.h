@@ -36,6 +36,7 @@ private:
         JobId id = 0;
         Job job;
         Pace pace = Pace::byItself;
+        bool prepared = false; // its steps are planned
         K3Steps steps;
         std::size_t index = 0;
         bool begun = false;    // steps[index] is in OUT, or goes there now
@@ -45,10 +46,14 @@ private:
         std::optional<Refusal> failure; // the remaining steps only bring OUT back
         std::optional<OnCancel> cancelled;
         bool cancelPlanned = false; // its steps have been appended
+        Instant cancelledAt{};
+        std::optional<K3Step> inFlight; // cancelled before it was confirmed; it may be taken yet
         int writesBefore = 0;
         ParameterValues before;    // values from before this job
         ParameterValues confirmed; // since the last run
         ParameterValues written;
+        bool ranAtZero = false;          // 00000000h answered run
+        std::optional<Refusal> mismatch; // of the read-back, which goes on
         ParameterValues alreadyThere;
         ParameterValues read;
         std::optional<std::int64_t> positionBefore;
@@ -56,11 +61,16 @@ private:
     };
 
     Result<void> checkState(const Job &job, Word in) const;
+    Result<void> prepare(Word in, Word out);
+    void lookForRestart(Word in);
+    void lookForLateAnswer(Word in);
+    bool isStillProcessing(Word in, Instant now) const;
     Word carryOn(Word in, Word out, Instant now);
     bool mayBeginStep(Word in);
     void beginStep(Word in, Instant now);
     void stepDone(Word in);
     void readDone(const K3Step &step, Word in);
+    void verify(const K3Step &step, std::int64_t value);
     void leaveOut(Parameter parameter, std::int64_t value);
     void refine(Parameter parameter, std::int64_t value);
     void fail(Refusal why);
@@ -72,6 +82,7 @@ private:
     ParameterValues valuesToRestore() const;
     Refusal refusalFor(Word in) const;
     Refusal noAnswer(Word in) const;
+    Refusal restarted(Word in) const;
     std::vector<RefusalArgument> suspects() const;
     const K3Step &current() const { return m_run->steps[m_run->index]; }
     void flushKnowledge();

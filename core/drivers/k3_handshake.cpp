@@ -28,8 +28,10 @@ void K3Handshake::begin(const K3Step &step, Word in, Instant now)
     m_inChanged = false;
     m_hasConfirmed = false;
     m_answered = false;
+    m_sawZero = false;
     m_cycles = 0;
     m_begin = now;
+    m_now = now;
     m_answeredSince = now;
 }
 
@@ -92,12 +94,20 @@ State K3Handshake::confirmation(Word in) const
     return confirms(in, m_step.out) && hasSettled() ? State::done : State::waiting;
 }
 
-State K3Handshake::runAnswer(Word in) const
+State K3Handshake::runAnswer(Word in)
 {
     if (isNewError(in))
         return m_step.tolerateError ? State::done : State::error;
-    if (k3::isOperation(in) && !k3::isOperation(m_inAtBegin))
-        return State::done;
+    if (!k3::isOperation(m_inAtBegin)) {
+        if (in == 0) {
+            m_sawZero = true;
+            return m_now - m_answeredSince >= m_timing.restart ? State::done : State::waiting;
+        }
+        if (k3::isOperation(in))
+            return State::done;
+        if (m_sawZero && k3::isConfirmation(in)) // C0000000h: the checks at start-up
+            return State::restarted;
+    }
     return runs(in) && hasSettled() ? State::done : State::waiting;
 }
 

@@ -12,7 +12,7 @@ namespace codewheel {
 class K3Handshake
 {
 public:
-    enum class State : std::uint8_t { waiting, done, error, noAnswer };
+    enum class State : std::uint8_t { waiting, done, error, noAnswer, restarted };
 
     K3Handshake(k3::Dialect dialect, K3Timing timing)
         : m_dialect(dialect)
@@ -24,6 +24,7 @@ public:
     State cycle(Word in, Word out, Instant now);
 
     const K3Step &step() const { return m_step; }
+    Instant elapsed() const { return m_now - m_begin; } // since the word was put into OUT
     bool hasConfirmed() const
     {
         return m_hasConfirmed;
@@ -32,7 +33,7 @@ public:
 private:
     State answerTo(Word in);
     State confirmation(Word in) const;
-    State runAnswer(Word in) const;
+    State runAnswer(Word in);
     State presetAnswer(Word in) const;
     State normalAnswer(Word in) const;
     State readOutAnswer(Word in) const;
@@ -49,6 +50,7 @@ private:
     bool m_inChanged = false;
     bool m_hasConfirmed = false;
     bool m_answered = false; // IN holds what the step waits for
+    bool m_sawZero = false;  // run: IN was 00000000h, which an encoder without power shows too
     int m_cycles = 0;        // in which the word has stood in OUT
     Instant m_begin{};
     Instant m_now{};

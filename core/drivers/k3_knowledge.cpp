@@ -43,7 +43,7 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
     if (m_device.quirks.hasModes)
         m_mode.observe(out);
     const bool outChanged = out != m_out;
-    if (!outChanged && k3::isOperation(in) && k3::isOperation(m_in)) {
+    if (!outChanged && k3::isOperation(in) && k3::isOperation(m_in) && m_unproven.empty()) {
         m_answerIsFresh = true;
         m_in = in;
         return;
@@ -52,17 +52,23 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
         m_answerIsFresh = false;
         countConfirmed();
         observePreset(out);
+        if (k3::isParameterWord(out)) {
+            m_asked = out;
+            m_askedIsProcessed = false;
+        }
     }
+    if (!k3::isOperation(in))
+        m_unproven.clear();
     switch (stateOf(in, m_device.dialect)) {
     case EncoderState::operation:
-        observeOperation(out, now);
+        observeOperation(in, out, now);
         break;
     case EncoderState::parameterization:
         observeConfirmation(in, out);
         break;
     case EncoderState::error:
         if (in != m_in)
-            observeError(in, out);
+            observeError(out);
         break;
     case EncoderState::readOut:
         observeReadOut(in, out, now);
@@ -79,19 +85,32 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
 
 void K3Knowledge::observeConfirmation(Word in, Word out)
 {
+    const bool stands = k3::isParameterWord(out);
+    const Word asked = stands ? out : m_asked.value_or(k3::normalRunning);
     const unsigned number = k3::number(in);
-    if (!k3::isParameterWord(out) || number != k3::number(out))
-        return; // an old confirmation, or processing
-    m_pending[number] = k3::data(in) == k3::data(out) ? std::optional(k3::data(out)) : std::nullopt;
+    if (!k3::isParameterWord(asked))
+        return;
+    if (number != k3::number(asked)) { // an old confirmation, or processing (Baumer)
+        m_askedIsProcessed = m_askedIsProcessed || k3::data(in) == k3::data(asked);
+        return;
+    }
+    m_pending[number] = k3::data(in) == k3::data(asked) ? std::optional(k3::data(asked)) : std::nullopt;
     m_lastConfirmed = number;
+    m_asked.reset();
+    if (!stands)
+        countEepromWrite(); // confirmed after it has left OUT
 }
 
-void K3Knowledge::observeError(Word, Word out)
+// An error in answer to run is about the set, which stays pending. Else, or where a confirmation comes before
+// the check (FRABA), it may be the value confirmed last that was refused late.
+void K3Knowledge::observeError(Word out)
 {
-    if (!k3::isParameterWord(out))
-        return; // the answer to run: the set stays pending
-    if (m_pending.erase(k3::number(out)) == 0 && m_lastConfirmed)
-        m_pending[*m_lastConfirmed] = std::nullopt; // it may be this one that was refused late
+    m_asked.reset();
+    if (k3::isParameterWord(out) && m_pending.erase(k3::number(out)) != 0)
+        return;
+    const bool answersRun = (out & k3::startBit) != 0;
+    if (m_lastConfirmed && (!answersRun || m_device.quirks.confirmsWhileProcessing))
+        m_pending[*m_lastConfirmed] = std::nullopt;
 }
 
 void K3Knowledge::observeReadOut(Word in, Word out, Instant now)
@@ -106,15 +125,34 @@ void K3Knowledge::observeReadOut(Word in, Word out, Instant now)
     m_answerIsFresh = false; // learned once for each request
 }
 
-void K3Knowledge::observeOperation(Word out, Instant now)
+void K3Knowledge::observeOperation(Word in, Word out, Instant now)
 {
-    if ((out & k3::startBit) != 0 && !m_pending.empty()) {
-        for (const auto &[number, data] : m_pending)
+    if (in != 0)
+        for (const auto &[number, data] : std::exchange(m_unproven, {}))
             activate(number, data, now);
-        m_changed = true;
-    }
-    m_pending.clear(); // without run: a power cycle has dropped it
+    if ((out & k3::startBit) != 0 && !k3::isOperation(m_in))
+        observeRun(in, now);
+    else if (k3::isParameterWord(out) && m_pending.contains(k3::number(out)))
+        countEepromWrite(); // a power cycle drops what is pending; its word still stands in OUT
+    m_pending.clear();
     m_lastConfirmed.reset();
+}
+
+void K3Knowledge::observeRun(Word in, Instant now)
+{
+    if (m_asked) { // it may have been taken without a word
+        m_pending.try_emplace(k3::number(*m_asked), std::nullopt);
+        if (m_askedIsProcessed)
+            countEepromWrite();
+        m_asked.reset();
+    }
+    if (m_pending.empty())
+        return;
+    for (const auto &[number, data] : m_pending)
+        activate(number, in != 0 ? data : std::nullopt, now);
+    if (in == 0 && !m_device.capabilities.reads) // else the read-out tells
+        m_unproven = m_pending;
+    m_changed = true;
 }
 
 // D30 0 -> 1: the zero offset is a new one. FRABA stores it, once for each programmed preset.

@@ -41,9 +41,10 @@ public:
 
 private:
     void observeConfirmation(Word in, Word out);
-    void observeError(Word in, Word out);
+    void observeError(Word out);
     void observeReadOut(Word in, Word out, Instant now);
-    void observeOperation(Word out, Instant now);
+    void observeOperation(Word in, Word out, Instant now);
+    void observeRun(Word in, Instant now);
     void observePreset(Word out);
     void countConfirmed();
     void countEepromWrite();
@@ -56,6 +57,12 @@ private:
     std::map<unsigned, std::optional<Word>>
         m_pending; // by number; no data: confirmed, but not sure with what
     std::optional<unsigned> m_lastConfirmed;
+    std::optional<Word>
+        m_asked; // a parameter word that is not answered; it may be taken yet, after it left OUT
+    bool m_askedIsProcessed = false;
+    // Activated by a run that 00000000h answered, which an encoder without power shows too: known once a
+    // position shows.
+    std::map<unsigned, std::optional<Word>> m_unproven;
     K3Mode m_mode;
     KnowledgeChanged m_changes;
     bool m_changed = false;

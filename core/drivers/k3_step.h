@@ -11,6 +11,9 @@ struct K3Timing
     Instant settle = std::chrono::milliseconds(
         20); // a word is kept this long after its confirmation, and 00000000 after run
     Instant timeOut = std::chrono::seconds(2); // then the encoder "does not answer"
+    // 00000000h after run is position 0, or an encoder that has just lost its power: it is watched this long
+    // for the signs of a start.
+    Instant restart = std::chrono::milliseconds(500);
 };
 
 // A step as the driver carries it out: the word, and what ends it.

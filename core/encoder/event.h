@@ -41,9 +41,12 @@ struct Outcome
     Result<void> result;
     int eepromWrites = 0; // counted as the device counts them
     EncoderState leftIn = EncoderState::notSeen;
-    ParameterValues written;                    // confirmed and activated by run
-    ParameterValues alreadyThere;               // left out, because read and equal
-    ParameterValues read;                       // ReadParameters: what the encoder told
+    ParameterValues written;      // confirmed and activated by run
+    ParameterValues alreadyThere; // left out, because read and equal
+    ParameterValues read;         // ReadParameters: what the encoder told
+    // IN was 00000000h from run to the end: position 0, or no power. Without read-out nothing tells them
+    // apart.
+    bool onlyZeroSinceRun = false;
     std::optional<std::int64_t> positionBefore; // steps; SetPreset
     std::optional<std::int64_t> positionAfter;
 };

@@ -58,6 +58,22 @@ TEST(CliProgram, SpeaksTheLanguageOfTheSystem)
     EXPECT_THAT(start(line, QStringLiteral("de_DE.UTF-8")).out, HasSubstr("In Betrieb, Position 76367"));
 }
 
+TEST(CliProgram, JsonIsTheSameInEveryLanguage)
+{
+    for (const char *line :
+         {"devices --json", "scan --json", "explain 00012A4F --device fraba-ocd-ib --direction in --json",
+          "explain 40000000 --device fraba-ocd-ib --direction out --json",
+          "words 2.0 04004E20 80000000 --json", "words 1.0 02000000 --json", "read 1.0 --json",
+          "read 2.0 --json", "write 1.0 steps=255 direction=ccw --yes --trace --json",
+          "write 1.0 steps=0 --json", "write 1.0 steps=255 --dry-run --json", "preset 1.0 7 --json",
+          "monitor 2.0 --for 0.05 --json"}) {
+        const QString command = QString::fromLatin1(line);
+        const Ended english = start(command);
+        EXPECT_NE(english.out, "") << line;
+        EXPECT_EQ(start(command, QStringLiteral("de_DE.UTF-8")).out, english.out) << line;
+    }
+}
+
 TEST(CliProgram, ExitCodesTellWhoRefused)
 {
     EXPECT_EQ(start(QStringLiteral("--version")).exit, 0);

@@ -70,6 +70,26 @@ TEST_F(K3Cancel, RestoreRunsAndWritesTheValuesFromBefore)
     EXPECT_EQ(table.outcome()->eepromWrites, 2);
 }
 
+// Taken from OUT before the cancel, confirmed after it
+TEST_F(K3Cancel, RestoreIncludesWhatIsConfirmedAfterwards)
+{
+    table.play({{0x0000'0000, pos}, {0x0200'00FF, pos}});
+    cancel(OnCancel::restorePrevious);
+    table.play({
+        {0x0200'00FF, pos},
+        {0x0000'0000, 0xC200'00FF},
+        {0x8000'0000, 384},
+        {0x0000'0000, 384},
+        {0x0200'2000, 0xC200'2000},
+        {0x8000'0000, pos},
+        {0x0000'0000, pos},
+        {0x0000'0000, pos},
+    });
+    expectCancelled(EncoderState::operation);
+    EXPECT_EQ(table.known(Parameter::steps), 8192);
+    EXPECT_EQ(table.outcome()->eepromWrites, 2);
+}
+
 TEST_F(K3Cancel, RestoreGoesOnAfterARunThatFails)
 {
     table.play({{0x0000'0000, pos}, {0x0200'00FF, 0xC200'00FF}, {0x0600'0004, 0xC200'00FF}});

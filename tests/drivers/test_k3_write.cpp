@@ -300,5 +300,88 @@ TEST(K3Write, StopEndsTheJobWhereItStands)
     EXPECT_FALSE(table.driver().busy());
 }
 
+TEST(K3Write, AnEncoderThatRestartsMustConfirmAllAgain)
+{
+    DriverTable table(u"baumer-gxp6w");
+    ASSERT_TRUE(table.begin(WriteParameters{.values = {{Parameter::steps, 255}, {Parameter::revolutions, 2}},
+                                            .onlyWhatDiffers = false,
+                                            .previous = {}}));
+    table.play({{0x0000'0000, pos},
+                {0x0200'00FF, 0xC200'00FF},
+                {0x0400'0002, 0xC200'00FF},
+                {0x0400'0002, 0x0000'0000},
+                {0x0000'0000, 0x0000'0000},
+                {0x0000'0000, 0xC000'0000}});
+    ASSERT_TRUE(table.outcome());
+    EXPECT_EQ(
+        table.outcome()->result.error(),
+        (Refusal{RefusalKind::device, RefusalId::noAnswer, {0.001, Word{0x0400'0002}, Word{0x0000'0000}}}));
+    EXPECT_TRUE(table.outcome()->written.empty());
+}
+
+// 00000000 after run is position 0, or an encoder that has lost its power.
+TEST(K3Write, ChecksAtStartUpAfterRunAreNoOperation)
+{
+    DriverTable table(u"baumer-gxp6w");
+    ASSERT_TRUE(table.begin(WriteParameters{.values = {{Parameter::steps, 255}}, .previous = {}}));
+    table.play({{0x0000'0000, pos}, {0x0200'00FF, 0xC200'00FF}, {0x8000'0000, 0x0000'0000}});
+    table.repeat(50, {0x8000'0000, 0x0000'0000});
+    EXPECT_FALSE(table.known(Parameter::steps));
+    table.play({{0x8000'0000, 0xC000'0000}, {0x0000'0000, 0xC000'0000}, {0x0000'0000, pos}});
+    ASSERT_TRUE(table.outcome());
+    EXPECT_EQ(table.outcome()->result.error().id, RefusalId::noAnswer);
+    EXPECT_FALSE(table.known(Parameter::steps));
+}
+
+TEST(K3Write, PositionZeroAfterRunIsTakenWithANoteAndKnownOnceTheShaftTurns)
+{
+    DriverTable table(u"baumer-gxp6w");
+    ASSERT_TRUE(table.begin(WriteParameters{.values = {{Parameter::steps, 255}}, .previous = {}}));
+    table.play({{0x0000'0000, pos}, {0x0200'00FF, 0xC200'00FF}});
+    table.repeat(501, {0x8000'0000, 0x0000'0000});
+    table.play({{0x0000'0000, 0x0000'0000}});
+    ASSERT_TRUE(table.outcome());
+    EXPECT_TRUE(table.outcome()->result);
+    EXPECT_TRUE(table.outcome()->onlyZeroSinceRun);
+    EXPECT_FALSE(table.known(Parameter::steps));
+    table.play({{0x0000'0000, 0x0000'0001}});
+    EXPECT_EQ(table.known(Parameter::steps), 255);
+}
+
+TEST(K3Write, TheStateIsLookedAtInTheFirstCycleOfTheBus)
+{
+    DriverTable table(u"fraba-ocd-ib");
+    ASSERT_TRUE(table.begin(WriteParameters{.values = {{Parameter::direction, 4}}, .previous = {}}));
+    table.repeat(3, {0x0000'0000, 0xC200'00FF});
+    ASSERT_TRUE(table.outcome());
+    ASSERT_FALSE(table.outcome()->result);
+    EXPECT_EQ(table.outcome()->result.error().id, RefusalId::inParameterization);
+}
+
+TEST(K3Write, AReadBackThatDiffersDoesNotKeepTheOthersFromBeingRead)
+{
+    DriverTable table(u"fraba-ocd-ib");
+    ASSERT_TRUE(table.begin(
+        WriteParameters{.values = {{Parameter::revolutions, 2}, {Parameter::direction, 4}}, .previous = {}}));
+    table.play({{0x0000'0000, pos},
+                {0x0400'0002, 0xC400'0002},
+                {0x0600'0004, 0xC600'0004},
+                {0x8000'0000, pos},
+                {0x0000'0000, pos},
+                {0x2021'0002, pos},
+                {0x2021'0002, 0xA000'0001},
+                {0x0000'0000, pos},
+                {0x2021'0003, pos},
+                {0x2021'0003, 0xA000'0003},
+                {0x0000'0000, pos}});
+    ASSERT_TRUE(table.outcome());
+    EXPECT_EQ(table.outcome()->result.error(),
+              (Refusal{RefusalKind::device,
+                       RefusalId::verificationFailed,
+                       {Parameter::revolutions, std::int64_t{2}, std::int64_t{1}}}));
+    EXPECT_TRUE(table.outcome()->written.empty());
+    EXPECT_EQ(table.known(Parameter::direction), 3);
+}
+
 } // namespace
 } // namespace codewheel
