@@ -61,10 +61,14 @@ StructureView::StructureView(QWidget *parent)
         if (const auto number = numberAt(m_tree->indexAt(position)))
             Q_EMIT menuRequested(*number, m_tree->viewport()->mapToGlobal(position));
     });
-    connect(m_tree->header(), &QHeaderView::sectionResized, this, [this](int column) {
-        if (column == StructureModel::stateColumn)
-            fitColumns();
-    });
+    // Afterwards: the header is still resizing when it tells.
+    connect(
+        m_tree->header(), &QHeaderView::sectionResized, this,
+        [this](int column) {
+            if (column == StructureModel::stateColumn)
+                fitColumns();
+        },
+        Qt::QueuedConnection);
     setFocusProxy(m_tree);
 }
 

@@ -95,12 +95,19 @@ TEST_F(StructureTest, TheStateIsSeenInANarrowPanelWhateverTheNames)
     const auto &tree = *view.findChild<QTreeView *>();
     const QModelIndex state = tree.model()->index(0, StructureModel::stateColumn, tree.model()->index(0, 0));
     EXPECT_LE(tree.visualRect(state).right(), tree.viewport()->width());
+    view.resize(280, 300);
     ring.channel(fraba).stage(0x0200'00FF);
     ASSERT_TRUE(ring.channel(fraba).write());
     ring.bus.advance(10);
     EXPECT_EQ(state.data().toString(), QStringLiteral("parameterization"));
-    view.resize(280, 300);
-    EXPECT_LE(tree.visualRect(state).right(), tree.viewport()->width());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return tree.visualRect(state).right() <= tree.viewport()->width(); }));
+    const int narrow = tree.columnWidth(StructureModel::deviceColumn);
+    ring.channel(fraba).stage(0x8000'0000);
+    ASSERT_TRUE(ring.channel(fraba).write());
+    ring.bus.advance(30);
+    EXPECT_EQ(state.data().toString(), QStringLiteral("ok"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return tree.columnWidth(StructureModel::deviceColumn) > narrow; }))
+        << "the name has its room again";
 }
 
 } // namespace
