@@ -170,7 +170,7 @@ void K3Driver::lookForRestart(Word in)
         fail(restarted(in));
 }
 
-// What was on its way as the job was cancelled may be confirmed, or what was confirmed be refused, later.
+// What was on its way as the job was cancelled may still be confirmed.
 void K3Driver::lookForLateAnswer(Word in)
 {
     Run &run = *m_run;
