@@ -103,7 +103,9 @@ void MainWindow::makeDocks(MessageModel &messages)
     addDock(QStringLiteral("sequenceDock"), tr("Sequence"), m_sequence, Qt::BottomDockWidgetArea);
     arrangeDocks();
     m_defaultLayout = saveState(layoutVersion);
-    restoreState(m_settings.layout(), layoutVersion);
+    if (!restoreState(m_settings.layout(), layoutVersion)) // a tab can be raised once its tab bar is there
+        QTimer::singleShot(0, this,
+                           [this] { findChild<QDockWidget *>(QStringLiteral("traceDock"))->raise(); });
 }
 
 QDockWidget *MainWindow::addDock(const QString &name, const QString &title, QWidget *content,

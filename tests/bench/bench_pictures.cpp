@@ -24,7 +24,7 @@ using namespace codewheel;
 using namespace std::chrono_literals;
 
 constexpr int movingWords = 8;
-constexpr QSize windowSize(1600, 1300);
+constexpr QSize windowSize(1600, 1450);
 // Bits, hexadecimal and meaning.
 constexpr MonitorDisplay display{
     .bar = false, .decimal = false, .signedDecimal = false, .gray = false, .binary = false};
@@ -89,8 +89,6 @@ int main(int argc, char **argv)
         usedBefore = processorSeconds();
         clock.start();
         QTimer::singleShot(measured, Qt::PreciseTimer, &application, [&] {
-            if (qEnvironmentVariableIsSet("BENCH_PICTURE"))
-                window.grab().save(qEnvironmentVariable("BENCH_PICTURE"));
             const double seconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
             const double used = processorSeconds() - usedBefore;
             std::printf("%.1f pictures a second, %.1f %% of one core\n", pictures / seconds,
