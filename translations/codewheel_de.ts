@@ -637,6 +637,10 @@
         <source>The encoder reports error %1, %3 (IN %2).</source>
         <translation>Der Drehgeber meldet Fehler %1, %3 (IN %2).</translation>
     </message>
+    <message>
+        <source>IN has been 00000000 since run: position 0, or an encoder without power. Turn the shaft to be sure.</source>
+        <translation>IN ist seit Run 00000000: Position 0, oder ein Drehgeber ohne Versorgung. Zur Sicherheit die Welle drehen.</translation>
+    </message>
 </context>
 <context>
     <name>Parameter</name>
@@ -973,6 +977,10 @@
     <message>
         <source> or </source>
         <translation> oder </translation>
+    </message>
+    <message>
+        <source>The encoder left parameterization before run was sent or answered, as after a loss of power (IN %1). It may have kept its old values: check its supply and write again.</source>
+        <translation>Der Drehgeber hat die Parametrierung verlassen, bevor Run gesendet oder beantwortet war, wie nach einem Spannungsausfall (IN %1). Er hat vielleicht noch die alten Werte: Versorgung prüfen und noch einmal schreiben.</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include "cli/texts.h"
 #include "cli/trace.h"
 #include "cli/write_plan.h"
+#include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 
 #include <array>
@@ -131,6 +132,8 @@ void carryOut(const Call &call, EncoderSession &encoder, const WritePlan &plan, 
         answer.json.insert(QStringLiteral("trace"), traceJson(encoder.device(), job.rows));
     }
     answer.text += u'\n' + accountText(encoder, plan.job().values, job.outcome, before);
+    if (job.outcome.onlyZeroSinceRun)
+        answer.text += messageText({.id = MessageId::onlyZeroSinceRun}) + u'\n';
     addAccount(answer.json, encoder, job.outcome, before);
     if (!job.outcome.result) {
         answer.complaint = complaintAbout(job.outcome.result.error());

@@ -512,12 +512,9 @@ Refusal K3Driver::noAnswer(Word in) const
             {std::chrono::duration<double>(m_timing.timeOut).count(), current().out, in}};
 }
 
-// No answer to the word that stands: "Check ... whether it is switched on."
-Refusal K3Driver::restarted(Word in) const
+Refusal K3Driver::restarted(Word in)
 {
-    return {RefusalKind::device,
-            RefusalId::noAnswer,
-            {std::chrono::duration<double>(m_handshake.elapsed()).count(), m_handshake.step().out, in}};
+    return {RefusalKind::device, RefusalId::restarted, {in}};
 }
 
 void K3Driver::flushKnowledge()

@@ -82,7 +82,7 @@ private:
     ParameterValues valuesToRestore() const;
     Refusal refusalFor(Word in) const;
     Refusal noAnswer(Word in) const;
-    Refusal restarted(Word in) const;
+    static Refusal restarted(Word in);
     std::vector<RefusalArgument> suspects() const;
     const K3Step &current() const { return m_run->steps[m_run->index]; }
     void flushKnowledge();

@@ -24,7 +24,6 @@ public:
     State cycle(Word in, Word out, Instant now);
 
     const K3Step &step() const { return m_step; }
-    Instant elapsed() const { return m_now - m_begin; } // since the word was put into OUT
     bool hasConfirmed() const
     {
         return m_hasConfirmed;

@@ -27,11 +27,12 @@ enum class MessageId : std::uint8_t {
     wordsSent,         // number of words
     broughtBack,       // the encoder is in operation again
     leftInParameterization,
-    deviceFault,     // error number, Word IN; Message::refusal names it where the device is known
-    deviceFaultGone, //
-    valuesForgotten, // the encoder lost its parameters: what is known does not hold any more
-    lateCycles,      // number since the last message
-    training,        // text of what the trainer did (QString)
+    onlyZeroSinceRun, // success that an encoder without power would show as well
+    deviceFault,      // error number, Word IN; Message::refusal names it where the device is known
+    deviceFaultGone,  //
+    valuesForgotten,  // the encoder lost its parameters: what is known does not hold any more
+    lateCycles,       // number since the last message
+    training,         // text of what the trainer did (QString)
 };
 inline constexpr std::size_t messageCount = static_cast<std::size_t>(MessageId::training) + 1;
 

@@ -38,6 +38,10 @@ constexpr std::array rows{
     Row{MessageId::leftInParameterization, "leftInParameterization",
         QT_TRANSLATE_NOOP("Message", "The encoder was left in parameterization. Send run to bring it back to "
                                      "operation.")},
+    Row{MessageId::onlyZeroSinceRun, "onlyZeroSinceRun",
+        QT_TRANSLATE_NOOP("Message",
+                          "IN has been 00000000 since run: position 0, or an encoder without power. "
+                          "Turn the shaft to be sure.")},
     Row{MessageId::deviceFault, "deviceFault",
         QT_TRANSLATE_NOOP("Message", "The encoder reports error %1 (IN %2).")},
     Row{MessageId::deviceFaultGone, "deviceFaultGone",

@@ -61,6 +61,7 @@ enum class RefusalId : std::uint8_t {
     noAnswer,               // seconds, Word OUT, Word IN
     verificationFailed,     // Parameter, wanted, read
     unknownState,           // Word IN
+    restarted,              // Word IN: parameterization ended without run
     // link
     linkFailed, // text of the link
     // stopped

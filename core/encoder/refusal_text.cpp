@@ -138,6 +138,11 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder shows a state that is in no manual (IN %1). Send run, or switch the "
                           "encoder off and on.")},
+    Row{RefusalId::restarted, "restarted",
+        QT_TRANSLATE_NOOP(
+            "Refusal",
+            "The encoder left parameterization before run was sent or answered, as after a loss "
+            "of power (IN %1). It may have kept its old values: check its supply and write again.")},
     // link
     Row{RefusalId::linkFailed, "linkFailed", QT_TRANSLATE_NOOP("Refusal", "The link failed: %1")},
     // stopped

@@ -93,6 +93,8 @@ std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const Dev
     std::vector<Message> messages = outcome.result ? std::visit(success, job) : success.whatWasWritten();
     if (!outcome.result)
         messages.push_back(refused(outcome.result.error()));
+    if (outcome.onlyZeroSinceRun)
+        messages.push_back({.severity = Severity::attention, .id = MessageId::onlyZeroSinceRun});
     if (outcome.leftIn == EncoderState::parameterization)
         messages.push_back({.severity = Severity::attention, .id = MessageId::leftInParameterization});
     return messages;

@@ -313,9 +313,8 @@ TEST(K3Write, AnEncoderThatRestartsMustConfirmAllAgain)
                 {0x0000'0000, 0x0000'0000},
                 {0x0000'0000, 0xC000'0000}});
     ASSERT_TRUE(table.outcome());
-    EXPECT_EQ(
-        table.outcome()->result.error(),
-        (Refusal{RefusalKind::device, RefusalId::noAnswer, {0.001, Word{0x0400'0002}, Word{0x0000'0000}}}));
+    EXPECT_EQ(table.outcome()->result.error(),
+              (Refusal{RefusalKind::device, RefusalId::restarted, {Word{0x0000'0000}}}));
     EXPECT_TRUE(table.outcome()->written.empty());
 }
 
@@ -329,7 +328,7 @@ TEST(K3Write, ChecksAtStartUpAfterRunAreNoOperation)
     EXPECT_FALSE(table.known(Parameter::steps));
     table.play({{0x8000'0000, 0xC000'0000}, {0x0000'0000, 0xC000'0000}, {0x0000'0000, pos}});
     ASSERT_TRUE(table.outcome());
-    EXPECT_EQ(table.outcome()->result.error().id, RefusalId::noAnswer);
+    EXPECT_EQ(table.outcome()->result.error().id, RefusalId::restarted);
     EXPECT_FALSE(table.known(Parameter::steps));
 }
 

@@ -87,5 +87,13 @@ TEST_F(JobReport, AnEncoderBroughtBackIsTold)
     EXPECT_THAT(report(EndParameterization{}), ElementsAre(Message{.id = MessageId::broughtBack}));
 }
 
+TEST_F(JobReport, ASuccessThatAnEncoderWithoutPowerWouldShowIsMarked)
+{
+    m_outcome.onlyZeroSinceRun = true;
+    EXPECT_THAT(report(EndParameterization{}),
+                ElementsAre(Message{.id = MessageId::broughtBack},
+                            Message{.severity = Severity::attention, .id = MessageId::onlyZeroSinceRun}));
+}
+
 } // namespace
 } // namespace codewheel

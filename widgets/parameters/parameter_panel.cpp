@@ -314,6 +314,8 @@ QString ParameterPanel::successText(const Outcome &outcome) const
     else if (outcome.written.empty() && !outcome.read.empty())
         sentences << tr("Values read: %1.").arg(outcome.read.size());
     sentences << leftInText(outcome.leftIn);
+    if (outcome.onlyZeroSinceRun)
+        sentences << messageText({.id = MessageId::onlyZeroSinceRun});
     return sentences.join(QLatin1Char(' '));
 }
 

@@ -236,6 +236,8 @@ void HandshakePage::showEnd()
         return;
     if (last->result) {
         m_problem->withdraw();
+        if (last->onlyZeroSinceRun)
+            m_problem->showMessage(Role::attention, messageText({.id = MessageId::onlyZeroSinceRun}));
         m_state->setState(Role::running, m_isRecovery ? tr("Brought back") : tr("Verified"));
         if (!m_isRecovery)
             m_leftIn->setText(
