@@ -52,6 +52,13 @@ struct EndParameterization
 
 using Job = std::variant<ReadParameters, WriteParameters, SetPreset, SendWords, EndParameterization>;
 
+// Whether 40000000h is among its words: in cam mode that sets the start of cam 0 instead.
+inline bool initialisesPreset(const Job &job)
+{
+    const auto *write = std::get_if<WriteParameters>(&job);
+    return std::holds_alternative<SetPreset>(job) || (write != nullptr && write->initialisePreset);
+}
+
 // By hand, the job waits before each change of OUT until proceed() is called.
 enum class Pace : std::uint8_t { byItself, byHand };
 

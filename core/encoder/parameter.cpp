@@ -101,6 +101,12 @@ QString parameterNameInText(Parameter parameter)
     return QCoreApplication::translate("Parameter", rowOf(parameter).nameInText);
 }
 
+void replaceValue(ParameterValues &values, ParameterValue value)
+{
+    std::erase_if(values, [&](const ParameterValue &other) { return other.parameter == value.parameter; });
+    values.push_back(value);
+}
+
 std::optional<std::int64_t> valueOf(const ParameterValues &values, Parameter parameter)
 {
     const auto found = std::ranges::find(values, parameter, &ParameterValue::parameter);

@@ -51,6 +51,9 @@ struct ParameterValue
 };
 using ParameterValues = std::vector<ParameterValue>;
 
+// Adds the value, in place of one of the same parameter.
+void replaceValue(ParameterValues &values, ParameterValue value);
+
 std::optional<std::int64_t> valueOf(const ParameterValues &values, Parameter parameter);
 
 } // namespace codewheel

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a job ends before its end: by the user, by a restart of the encoder, by what comes late.
+#include "drivers/k3_driver.h"
+
+#include <algorithm>
+
+namespace codewheel {
+
+void K3Driver::cancel(OnCancel how, Instant now)
+{
+    if (!m_run || m_run->cancelled || m_run->failure)
+        return;
+    Run &run = *m_run;
+    run.cancelled = how;
+    run.cancelledAt = now;
+    if (run.begun && current().kind == StepKind::parameter) {
+        if (m_handshake.hasConfirmed())
+            replaceValue(run.confirmed, {*current().parameter, current().value});
+        else
+            run.inFlight = current();
+    }
+    const bool runIsOnItsWay = run.begun && current().kind == StepKind::run;
+    if (runIsOnItsWay) // cannot be taken back: its answer is waited for
+        ++run.index;
+    run.steps.resize(run.index);
+    run.steps.push_back(K3Plan::toNormal(false));
+    if (runIsOnItsWay)
+        --run.index;
+    else
+        run.begun = false;
+}
+
+// Only run ends a parameterization. An encoder that is in operation before run was sent has started anew, and
+// dropped what it had confirmed.
+void K3Driver::lookForRestart(Word in)
+{
+    Run &run = *m_run;
+    const bool isBegun = run.begun && run.index < run.steps.size();
+    const bool hasConfirmed = !run.confirmed.empty() || (isBegun && current().kind == StepKind::parameter &&
+                                                         m_handshake.hasConfirmed());
+    const bool runIsSent = isBegun && current().out == k3::run;
+    if (!hasConfirmed || runIsSent || !k3::isOperation(in))
+        return;
+    run.confirmed.clear();
+    const bool dropsAnyway = run.cancelled && !run.cancelPlanned;
+    if (!std::holds_alternative<SendWords>(run.job) && !dropsAnyway && !run.failure)
+        fail(restarted(in));
+}
+
+// What was on its way as the job was cancelled may still be confirmed.
+void K3Driver::lookForLateAnswer(Word in)
+{
+    Run &run = *m_run;
+    if (!run.cancelled || run.cancelPlanned)
+        return;
+    if (run.inFlight && k3::isConfirmation(in) && k3::number(in) == k3::number(run.inFlight->out)) {
+        replaceValue(run.confirmed, {*run.inFlight->parameter, run.inFlight->value});
+        run.inFlight.reset();
+    }
+}
+
+// Baumer: the new data beside the number from before.
+bool K3Driver::isStillProcessing(Word in, Instant now) const
+{
+    const Run &run = *m_run;
+    return run.cancelled && !run.cancelPlanned && run.inFlight && k3::isConfirmation(in) &&
+           k3::data(in) == k3::data(run.inFlight->out) && now - run.cancelledAt < m_timing.timeOut;
+}
+
+// OUT is 0 again. Where the encoder has taken something, the user's choice follows.
+void K3Driver::appendCancelSteps(Word in)
+{
+    Run &run = *m_run;
+    run.cancelPlanned = true;
+    const bool parameterizing = stateOf(in, m_device.dialect) == EncoderState::parameterization;
+    const bool ranMeanwhile = !run.written.empty();
+    K3Steps steps;
+    if (*run.cancelled == OnCancel::runWithWhatItHas && parameterizing)
+        steps = m_plan.endParameterization({}, true);
+    else if (*run.cancelled == OnCancel::restorePrevious && canRestore() && (parameterizing || ranMeanwhile))
+        steps = m_plan.endParameterization(valuesToRestore(), parameterizing);
+    run.steps.insert(run.steps.end(), steps.begin(), steps.end());
+}
+
+bool K3Driver::canRestore() const
+{
+    const auto isKnown = [this](const ParameterValue &value) {
+        return valueOf(m_run->before, value.parameter).has_value();
+    };
+    return std::ranges::all_of(m_run->confirmed, isKnown) && std::ranges::all_of(m_run->written, isKnown);
+}
+
+ParameterValues K3Driver::valuesToRestore() const
+{
+    ParameterValues values;
+    for (const ParameterValues *taken : {&m_run->written, &m_run->confirmed})
+        for (const ParameterValue &value : *taken)
+            replaceValue(values, {value.parameter, *valueOf(m_run->before, value.parameter)});
+    return values;
+}
+
+} // namespace codewheel
