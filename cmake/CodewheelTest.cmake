@@ -7,7 +7,8 @@ set(codewheel_test_environment
     "ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1"
     "LSAN_OPTIONS=print_suppressions=0:suppressions='${PROJECT_SOURCE_DIR}/tests/support/lsan.supp'"
     "UBSAN_OPTIONS=print_stacktrace=1"
-    "TSAN_OPTIONS=second_deadlock_stack=1:suppressions='${PROJECT_SOURCE_DIR}/tests/support/tsan.supp'")
+    # A test that starts a program forks; the program is none of ThreadSanitizer's business, the test goes on.
+    "TSAN_OPTIONS=die_after_fork=0:second_deadlock_stack=1:suppressions='${PROJECT_SOURCE_DIR}/tests/support/tsan.supp'")
 
 # codewheel_test(NAME LIBRARIES...): a test program of its folder's sources. Add sources with target_sources(NAME ...).
 function(codewheel_test name)
