@@ -27,12 +27,12 @@ Answer listOf(const Catalog &catalog)
                CommandLine::tr("read-out"), CommandLine::tr("encoder")});
     QJsonArray devices;
     for (const DeviceDescription &device : catalog.devices()) {
-        table.add({device.key, profileText(device.profile), hexCode(device.deviceCode, 4),
+        table.add({device.key, profileName(device.profile), hexCode(device.deviceCode, 4),
                    yesNo(device.capabilities.reads), device.fullName()});
         devices.append(QJsonObject{{QStringLiteral("name"), device.key},
                                    {QStringLiteral("vendor"), device.vendor},
                                    {QStringLiteral("model"), device.name},
-                                   {QStringLiteral("profile"), profileText(device.profile)},
+                                   {QStringLiteral("profile"), profileName(device.profile)},
                                    {QStringLiteral("idCode"), static_cast<int>(device.idCode)},
                                    {QStringLiteral("deviceCode"), static_cast<int>(device.deviceCode)},
                                    {QStringLiteral("reads"), device.capabilities.reads}});

@@ -29,7 +29,7 @@ Checked<Answer> run(const Call &call)
     for (const Participant &participant : call.bus->structure()) {
         const DeviceDescription *named = call.catalog.find(participant.deviceKey);
         const DeviceDescription *known = named ? named : call.catalog.generic(participant.deviceCode);
-        const QString profile = known ? profileText(known->profile) : QStringLiteral("-");
+        const QString profile = known ? profileName(known->profile) : QStringLiteral("-");
         table.add({participant.number.toString(),
                    QStringLiteral("%1 (%2)").arg(hexCode(participant.idCode, 2)).arg(participant.idCode),
                    hexCode(participant.deviceCode, 4), QString::number(participant.inWords),

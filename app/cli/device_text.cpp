@@ -5,19 +5,6 @@
 
 namespace codewheel {
 
-QString profileText(Profile profile)
-{
-    switch (profile) {
-    case Profile::k1:
-        return QStringLiteral("K1");
-    case Profile::k2:
-        return QStringLiteral("K2");
-    case Profile::k3:
-        break;
-    }
-    return QStringLiteral("K3");
-}
-
 QString hexCode(unsigned code, int digits)
 {
     return QStringLiteral("%1h").arg(QString::number(code, 16).toUpper().rightJustified(digits, u'0'));

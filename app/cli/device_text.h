@@ -6,7 +6,6 @@
 
 namespace codewheel {
 
-QString profileText(Profile profile);       // "K3"
 QString hexCode(unsigned code, int digits); // "37h"
 
 // The device of this key, or the keys there are.

@@ -72,6 +72,8 @@ QString unitKey(Unit unit)
         return QStringLiteral("ten-minutes");
     case Unit::tenthDegreeCelsius:
         return QStringLiteral("tenth-degree-celsius");
+    case Unit::micrometres:
+        return QStringLiteral("micrometres");
     }
     return QStringLiteral("none");
 }

@@ -6,14 +6,19 @@
 namespace codewheel {
 namespace {
 
-constexpr NamedValue<Profile> profiles[] = {{"K1", Profile::k1}, {"K2", Profile::k2}, {"K3", Profile::k3}};
+constexpr NamedValue<Profile> profiles[] = {{"K1", Profile::k1},
+                                            {"K2", Profile::k2},
+                                            {"K3", Profile::k3},
+                                            {"K4", Profile::k4},
+                                            {"LA-66", Profile::la66}};
 constexpr NamedValue<k3::Dialect> dialects[] = {
     {"generic", k3::Dialect::generic}, {"fraba", k3::Dialect::fraba}, {"baumer", k3::Dialect::baumer}};
 constexpr NamedValue<Unit> units[] = {{"none", Unit::none},
                                       {"steps", Unit::steps},
                                       {"revolutions", Unit::revolutions},
                                       {"ten-minutes", Unit::tenMinutes},
-                                      {"tenth-degree-celsius", Unit::tenthDegreeCelsius}};
+                                      {"tenth-degree-celsius", Unit::tenthDegreeCelsius},
+                                      {"micrometres", Unit::micrometres}};
 constexpr NamedValue<RefusalId> errorMeanings[] = {
     {"wrongParameterData", RefusalId::wrongParameterData},
     {"unknownParameterNumber", RefusalId::unknownParameterNumber},
@@ -38,6 +43,7 @@ class DescriptionReader
     Q_DECLARE_TR_FUNCTIONS(codewheel::DescriptionReader)
 
 public:
+    static void readVendor(const JsonObject &json, DeviceDescription &device);
     static void readIdentity(const JsonObject &json, DeviceDescription &device);
     static void readParameters(const JsonObject &json, DeviceDescription &device);
     static void readErrors(const JsonObject &json, DeviceDescription &device);
@@ -69,6 +75,23 @@ QMap<QString, QString> DescriptionReader::readNotes(const JsonObject &json)
     return notes;
 }
 
+// A K3 has the dialect of its vendor. What all other profiles say on the bus does not depend on the vendor.
+void DescriptionReader::readVendor(const JsonObject &json, DeviceDescription &device)
+{
+    if (device.profile == Profile::k3) {
+        device.dialect = json.oneOf("dialect", dialects);
+        if (device.dialect == k3::Dialect::generic && json.has("vendor"))
+            json.report("vendor", tr("A generic description has no vendor."));
+        if (device.dialect == k3::Dialect::generic)
+            return;
+        device.vendor = json.text("vendor");
+    } else {
+        if (json.has("dialect"))
+            json.report("dialect", tr("Only a K3 has a dialect. Leave it out."));
+        device.vendor = json.has("vendor") ? json.text("vendor") : QString();
+    }
+}
+
 void DescriptionReader::readIdentity(const JsonObject &json, DeviceDescription &device)
 {
     device.key = json.text("key");
@@ -79,11 +102,7 @@ void DescriptionReader::readIdentity(const JsonObject &json, DeviceDescription &
     if (json.has("notes"))
         device.notes = readNotes(json.object("notes", {"en", "de"}));
     device.profile = json.oneOf("profile", profiles);
-    device.dialect = json.oneOf("dialect", dialects);
-    if (!device.isGeneric())
-        device.vendor = json.text("vendor");
-    else if (json.has("vendor"))
-        json.report("vendor", tr("A generic description has no vendor."));
+    readVendor(json, device);
     device.idCode = json.hexNumber("idCode");
     device.deviceCode = json.hexNumber("deviceCode");
     if ((device.deviceCode & 0xFF) != device.idCode)
@@ -146,9 +165,12 @@ ParameterDescription DescriptionReader::readParameter(const JsonObject &row)
     parameter.parameter = readParameterName(row);
     parameter.number = asUnsigned(row.optionalNumber("number", 1, highestNumber));
     parameter.readOut = asUnsigned(row.optionalNumber("readOut", 0, highestReadOut));
-    if (!parameter.number && !parameter.readOut)
-        row.report("number",
-                   tr("A parameter needs a number to write it, a readOut code to read it, or both."));
+    parameter.onLabel = row.flagOr("onLabel", false);
+    if (parameter.onLabel && (parameter.number || parameter.readOut))
+        row.report("onLabel", tr("What only the label tells has neither number nor readOut code."));
+    if (!parameter.number && !parameter.readOut && !parameter.onLabel)
+        row.report("number", tr("A parameter needs a number to write it, a readOut code to read it, both, or "
+                                "onLabel."));
     parameter.minimum = row.number("minimum");
     parameter.maximum = row.number("maximum");
     parameter.factory = row.optionalNumber("factory");
@@ -175,7 +197,7 @@ void DescriptionReader::readParameters(const JsonObject &json, DeviceDescription
 {
     for (const JsonObject &row :
          json.array("parameters", {"parameter", "number", "readOut", "minimum", "maximum", "factory", "unit",
-                                   "stored", "choices"})) {
+                                   "stored", "onLabel", "choices"})) {
         const ParameterDescription parameter = readParameter(row);
         refuseTaken(row, parameter, device);
         device.parameters.push_back(parameter);
@@ -207,6 +229,10 @@ Capabilities DescriptionReader::readCapabilities(const JsonObject &json)
     can.readingHidesPosition = json.flag("readingHidesPosition");
     can.presetIsStored = json.flag("presetIsStored");
     can.hasBattery = json.flag("hasBattery");
+    can.velocity = json.flagOr("velocity", false);
+    can.manufacturerPreset = json.flagOr("manufacturerPreset", false);
+    can.resets = json.flagOr("resets", false);
+    can.presetNeedsValue = json.flagOr("presetNeedsValue", false);
     can.eepromBudget = readWrites(json, "eepromBudget");
     can.eepromLimit = readWrites(json, "eepromLimit");
     if (can.eepromBudget && can.eepromLimit && *can.eepromBudget > *can.eepromLimit)
@@ -250,8 +276,9 @@ DeviceDescription readDescription(const Json::Value &root, FaultKeeper &faults)
     DescriptionReader::readParameters(json, device);
     DescriptionReader::readErrors(json, device);
     device.capabilities = DescriptionReader::readCapabilities(
-        json.object("capabilities", {"presets", "cams", "readingHidesPosition", "presetIsStored",
-                                     "hasBattery", "eepromBudget", "eepromLimit"}));
+        json.object("capabilities",
+                    {"presets", "cams", "readingHidesPosition", "presetIsStored", "hasBattery", "velocity",
+                     "manufacturerPreset", "resets", "presetNeedsValue", "eepromBudget", "eepromLimit"}));
     device.quirks = DescriptionReader::readQuirks(json.object(
         "quirks", {"confirmsWhileProcessing", "presetNeedsRearming", "mayCountStepsMinusOne", "hasModes"}));
     completeCapabilities(device);

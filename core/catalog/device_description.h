@@ -14,7 +14,9 @@
 
 namespace codewheel {
 
-enum class Profile : std::uint8_t { k1, k2, k3 };
+// ENCOM profile 71 (FRABA manual 2.1), and the words of the TR LA-66.
+enum class Profile : std::uint8_t { k1, k2, k3, k4, la66 };
+QString profileName(Profile profile); // "K1" .. "K4", "LA-66"
 
 // A value with a name of its own: direction 3 = "cw".
 struct Choice
@@ -25,7 +27,7 @@ struct Choice
     friend bool operator==(const Choice &, const Choice &) = default;
 };
 
-enum class Unit : std::uint8_t { none, steps, revolutions, tenMinutes, tenthDegreeCelsius };
+enum class Unit : std::uint8_t { none, steps, revolutions, tenMinutes, tenthDegreeCelsius, micrometres };
 
 struct ParameterDescription
 {
@@ -37,6 +39,7 @@ struct ParameterDescription
     std::optional<std::int64_t> factory;
     Unit unit = Unit::none;
     bool stored = true;          // in EEPROM
+    bool onLabel = false;        // told by the label and by the user; neither written nor read
     std::vector<Choice> choices; // empty: any value of the range
 
     const Choice *findChoice(std::int64_t value) const;
@@ -77,10 +80,10 @@ struct DeviceDescription
     // English.
     QMap<QString, QString> notes;
     Profile profile = Profile::k3;
-    k3::Dialect dialect = k3::Dialect::generic;
-    unsigned idCode = 0;     // 37h
-    unsigned deviceCode = 0; // 0237h = length code << 8 | ID code
-    int inWords = 2;         // 16 bit each
+    k3::Dialect dialect = k3::Dialect::generic; // of a K3
+    unsigned idCode = 0;                        // 37h
+    unsigned deviceCode = 0;                    // 0237h = length code << 8 | ID code
+    int inWords = 2;                            // 16 bit each
     int outWords = 2;
     int physicalStepsPerTurn = 0; // 0: not known
     int physicalTurns = 0;        // 0: not known
@@ -95,7 +98,7 @@ struct DeviceDescription
     // By the code of its read-out word, 2021000nh.
     const ParameterDescription *findReadOut(unsigned code) const;
     const DeviceError *findError(unsigned number) const;
-    bool isGeneric() const { return dialect == k3::Dialect::generic; }
+    bool isGeneric() const { return vendor.isEmpty(); }
     // "FRABA OCD-IB K3"; "K3, make not known" for a generic description.
     QString fullName() const;
     // The notes in the language of all texts, or in English. May be empty.

@@ -49,6 +49,8 @@ double divisorOf(Unit unit)
         return 6;
     case Unit::tenthDegreeCelsius:
         return 10;
+    case Unit::micrometres:
+        return 1000;
     case Unit::none:
     case Unit::steps:
     case Unit::revolutions:
@@ -73,8 +75,10 @@ QString choiceName(const ParameterDescription &parameter, std::int64_t value)
 QString valueText(const ParameterDescription &parameter, std::int64_t value)
 {
     const double divisor = divisorOf(parameter.unit);
-    const QString number = divisor > 1 ? QLocale().toString(static_cast<double>(value) / divisor, 'f', 1)
-                                       : QLocale().toString(qlonglong{value});
+    const int decimals = parameter.unit == Unit::micrometres ? 3 : 1;
+    const QString number = divisor > 1
+                               ? QLocale().toString(static_cast<double>(value) / divisor, 'f', decimals)
+                               : QLocale().toString(qlonglong{value});
     const QString name = choiceName(parameter, value);
     return name.isEmpty() ? number : QStringLiteral("%1 (%2)").arg(number, name);
 }
@@ -92,6 +96,8 @@ QString unitText(Unit unit)
         return QCoreApplication::translate("Unit", "h");
     case Unit::tenthDegreeCelsius:
         return QCoreApplication::translate("Unit", "°C");
+    case Unit::micrometres:
+        return QCoreApplication::translate("Unit", "mm");
     }
     return {};
 }

@@ -213,8 +213,7 @@ void K3Driver::stepDone(Word in)
         else if (step.out == k3::run)
             ranWithWhatWasConfirmed();
         break;
-    case StepKind::toNormal:
-    case StepKind::endReadOut:
+    default:
         break;
     }
     if (run.cancelled && !run.cancelPlanned && run.index == run.steps.size())

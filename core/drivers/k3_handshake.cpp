@@ -82,6 +82,8 @@ State K3Handshake::answerTo(Word in)
         return readOutEnd(in);
     case StepKind::word:
         return wordAnswer(in);
+    default:
+        break;
     }
     return State::waiting;
 }

@@ -46,6 +46,9 @@ Result<void> K3Plan::check(const Job &job) const
         for (const ParameterValue &value : end->restore)
             if (auto checked = checkValue(value); !checked)
                 return checked;
+    if (std::holds_alternative<SwitchMode>(job) || std::holds_alternative<ResetToDefault>(job) ||
+        std::holds_alternative<ReadCams>(job) || std::holds_alternative<WriteCams>(job))
+        return refuse(RefusalKind::notSupported, RefusalId::jobNotSupported, {m_device.fullName()});
     return {};
 }
 

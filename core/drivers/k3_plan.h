@@ -40,6 +40,10 @@ private:
     K3Steps plan(const SetPreset &job) const;
     K3Steps plan(const SendWords &job) const;
     K3Steps plan(const EndParameterization &job) const;
+    K3Steps plan(const SwitchMode &) const { return {}; }
+    K3Steps plan(const ResetToDefault &) const { return {}; }
+    K3Steps plan(const ReadCams &) const { return {}; }
+    K3Steps plan(const WriteCams &) const { return {}; }
 
     bool needsStepsFlag(const ParameterValues &values) const;
     void appendRead(K3Steps &steps, Parameter parameter, std::optional<std::int64_t> expected = {}) const;

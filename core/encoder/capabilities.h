@@ -12,6 +12,10 @@ struct Capabilities
     bool writes = false;  // parameters can be written
     bool presets = false; // the position can be set
     bool cams = false;
+    bool velocity = false;            // shows revolutions per minute on request
+    bool manufacturerPreset = false;  // 60000000h: sets the position to the programmed preset again and again
+    bool presetNeedsValue = false;    // the command that sets the position brings the value along
+    bool resets = false;              // to factory settings
     bool serialNumber = false;        // can be read
     bool readingHidesPosition = true; // reading sends words and takes the position away for some cycles
     bool presetIsStored = false;      // the initialised preset survives power-off without another write

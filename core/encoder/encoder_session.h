@@ -30,6 +30,8 @@ public:
 
     virtual const Reading &latest() const = 0;
     virtual std::optional<Known> known(Parameter parameter) const = 0;
+    // A cam program the encoder is known to have, 1..8.
+    virtual std::optional<KnownCams> cams(unsigned program) const = 0;
     // The user says what the encoder has, e.g. from its papers.
     virtual void tell(Parameter parameter, std::optional<std::int64_t> value) = 0;
 

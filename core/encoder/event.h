@@ -13,7 +13,21 @@
 namespace codewheel {
 
 // What one step of a job is about; decides its line in the wizard.
-enum class StepKind : std::uint8_t { toNormal, parameter, run, initialisePreset, readOut, endReadOut, word };
+enum class StepKind : std::uint8_t {
+    toNormal,
+    parameter,
+    run,
+    initialisePreset,
+    readOut,
+    endReadOut,
+    word,
+    manufacturerPreset, // one bus cycle long
+    switchMode,
+    camParameter, // start, stop, cam configuration, shift_iw: acknowledged in cam parameterization
+    camReadOut,
+    service,    // LA-66: service number and data, the service bit still 0
+    serviceBit, // LA-66: the same with D31 = 1, until the encoder acknowledges
+};
 
 struct Step
 {
@@ -47,6 +61,8 @@ struct Outcome
     // IN was 00000000h from run to the end: position 0, or no power. Without read-out nothing tells them
     // apart.
     bool onlyZeroSinceRun = false;
+    std::vector<CamProgram> camsRead{};
+    std::vector<CamProgram> camsWritten{};      // read back, where the job could
     std::optional<std::int64_t> positionBefore; // steps; SetPreset
     std::optional<std::int64_t> positionAfter;
 };
@@ -56,7 +72,9 @@ struct KnowledgeChanged
 {
     std::vector<Known> known;
     std::vector<Parameter> noLongerKnown;
-    int eepromWrites = 0; // since the last such event; jobs are included
+    std::vector<KnownCams> cams{};
+    std::vector<unsigned> camsNoLongerKnown{}; // cam programs
+    int eepromWrites = 0;                      // since the last such event; jobs are included
 };
 
 using Event = std::variant<Progress, Outcome, KnowledgeChanged>;

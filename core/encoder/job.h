@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/cam_program.h"
 #include "encoder/parameter.h"
-#include "words/k3_word.h"
+#include "words/k3_explain.h"
 
 #include <cstdint>
 #include <variant>
@@ -30,10 +31,46 @@ struct WriteParameters
     bool initialisePreset = false;
 };
 
-// Write the preset value if one is given, then initialise it (40000000h).
+// How the position is set to the preset.
+enum class PresetCommand : std::uint8_t {
+    profile,      // 40000000h; LA-66: service 6
+    manufacturer, // 60000000h, one bus cycle long (FRABA manual 5.4.1)
+};
+
+// Write the preset value if one is given, then set the position to it.
 struct SetPreset
 {
     std::optional<std::int64_t> value;
+    PresetCommand command = PresetCommand::profile;
+};
+
+// Switch an encoder that has several modes to one of them (FRABA manual 5.4.2, 5.4.4). Leaving a cam program
+// that was changed stores it: one EEPROM write.
+struct SwitchMode
+{
+    Mode mode = Mode::position;
+    unsigned camProgram = 0; // 1..8; Mode::cam
+
+    friend bool operator==(const SwitchMode &, const SwitchMode &) = default;
+};
+
+// Back to factory settings (0E000000h, then run).
+struct ResetToDefault
+{};
+
+// Read cam programs, each in the cam mode of its own (FRABA manual 5.4.4).
+struct ReadCams
+{
+    std::vector<unsigned> programs;       // 1..8
+    std::optional<SwitchMode> afterwards; // nothing: stays in the last program
+};
+
+// Write cam programs. A program is stored in EEPROM when it is left.
+struct WriteCams
+{
+    std::vector<CamProgram> programs;
+    bool onlyWhatDiffers = true; // read each first, and write only what is different
+    std::optional<SwitchMode> afterwards;
 };
 
 // Send words as they are, each until it is acknowledged, or for holdCycles where nothing acknowledges.
@@ -50,7 +87,8 @@ struct EndParameterization
     ParameterValues restore;
 };
 
-using Job = std::variant<ReadParameters, WriteParameters, SetPreset, SendWords, EndParameterization>;
+using Job = std::variant<ReadParameters, WriteParameters, SetPreset, SendWords, EndParameterization,
+                         SwitchMode, ResetToDefault, ReadCams, WriteCams>;
 
 // Whether 40000000h is among its words: in cam mode that sets the start of cam 0 instead.
 inline bool initialisesPreset(const Job &job)

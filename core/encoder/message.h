@@ -32,6 +32,10 @@ enum class MessageId : std::uint8_t {
     deviceFaultGone,  //
     valuesForgotten,  // the encoder lost its parameters: what is known does not hold any more
     lateCycles,       // number since the last message
+    modeSwitched,     // text of the mode
+    resetDone,        // EEPROM writes
+    camsRead,         // number of programs
+    camsWritten,      // texts of the programs joined, EEPROM writes
     training,         // text of what the trainer did (QString)
 };
 inline constexpr std::size_t messageCount = static_cast<std::size_t>(MessageId::training) + 1;

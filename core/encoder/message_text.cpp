@@ -49,6 +49,13 @@ constexpr std::array rows{
     Row{MessageId::valuesForgotten, "valuesForgotten",
         QT_TRANSLATE_NOOP("Message", "What was known of the encoder may not hold any more: read it again.")},
     Row{MessageId::lateCycles, "lateCycles", QT_TRANSLATE_NOOP("Message", "Bus cycles that came late: %1.")},
+    Row{MessageId::modeSwitched, "modeSwitched",
+        QT_TRANSLATE_NOOP("Message", "The encoder was switched: %1.")},
+    Row{MessageId::resetDone, "resetDone",
+        QT_TRANSLATE_NOOP("Message", "The encoder was reset to factory settings (EEPROM writes: %1).")},
+    Row{MessageId::camsRead, "camsRead", QT_TRANSLATE_NOOP("Message", "Cam programs read: %1.")},
+    Row{MessageId::camsWritten, "camsWritten",
+        QT_TRANSLATE_NOOP("Message", "Cam programs written: %1 (EEPROM writes so far: %2).")},
     Row{MessageId::training, "training", "%1"},
 };
 

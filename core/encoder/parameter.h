@@ -21,6 +21,9 @@ enum class Parameter : std::uint8_t {
     zeroOffset,
     offset,
     measuringRange,
+    measuringLength, // of a rod, in steps
+    externalPreset,  // taken by the preset input of the encoder
+    rodLength,       // on the label of a rod; never on the wire
     // read only
     serialNumber,
     presetFlag,
@@ -29,7 +32,16 @@ enum class Parameter : std::uint8_t {
     startUpMode,
     multiTurnAndStepsMinusOne,
     temperature,
+    errorStatus,
+    opcRegister0, // registers of the INTERBUS chip, one after the other
+    opcRegister15 = opcRegister0 + 15,
 };
+
+// The register of the INTERBUS chip, 0..15.
+constexpr Parameter opcRegister(unsigned number)
+{
+    return static_cast<Parameter>(static_cast<unsigned>(Parameter::opcRegister0) + number);
+}
 
 // The language-neutral name used at the command line, in JSON and in device descriptions: "steps",
 // "zero-offset".

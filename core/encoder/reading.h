@@ -21,13 +21,24 @@ enum class EncoderState : std::uint8_t {
 // known.
 struct Reading
 {
+    // IN of an encoder in cam mode (FRABA manual 5.4.4).
+    struct Cams
+    {
+        std::uint8_t on = 0;   // bit n: cam n
+        Word positionPart = 0; // D24..D8: (position >> shift_iw) & 1FFFFh
+
+        friend bool operator==(const Cams &, const Cams &) = default;
+    };
+
     Instant at{};
     EncoderState state = EncoderState::notSeen;
     Word in = 0;
-    std::optional<std::int64_t> position; // steps, as parameterized
-    std::optional<Mode> mode;             // nothing: not known
-    std::optional<PositionCoding> coding; // nothing: not known
-    std::optional<unsigned> errorNumber;  // while state is error
+    std::optional<std::int64_t> position;   // steps, as parameterized
+    std::optional<std::int64_t> velocity{}; // revolutions per minute, in velocity mode
+    std::optional<Cams> cams{};             // in cam mode
+    std::optional<Mode> mode;               // nothing: not known
+    std::optional<PositionCoding> coding;   // nothing: not known
+    std::optional<unsigned> errorNumber;    // while state is error
 
     friend bool operator==(const Reading &, const Reading &) = default;
 };

@@ -26,21 +26,37 @@ enum class RefusalKind : std::uint8_t {
 // of each stand beside it.
 enum class RefusalId : std::uint8_t {
     // badInput
-    valueOutOfRange,      // Parameter, value, minimum, maximum
-    valueNotAllowed,      // Parameter, text, allowed texts
-    parameterGivenTwice,  // Parameter
-    parameterReadOnly,    // Parameter, device name
-    nothingToDo,          //
-    unknownDevice,        // place, places there are
-    totalRangeTooLarge,   // total range, largest
-    tooManyStepsPerTurn,  // steps, revolutions, physical steps per turn
-    valueAboveTotalRange, // Parameter, value, largest
+    valueOutOfRange,       // Parameter, value, minimum, maximum
+    valueNotAllowed,       // Parameter, text, allowed texts
+    parameterGivenTwice,   // Parameter
+    parameterReadOnly,     // Parameter, device name
+    nothingToDo,           //
+    unknownDevice,         // place, places there are
+    totalRangeTooLarge,    // total range, largest
+    tooManyStepsPerTurn,   // steps, revolutions, physical steps per turn
+    valueAboveTotalRange,  // Parameter, value, largest
+    presetNeedsValue,      // device name
+    camProgramOutOfRange,  // program
+    camOutOfRange,         // cam
+    camPositionTooLarge,   // cam, position, largest
+    camShiftOutOfRange,    // shift
+    camProgramGivenTwice,  // program
+    camFileBroken,         // file, line, key, reason
+    camFileOfOtherProgram, // file, its program, the program wanted
+    labelKeyNotUnderstood, // the key, the part, what may stand there
     // notSupported
-    parameterNotSupported, // Parameter, device name
-    readingNotSupported,   // device name
-    writingNotSupported,   // device name
-    presetNotSupported,    // device name
-    modeNotKnown,          // Word OUT: the text tells what it would do in cam mode
+    parameterNotSupported,          // Parameter, device name
+    readingNotSupported,            // device name
+    writingNotSupported,            // device name
+    presetNotSupported,             // device name
+    modeNotKnown,                   // Word OUT: the text tells what it would do in cam mode
+    camsNotSupported,               // device name
+    velocityNotSupported,           // device name
+    manufacturerPresetNotSupported, // device name
+    linkDoesNotBoundCycles,         // Word OUT
+    resetNotSupported,              // device name
+    sendingNotSupported,            // device name: it has no OUT word
+    jobNotSupported,                // device name
     // busy
     jobRunning,         // place
     wordHeldByJob,      // place
@@ -62,6 +78,10 @@ enum class RefusalId : std::uint8_t {
     verificationFailed,     // Parameter, wanted, read
     unknownState,           // Word IN
     restarted,              // Word IN: parameterization ended without run
+    camPositionAboveRange,  // cam, Word IN
+    camVerificationFailed,  // program
+    serviceRefused,         // service number, Word IN
+    magnetOutOfRange,       // Word IN
     // link
     linkFailed, // text of the link
     // stopped

@@ -44,6 +44,24 @@ constexpr std::array rows{
                           "has. Choose fewer steps or more revolutions.")},
     Row{RefusalId::valueAboveTotalRange, "valueAboveTotalRange",
         QT_TRANSLATE_NOOP("Refusal", "%1 = %2 is outside the total range. Give a value of at most %3.")},
+    Row{RefusalId::presetNeedsValue, "presetNeedsValue",
+        QT_TRANSLATE_NOOP("Refusal", "The %1 needs the position it is to be set to. Give a value.")},
+    Row{RefusalId::camProgramOutOfRange, "camProgramOutOfRange",
+        QT_TRANSLATE_NOOP("Refusal", "There is no cam program %1. Choose a program from 1 to 8.")},
+    Row{RefusalId::camOutOfRange, "camOutOfRange",
+        QT_TRANSLATE_NOOP("Refusal", "There is no cam %1. Choose a cam from 0 to 7.")},
+    Row{RefusalId::camPositionTooLarge, "camPositionTooLarge",
+        QT_TRANSLATE_NOOP("Refusal", "Cam %1 cannot start or stop at %2. Give a position from 0 to %3.")},
+    Row{RefusalId::camShiftOutOfRange, "camShiftOutOfRange",
+        QT_TRANSLATE_NOOP("Refusal", "The shift cannot be %1. Give a value from 0 to 25.")},
+    Row{RefusalId::camProgramGivenTwice, "camProgramGivenTwice",
+        QT_TRANSLATE_NOOP("Refusal", "Cam program %1 is given twice. Give it once.")},
+    Row{RefusalId::camFileBroken, "camFileBroken",
+        QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 Nothing was taken from the file.")},
+    Row{RefusalId::camFileOfOtherProgram, "camFileOfOtherProgram",
+        QT_TRANSLATE_NOOP("Refusal", "%1 holds cam program %2, not %3. Choose program %2, or another file.")},
+    Row{RefusalId::labelKeyNotUnderstood, "labelKeyNotUnderstood",
+        QT_TRANSLATE_NOOP("Refusal", "\"%2\" in \"%1\" is not understood. There may stand: %3.")},
     // notSupported
     Row{RefusalId::parameterNotSupported, "parameterNotSupported",
         QT_TRANSLATE_NOOP("Refusal",
@@ -59,6 +77,23 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Refusal",
                           "Nothing was sent: the mode of the encoder is not known. In cam mode the word %1 "
                           "%2. Make sure that the encoder is in position mode, and confirm it.")},
+    Row{RefusalId::camsNotSupported, "camsNotSupported", QT_TRANSLATE_NOOP("Refusal", "The %1 has no cams.")},
+    Row{RefusalId::velocityNotSupported, "velocityNotSupported",
+        QT_TRANSLATE_NOOP("Refusal", "The %1 has no velocity mode.")},
+    Row{RefusalId::manufacturerPresetNotSupported, "manufacturerPresetNotSupported",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The %1 does not know the FRABA preset. Set the position with the preset of the "
+                          "profile.")},
+    Row{RefusalId::linkDoesNotBoundCycles, "linkDoesNotBoundCycles",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Nothing was sent: this link cannot make sure that the word %1 stands on the bus "
+                          "for one cycle only. Set the position with the preset of the profile.")},
+    Row{RefusalId::resetNotSupported, "resetNotSupported",
+        QT_TRANSLATE_NOOP("Refusal", "The %1 cannot be reset to factory settings over the bus.")},
+    Row{RefusalId::sendingNotSupported, "sendingNotSupported",
+        QT_TRANSLATE_NOOP("Refusal", "The %1 has no OUT word: it only tells its position.")},
+    Row{RefusalId::jobNotSupported, "jobNotSupported",
+        QT_TRANSLATE_NOOP("Refusal", "The %1 cannot do this.")},
     // busy
     Row{RefusalId::jobRunning, "jobRunning",
         QT_TRANSLATE_NOOP("Refusal", "A job is running at %1. Wait for its end, or cancel it."),
@@ -143,6 +178,22 @@ constexpr std::array rows{
             "Refusal",
             "The encoder left parameterization before run was sent or answered, as after a loss "
             "of power (IN %1). It may have kept its old values: check its supply and write again.")},
+    Row{RefusalId::camPositionAboveRange, "camPositionAboveRange",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Error 98000004: a start or stop of cam %1 is above the largest position (IN %2). "
+                          "Give a position within the total range.")},
+    Row{RefusalId::camVerificationFailed, "camVerificationFailed",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Cam program %1 was written but read back differently. Compare it before you rely "
+                          "on it, and write again.")},
+    Row{RefusalId::serviceRefused, "serviceRefused",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The encoder refused service %1 (IN %2). Nothing was changed: check the value and "
+                          "write it again.")},
+    Row{RefusalId::magnetOutOfRange, "magnetOutOfRange",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The magnet is outside the measuring range (IN %1): the last position is shown. "
+                          "Move the magnet back, then read the error status.")},
     // link
     Row{RefusalId::linkFailed, "linkFailed", QT_TRANSLATE_NOOP("Refusal", "The link failed: %1")},
     // stopped

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ring/job_report.h"
 
+#include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
 
@@ -44,6 +45,28 @@ Message refused(const Refusal &why)
     return {.severity = isFault ? Severity::fault : Severity::attention, .refusal = why};
 }
 
+QString modeText(const SwitchMode &to)
+{
+    switch (to.mode) {
+    case Mode::position:
+        return QCoreApplication::translate("JobReport", "position mode");
+    case Mode::velocity:
+        return QCoreApplication::translate("JobReport", "velocity mode");
+    case Mode::cam:
+        break;
+    }
+    return QCoreApplication::translate("JobReport", "cam program %1").arg(to.camProgram);
+}
+
+// "1, 3"
+QString programs(const std::vector<CamProgram> &cams)
+{
+    QStringList numbers;
+    for (const CamProgram &program : cams)
+        numbers += QString::number(program.number);
+    return numbers.join(QStringLiteral(", "));
+}
+
 // What a job says of itself when it has succeeded.
 struct Success
 {
@@ -77,6 +100,24 @@ struct Success
         std::vector<Message> messages = whatWasWritten();
         messages.push_back({.id = MessageId::broughtBack});
         return messages;
+    }
+    std::vector<Message> operator()(const SwitchMode &job) const
+    {
+        return {{.id = MessageId::modeSwitched, .arguments = {modeText(job)}}};
+    }
+    std::vector<Message> operator()(const ResetToDefault &) const
+    {
+        return {{.id = MessageId::resetDone, .arguments = {std::int64_t{outcome.eepromWrites}}}};
+    }
+    std::vector<Message> operator()(const ReadCams &) const
+    {
+        return {
+            {.id = MessageId::camsRead, .arguments = {static_cast<std::int64_t>(outcome.camsRead.size())}}};
+    }
+    std::vector<Message> operator()(const WriteCams &) const
+    {
+        return {{.id = MessageId::camsWritten,
+                 .arguments = {programs(outcome.camsWritten), std::int64_t{outcome.eepromWrites}}}};
     }
     std::vector<Message> whatWasWritten() const
     {

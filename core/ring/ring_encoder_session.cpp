@@ -28,6 +28,12 @@ QDateTime RingEncoderSession::dateTime(Instant at) const
     return m_bus.dateTime(at);
 }
 
+std::optional<KnownCams> RingEncoderSession::cams(unsigned program) const
+{
+    const auto found = m_cams.find(program);
+    return found == m_cams.end() ? std::nullopt : std::optional(found->second);
+}
+
 void RingEncoderSession::tell(Parameter parameter, std::optional<std::int64_t> value)
 {
     if (value)
@@ -105,6 +111,10 @@ void RingEncoderSession::take(const KnowledgeChanged &change)
         m_known[known.parameter] = known;
     for (const Parameter parameter : change.noLongerKnown)
         m_known.erase(parameter);
+    for (const KnownCams &known : change.cams)
+        m_cams[known.program.number] = known;
+    for (const unsigned program : change.camsNoLongerKnown)
+        m_cams.erase(program);
     m_eepromWrites += change.eepromWrites;
     Q_EMIT knownChanged();
 }
@@ -124,6 +134,7 @@ void RingEncoderSession::takeFault(const Message &fault)
     if (nameOf(fault).id != RefusalId::parametersLost || m_known.empty())
         return;
     m_known.clear();
+    m_cams.clear();
     postKnown();
     report({.severity = Severity::attention, .id = MessageId::valuesForgotten}, fault.at);
     Q_EMIT knownChanged();

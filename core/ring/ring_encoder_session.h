@@ -28,6 +28,7 @@ public:
 
     const Reading &latest() const override { return m_reading; }
     std::optional<Known> known(Parameter parameter) const override;
+    std::optional<KnownCams> cams(unsigned program) const override;
     void tell(Parameter parameter, std::optional<std::int64_t> value) override;
 
     Result<JobId> start(const Job &job, Pace pace) override;
@@ -56,6 +57,7 @@ private:
     const DeviceDescription &m_description;
     Reading m_reading;
     std::map<Parameter, Known> m_known;
+    std::map<unsigned, KnownCams> m_cams; // by program
     JobId m_lastJob = 0;
     std::optional<JobId> m_runningJob;
     Job m_job;

@@ -25,17 +25,7 @@ QString idCodeText(unsigned code)
 
 QString profileText(const DeviceDescription *device)
 {
-    if (device == nullptr)
-        return QStringLiteral("-");
-    switch (device->profile) {
-    case Profile::k1:
-        return QStringLiteral("K1");
-    case Profile::k2:
-        return QStringLiteral("K2");
-    case Profile::k3:
-        return QStringLiteral("K3");
-    }
-    return {};
+    return device ? profileName(device->profile) : QStringLiteral("-");
 }
 
 } // namespace

@@ -46,6 +46,11 @@ QVariant stateIcon(StepState state)
     return {};
 }
 
+Mode modeOf(StepKind kind)
+{
+    return kind == StepKind::camParameter || kind == StepKind::camReadOut ? Mode::cam : Mode::position;
+}
+
 } // namespace
 
 QString stepText(const DeviceDescription &device, const Step &step)
@@ -64,6 +69,15 @@ QString stepText(const DeviceDescription &device, const Step &step)
                               : StepTable::tr("Read out");
     case StepKind::endReadOut:
         return StepTable::tr("End the read-out");
+    case StepKind::manufacturerPreset:
+        return StepTable::tr("Set the position to the preset, for one bus cycle");
+    case StepKind::service:
+        return StepTable::tr("Put out the service and its data");
+    case StepKind::serviceBit:
+        return StepTable::tr("Set the service bit");
+    case StepKind::switchMode:
+    case StepKind::camParameter:
+    case StepKind::camReadOut:
     case StepKind::parameter:
     case StepKind::word:
         break;
@@ -71,7 +85,7 @@ QString stepText(const DeviceDescription &device, const Step &step)
     return explanationText(device, explainWord(device, step.out,
                                                {.direction = WordDirection::out,
                                                 .dialect = {},
-                                                .mode = Mode::position,
+                                                .mode = modeOf(step.kind),
                                                 .coding = {},
                                                 .counterpart = {}}));
 }
