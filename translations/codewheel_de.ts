@@ -21,7 +21,7 @@
     </message>
     <message>
         <source>D29: ignored by this encoder</source>
-        <translation>D29: von diesem Drehgeber nicht beachtet</translation>
+        <translation>D29: von diesem Geber nicht beachtet</translation>
     </message>
     <message>
         <source>D29: manufacturer specific</source>
@@ -57,7 +57,7 @@
     </message>
     <message>
         <source>D29: means nothing at this encoder</source>
-        <translation>D29: bei diesem Drehgeber ohne Bedeutung</translation>
+        <translation>D29: bei diesem Geber ohne Bedeutung</translation>
     </message>
     <message>
         <source>D28..D25: parameter number, or error number</source>
@@ -104,7 +104,7 @@
     </message>
     <message>
         <source>How shall the encoder %1 be left?</source>
-        <translation>Wie soll der Drehgeber %1 zurückbleiben?</translation>
+        <translation>Wie soll der Geber %1 zurückbleiben?</translation>
     </message>
     <message>
         <source>&amp;Restore values from before</source>
@@ -254,7 +254,22 @@
     </message>
     <message>
         <source>not defined for this encoder</source>
-        <translation>für diesen Drehgeber nicht definiert</translation>
+        <translation>für diesen Geber nicht definiert</translation>
+    </message>
+</context>
+<context>
+    <name>JobReport</name>
+    <message>
+        <source>position mode</source>
+        <translation>Positionsbetrieb</translation>
+    </message>
+    <message>
+        <source>velocity mode</source>
+        <translation>Geschwindigkeitsbetrieb</translation>
+    </message>
+    <message>
+        <source>cam program %1</source>
+        <translation>Nockenprogramm %1</translation>
     </message>
 </context>
 <context>
@@ -277,43 +292,43 @@
     </message>
     <message>
         <source>Nobody knows what the encoder has here.</source>
-        <translation>Niemand weiß, was der Drehgeber hier hat.</translation>
+        <translation>Niemand weiß, was der Geber hier hat.</translation>
     </message>
     <message>
         <source>The encoder told it when it was read.</source>
-        <translation>Aus dem Drehgeber ausgelesen.</translation>
+        <translation>Aus dem Geber ausgelesen.</translation>
     </message>
     <message>
         <source>The encoder confirmed it in a handshake, and went into operation with it.</source>
-        <translation>Vom Drehgeber im Handshake quittiert, und er ging damit in Betrieb.</translation>
+        <translation>Vom Geber im Handshake quittiert, und er ging damit in Betrieb.</translation>
     </message>
     <message>
         <source>The user or the plan of the bus said so; the encoder was not asked.</source>
-        <translation>Vom Benutzer oder vom Busplan angegeben; der Drehgeber wurde nicht gefragt.</translation>
+        <translation>Vom Benutzer oder vom Busplan angegeben; der Geber wurde nicht gefragt.</translation>
     </message>
     <message>
         <source>The encoder is in operation.</source>
-        <translation>Der Drehgeber ist in Betrieb.</translation>
+        <translation>Der Geber ist in Betrieb.</translation>
     </message>
     <message>
         <source>The encoder is in parameterization: it gives no position until run is sent.</source>
-        <translation>Der Drehgeber ist in der Parametrierung: keine Position, bis Run gesendet wird.</translation>
+        <translation>Der Geber ist in der Parametrierung: keine Position, bis Run gesendet wird.</translation>
     </message>
     <message>
         <source>The encoder is in the error state: it gives no position.</source>
-        <translation>Der Drehgeber ist im Fehlerzustand: keine Position.</translation>
+        <translation>Der Geber ist im Fehlerzustand: keine Position.</translation>
     </message>
     <message>
         <source>The encoder still shows a read-out value.</source>
-        <translation>Der Drehgeber zeigt noch einen Auslesewert.</translation>
+        <translation>Der Geber zeigt noch einen Auslesewert.</translation>
     </message>
     <message>
         <source>The encoder has not been seen on the bus.</source>
-        <translation>Der Drehgeber war noch nicht am Bus zu sehen.</translation>
+        <translation>Der Geber war noch nicht am Bus zu sehen.</translation>
     </message>
     <message>
         <source>The state of the encoder is not known.</source>
-        <translation>Der Zustand des Drehgebers ist unbekannt.</translation>
+        <translation>Der Zustand des Gebers ist unbekannt.</translation>
     </message>
 </context>
 <context>
@@ -460,7 +475,7 @@
     </message>
     <message>
         <source>Not defined for this encoder</source>
-        <translation>Für diesen Drehgeber nicht definiert</translation>
+        <translation>Für diesen Geber nicht definiert</translation>
     </message>
     <message>
         <source>position %1</source>
@@ -528,7 +543,7 @@
     </message>
     <message>
         <source>The encoder does not know the read-out code %1</source>
-        <translation>Der Drehgeber kennt den Auslesecode %1 nicht</translation>
+        <translation>Der Geber kennt den Auslesecode %1 nicht</translation>
     </message>
     <message>
         <source>No valid position</source>
@@ -599,19 +614,19 @@
     </message>
     <message>
         <source>The encoder is in operation again.</source>
-        <translation>Der Drehgeber ist wieder in Betrieb.</translation>
+        <translation>Der Geber ist wieder in Betrieb.</translation>
     </message>
     <message>
         <source>The encoder was left in parameterization. Send run to bring it back to operation.</source>
-        <translation>Der Drehgeber blieb in der Parametrierung. Run bringt ihn wieder in Betrieb.</translation>
+        <translation>Der Geber blieb in der Parametrierung. Run bringt ihn wieder in Betrieb.</translation>
     </message>
     <message>
         <source>The encoder reports error %1 (IN %2).</source>
-        <translation>Der Drehgeber meldet Fehler %1 (IN %2).</translation>
+        <translation>Der Geber meldet Fehler %1 (IN %2).</translation>
     </message>
     <message>
         <source>The encoder reports no error any more.</source>
-        <translation>Der Drehgeber meldet keinen Fehler mehr.</translation>
+        <translation>Der Geber meldet keinen Fehler mehr.</translation>
     </message>
     <message>
         <source>Bus cycles that came late: %1.</source>
@@ -631,15 +646,31 @@
     </message>
     <message>
         <source>What was known of the encoder may not hold any more: read it again.</source>
-        <translation>Was vom Drehgeber bekannt war, gilt vielleicht nicht mehr: neu auslesen.</translation>
+        <translation>Was vom Geber bekannt war, gilt vielleicht nicht mehr: neu auslesen.</translation>
     </message>
     <message>
         <source>The encoder reports error %1, %3 (IN %2).</source>
-        <translation>Der Drehgeber meldet Fehler %1, %3 (IN %2).</translation>
+        <translation>Der Geber meldet Fehler %1, %3 (IN %2).</translation>
     </message>
     <message>
         <source>IN has been 00000000 since run: position 0, or an encoder without power. Turn the shaft to be sure.</source>
-        <translation>IN ist seit Run 00000000: Position 0, oder ein Drehgeber ohne Versorgung. Zur Sicherheit die Welle drehen.</translation>
+        <translation>IN ist seit Run 00000000: Position 0, oder ein Geber ohne Versorgung. Zur Sicherheit die Welle drehen.</translation>
+    </message>
+    <message>
+        <source>The encoder was switched: %1.</source>
+        <translation>Der Geber wurde umgeschaltet: %1.</translation>
+    </message>
+    <message>
+        <source>The encoder was reset to factory settings (EEPROM writes: %1).</source>
+        <translation>Der Geber wurde auf Werkseinstellungen zurückgesetzt (EEPROM-Schreibvorgänge: %1).</translation>
+    </message>
+    <message>
+        <source>Cam programs read: %1.</source>
+        <translation>Gelesene Nockenprogramme: %1.</translation>
+    </message>
+    <message>
+        <source>Cam programs written: %1 (EEPROM writes so far: %2).</source>
+        <translation>Geschriebene Nockenprogramme: %1 (EEPROM-Schreibvorgänge bisher: %2).</translation>
     </message>
 </context>
 <context>
@@ -764,6 +795,102 @@
         <source>temperature</source>
         <translation>Temperatur</translation>
     </message>
+    <message>
+        <source>Measuring length in steps</source>
+        <translation>Messlänge in Schritten</translation>
+    </message>
+    <message>
+        <source>measuring length in steps</source>
+        <translation>Messlänge in Schritten</translation>
+    </message>
+    <message>
+        <source>External preset</source>
+        <translation>Externer Preset</translation>
+    </message>
+    <message>
+        <source>external preset</source>
+        <translation>externer Preset</translation>
+    </message>
+    <message>
+        <source>Rod length</source>
+        <translation>Stablänge</translation>
+    </message>
+    <message>
+        <source>rod length</source>
+        <translation>Stablänge</translation>
+    </message>
+    <message>
+        <source>Error status</source>
+        <translation>Fehlerstatus</translation>
+    </message>
+    <message>
+        <source>error status</source>
+        <translation>Fehlerstatus</translation>
+    </message>
+    <message>
+        <source>OPC register 0</source>
+        <translation>OPC-Register 0</translation>
+    </message>
+    <message>
+        <source>OPC register 1</source>
+        <translation>OPC-Register 1</translation>
+    </message>
+    <message>
+        <source>OPC register 2</source>
+        <translation>OPC-Register 2</translation>
+    </message>
+    <message>
+        <source>OPC register 3</source>
+        <translation>OPC-Register 3</translation>
+    </message>
+    <message>
+        <source>OPC register 4</source>
+        <translation>OPC-Register 4</translation>
+    </message>
+    <message>
+        <source>OPC register 5</source>
+        <translation>OPC-Register 5</translation>
+    </message>
+    <message>
+        <source>OPC register 6</source>
+        <translation>OPC-Register 6</translation>
+    </message>
+    <message>
+        <source>OPC register 7</source>
+        <translation>OPC-Register 7</translation>
+    </message>
+    <message>
+        <source>OPC register 8</source>
+        <translation>OPC-Register 8</translation>
+    </message>
+    <message>
+        <source>OPC register 9</source>
+        <translation>OPC-Register 9</translation>
+    </message>
+    <message>
+        <source>OPC register A</source>
+        <translation>OPC-Register A</translation>
+    </message>
+    <message>
+        <source>OPC register B</source>
+        <translation>OPC-Register B</translation>
+    </message>
+    <message>
+        <source>OPC register C</source>
+        <translation>OPC-Register C</translation>
+    </message>
+    <message>
+        <source>OPC register D</source>
+        <translation>OPC-Register D</translation>
+    </message>
+    <message>
+        <source>OPC register E</source>
+        <translation>OPC-Register E</translation>
+    </message>
+    <message>
+        <source>OPC register F</source>
+        <translation>OPC-Register F</translation>
+    </message>
 </context>
 <context>
     <name>ParameterWords</name>
@@ -804,7 +931,7 @@
     </message>
     <message>
         <source>%1 of the %2 can be read but not written. Leave it out.</source>
-        <translation>%1: beim Drehgeber %2 nur lesbar, nicht schreibbar. Weglassen.</translation>
+        <translation>%1: beim Geber %2 nur lesbar, nicht schreibbar. Weglassen.</translation>
     </message>
     <message>
         <source>There is nothing to do. Name at least one parameter, value or word.</source>
@@ -820,7 +947,7 @@
     </message>
     <message>
         <source>%1 steps in revolutions %2 are finer than the %3 steps per turn the encoder has. Choose fewer steps or more revolutions.</source>
-        <translation>%1 Schritte bei Umdrehungen %2 sind feiner als die %3 Schritte je Umdrehung, die der Drehgeber hat. Weniger Schritte oder mehr Umdrehungen wählen.</translation>
+        <translation>%1 Schritte bei Umdrehungen %2 sind feiner als die %3 Schritte je Umdrehung, die der Geber hat. Weniger Schritte oder mehr Umdrehungen wählen.</translation>
     </message>
     <message>
         <source>%1 = %2 is outside the total range. Give a value of at most %3.</source>
@@ -828,23 +955,23 @@
     </message>
     <message>
         <source>The %2 does not have the parameter &quot;%1&quot;. Leave it out, or check which encoder it is.</source>
-        <translation>Der Drehgeber %2 hat den Parameter „%1“ nicht. Weglassen, oder prüfen, welcher Drehgeber es ist.</translation>
+        <translation>Der Geber %2 hat den Parameter „%1“ nicht. Weglassen, oder prüfen, welcher Geber es ist.</translation>
     </message>
     <message>
         <source>The %1 has no read-out: its values cannot be read.</source>
-        <translation>Der Drehgeber %1 kennt kein Auslesen: Seine Werte sind nicht lesbar.</translation>
+        <translation>Der Geber %1 kennt kein Auslesen: Seine Werte sind nicht lesbar.</translation>
     </message>
     <message>
         <source>The %1 cannot be parameterized over the bus.</source>
-        <translation>Der Drehgeber %1 ist über den Bus nicht parametrierbar.</translation>
+        <translation>Der Geber %1 ist über den Bus nicht parametrierbar.</translation>
     </message>
     <message>
         <source>The position of the %1 cannot be set over the bus.</source>
-        <translation>Die Position des Drehgebers %1 ist über den Bus nicht setzbar.</translation>
+        <translation>Die Position des Gebers %1 ist über den Bus nicht setzbar.</translation>
     </message>
     <message>
         <source>Nothing was sent: the mode of the encoder is not known. In cam mode the word %1 %2. Make sure that the encoder is in position mode, and confirm it.</source>
-        <translation>Nichts gesendet: Die Betriebsart des Drehgebers ist unbekannt. Im Nockenbetrieb gilt: Das Wort %1 %2. Sicherstellen, dass der Drehgeber im Positionsbetrieb ist, und das bestätigen.</translation>
+        <translation>Nichts gesendet: Die Betriebsart des Gebers ist unbekannt. Im Nockenbetrieb gilt: Das Wort %1 %2. Sicherstellen, dass der Geber im Positionsbetrieb ist, und das bestätigen.</translation>
     </message>
     <message>
         <source>A job is running at %1. Wait for its end, or cancel it.</source>
@@ -852,7 +979,7 @@
     </message>
     <message>
         <source>A job is running at this encoder. Wait for its end, or cancel it.</source>
-        <translation>An diesem Drehgeber läuft ein Auftrag. Sein Ende abwarten oder ihn abbrechen.</translation>
+        <translation>An diesem Geber läuft ein Auftrag. Sein Ende abwarten oder ihn abbrechen.</translation>
     </message>
     <message>
         <source>Nothing was sent to %1: a job holds its OUT word. Wait for its end, or cancel it.</source>
@@ -880,67 +1007,67 @@
     </message>
     <message>
         <source>Nothing was sent: the encoder is in parameterization already (IN %1). End that first, with run.</source>
-        <translation>Nichts gesendet: Der Drehgeber ist schon in der Parametrierung (IN %1). Diese erst mit Run beenden.</translation>
+        <translation>Nichts gesendet: Der Geber ist schon in der Parametrierung (IN %1). Diese erst mit Run beenden.</translation>
     </message>
     <message>
         <source>Error 1: the encoder refused the value of %1 (IN %2). Check the value and write it again.</source>
-        <translation>Fehler 1: Der Drehgeber hat den Wert für %1 abgelehnt (IN %2). Wert prüfen und neu schreiben.</translation>
+        <translation>Fehler 1: Der Geber hat den Wert für %1 abgelehnt (IN %2). Wert prüfen und neu schreiben.</translation>
     </message>
     <message>
         <source>Error 1: the encoder refused a value (IN %2). Check the values and write them again.</source>
-        <translation>Fehler 1: Der Drehgeber hat einen Wert abgelehnt (IN %2). Werte prüfen und neu schreiben.</translation>
+        <translation>Fehler 1: Der Geber hat einen Wert abgelehnt (IN %2). Werte prüfen und neu schreiben.</translation>
     </message>
     <message>
         <source>Error 2: the encoder does not know the number of %1 (IN %2). Check which encoder it is.</source>
-        <translation>Fehler 2: Der Drehgeber kennt die Nummer für %1 nicht (IN %2). Prüfen, welcher Drehgeber es ist.</translation>
+        <translation>Fehler 2: Der Geber kennt die Nummer für %1 nicht (IN %2). Prüfen, welcher Geber es ist.</translation>
     </message>
     <message>
         <source>Error 2: the encoder does not know a parameter number (IN %2). Check which encoder it is.</source>
-        <translation>Fehler 2: Der Drehgeber kennt eine Parameternummer nicht (IN %2). Prüfen, welcher Drehgeber es ist.</translation>
+        <translation>Fehler 2: Der Geber kennt eine Parameternummer nicht (IN %2). Prüfen, welcher Geber es ist.</translation>
     </message>
     <message>
         <source>Error 3: the encoder has lost its parameters (IN %1). Write parameters 1 to 4 again, or reset it to factory settings.</source>
-        <translation>Fehler 3: Der Drehgeber hat seine Parameter verloren (IN %1). Parameter 1 bis 4 neu schreiben, oder auf Werkseinstellungen zurücksetzen.</translation>
+        <translation>Fehler 3: Der Geber hat seine Parameter verloren (IN %1). Parameter 1 bis 4 neu schreiben, oder auf Werkseinstellungen zurücksetzen.</translation>
     </message>
     <message>
         <source>Error 13: the encoder could not store its parameters (IN %1). Write them again; if the error comes back, replace the encoder.</source>
-        <translation>Fehler 13: Der Drehgeber konnte seine Parameter nicht speichern (IN %1). Neu schreiben; kommt der Fehler wieder, den Drehgeber tauschen.</translation>
+        <translation>Fehler 13: Der Geber konnte seine Parameter nicht speichern (IN %1). Neu schreiben; kommt der Fehler wieder, den Geber tauschen.</translation>
     </message>
     <message>
         <source>Error 14: the battery of the encoder is low (IN %1). Have it replaced; run brings the encoder back to operation.</source>
-        <translation>Fehler 14: Die Batterie des Drehgebers ist schwach (IN %1). Tauschen lassen; Run bringt den Drehgeber wieder in Betrieb.</translation>
+        <translation>Fehler 14: Die Batterie des Gebers ist schwach (IN %1). Tauschen lassen; Run bringt den Geber wieder in Betrieb.</translation>
     </message>
     <message>
         <source>Error 15: the encoder reads a faulty value from its code disc (IN %1). Send run; if the error comes back, replace the encoder.</source>
-        <translation>Fehler 15: Der Drehgeber liest einen fehlerhaften Wert von seiner Codescheibe (IN %1). Run senden; kommt der Fehler wieder, den Drehgeber tauschen.</translation>
+        <translation>Fehler 15: Der Geber liest einen fehlerhaften Wert von seiner Codescheibe (IN %1). Run senden; kommt der Fehler wieder, den Geber tauschen.</translation>
     </message>
     <message>
         <source>The encoder does not know the read-out code %1 (IN %2). Check which encoder it is, and whether it has what you want to read.</source>
-        <translation>Der Drehgeber kennt den Auslesecode %1 nicht (IN %2). Prüfen, welcher Drehgeber es ist und ob er den gesuchten Wert hat.</translation>
+        <translation>Der Geber kennt den Auslesecode %1 nicht (IN %2). Prüfen, welcher Geber es ist und ob er den gesuchten Wert hat.</translation>
     </message>
     <message>
         <source>The encoder reports the manufacturer&apos;s error %1 (IN %2). See its manual.</source>
-        <translation>Der Drehgeber meldet den Herstellerfehler %1 (IN %2). Siehe sein Handbuch.</translation>
+        <translation>Der Geber meldet den Herstellerfehler %1 (IN %2). Siehe sein Handbuch.</translation>
     </message>
     <message>
         <source>The encoder gives no valid position (IN %1). Turn the shaft more slowly, and send run.</source>
-        <translation>Der Drehgeber liefert keine gültige Position (IN %1). Die Welle langsamer drehen und Run senden.</translation>
+        <translation>Der Geber liefert keine gültige Position (IN %1). Die Welle langsamer drehen und Run senden.</translation>
     </message>
     <message>
         <source>The encoder reports error %1 (IN %2), which its description does not name. See its manual.</source>
-        <translation>Der Drehgeber meldet Fehler %1 (IN %2), den seine Beschreibung nicht nennt. Siehe sein Handbuch.</translation>
+        <translation>Der Geber meldet Fehler %1 (IN %2), den seine Beschreibung nicht nennt. Siehe sein Handbuch.</translation>
     </message>
     <message>
         <source>The encoder did not answer within %1 s (OUT %2, IN %3). Check which encoder it is, and whether it is switched on.</source>
-        <translation>Der Drehgeber hat in %1 s nicht geantwortet (OUT %2, IN %3). Prüfen, welcher Drehgeber es ist und ob er eingeschaltet ist.</translation>
+        <translation>Der Geber hat in %1 s nicht geantwortet (OUT %2, IN %3). Prüfen, welcher Geber es ist und ob er eingeschaltet ist.</translation>
     </message>
     <message>
         <source>%1 was written as %2 but read back as %3. Read the encoder before you rely on it, and write again.</source>
-        <translation>%1: %2 geschrieben, aber %3 zurückgelesen. Den Drehgeber auslesen, bevor man sich darauf verlässt, und neu schreiben.</translation>
+        <translation>%1: %2 geschrieben, aber %3 zurückgelesen. Den Geber auslesen, bevor man sich darauf verlässt, und neu schreiben.</translation>
     </message>
     <message>
         <source>The encoder shows a state that is in no manual (IN %1). Send run, or switch the encoder off and on.</source>
-        <translation>Der Drehgeber zeigt einen Zustand, den kein Handbuch nennt (IN %1). Run senden, oder den Drehgeber aus- und einschalten.</translation>
+        <translation>Der Geber zeigt einen Zustand, den kein Handbuch nennt (IN %1). Run senden, oder den Geber aus- und einschalten.</translation>
     </message>
     <message>
         <source>The link failed: %1</source>
@@ -952,11 +1079,11 @@
     </message>
     <message>
         <source>ALARM STOP ended the job. Check in which state it left the encoder.</source>
-        <translation>ALARM-STOPP hat den Auftrag beendet. Prüfen, in welchem Zustand der Drehgeber jetzt ist.</translation>
+        <translation>ALARM-STOPP hat den Auftrag beendet. Prüfen, in welchem Zustand der Geber jetzt ist.</translation>
     </message>
     <message>
         <source>The job ended because the bus was stopped. Start the bus, and check in which state the encoder is.</source>
-        <translation>Der Auftrag endete, weil der Bus gestoppt wurde. Den Bus starten und prüfen, in welchem Zustand der Drehgeber ist.</translation>
+        <translation>Der Auftrag endete, weil der Bus gestoppt wurde. Den Bus starten und prüfen, in welchem Zustand der Geber ist.</translation>
     </message>
     <message>
         <source>sets the start of cam %1 to %2</source>
@@ -980,7 +1107,87 @@
     </message>
     <message>
         <source>The encoder left parameterization before run was sent or answered, as after a loss of power (IN %1). It may have kept its old values: check its supply and write again.</source>
-        <translation>Der Drehgeber hat die Parametrierung verlassen, bevor Run gesendet oder beantwortet war, wie nach einem Spannungsausfall (IN %1). Er hat vielleicht noch die alten Werte: Versorgung prüfen und noch einmal schreiben.</translation>
+        <translation>Der Geber hat die Parametrierung verlassen, bevor Run gesendet oder beantwortet war, wie nach einem Spannungsausfall (IN %1). Er hat vielleicht noch die alten Werte: Versorgung prüfen und noch einmal schreiben.</translation>
+    </message>
+    <message>
+        <source>The %1 needs the position it is to be set to. Give a value.</source>
+        <translation>%1 braucht die Position, auf die gesetzt werden soll. Einen Wert angeben.</translation>
+    </message>
+    <message>
+        <source>There is no cam program %1. Choose a program from 1 to 8.</source>
+        <translation>Es gibt kein Nockenprogramm %1. Ein Programm von 1 bis 8 wählen.</translation>
+    </message>
+    <message>
+        <source>There is no cam %1. Choose a cam from 0 to 7.</source>
+        <translation>Es gibt keinen Nocken %1. Einen Nocken von 0 bis 7 wählen.</translation>
+    </message>
+    <message>
+        <source>Cam %1 cannot start or stop at %2. Give a position from 0 to %3.</source>
+        <translation>Nocken %1 kann nicht bei %2 anfangen oder enden. Eine Position von 0 bis %3 angeben.</translation>
+    </message>
+    <message>
+        <source>The shift cannot be %1. Give a value from 0 to 25.</source>
+        <translation>Die Verschiebung kann nicht %1 sein. Einen Wert von 0 bis 25 angeben.</translation>
+    </message>
+    <message>
+        <source>Cam program %1 is given twice. Give it once.</source>
+        <translation>Nockenprogramm %1 ist zweimal angegeben. Einmal angeben.</translation>
+    </message>
+    <message>
+        <source>%1, line %2, %3: %4 Nothing was taken from the file.</source>
+        <translation>%1, Zeile %2, %3: %4 Aus der Datei wurde nichts übernommen.</translation>
+    </message>
+    <message>
+        <source>%1 holds cam program %2, not %3. Choose program %2, or another file.</source>
+        <translation>%1 enthält Nockenprogramm %2, nicht %3. Programm %2 oder eine andere Datei wählen.</translation>
+    </message>
+    <message>
+        <source>&quot;%2&quot; in &quot;%1&quot; is not understood. There may stand: %3.</source>
+        <translation>„%2“ in „%1“ ist nicht bekannt. Dort kann stehen: %3.</translation>
+    </message>
+    <message>
+        <source>The %1 has no cams.</source>
+        <translation>%1 hat keine Nocken.</translation>
+    </message>
+    <message>
+        <source>The %1 has no velocity mode.</source>
+        <translation>%1 hat keinen Geschwindigkeitsbetrieb.</translation>
+    </message>
+    <message>
+        <source>The %1 does not know the FRABA preset. Set the position with the preset of the profile.</source>
+        <translation>%1 kennt den FRABA-Preset nicht. Die Position mit dem Preset des Profils setzen.</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: this link cannot make sure that the word %1 stands on the bus for one cycle only. Set the position with the preset of the profile.</source>
+        <translation>Nichts gesendet: Diese Verbindung kann nicht sicherstellen, dass das Wort %1 nur einen Zyklus lang auf dem Bus steht. Die Position mit dem Preset des Profils setzen.</translation>
+    </message>
+    <message>
+        <source>The %1 cannot be reset to factory settings over the bus.</source>
+        <translation>%1 kann über den Bus nicht auf Werkseinstellungen zurückgesetzt werden.</translation>
+    </message>
+    <message>
+        <source>The %1 has no OUT word: it only tells its position.</source>
+        <translation>%1 hat kein OUT-Wort: Er meldet nur seine Position.</translation>
+    </message>
+    <message>
+        <source>The %1 cannot do this.</source>
+        <translation>%1 kann das nicht.</translation>
+    </message>
+    <message>
+        <source>Error 98000004: a start or stop of cam %1 is above the largest position (IN %2). Give a position within the total range.</source>
+        <translation>Fehler 98000004: Anfang oder Ende von Nocken %1 liegt über der größten Position (IN %2). Eine Position innerhalb des Gesamtbereichs angeben.</translation>
+    </message>
+    <message>
+        <source>Cam program %1 was written but read back differently. Compare it before you rely on it, and write again.</source>
+        <translation>Nockenprogramm %1 wurde geschrieben, aber anders zurückgelesen. Vor dem Gebrauch vergleichen und noch einmal schreiben.</translation>
+    </message>
+    <message>
+        <source>The encoder refused service %1 (IN %2). Nothing was changed: check the value and write it again.</source>
+        <translation>Der Geber hat Dienst %1 abgelehnt (IN %2). Es wurde nichts geändert: Den Wert prüfen und noch einmal schreiben.</translation>
+    </message>
+    <message>
+        <source>The magnet is outside the measuring range (IN %1): the last position is shown. Move the magnet back, then read the error status.</source>
+        <translation>Der Magnet ist außerhalb des Messbereichs (IN %1): Die letzte Position wird gezeigt. Den Magneten zurückschieben, dann den Fehlerstatus lesen.</translation>
     </message>
 </context>
 <context>
@@ -1107,6 +1314,10 @@
         <source>°C</source>
         <translation>°C</translation>
     </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
 </context>
 <context>
     <name>WizardReport</name>
@@ -1168,7 +1379,7 @@
     </message>
     <message>
         <source>Parameterization of encoder %1</source>
-        <translation>Parametrierung des Drehgebers %1</translation>
+        <translation>Parametrierung des Gebers %1</translation>
     </message>
     <message>
         <source>Device</source>
@@ -1228,11 +1439,11 @@
     </message>
     <message>
         <source>read back from the encoder, and equal</source>
-        <translation>aus dem Drehgeber zurückgelesen, gleich</translation>
+        <translation>aus dem Geber zurückgelesen, gleich</translation>
     </message>
     <message>
         <source>confirmed in the handshake, and run was answered by operation; this encoder cannot be read</source>
-        <translation>im Handshake quittiert, und auf Run folgte der Betrieb; dieser Drehgeber ist nicht auslesbar</translation>
+        <translation>im Handshake quittiert, und auf Run folgte der Betrieb; dieser Geber ist nicht auslesbar</translation>
     </message>
 </context>
 <context>
@@ -1310,7 +1521,7 @@
     </message>
     <message>
         <source>No position yet. Start the bus and choose an encoder in the bus structure.</source>
-        <translation>Noch keine Position. Den Bus starten und im Busaufbau einen Drehgeber wählen.</translation>
+        <translation>Noch keine Position. Den Bus starten und im Busaufbau einen Geber wählen.</translation>
     </message>
     <message>
         <source>Position %1</source>
@@ -1349,7 +1560,7 @@
     </message>
     <message>
         <source>The device at %1 is no encoder this program can drive. See codewheel-cli scan.</source>
-        <translation>Das Gerät auf %1 ist kein Drehgeber, den dieses Programm ansteuern kann. Siehe codewheel-cli scan.</translation>
+        <translation>Das Gerät auf %1 ist kein Geber, den dieses Programm ansteuern kann. Siehe codewheel-cli scan.</translation>
     </message>
     <message>
         <source>yes</source>
@@ -1377,7 +1588,7 @@
     </message>
     <message>
         <source>encoder</source>
-        <translation>Drehgeber</translation>
+        <translation>Geber</translation>
     </message>
     <message>
         <source>parameter</source>
@@ -1413,12 +1624,12 @@
     </message>
     <message>
         <source>list the encoders this program knows</source>
-        <translation>die Drehgeber auflisten, die dieses Programm kennt</translation>
+        <translation>die Geber auflisten, die dieses Programm kennt</translation>
     </message>
     <message>
         <source>Lists the encoders this program knows. With a NAME: its parameters with their numbers,
 read-out codes, factory values and ranges, its errors and how often its EEPROM can be written.</source>
-        <translation>Listet die Drehgeber auf, die dieses Programm kennt. Mit NAME: seine Parameter mit Nummern,
+        <translation>Listet die Geber auf, die dieses Programm kennt. Mit NAME: seine Parameter mit Nummern,
 Auslesecodes, Werkseinstellungen und Bereichen, seine Fehler und wie oft sein EEPROM beschreibbar ist.</translation>
     </message>
     <message>
@@ -1427,11 +1638,11 @@ Auslesecodes, Werkseinstellungen und Bereichen, seine Fehler und wie oft sein EE
     </message>
     <message>
         <source>out: master to encoder; in: encoder to master</source>
-        <translation>out: Master an Drehgeber; in: Drehgeber an Master</translation>
+        <translation>out: Master an Geber; in: Geber an Master</translation>
     </message>
     <message>
         <source>the mode the encoder is in, if it has several</source>
-        <translation>die Betriebsart des Drehgebers, falls er mehrere hat</translation>
+        <translation>die Betriebsart des Gebers, falls er mehrere hat</translation>
     </message>
     <message>
         <source>the word that stands the other way</source>
@@ -1451,7 +1662,7 @@ Auslesecodes, Werkseinstellungen und Bereichen, seine Fehler und wie oft sein EE
     </message>
     <message>
         <source>The %1 has one coding only. Leave --coding out.</source>
-        <translation>Der Drehgeber %1 hat nur eine Codierung. --coding weglassen.</translation>
+        <translation>Der Geber %1 hat nur eine Codierung. --coding weglassen.</translation>
     </message>
     <message>
         <source>One of these. What may tell which: %1.</source>
@@ -1465,7 +1676,7 @@ Auslesecodes, Werkseinstellungen und Bereichen, seine Fehler und wie oft sein EE
         <source>Tells what a 32-bit word means to an encoder. Every word gets an answer. What is not told
 (mode, coding, the word the other way) widens it to all meanings the word can have.
 Needs no bus and sends nothing.</source>
-        <translation>Sagt, was ein 32-Bit-Wort für einen Drehgeber bedeutet. Jedes Wort bekommt eine Antwort. Was nicht
+        <translation>Sagt, was ein 32-Bit-Wort für einen Geber bedeutet. Jedes Wort bekommt eine Antwort. Was nicht
 angegeben ist (Betriebsart, Codierung, Wort der Gegenrichtung), lässt alle Bedeutungen zu, die das
 Wort haben kann. Braucht keinen Bus und sendet nichts.</translation>
     </message>
@@ -1499,13 +1710,13 @@ Wort haben kann. Braucht keinen Bus und sendet nichts.</translation>
     </message>
     <message>
         <source>watch the words of an encoder</source>
-        <translation>die Worte eines Drehgebers beobachten</translation>
+        <translation>die Worte eines Gebers beobachten</translation>
     </message>
     <message>
         <source>Looks at the words of an encoder every 100 ms and prints a row when they differ from the last look.
 Sends nothing. The time is the bus&apos;s own: on the training bus a cycle is 1 ms, and as it runs without
 waiting, the answer comes at once.</source>
-        <translation>Sieht alle 100 ms nach den Worten eines Drehgebers und gibt eine Zeile aus, wenn sie sich geändert
+        <translation>Sieht alle 100 ms nach den Worten eines Gebers und gibt eine Zeile aus, wenn sie sich geändert
 haben. Sendet nichts. Die Zeit ist die des Busses: Auf dem Übungsbus dauert ein Zyklus 1 ms, und weil
 er ohne Warten läuft, kommt die Antwort sofort.</translation>
     </message>
@@ -1527,12 +1738,12 @@ er ohne Warten läuft, kommt die Antwort sofort.</translation>
     </message>
     <message>
         <source>set the position of an encoder</source>
-        <translation>die Position eines Drehgebers setzen</translation>
+        <translation>die Position eines Gebers setzen</translation>
     </message>
     <message>
         <source>Makes the encoder show its preset value at the place where its shaft stands. With a VALUE, that is
 written as the preset first. Sends at once, without asking.</source>
-        <translation>Lässt den Drehgeber dort, wo seine Welle steht, den Presetwert zeigen. Mit VALUE wird dieser Wert
+        <translation>Lässt den Geber dort, wo seine Welle steht, den Presetwert zeigen. Mit VALUE wird dieser Wert
 erst als Preset geschrieben. Sendet sofort, ohne zu fragen.</translation>
     </message>
     <message>
@@ -1545,13 +1756,13 @@ erst als Preset geschrieben. Sendet sofort, ohne zu fragen.</translation>
     </message>
     <message>
         <source>read the parameters that an encoder has</source>
-        <translation>die Parameter eines Drehgebers auslesen</translation>
+        <translation>die Parameter eines Gebers auslesen</translation>
     </message>
     <message>
         <source>Reads the parameters named, or all that can be read. While it is read, the encoder shows no
 position. An encoder without read-out (devices tells which) is not asked: exit code 1.</source>
-        <translation>Liest die genannten Parameter oder alle lesbaren. Während des Auslesens zeigt der Drehgeber keine
-Position. Ein Drehgeber ohne Auslesen (siehe devices) wird nicht gefragt: Exit-Code 1.</translation>
+        <translation>Liest die genannten Parameter oder alle lesbaren. Während des Auslesens zeigt der Geber keine
+Position. Ein Geber ohne Auslesen (siehe devices) wird nicht gefragt: Exit-Code 1.</translation>
     </message>
     <message>
         <source>make not known</source>
@@ -1599,9 +1810,9 @@ A parameter word stands until the encoder has confirmed it, run (80000000) until
 or an error, a read-out until it answers; any other word stands for 3 cycles. An error of the encoder
 ends the sequence. Words are hexadecimal, as the manuals print them.</source>
         <translation>Sendet Worte unverändert nacheinander und gibt für jede Änderung von OUT oder IN eine Zeile aus.
-Ein Parameterwort steht, bis der Drehgeber es quittiert hat, Run (80000000), bis er eine Position oder
+Ein Parameterwort steht, bis der Geber es quittiert hat, Run (80000000), bis er eine Position oder
 einen Fehler zeigt, ein Auslesen, bis er antwortet; jedes andere Wort steht 3 Zyklen. Ein Fehler des
-Drehgebers beendet die Folge. Worte sind hexadezimal, wie in den Handbüchern.</translation>
+Gebers beendet die Folge. Worte sind hexadezimal, wie in den Handbüchern.</translation>
     </message>
     <message>
         <source>write without asking</source>
@@ -1613,7 +1824,7 @@ Drehgebers beendet die Folge. Worte sind hexadezimal, wie in den Handbüchern.</
     </message>
     <message>
         <source>write also what the encoder already has</source>
-        <translation>auch schreiben, was der Drehgeber schon hat</translation>
+        <translation>auch schreiben, was der Geber schon hat</translation>
     </message>
     <message>
         <source>Nothing was sent: there is nobody to ask. Add --yes to write, or --dry-run to look only.</source>
@@ -1645,15 +1856,15 @@ Drehgebers beendet die Folge. Worte sind hexadezimal, wie in den Handbüchern.</
     </message>
     <message>
         <source>The encoder was left in parameterization: it shows no position.</source>
-        <translation>Der Drehgeber blieb in der Parametrierung: Er zeigt keine Position.</translation>
+        <translation>Der Geber blieb in der Parametrierung: Er zeigt keine Position.</translation>
     </message>
     <message>
         <source>The encoder was left in error: it shows no position.</source>
-        <translation>Der Drehgeber blieb im Fehlerzustand: Er zeigt keine Position.</translation>
+        <translation>Der Geber blieb im Fehlerzustand: Er zeigt keine Position.</translation>
     </message>
     <message>
         <source>The encoder is in operation.</source>
-        <translation>Der Drehgeber ist in Betrieb.</translation>
+        <translation>Der Geber ist in Betrieb.</translation>
     </message>
     <message>
         <source>write parameters, after showing what and asking</source>
@@ -1668,13 +1879,13 @@ written from here. Where nobody can be asked, --yes is needed: without it nothin
 Parameters: steps revolutions direction coding preset zero-offset offset measuring-range, as far as the
 encoder has them (devices NAME). A VALUE is a number or a name: 255, 0xFF, FFh, cw.</source>
         <translation>Zeigt, was von den Parametern bekannt ist, was sie werden sollen und die Worte dafür; fragt; schreibt
-sie in der angegebenen Folge und nennt den Nachweis, dass sie da sind. Was der Drehgeber schon hat,
+sie in der angegebenen Folge und nennt den Nachweis, dass sie da sind. Was der Geber schon hat,
 wird ohne --all nicht noch einmal geschrieben: Wo es geht, wird er erst ausgelesen, sonst zählt, was
 von hier geschrieben wurde. Wo niemand gefragt werden kann, ist --yes nötig: Ohne wird nichts gesendet,
 Exit-Code 2.
 
 Parameter: steps revolutions direction coding preset zero-offset offset measuring-range, soweit der
-Drehgeber sie hat (devices NAME). VALUE ist eine Zahl oder ein Name: 255, 0xFF, FFh, cw.</translation>
+Geber sie hat (devices NAME). VALUE ist eine Zahl oder ein Name: 255, 0xFF, FFh, cw.</translation>
     </message>
     <message>
         <source>answer as one JSON object, for programs</source>
@@ -1698,7 +1909,7 @@ Drehgeber sie hat (devices NAME). VALUE ist eine Zahl oder ein Name: 255, 0xFF, 
     </message>
     <message>
         <source>codewheel-cli sets up, watches and diagnoses absolute encoders on INTERBUS.</source>
-        <translation>codewheel-cli richtet Absolut-Drehgeber am INTERBUS ein, beobachtet und prüft sie.</translation>
+        <translation>codewheel-cli richtet Absolut-Geber am INTERBUS ein, beobachtet und prüft sie.</translation>
     </message>
     <message>
         <source>Usage: codewheel-cli COMMAND ...</source>
@@ -1725,13 +1936,13 @@ still, 2.0 Baumer GXP6W K3 that turns at 10 rpm. What one call wrote, the next o
 
 Exit code: 0 done, 1 the encoder or the bus refused, 2 bad input.
 codewheel-cli COMMAND --help explains a command.</source>
-        <translation>PLACE ist die Gerätenummer eines Drehgebers, Segment.Position: 1.0. Zahlen sind dezimal, außer
+        <translation>PLACE ist die Gerätenummer eines Gebers, Segment.Position: 1.0. Zahlen sind dezimal, außer
 in der Form 0x.. oder ..h; ein WORD ist immer hexadezimal, wie in den Handbüchern.
 
 Jeder Aufruf hat einen neuen Übungsbus, der immer gleich beginnt: 1.0 FRABA OCD-IB K3, der steht,
 2.0 Baumer GXP6W K3, der mit 10 U/min dreht. Was ein Aufruf schrieb, findet der nächste nicht.
 
-Exit-Code: 0 erledigt, 1 Drehgeber oder Bus hat abgelehnt, 2 falsche Eingabe.
+Exit-Code: 0 erledigt, 1 Geber oder Bus hat abgelehnt, 2 falsche Eingabe.
 codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
@@ -1748,7 +1959,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>There is no parameter &quot;%1&quot;. The %2 has: %3.</source>
-        <translation>Es gibt keinen Parameter „%1“. Der Drehgeber %2 hat: %3.</translation>
+        <translation>Es gibt keinen Parameter „%1“. Der Geber %2 hat: %3.</translation>
     </message>
     <message>
         <source>Hexadecimal numbers are written 0xFF or FFh.</source>
@@ -1764,7 +1975,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>read from the encoder</source>
-        <translation>aus dem Drehgeber gelesen</translation>
+        <translation>aus dem Geber gelesen</translation>
     </message>
     <message>
         <source>confirmed by the handshake</source>
@@ -1831,15 +2042,15 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The encoder has all of it: there is nothing to write.</source>
-        <translation>Der Drehgeber hat schon alles: Es gibt nichts zu schreiben.</translation>
+        <translation>Der Geber hat schon alles: Es gibt nichts zu schreiben.</translation>
     </message>
     <message>
         <source>The encoder is read first, and what it already has is left out.</source>
-        <translation>Der Drehgeber wird erst ausgelesen, und was er schon hat, entfällt.</translation>
+        <translation>Der Geber wird erst ausgelesen, und was er schon hat, entfällt.</translation>
     </message>
     <message>
         <source>If it turns out to count steps minus 1, the word of steps carries one less.</source>
-        <translation>Zählt der Drehgeber Schritte minus 1, steht im Wort der Schritte eins weniger.</translation>
+        <translation>Zählt der Geber Schritte minus 1, steht im Wort der Schritte eins weniger.</translation>
     </message>
 </context>
 <context>
@@ -1877,10 +2088,6 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Die Werkseinstellung ist nicht unter den Auswahlwerten.</translation>
     </message>
     <message>
-        <source>A parameter needs a number to write it, a readOut code to read it, or both.</source>
-        <translation>Ein Parameter braucht eine Nummer zum Schreiben, einen Code readOut zum Lesen oder beides.</translation>
-    </message>
-    <message>
         <source>This parameter stands here twice.</source>
         <translation>Dieser Parameter steht hier doppelt.</translation>
     </message>
@@ -1896,12 +2103,24 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>The budget is larger than eepromLimit.</source>
         <translation>Das Budget ist größer als eepromLimit.</translation>
     </message>
+    <message>
+        <source>Only a K3 has a dialect. Leave it out.</source>
+        <translation>Nur ein K3 hat einen Dialekt. Weglassen.</translation>
+    </message>
+    <message>
+        <source>What only the label tells has neither number nor readOut code.</source>
+        <translation>Was nur das Typenschild sagt, hat weder Nummer noch readOut-Code.</translation>
+    </message>
+    <message>
+        <source>A parameter needs a number to write it, a readOut code to read it, both, or onLabel.</source>
+        <translation>Ein Parameter braucht eine Nummer zum Schreiben, einen readOut-Code zum Lesen, beides oder onLabel.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DevicePage</name>
     <message>
         <source>Encoder</source>
-        <translation>Drehgeber</translation>
+        <translation>Geber</translation>
     </message>
     <message>
         <source>Which en&amp;coder is to be set up?</source>
@@ -1909,15 +2128,15 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Encoders of the bus</source>
-        <translation>Drehgeber am Bus</translation>
+        <translation>Geber am Bus</translation>
     </message>
     <message>
         <source>The encoders of the bus. Nothing is sent by choosing one.</source>
-        <translation>Die Drehgeber am Bus. Das Wählen sendet nichts.</translation>
+        <translation>Die Geber am Bus. Das Wählen sendet nichts.</translation>
     </message>
     <message>
         <source>There is no encoder on the bus. Start the bus first: Bus &gt; Start.</source>
-        <translation>Am Bus ist kein Drehgeber. Erst den Bus starten: Bus &gt; Starten.</translation>
+        <translation>Am Bus ist kein Geber. Erst den Bus starten: Bus &gt; Starten.</translation>
     </message>
     <message>
         <source>Choose one with the arrow keys or the mouse.</source>
@@ -1929,7 +2148,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The make of this encoder is not known. If you know it, name it in the bus structure: then direction and errors can be told by their names.</source>
-        <translation>Der Hersteller dieses Drehgebers ist unbekannt. Ist er bekannt, im Busaufbau nennen: Dann sind Drehrichtung und Fehler beim Namen zu nennen.</translation>
+        <translation>Der Hersteller dieses Gebers ist unbekannt. Ist er bekannt, im Busaufbau nennen: Dann sind Drehrichtung und Fehler beim Namen zu nennen.</translation>
     </message>
 </context>
 <context>
@@ -1940,7 +2159,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>No encoder is chosen.</source>
-        <translation>Kein Drehgeber gewählt.</translation>
+        <translation>Kein Geber gewählt.</translation>
     </message>
     <message>
         <source>Choose one in the bus structure.</source>
@@ -1948,7 +2167,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Reads what the dial needs from the encoder. That sends words, and takes the position away for some cycles.</source>
-        <translation>Liest aus dem Drehgeber, was die Scheibe braucht. Das sendet Worte; die Position fehlt für einige Zyklen.</translation>
+        <translation>Liest aus dem Geber, was die Scheibe braucht. Das sendet Worte; die Position fehlt für einige Zyklen.</translation>
     </message>
     <message>
         <source>Read what the dial needs</source>
@@ -1964,11 +2183,11 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The encoder has no valid position.</source>
-        <translation>Der Drehgeber hat keine gültige Position.</translation>
+        <translation>Der Geber hat keine gültige Position.</translation>
     </message>
     <message>
         <source>The encoder shows error %1: there is no position.</source>
-        <translation>Der Drehgeber zeigt Fehler %1: keine Position.</translation>
+        <translation>Der Geber zeigt Fehler %1: keine Position.</translation>
     </message>
     <message>
         <source>IN %1 is in no manual: there is no position.</source>
@@ -1976,7 +2195,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Nothing came from the encoder yet.</source>
-        <translation>Vom Drehgeber kam noch nichts.</translation>
+        <translation>Vom Geber kam noch nichts.</translation>
     </message>
     <message>
         <source>Raw word %1. The mode is not known: tell the start-up mode under Parameters.</source>
@@ -2031,7 +2250,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The direction of the encoder is kept.</source>
-        <translation>Die Drehrichtung des Drehgebers bleibt.</translation>
+        <translation>Die Drehrichtung des Gebers bleibt.</translation>
     </message>
     <message>
         <source>The other direction is put among the wanted values.</source>
@@ -2043,15 +2262,15 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The direction the encoder has now is not known: read it, or choose it on the page of the values.</source>
-        <translation>Die jetzige Drehrichtung des Drehgebers ist unbekannt: auslesen, oder auf der Seite der Werte wählen.</translation>
+        <translation>Die jetzige Drehrichtung des Gebers ist unbekannt: auslesen, oder auf der Seite der Werte wählen.</translation>
     </message>
     <message>
         <source>The encoder shows no position now (IN %1). Bring it back to operation first.</source>
-        <translation>Der Drehgeber zeigt jetzt keine Position (IN %1). Ihn erst wieder in Betrieb bringen.</translation>
+        <translation>Der Geber zeigt jetzt keine Position (IN %1). Ihn erst wieder in Betrieb bringen.</translation>
     </message>
     <message>
         <source>The position cannot be told: mode or coding of the encoder is not known. The raw word is watched instead; trust it only for slow, small moves.</source>
-        <translation>Die Position ist nicht bestimmbar: Betriebsart oder Codierung des Drehgebers ist unbekannt. Beobachtet wird das Rohwort; verlässlich nur bei langsamen, kleinen Bewegungen.</translation>
+        <translation>Die Position ist nicht bestimmbar: Betriebsart oder Codierung des Gebers ist unbekannt. Beobachtet wird das Rohwort; verlässlich nur bei langsamen, kleinen Bewegungen.</translation>
     </message>
     <message>
         <source>%1 steps so far</source>
@@ -2117,11 +2336,11 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Encoder turns of the gear</source>
-        <translation>Getriebe: Umdrehungen des Drehgebers</translation>
+        <translation>Getriebe: Umdrehungen des Gebers</translation>
     </message>
     <message>
         <source>Turns of the encoder ...</source>
-        <translation>Umdrehungen des Drehgebers ...</translation>
+        <translation>Umdrehungen des Gebers ...</translation>
     </message>
     <message>
         <source>Part turns of the gear</source>
@@ -2153,7 +2372,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>&amp;Gear, encoder turns</source>
-        <translation>Get&amp;riebe, Drehgeber</translation>
+        <translation>Get&amp;riebe, Geber</translation>
     </message>
     <message>
         <source>to &amp;part turns</source>
@@ -2165,7 +2384,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The encoder cannot resolve this. Choose more mm per step.</source>
-        <translation>So fein löst der Drehgeber nicht auf. Mehr mm je Schritt wählen.</translation>
+        <translation>So fein löst der Geber nicht auf. Mehr mm je Schritt wählen.</translation>
     </message>
     <message>
         <source>%1 steps in %2 revolutions: %3 mm per step, %4 mm off over %5 mm.</source>
@@ -2247,7 +2466,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The remaining words follow each other as the encoder confirms them.</source>
-        <translation>Die übrigen Worte folgen einander, sobald der Drehgeber sie quittiert.</translation>
+        <translation>Die übrigen Worte folgen einander, sobald der Geber sie quittiert.</translation>
     </message>
     <message>
         <source>Writes the values from before, then run.</source>
@@ -2255,7 +2474,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Sends run: what the encoder has taken becomes valid, if it accepts it.</source>
-        <translation>Sendet Run: Was der Drehgeber übernommen hat, wird gültig, wenn er es annimmt.</translation>
+        <translation>Sendet Run: Was der Geber übernommen hat, wird gültig, wenn er es annimmt.</translation>
     </message>
     <message>
         <source>Begins</source>
@@ -2311,7 +2530,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Brings the encoder back</source>
-        <translation>Holt den Drehgeber zurück</translation>
+        <translation>Holt den Geber zurück</translation>
     </message>
     <message>
         <source>&amp;Report</source>
@@ -2338,7 +2557,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Ends the job; asks how to leave the encoder</source>
-        <translation>Beendet den Auftrag; fragt, wie der Drehgeber zurückbleiben soll</translation>
+        <translation>Beendet den Auftrag; fragt, wie der Geber zurückbleiben soll</translation>
     </message>
     <message>
         <source>&amp;Restore previous</source>
@@ -2354,7 +2573,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Sends run: what the encoder has taken becomes valid</source>
-        <translation>Sendet Run: Was der Drehgeber übernommen hat, wird gültig</translation>
+        <translation>Sendet Run: Was der Geber übernommen hat, wird gültig</translation>
     </message>
     <message>
         <source>&amp;Leave it so</source>
@@ -2362,7 +2581,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The encoder stays in parameterization: no position until run is sent</source>
-        <translation>Der Drehgeber bleibt in der Parametrierung: keine Position, bis Run gesendet wird</translation>
+        <translation>Der Geber bleibt in der Parametrierung: keine Position, bis Run gesendet wird</translation>
     </message>
     <message>
         <source>&amp;Go on</source>
@@ -2386,7 +2605,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The encoder has taken: %1. How is it to be left?</source>
-        <translation>Der Drehgeber hat übernommen: %1. Wie soll er zurückbleiben?</translation>
+        <translation>Der Geber hat übernommen: %1. Wie soll er zurückbleiben?</translation>
     </message>
     <message>
         <source>The values from before are not all known, so they cannot be restored</source>
@@ -2456,7 +2675,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>What is known of the encoder</source>
-        <translation>Was vom Drehgeber bekannt ist</translation>
+        <translation>Was vom Geber bekannt ist</translation>
     </message>
     <message>
         <source>Reads all values. The position is away for some cycles each.</source>
@@ -2464,11 +2683,11 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Say what the encoder has, for instance from its papers. Nothing is sent.</source>
-        <translation>Angeben, was der Drehgeber hat, etwa laut Unterlagen. Nichts wird gesendet.</translation>
+        <translation>Angeben, was der Geber hat, etwa laut Unterlagen. Nichts wird gesendet.</translation>
     </message>
     <message>
         <source>Say that the encoder is in position mode, not in velocity or cam mode. Setting the position would change a cam otherwise.</source>
-        <translation>Angeben, dass der Drehgeber im Positionsbetrieb ist, nicht im Drehzahl- oder Nockenbetrieb. Das Setzen der Position würde sonst einen Nocken ändern.</translation>
+        <translation>Angeben, dass der Geber im Positionsbetrieb ist, nicht im Drehzahl- oder Nockenbetrieb. Das Setzen der Position würde sonst einen Nocken ändern.</translation>
     </message>
     <message>
         <source>Reading sends words: the position is away for some cycles. Needs Operate.</source>
@@ -2476,7 +2695,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The %1 has no read-out. Known is only what was written from here, or what you tell.</source>
-        <translation>Der Drehgeber %1 kennt kein Auslesen. Bekannt ist nur, was von hier geschrieben oder angegeben wurde.</translation>
+        <translation>Der Geber %1 kennt kein Auslesen. Bekannt ist nur, was von hier geschrieben oder angegeben wurde.</translation>
     </message>
     <message>
         <source>Mode not known: position, velocity or cam</source>
@@ -2589,7 +2808,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Encoder</source>
-        <translation>Drehgeber</translation>
+        <translation>Geber</translation>
     </message>
     <message>
         <source>Messages</source>
@@ -2621,7 +2840,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>&lt;h3&gt;Codewheel %1&lt;/h3&gt;&lt;p&gt;Sets up, watches and diagnoses absolute encoders on INTERBUS.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. It comes without any warranty.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Codewheel %1&lt;/h3&gt;&lt;p&gt;Richtet Absolut-Drehgeber am INTERBUS ein, beobachtet und prüft sie.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später. Ohne jede Gewährleistung.&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Codewheel %1&lt;/h3&gt;&lt;p&gt;Richtet Absolut-Geber am INTERBUS ein, beobachtet und prüft sie.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später. Ohne jede Gewährleistung.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>training bus</source>
@@ -2980,11 +3199,11 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <name>codewheel::ParameterPanel</name>
     <message>
         <source>No encoder is chosen</source>
-        <translation>Kein Drehgeber gewählt</translation>
+        <translation>Kein Geber gewählt</translation>
     </message>
     <message>
         <source>Choose an encoder in the bus structure. Its parameters are shown here: what it has, and what you want it to have.</source>
-        <translation>Einen Drehgeber im Busaufbau wählen. Hier stehen seine Parameter: was er hat und was er haben soll.</translation>
+        <translation>Einen Geber im Busaufbau wählen. Hier stehen seine Parameter: was er hat und was er haben soll.</translation>
     </message>
     <message>
         <source>&amp;Read from encoder</source>
@@ -3004,7 +3223,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Sets the encoder up step by step</source>
-        <translation>Richtet den Drehgeber Schritt für Schritt ein</translation>
+        <translation>Richtet den Geber Schritt für Schritt ein</translation>
     </message>
     <message>
         <source>&amp;More</source>
@@ -3020,7 +3239,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>&amp;Tell what the encoder has...</source>
-        <translation>&amp;Angeben, was der Drehgeber hat...</translation>
+        <translation>&amp;Angeben, was der Geber hat...</translation>
     </message>
     <message>
         <source>Take &amp;known values as wanted</source>
@@ -3032,7 +3251,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The %1 has no read-out. Known is what was written from here or told.</source>
-        <translation>Der Drehgeber %1 kennt kein Auslesen. Bekannt ist, was von hier geschrieben oder angegeben wurde.</translation>
+        <translation>Der Geber %1 kennt kein Auslesen. Bekannt ist, was von hier geschrieben oder angegeben wurde.</translation>
     </message>
     <message>
         <source>Reading takes the position away for some cycles.</source>
@@ -3081,7 +3300,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <name>codewheel::ParameterTable</name>
     <message>
         <source>Parameters of the encoder</source>
-        <translation>Parameter des Drehgebers</translation>
+        <translation>Parameter des Gebers</translation>
     </message>
 </context>
 <context>
@@ -3100,7 +3319,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Leaves the wizard. During a handshake it first asks how to leave the encoder.</source>
-        <translation>Verlässt den Assistenten. Während eines Handshakes kommt erst die Frage, wie der Drehgeber zurückbleiben soll.</translation>
+        <translation>Verlässt den Assistenten. Während eines Handshakes kommt erst die Frage, wie der Geber zurückbleiben soll.</translation>
     </message>
     <message>
         <source>To the page before.</source>
@@ -3112,7 +3331,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Sends the words above to the encoder.</source>
-        <translation>Sendet die Worte oben an den Drehgeber.</translation>
+        <translation>Sendet die Worte oben an den Geber.</translation>
     </message>
     <message>
         <source>To the next page.</source>
@@ -3189,7 +3408,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Each write costs the EEPROM of the encoder one of its writes.</source>
-        <translation>Jedes Schreiben kostet das EEPROM des Drehgebers einen seiner Schreibvorgänge.</translation>
+        <translation>Jedes Schreiben kostet das EEPROM des Gebers einen seiner Schreibvorgänge.</translation>
     </message>
     <message>
         <source>Each word waits until you press Next step.</source>
@@ -3197,7 +3416,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The words follow each other as the encoder confirms them.</source>
-        <translation>Die Worte folgen einander, sobald der Drehgeber sie quittiert.</translation>
+        <translation>Die Worte folgen einander, sobald der Geber sie quittiert.</translation>
     </message>
     <message>
         <source>Words that will be sent, in this order:</source>
@@ -3217,11 +3436,11 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>The encoder has all of these values already: there is nothing to write. Go back and change a value, or write all.</source>
-        <translation>Der Drehgeber hat alle diese Werte schon: Es gibt nichts zu schreiben. Zurückgehen und einen Wert ändern, oder alles schreiben.</translation>
+        <translation>Der Geber hat alle diese Werte schon: Es gibt nichts zu schreiben. Zurückgehen und einen Wert ändern, oder alles schreiben.</translation>
     </message>
     <message>
         <source>The position cannot be set: the mode of the encoder is not known, and in cam mode the same word sets a cam. Say on the page What is known that it is in position mode, or do not set the position.</source>
-        <translation>Die Position ist nicht setzbar: Die Betriebsart des Drehgebers ist unbekannt, und im Nockenbetrieb setzt dasselbe Wort einen Nocken. Auf der Seite „Was bekannt ist“ den Positionsbetrieb angeben, oder die Position nicht setzen.</translation>
+        <translation>Die Position ist nicht setzbar: Die Betriebsart des Gebers ist unbekannt, und im Nockenbetrieb setzt dasselbe Wort einen Nocken. Auf der Seite „Was bekannt ist“ den Positionsbetrieb angeben, oder die Position nicht setzen.</translation>
     </message>
     <message>
         <source>EEPROM writes by this program so far: %1. This handshake: %2%3.</source>
@@ -3241,7 +3460,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>This encoder cannot be read: its confirmation, and operation after run, are the evidence.</source>
-        <translation>Dieser Drehgeber ist nicht auslesbar: Der Nachweis sind seine Quittung und der Betrieb nach Run.</translation>
+        <translation>Dieser Geber ist nicht auslesbar: Der Nachweis sind seine Quittung und der Betrieb nach Run.</translation>
     </message>
     <message>
         <source>&amp;Start the handshake</source>
@@ -3306,11 +3525,11 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>No encoder is selected</source>
-        <translation>Kein Drehgeber gewählt</translation>
+        <translation>Kein Geber gewählt</translation>
     </message>
     <message>
         <source>A sequence is a list of words that are sent to an encoder one after the other. Select an encoder in the bus structure.</source>
-        <translation>Eine Folge ist eine Liste von Worten, die nacheinander an einen Drehgeber gehen. Einen Drehgeber im Busaufbau wählen.</translation>
+        <translation>Eine Folge ist eine Liste von Worten, die nacheinander an einen Geber gehen. Einen Geber im Busaufbau wählen.</translation>
     </message>
     <message>
         <source>Words to send</source>
@@ -3400,15 +3619,15 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>End the sequence, and choose what becomes of the encoder</source>
-        <translation>Die Folge beenden und wählen, was aus dem Drehgeber wird</translation>
+        <translation>Die Folge beenden und wählen, was aus dem Geber wird</translation>
     </message>
     <message>
         <source>&amp;Run: end the parameterization with what the encoder has taken</source>
-        <translation>&amp;Run: die Parametrierung mit dem beenden, was der Drehgeber übernommen hat</translation>
+        <translation>&amp;Run: die Parametrierung mit dem beenden, was der Geber übernommen hat</translation>
     </message>
     <message>
         <source>&amp;Leave the encoder as it is, OUT back to 0</source>
-        <translation>&amp;Drehgeber lassen, wie er ist, OUT zurück auf 0</translation>
+        <translation>&amp;Geber lassen, wie er ist, OUT zurück auf 0</translation>
     </message>
     <message>
         <source>Open a sequence</source>
@@ -3554,7 +3773,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Writes to the memory of the chosen encoder by this program since it was started</source>
-        <translation>Schreibvorgänge dieses Programms in den Speicher des gewählten Drehgebers seit dem Programmstart</translation>
+        <translation>Schreibvorgänge dieses Programms in den Speicher des gewählten Gebers seit dem Programmstart</translation>
     </message>
     <message>
         <source>State of the master</source>
@@ -3604,7 +3823,7 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Read whether the encoder counts steps minus 1</source>
-        <translation>Auslesen, ob der Drehgeber Schritte minus 1 zählt</translation>
+        <translation>Auslesen, ob der Geber Schritte minus 1 zählt</translation>
     </message>
     <message>
         <source>Read %1</source>
@@ -3633,6 +3852,18 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>State</source>
         <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Set the position to the preset, for one bus cycle</source>
+        <translation>Position auf den Preset setzen, einen Buszyklus lang</translation>
+    </message>
+    <message>
+        <source>Put out the service and its data</source>
+        <translation>Dienst und Daten ausgeben</translation>
+    </message>
+    <message>
+        <source>Set the service bit</source>
+        <translation>Dienst-Bit setzen</translation>
     </message>
 </context>
 <context>
@@ -3776,7 +4007,7 @@ Zustand: %7</translation>
     <message>
         <source>%1: the encoder has</source>
         <comment>parameter name</comment>
-        <translation>%1: Der Drehgeber hat</translation>
+        <translation>%1: Der Geber hat</translation>
     </message>
 </context>
 <context>
@@ -3806,11 +4037,11 @@ Zustand: %7</translation>
     <name>codewheel::TraceView</name>
     <message>
         <source>No encoder is selected</source>
-        <translation>Kein Drehgeber gewählt</translation>
+        <translation>Kein Geber gewählt</translation>
     </message>
     <message>
         <source>The handshake trace has a row for each change of the words of an encoder. Select an encoder in the bus structure.</source>
-        <translation>Das Handshake-Protokoll hat eine Zeile für jede Änderung der Worte eines Drehgebers. Einen Drehgeber im Busaufbau wählen.</translation>
+        <translation>Das Handshake-Protokoll hat eine Zeile für jede Änderung der Worte eines Gebers. Einen Geber im Busaufbau wählen.</translation>
     </message>
     <message>
         <source>Handshake trace</source>
@@ -3859,7 +4090,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>Remove all rows of this encoder</source>
-        <translation>Alle Zeilen dieses Drehgebers entfernen</translation>
+        <translation>Alle Zeilen dieses Gebers entfernen</translation>
     </message>
     <message numerus="yes">
         <source>%n rows</source>
@@ -3917,15 +4148,15 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>Encoder to train with</source>
-        <translation>Drehgeber zum Üben</translation>
+        <translation>Geber zum Üben</translation>
     </message>
     <message>
         <source>The simulated encoder that is turned, switched and disturbed here</source>
-        <translation>Der simulierte Drehgeber, der hier gedreht, geschaltet und gestört wird</translation>
+        <translation>Der simulierte Geber, der hier gedreht, geschaltet und gestört wird</translation>
     </message>
     <message>
         <source>Encoder</source>
-        <translation>Drehgeber</translation>
+        <translation>Geber</translation>
     </message>
     <message>
         <source>Raw position to turn to</source>
@@ -3933,7 +4164,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>Raw position, in the encoder&apos;s own steps; Enter turns the shaft to it</source>
-        <translation>Rohposition in Schritten des Drehgebers; Eingabe dreht die Welle dorthin</translation>
+        <translation>Rohposition in Schritten des Gebers; Eingabe dreht die Welle dorthin</translation>
     </message>
     <message>
         <source>Turn to the raw position</source>
@@ -3965,7 +4196,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>Supply of the encoder. It forgets what was not activated.</source>
-        <translation>Versorgung des Drehgebers. Er vergisst, was nicht aktiviert wurde.</translation>
+        <translation>Versorgung des Gebers. Er vergisst, was nicht aktiviert wurde.</translation>
     </message>
     <message>
         <source>Slow confirmation</source>
@@ -3973,7 +4204,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>The encoder takes 50 times as long to confirm a parameter</source>
-        <translation>Der Drehgeber braucht 50-mal so lang, um einen Parameter zu quittieren</translation>
+        <translation>Der Geber braucht 50-mal so lang, um einen Parameter zu quittieren</translation>
     </message>
     <message>
         <source>Slow confirmation on.</source>
@@ -3989,15 +4220,15 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>The encoder tests its battery when it is switched on</source>
-        <translation>Der Drehgeber prüft seine Batterie beim Einschalten</translation>
+        <translation>Der Geber prüft seine Batterie beim Einschalten</translation>
     </message>
     <message>
         <source>Battery low; the encoder finds it when it is switched on.</source>
-        <translation>Batterie schwach; der Drehgeber merkt es beim Einschalten.</translation>
+        <translation>Batterie schwach; der Geber merkt es beim Einschalten.</translation>
     </message>
     <message>
         <source>Battery full; the encoder finds it when it is switched on.</source>
-        <translation>Batterie voll; der Drehgeber merkt es beim Einschalten.</translation>
+        <translation>Batterie voll; der Geber merkt es beim Einschalten.</translation>
     </message>
     <message>
         <source>Power off and on</source>
@@ -4005,7 +4236,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>Switch the encoder off and on again after 50 ms</source>
-        <translation>Den Drehgeber ausschalten und nach 50 ms wieder ein</translation>
+        <translation>Den Geber ausschalten und nach 50 ms wieder ein</translation>
     </message>
     <message>
         <source>Power off and on.</source>
@@ -4110,7 +4341,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>The position will jump: the measuring range of %1 turns does not divide the %2 turns of the encoder. Where those are used up, it goes from %3 to 0.</source>
-        <translation>Die Position wird springen: Der Messbereich von %1 Umdrehungen teilt die %2 Umdrehungen des Drehgebers nicht. Wo diese zu Ende sind, springt sie von %3 auf 0.</translation>
+        <translation>Die Position wird springen: Der Messbereich von %1 Umdrehungen teilt die %2 Umdrehungen des Gebers nicht. Wo diese zu Ende sind, springt sie von %3 auf 0.</translation>
     </message>
     <message>
         <source>The position will jump a little: %1 steps in %2 revolutions give no whole number of steps over %3 turns. A fraction of a step is lost each time they are used up.</source>
@@ -4225,7 +4456,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>Sets up the chosen encoder step by step</source>
-        <translation>Richtet den gewählten Drehgeber Schritt für Schritt ein</translation>
+        <translation>Richtet den gewählten Geber Schritt für Schritt ein</translation>
     </message>
     <message>
         <source>Set OUT to &amp;00000000</source>
@@ -4433,7 +4664,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>Send this word to the encoder; it stands there until another is sent (Ctrl+Return)</source>
-        <translation>Dieses Wort an den Drehgeber senden; es steht dort, bis ein anderes gesendet wird (Strg+Eingabe)</translation>
+        <translation>Dieses Wort an den Geber senden; es steht dort, bis ein anderes gesendet wird (Strg+Eingabe)</translation>
     </message>
     <message>
         <source>Discard %1</source>
@@ -4525,7 +4756,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>The encoder is known to have all wanted values. There is nothing to write.</source>
-        <translation>Der Drehgeber hat bekanntlich alle gewünschten Werte. Es gibt nichts zu schreiben.</translation>
+        <translation>Der Geber hat bekanntlich alle gewünschten Werte. Es gibt nichts zu schreiben.</translation>
     </message>
     <message>
         <source>Left out because they are there already: %1.</source>
@@ -4533,11 +4764,11 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>The encoder is read first; what it already has is not written again.</source>
-        <translation>Der Drehgeber wird erst ausgelesen; was er schon hat, wird nicht noch einmal geschrieben.</translation>
+        <translation>Der Geber wird erst ausgelesen; was er schon hat, wird nicht noch einmal geschrieben.</translation>
     </message>
     <message>
         <source>If the encoder counts steps minus 1, the word for the steps is one less.</source>
-        <translation>Zählt der Drehgeber Schritte minus 1, ist das Wort für die Schritte um eins kleiner.</translation>
+        <translation>Zählt der Geber Schritte minus 1, ist das Wort für die Schritte um eins kleiner.</translation>
     </message>
     <message>
         <source>The preset acts once it is initialised (40000000).</source>
@@ -4549,7 +4780,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>The manual states about %1 writes for the encoder&apos;s life.</source>
-        <translation>Das Handbuch nennt etwa %1 Schreibvorgänge für die Lebensdauer des Drehgebers.</translation>
+        <translation>Das Handbuch nennt etwa %1 Schreibvorgänge für die Lebensdauer des Gebers.</translation>
     </message>
     <message>
         <source>Write these values</source>

@@ -35,6 +35,7 @@ const QStringList sameInGerman{
     QStringLiteral("IN  %1  %2"),
     QStringLiteral("Information"),
     QStringLiteral("Master"),
+    QStringLiteral("mm"),
     QStringLiteral("Monitor %1"),
     QStringLiteral("Monitor &IN 32"),
     QStringLiteral("Monitor &OUT 32"),
