@@ -22,6 +22,17 @@ Word SimulatedK3::cycle(Word out)
     return in;
 }
 
+std::optional<TrainingControls::Shaft> SimulatedK3::shaftState() const
+{
+    TrainingControls::Shaft state = m_shaft.state();
+    state.powered = isPowered();
+    state.slow = m_slow;
+    state.hasBattery = hasBattery();
+    state.batteryLow = isBatteryLow();
+    state.eepromWrites = eepromWrites();
+    return state;
+}
+
 void SimulatedK3::refresh()
 {
     m_in = m_readOut != 0 ? m_readOut : m_phase == Phase::operation ? operationWord() : m_shown;
@@ -173,9 +184,9 @@ void SimulatedK3::turnTo(std::int64_t raw)
     refresh();
 }
 
-void SimulatedK3::turnBy(std::int64_t steps)
+void SimulatedK3::turnBy(std::int64_t rawSteps)
 {
-    m_shaft.turnBy(steps);
+    m_shaft.turnBy(rawSteps);
     refresh();
 }
 

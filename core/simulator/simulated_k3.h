@@ -3,6 +3,7 @@
 
 #include "simulator/encoder_arithmetic.h"
 #include "simulator/parameter_memory.h"
+#include "simulator/simulated_device.h"
 #include "simulator/word_watch.h"
 
 #include <optional>
@@ -21,35 +22,28 @@ struct EncoderTiming
 // A simulated K3 encoder on its shaft: the handshake as both makes have it. What a word means to the make,
 // and what it shows in operation, is said by the derived classes. Used by SimulatedRing, one cycle() per bus
 // cycle of 1 ms.
-class SimulatedK3
+class SimulatedK3 : public SimulatedDevice
 {
 public:
-    static constexpr int slowFactor = 50;       // "slow confirmation"
-    static constexpr int powerCycleCycles = 50; // off, then on again
+    static constexpr int slowFactor = 50; // "slow confirmation"
 
-    virtual ~SimulatedK3() = default;
-    SimulatedK3(const SimulatedK3 &) = delete;
-    SimulatedK3 &operator=(const SimulatedK3 &) = delete;
+    Word cycle(Word out) final;
 
-    // OUT goes in; IN as it was prepared in the cycle before comes out.
-    Word cycle(Word out);
-
+    std::optional<TrainingControls::Shaft> shaftState() const final;
     const TurningShaft &shaft() const { return m_shaft; }
     const ParameterSet &parameters() const { return m_memory.active(); } // that it works with
     int eepromWrites() const { return m_memory.eepromWrites(); }
     bool isPowered() const { return m_phase != Phase::off; }
-    bool isSlow() const { return m_slow; }
     virtual bool hasBattery() const { return false; }
     virtual bool isBatteryLow() const { return false; }
 
-    void turnTo(std::int64_t raw);
-    void turnBy(std::int64_t steps);
-    void setSpeed(double rpm);
-    void setSlow(bool slow) { m_slow = slow; }
-    void setPower(bool on);
-    void powerCycle();
-    void loseParameters();
-    virtual void setBatteryLow(bool /*low*/) {} // shows at the next power-up
+    void turnTo(std::int64_t raw) final;
+    void turnBy(std::int64_t rawSteps) final;
+    void setSpeed(double rpm) final;
+    void setSlow(bool slow) final { m_slow = slow; }
+    void setPower(bool on) final;
+    void powerCycle() final;
+    void loseParameters() final;
 
 protected:
     enum class Phase : std::uint8_t { off, startingUp, operation, processing, parameterization, error };

@@ -8,12 +8,10 @@
 
 namespace codewheel {
 
-static_assert(TrainingControls::fastest == TurningShaft::fastest);
-
-void SimulatedRing::add(Participant participant, std::unique_ptr<SimulatedK3> encoder)
+void SimulatedRing::add(Participant participant, std::unique_ptr<SimulatedDevice> device)
 {
     m_structure.push_back(std::move(participant));
-    m_encoders.push_back(std::move(encoder));
+    m_devices.push_back(std::move(device));
     m_lastOut.push_back(0);
 }
 
@@ -26,82 +24,99 @@ std::vector<Word> SimulatedRing::lastOut() const
 void SimulatedRing::exchange(std::span<const Word> out, std::span<Word> in)
 {
     const std::scoped_lock lock(m_mutex);
-    for (std::size_t i = 0; i < m_encoders.size(); ++i)
-        in[i] = m_encoders[i]->cycle(out[i]);
+    for (std::size_t i = 0; i < m_devices.size(); ++i)
+        in[i] = m_devices[i]->cycle(out[i]);
     std::copy(out.begin(), out.end(), m_lastOut.begin());
+}
+
+template <typename State>
+std::vector<State> SimulatedRing::states(std::optional<State> (SimulatedDevice::*stateOf)() const) const
+{
+    const std::scoped_lock lock(m_mutex);
+    std::vector<State> states;
+    for (std::size_t i = 0; i < m_devices.size(); ++i) {
+        if (auto state = ((*m_devices[i]).*stateOf)()) {
+            state->number = m_structure[i].number;
+            states.push_back(*state);
+        }
+    }
+    return states;
 }
 
 std::vector<TrainingControls::Shaft> SimulatedRing::shafts() const
 {
-    const std::scoped_lock lock(m_mutex);
-    std::vector<Shaft> shafts;
-    shafts.reserve(m_encoders.size());
-    for (std::size_t i = 0; i < m_encoders.size(); ++i) {
-        const SimulatedK3 &encoder = *m_encoders[i];
-        const TurningShaft &shaft = encoder.shaft();
-        shafts.push_back({.number = m_structure[i].number,
-                          .raw = shaft.raw(),
-                          .stepsPerTurn = shaft.resolution().stepsPerTurn,
-                          .turns = shaft.resolution().turns,
-                          .revolutionsPerMinute = shaft.speed(),
-                          .powered = encoder.isPowered(),
-                          .slow = encoder.isSlow(),
-                          .hasBattery = encoder.hasBattery(),
-                          .batteryLow = encoder.isBatteryLow(),
-                          .eepromWrites = encoder.eepromWrites()});
-    }
-    return shafts;
+    return states(&SimulatedDevice::shaftState);
 }
 
-// A place that is not in the ring is passed over.
+std::vector<TrainingControls::Rod> SimulatedRing::rods() const
+{
+    return states(&SimulatedDevice::rodState);
+}
+
 template <typename Act>
 void SimulatedRing::with(DeviceNumber number, Act act)
 {
     const std::scoped_lock lock(m_mutex);
-    for (std::size_t i = 0; i < m_encoders.size(); ++i) {
+    for (std::size_t i = 0; i < m_devices.size(); ++i) {
         if (m_structure[i].number == number)
-            act(*m_encoders[i]);
+            act(*m_devices[i]);
     }
 }
 
 void SimulatedRing::turnTo(DeviceNumber number, std::int64_t raw)
 {
-    with(number, [raw](SimulatedK3 &encoder) { encoder.turnTo(raw); });
+    with(number, [raw](SimulatedDevice &device) { device.turnTo(raw); });
 }
 
 void SimulatedRing::turnBy(DeviceNumber number, std::int64_t rawSteps)
 {
-    with(number, [rawSteps](SimulatedK3 &encoder) { encoder.turnBy(rawSteps); });
+    with(number, [rawSteps](SimulatedDevice &device) { device.turnBy(rawSteps); });
 }
 
 void SimulatedRing::setSpeed(DeviceNumber number, double revolutionsPerMinute)
 {
-    with(number, [revolutionsPerMinute](SimulatedK3 &encoder) { encoder.setSpeed(revolutionsPerMinute); });
+    with(number, [revolutionsPerMinute](SimulatedDevice &device) { device.setSpeed(revolutionsPerMinute); });
+}
+
+void SimulatedRing::moveMagnetTo(DeviceNumber number, double millimetres)
+{
+    with(number, [millimetres](SimulatedDevice &device) { device.moveMagnetTo(millimetres); });
+}
+
+void SimulatedRing::setMagnetSpeed(DeviceNumber number, double millimetresPerSecond)
+{
+    with(number,
+         [millimetresPerSecond](SimulatedDevice &device) { device.setMagnetSpeed(millimetresPerSecond); });
+}
+
+void SimulatedRing::setMagnetInRange(DeviceNumber number, bool inRange)
+{
+    with(number, [inRange](SimulatedDevice &device) { device.setMagnetInRange(inRange); });
 }
 
 void SimulatedRing::setPower(DeviceNumber number, bool on)
 {
-    with(number, [on](SimulatedK3 &encoder) { encoder.setPower(on); });
+    with(number, [on](SimulatedDevice &device) { device.setPower(on); });
 }
 
 void SimulatedRing::powerCycle(DeviceNumber number)
 {
-    with(number, [](SimulatedK3 &encoder) { encoder.powerCycle(); });
+    with(number, [](SimulatedDevice &device) { device.powerCycle(); });
 }
 
 void SimulatedRing::setSlow(DeviceNumber number, bool slow)
 {
-    with(number, [slow](SimulatedK3 &encoder) { encoder.setSlow(slow); });
+    with(number, [slow](SimulatedDevice &device) { device.setSlow(slow); });
 }
 
 void SimulatedRing::loseParameters(DeviceNumber number)
 {
-    with(number, [](SimulatedK3 &encoder) { encoder.loseParameters(); });
+    with(number, [](SimulatedDevice &device) { device.loseParameters(); });
 }
 
 void SimulatedRing::setBatteryLow(DeviceNumber number, bool low)
 {
-    with(number, [low](SimulatedK3 &encoder) { encoder.setBatteryLow(low); });
+    with(number, [low](SimulatedDevice &device) { device.setBatteryLow(low); });
 }
 
 namespace {

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "ring/process_data_link.h"
-#include "simulator/simulated_k3.h"
-#include "simulator/training_controls.h"
+#include "simulator/simulated_device.h"
 
 #include <memory>
 #include <mutex>
@@ -11,13 +10,13 @@
 
 namespace codewheel {
 
-// A ring of simulated encoders and the trainer's hand on them. Its clock is the exchange: one is 1 ms. Shared
+// A ring of simulated devices and the trainer's hand on them. Its clock is the exchange: one is 1 ms. Shared
 // by the link (bus thread) and the training panel (any thread); one uncontended lock per cycle.
 class SimulatedRing final : public TrainingControls
 {
 public:
     // Before the ring is used.
-    void add(Participant participant, std::unique_ptr<SimulatedK3> encoder);
+    void add(Participant participant, std::unique_ptr<SimulatedDevice> device);
 
     RingStructure structure() const { return m_structure; }
     std::vector<Word> lastOut() const;
@@ -25,9 +24,13 @@ public:
     void exchange(std::span<const Word> out, std::span<Word> in);
 
     std::vector<Shaft> shafts() const override;
+    std::vector<Rod> rods() const override;
     void turnTo(DeviceNumber number, std::int64_t raw) override;
     void turnBy(DeviceNumber number, std::int64_t rawSteps) override;
     void setSpeed(DeviceNumber number, double revolutionsPerMinute) override;
+    void moveMagnetTo(DeviceNumber number, double millimetres) override;
+    void setMagnetSpeed(DeviceNumber number, double millimetresPerSecond) override;
+    void setMagnetInRange(DeviceNumber number, bool inRange) override;
     void setPower(DeviceNumber number, bool on) override;
     void powerCycle(DeviceNumber number) override;
     void setSlow(DeviceNumber number, bool slow) override;
@@ -35,12 +38,14 @@ public:
     void setBatteryLow(DeviceNumber number, bool low) override;
 
 private:
+    template <typename State>
+    std::vector<State> states(std::optional<State> (SimulatedDevice::*stateOf)() const) const;
     template <typename Act>
     void with(DeviceNumber number, Act act);
 
     RingStructure m_structure;
     mutable std::mutex m_mutex; // guards all below
-    std::vector<std::unique_ptr<SimulatedK3>> m_encoders;
+    std::vector<std::unique_ptr<SimulatedDevice>> m_devices;
     std::vector<Word> m_lastOut;
 };
 

@@ -15,6 +15,7 @@ class TrainingControls
 public:
     static constexpr double fastest = 12'000; // rpm, mechanical limit of every shaft
 
+    // An encoder with a shaft.
     struct Shaft
     {
         DeviceNumber number;
@@ -23,20 +24,41 @@ public:
         int turns = 0;                   // physical
         double revolutionsPerMinute = 0; // positive: clockwise, looking at the shaft
         bool powered = true;
-        bool slow = false; // confirms slowly
+        bool hasParameters = true; // can be set up: confirms, stores, and may lose what it stored
+        bool slow = false;         // confirms slowly
         bool hasBattery = false;
         bool batteryLow = false;
         int eepromWrites = 0; // since the ring began
     };
 
+    // A linear encoder: a magnet that travels along a rod.
+    struct Rod
+    {
+        DeviceNumber number;
+        double millimetres = 0;          // of the magnet, from the head
+        double lengthMillimetres = 0;    // measuring length
+        double millimetresPerSecond = 0; // positive: away from the head
+        bool magnetInRange = true;
+        bool powered = true;
+        int eepromWrites = 0; // since the ring began
+    };
+
     virtual ~TrainingControls() = default;
 
-    virtual std::vector<Shaft> shafts() const = 0; // as of the last cycle
+    // As of the last cycle, in ring order; a device has a shaft, a rod, or neither.
+    virtual std::vector<Shaft> shafts() const = 0;
+    virtual std::vector<Rod> rods() const = 0;
 
+    // A device that has no such part, and a place that is not in the ring, are passed over.
     virtual void turnTo(DeviceNumber number, std::int64_t raw) = 0;
     virtual void turnBy(DeviceNumber number, std::int64_t rawSteps) = 0;
     virtual void setSpeed(DeviceNumber number, double revolutionsPerMinute) = 0;
-    virtual void setPower(DeviceNumber number, bool on) = 0; // off, then on: a power cycle
+    // 0..length; the magnet stops at the ends.
+    virtual void moveMagnetTo(DeviceNumber number, double millimetres) = 0;
+    // 0 stops it; at the ends it turns round.
+    virtual void setMagnetSpeed(DeviceNumber number, double millimetresPerSecond) = 0;
+    virtual void setMagnetInRange(DeviceNumber number, bool inRange) = 0; // out of range: magnet lost
+    virtual void setPower(DeviceNumber number, bool on) = 0;              // off, then on: a power cycle
     virtual void powerCycle(DeviceNumber number) = 0;
     virtual void setSlow(DeviceNumber number, bool slow) = 0;      // confirmations take 50 times as long
     virtual void loseParameters(DeviceNumber number) = 0;          // error 3

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
+#include "simulator/training_controls.h"
 
 namespace codewheel {
 
@@ -19,13 +19,14 @@ struct PhysicalResolution
 class TurningShaft
 {
 public:
-    static constexpr double fastest = 12'000; // rpm, mechanical limit
+    static constexpr double fastest = TrainingControls::fastest; // rpm
 
     explicit TurningShaft(PhysicalResolution resolution, std::int64_t raw = 0);
 
     PhysicalResolution resolution() const { return m_resolution; }
     std::int64_t raw() const { return m_position / unitsPerStep; } // steps, 0..range - 1
     double speed() const;                                          // rpm, clockwise positive
+    TrainingControls::Shaft state() const;                         // all that a shaft alone tells
 
     void turnTo(std::int64_t raw); // any number; wraps
     void turnBy(std::int64_t steps);

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simulator/training_controls.h"
+#include "words/k3_word.h"
+
+#include <optional>
+
+namespace codewheel {
+
+// One device of a simulated ring: takes OUT and gives IN once per bus cycle of 1 ms, and lets the trainer see
+// and touch what is mechanical about it. What does not fit a device is passed over. Used by SimulatedRing.
+class SimulatedDevice
+{
+public:
+    static constexpr int powerCycleCycles = 50; // off, then on again
+
+    SimulatedDevice() = default;
+    virtual ~SimulatedDevice() = default;
+    SimulatedDevice(const SimulatedDevice &) = delete;
+    SimulatedDevice &operator=(const SimulatedDevice &) = delete;
+
+    // OUT goes in; IN as it was prepared in the cycle before comes out.
+    virtual Word cycle(Word out) = 0;
+
+    // How the shaft or the rod stands; nothing where the device has none. The ring adds the number.
+    virtual std::optional<TrainingControls::Shaft> shaftState() const { return std::nullopt; }
+    virtual std::optional<TrainingControls::Rod> rodState() const { return std::nullopt; }
+
+    virtual void turnTo(std::int64_t /*raw*/) {}
+    virtual void turnBy(std::int64_t /*rawSteps*/) {}
+    virtual void setSpeed(double /*revolutionsPerMinute*/) {}
+
+    virtual void moveMagnetTo(double /*millimetres*/) {}
+    virtual void setMagnetSpeed(double /*millimetresPerSecond*/) {}
+    virtual void setMagnetInRange(bool /*inRange*/) {}
+
+    virtual void setPower(bool /*on*/) {}
+    virtual void powerCycle() {}
+    virtual void setSlow(bool /*slow*/) {}
+    virtual void loseParameters() {}
+    virtual void setBatteryLow(bool /*low*/) {}
+};
+
+} // namespace codewheel
