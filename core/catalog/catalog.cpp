@@ -2,64 +2,14 @@
 #include "catalog/catalog.h"
 
 #include "catalog/description_reader.h"
+#include "catalog/strict_json.h"
 
 #include <QDirIterator>
 #include <QFile>
-#include <QRegularExpression>
 
 #include <algorithm>
-#include <json/reader.h>
-#include <memory>
 
 namespace codewheel {
-namespace {
-
-// Deeper than any description; keeps a hostile file from exhausting the stack.
-constexpr int deepestNesting = 16;
-
-std::unique_ptr<Json::CharReader> strictReader()
-{
-    Json::CharReaderBuilder builder;
-    Json::CharReaderBuilder::strictMode(&builder.settings_);
-    builder["failIfExtra"] = true;
-    builder["rejectDupKeys"] = true;
-    builder["stackLimit"] = deepestNesting;
-    return std::unique_ptr<Json::CharReader>(builder.newCharReader());
-}
-
-struct SyntaxError
-{
-    int line = 1;
-    QString text;
-};
-
-// jsoncpp reports "* Line 3, Column 5\n  Missing ',' or '}' in object declaration\n".
-SyntaxError firstSyntaxError(const std::string &report)
-{
-    static const QRegularExpression form(QStringLiteral(R"(\* Line (\d+), Column \d+\n\s*([^\n]*))"));
-    const QRegularExpressionMatch match = form.match(QString::fromStdString(report));
-    return match.hasMatch() ? SyntaxError{match.captured(1).toInt(), match.captured(2)} : SyntaxError{};
-}
-
-void parseStrictly(const QByteArray &json, Json::Value &root, FaultKeeper &faults)
-{
-    std::string report;
-    try {
-        if (strictReader()->parse(json.constData(), json.constData() + json.size(), &root, &report))
-            return;
-    } catch (const Json::Exception &) { // nested too deeply
-        faults.report(1, QString(),
-                      QCoreApplication::translate("codewheel::Catalog", "The file is nested too deeply."));
-        return;
-    }
-    const SyntaxError error = firstSyntaxError(report);
-    faults.report(
-        error.line, QString(),
-        QCoreApplication::translate("codewheel::Catalog", "This is not valid JSON: %1").arg(error.text));
-}
-
-} // namespace
-
 Catalog Catalog::builtIn()
 {
     Catalog catalog;
@@ -79,8 +29,7 @@ Catalog Catalog::builtIn()
 tl::expected<void, Catalog::Fault> Catalog::add(const QByteArray &json, const QString &file)
 {
     FaultKeeper faults(json, file);
-    Json::Value root;
-    parseStrictly(json, root, faults);
+    const Json::Value root = parseStrictly(json, faults);
     if (faults.first())
         return tl::unexpected(*faults.first());
 

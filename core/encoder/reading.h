@@ -37,6 +37,7 @@ struct Reading
     std::optional<std::int64_t> velocity{}; // revolutions per minute, in velocity mode
     std::optional<Cams> cams{};             // in cam mode
     std::optional<Mode> mode;               // nothing: not known
+    std::optional<unsigned> camProgram{};   // in cam mode: 1..8; nothing: not known
     std::optional<PositionCoding> coding;   // nothing: not known
     std::optional<unsigned> errorNumber;    // while state is error
 

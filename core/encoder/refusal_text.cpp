@@ -17,7 +17,7 @@ struct Row
     RefusalId id;
     const char *key;
     const char *text;
-    const char *textWithoutArguments = nullptr; // where they may be left out
+    const char *textWithoutArguments = nullptr; // where they, or one of them, may be left out
 };
 
 constexpr std::array rows{
@@ -57,7 +57,8 @@ constexpr std::array rows{
     Row{RefusalId::camProgramGivenTwice, "camProgramGivenTwice",
         QT_TRANSLATE_NOOP("Refusal", "Cam program %1 is given twice. Give it once.")},
     Row{RefusalId::camFileBroken, "camFileBroken",
-        QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 Nothing was taken from the file.")},
+        QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 Nothing was taken from the file."),
+        QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 Nothing was taken from the file.")},
     Row{RefusalId::camFileOfOtherProgram, "camFileOfOtherProgram",
         QT_TRANSLATE_NOOP("Refusal", "%1 holds cam program %2, not %3. Choose program %2, or another file.")},
     Row{RefusalId::labelKeyNotUnderstood, "labelKeyNotUnderstood",
@@ -268,6 +269,14 @@ QString suspectsText(const Refusal &refusal)
                     {suspects.join(either), in});
 }
 
+// What is no JSON at all has no key.
+QString camFileText(const Refusal &refusal)
+{
+    const QStringList parts = argumentTexts(refusal.arguments);
+    const Row &row = rowOf(refusal.id);
+    return sentence(pattern(parts.value(2).isEmpty() ? row.textWithoutArguments : row.text), parts);
+}
+
 } // namespace
 
 QString refusalText(const Refusal &refusal)
@@ -278,6 +287,8 @@ QString refusalText(const Refusal &refusal)
         return suspectsText(refusal);
     case RefusalId::modeNotKnown:
         return modeText(refusal);
+    case RefusalId::camFileBroken:
+        return camFileText(refusal);
     default:
         break;
     }

@@ -16,9 +16,10 @@ inline constexpr Word programWord = 0x2080'0000;
 inline constexpr Word camConfigurationWord = 0x2040'0000;
 inline constexpr Word camShiftWord = 0x2010'0000;
 
-inline constexpr unsigned camCount = 8;         // 0..7
-inline constexpr unsigned camProgramCount = 8;  // 1..8
-inline constexpr unsigned largestCamShift = 25; // shows the cams only
+inline constexpr unsigned camCount = 8;               // 0..7
+inline constexpr unsigned camProgramCount = 8;        // 1..8
+inline constexpr unsigned largestCamShift = 25;       // shows the cams only
+inline constexpr Word camPositionPartMask = 0x1'FFFF; // D24..D8
 
 inline constexpr unsigned camConfigurationCode = 0x00;
 inline constexpr unsigned camStartCode = 0x10; // + cam
@@ -26,6 +27,49 @@ inline constexpr unsigned camStopCode = 0x20;  // + cam
 // The manual's table has 30, its bit row and its example 40.
 inline constexpr unsigned camShiftCode = 0x40;
 inline constexpr unsigned camShiftCodeOfTable = 0x30;
+
+// program 1..8; 0: position mode
+constexpr Word selectCamProgram(unsigned program) noexcept
+{
+    return programWord | (program & 0xF);
+}
+// cam 0..7, position 0..33554431
+constexpr Word setCamStart(unsigned cam, Word position) noexcept
+{
+    return presetBit | withNumber(cam) | (position & dataMask);
+}
+constexpr Word setCamStop(unsigned cam, Word position) noexcept
+{
+    return setCamStart(cam, position) | manufacturerBit;
+}
+// bit n: cam n is active
+constexpr Word setActiveCams(Word active) noexcept
+{
+    return camConfigurationWord | (active & 0xFFFF);
+}
+// shift 0..25
+constexpr Word setCamShift(unsigned shift) noexcept
+{
+    return camShiftWord | (shift & 0xFF);
+}
+constexpr Word readOutCams(unsigned code) noexcept
+{
+    return camReadOut | (code & 0xFFFF);
+}
+
+// IN in cam mode, and back.
+constexpr Word camWord(std::uint8_t on, Word positionPart) noexcept
+{
+    return (positionPart & camPositionPartMask) << camCount | on;
+}
+constexpr std::uint8_t camsOn(Word in) noexcept
+{
+    return static_cast<std::uint8_t>(in & 0xFF);
+}
+constexpr Word camPositionPart(Word in) noexcept
+{
+    return (in >> camCount) & camPositionPartMask;
+}
 
 constexpr bool isCamPosition(Word out) noexcept
 {

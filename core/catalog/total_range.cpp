@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/total_range.h"
+
+namespace codewheel {
+namespace {
+
+std::int64_t turnsOf(const DeviceDescription &device, const ParameterValues &values)
+{
+    if (device.find(Parameter::measuringRange) != nullptr)
+        return valueOf(values, Parameter::measuringRange).value_or(0);
+    return device.physicalTurns;
+}
+
+} // namespace
+
+std::optional<std::int64_t> totalRange(const DeviceDescription &device, const ParameterValues &values)
+{
+    const std::int64_t steps = valueOf(values, Parameter::steps).value_or(0);
+    const std::int64_t revolutions = valueOf(values, Parameter::revolutions).value_or(0);
+    const std::int64_t turns = turnsOf(device, values);
+    if (steps < 1 || revolutions < 1 || turns < 1)
+        return std::nullopt;
+    return steps * turns / revolutions;
+}
+
+} // namespace codewheel

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+
+namespace codewheel {
+
+// How many positions the encoder has with these values: floor(steps x turns / revolutions), where turns is
+// the measuring range, or the physical turns where the encoder has none. Nothing where one of them is not
+// known.
+std::optional<std::int64_t> totalRange(const DeviceDescription &device, const ParameterValues &values);
+
+} // namespace codewheel
