@@ -30,6 +30,7 @@ private:
 
     QStringList parameterAndValue(const Meaning &meaning, In place) const;
     QString parameterLabel(unsigned number, In place) const;
+    QString parameterValue(unsigned number, std::int64_t value) const;
     QString readOutLabel(unsigned code) const;
     QString readOutValueText(unsigned code, Word value) const;
     QString errorText(unsigned number) const;
@@ -78,12 +79,20 @@ QString MeaningParts::parameterLabel(unsigned parameterNumber, In place) const
                     {number(parameterNumber), parameterNameInText(parameter->parameter)});
 }
 
+QString MeaningParts::parameterValue(unsigned parameterNumber, std::int64_t value) const
+{
+    constexpr unsigned setToDefault = 7; // a command: it has no description and no value but 0
+    if (const ParameterDescription *parameter = m_device.findNumber(parameterNumber))
+        return valueText(*parameter, value);
+    return parameterNumber == setToDefault && value == 0
+               ? sentence(tr("%1 (reset to factory settings)"), {number(value)})
+               : number(value);
+}
+
 QStringList MeaningParts::parameterAndValue(const Meaning &meaning, In place) const
 {
     const auto parameterNumber = static_cast<unsigned>(meaning.number[0]);
-    const ParameterDescription *parameter = m_device.findNumber(parameterNumber);
-    return {parameterLabel(parameterNumber, place),
-            parameter ? valueText(*parameter, meaning.number[1]) : number(meaning.number[1])};
+    return {parameterLabel(parameterNumber, place), parameterValue(parameterNumber, meaning.number[1])};
 }
 
 QString MeaningParts::readOutLabel(unsigned code) const

@@ -33,43 +33,26 @@ protected:
     const DeviceDescription &generic = *catalog.find(u"generic-k3");
 };
 
+// The rows of the FRABA appendix are in test_fraba_appendix.cpp; here is what stands between them.
 TEST_F(ExplainWord, OutWordsOfFraba)
 {
-    EXPECT_EQ(text(fraba, 0x0000'0000, out), "Normal running");
-    EXPECT_EQ(text(fraba, 0x8000'0000, out), "Run");
     EXPECT_EQ(text(fraba, 0x8200'0000, out), "Run; the other bits (02000000) are ignored");
-    EXPECT_EQ(text(fraba, 0x0200'00FF, out), "Parameter 1 steps = 255");
-    EXPECT_EQ(text(fraba, 0x0600'0003, out), "Parameter 3 direction = 3 (CW)");
     EXPECT_EQ(text(fraba, 0x0600'0005, out), "Parameter 3 direction = 5");
-    EXPECT_EQ(text(fraba, 0x0A00'0001, out), "Parameter 5 zero offset = 1");
-    EXPECT_EQ(text(fraba, 0x0C00'0001, out), "Parameter 6 = 1");
-    EXPECT_EQ(text(fraba, 0x0E00'0000, out), "Reset to factory settings");
-    EXPECT_EQ(text(fraba, 0x2021'0001, out), "Read out steps");
-    EXPECT_EQ(text(fraba, 0x2021'000C, out), "Read out temperature");
-    EXPECT_EQ(text(fraba, 0x2021'000B, out), "Read out code 11, which is not defined");
-    EXPECT_EQ(text(fraba, 0x2080'0001, out), "Cam mode, program 1");
-    EXPECT_EQ(text(fraba, 0x2080'0009, out), "Cam mode, program 9 (there are only 1 to 8)");
+    EXPECT_EQ(text(fraba, 0x0E00'0001, out), "Parameter 7 = 1");
 }
 
 TEST_F(ExplainWord, InWordsOfFraba)
 {
     EXPECT_EQ(text(fraba, 0x0001'2A4F, in), "Running, position 76367");
     EXPECT_EQ(text(fraba, 0xC200'00FF, in), "Parameter 1 steps = 255 confirmed");
-    EXPECT_EQ(inBeside(fraba, 0xC200'00FF, 0x0200'00FF), "Parameter 1 steps = 255 confirmed");
     EXPECT_EQ(inBeside(fraba, 0xC200'00FF, 0x0400'0001), "Old confirmation: parameter 1 steps = 255");
-    EXPECT_EQ(inBeside(fraba, 0xA000'2000, 0x2021'0001), "Read-out: steps = 8192");
-    EXPECT_EQ(inBeside(fraba, 0xA000'0003, 0x2021'0003), "Read-out: direction = 3 (CW)");
     EXPECT_EQ(inBeside(fraba, 0xA000'FFCE, 0x2021'000C), "Read-out: temperature = -5.0 °C");
     EXPECT_EQ(inBeside(fraba, 0xA1FF'FFCE, 0x2021'000C), "Read-out: temperature = -5.0 °C");
     EXPECT_EQ(inBeside(fraba, 0xA000'0009, 0x2021'0008), "Read-out: operating time = 1.5 h");
     EXPECT_EQ(inBeside(fraba, 0xA000'0005, 0x2021'0009), "Read-out: start-up mode = 5 (cam program 3)");
     EXPECT_EQ(text(fraba, 0xA000'2000, in), "Self test, or read-out of 8192");
-    EXPECT_EQ(text(fraba, 0x8000'0000, in), "No valid position");
-    EXPECT_EQ(text(fraba, 0x8200'0000, in), "Error 1: wrong parameter data");
     EXPECT_EQ(text(fraba, 0x9800'0017, in), "Manufacturer's error 23");
     EXPECT_EQ(text(fraba, 0x9800'0100, in), "Error 12: an error of the manufacturer's own");
-    EXPECT_EQ(text(fraba, 0x9800'0004, in),
-              "Manufacturer's error 4: cam start or stop above the largest position");
     EXPECT_EQ(text(fraba, 0x4000'0000, in), "D31 D30 = 01: a state in no manual");
 }
 
@@ -77,15 +60,8 @@ TEST_F(ExplainWord, CamWordsOfFraba)
 {
     k3::ExplainContext cam = out;
     cam.mode = Mode::cam;
-    EXPECT_EQ(text(fraba, 0x4600'0015, cam), "Start of cam 3 = 21");
-    EXPECT_EQ(text(fraba, 0x2040'0093, cam), "Active cams: 0, 1, 4, 7");
     EXPECT_EQ(text(fraba, 0x2040'0000, cam), "Active cams: none");
-    EXPECT_EQ(text(fraba, 0x2010'001A, cam),
-              "Position beside the cams shifted by 26 (there are only 0 to 25)");
-    EXPECT_EQ(text(fraba, 0x0200'00FF, cam), "Parameter 1 steps = 255: refused in cam mode");
-    EXPECT_EQ(inBeside(fraba, 0xE600'0213, 0x6600'0213, Mode::cam), "Acknowledged: Stop of cam 3 = 531");
     EXPECT_EQ(inBeside(fraba, 0x0000'2008, 0x8000'0000, Mode::cam), "Running, cams on: 3, position part 32");
-    EXPECT_EQ(inBeside(fraba, 0x8400'0000, 0x0200'0001, Mode::cam), "Error 2: wrong cam command");
 }
 
 TEST_F(ExplainWord, UnknownModeGivesEachMeaning)
@@ -100,6 +76,7 @@ TEST_F(ExplainWord, UnknownModeGivesEachMeaning)
 
 TEST_F(ExplainWord, WordsOfBaumer)
 {
+    EXPECT_EQ(text(baumer, 0xCE00'0000, in), "Parameter 7 = 0 (reset to factory settings) confirmed");
     EXPECT_EQ(text(baumer, 0x0600'0003, out), "Parameter 3 coding = 3 (unsigned, CW)");
     EXPECT_EQ(text(baumer, 0x1E00'1000, out), "Parameter 15 measuring range = 4096");
     EXPECT_EQ(text(baumer, 0x2200'00FF, out), "Parameter 1 steps = 255 (D29 is ignored)");

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "words/k3_explain.h"
+
+#include <span>
+#include <vector>
+
+namespace codewheel {
+
+// What befalls the encoder before a row of the appendix is put to it.
+enum class Befalls { nothing, turnsAt1500Rpm, turnsAt6000Rpm, losesItsParameters, startsUp };
+
+// A row of the FRABA manual's appendix (10.1 to 10.6): OUT, and IN as it answers.
+//
+// The encoder is a multi-turn one of 8192 steps that stands at 00003039h = 12345; its serial number is 4711,
+// and it has worked for 990 minutes.
+struct AppendixRow
+{
+    const char *section;
+    const char *name;     // as printed
+    const char *printed;  // its hexadecimal column, x: any digit
+    WordDirection column; // which of the two words the column shows
+    Mode mode;            // in which the encoder answers
+    Befalls befalls;
+    std::vector<Word> before; // brings the encoder to where the row applies
+    Word out;
+    Word in;
+    Meaning outMeans;
+    Meaning inMeans;
+    const char *outText;
+    const char *inText;
+    int cycles = 6; // OUT has stood when IN is looked at
+};
+
+// Every row at least once.
+std::span<const AppendixRow> frabaAppendix();
+
+} // namespace codewheel
