@@ -33,6 +33,7 @@ enum class MessageId : std::uint8_t {
     valuesForgotten,  // the encoder lost its parameters: what is known does not hold any more
     lateCycles,       // number since the last message
     modeSwitched,     // text of the mode
+    resetWaitsForRun, // the reset was confirmed, and run was not sent
     resetDone,        // EEPROM writes
     camsRead,         // number of programs
     camsWritten,      // texts of the programs joined, EEPROM writes

@@ -51,6 +51,10 @@ constexpr std::array rows{
     Row{MessageId::lateCycles, "lateCycles", QT_TRANSLATE_NOOP("Message", "Bus cycles that came late: %1.")},
     Row{MessageId::modeSwitched, "modeSwitched",
         QT_TRANSLATE_NOOP("Message", "The encoder was switched: %1.")},
+    Row{MessageId::resetWaitsForRun, "resetWaitsForRun",
+        QT_TRANSLATE_NOOP("Message",
+                          "The reset to factory settings waits for run. Run carries it out; switching the "
+                          "encoder off drops it.")},
     Row{MessageId::resetDone, "resetDone",
         QT_TRANSLATE_NOOP("Message", "The encoder was reset to factory settings (EEPROM writes: %1).")},
     Row{MessageId::camsRead, "camsRead", QT_TRANSLATE_NOOP("Message", "Cam programs read: %1.")},

@@ -42,6 +42,10 @@ constexpr Parameter opcRegister(unsigned number)
 {
     return static_cast<Parameter>(static_cast<unsigned>(Parameter::opcRegister0) + number);
 }
+constexpr bool isOpcRegister(Parameter parameter)
+{
+    return parameter >= Parameter::opcRegister0 && parameter <= Parameter::opcRegister15;
+}
 
 // The language-neutral name used at the command line, in JSON and in device descriptions: "steps",
 // "zero-offset".

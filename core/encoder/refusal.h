@@ -50,6 +50,7 @@ enum class RefusalId : std::uint8_t {
     writingNotSupported,            // device name
     presetNotSupported,             // device name
     modeNotKnown,                   // Word OUT: the text tells what it would do in cam mode
+    inCamMode,                      // Word OUT: the text tells what it does there
     camsNotSupported,               // device name
     velocityNotSupported,           // device name
     manufacturerPresetNotSupported, // device name

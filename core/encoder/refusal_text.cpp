@@ -78,6 +78,10 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Refusal",
                           "Nothing was sent: the mode of the encoder is not known. In cam mode the word %1 "
                           "%2. Make sure that the encoder is in position mode, and confirm it.")},
+    Row{RefusalId::inCamMode, "inCamMode",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Nothing was sent: the encoder is in cam mode, where the word %1 %2. Switch it to "
+                          "position mode first.")},
     Row{RefusalId::camsNotSupported, "camsNotSupported", QT_TRANSLATE_NOOP("Refusal", "The %1 has no cams.")},
     Row{RefusalId::velocityNotSupported, "velocityNotSupported",
         QT_TRANSLATE_NOOP("Refusal", "The %1 has no velocity mode.")},
@@ -286,6 +290,7 @@ QString refusalText(const Refusal &refusal)
     case RefusalId::unknownParameterNumber:
         return suspectsText(refusal);
     case RefusalId::modeNotKnown:
+    case RefusalId::inCamMode:
         return modeText(refusal);
     case RefusalId::camFileBroken:
         return camFileText(refusal);

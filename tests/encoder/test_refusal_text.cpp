@@ -74,6 +74,10 @@ TEST(RefusalText, SaysWhatWasWrongAndWhatWouldBeRight)
          "Nothing was sent: the mode of the encoder is not known. In cam mode the word 20400001 changes "
          "which cams "
          "are active. Make sure that the encoder is in position mode, and confirm it."},
+        {RefusalId::inCamMode,
+         {Word{0x6000'0000}},
+         "Nothing was sent: the encoder is in cam mode, where the word 60000000 sets the stop of cam 0 to 0. "
+         "Switch it to position mode first."},
         {RefusalId::linkFailed, {QStringLiteral("100%1 gone")}, "The link failed: 100%1 gone"},
     };
     for (const Row &row : rows)
