@@ -24,15 +24,6 @@ constexpr std::array options{
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
 };
 
-std::vector<Parameter> allThatCanBeRead(const DeviceDescription &device)
-{
-    std::vector<Parameter> parameters;
-    for (const ParameterDescription &parameter : device.parameters)
-        if (parameter.readOut)
-            parameters.push_back(parameter.parameter);
-    return parameters;
-}
-
 // "= 8192", "= 21.5 °C". Steps and revolutions are their own units.
 QString valueCell(const ParameterDescription &parameter, std::int64_t value)
 {
@@ -116,7 +107,7 @@ Checked<Answer> run(const Call &call)
         if (!named)
             return tl::unexpected(named.error());
         if (named->empty())
-            *named = allThatCanBeRead(device);
+            *named = device.readableValues();
         answer = readFrom(*call.bus, **encoder, std::move(*named), call.arguments.has("--trace"));
     }
     answer.json.insert(QStringLiteral("place"), (*encoder)->number().toString());

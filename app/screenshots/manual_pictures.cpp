@@ -55,11 +55,7 @@ void send(TrainingWindow &shown, DeviceNumber number, Word word)
 void readAll(TrainingWindow &shown)
 {
     EncoderSession &encoder = *shown.bus().encoder(fraba);
-    ReadParameters all;
-    for (const ParameterDescription &parameter : encoder.device().parameters)
-        if (parameter.readOut)
-            all.parameters.push_back(parameter.parameter);
-    if (encoder.start(all))
+    if (encoder.start(ReadParameters{encoder.device().readableValues()}))
         shown.advance(whileMilliseconds);
 }
 

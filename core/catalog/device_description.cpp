@@ -59,6 +59,15 @@ const ParameterDescription *DeviceDescription::findReadOut(unsigned code) const
     return findBy(parameters, std::optional(code), &ParameterDescription::readOut);
 }
 
+std::vector<Parameter> DeviceDescription::readableValues() const
+{
+    std::vector<Parameter> readable;
+    for (const ParameterDescription &parameter : parameters)
+        if (parameter.readOut && !isOpcRegister(parameter.parameter))
+            readable.push_back(parameter.parameter);
+    return readable;
+}
+
 const DeviceError *DeviceDescription::findError(unsigned number) const
 {
     return findBy(errors, number, &DeviceError::number);

@@ -97,6 +97,8 @@ struct DeviceDescription
     const ParameterDescription *findNumber(unsigned number) const;
     // By the code of its read-out word, 2021000nh.
     const ParameterDescription *findReadOut(unsigned code) const;
+    // All that can be read out but the registers of the INTERBUS chip, which are asked for by name.
+    std::vector<Parameter> readableValues() const;
     const DeviceError *findError(unsigned number) const;
     bool isGeneric() const { return vendor.isEmpty(); }
     // "FRABA OCD-IB K3"; "K3, make not known" for a generic description.

@@ -51,7 +51,7 @@ TEST(BuiltInDevices, FrabaParametersAreThoseOfTheManual)
         {Parameter::multiTurnAndStepsMinusOne, {}, 0xA},
         {Parameter::temperature, {}, 0xC},
     };
-    EXPECT_EQ(fraba.parameters.size(), std::size(rows));
+    EXPECT_EQ(fraba.parameters.size(), std::size(rows) + 16); // and the OPC registers
     for (const Row &row : rows) {
         const ParameterDescription *found = fraba.find(row.parameter);
         ASSERT_NE(found, nullptr);
@@ -63,6 +63,23 @@ TEST(BuiltInDevices, FrabaParametersAreThoseOfTheManual)
     EXPECT_EQ(fraba.findNumber(3)->findChoice(4)->key, QStringLiteral("ccw"));
     EXPECT_EQ(fraba.findNumber(6), nullptr);
     EXPECT_EQ(fraba.findReadOut(0xB), nullptr);
+}
+
+// FRABA manual 10.2: 202100xDh
+TEST(BuiltInDevices, FrabaHasTheSixteenRegistersOfItsBusChip)
+{
+    const Catalog catalog = Catalog::builtIn();
+    const DeviceDescription &fraba = device(catalog, u"fraba-ocd-ib");
+    for (const auto &[name, code] : {std::pair("opc-register-0", 0x0Du), std::pair("opc-register-3", 0x3Du),
+                                     std::pair("opc-register-15", 0xFDu)}) {
+        const ParameterDescription *found = fraba.findReadOut(code);
+        ASSERT_NE(found, nullptr) << name;
+        EXPECT_EQ(parameterKey(found->parameter), QLatin1String(name));
+        EXPECT_FALSE(found->number);
+        EXPECT_EQ(found->maximum, 0xFFFF);
+    }
+    const std::vector<Parameter> byItself = fraba.readableValues();
+    EXPECT_EQ(byItself.size(), 12u) << "a read of everything leaves the registers out";
 }
 
 TEST(BuiltInDevices, FrabaCanReadAndHasAnEepromBudget)
@@ -77,6 +94,7 @@ TEST(BuiltInDevices, FrabaCanReadAndHasAnEepromBudget)
     EXPECT_EQ(fraba.physicalTurns, 4096);
     const Capabilities &can = fraba.capabilities;
     EXPECT_TRUE(can.reads && can.writes && can.presets && can.cams && can.serialNumber);
+    EXPECT_TRUE(can.velocity && can.manufacturerPreset && can.resets);
     EXPECT_TRUE(can.readingHidesPosition && can.presetIsStored);
     EXPECT_FALSE(can.hasBattery);
     EXPECT_EQ(can.eepromBudget, 200);
@@ -134,6 +152,8 @@ TEST(BuiltInDevices, BaumerCannotReadAndStatesNoBudget)
     EXPECT_FALSE(baumer.capabilities.serialNumber);
     EXPECT_FALSE(baumer.capabilities.presetIsStored);
     EXPECT_TRUE(baumer.capabilities.writes && baumer.capabilities.hasBattery);
+    EXPECT_TRUE(baumer.capabilities.resets);
+    EXPECT_FALSE(baumer.capabilities.velocity || baumer.capabilities.manufacturerPreset);
     EXPECT_FALSE(baumer.capabilities.eepromBudget);
     EXPECT_EQ(baumer.quirks, Quirks{});
     EXPECT_TRUE(baumer.notesText().contains(QStringLiteral("assumed")));
@@ -155,7 +175,7 @@ TEST(BuiltInDevices, AnUnnamed0237hIsTheGenericK3)
     EXPECT_EQ(generic->key, QStringLiteral("generic-k3"));
     EXPECT_EQ(generic->fullName(), QStringLiteral("K3, make not known"));
     EXPECT_TRUE(generic->isGeneric());
-    EXPECT_FALSE(generic->capabilities.reads);
+    EXPECT_FALSE(generic->capabilities.reads || generic->capabilities.resets);
     EXPECT_EQ(generic->findNumber(3), nullptr); // direction at one make, coding at another
     EXPECT_EQ(generic->findNumber(5)->parameter, Parameter::zeroOffset);
     EXPECT_EQ(catalog.generic(0x0236), nullptr);

@@ -29,7 +29,8 @@ void ParameterModel::setEncoder(EncoderSession *encoder)
     if (encoder != nullptr) {
         connect(encoder, &EncoderSession::knownChanged, this, &ParameterModel::refresh);
         for (const ParameterDescription &parameter : encoder->device().parameters)
-            rows.push_back(rowFor(parameter));
+            if (!isOpcRegister(parameter.parameter))
+                rows.push_back(rowFor(parameter));
         std::ranges::stable_partition(rows, std::not_fn(&ParameterRow::isReadOnly));
     }
     setRows(std::move(rows));

@@ -192,11 +192,7 @@ void ParameterPanel::read()
 {
     if (!m_table->finishEditing())
         return;
-    ReadParameters job;
-    for (const ParameterDescription &parameter : m_encoder->device().parameters)
-        if (parameter.readOut)
-            job.parameters.push_back(parameter.parameter);
-    start(job);
+    start(ReadParameters{m_encoder->device().readableValues()});
 }
 
 void ParameterPanel::review()

@@ -24,10 +24,8 @@ constexpr std::int64_t startUpAsK3 = 1;
 
 ReadParameters everythingOf(const DeviceDescription &device)
 {
-    ReadParameters job;
-    for (const ParameterDescription &parameter : device.parameters)
-        if (parameter.readOut && parameter.parameter != Parameter::temperature) // not every encoder has one
-            job.parameters.push_back(parameter.parameter);
+    ReadParameters job{device.readableValues()};
+    std::erase(job.parameters, Parameter::temperature); // not every encoder has one
     return job;
 }
 

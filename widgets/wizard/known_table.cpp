@@ -12,6 +12,8 @@ void KnownTable::show(const EncoderSession &encoder)
 {
     std::vector<KnownRow> now;
     for (const ParameterDescription &parameter : encoder.device().parameters) {
+        if (isOpcRegister(parameter.parameter))
+            continue; // nothing a wizard asks for
         const auto known = encoder.known(parameter.parameter);
         now.push_back({parameter.parameter,
                        known ? valueWithUnit(encoder.device(), {parameter.parameter, known->value})
