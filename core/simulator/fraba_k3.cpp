@@ -137,15 +137,31 @@ void FrabaK3::switchTo(unsigned program)
         m_cams.enter(program);
 }
 
-// In cam mode each word is acknowledged until run: IN is OUT with D31 D30 = 11 (assumed).
+// In cam mode each word is acknowledged until run, at once unless the encoder is slow.
 void FrabaK3::takeCamWord(Word out)
 {
     if ((out & k3::controlMask) == 0)
         return; // normal running
-    if (const auto error = m_cams.take(out, arithmetic().total()))
-        failWith(*error);
+    if (isSlow()) {
+        process(out, phase() == Phase::operation ? 0 : shown());
+        return;
+    }
+    const Word answer = camAnswer(out);
+    if (k3::isConfirmation(answer))
+        acknowledge(answer);
     else
-        acknowledge(k3::confirmation | out);
+        failWith(answer);
+}
+
+// IN is OUT with D31 D30 = 11 (assumed), or the error in its place.
+Word FrabaK3::camAnswer(Word out)
+{
+    return m_cams.take(out, arithmetic().total()).value_or(k3::confirmation | out);
+}
+
+Word FrabaK3::answerTo(Word processed)
+{
+    return m_mode == Mode::cam ? camAnswer(processed) : SimulatedK3::answerTo(processed);
 }
 
 bool FrabaK3::confirm(unsigned number, Word data)

@@ -31,6 +31,7 @@ private:
     bool take(Word out) override;
     void seen(Word out) override;
     bool confirm(unsigned number, Word data) override;
+    Word answerTo(Word processed) override;
     Word operationWord() const override;
     void poweredUp() override;
     void wentToDefault() override;
@@ -44,6 +45,7 @@ private:
     void takePreset(Word out);
     void takeManufacturerWord(Word out);
     void takeCamWord(Word out);
+    Word camAnswer(Word out);
     void switchTo(unsigned program);
     Word velocity() const;
     Word readOutAnswer(Word out) const;

@@ -33,9 +33,14 @@ std::optional<TrainingControls::Shaft> SimulatedK3::shaftState() const
     return state;
 }
 
+bool SimulatedK3::showsOperation() const
+{
+    return m_phase == Phase::operation || (m_phase == Phase::processing && m_shown == 0);
+}
+
 void SimulatedK3::refresh()
 {
-    m_in = m_readOut != 0 ? m_readOut : m_phase == Phase::operation ? operationWord() : m_shown;
+    m_in = m_readOut != 0 ? m_readOut : showsOperation() ? operationWord() : m_shown;
 }
 
 void SimulatedK3::enter(Phase phase, Word shown)
@@ -78,12 +83,20 @@ void SimulatedK3::process(Word out, Word meanwhile)
 
 void SimulatedK3::finishProcessing()
 {
-    if (confirm(k3::number(m_processed), k3::data(m_processed))) {
-        acknowledge(k3::confirmation | m_processed);
+    const Word answer = answerTo(m_processed);
+    if (k3::isConfirmation(answer)) {
+        acknowledge(answer);
     } else {
         m_runIn = noRun; // a run seen meanwhile must not hide the refusal
-        fail(error_number::wrongData);
+        failWith(answer);
     }
+}
+
+Word SimulatedK3::answerTo(Word processed)
+{
+    if (confirm(k3::number(processed), k3::data(processed)))
+        return k3::confirmation | processed;
+    return k3::error | k3::withNumber(error_number::wrongData);
 }
 
 void SimulatedK3::runWhenDue()

@@ -58,6 +58,8 @@ protected:
     virtual void seen(Word /*out*/) {}
     // The end of the processing of a parameter word; false: its data are refused.
     virtual bool confirm(unsigned number, Word data) = 0;
+    // What then stands in IN: a confirmation or an error.
+    virtual Word answerTo(Word processed);
     // IN in operation.
     virtual Word operationWord() const = 0;
     // An error found at power-up, before that of lost parameters.
@@ -67,11 +69,12 @@ protected:
 
     Phase phase() const { return m_phase; }
     Word shown() const { return m_shown; }
+    bool isSlow() const { return m_slow; }
     const ParameterMemory &memory() const { return m_memory; }
     ParameterMemory &memory() { return m_memory; }
     const EncoderArithmetic &arithmetic() const { return m_arithmetic; }
 
-    // Starts to process a parameter word; `meanwhile` stands in IN until it is confirmed.
+    // Starts to process a word; `meanwhile` stands in IN until it is answered, 0: what operation shows.
     void process(Word out, Word meanwhile);
     void acknowledge(Word shown) { enter(Phase::parameterization, shown); }
     void fail(unsigned errorNumber);
@@ -87,6 +90,7 @@ private:
     static constexpr int noRun = -1;
 
     void enter(Phase phase, Word shown);
+    bool showsOperation() const;
     void refresh();
     void see(Word out);
     void passOffTime();

@@ -114,6 +114,32 @@ TEST_F(CamMode, ReadOutWorksInsideTheCamParameterization)
                      {0x0000'0000, 0xC600'0015}});
 }
 
+// The word before stands in IN until the cam word is acknowledged: the cams, or the last acknowledgement.
+TEST_F(CamMode, ASlowEncoderTakesItsTimeToAcknowledge)
+{
+    send(m_encoder, {0x2080'0001});
+    m_encoder.setSlow(true);
+    play(m_encoder, {{0x4600'0015, 0x0001'0000, 102},
+                     {0x4600'0015, 0xC600'0015, 3},
+                     {0x2040'0008, 0xC600'0015, 102},
+                     {0x2040'0008, 0xE040'0008, 3},
+                     {0x2010'001A, 0xE040'0008, 102},
+                     {0x2010'001A, 0x8200'0000, 3}});
+}
+
+TEST_F(CamMode, ASlowEncoderGoesOnWithAWordThatHasLeftOut)
+{
+    send(m_encoder, {0x2080'0001});
+    m_encoder.setSlow(true);
+    play(m_encoder, {{0x4600'0015, 0x0001'0000, 3},
+                     {0x0000'0000, 0x0001'0000, 99},
+                     {0x0000'0000, 0xC600'0015, 3},
+                     {0x8000'0000, 0xC600'0015},
+                     {0x8000'0000, 0x0001'0000}});
+    m_encoder.setSlow(false);
+    EXPECT_EQ(readOut(0x2020'0013), 0xA000'0015);
+}
+
 // The same words mean something else in position mode.
 TEST_F(CamMode, PresetAndVelocityWordsMeanCams)
 {
