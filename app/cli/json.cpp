@@ -102,6 +102,8 @@ QString stateKey(EncoderState state)
         return QStringLiteral("parameterization");
     case EncoderState::readOut:
         return QStringLiteral("readOut");
+    case EncoderState::service:
+        return QStringLiteral("service");
     case EncoderState::error:
         return QStringLiteral("error");
     case EncoderState::unknown:

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/explain_word.h"
+#include "words/la66_word.h"
 
 #include <QCoreApplication>
 
-// FRABA manual 5.2 and 10; Baumer manual 2.2 and 2.3.
+// FRABA manual 5.2 and 10; Baumer manual 2.2 and 2.3; LA-66 manual 2.
 namespace codewheel {
 namespace {
 
@@ -20,6 +21,7 @@ class BitText
 public:
     static QString outText(k3::Dialect dialect, int bit);
     static QString inText(k3::Dialect dialect, int bit);
+    static QString rodText(WordDirection direction, int bit);
 };
 
 QString BitText::outText(k3::Dialect dialect, int bit)
@@ -59,12 +61,35 @@ QString BitText::inText(k3::Dialect dialect, int bit)
                  : tr("D24..D0: position or confirmed data");
 }
 
+// LA-66 manual 2.2 and 2.3.
+QString BitText::rodText(WordDirection direction, int bit)
+{
+    constexpr int writeBit = 30;
+    constexpr int errorBit = 29;
+    constexpr int reservedBit = 28;
+    const bool out = direction == WordDirection::out;
+    if (bit == startBit)
+        return out ? tr("D31: service bit, asks when it changes from 0 to 1")
+                   : tr("D31: service bit, acknowledges");
+    if (bit == writeBit)
+        return tr("D30: 0 read, 1 write");
+    if (bit == errorBit)
+        return out ? tr("D29: always 0") : tr("D29: error");
+    if (bit == reservedBit)
+        return tr("D28: always 0");
+    if (bit >= la66::dataBits)
+        return tr("D27..D24: service number");
+    return out ? tr("D23..D0: data to write") : tr("D23..D0: position; in service mode data written or read");
+}
+
 } // namespace
 
 QString bitText(const DeviceDescription &device, WordDirection direction, int bit)
 {
     if (bit < 0 || bit > startBit)
         return {};
+    if (device.profile == Profile::la66)
+        return BitText::rodText(direction, bit);
     return direction == WordDirection::out ? BitText::outText(device.dialect, bit)
                                            : BitText::inText(device.dialect, bit);
 }

@@ -27,6 +27,7 @@ constexpr NamedValue<RefusalId> errorMeanings[] = {
     {"batteryLow", RefusalId::batteryLow},
     {"codeDiscFault", RefusalId::codeDiscFault},
     {"manufacturerError", RefusalId::manufacturerError},
+    {"magnetOutOfRange", RefusalId::magnetOutOfRange},
     {"otherDeviceError", RefusalId::otherDeviceError},
 };
 

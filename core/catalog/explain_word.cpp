@@ -2,6 +2,7 @@
 #include "catalog/explain_word.h"
 
 #include "catalog/meaning_parts.h"
+#include "words/la66_explain.h"
 
 #include <QCoreApplication>
 
@@ -19,6 +20,8 @@ QString joined(const QStringList &texts)
 
 Explanation explainWord(const DeviceDescription &device, Word word, k3::ExplainContext context)
 {
+    if (device.profile == Profile::la66)
+        return la66::explain(word, context.direction, context.counterpart);
     context.dialect = device.dialect;
     if (!device.quirks.hasModes)
         context.mode = Mode::position;

@@ -6,6 +6,7 @@
 #include "encoder/hex.h"
 #include "encoder/sentence.h"
 #include "words/k3_cam_word.h"
+#include "words/la66_word.h"
 #include "words/position_code.h"
 
 #include <QCoreApplication>
@@ -34,6 +35,8 @@ private:
     QString readOutLabel(unsigned code) const;
     QString readOutValueText(unsigned code, Word value) const;
     QString errorText(unsigned number) const;
+    QString serviceLabel(std::int64_t service) const;
+    QString serviceData(const Meaning &meaning) const;
     QString outText(Word word, Mode mode) const;
 
     static QString number(std::int64_t value) { return argumentText(value); }
@@ -120,10 +123,36 @@ QString MeaningParts::readOutValueText(unsigned code, Word value) const
     return unit.isEmpty() || parameter->number ? text : text + u' ' + unit;
 }
 
+// The parameter that a service of the LA-66 writes, reads, or both.
+const ParameterDescription *serviceParameter(const DeviceDescription &device, unsigned service)
+{
+    const ParameterDescription *written = device.findNumber(service);
+    return written ? written : device.findReadOut(service);
+}
+
 QString MeaningParts::errorText(unsigned errorNumber) const
 {
     const DeviceError *error = m_device.findError(errorNumber);
     return deviceErrorName(error ? error->meaning : RefusalId::otherDeviceError);
+}
+
+// "2 measuring length in steps"
+QString MeaningParts::serviceLabel(std::int64_t service) const
+{
+    const auto code = static_cast<unsigned>(service);
+    const ParameterDescription *parameter = serviceParameter(m_device, code);
+    const QString name = code == la66::presetAdjustment ? tr("preset adjustment")
+                         : parameter                    ? parameterNameInText(parameter->parameter)
+                                                        : QString();
+    return QStringLiteral("%1 %2").arg(number(service), name).trimmed();
+}
+
+// number[1] as the service number[0] has it: "1 (decreasing)"
+QString MeaningParts::serviceData(const Meaning &meaning) const
+{
+    const ParameterDescription *parameter =
+        serviceParameter(m_device, static_cast<unsigned>(meaning.number[0]));
+    return parameter ? valueText(*parameter, meaning.number[1]) : number(meaning.number[1]);
 }
 
 QString MeaningParts::outText(Word word, Mode mode) const
@@ -165,6 +194,17 @@ QStringList MeaningParts::of(const Meaning &meaning) const
         return {outText(static_cast<Word>(n[0]), Mode::position)};
     case MeaningId::camConfirmation:
         return {outText(static_cast<Word>(n[0]), Mode::cam)};
+    case MeaningId::serviceRead:
+        return {serviceLabel(n[0]), number(n[1])};
+    case MeaningId::serviceWrite:
+    case MeaningId::serviceWriteInvalid:
+        return {serviceLabel(n[0]), serviceData(meaning), number(n[2])};
+    case MeaningId::serviceWritten:
+    case MeaningId::serviceValue:
+    case MeaningId::oldServiceAnswer:
+        return {serviceLabel(n[0]), serviceData(meaning)};
+    case MeaningId::serviceRefused:
+        return {outText(static_cast<Word>(n[0]), Mode::position)};
     case MeaningId::deviceError:
         return {number(n[0]), errorText(static_cast<unsigned>(n[0]))};
     case MeaningId::manufacturerError:

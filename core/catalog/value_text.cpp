@@ -32,6 +32,10 @@ constexpr ChoiceRow choiceNames[] = {
     {"single-turn", QT_TRANSLATE_NOOP("Choice", "single-turn")},
     {"single-turn-minus-1", QT_TRANSLATE_NOOP("Choice", "single-turn, steps minus 1")},
     {"multi-turn", QT_TRANSLATE_NOOP("Choice", "multi-turn")},
+    {"increasing", QT_TRANSLATE_NOOP("Choice", "increasing")},
+    {"decreasing", QT_TRANSLATE_NOOP("Choice", "decreasing")},
+    {"no-error", QT_TRANSLATE_NOOP("Choice", "no error")},
+    {"magnet-outside", QT_TRANSLATE_NOOP("Choice", "magnet outside the measuring range")},
     {"multi-turn-minus-1", QT_TRANSLATE_NOOP("Choice", "multi-turn, steps minus 1")},
 };
 

@@ -73,6 +73,7 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
     case EncoderState::readOut:
         observeReadOut(in, out, now);
         break;
+    case EncoderState::service:
     case EncoderState::unknown:
     case EncoderState::notSeen:
         break;

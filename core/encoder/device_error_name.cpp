@@ -22,6 +22,8 @@ QString deviceErrorName(RefusalId meaning)
         return QCoreApplication::translate("DeviceError", "faulty value of the code disc");
     case RefusalId::manufacturerError:
         return QCoreApplication::translate("DeviceError", "an error of the manufacturer's own");
+    case RefusalId::magnetOutOfRange:
+        return QCoreApplication::translate("DeviceError", "magnet outside the measuring range");
     case RefusalId::noValidPosition:
         return QCoreApplication::translate("DeviceError", "no valid position");
     default:

@@ -6,6 +6,7 @@
 #include "encoder/known.h"
 #include "encoder/reading.h"
 #include "encoder/refusal.h"
+#include "words/la66_word.h"
 
 #include <variant>
 #include <vector>
@@ -37,6 +38,13 @@ struct Step
 
     friend bool operator==(const Step &, const Step &) = default;
 };
+
+// Whether the step gives the encoder a value of its parameter.
+inline bool writesValue(const Step &step)
+{
+    return step.parameter && (step.kind == StepKind::parameter ||
+                              (step.kind == StepKind::serviceBit && la66::isWrite(step.out)));
+}
 
 // Sent when a step begins, is waited for, or is done.
 struct Progress

@@ -58,6 +58,12 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Meaning", "%1 (D29 is ignored)")},
     Row{MeaningId::manufacturerSpecificOut, "manufacturerSpecificOut",
         QT_TRANSLATE_NOOP("Meaning", "Manufacturer specific (D29), and the make is not known")},
+    Row{MeaningId::serviceRead, "serviceRead",
+        QT_TRANSLATE_NOOP("Meaning", "Service %1: read, service bit %2")},
+    Row{MeaningId::serviceWrite, "serviceWrite",
+        QT_TRANSLATE_NOOP("Meaning", "Service %1: write %2, service bit %3")},
+    Row{MeaningId::serviceWriteInvalid, "serviceWriteInvalid",
+        QT_TRANSLATE_NOOP("Meaning", "Service %1: write %2, service bit %3; the encoder refuses this value")},
     Row{MeaningId::undefinedOut, "undefinedOut",
         QT_TRANSLATE_NOOP("Meaning", "Not defined for this encoder")},
 
@@ -99,6 +105,14 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Meaning", "D31 D30 = 01: a state in no manual")},
     Row{MeaningId::manufacturerSpecificIn, "manufacturerSpecificIn",
         QT_TRANSLATE_NOOP("Meaning", "Manufacturer specific (D29), and the make is not known")},
+    Row{MeaningId::positionWithError, "positionWithError",
+        QT_TRANSLATE_NOOP("Meaning", "Error bit: the magnet is or was outside the measuring range; position "
+                                     "%1")},
+    Row{MeaningId::serviceWritten, "serviceWritten", QT_TRANSLATE_NOOP("Meaning", "Service %1: %2 written")},
+    Row{MeaningId::serviceValue, "serviceValue", QT_TRANSLATE_NOOP("Meaning", "Service %1: %2 read")},
+    Row{MeaningId::oldServiceAnswer, "oldServiceAnswer",
+        QT_TRANSLATE_NOOP("Meaning", "Old answer: service %1, %2")},
+    Row{MeaningId::serviceRefused, "serviceRefused", QT_TRANSLATE_NOOP("Meaning", "Refused: %1")},
     Row{MeaningId::undefinedIn, "undefinedIn", QT_TRANSLATE_NOOP("Meaning", "Not defined for this encoder")},
 };
 

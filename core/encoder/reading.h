@@ -13,12 +13,13 @@ enum class EncoderState : std::uint8_t {
     operation,
     parameterization,
     readOut, // a read-out value or the self test stands in IN
+    service, // LA-66: the answer to a service stands in IN
     error,
     unknown, // D31 D30 = 01: in no manual
 };
 
 // What the encoder shows in one cycle. position is nothing while IN holds none, or while its coding is not
-// known.
+// known. An LA-66 shows a position in error as well: the last one before the magnet left the measuring range.
 struct Reading
 {
     // IN of an encoder in cam mode (FRABA manual 5.4.4).

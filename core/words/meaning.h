@@ -36,7 +36,11 @@ enum class MeaningId : std::uint8_t {
     camShiftRequest,
     manufacturerBitIgnored,  // Baumer: D29 = 1 beside a word that means number[0]
     manufacturerSpecificOut, // D29 = 1, make not known: number[0] = word
-    undefinedOut,            // no manual defines it: number[0] = word
+    // OUT, LA-66
+    serviceRead,         // number[0] = service, number[1] = service bit
+    serviceWrite,        // number[0] = service, number[1] = data, number[2] = service bit
+    serviceWriteInvalid, // likewise, but the service does not take this value
+    undefinedOut,        // no manual defines it: number[0] = word
 
     // IN, K3
     position,          // number[0] = value
@@ -63,7 +67,13 @@ enum class MeaningId : std::uint8_t {
     manufacturerError,      // 980000xx: number[0] = code
     unknownState,           // D31 D30 = 01: number[0] = word
     manufacturerSpecificIn, // D31..D29 = 101, make not known: number[0] = word
-    undefinedIn,            // no manual defines it: number[0] = word
+    // IN, LA-66
+    positionWithError, // D29 = 1 in normal mode: number[0] = position
+    serviceWritten,    // number[0] = service, number[1] = data
+    serviceValue,      // read: number[0] = service, number[1] = value
+    oldServiceAnswer,  // number[0] = service, number[1] = data, while OUT asks for service number[2]
+    serviceRefused,    // D29 = 1 in service mode: number[0] = the OUT word refused
+    undefinedIn,       // no manual defines it: number[0] = word
 };
 inline constexpr int meaningCount = static_cast<int>(MeaningId::undefinedIn) + 1;
 

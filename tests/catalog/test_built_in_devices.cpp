@@ -22,7 +22,7 @@ TEST(BuiltInDevices, AreLinkedIntoTheProgram)
     for (const DeviceDescription &each : catalog.devices())
         keys.push_back(each.key);
     EXPECT_EQ(keys, (std::vector{QStringLiteral("baumer-gxp6w"), QStringLiteral("fraba-ocd-ib"),
-                                 QStringLiteral("generic-k3")}));
+                                 QStringLiteral("generic-k3"), QStringLiteral("tr-la66")}));
     EXPECT_EQ(catalog.find(u"fraba"), nullptr);
 }
 
@@ -157,6 +157,48 @@ TEST(BuiltInDevices, BaumerCannotReadAndStatesNoBudget)
     EXPECT_FALSE(baumer.capabilities.eepromBudget);
     EXPECT_EQ(baumer.quirks, Quirks{});
     EXPECT_TRUE(baumer.notesText().contains(QStringLiteral("assumed")));
+}
+
+// LA-66 manual 1 and 3. Number and read-out code are the service that writes and the one that reads.
+TEST(BuiltInDevices, ServicesOfTheRodAreThoseOfTheManual)
+{
+    const Catalog catalog = Catalog::builtIn();
+    const DeviceDescription &rod = device(catalog, u"tr-la66");
+    EXPECT_EQ(rod.profile, Profile::la66);
+    EXPECT_EQ(rod.deviceCode, 0x0233u);
+    struct Row
+    {
+        Parameter parameter;
+        std::optional<unsigned> number;
+        std::optional<unsigned> readOut;
+        std::int64_t minimum;
+        std::int64_t maximum;
+    };
+    const Row rows[] = {
+        {Parameter::direction, 1, 1, 0, 1},
+        {Parameter::measuringLength, 2, 2, 1, 0xFF'FFFF},
+        {Parameter::externalPreset, 4, 4, 0, 0xFF'FFFF},
+        {Parameter::errorStatus, {}, 8, 0, 0xFFFF},
+    };
+    for (const Row &row : rows) {
+        const ParameterDescription *found = rod.find(row.parameter);
+        ASSERT_NE(found, nullptr);
+        EXPECT_EQ(found->number, row.number);
+        EXPECT_EQ(found->readOut, row.readOut);
+        EXPECT_EQ(found->minimum, row.minimum);
+        EXPECT_EQ(found->maximum, row.maximum);
+    }
+    EXPECT_TRUE(rod.find(Parameter::rodLength)->onLabel);
+    EXPECT_EQ(rod.parameters.size(), std::size(rows) + 1);
+    EXPECT_TRUE(rod.capabilities.presetNeedsValue);
+    EXPECT_FALSE(rod.capabilities.eepromBudget);
+    EXPECT_EQ(rod.findError(5)->meaning, RefusalId::magnetOutOfRange);
+}
+
+// 33h is the ID code of analog modules too: an unnamed one is no encoder.
+TEST(BuiltInDevices, AnUnnamed0233hIsNotTakenForARod)
+{
+    EXPECT_EQ(Catalog::builtIn().generic(0x0233), nullptr);
 }
 
 TEST(BuiltInDevices, NotesAreInEachLanguage)

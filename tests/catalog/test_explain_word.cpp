@@ -31,6 +31,7 @@ protected:
     const DeviceDescription &fraba = *catalog.find(u"fraba-ocd-ib");
     const DeviceDescription &baumer = *catalog.find(u"baumer-gxp6w");
     const DeviceDescription &generic = *catalog.find(u"generic-k3");
+    const DeviceDescription &rod = *catalog.find(u"tr-la66");
 };
 
 // The rows of the FRABA appendix are in test_fraba_appendix.cpp; here is what stands between them.
@@ -97,6 +98,29 @@ TEST_F(ExplainWord, WordsOfAnUnnamedK3)
     EXPECT_EQ(text(generic, 0x2021'0001, out), "Manufacturer specific (D29), and the make is not known");
 }
 
+TEST_F(ExplainWord, WordsOfARod)
+{
+    EXPECT_EQ(text(rod, 0x4200'C350, out), "Service 2 measuring length in steps: write 50000, service bit 0");
+    EXPECT_EQ(text(rod, 0xC200'C350, out), "Service 2 measuring length in steps: write 50000, service bit 1");
+    EXPECT_EQ(text(rod, 0x8200'0000, out), "Service 2 measuring length in steps: read, service bit 1");
+    EXPECT_EQ(text(rod, 0xC100'0001, out), "Service 1 direction: write 1 (decreasing), service bit 1");
+    EXPECT_EQ(text(rod, 0xC600'03E8, out), "Service 6 preset adjustment: write 1000, service bit 1");
+    EXPECT_EQ(text(rod, 0xC200'0000, out),
+              "Service 2 measuring length in steps: write 0, service bit 1; the encoder refuses this value");
+    EXPECT_EQ(text(rod, 0xC300'0000, out), "Not defined for this encoder");
+    EXPECT_EQ(text(rod, 0x0000'3039, in), "Running, position 12345");
+    EXPECT_EQ(text(rod, 0x2000'3039, in),
+              "Error bit: the magnet is or was outside the measuring range; position 12345");
+    EXPECT_EQ(text(rod, 0xC200'C350, in), "Service 2 measuring length in steps: 50000 written");
+    EXPECT_EQ(text(rod, 0x8400'1388, in), "Service 4 external preset: 5000 read");
+    EXPECT_EQ(text(rod, 0x8800'0020, in),
+              "Service 8 error status: 32 (magnet outside the measuring range) read");
+    EXPECT_EQ(text(rod, 0xE100'0002, in),
+              "Refused: Service 1 direction: write 2, service bit 1; the encoder refuses this value");
+    EXPECT_EQ(text(rod, 0xA600'0000, in), "Refused: Not defined for this encoder");
+    EXPECT_EQ(inBeside(rod, 0x8100'0000, 0x8800'0000), "Old answer: service 1 direction, 0 (increasing)");
+}
+
 TEST_F(ExplainWord, EveryWordHasASentenceAtEveryDevice)
 {
     static const QRegularExpression place(QStringLiteral("%[1-9]|\\?"));
@@ -134,6 +158,10 @@ TEST_F(ExplainWord, BitsAreNamedAsInTheManual)
     EXPECT_EQ(bit(baumer, WordDirection::out, 29), "D29: ignored by this encoder");
     EXPECT_EQ(bit(generic, WordDirection::in, 29), "D29: manufacturer specific");
     EXPECT_EQ(bit(fraba, WordDirection::in, 28), "D28..D25: parameter number, or error number");
+    EXPECT_EQ(bit(rod, WordDirection::out, 31), "D31: service bit, asks when it changes from 0 to 1");
+    EXPECT_EQ(bit(rod, WordDirection::in, 29), "D29: error");
+    EXPECT_EQ(bit(rod, WordDirection::out, 24), "D27..D24: service number");
+    EXPECT_EQ(bit(rod, WordDirection::out, 23), "D23..D0: data to write");
     for (const DeviceDescription &device : catalog.devices())
         for (const WordDirection direction : {WordDirection::in, WordDirection::out}) {
             for (int i = 0; i < 32; ++i)

@@ -149,6 +149,9 @@ void DialPanel::draw()
     case EncoderState::readOut:
         state = {.note = tr("A read-out value stands in IN: there is no position."), .role = Role::attention};
         break;
+    case EncoderState::service:
+        state = {.note = tr("In service mode: there is no position."), .role = Role::attention};
+        break;
     case EncoderState::error:
         state = {.note =
                      reading.errorNumber.value_or(0) == 0

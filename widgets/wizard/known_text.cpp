@@ -75,6 +75,9 @@ QString leftInText(EncoderState state)
         return KnownText::tr("The encoder is in the error state: it gives no position.");
     case EncoderState::readOut:
         return KnownText::tr("The encoder still shows a read-out value.");
+    case EncoderState::service:
+        return KnownText::tr("The encoder is in service mode: it gives no position until the service bit "
+                             "is 0.");
     case EncoderState::notSeen:
         return KnownText::tr("The encoder has not been seen on the bus.");
     case EncoderState::unknown:

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "words/la66_word.h"
+#include "words/meaning.h"
+
+#include <optional>
+
+namespace codewheel::la66 {
+
+// Total: every one of the 2^32 words gets one meaning, undefined ones as undefinedOut / undefinedIn.
+// `counterpart` is the word the other way in the same cycle, where it is known: beside it an answer to an
+// earlier service is told apart.
+Explanation explain(Word word, WordDirection direction, std::optional<Word> counterpart) noexcept;
+
+} // namespace codewheel::la66
