@@ -84,10 +84,9 @@ QString MeaningParts::parameterLabel(unsigned parameterNumber, In place) const
 
 QString MeaningParts::parameterValue(unsigned parameterNumber, std::int64_t value) const
 {
-    constexpr unsigned setToDefault = 7; // a command: it has no description and no value but 0
     if (const ParameterDescription *parameter = m_device.findNumber(parameterNumber))
         return valueText(*parameter, value);
-    return parameterNumber == setToDefault && value == 0
+    return parameterNumber == k3::setToDefault && value == 0
                ? sentence(tr("%1 (reset to factory settings)"), {number(value)})
                : number(value);
 }

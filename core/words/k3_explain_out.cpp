@@ -6,8 +6,7 @@
 namespace codewheel::k3 {
 namespace {
 
-constexpr unsigned defaultNumber = 7;
-constexpr Word resetWord = parameterWord(defaultNumber, 0);
+constexpr Word resetWord = parameterWord(setToDefault, 0);
 
 Meaning undefined(Word word) noexcept
 {

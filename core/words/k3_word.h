@@ -73,6 +73,9 @@ constexpr Word readOutWord(unsigned code) noexcept
     return readOut | (code & 0xFF);
 }
 
+// "Set encoder to default", a command of its own: 0E000000h.
+inline constexpr unsigned setToDefault = 7;
+
 // A control word that asks for a parameter: D31..D29 = 000 and a number that is not 0.
 constexpr bool isParameterWord(Word out) noexcept
 {
@@ -80,7 +83,7 @@ constexpr bool isParameterWord(Word out) noexcept
 }
 constexpr bool isReadOutRequest(Word out) noexcept
 {
-    return (out & controlMask) == manufacturerBit && (out & 0x00FF'0000) == 0x0021'0000;
+    return (out & 0xFFFF'0000) == readOut;
 }
 
 // D31 D30 of IN. 01 is in no manual.
