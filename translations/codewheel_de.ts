@@ -71,6 +71,42 @@
         <source>D24..D0: position or confirmed data</source>
         <translation>D24..D0: Position oder quittierte Daten</translation>
     </message>
+    <message>
+        <source>D31: service bit, asks when it changes from 0 to 1</source>
+        <translation>D31: Dienst-Bit, fordert an beim Wechsel von 0 auf 1</translation>
+    </message>
+    <message>
+        <source>D31: service bit, acknowledges</source>
+        <translation>D31: Dienst-Bit, quittiert</translation>
+    </message>
+    <message>
+        <source>D30: 0 read, 1 write</source>
+        <translation>D30: 0 lesen, 1 schreiben</translation>
+    </message>
+    <message>
+        <source>D29: always 0</source>
+        <translation>D29: immer 0</translation>
+    </message>
+    <message>
+        <source>D29: error</source>
+        <translation>D29: Fehler</translation>
+    </message>
+    <message>
+        <source>D28: always 0</source>
+        <translation>D28: immer 0</translation>
+    </message>
+    <message>
+        <source>D27..D24: service number</source>
+        <translation>D27..D24: Nummer des Dienstes</translation>
+    </message>
+    <message>
+        <source>D23..D0: data to write</source>
+        <translation>D23..D0: zu schreibende Daten</translation>
+    </message>
+    <message>
+        <source>D23..D0: position; in service mode data written or read</source>
+        <translation>D23..D0: Position; im Dienstbetrieb geschriebene oder gelesene Daten</translation>
+    </message>
 </context>
 <context>
     <name>CancelQuestion</name>
@@ -205,6 +241,22 @@
         <source>cam program %1</source>
         <translation>Nockenprogramm %1</translation>
     </message>
+    <message>
+        <source>increasing</source>
+        <translation>steigend</translation>
+    </message>
+    <message>
+        <source>decreasing</source>
+        <translation>fallend</translation>
+    </message>
+    <message>
+        <source>no error</source>
+        <translation>kein Fehler</translation>
+    </message>
+    <message>
+        <source>magnet outside the measuring range</source>
+        <translation>Magnet außerhalb des Messbereichs</translation>
+    </message>
 </context>
 <context>
     <name>DeviceDescription</name>
@@ -255,6 +307,10 @@
     <message>
         <source>not defined for this encoder</source>
         <translation>für diesen Geber nicht definiert</translation>
+    </message>
+    <message>
+        <source>magnet outside the measuring range</source>
+        <translation>Magnet außerhalb des Messbereichs</translation>
     </message>
 </context>
 <context>
@@ -329,6 +385,10 @@
     <message>
         <source>The state of the encoder is not known.</source>
         <translation>Der Zustand des Gebers ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>The encoder is in service mode: it gives no position until the service bit is 0.</source>
+        <translation>Der Geber ist im Dienstbetrieb: Er gibt keine Position aus, bis das Dienst-Bit 0 ist.</translation>
     </message>
 </context>
 <context>
@@ -565,6 +625,46 @@
         <source>D31 D30 = 01: a state in no manual</source>
         <translation>D31 D30 = 01: ein Zustand, den kein Handbuch nennt</translation>
     </message>
+    <message>
+        <source>%1 (reset to factory settings)</source>
+        <translation>%1 (auf Werkseinstellungen zurücksetzen)</translation>
+    </message>
+    <message>
+        <source>preset adjustment</source>
+        <translation>Preset-Justage</translation>
+    </message>
+    <message>
+        <source>Service %1: read, service bit %2</source>
+        <translation>Dienst %1: lesen, Dienst-Bit %2</translation>
+    </message>
+    <message>
+        <source>Service %1: write %2, service bit %3</source>
+        <translation>Dienst %1: %2 schreiben, Dienst-Bit %3</translation>
+    </message>
+    <message>
+        <source>Service %1: write %2, service bit %3; the encoder refuses this value</source>
+        <translation>Dienst %1: %2 schreiben, Dienst-Bit %3; der Geber lehnt diesen Wert ab</translation>
+    </message>
+    <message>
+        <source>Error bit: the magnet is or was outside the measuring range; position %1</source>
+        <translation>Fehlerbit: Der Magnet ist oder war außerhalb des Messbereichs; Position %1</translation>
+    </message>
+    <message>
+        <source>Service %1: %2 written</source>
+        <translation>Dienst %1: %2 geschrieben</translation>
+    </message>
+    <message>
+        <source>Service %1: %2 read</source>
+        <translation>Dienst %1: %2 gelesen</translation>
+    </message>
+    <message>
+        <source>Old answer: service %1, %2</source>
+        <translation>Alte Antwort: Dienst %1, %2</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <translation>Abgelehnt: %1</translation>
+    </message>
 </context>
 <context>
     <name>Message</name>
@@ -671,6 +771,10 @@
     <message>
         <source>Cam programs written: %1 (EEPROM writes so far: %2).</source>
         <translation>Geschriebene Nockenprogramme: %1 (EEPROM-Schreibvorgänge bisher: %2).</translation>
+    </message>
+    <message>
+        <source>The reset to factory settings waits for run. Run carries it out; switching the encoder off drops it.</source>
+        <translation>Das Zurücksetzen auf Werkseinstellungen wartet auf Run. Run führt es aus; Ausschalten des Gebers verwirft es.</translation>
     </message>
 </context>
 <context>
@@ -1189,6 +1293,14 @@
         <source>The magnet is outside the measuring range (IN %1): the last position is shown. Move the magnet back, then read the error status.</source>
         <translation>Der Magnet ist außerhalb des Messbereichs (IN %1): Die letzte Position wird gezeigt. Den Magneten zurückschieben, dann den Fehlerstatus lesen.</translation>
     </message>
+    <message>
+        <source>%1, line %2: %4 Nothing was taken from the file.</source>
+        <translation>%1, Zeile %2: %4 Aus der Datei wurde nichts übernommen.</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: the encoder is in cam mode, where the word %1 %2. Switch it to position mode first.</source>
+        <translation>Nichts gesendet: Der Geber ist im Nockenbetrieb. Dort gilt: Das Wort %1 %2. Zuerst in den Positionsbetrieb schalten.</translation>
+    </message>
 </context>
 <context>
     <name>Role</name>
@@ -1472,6 +1584,29 @@
         <source>%1 of %2 to %3</source>
         <comment>value, range</comment>
         <translation>%1 von %2 bis %3</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CamFileReader</name>
+    <message>
+        <source>This is no file of cam programs: the format is not &quot;%1&quot;.</source>
+        <translation>Dies ist keine Datei mit Nockenprogrammen: Das Format ist nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>Only version %1 of the format can be read.</source>
+        <translation>Nur Version %1 des Formats ist lesbar.</translation>
+    </message>
+    <message>
+        <source>Cam program %1 stands above already.</source>
+        <translation>Nockenprogramm %1 steht weiter oben schon.</translation>
+    </message>
+    <message>
+        <source>At least one cam program is expected here.</source>
+        <translation>Hier wird mindestens ein Nockenprogramm erwartet.</translation>
+    </message>
+    <message>
+        <source>Cam %1 stands above already.</source>
+        <translation>Nocken %1 steht weiter oben schon.</translation>
     </message>
 </context>
 <context>
@@ -2216,6 +2351,10 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>Not known: %1. The disc needs it to turn.</source>
         <translation>Unbekannt: %1. Ohne das dreht die Scheibe nicht.</translation>
+    </message>
+    <message>
+        <source>In service mode: there is no position.</source>
+        <translation>Im Dienstbetrieb: Es gibt keine Position.</translation>
     </message>
 </context>
 <context>
@@ -3961,6 +4100,10 @@ State: %7</source>
 ID-Code %3, Gerätecode %4
 %5 Worte IN, %6 Worte OUT
 Zustand: %7</translation>
+    </message>
+    <message>
+        <source>service mode</source>
+        <translation>Dienstbetrieb</translation>
     </message>
 </context>
 <context>
