@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/encoder_arithmetic.h"
+#include "words/position_code.h"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -100,6 +101,35 @@ TEST(EncoderArithmetic, IsTheFloorOfTheExactQuotient)
             const std::int64_t exact = raw * set.steps / (set.revolutions * 8192) % totalRange(set);
             ASSERT_EQ(EncoderArithmetic(set, thirteenPlusTwelve).absoluteValue(raw), exact)
                 << set.steps << " / " << set.revolutions << " at " << raw;
+        }
+    }
+}
+
+// What the encoder codes, the driver decodes: the process value in each coding, over all admissible totals.
+TEST(EncoderArithmetic, ACodedPositionDecodesToTheProcessValue)
+{
+    std::mt19937_64 random(71);
+    const auto below = [&random](std::int64_t limit) {
+        return static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(limit));
+    };
+    for (int i = 0; i < 300'000; ++i) {
+        ParameterSet set{.coding = 1 + below(6), .measuringRange = 1 + below(4096)};
+        set.steps = 1 + below(std::int64_t{1} << (1 + below(14)));
+        if (!isAdmissible(set, thirteenPlusTwelve))
+            continue;
+        set.zeroOffset = below(totalRange(set));
+        const EncoderArithmetic arithmetic(set, thirteenPlusTwelve);
+        for (const std::int64_t raw : {std::int64_t{0}, below(1 << 25), std::int64_t{(1 << 25) - 1}}) {
+            const std::int64_t value = arithmetic.processValue(raw);
+            const PositionCoding coding = set.coding <= 2   ? PositionCoding::signedBinary
+                                          : set.coding <= 4 ? PositionCoding::binary
+                                                            : PositionCoding::gray;
+            const std::int64_t decoded = k3::decodePosition(arithmetic.codedValue(raw), coding);
+            ASSERT_EQ(decoded < 0 ? decoded + arithmetic.total() : decoded, value);
+            ASSERT_GE(decoded, -arithmetic.total() / 2);
+            if (coding == PositionCoding::signedBinary) {
+                ASSERT_LT(decoded, (arithmetic.total() + 1) / 2);
+            }
         }
     }
 }
