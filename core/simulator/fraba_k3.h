@@ -4,6 +4,8 @@
 #include "simulator/fraba_cams.h"
 #include "simulator/simulated_k3.h"
 
+#include <array>
+
 namespace codewheel {
 
 // What distinguishes one FRABA OCD-IB from the next.
@@ -14,6 +16,9 @@ struct FrabaPlate
     Word operatingTime = 0; // 10 min
     bool stepsMinusOne = false;
     std::optional<int> temperature = 245; // 0.1 degC; nothing: no sensor
+    // 16 bit each. What the chip keeps in which is in no manual: its length and ID code in the first, 0 in
+    // the others (assumed).
+    std::array<Word, 16> opcRegisters{0x0237};
 };
 
 // FRABA OCD-IB K3 (FRABA manual 5.3, 5.4, 10): read-out, velocity mode, FRABA preset, cam
@@ -50,6 +55,7 @@ private:
     Word velocity() const;
     Word readOutAnswer(Word out) const;
     std::optional<Word> readOutValue(Word code) const;
+    std::optional<Word> opcRegister(Word code) const;
     Word startUpMode() const;
 
     FrabaPlate m_plate;

@@ -12,12 +12,7 @@ constexpr Word unknownReadOut = 0xA400'0000;
 constexpr Word codeMask = 0xFFFF;
 constexpr Word multiTurnFlag = 2;
 constexpr Word stepsMinusOneFlag = 1;
-constexpr Word largestOpcCode = 0xFD; // register number in bits 7..4, D in bits 3..0
-
-constexpr bool isOpcRegister(Word code)
-{
-    return code <= largestOpcCode && (code & 0xF) == 0xD;
-}
+constexpr Word opcRegisterCode = 0xD; // + register number in bits 7..4
 
 } // namespace
 
@@ -59,8 +54,16 @@ std::optional<Word> FrabaK3::readOutValue(Word code) const
         return m_plate.temperature ? std::optional(static_cast<Word>(*m_plate.temperature) & 0xFFFF)
                                    : std::nullopt;
     default:
-        return isOpcRegister(code) ? std::optional<Word>(0) : std::nullopt;
+        return opcRegister(code);
     }
+}
+
+std::optional<Word> FrabaK3::opcRegister(Word code) const
+{
+    const Word number = code >> 4;
+    if ((code & 0xF) != opcRegisterCode || number >= m_plate.opcRegisters.size())
+        return std::nullopt;
+    return m_plate.opcRegisters[number];
 }
 
 Word FrabaK3::startUpMode() const

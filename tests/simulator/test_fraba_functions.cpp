@@ -8,6 +8,18 @@ namespace {
 constexpr PhysicalResolution thirteenPlusTwelve{8192, 4096};
 constexpr Word pos = 0x0000'3039; // 12345
 
+struct ReadOutRow
+{
+    Word out;
+    Word in;
+};
+
+void expectReadOuts(FrabaK3 &encoder, const std::vector<ReadOutRow> &rows)
+{
+    for (const ReadOutRow &row : rows)
+        EXPECT_EQ(hex8(send(encoder, {0x0000'0000, row.out})), hex8(row.in)) << hex8(row.out);
+}
+
 class FrabaFunctions : public testing::Test
 {
 protected:
@@ -81,6 +93,29 @@ TEST_F(FrabaFunctions, DefaultEndsTheVelocityMode)
     play(m_encoder, {{0x0000'0000, pos}});
 }
 
+// FRABA manual 10.1: physical steps, 1 revolution, CW, preset and zero offset 0 (assumed)
+TEST_F(FrabaFunctions, Manual101DefaultIsConfirmedAndActsAtRun)
+{
+    send(m_encoder,
+         {0x0200'00FF, 0x0400'0002, 0x0600'0004, 0x0800'0064, 0x0A00'000A, 0x8000'0000, 0x0000'0000});
+    const int before = m_encoder.eepromWrites();
+    EXPECT_EQ(send(m_encoder, {0x0E00'0000}), 0xCE00'0000);
+    EXPECT_EQ(send(m_encoder, {0x0000'0000, 0x2021'0001}), 0xA000'00FF) << "not before run";
+    EXPECT_EQ(send(m_encoder, {0x0000'0000}), 0xCE00'0000);
+    EXPECT_EQ(send(m_encoder, {0x8000'0000, 0x0000'0000}), pos);
+    expectReadOuts(m_encoder, {
+                                  {0x2021'0001, 0xA000'2000},
+                                  {0x2021'0002, 0xA000'0001},
+                                  {0x2021'0003, 0xA000'0003},
+                                  {0x2021'0004, 0xA000'0000},
+                                  {0x2021'0005, 0xA000'0000},
+                                  {0x2021'0006, 0xA000'0000},
+                                  {0x2021'0009, 0xA000'0001},
+                              });
+    EXPECT_EQ(m_encoder.eepromWrites(), before + 1);
+    EXPECT_EQ(send(m_encoder, {0x0000'0000, 0x0E00'0001}), 0x8200'0000) << "its data are 0";
+}
+
 // FRABA manual 6: the code is valid up to 800 kHz
 TEST_F(FrabaFunctions, ShowsNoPositionAbove800Kilohertz)
 {
@@ -91,35 +126,29 @@ TEST_F(FrabaFunctions, ShowsNoPositionAbove800Kilohertz)
     play(m_encoder, {{0x0000'0000, pos}}); // by itself
 }
 
-struct ReadOutRow
-{
-    Word out;
-    Word in;
-};
-
 TEST_F(FrabaFunctions, Manual102ReadOutAnswersWithoutTheNumber)
 {
     send(m_encoder,
          {0x0200'1000, 0x0400'0002, 0x0600'0004, 0x0800'0064, 0x0A00'000A, 0x8000'0000, 0x0000'0000});
-    const ReadOutRow rows[] = {
-        {0x2021'0000, 0xA000'1267},                             // serial number 4711
-        {0x2021'0001, 0xA000'1000},                             // steps
-        {0x2021'0002, 0xA000'0002},                             // revolutions
-        {0x2021'0003, 0xA000'0004},                             // complement
-        {0x2021'0004, 0xA000'0064},                             // preset
-        {0x2021'0005, 0xA000'000A},                             // zero point shifting
-        {0x2021'0006, 0xA000'0001},                             // preset flag: programmed
-        {0x2021'0007, 0xA000'0103},                             // software version
-        {0x2021'0008, 0xA000'0063},                             // operating time
-        {0x2021'0009, 0xA000'0001},                             // start-up mode: K3
-        {0x2021'000A, 0xA000'0002},                             // multi-turn, steps as they are
-        {0x2021'000C, 0xA000'00F5},                             // 24.5 degC
-        {0x2021'000D, 0xA000'0000},                             // OPC registers
-        {0x2021'00FD, 0xA000'0000}, {0x2021'000B, 0xA400'000B}, // unknown
-        {0x2021'000E, 0xA400'000E}, {0x2021'001C, 0xA400'001C}, {0x2021'FFFF, 0xA400'FFFF},
-    };
-    for (const ReadOutRow &row : rows)
-        EXPECT_EQ(hex8(send(m_encoder, {0x0000'0000, row.out})), hex8(row.in)) << hex8(row.out);
+    expectReadOuts(m_encoder, {
+                                  {0x2021'0000, 0xA000'1267}, // serial number 4711
+                                  {0x2021'0001, 0xA000'1000}, // steps
+                                  {0x2021'0002, 0xA000'0002}, // revolutions
+                                  {0x2021'0003, 0xA000'0004}, // complement
+                                  {0x2021'0004, 0xA000'0064}, // preset
+                                  {0x2021'0005, 0xA000'000A}, // zero point shifting
+                                  {0x2021'0006, 0xA000'0001}, // preset flag: programmed
+                                  {0x2021'0007, 0xA000'0103}, // software version
+                                  {0x2021'0008, 0xA000'0063}, // operating time
+                                  {0x2021'0009, 0xA000'0001}, // start-up mode: K3
+                                  {0x2021'000A, 0xA000'0002}, // multi-turn, steps as they are
+                                  {0x2021'000C, 0xA000'00F5}, // 24.5 degC
+                                  {0x2021'000B, 0xA400'000B}, // unknown
+                                  {0x2021'000E, 0xA400'000E},
+                                  {0x2021'001C, 0xA400'001C},
+                                  {0x2021'010D, 0xA400'010D},
+                                  {0x2021'FFFF, 0xA400'FFFF},
+                              });
 }
 
 TEST_F(FrabaFunctions, ReadOutStandsAsLongAsItIsAskedForAndShowsThePositionAgain)
@@ -170,6 +199,23 @@ TEST(FrabaPlates, StepsMinusOneExpectsAndReadsOutOneLess)
     EXPECT_EQ(send(encoder, {0x2021'0001}), 0xA000'00FE);
     EXPECT_EQ(send(encoder, {0x0000'0000, 0x0200'0000, 0x8000'0000}), 0x0000'0000); // one step
     EXPECT_EQ(send(encoder, {0x03FF'FFFF}), 0x8200'0000);
+}
+
+// FRABA manual 10.2: 202100xDh, register x
+TEST(FrabaPlates, TheRegistersOfTheBusChipAreReadOneByOne)
+{
+    FrabaPlate plate;
+    plate.opcRegisters[3] = 0x1234;
+    plate.opcRegisters[15] = 0xFFFF;
+    FrabaK3 encoder(thirteenPlusTwelve, 12'345, plate);
+    expectReadOuts(encoder, {
+                                {0x2021'000D, 0xA000'0237},
+                                {0x2021'001D, 0xA000'0000},
+                                {0x2021'003D, 0xA000'1234},
+                                {0x2021'00ED, 0xA000'0000},
+                                {0x2021'00FD, 0xA000'FFFF},
+                                {0x2021'010D, 0xA400'010D},
+                            });
 }
 
 TEST(FrabaPlates, TemperatureIsSignedAndMayBeMissing)
