@@ -32,6 +32,9 @@ public:
     // cycle, equal to `out` when no job wants it otherwise.
     virtual Word cycle(Word in, Word out, Instant now) = 0;
 
+    // False: the encoder acts on this word anew in every cycle, so that it must not go on standing in OUT.
+    virtual bool mayStand(Word /*out*/) const { return true; }
+
     // What happened since the last call, oldest first.
     virtual std::vector<Event> takeEvents() = 0;
 };

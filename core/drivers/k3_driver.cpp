@@ -7,9 +7,21 @@
 namespace codewheel {
 namespace {
 
-bool startsParameterization(const Job &job)
+bool isStartedInOperation(const Job &job)
 {
-    return std::holds_alternative<WriteParameters>(job) || std::holds_alternative<SetPreset>(job);
+    const auto *to = std::get_if<SwitchMode>(&job);
+    return std::holds_alternative<WriteParameters>(job) || std::holds_alternative<SetPreset>(job) ||
+           std::holds_alternative<ResetToDefault>(job) || (to != nullptr && to->mode == Mode::velocity);
+}
+
+// The word of the job that sets something else in cam mode (FRABA manual 10.2 and 10.5).
+std::optional<Word> wordOfTwoMeanings(const Job &job)
+{
+    if (const auto *preset = std::get_if<SetPreset>(&job))
+        return preset->command == PresetCommand::manufacturer ? k3::frabaPreset : k3::initialisePreset;
+    if (const auto *to = std::get_if<SwitchMode>(&job); to != nullptr && to->mode == Mode::velocity)
+        return k3::velocityOn;
+    return initialisesPreset(job) ? std::optional(k3::initialisePreset) : std::nullopt;
 }
 
 } // namespace
@@ -35,8 +47,8 @@ Result<void> K3Driver::begin(JobId id, const Job &job, Pace pace, Word in, Word 
         return refuse(RefusalKind::busy, RefusalId::jobRunning);
     if (auto checked = m_plan.check(job); !checked)
         return checked;
-    if (initialisesPreset(job) && m_device.quirks.hasModes && m_knowledge.mode() != Mode::position)
-        return refuse(RefusalKind::notSupported, RefusalId::modeNotKnown, {k3::initialisePreset});
+    if (auto checked = checkMode(job); !checked)
+        return checked;
 
     Run run;
     run.id = id;
@@ -75,9 +87,22 @@ Result<void> K3Driver::prepare(Word in, Word out)
     return {};
 }
 
+Result<void> K3Driver::checkMode(const Job &job) const
+{
+    const auto word = wordOfTwoMeanings(job);
+    if (!word || !m_device.quirks.hasModes)
+        return {};
+    const auto mode = m_knowledge.mode();
+    if (!mode)
+        return refuse(RefusalKind::notSupported, RefusalId::modeNotKnown, {*word});
+    if (*mode == Mode::cam && !std::holds_alternative<SwitchMode>(job)) // which leaves it first
+        return refuse(RefusalKind::notSupported, RefusalId::inCamMode, {*word});
+    return {};
+}
+
 Result<void> K3Driver::checkState(const Job &job, Word in) const
 {
-    if (!startsParameterization(job))
+    if (!isStartedInOperation(job))
         return {};
     const EncoderState state = stateOf(in, m_device.dialect);
     if (state == EncoderState::parameterization)
@@ -113,7 +138,8 @@ Word K3Driver::cycle(Word in, Word out, Instant now)
         lookForLateAnswer(in);
         lookForRestart(in);
     }
-    return m_run ? carryOn(in, out, now) : out;
+    const Word next = m_run ? carryOn(in, out, now) : out;
+    return m_run || mayStand(next) ? next : k3::normalRunning;
 }
 
 Word K3Driver::carryOn(Word in, Word out, Instant now)
@@ -160,11 +186,19 @@ Word K3Driver::carryOn(Word in, Word out, Instant now)
     return out;
 }
 
+// The word behind 60000000 waits for nobody: that one is a cycle long.
+bool K3Driver::followsManufacturerPreset() const
+{
+    return m_run->index > 0 && m_run->steps[m_run->index - 1].kind == StepKind::manufacturerPreset;
+}
+
 // By hand, a step waits for proceed(). Bringing OUT back after a failure or a cancel waits for nobody.
 bool K3Driver::mayBeginStep(Word in)
 {
     Run &run = *m_run;
     if (run.pace == Pace::byItself || run.failure || run.cancelled || run.mayBegin)
+        return true;
+    if (followsManufacturerPreset())
         return true;
     if (!run.asked) {
         run.asked = true;
@@ -182,8 +216,10 @@ void K3Driver::beginStep(Word in, Instant now)
     run.begun = true;
     run.mayBegin = false;
     run.asked = false;
+    if (m_knowledge.isManufacturerPreset(current().out)) // also where the user gave the words
+        run.steps[run.index].kind = StepKind::manufacturerPreset;
     m_handshake.begin(current(), in, now);
-    if (current().kind == StepKind::initialisePreset)
+    if (current().kind == StepKind::initialisePreset || current().kind == StepKind::manufacturerPreset)
         run.positionBefore = m_reading.position;
     reportProgress(false);
 }
@@ -196,10 +232,17 @@ void K3Driver::stepDone(Word in)
     ++run.index;
     switch (step.kind) {
     case StepKind::parameter:
-        run.confirmed.push_back({*step.parameter, step.value});
+        if (step.parameter)
+            run.confirmed.push_back({*step.parameter, step.value});
+        else
+            run.resetConfirmed = true;
         break;
     case StepKind::run:
         ranWithWhatWasConfirmed();
+        break;
+    case StepKind::toNormal:
+        if (run.index > 1 && run.steps[run.index - 2].kind == StepKind::manufacturerPreset)
+            run.positionAfter = m_reading.position;
         break;
     case StepKind::initialisePreset:
         run.positionAfter = m_reading.position;
@@ -229,6 +272,7 @@ void K3Driver::ranWithWhatWasConfirmed()
         for (const ParameterValue &value : run.confirmed)
             replaceValue(run.written, value);
     run.confirmed.clear();
+    run.resetConfirmed = false;
 }
 
 // The remaining steps are dropped. OUT goes back to 0, except where the user gave the words himself.

@@ -27,6 +27,7 @@ public:
     void cancel(OnCancel how, Instant now) override;
     void stop(RefusalId why, Instant now) override;
     Word cycle(Word in, Word out, Instant now) override;
+    bool mayStand(Word out) const override { return !m_knowledge.isManufacturerPreset(out); }
     std::vector<Event> takeEvents() override;
 
 private:
@@ -49,8 +50,9 @@ private:
         Instant cancelledAt{};
         std::optional<K3Step> inFlight; // cancelled before it was confirmed; it may be taken yet
         int writesBefore = 0;
-        ParameterValues before;    // values from before this job
-        ParameterValues confirmed; // since the last run
+        ParameterValues before;      // values from before this job
+        ParameterValues confirmed;   // since the last run
+        bool resetConfirmed = false; // likewise
         ParameterValues written;
         bool ranAtZero = false;          // 00000000h answered run
         std::optional<Refusal> mismatch; // of the read-back, which goes on
@@ -60,6 +62,7 @@ private:
         std::optional<std::int64_t> positionAfter;
     };
 
+    Result<void> checkMode(const Job &job) const;
     Result<void> checkState(const Job &job, Word in) const;
     Result<void> prepare(Word in, Word out);
     void lookForRestart(Word in);
@@ -67,6 +70,7 @@ private:
     bool isStillProcessing(Word in, Instant now) const;
     Word carryOn(Word in, Word out, Instant now);
     bool mayBeginStep(Word in);
+    bool followsManufacturerPreset() const;
     void beginStep(Word in, Instant now);
     void stepDone(Word in);
     void readDone(const K3Step &step, Word in);

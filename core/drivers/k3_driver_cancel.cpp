@@ -13,7 +13,7 @@ void K3Driver::cancel(OnCancel how, Instant now)
     Run &run = *m_run;
     run.cancelled = how;
     run.cancelledAt = now;
-    if (run.begun && current().kind == StepKind::parameter) {
+    if (run.begun && current().kind == StepKind::parameter && current().parameter) {
         if (m_handshake.hasConfirmed())
             replaceValue(run.confirmed, {*current().parameter, current().value});
         else
@@ -36,12 +36,14 @@ void K3Driver::lookForRestart(Word in)
 {
     Run &run = *m_run;
     const bool isBegun = run.begun && run.index < run.steps.size();
-    const bool hasConfirmed = !run.confirmed.empty() || (isBegun && current().kind == StepKind::parameter &&
-                                                         m_handshake.hasConfirmed());
+    const bool hasConfirmed =
+        !run.confirmed.empty() || run.resetConfirmed ||
+        (isBegun && current().kind == StepKind::parameter && m_handshake.hasConfirmed());
     const bool runIsSent = isBegun && current().out == k3::run;
     if (!hasConfirmed || runIsSent || !k3::isOperation(in))
         return;
     run.confirmed.clear();
+    run.resetConfirmed = false;
     const bool dropsAnyway = run.cancelled && !run.cancelPlanned;
     if (!std::holds_alternative<SendWords>(run.job) && !dropsAnyway && !run.failure)
         fail(restarted(in));
@@ -84,6 +86,8 @@ void K3Driver::appendCancelSteps(Word in)
 
 bool K3Driver::canRestore() const
 {
+    if (std::holds_alternative<ResetToDefault>(m_run->job))
+        return false; // run would carry out the reset
     const auto isKnown = [this](const ParameterValue &value) {
         return valueOf(m_run->before, value.parameter).has_value();
     };

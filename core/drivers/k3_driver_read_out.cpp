@@ -41,14 +41,16 @@ void K3Driver::refine(Parameter parameter, std::int64_t value)
 {
     Run &run = *m_run;
     const auto rest = run.steps.begin() + static_cast<std::ptrdiff_t>(run.index);
-    const bool rearms = parameter == Parameter::preset && initialisesPreset(run.job) &&
+    const auto *preset = std::get_if<SetPreset>(&run.job);
+    const bool isProfilePreset =
+        initialisesPreset(run.job) && !(preset != nullptr && preset->command == PresetCommand::manufacturer);
+    const bool rearms = parameter == Parameter::preset && isProfilePreset &&
                         m_device.quirks.presetNeedsRearming &&
                         valueOf(run.read, Parameter::presetFlag).value_or(0) == 0;
 
-    const auto *preset = std::get_if<SetPreset>(&run.job);
     const bool keepsValue = preset != nullptr && !preset->value && parameter == Parameter::preset;
     for (auto step = rest; step != run.steps.end(); ++step) {
-        if (step->kind != StepKind::parameter)
+        if (step->kind != StepKind::parameter || !step->parameter)
             continue;
         if (keepsValue && step->parameter == parameter)
             step->value = value;

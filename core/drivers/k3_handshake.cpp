@@ -74,6 +74,10 @@ State K3Handshake::answerTo(Word in)
         return runAnswer(in);
     case StepKind::initialisePreset:
         return presetAnswer(in);
+    case StepKind::manufacturerPreset:
+        return State::done; // one cycle, and not one more
+    case StepKind::switchMode:
+        return switchAnswer(in);
     case StepKind::toNormal:
         return normalAnswer(in);
     case StepKind::readOut:
@@ -119,6 +123,14 @@ State K3Handshake::presetAnswer(Word in) const
     if (isNewError(in))
         return State::error;
     return k3::isOperation(in) && hasSettled() ? State::done : State::waiting;
+}
+
+// A mode word acts at once, without acknowledgement or run (FRABA manual 5.4.2, 5.4.4).
+State K3Handshake::switchAnswer(Word in) const
+{
+    if (isNewError(in))
+        return State::error;
+    return m_cycles >= m_step.holdCycles && hasSettled() ? State::done : State::waiting;
 }
 
 State K3Handshake::normalAnswer(Word in) const

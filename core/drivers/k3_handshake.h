@@ -34,6 +34,7 @@ private:
     State confirmation(Word in) const;
     State runAnswer(Word in);
     State presetAnswer(Word in) const;
+    State switchAnswer(Word in) const;
     State normalAnswer(Word in) const;
     State readOutAnswer(Word in) const;
     State readOutEnd(Word in) const;

@@ -9,8 +9,6 @@
 namespace codewheel {
 namespace {
 
-constexpr unsigned resetNumber = 7; // 0E000000h: set encoder to default
-
 // Read-out 3 "complement": 3/4 as written; 0/1 is taken too (assumed).
 std::int64_t directionOfReadOut(Word data)
 {
@@ -33,15 +31,17 @@ void K3Knowledge::set(const std::vector<Known> &known)
     for (const Known &one : known) {
         m_known[one.parameter] = one;
         // A start-up mode that was read says nothing about now: something may have switched the mode since.
-        if (one.parameter == Parameter::startUpMode && one.evidence == Evidence::told)
+        if (one.parameter == Parameter::startUpMode && one.evidence == Evidence::told &&
+            one.at >= m_modeSince)
             m_mode.tell(modeAfterStartUp(one.value));
     }
 }
 
 void K3Knowledge::observe(Word in, Word out, Instant now)
 {
-    if (m_device.quirks.hasModes)
-        m_mode.observe(out);
+    observeMode(out, now);
+    if (isManufacturerPreset(out) && k3::isOperation(m_in))
+        observeManufacturerPreset();
     const bool outChanged = out != m_out;
     if (!outChanged && k3::isOperation(in) && k3::isOperation(m_in) && m_unproven.empty()) {
         m_answerIsFresh = true;
@@ -82,6 +82,21 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
         m_answerIsFresh = true;
     m_in = in;
     m_out = out;
+}
+
+void K3Knowledge::observeMode(Word out, Instant now)
+{
+    if (!m_device.quirks.hasModes || !m_mode.observe(out))
+        return;
+    m_modeSince = now;
+    const auto startUp = value(Parameter::startUpMode); // an encoder starts in the mode it was in
+    if (startUp && (mode() == Mode::cam || modeAfterStartUp(*startUp) != mode()))
+        forget(Parameter::startUpMode);
+}
+
+bool K3Knowledge::isManufacturerPreset(Word out) const
+{
+    return out == k3::frabaPreset && m_device.capabilities.manufacturerPreset && mode() != Mode::cam;
 }
 
 void K3Knowledge::observeConfirmation(Word in, Word out)
@@ -160,7 +175,7 @@ void K3Knowledge::observeRun(Word in, Instant now)
 void K3Knowledge::observePreset(Word out)
 {
     if ((out & k3::presetBit) == 0 || (m_out & k3::presetBit) != 0 || mode() == Mode::cam ||
-        !k3::isOperation(m_in))
+        isManufacturerPreset(out) || !k3::isOperation(m_in))
         return;
     forget(Parameter::zeroOffset);
     forget(Parameter::presetFlag);
@@ -168,6 +183,15 @@ void K3Knowledge::observePreset(Word out)
         countEepromWrite();
     }
     m_presetArmed = false;
+}
+
+// One write for each cycle (assumed).
+void K3Knowledge::observeManufacturerPreset()
+{
+    forget(Parameter::zeroOffset);
+    forget(Parameter::presetFlag);
+    m_presetArmed = false;
+    countEepromWrite();
 }
 
 // One write per parameter that was confirmed and not refused by the time its word leaves OUT.
@@ -187,8 +211,7 @@ void K3Knowledge::countEepromWrite()
 void K3Knowledge::activate(unsigned number, std::optional<Word> data, Instant now)
 {
     if (number == resetNumber) {
-        for (const Parameter parameter : allParameters())
-            forget(parameter);
+        reset(data.has_value(), now);
         return;
     }
     const ParameterDescription *parameter = m_device.findNumber(number);
@@ -203,6 +226,27 @@ void K3Knowledge::activate(unsigned number, std::optional<Word> data, Instant no
         learn(parameter->parameter, *value, Evidence::echoed, now);
     else
         forget(parameter->parameter);
+}
+
+// Factory settings. Where they can be read they are read, as those of FRABA are assumed only; else a proven
+// reset is their evidence.
+void K3Knowledge::reset(bool isProven, Instant now)
+{
+    for (const ParameterDescription &parameter : m_device.parameters) {
+        if (!parameter.number)
+            continue;
+        if (isProven && !m_device.capabilities.reads && parameter.factory)
+            learn(parameter.parameter, *parameter.factory, Evidence::echoed, now);
+        else
+            forget(parameter.parameter);
+    }
+    forget(Parameter::presetFlag);
+    m_presetArmed.reset();
+    if (m_device.quirks.hasModes && mode() != Mode::position) { // position mode then (assumed)
+        m_mode.tell(std::nullopt);
+        m_modeSince = now;
+        forget(Parameter::startUpMode);
+    }
 }
 
 std::optional<std::int64_t> K3Knowledge::value(Parameter parameter) const

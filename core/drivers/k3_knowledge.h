@@ -27,6 +27,8 @@ public:
     std::optional<std::int64_t> value(Parameter parameter) const;
     ParameterValues values() const;
     std::optional<Mode> mode() const { return m_mode.now(); }
+    // 60000000h acts in every cycle in which it stands (FRABA manual 5.4.1); in cam mode it is another word.
+    bool isManufacturerPreset(Word out) const;
     std::optional<PositionCoding> coding() const;
     // Whether the encoder takes and tells steps - 1 (flag_mt_stepsm1); nothing: not known yet.
     std::optional<bool> countsStepsMinusOne() const;
@@ -45,10 +47,13 @@ private:
     void observeReadOut(Word in, Word out, Instant now);
     void observeOperation(Word in, Word out, Instant now);
     void observeRun(Word in, Instant now);
+    void observeMode(Word out, Instant now);
     void observePreset(Word out);
+    void observeManufacturerPreset();
     void countConfirmed();
     void countEepromWrite();
     void activate(unsigned number, std::optional<Word> data, Instant now);
+    void reset(bool isProven, Instant now);
     void learn(Parameter parameter, std::int64_t value, Evidence evidence, Instant now);
     void forget(Parameter parameter);
 
@@ -64,6 +69,7 @@ private:
     // position shows.
     std::map<unsigned, std::optional<Word>> m_unproven;
     K3Mode m_mode;
+    Instant m_modeSince{}; // what was told before that is out of date
     KnowledgeChanged m_changes;
     bool m_changed = false;
     bool m_answerIsFresh = false; // IN held no read-out answer since the request stands in OUT

@@ -9,15 +9,6 @@
 namespace codewheel {
 namespace {
 
-K3Step runStep(bool tolerateError)
-{
-    K3Step step;
-    step.kind = StepKind::run;
-    step.out = k3::run;
-    step.tolerateError = tolerateError;
-    return step;
-}
-
 QString allowedTexts(const ParameterDescription &parameter)
 {
     QStringList keys;
@@ -34,20 +25,19 @@ Result<void> K3Plan::check(const Job &job) const
         return checkRead(*read);
     if (const auto *write = std::get_if<WriteParameters>(&job))
         return checkWrite(*write);
-    if (const auto *preset = std::get_if<SetPreset>(&job)) {
-        if (!m_device.capabilities.presets)
-            return refuse(RefusalKind::notSupported, RefusalId::presetNotSupported, {m_device.fullName()});
-        if (preset->value)
-            return checkValue({Parameter::preset, *preset->value});
-    }
+    if (const auto *preset = std::get_if<SetPreset>(&job))
+        return checkPreset(*preset);
+    if (const auto *to = std::get_if<SwitchMode>(&job))
+        return checkSwitch(*to);
+    if (std::holds_alternative<ResetToDefault>(job))
+        return checkReset();
     if (const auto *send = std::get_if<SendWords>(&job); send != nullptr && send->words.empty())
         return refuse(RefusalKind::badInput, RefusalId::nothingToDo);
     if (const auto *end = std::get_if<EndParameterization>(&job))
         for (const ParameterValue &value : end->restore)
             if (auto checked = checkValue(value); !checked)
                 return checked;
-    if (std::holds_alternative<SwitchMode>(job) || std::holds_alternative<ResetToDefault>(job) ||
-        std::holds_alternative<ReadCams>(job) || std::holds_alternative<WriteCams>(job))
+    if (std::holds_alternative<ReadCams>(job) || std::holds_alternative<WriteCams>(job))
         return refuse(RefusalKind::notSupported, RefusalId::jobNotSupported, {m_device.fullName()});
     return {};
 }
@@ -140,10 +130,12 @@ K3Steps K3Plan::plan(const WriteParameters &job) const
     return steps;
 }
 
-// FRABA: a programmed preset can be activated once. Without a value given, the one the encoder has is
-// programmed again where the flag says that it is used up.
+// 40000000h. FRABA: a programmed preset can be activated once. Without a value given, the one the encoder has
+// is programmed again where the flag says that it is used up.
 K3Steps K3Plan::plan(const SetPreset &job) const
 {
+    if (job.command == PresetCommand::manufacturer)
+        return manufacturerPreset(job.value);
     if (job.value)
         return plan(WriteParameters{.values = {{Parameter::preset, *job.value}},
                                     .onlyWhatDiffers = true,
@@ -191,6 +183,15 @@ K3Steps K3Plan::endParameterization(const ParameterValues &restore, bool runFirs
         appendRead(steps, Parameter::multiTurnAndStepsMinusOne);
     appendWrites(steps, restore);
     return steps;
+}
+
+K3Step K3Plan::runStep(bool tolerateError)
+{
+    K3Step step;
+    step.kind = StepKind::run;
+    step.out = k3::run;
+    step.tolerateError = tolerateError;
+    return step;
 }
 
 K3Step K3Plan::toNormal(bool mustOperate)

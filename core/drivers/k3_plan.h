@@ -28,20 +28,24 @@ public:
     // Ends a parameterization: run, or run and the values from before.
     K3Steps endParameterization(const ParameterValues &restore, bool runFirst) const;
     static K3Step toNormal(bool mustOperate);
+    static K3Step runStep(bool tolerateError);
     Word parameterWord(Parameter parameter, std::int64_t value) const;
 
 private:
     Result<void> checkValue(const ParameterValue &value) const;
     Result<void> checkWrite(const WriteParameters &job) const;
     Result<void> checkRead(const ReadParameters &job) const;
+    Result<void> checkPreset(const SetPreset &job) const;
+    Result<void> checkSwitch(const SwitchMode &job) const;
+    Result<void> checkReset() const;
 
     K3Steps plan(const ReadParameters &job) const;
     K3Steps plan(const WriteParameters &job) const;
     K3Steps plan(const SetPreset &job) const;
     K3Steps plan(const SendWords &job) const;
     K3Steps plan(const EndParameterization &job) const;
-    K3Steps plan(const SwitchMode &) const { return {}; }
-    K3Steps plan(const ResetToDefault &) const { return {}; }
+    K3Steps plan(const SwitchMode &job) const;
+    K3Steps plan(const ResetToDefault &job) const;
     K3Steps plan(const ReadCams &) const { return {}; }
     K3Steps plan(const WriteCams &) const { return {}; }
 
@@ -49,6 +53,8 @@ private:
     void appendRead(K3Steps &steps, Parameter parameter, std::optional<std::int64_t> expected = {}) const;
     void appendWrites(K3Steps &steps, const ParameterValues &values) const;
     void appendPreset(K3Steps &steps) const;
+    K3Steps manufacturerPreset(std::optional<std::int64_t> value) const;
+    void appendPositionMode(K3Steps &steps) const;
 
     const DeviceDescription &m_device;
     const K3Knowledge &m_knowledge;

@@ -41,6 +41,8 @@ Reading decodeReading(Word in, Instant at, const K3View &view) noexcept
     reading.coding = view.coding;
     if (reading.state == EncoderState::error)
         reading.errorNumber = k3::number(in);
+    else if (reading.state == EncoderState::operation && view.hasModes && view.mode == Mode::velocity)
+        reading.velocity = k3::signedData(in);
     else if (reading.state == EncoderState::operation && positionCanBeRead(view))
         reading.position = k3::decodePosition(in, *view.coding);
     return reading;

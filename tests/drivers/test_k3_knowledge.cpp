@@ -67,12 +67,49 @@ TEST_F(Wire, AReadOutByHandIsKnowledgeButAnOldAnswerIsNot)
     EXPECT_EQ(fraba.value(Parameter::preset), std::nullopt) << "it cannot be told from the old answer";
 }
 
-TEST_F(Wire, ResetToDefaultForgetsAll)
+// Baumer manual 4: the factory settings are those of the parameter table
+TEST_F(Wire, AResetBaumerHasItsFactorySettings)
 {
-    play(baumer, {{0, pos}, {0x0600'0003, 0xC600'0003}, {0x8000'0000, pos}, {0, pos}});
+    play(baumer, {{0, pos}, {0x0600'0005, 0xC600'0005}, {0x8000'0000, pos}, {0, pos}});
+    EXPECT_EQ(baumer.value(Parameter::coding), 5);
+    play(baumer, {{0x0E00'0000, 0xC600'0000}, {0x0E00'0000, 0xCE00'0000}});
+    EXPECT_EQ(baumer.value(Parameter::coding), 5) << "confirmed, but not run";
+    play(baumer, {{0x8000'0000, 0xCE00'0000}, {0x8000'0000, pos}});
     EXPECT_EQ(baumer.value(Parameter::coding), 3);
-    play(baumer, {{0x0E00'0000, 0xCE00'0000}, {0x8000'0000, pos}});
-    EXPECT_EQ(baumer.value(Parameter::coding), std::nullopt);
+    EXPECT_EQ(baumer.value(Parameter::steps), 8192);
+    EXPECT_EQ(baumer.value(Parameter::measuringRange), 4096);
+    EXPECT_EQ(baumer.eepromWrites(), 2);
+}
+
+TEST_F(Wire, AResetBaumerThatShowsZeroMayHaveLostItsPower)
+{
+    play(baumer, {{0, pos}, {0x0E00'0000, 0xCE00'0000}, {0x8000'0000, 0}, {0, 0}});
+    EXPECT_EQ(baumer.value(Parameter::steps), std::nullopt);
+    play(baumer, {{0, 1}});
+    EXPECT_EQ(baumer.value(Parameter::steps), 8192) << "a position proves that it runs";
+}
+
+TEST_F(Wire, AResetFrabaIsNotTakenForItsAssumedSettings)
+{
+    fraba.set({{Parameter::steps, 255, Evidence::read, {}},
+               {Parameter::presetFlag, 1, Evidence::read, {}},
+               {Parameter::serialNumber, 4711, Evidence::read, {}}});
+    play(fraba, {{0, pos}, {0x0E00'0000, 0xCE00'0000}, {0x8000'0000, pos}});
+    EXPECT_EQ(fraba.value(Parameter::steps), std::nullopt);
+    EXPECT_EQ(fraba.value(Parameter::presetFlag), std::nullopt);
+    EXPECT_EQ(fraba.value(Parameter::serialNumber), 4711) << "no reset changes that";
+}
+
+TEST_F(Wire, AFrabaPresetCostsAWriteInEachCycleInWhichItStands)
+{
+    play(fraba, {{0, pos}, {0x6000'0000, pos}, {0x6000'0000, 100}, {0x6000'0000, 100}, {0, 100}});
+    EXPECT_EQ(fraba.eepromWrites(), 3);
+}
+
+TEST_F(Wire, InCamModeTheWordOfTheFrabaPresetIsAStopPosition)
+{
+    play(fraba, {{0, pos}, {0x2080'0001, pos}, {0x2080'0001, pos}, {0x2080'0001, 0}, {0x6000'0000, 0}});
+    EXPECT_EQ(fraba.eepromWrites(), 0);
 }
 
 TEST_F(Wire, APresetOnTheWireChangesTheZeroOffset)
@@ -95,6 +132,27 @@ TEST_F(Wire, ModeIsUnknownUntilToldOrSwitched)
     EXPECT_EQ(fraba.mode(), Mode::position);
     play(fraba, {{0x2040'0001, pos}, {0x2040'0001, pos}, {0x2040'0001, pos}});
     EXPECT_EQ(fraba.mode(), Mode::velocity);
+}
+
+TEST_F(Wire, WhatWasToldOfTheModeBeforeItWasSwitchedDoesNotComeBack)
+{
+    const Known told{Parameter::startUpMode, 1, Evidence::told, {}};
+    fraba.set({told});
+    play(fraba, {{0, pos}, {0x2040'0001, pos}, {0x2040'0001, pos}, {0x2040'0001, 0}});
+    EXPECT_EQ(fraba.mode(), Mode::velocity);
+    EXPECT_EQ(fraba.value(Parameter::startUpMode), std::nullopt) << "it will start in velocity mode now";
+    fraba.set({told, {Parameter::steps, 8192, Evidence::told, Instant{1}}}); // something else is told
+    EXPECT_EQ(fraba.mode(), Mode::velocity);
+    fraba.set({{Parameter::startUpMode, 1, Evidence::told, Instant{2}}}); // another tool has switched it
+    EXPECT_EQ(fraba.mode(), Mode::position);
+}
+
+TEST_F(Wire, AResetInVelocityModeLeavesTheModeUnknown)
+{
+    fraba.set({{Parameter::startUpMode, 2, Evidence::told, {}}});
+    EXPECT_EQ(fraba.mode(), Mode::velocity);
+    play(fraba, {{0, 0}, {0x0E00'0000, 0xCE00'0000}, {0x8000'0000, pos}});
+    EXPECT_EQ(fraba.mode(), std::nullopt);
 }
 
 TEST_F(Wire, AStartUpModeThatWasReadSaysNothingAboutNow)

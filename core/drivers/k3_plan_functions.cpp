@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The functions beside parameters: modes, the FRABA preset, the reset to factory settings.
+#include "drivers/k3_plan.h"
+#include "words/k3_cam_word.h"
+
+namespace codewheel {
+namespace {
+
+K3Step switchStep(Word modeWord)
+{
+    K3Step step;
+    step.kind = StepKind::switchMode;
+    step.out = modeWord;
+    step.holdCycles = K3Mode::cyclesUntilTaken;
+    return step;
+}
+
+} // namespace
+
+Result<void> K3Plan::checkPreset(const SetPreset &job) const
+{
+    const Capabilities &can = m_device.capabilities;
+    if (!can.presets)
+        return refuse(RefusalKind::notSupported, RefusalId::presetNotSupported, {m_device.fullName()});
+    if (job.command == PresetCommand::manufacturer && !can.manufacturerPreset)
+        return refuse(RefusalKind::notSupported, RefusalId::manufacturerPresetNotSupported,
+                      {m_device.fullName()});
+    return job.value ? checkValue({Parameter::preset, *job.value}) : Result<void>{};
+}
+
+Result<void> K3Plan::checkSwitch(const SwitchMode &job) const
+{
+    if (job.mode == Mode::velocity && !m_device.capabilities.velocity)
+        return refuse(RefusalKind::notSupported, RefusalId::velocityNotSupported, {m_device.fullName()});
+    if (job.mode == Mode::cam || !m_device.quirks.hasModes)
+        return refuse(RefusalKind::notSupported, RefusalId::jobNotSupported, {m_device.fullName()});
+    return {};
+}
+
+Result<void> K3Plan::checkReset() const
+{
+    if (!m_device.capabilities.resets)
+        return refuse(RefusalKind::notSupported, RefusalId::resetNotSupported, {m_device.fullName()});
+    return {};
+}
+
+K3Steps K3Plan::plan(const SwitchMode &job) const
+{
+    K3Steps steps;
+    if (job.mode == Mode::position || m_knowledge.mode() == Mode::cam)
+        appendPositionMode(steps);
+    if (job.mode == Mode::velocity)
+        steps.push_back(switchStep(k3::velocityOn));
+    steps.push_back(toNormal(false));
+    return steps;
+}
+
+// 20800000h has the same meaning in each mode: it ends cam mode. Behind it, 20400000h cannot switch cams off.
+void K3Plan::appendPositionMode(K3Steps &steps) const
+{
+    const auto mode = m_knowledge.mode();
+    if (mode != Mode::position && mode != Mode::velocity)
+        steps.push_back(switchStep(k3::programWord));
+    if (mode != Mode::cam)
+        steps.push_back(switchStep(k3::velocityOff));
+}
+
+// A preset that was programmed once can be activated as often as wanted (FRABA manual 5.4.1), so a value that
+// is there already is not programmed again.
+K3Steps K3Plan::manufacturerPreset(std::optional<std::int64_t> value) const
+{
+    K3Steps steps;
+    if (value)
+        steps = plan(WriteParameters{.values = {{Parameter::preset, *value}},
+                                     .onlyWhatDiffers = true,
+                                     .previous = {},
+                                     .initialisePreset = false});
+    K3Step preset;
+    preset.kind = StepKind::manufacturerPreset;
+    preset.out = k3::frabaPreset;
+    steps.push_back(preset);
+    steps.push_back(toNormal(true));
+    return steps;
+}
+
+// Cam mode refuses parameter words, and velocity mode is left so that it is known what the encoder shows
+// afterwards.
+K3Steps K3Plan::plan(const ResetToDefault &) const
+{
+    K3Steps steps;
+    if (m_device.quirks.hasModes && m_knowledge.mode() != Mode::position) {
+        appendPositionMode(steps);
+        steps.push_back(toNormal(false));
+    }
+    K3Step reset;
+    reset.kind = StepKind::parameter;
+    reset.out = k3::parameterWord(resetNumber, 0);
+    steps.push_back(reset);
+    steps.push_back(runStep(false));
+    steps.push_back(toNormal(true));
+    if (m_device.quirks.mayCountStepsMinusOne)
+        appendRead(steps, Parameter::multiTurnAndStepsMinusOne);
+    for (const ParameterDescription &parameter : m_device.parameters)
+        if (parameter.number)
+            appendRead(steps, parameter.parameter);
+    return steps;
+}
+
+} // namespace codewheel
