@@ -77,7 +77,8 @@ RingRunner::Drivers BusSession::Private::makeDevices(BusSession &bus)
         const DeviceDescription &own = descriptions.emplace_back(*description);
         drivers[i] = driverFor(own);
         if (drivers[i])
-            sessions[i] = std::make_unique<RingEncoderSession>(bus, i, participant.number, own);
+            sessions[i] = std::make_unique<RingEncoderSession>(bus, i, participant.number, own,
+                                                               link->boundsWordsToCycles());
     }
     return drivers;
 }

@@ -137,7 +137,10 @@ std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const Dev
     if (outcome.onlyZeroSinceRun)
         messages.push_back({.severity = Severity::attention, .id = MessageId::onlyZeroSinceRun});
     if (outcome.leftIn == EncoderState::parameterization)
-        messages.push_back({.severity = Severity::attention, .id = MessageId::leftInParameterization});
+        messages.push_back({.severity = Severity::attention,
+                            .id = std::holds_alternative<ResetToDefault>(job)
+                                      ? MessageId::resetWaitsForRun
+                                      : MessageId::leftInParameterization});
     return messages;
 }
 

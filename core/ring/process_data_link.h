@@ -23,6 +23,9 @@ public:
     virtual Result<std::vector<Word>> readBackOut() = 0;
     // One cycle: out goes out, in is what came in during the same cycle (not yet the answer to out).
     virtual Result<void> exchange(std::span<const Word> out, std::span<Word> in) = 0;
+    // Whether each word given to exchange() goes out in that one bus cycle and in no other. A gateway that
+    // runs the ring by itself repeats a word until it gets the next one.
+    virtual bool boundsWordsToCycles() const = 0;
     // Ends the blocking call under way, or else the next one, early with a refusal of kind `stopped`: the
     // cycle is skipped, the link has not failed. A link that never blocks may ignore it. Any thread.
     virtual void interrupt() = 0;

@@ -6,14 +6,19 @@
 #include "ring/ring_runner.h"
 #include "ring/send_permission.h"
 
+#include <algorithm>
+
 namespace codewheel {
+
 RingEncoderSession::RingEncoderSession(BusSession &bus, std::size_t device, DeviceNumber number,
-                                       const DeviceDescription &description)
+                                       const DeviceDescription &description, bool linkBoundsCycles)
     : m_bus(bus)
     , m_place(device)
     , m_number(number)
     , m_description(description)
+    , m_can(description.capabilities)
 {
+    m_can.manufacturerPreset = m_can.manufacturerPreset && linkBoundsCycles;
     connect(&bus, &BusSession::stateChanged, this, &EncoderSession::permissionChanged);
 }
 
@@ -58,12 +63,29 @@ Result<JobId> RingEncoderSession::start(const Job &job, Pace pace)
         return refuse(RefusalKind::busy, RefusalId::jobRunning, {m_number.toString()});
     if (const auto allowed = maySend(m_bus.latest(), m_place, m_number, RefusalId::jobRunning); !allowed)
         return tl::unexpected(allowed.error());
+    if (const auto allowed = checkLink(job); !allowed)
+        return tl::unexpected(allowed.error());
     const JobId id = ++m_lastJob;
     m_runningJob = id;
     m_job = job;
     m_bus.post(command::StartJob{m_place, id, job, pace});
     Q_EMIT jobStarted(id);
     return id;
+}
+
+// 60000000h acts in every cycle in which it stands.
+Result<void> RingEncoderSession::checkLink(const Job &job) const
+{
+    if (m_can.manufacturerPreset || !m_description.capabilities.manufacturerPreset)
+        return {};
+    const auto *preset = std::get_if<SetPreset>(&job);
+    const auto *send = std::get_if<SendWords>(&job);
+    const bool isPreset = preset != nullptr && preset->command == PresetCommand::manufacturer;
+    const bool sends = send != nullptr && m_reading.mode != Mode::cam &&
+                       std::ranges::find(send->words, k3::frabaPreset) != send->words.end();
+    if (isPreset || sends)
+        return refuse(RefusalKind::notSupported, RefusalId::linkDoesNotBoundCycles, {k3::frabaPreset});
+    return {};
 }
 
 void RingEncoderSession::proceed()

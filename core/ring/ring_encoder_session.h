@@ -18,13 +18,14 @@ class RingEncoderSession final : public EncoderSession
     Q_OBJECT
 
 public:
-    // `description` must outlive the session.
+    // `description` must outlive the session. `linkBoundsCycles`: a word can be sent for one bus cycle only.
     RingEncoderSession(BusSession &bus, std::size_t device, DeviceNumber number,
-                       const DeviceDescription &description);
+                       const DeviceDescription &description, bool linkBoundsCycles);
 
     DeviceNumber number() const override { return m_number; }
     const DeviceDescription &device() const override { return m_description; }
-    const Capabilities &can() const override { return m_description.capabilities; }
+    // What its description says, as far as the link allows.
+    const Capabilities &can() const override { return m_can; }
 
     const Reading &latest() const override { return m_reading; }
     std::optional<Known> known(Parameter parameter) const override;
@@ -50,11 +51,13 @@ private:
     void takeFault(const Message &fault);
     void report(Message message, Instant at);
     void postKnown();
+    Result<void> checkLink(const Job &job) const;
 
     BusSession &m_bus;
     std::size_t m_place; // in the ring
     DeviceNumber m_number;
     const DeviceDescription &m_description;
+    Capabilities m_can;
     Reading m_reading;
     std::map<Parameter, Known> m_known;
     std::map<unsigned, KnownCams> m_cams; // by program

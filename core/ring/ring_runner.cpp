@@ -35,6 +35,8 @@ struct RingRunner::Private
     void showStandingWords();
     void leaveRun(MasterState state);
     void endJobs(RefusalId why);
+    void takeBackWhatMustNotStand();
+    void refuseWord(std::size_t device, Refusal why);
     void takeDriverEvents(std::size_t device);
 
     void tell(std::size_t device, decltype(RingEvent::what) what)
@@ -90,14 +92,24 @@ void RingRunner::Private::carryOut(const command::SetOut &c)
 {
     const auto allowed = maySend(ring, c.device, structure[c.device].number, RefusalId::wordHeldByJob);
     if (!allowed) {
-        Message message{.severity = Severity::attention};
-        message.refusal = allowed.error();
-        tellOfDevice(c.device, std::move(message));
+        refuseWord(c.device, allowed.error());
+        return;
+    }
+    const CyclicDriver *driver = drivers[c.device].get();
+    if (driver && !driver->mayStand(c.word) && !link.boundsWordsToCycles()) {
+        refuseWord(c.device, {RefusalKind::notSupported, RefusalId::linkDoesNotBoundCycles, {c.word}});
         return;
     }
     image[c.device] = c.word;
     if (std::ranges::find(written, c.device) == written.end())
         written.push_back(c.device);
+}
+
+void RingRunner::Private::refuseWord(std::size_t device, Refusal why)
+{
+    Message message{.severity = Severity::attention};
+    message.refusal = std::move(why);
+    tellOfDevice(device, std::move(message));
 }
 
 void RingRunner::Private::carryOut(const command::StartJob &c)
@@ -152,8 +164,21 @@ void RingRunner::Private::carryOut(command::SetOperate c)
         tellOfRing(std::move(message));
         return;
     }
+    if (!c.on)
+        takeBackWhatMustNotStand();
     ring.operate = c.on;
     tellOfRing({.id = c.on ? MessageId::operateOn : MessageId::watchOn});
+}
+
+// A word written and not exchanged yet that nobody could take away in Watch.
+void RingRunner::Private::takeBackWhatMustNotStand()
+{
+    std::erase_if(written, [this](std::size_t i) {
+        const bool mayStand = !drivers[i] || drivers[i]->mayStand(image[i]);
+        if (!mayStand)
+            image[i] = ring.devices[i].out;
+        return !mayStand;
+    });
 }
 
 void RingRunner::Private::carryOut(command::AlarmStop)
@@ -237,13 +262,15 @@ void RingRunner::Private::showStandingWords()
     }
 }
 
-// OUT stays as it was exchanged last.
+// OUT stays as it was exchanged last, so that the same words go out when the bus runs again.
 void RingRunner::Private::leaveRun(MasterState state)
 {
     ring.state = state;
     endJobs(RefusalId::busStopped);
-    for (std::size_t i = 0; i < image.size(); ++i)
-        image[i] = ring.devices[i].out;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        const Word last = ring.devices[i].out;
+        image[i] = drivers[i] && !drivers[i]->mayStand(last) ? Word{0} : last;
+    }
     written.clear();
 }
 

@@ -60,6 +60,7 @@ public:
     Result<std::vector<Word>> readBackOut() override;
     // Refused (linkFailed) while it is not open, and for words that are not one per device.
     Result<void> exchange(std::span<const Word> out, std::span<Word> in) override;
+    bool boundsWordsToCycles() const override { return true; }
     void interrupt() override {}
 
 private:

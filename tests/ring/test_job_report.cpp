@@ -81,6 +81,16 @@ TEST_F(JobReport, WhatTheUserStoppedIsNoFault)
     EXPECT_EQ(messages[1].id, MessageId::leftInParameterization);
 }
 
+// Run, which brings an encoder back otherwise, would carry the reset out
+TEST_F(JobReport, AResetThatWasConfirmedAndNotRunIsTold)
+{
+    refuseWith(RefusalKind::stopped, RefusalId::alarmStop);
+    m_outcome.leftIn = EncoderState::parameterization;
+    const auto messages = report(ResetToDefault{});
+    ASSERT_EQ(messages.size(), 2u);
+    EXPECT_EQ(messages[1].id, MessageId::resetWaitsForRun);
+}
+
 TEST_F(JobReport, AnEncoderBroughtBackIsTold)
 {
     m_outcome.leftIn = EncoderState::operation;

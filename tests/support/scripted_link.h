@@ -91,6 +91,8 @@ public:
             in[i] = m_answer ? m_answer(i, out[i]) : 0;
         return {};
     }
+    bool boundsWordsToCycles() const override { return m_boundsWordsToCycles; }
+    void repeatWordsByItself() { m_boundsWordsToCycles = false; }
     void interrupt() override
     {
         const std::scoped_lock lock(m_mutex);
@@ -118,6 +120,7 @@ private:
     std::vector<Word> m_peerOut;
     bool m_open = false;
     bool m_refusesToOpen = false;
+    bool m_boundsWordsToCycles = true;
     std::chrono::milliseconds m_delay{0};
     int m_exchanges = 0;
     int m_failAt = 0;
