@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/explain_word.h"
+#include "catalog/position_format.h"
 #include "words/la66_word.h"
 
 #include <QCoreApplication>
@@ -22,6 +23,7 @@ public:
     static QString outText(k3::Dialect dialect, int bit);
     static QString inText(k3::Dialect dialect, int bit);
     static QString rodText(WordDirection direction, int bit);
+    static QString positionText(const PositionWord &format, WordDirection direction, int bit);
 };
 
 QString BitText::outText(k3::Dialect dialect, int bit)
@@ -82,6 +84,19 @@ QString BitText::rodText(WordDirection direction, int bit)
     return out ? tr("D23..D0: data to write") : tr("D23..D0: position; in service mode data written or read");
 }
 
+// FRABA manual 2.1; TWK, table VI.
+QString BitText::positionText(const PositionWord &format, WordDirection direction, int bit)
+{
+    if (direction == WordDirection::out)
+        return format.hasOut ? tr("D31..D0: described in no source")
+                             : tr("D%1: this encoder has no OUT word").arg(bit);
+    if (bit >= format.positionBits)
+        return tr("D%1: not used, always 0").arg(bit);
+    if (format.hasStatusBits)
+        return tr("D31..D0: position; which four bits are status bits is in no source");
+    return tr("D%1..D0: position").arg(format.positionBits - 1);
+}
+
 } // namespace
 
 QString bitText(const DeviceDescription &device, WordDirection direction, int bit)
@@ -90,6 +105,8 @@ QString bitText(const DeviceDescription &device, WordDirection direction, int bi
         return {};
     if (device.profile == Profile::la66)
         return BitText::rodText(direction, bit);
+    if (onlyTellsPosition(device.profile))
+        return BitText::positionText(positionFormat(device), direction, bit);
     return direction == WordDirection::out ? BitText::outText(device.dialect, bit)
                                            : BitText::inText(device.dialect, bit);
 }

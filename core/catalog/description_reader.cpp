@@ -13,6 +13,9 @@ constexpr NamedValue<Profile> profiles[] = {{"K1", Profile::k1},
                                             {"LA-66", Profile::la66}};
 constexpr NamedValue<k3::Dialect> dialects[] = {
     {"generic", k3::Dialect::generic}, {"fraba", k3::Dialect::fraba}, {"baumer", k3::Dialect::baumer}};
+constexpr NamedValue<PositionCoding> codings[] = {{"binary", PositionCoding::binary},
+                                                  {"signed", PositionCoding::signedBinary},
+                                                  {"gray", PositionCoding::gray}};
 constexpr NamedValue<Unit> units[] = {{"none", Unit::none},
                                       {"steps", Unit::steps},
                                       {"revolutions", Unit::revolutions},
@@ -45,6 +48,7 @@ class DescriptionReader
 
 public:
     static void readVendor(const JsonObject &json, DeviceDescription &device);
+    static void readCoding(const JsonObject &json, DeviceDescription &device);
     static void readIdentity(const JsonObject &json, DeviceDescription &device);
     static void readParameters(const JsonObject &json, DeviceDescription &device);
     static void readErrors(const JsonObject &json, DeviceDescription &device);
@@ -93,6 +97,15 @@ void DescriptionReader::readVendor(const JsonObject &json, DeviceDescription &de
     }
 }
 
+void DescriptionReader::readCoding(const JsonObject &json, DeviceDescription &device)
+{
+    if (!json.has("coding"))
+        return;
+    device.coding = json.oneOf("coding", codings);
+    if (device.profile != Profile::k1 && device.profile != Profile::k2)
+        json.report("coding", tr("Only a K1 and a K2 always have the same coding. Leave it out."));
+}
+
 void DescriptionReader::readIdentity(const JsonObject &json, DeviceDescription &device)
 {
     device.key = json.text("key");
@@ -112,6 +125,7 @@ void DescriptionReader::readIdentity(const JsonObject &json, DeviceDescription &
     device.outWords = static_cast<int>(json.number("outWords", 0, mostWords));
     device.physicalStepsPerTurn = static_cast<int>(json.number("physicalStepsPerTurn", 0, mostStepsPerTurn));
     device.physicalTurns = static_cast<int>(json.number("physicalTurns", 0, mostTurns));
+    readCoding(json, device);
 }
 
 Parameter DescriptionReader::readParameterName(const JsonObject &row)
@@ -270,7 +284,7 @@ DeviceDescription readDescription(const Json::Value &root, FaultKeeper &faults)
     const JsonObject json(root, QString(),
                           {"key", "vendor", "name", "manual", "notes", "profile", "dialect", "idCode",
                            "deviceCode", "inWords", "outWords", "physicalStepsPerTurn", "physicalTurns",
-                           "parameters", "errors", "capabilities", "quirks"},
+                           "coding", "parameters", "errors", "capabilities", "quirks"},
                           faults);
     DeviceDescription device;
     DescriptionReader::readIdentity(json, device);

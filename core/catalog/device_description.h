@@ -87,6 +87,8 @@ struct DeviceDescription
     int outWords = 2;
     int physicalStepsPerTurn = 0; // 0: not known
     int physicalTurns = 0;        // 0: not known
+    // Of the position of a K1 or K2. At a K3 its make or a parameter tells.
+    PositionCoding coding = PositionCoding::binary;
     std::vector<ParameterDescription> parameters;
     std::vector<DeviceError> errors;
     Capabilities capabilities;

@@ -2,6 +2,7 @@
 #include "catalog/explain_word.h"
 
 #include "catalog/meaning_parts.h"
+#include "catalog/position_format.h"
 #include "words/la66_explain.h"
 
 #include <QCoreApplication>
@@ -22,6 +23,8 @@ Explanation explainWord(const DeviceDescription &device, Word word, k3::ExplainC
 {
     if (device.profile == Profile::la66)
         return la66::explain(word, context.direction, context.counterpart);
+    if (onlyTellsPosition(device.profile))
+        return position_word::explain(word, context.direction, positionFormat(device));
     context.dialect = device.dialect;
     if (!device.quirks.hasModes)
         context.mode = Mode::position;

@@ -42,6 +42,7 @@ private:
     static QString number(std::int64_t value) { return argumentText(value); }
     static QString hex(std::int64_t value) { return hexWord(static_cast<Word>(value)); }
     static QString camList(std::int64_t bits);
+    static QString bitList(std::int64_t bits);
     static QString limited(std::int64_t value, unsigned smallest, unsigned largest);
     static QString manufacturerErrorText(std::int64_t code);
 
@@ -55,6 +56,16 @@ QString MeaningParts::camList(std::int64_t bits)
         if (bits >> cam & 1)
             cams << number(cam);
     return cams.isEmpty() ? tr("none") : cams.join(QStringLiteral(", "));
+}
+
+// "D25, D24"
+QString MeaningParts::bitList(std::int64_t bits)
+{
+    QStringList names;
+    for (int bit = 31; bit >= 0; --bit)
+        if (bits >> bit & 1)
+            names << QStringLiteral("D%1").arg(bit);
+    return names.join(QStringLiteral(", "));
 }
 
 QString MeaningParts::limited(std::int64_t value, unsigned smallest, unsigned largest)
@@ -177,6 +188,8 @@ QStringList MeaningParts::of(const Meaning &meaning) const
     case MeaningId::opcRegisterValue:
     case MeaningId::grayPosition:
         return {number(n[0]), hex(n[1])};
+    case MeaningId::unusedBitsSet:
+        return {bitList(n[0]), number(n[1])};
     case MeaningId::runIgnoresRest:
     case MeaningId::rawPosition:
         return {hex(n[0])};

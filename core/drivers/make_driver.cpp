@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/make_driver.h"
 
+#include "catalog/position_format.h"
 #include "drivers/k3_driver.h"
+#include "drivers/position_driver.h"
 
 namespace codewheel {
 
@@ -9,6 +11,8 @@ std::unique_ptr<CyclicDriver> makeDriver(const DeviceDescription &device)
 {
     if (device.profile == Profile::k3)
         return std::make_unique<K3Driver>(device);
+    if (onlyTellsPosition(device.profile))
+        return std::make_unique<PositionDriver>(device);
     return nullptr;
 }
 

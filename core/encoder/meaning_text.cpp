@@ -64,6 +64,10 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Meaning", "Service %1: write %2, service bit %3")},
     Row{MeaningId::serviceWriteInvalid, "serviceWriteInvalid",
         QT_TRANSLATE_NOOP("Meaning", "Service %1: write %2, service bit %3; the encoder refuses this value")},
+    Row{MeaningId::noOutWord, "noOutWord",
+        QT_TRANSLATE_NOOP("Meaning", "This encoder has no OUT word: it only tells its position")},
+    Row{MeaningId::undescribedOut, "undescribedOut",
+        QT_TRANSLATE_NOOP("Meaning", "The OUT word of a K4 encoder is described in no source")},
     Row{MeaningId::undefinedOut, "undefinedOut",
         QT_TRANSLATE_NOOP("Meaning", "Not defined for this encoder")},
 
@@ -71,6 +75,9 @@ constexpr std::array rows{
     Row{MeaningId::position, "position", QT_TRANSLATE_NOOP("Meaning", "position %1")},
     Row{MeaningId::signedPosition, "signedPosition", QT_TRANSLATE_NOOP("Meaning", "position %1")},
     Row{MeaningId::grayPosition, "grayPosition", QT_TRANSLATE_NOOP("Meaning", "position %1 (Gray code %2)")},
+    Row{MeaningId::undescribedPosition, "undescribedPosition",
+        QT_TRANSLATE_NOOP("Meaning", "position %1, as long as all four status bits are 0: where they stand "
+                                     "is in no source")},
     Row{MeaningId::rawPosition, "rawPosition",
         QT_TRANSLATE_NOOP("Meaning", "position %1 in a coding that is not known")},
     Row{MeaningId::velocity, "velocity", QT_TRANSLATE_NOOP("Meaning", "speed %1 rpm")},
@@ -113,6 +120,8 @@ constexpr std::array rows{
     Row{MeaningId::oldServiceAnswer, "oldServiceAnswer",
         QT_TRANSLATE_NOOP("Meaning", "Old answer: service %1, %2")},
     Row{MeaningId::serviceRefused, "serviceRefused", QT_TRANSLATE_NOOP("Meaning", "Refused: %1")},
+    Row{MeaningId::unusedBitsSet, "unusedBitsSet",
+        QT_TRANSLATE_NOOP("Meaning", "No position: %1 should be 0, since the position has %2 bits")},
     Row{MeaningId::undefinedIn, "undefinedIn", QT_TRANSLATE_NOOP("Meaning", "Not defined for this encoder")},
 };
 

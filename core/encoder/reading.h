@@ -15,7 +15,7 @@ enum class EncoderState : std::uint8_t {
     readOut, // a read-out value or the self test stands in IN
     service, // LA-66: the answer to a service stands in IN
     error,
-    unknown, // D31 D30 = 01: in no manual
+    unknown, // IN means nothing that the manuals or the description know
 };
 
 // What the encoder shows in one cycle. position is nothing while IN holds none, or while its coding is not

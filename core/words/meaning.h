@@ -40,22 +40,26 @@ enum class MeaningId : std::uint8_t {
     serviceRead,         // number[0] = service, number[1] = service bit
     serviceWrite,        // number[0] = service, number[1] = data, number[2] = service bit
     serviceWriteInvalid, // likewise, but the service does not take this value
-    undefinedOut,        // no manual defines it: number[0] = word
+    // OUT, K1, K2, K4
+    noOutWord,      // the encoder takes no words: number[0] = word
+    undescribedOut, // K4: no source describes its OUT word: number[0] = word
+    undefinedOut,   // no manual defines it: number[0] = word
 
     // IN, K3
-    position,          // number[0] = value
-    signedPosition,    // number[0] = value
-    grayPosition,      // number[0] = decoded value, number[1] = Gray code
-    rawPosition,       // coding not known: number[0] = raw D24..D0
-    velocity,          // number[0] = revolutions per minute
-    cams,              // number[0] = cams as bits, number[1] = position part D24..D8
-    processing,        // C0......: number[0] = data
-    confirmed,         // number[0] = parameter, number[1] = data
-    oldConfirmation,   // as confirmed, while OUT asks for parameter number[2]
-    camConfirmation,   // number[0] = the OUT word acknowledged
-    selfTestOrReadOut, // A.......: number[0] = value
-    readOutValue,      // number[0] = code asked for, number[1] = value
-    opcRegisterValue,  // number[0] = register, number[1] = value
+    position,            // number[0] = value
+    signedPosition,      // number[0] = value
+    grayPosition,        // number[0] = decoded value, number[1] = Gray code
+    undescribedPosition, // K4, status bits among the position: number[0] = value
+    rawPosition,         // coding not known: number[0] = raw D24..D0
+    velocity,            // number[0] = revolutions per minute
+    cams,                // number[0] = cams as bits, number[1] = position part D24..D8
+    processing,          // C0......: number[0] = data
+    confirmed,           // number[0] = parameter, number[1] = data
+    oldConfirmation,     // as confirmed, while OUT asks for parameter number[2]
+    camConfirmation,     // number[0] = the OUT word acknowledged
+    selfTestOrReadOut,   // A.......: number[0] = value
+    readOutValue,        // number[0] = code asked for, number[1] = value
+    opcRegisterValue,    // number[0] = register, number[1] = value
     camConfigurationValue,
     camStartValue, // number[0] = cam, number[1] = position
     camStopValue,
@@ -73,7 +77,9 @@ enum class MeaningId : std::uint8_t {
     serviceValue,      // read: number[0] = service, number[1] = value
     oldServiceAnswer,  // number[0] = service, number[1] = data, while OUT asks for service number[2]
     serviceRefused,    // D29 = 1 in service mode: number[0] = the OUT word refused
-    undefinedIn,       // no manual defines it: number[0] = word
+    // IN, K1, K2, K4
+    unusedBitsSet, // no position: number[0] = bits above it that are 1, number[1] = bits it has
+    undefinedIn,   // no manual defines it: number[0] = word
 };
 inline constexpr int meaningCount = static_cast<int>(MeaningId::undefinedIn) + 1;
 

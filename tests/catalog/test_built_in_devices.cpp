@@ -22,7 +22,11 @@ TEST(BuiltInDevices, AreLinkedIntoTheProgram)
     for (const DeviceDescription &each : catalog.devices())
         keys.push_back(each.key);
     EXPECT_EQ(keys, (std::vector{QStringLiteral("baumer-gxp6w"), QStringLiteral("fraba-ocd-ib"),
-                                 QStringLiteral("generic-k3"), QStringLiteral("tr-la66")}));
+                                 QStringLiteral("fraba-ocd-ib-k1"), QStringLiteral("fraba-ocd-ib-k2"),
+                                 QStringLiteral("fraba-ocd-ib-loop2"), QStringLiteral("generic-k1"),
+                                 QStringLiteral("generic-k2"), QStringLiteral("generic-k3"),
+                                 QStringLiteral("generic-k4"), QStringLiteral("tr-la66"),
+                                 QStringLiteral("twk-k4")}));
     EXPECT_EQ(catalog.find(u"fraba"), nullptr);
 }
 
@@ -220,7 +224,63 @@ TEST(BuiltInDevices, AnUnnamed0237hIsTheGenericK3)
     EXPECT_FALSE(generic->capabilities.reads || generic->capabilities.resets);
     EXPECT_EQ(generic->findNumber(3), nullptr); // direction at one make, coding at another
     EXPECT_EQ(generic->findNumber(5)->parameter, Parameter::zeroOffset);
-    EXPECT_EQ(catalog.generic(0x0236), nullptr);
+    EXPECT_EQ(catalog.generic(0x0133), nullptr);
+}
+
+// FRABA manual 2.2; TWK, table VI
+TEST(BuiltInDevices, WhatOnlyTellsItsPositionHasTheCodesAndWordsOfItsProfile)
+{
+    const Catalog catalog = Catalog::builtIn();
+    struct Row
+    {
+        QStringView key;
+        Profile profile;
+        unsigned idCode;
+        unsigned deviceCode;
+        int inWords;
+        int outWords;
+        int stepsPerTurn;
+        int turns;
+    };
+    const Row rows[] = {
+        {u"fraba-ocd-ib-k1", Profile::k1, 54, 0x0136, 1, 0, 4096, 1},
+        {u"fraba-ocd-ib-k2", Profile::k2, 54, 0x0236, 2, 0, 4096, 4096},
+        {u"generic-k1", Profile::k1, 54, 0x0136, 1, 0, 0, 0},
+        {u"generic-k2", Profile::k2, 54, 0x0236, 2, 0, 0, 0},
+        {u"generic-k4", Profile::k4, 247, 0x03F7, 2, 2, 0, 0},
+        {u"twk-k4", Profile::k4, 247, 0x03F7, 2, 2, 0, 0},
+    };
+    for (const Row &row : rows) {
+        const DeviceDescription &found = device(catalog, row.key);
+        EXPECT_EQ(found.profile, row.profile) << qPrintable(found.key);
+        EXPECT_EQ(found.idCode, row.idCode) << qPrintable(found.key);
+        EXPECT_EQ(found.deviceCode, row.deviceCode) << qPrintable(found.key);
+        EXPECT_EQ(found.inWords, row.inWords) << qPrintable(found.key);
+        EXPECT_EQ(found.outWords, row.outWords) << qPrintable(found.key);
+        EXPECT_EQ(found.physicalStepsPerTurn, row.stepsPerTurn) << qPrintable(found.key);
+        EXPECT_EQ(found.physicalTurns, row.turns) << qPrintable(found.key);
+        EXPECT_EQ(found.coding, PositionCoding::binary) << qPrintable(found.key);
+        EXPECT_FALSE(found.capabilities.reads || found.capabilities.writes || found.capabilities.presets)
+            << qPrintable(found.key);
+    }
+    EXPECT_EQ(catalog.generic(0x0136)->fullName(), QStringLiteral("K1, make not known"));
+    EXPECT_EQ(catalog.generic(0x03F7)->fullName(), QStringLiteral("K4, make not known"));
+}
+
+// FRABA manual 2.2: on Loop 2 it is the same K3 with another ID code.
+TEST(BuiltInDevices, TheLoop2EncoderDiffersInNothingButItsCodes)
+{
+    const Catalog catalog = Catalog::builtIn();
+    DeviceDescription loop = device(catalog, u"fraba-ocd-ib-loop2");
+    EXPECT_EQ(loop.idCode, 179U);
+    EXPECT_EQ(loop.deviceCode, 0x02B3U);
+    EXPECT_EQ(loop.fullName(), QStringLiteral("FRABA OCD-IB K3 Loop 2"));
+    const DeviceDescription &standard = device(catalog, u"fraba-ocd-ib");
+    loop.key = standard.key;
+    loop.name = standard.name;
+    loop.idCode = standard.idCode;
+    loop.deviceCode = standard.deviceCode;
+    EXPECT_EQ(loop, standard);
 }
 
 } // namespace

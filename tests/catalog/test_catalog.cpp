@@ -120,6 +120,9 @@ constexpr Breakage breakages[] = {
     {R"("batteryLow")", R"("cancelled")", 22, "errors[1].meaning", "cancelled"},
     // rules
     {R"("deviceCode": "0237h")", R"("deviceCode": "0236h")", 9, "deviceCode", "idCode"},
+    {R"("physicalTurns": 1)", R"("coding": "gray", "physicalTurns": 1)", 13, "coding", "Only a K1 and a K2"},
+    {R"("physicalTurns": 1)", R"("coding": "Gray", "physicalTurns": 1)", 13, "coding",
+     "Known are: binary, signed, gray"},
     {R"("minimum": 1, )", R"("minimum": 5000, )", 15, "parameters[0].minimum", "larger than the maximum"},
     {R"("factory": 4096)", R"("factory": 0)", 15, "parameters[0].factory", "not between"},
     {R"("parameter": "temperature")", R"("parameter": "steps")", 18, "parameters[2].parameter", "twice"},
@@ -150,6 +153,16 @@ TEST(Catalog, TakesASoundDescription)
     EXPECT_TRUE(device->capabilities.reads);
     EXPECT_FALSE(device->capabilities.serialNumber);
     EXPECT_EQ(catalog.generic(0x0237), nullptr);
+}
+
+TEST(Catalog, TakesTheCodingOfAnEncoderThatOnlyTellsItsPosition)
+{
+    QByteArray json = sound;
+    json.replace(R"("profile": "K3",)", R"("profile": "K2", "coding": "signed",)");
+    json.replace(R"("dialect": "fraba",)", "");
+    Catalog catalog;
+    ASSERT_TRUE(catalog.add(json, QStringLiteral("some.json")));
+    EXPECT_EQ(catalog.find(u"some-k3")->coding, PositionCoding::signedBinary);
 }
 
 TEST(Catalog, RefusesASecondDeviceOfTheSameKey)

@@ -118,6 +118,28 @@ TEST_F(ExplainWord, WordsOfARod)
     EXPECT_EQ(inBeside(rod, 0x8100'0000, 0x8800'0000), "Old answer: service 1 direction, 0 (increasing)");
 }
 
+TEST_F(ExplainWord, WordsOfEncodersThatOnlyTellTheirPosition)
+{
+    const DeviceDescription &k1 = *catalog.find(u"fraba-ocd-ib-k1");
+    EXPECT_EQ(text(k1, 0x0000'0FFF, in), "Running, position 4095");
+    EXPECT_EQ(text(k1, 0x0000'9800, in), "No position: D15, D12 should be 0, since the position has 12 bits");
+    EXPECT_EQ(text(k1, 0x0200'00FF, out), "This encoder has no OUT word: it only tells its position");
+    const DeviceDescription &k2 = *catalog.find(u"fraba-ocd-ib-k2");
+    EXPECT_EQ(text(k2, 0x00FF'FFFF, in), "Running, position 16777215");
+    EXPECT_EQ(text(k2, 0x0100'0000, in), "No position: D24 should be 0, since the position has 24 bits");
+    EXPECT_EQ(text(*catalog.find(u"generic-k2"), 0xFFFF'FFFF, in), "Running, position 4294967295");
+    const DeviceDescription &k4 = *catalog.find(u"twk-k4");
+    EXPECT_EQ(text(k4, 0x0001'2A4F, in), "Running, position 76367, as long as all four status bits are 0: "
+                                         "where they stand is in no source");
+    EXPECT_EQ(text(k4, 0x0200'00FF, out), "The OUT word of a K4 encoder is described in no source");
+
+    DeviceDescription coded = k2;
+    coded.coding = PositionCoding::gray;
+    EXPECT_EQ(text(coded, 0x0000'0214, in), "Running, position 999 (Gray code 00000214)");
+    coded.coding = PositionCoding::signedBinary;
+    EXPECT_EQ(text(coded, 0x00FF'FFFF, in), "Running, position -1");
+}
+
 TEST_F(ExplainWord, BitsAreNamedAsInTheManual)
 {
     const auto bit = [](const DeviceDescription &device, WordDirection direction, int number) {
@@ -133,6 +155,13 @@ TEST_F(ExplainWord, BitsAreNamedAsInTheManual)
     EXPECT_EQ(bit(rod, WordDirection::in, 29), "D29: error");
     EXPECT_EQ(bit(rod, WordDirection::out, 24), "D27..D24: service number");
     EXPECT_EQ(bit(rod, WordDirection::out, 23), "D23..D0: data to write");
+    const DeviceDescription &k1 = *catalog.find(u"fraba-ocd-ib-k1");
+    EXPECT_EQ(bit(k1, WordDirection::in, 11), "D11..D0: position");
+    EXPECT_EQ(bit(k1, WordDirection::in, 12), "D12: not used, always 0");
+    EXPECT_EQ(bit(k1, WordDirection::out, 31), "D31: this encoder has no OUT word");
+    EXPECT_EQ(bit(*catalog.find(u"twk-k4"), WordDirection::in, 31),
+              "D31..D0: position; which four bits are status bits is in no source");
+    EXPECT_EQ(bit(*catalog.find(u"twk-k4"), WordDirection::out, 31), "D31..D0: described in no source");
     for (const DeviceDescription &device : catalog.devices())
         for (const WordDirection direction : {WordDirection::in, WordDirection::out}) {
             for (int i = 0; i < 32; ++i)

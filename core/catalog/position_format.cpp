@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/position_format.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace codewheel {
+
+bool onlyTellsPosition(Profile profile)
+{
+    return profile == Profile::k1 || profile == Profile::k2 || profile == Profile::k4;
+}
+
+PositionWord positionFormat(const DeviceDescription &device)
+{
+    PositionWord format;
+    const int bits = device.profile == Profile::k1 ? 16 : 32;
+    format.positionBits = bits;
+    format.coding = device.coding;
+    format.hasStatusBits = device.profile == Profile::k4;
+    format.hasOut = device.profile == Profile::k4;
+    const auto range = static_cast<std::uint64_t>(device.physicalStepsPerTurn) *
+                       static_cast<std::uint64_t>(device.physicalTurns);
+    if (range > 0 && !format.hasStatusBits)
+        format.positionBits = std::clamp(static_cast<int>(std::bit_width(range - 1)), 1, bits);
+    return format;
+}
+
+} // namespace codewheel
