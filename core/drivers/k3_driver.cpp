@@ -7,6 +7,14 @@
 namespace codewheel {
 namespace {
 
+// 2080000p ends a cam parameterization, but not one of parameters.
+bool isAboutCams(const Job &job)
+{
+    const auto *to = std::get_if<SwitchMode>(&job);
+    return std::holds_alternative<ReadCams>(job) || std::holds_alternative<WriteCams>(job) ||
+           (to != nullptr && to->mode == Mode::cam);
+}
+
 bool isStartedInOperation(const Job &job)
 {
     const auto *to = std::get_if<SwitchMode>(&job);
@@ -32,7 +40,7 @@ K3Driver::K3Driver(const DeviceDescription &device, K3Timing timing)
     , m_knowledge(device)
     , m_plan(device, m_knowledge)
     , m_handshake(device.dialect, timing)
-    , m_view{device.dialect, device.quirks.hasModes, m_knowledge.mode(), m_knowledge.coding()}
+    , m_view{device.dialect, device.quirks.hasModes, m_knowledge.mode(), m_knowledge.coding(), {}}
 {}
 
 void K3Driver::setKnown(const std::vector<Known> &known)
@@ -59,6 +67,9 @@ Result<void> K3Driver::begin(JobId id, const Job &job, Pace pace, Word in, Word 
     if (const auto *write = std::get_if<WriteParameters>(&job))
         for (const ParameterValue &value : write->previous)
             replaceValue(run.before, value);
+    for (unsigned program = 1; program <= CamProgram::programs; ++program)
+        if (const auto known = m_knowledge.cams(program))
+            run.cams.before[program] = known->program;
     m_run = std::move(run);
     if (m_reading.state == EncoderState::notSeen)
         return {}; // IN is not known before the first cycle
@@ -102,7 +113,8 @@ Result<void> K3Driver::checkMode(const Job &job) const
 
 Result<void> K3Driver::checkState(const Job &job, Word in) const
 {
-    if (!isStartedInOperation(job))
+    const bool isOutsideCamMode = isAboutCams(job) && m_knowledge.mode() != Mode::cam;
+    if (!isStartedInOperation(job) && !isOutsideCamMode)
         return {};
     const EncoderState state = stateOf(in, m_device.dialect);
     if (state == EncoderState::parameterization)
@@ -129,6 +141,7 @@ Word K3Driver::cycle(Word in, Word out, Instant now)
     m_knowledge.observe(in, out, now);
     flushKnowledge();
     m_view.mode = m_knowledge.mode();
+    m_view.camProgram = m_knowledge.camProgram();
     m_reading = decodeReading(in, now, m_view);
     if (m_run && !m_run->prepared && !m_run->cancelled) {
         if (auto prepared = prepare(in, out); !prepared)
@@ -173,10 +186,11 @@ Word K3Driver::carryOn(Word in, Word out, Instant now)
             break;
         case K3Handshake::State::restarted:
             run.confirmed.clear();
+            dropCams();
             fail(restarted(in));
             break;
         case K3Handshake::State::error:
-            fail(refusalFor(in));
+            failAt(in);
             break;
         case K3Handshake::State::noAnswer:
             fail(noAnswer(in));
@@ -218,6 +232,7 @@ void K3Driver::beginStep(Word in, Instant now)
     run.asked = false;
     if (m_knowledge.isManufacturerPreset(current().out)) // also where the user gave the words
         run.steps[run.index].kind = StepKind::manufacturerPreset;
+    run.steps[run.index].inCamMode = m_knowledge.mode() == Mode::cam;
     m_handshake.begin(current(), in, now);
     if (current().kind == StepKind::initialisePreset || current().kind == StepKind::manufacturerPreset)
         run.positionBefore = m_reading.position;
@@ -250,8 +265,19 @@ void K3Driver::stepDone(Word in)
     case StepKind::readOut:
         readDone(step, in);
         break;
+    case StepKind::camReadOut:
+        camReadOutDone(step, in);
+        break;
+    case StepKind::endReadOut:
+        camReadOutEnded(step);
+        break;
+    case StepKind::camParameter:
+        camWordTaken(step.out);
+        break;
     case StepKind::word:
-        if (step.parameter)
+        if (step.inCamMode && fieldSetBy(step.out))
+            camWordTaken(step.out);
+        else if (step.parameter)
             replaceValue(run.confirmed, {*step.parameter, k3::data(step.out)});
         else if (step.out == k3::run)
             ranWithWhatWasConfirmed();
@@ -273,6 +299,7 @@ void K3Driver::ranWithWhatWasConfirmed()
             replaceValue(run.written, value);
     run.confirmed.clear();
     run.resetConfirmed = false;
+    run.cams.isPending = false;
 }
 
 // The remaining steps are dropped. OUT goes back to 0, except where the user gave the words himself.
@@ -302,6 +329,8 @@ void K3Driver::finish(Result<void> result)
     outcome.alreadyThere = std::move(run.alreadyThere);
     outcome.read = std::move(run.read);
     outcome.onlyZeroSinceRun = run.ranAtZero && m_reading.in == 0 && !m_device.capabilities.reads;
+    outcome.camsRead = std::move(run.cams.read);
+    outcome.camsWritten = std::move(run.cams.written);
     outcome.positionBefore = run.positionBefore;
     outcome.positionAfter = run.positionAfter;
     m_events.emplace_back(std::move(outcome));

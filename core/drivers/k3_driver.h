@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drivers/cyclic_driver.h"
+#include "drivers/k3_cam_record.h"
 #include "drivers/k3_handshake.h"
 #include "drivers/k3_knowledge.h"
 #include "drivers/k3_plan.h"
@@ -58,6 +59,7 @@ private:
         std::optional<Refusal> mismatch; // of the read-back, which goes on
         ParameterValues alreadyThere;
         ParameterValues read;
+        K3CamRecord cams;
         std::optional<std::int64_t> positionBefore;
         std::optional<std::int64_t> positionAfter;
     };
@@ -77,7 +79,15 @@ private:
     void verify(const K3Step &step, std::int64_t value);
     void leaveOut(Parameter parameter, std::int64_t value);
     void refine(Parameter parameter, std::int64_t value);
+    void camReadOutDone(const K3Step &step, Word in);
+    void camReadOutEnded(const K3Step &step);
+    void planWrite(const CamProgram &now);
+    void camWordTaken(Word out);
+    void dropCams();
+    K3Steps stepsToRestoreCams() const;
+    bool bringsBack(Word in) const;
     void fail(Refusal why);
+    void failAt(Word in);
     void finish(Result<void> result);
     void appendCancelSteps(Word in);
     void ranWithWhatWasConfirmed();
@@ -85,6 +95,7 @@ private:
     bool canRestore() const;
     ParameterValues valuesToRestore() const;
     Refusal refusalFor(Word in) const;
+    std::optional<Refusal> camRefusalFor(Word in) const;
     Refusal noAnswer(Word in) const;
     static Refusal restarted(Word in);
     std::vector<RefusalArgument> suspects() const;

@@ -19,6 +19,8 @@ void K3Driver::cancel(OnCancel how, Instant now)
         else
             run.inFlight = current();
     }
+    if (run.begun && current().kind == StepKind::camParameter)
+        run.inFlight = current();
     const bool runIsOnItsWay = run.begun && current().kind == StepKind::run;
     if (runIsOnItsWay) // cannot be taken back: its answer is waited for
         ++run.index;
@@ -37,13 +39,14 @@ void K3Driver::lookForRestart(Word in)
     Run &run = *m_run;
     const bool isBegun = run.begun && run.index < run.steps.size();
     const bool hasConfirmed =
-        !run.confirmed.empty() || run.resetConfirmed ||
+        !run.confirmed.empty() || run.resetConfirmed || run.cams.isPending ||
         (isBegun && current().kind == StepKind::parameter && m_handshake.hasConfirmed());
     const bool runIsSent = isBegun && current().out == k3::run;
     if (!hasConfirmed || runIsSent || !k3::isOperation(in))
         return;
     run.confirmed.clear();
     run.resetConfirmed = false;
+    dropCams();
     const bool dropsAnyway = run.cancelled && !run.cancelPlanned;
     if (!std::holds_alternative<SendWords>(run.job) && !dropsAnyway && !run.failure)
         fail(restarted(in));
@@ -55,16 +58,25 @@ void K3Driver::lookForLateAnswer(Word in)
     Run &run = *m_run;
     if (!run.cancelled || run.cancelPlanned)
         return;
-    if (run.inFlight && k3::isConfirmation(in) && k3::number(in) == k3::number(run.inFlight->out)) {
+    if (run.inFlight && run.inFlight->kind == StepKind::camParameter) {
+        if (in == (run.inFlight->out | k3::confirmation))
+            camWordTaken(run.inFlight->out);
+        else if (!isErrorAnswer(in, m_device.dialect)) // in place of the acknowledgement
+            return;
+        run.inFlight.reset();
+    } else if (run.inFlight && k3::isConfirmation(in) && k3::number(in) == k3::number(run.inFlight->out)) {
         replaceValue(run.confirmed, {*run.inFlight->parameter, run.inFlight->value});
         run.inFlight.reset();
     }
 }
 
-// Baumer: the new data beside the number from before.
+// Baumer: the new data beside the number from before. FRABA shows nothing of a cam word before it is
+// acknowledged.
 bool K3Driver::isStillProcessing(Word in, Instant now) const
 {
     const Run &run = *m_run;
+    if (run.inFlight && run.inFlight->kind == StepKind::camParameter)
+        return now - run.cancelledAt < m_timing.timeOut;
     return run.cancelled && !run.cancelPlanned && run.inFlight && k3::isConfirmation(in) &&
            k3::data(in) == k3::data(run.inFlight->out) && now - run.cancelledAt < m_timing.timeOut;
 }
@@ -75,12 +87,13 @@ void K3Driver::appendCancelSteps(Word in)
     Run &run = *m_run;
     run.cancelPlanned = true;
     const bool parameterizing = stateOf(in, m_device.dialect) == EncoderState::parameterization;
-    const bool ranMeanwhile = !run.written.empty();
+    const bool ranMeanwhile = !run.written.empty() || !run.cams.taken.empty();
     K3Steps steps;
     if (*run.cancelled == OnCancel::runWithWhatItHas && parameterizing)
         steps = m_plan.endParameterization({}, true);
     else if (*run.cancelled == OnCancel::restorePrevious && canRestore() && (parameterizing || ranMeanwhile))
-        steps = m_plan.endParameterization(valuesToRestore(), parameterizing);
+        steps = run.cams.taken.empty() ? m_plan.endParameterization(valuesToRestore(), parameterizing)
+                                       : stepsToRestoreCams();
     run.steps.insert(run.steps.end(), steps.begin(), steps.end());
 }
 
@@ -91,7 +104,8 @@ bool K3Driver::canRestore() const
     const auto isKnown = [this](const ParameterValue &value) {
         return valueOf(m_run->before, value.parameter).has_value();
     };
-    return std::ranges::all_of(m_run->confirmed, isKnown) && std::ranges::all_of(m_run->written, isKnown);
+    return std::ranges::all_of(m_run->confirmed, isKnown) && std::ranges::all_of(m_run->written, isKnown) &&
+           m_run->cams.canRestore();
 }
 
 ParameterValues K3Driver::valuesToRestore() const

@@ -8,6 +8,8 @@ namespace codewheel {
 
 Refusal K3Driver::refusalFor(Word in) const
 {
+    if (auto aboutCams = camRefusalFor(in))
+        return *std::move(aboutCams);
     if (current().kind == StepKind::readOut || k3::isReadOutRequest(current().out)) {
         if (stateOf(in, m_device.dialect) == EncoderState::readOut)
             return {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/k3_handshake.h"
 
+#include "cams/cam_fields.h"
 #include "drivers/k3_reading.h"
+#include "words/k3_cam_word.h"
 
 namespace codewheel {
 namespace {
@@ -84,6 +86,10 @@ State K3Handshake::answerTo(Word in)
         return readOutAnswer(in);
     case StepKind::endReadOut:
         return readOutEnd(in);
+    case StepKind::camReadOut:
+        return camReadOutAnswer(in);
+    case StepKind::camParameter:
+        return camAcknowledgement(in);
     case StepKind::word:
         return wordAnswer(in);
     default:
@@ -148,6 +154,20 @@ State K3Handshake::readOutAnswer(Word in) const
     return k3::number(in) == 0 ? State::done : State::error; // A4......: unknown parameter in read-out
 }
 
+// Outside cam mode 2020xxxx is an undefined word: 84000000.
+State K3Handshake::camReadOutAnswer(Word in) const
+{
+    return isNewError(in) ? State::error : readOutAnswer(in);
+}
+
+// IN = OUT with D31 D30 = 11, or an error in its place (FRABA manual 5.4.4, 10.6).
+State K3Handshake::camAcknowledgement(Word in) const
+{
+    if (isNewError(in))
+        return State::error;
+    return in == (m_step.out | k3::confirmation) ? State::done : State::waiting;
+}
+
 State K3Handshake::readOutEnd(Word in) const
 {
     return showsReadOut(in) ? State::waiting : State::done;
@@ -157,6 +177,8 @@ State K3Handshake::readOutEnd(Word in) const
 State K3Handshake::wordAnswer(Word in) const
 {
     const Word out = m_step.out;
+    if (m_step.inCamMode && fieldSetBy(out))
+        return camAcknowledgement(in);
     if (k3::isParameterWord(out)) {
         if (isNewError(in))
             return State::error;
@@ -172,7 +194,8 @@ State K3Handshake::wordAnswer(Word in) const
             return State::done;
         return runs(in) && m_cycles >= m_step.holdCycles ? State::done : State::waiting;
     }
-    if (k3::isReadOutRequest(out) && m_dialect == k3::Dialect::fraba) {
+    const bool readsCams = m_step.inCamMode && k3::isCamReadOutRequest(out);
+    if (readsCams || (k3::isReadOutRequest(out) && m_dialect == k3::Dialect::fraba)) {
         if (!k3::isReadOutAnswer(in) ||
             (k3::isReadOutAnswer(m_inAtBegin) && !m_inChanged && m_cycles < m_step.holdCycles))
             return State::waiting;

@@ -38,6 +38,8 @@ private:
     State normalAnswer(Word in) const;
     State readOutAnswer(Word in) const;
     State readOutEnd(Word in) const;
+    State camReadOutAnswer(Word in) const;
+    State camAcknowledgement(Word in) const;
     State wordAnswer(Word in) const;
     bool isNewError(Word in) const;
     bool showsReadOut(Word in) const;

@@ -2,6 +2,7 @@
 #include "drivers/k3_knowledge.h"
 
 #include "drivers/k3_reading.h"
+#include "words/k3_cam_word.h"
 #include "words/position_code.h"
 
 #include <utility>
@@ -33,13 +34,15 @@ void K3Knowledge::set(const std::vector<Known> &known)
         // A start-up mode that was read says nothing about now: something may have switched the mode since.
         if (one.parameter == Parameter::startUpMode && one.evidence == Evidence::told &&
             one.at >= m_modeSince)
-            m_mode.tell(modeAfterStartUp(one.value));
+            m_mode.tell(modeAfterStartUp(one.value), camProgramAfterStartUp(one.value));
     }
 }
 
 void K3Knowledge::observe(Word in, Word out, Instant now)
 {
     observeMode(out, now);
+    if (m_device.capabilities.cams)
+        m_cams.observe(in, out, mode(), camProgram(), now);
     if (isManufacturerPreset(out) && k3::isOperation(m_in))
         observeManufacturerPreset();
     const bool outChanged = out != m_out;
@@ -68,7 +71,7 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
         break;
     case EncoderState::error:
         if (in != m_in)
-            observeError(out);
+            observeError(in, out);
         break;
     case EncoderState::readOut:
         observeReadOut(in, out, now);
@@ -89,6 +92,8 @@ void K3Knowledge::observeMode(Word out, Instant now)
     if (!m_device.quirks.hasModes || !m_mode.observe(out))
         return;
     m_modeSince = now;
+    if (m_cams.leave())
+        countEepromWrite();
     const auto startUp = value(Parameter::startUpMode); // an encoder starts in the mode it was in
     if (startUp && (mode() == Mode::cam || modeAfterStartUp(*startUp) != mode()))
         forget(Parameter::startUpMode);
@@ -119,8 +124,13 @@ void K3Knowledge::observeConfirmation(Word in, Word out)
 
 // An error in answer to run is about the set, which stays pending. Else, or where a confirmation comes before
 // the check (FRABA), it may be the value confirmed last that was refused late.
-void K3Knowledge::observeError(Word out)
+void K3Knowledge::observeError(Word in, Word out)
 {
+    constexpr unsigned parametersLost = 3;
+    constexpr unsigned unknownWord = 2;
+    const bool refusesCams = k3::isCamReadOutRequest(out) && k3::number(in) == unknownWord;
+    if (mode() == Mode::cam && (refusesCams || k3::number(in) == parametersLost))
+        m_mode.tell(std::nullopt);
     m_asked.reset();
     if (k3::isParameterWord(out) && m_pending.erase(k3::number(out)) != 0)
         return;
@@ -242,6 +252,7 @@ void K3Knowledge::reset(bool isProven, Instant now)
     }
     forget(Parameter::presetFlag);
     m_presetArmed.reset();
+    m_cams.forgetAll();
     if (m_device.quirks.hasModes && mode() != Mode::position) { // position mode then (assumed)
         m_mode.tell(std::nullopt);
         m_modeSince = now;
@@ -329,7 +340,7 @@ void K3Knowledge::forget(Parameter parameter)
 
 std::optional<KnowledgeChanged> K3Knowledge::takeChanges()
 {
-    if (!m_changed)
+    if (!m_cams.takeChanges(m_changes) && !m_changed)
         return std::nullopt;
     m_changed = false;
     return std::exchange(m_changes, {});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalog/device_description.h"
+#include "drivers/k3_cam_knowledge.h"
 #include "drivers/k3_mode.h"
 #include "encoder/event.h"
 
@@ -22,11 +23,15 @@ public:
 
     // Replaces all that is known, e.g. after the user told something.
     void set(const std::vector<Known> &known);
+    void setCams(const std::vector<KnownCams> &known) { m_cams.set(known); }
     void observe(Word in, Word out, Instant now);
 
     std::optional<std::int64_t> value(Parameter parameter) const;
     ParameterValues values() const;
     std::optional<Mode> mode() const { return m_mode.now(); }
+    // The cam program the encoder is in, in cam mode.
+    std::optional<unsigned> camProgram() const { return m_mode.camProgram(); }
+    std::optional<KnownCams> cams(unsigned program) const { return m_cams.known(program); }
     // 60000000h acts in every cycle in which it stands (FRABA manual 5.4.1); in cam mode it is another word.
     bool isManufacturerPreset(Word out) const;
     std::optional<PositionCoding> coding() const;
@@ -43,7 +48,7 @@ public:
 
 private:
     void observeConfirmation(Word in, Word out);
-    void observeError(Word out);
+    void observeError(Word in, Word out);
     void observeReadOut(Word in, Word out, Instant now);
     void observeOperation(Word in, Word out, Instant now);
     void observeRun(Word in, Instant now);
@@ -69,6 +74,7 @@ private:
     // position shows.
     std::map<unsigned, std::optional<Word>> m_unproven;
     K3Mode m_mode;
+    K3CamKnowledge m_cams;
     Instant m_modeSince{}; // what was told before that is out of date
     KnowledgeChanged m_changes;
     bool m_changed = false;

@@ -5,31 +5,46 @@
 
 namespace codewheel {
 
+void K3Mode::tell(std::optional<Mode> mode, std::optional<unsigned> camProgram)
+{
+    m_mode = mode;
+    m_camProgram = mode == Mode::cam ? camProgram : std::nullopt;
+}
+
 bool K3Mode::observe(Word out)
 {
+    bool isOpen = false;
     if (out != m_out) {
+        isOpen = m_stoodFor > 0 && m_stoodFor < cyclesUntilTaken && switches(m_out);
+        if (isOpen)
+            tell(std::nullopt);
         m_out = out;
         m_stoodFor = 0;
     }
-    return m_stoodFor < cyclesUntilTaken && ++m_stoodFor == cyclesUntilTaken && switchedBy(out);
+    if (m_stoodFor == cyclesUntilTaken || ++m_stoodFor != cyclesUntilTaken || !switches(out))
+        return isOpen;
+    switchedBy(out);
+    return true;
 }
 
-bool K3Mode::switchedBy(Word out)
+bool K3Mode::switches(Word out) const
 {
-    if (k3::isProgramWord(out)) {
-        const Word program = out & ~k3::programWord;
-        if (program > k3::camProgramCount)
-            return false;
-        m_mode = program == 0 ? Mode::position : Mode::cam;
-        return true;
-    }
+    if (k3::isProgramWord(out))
+        return (out & ~k3::programWord) <= k3::camProgramCount;
     // In cam mode these two words set the cam configuration instead.
-    if (m_mode != Mode::position && m_mode != Mode::velocity)
-        return false;
-    if (out != k3::velocityOn && out != k3::velocityOff)
-        return false;
-    m_mode = out == k3::velocityOn ? Mode::velocity : Mode::position;
-    return true;
+    const bool mayBeVelocity = m_mode == Mode::position || m_mode == Mode::velocity;
+    return mayBeVelocity && (out == k3::velocityOn || out == k3::velocityOff);
+}
+
+void K3Mode::switchedBy(Word out)
+{
+    const Word program = out & ~k3::programWord;
+    if (!k3::isProgramWord(out))
+        tell(out == k3::velocityOn ? Mode::velocity : Mode::position);
+    else if (program == 0)
+        tell(Mode::position);
+    else
+        tell(Mode::cam, program);
 }
 
 std::optional<Mode> modeAfterStartUp(std::int64_t startUpMode)
@@ -38,9 +53,17 @@ std::optional<Mode> modeAfterStartUp(std::int64_t startUpMode)
         return Mode::position;
     if (startUpMode == 2)
         return Mode::velocity;
-    if (startUpMode >= 3 && startUpMode <= 10)
+    if (camProgramAfterStartUp(startUpMode))
         return Mode::cam;
     return std::nullopt;
+}
+
+std::optional<unsigned> camProgramAfterStartUp(std::int64_t startUpMode)
+{
+    constexpr std::int64_t before = 2; // 3 = program 1
+    if (startUpMode <= before || startUpMode > before + k3::camProgramCount)
+        return std::nullopt;
+    return static_cast<unsigned>(startUpMode - before);
 }
 
 } // namespace codewheel

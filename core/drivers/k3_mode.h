@@ -18,20 +18,26 @@ public:
     // An encoder takes a word that has stood for 2 cycles (assumed); the third one shows the new mode.
     static constexpr int cyclesUntilTaken = 3;
 
-    void tell(std::optional<Mode> mode) { m_mode = mode; }
-    // True once a word has switched the mode, be it to the one it was in.
+    void tell(std::optional<Mode> mode, std::optional<unsigned> camProgram = {});
+    // True once a word has switched the mode, be it to the one it was in, or once it has left OUT too early
+    // to know.
     bool observe(Word out);
     std::optional<Mode> now() const { return m_mode; }
+    // The cam program, 1..8, in cam mode.
+    std::optional<unsigned> camProgram() const { return m_camProgram; }
 
 private:
-    bool switchedBy(Word out);
+    bool switches(Word out) const;
+    void switchedBy(Word out);
 
     std::optional<Mode> m_mode;
+    std::optional<unsigned> m_camProgram;
     Word m_out = 0;
     int m_stoodFor = 0;
 };
 
 // The mode that an encoder has after power-up with this start-up mode (read-out 9, FRABA manual 10.2).
 std::optional<Mode> modeAfterStartUp(std::int64_t startUpMode);
+std::optional<unsigned> camProgramAfterStartUp(std::int64_t startUpMode);
 
 } // namespace codewheel

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/k3_plan.h"
 
+#include "drivers/k3_cam_plan.h"
+
 #include <QStringList>
 
 #include <algorithm>
@@ -37,8 +39,10 @@ Result<void> K3Plan::check(const Job &job) const
         for (const ParameterValue &value : end->restore)
             if (auto checked = checkValue(value); !checked)
                 return checked;
-    if (std::holds_alternative<ReadCams>(job) || std::holds_alternative<WriteCams>(job))
-        return refuse(RefusalKind::notSupported, RefusalId::jobNotSupported, {m_device.fullName()});
+    if (const auto *cams = std::get_if<ReadCams>(&job))
+        return K3CamPlan(m_device, m_knowledge).check(*cams);
+    if (const auto *cams = std::get_if<WriteCams>(&job))
+        return K3CamPlan(m_device, m_knowledge).check(*cams);
     return {};
 }
 

@@ -29,6 +29,7 @@ public:
     K3Steps endParameterization(const ParameterValues &restore, bool runFirst) const;
     static K3Step toNormal(bool mustOperate);
     static K3Step runStep(bool tolerateError);
+    static K3Step switchStep(Word modeWord);
     Word parameterWord(Parameter parameter, std::int64_t value) const;
 
 private:
@@ -46,8 +47,8 @@ private:
     K3Steps plan(const EndParameterization &job) const;
     K3Steps plan(const SwitchMode &job) const;
     K3Steps plan(const ResetToDefault &job) const;
-    K3Steps plan(const ReadCams &) const { return {}; }
-    K3Steps plan(const WriteCams &) const { return {}; }
+    K3Steps plan(const ReadCams &job) const;
+    K3Steps plan(const WriteCams &job) const;
 
     bool needsStepsFlag(const ParameterValues &values) const;
     void appendRead(K3Steps &steps, Parameter parameter, std::optional<std::int64_t> expected = {}) const;

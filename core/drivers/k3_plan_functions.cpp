@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The functions beside parameters: modes, the FRABA preset, the reset to factory settings.
+#include "drivers/k3_cam_plan.h"
 #include "drivers/k3_plan.h"
 #include "words/k3_cam_word.h"
 
 namespace codewheel {
-namespace {
 
-K3Step switchStep(Word modeWord)
+K3Step K3Plan::switchStep(Word modeWord)
 {
     K3Step step;
     step.kind = StepKind::switchMode;
@@ -14,8 +14,6 @@ K3Step switchStep(Word modeWord)
     step.holdCycles = K3Mode::cyclesUntilTaken;
     return step;
 }
-
-} // namespace
 
 Result<void> K3Plan::checkPreset(const SetPreset &job) const
 {
@@ -30,9 +28,9 @@ Result<void> K3Plan::checkPreset(const SetPreset &job) const
 
 Result<void> K3Plan::checkSwitch(const SwitchMode &job) const
 {
-    if (job.mode == Mode::velocity && !m_device.capabilities.velocity)
-        return refuse(RefusalKind::notSupported, RefusalId::velocityNotSupported, {m_device.fullName()});
-    if (job.mode == Mode::cam || !m_device.quirks.hasModes)
+    if (auto checked = K3CamPlan(m_device, m_knowledge).check(job); !checked)
+        return checked;
+    if (!m_device.quirks.hasModes)
         return refuse(RefusalKind::notSupported, RefusalId::jobNotSupported, {m_device.fullName()});
     return {};
 }
@@ -46,6 +44,8 @@ Result<void> K3Plan::checkReset() const
 
 K3Steps K3Plan::plan(const SwitchMode &job) const
 {
+    if (job.mode == Mode::cam)
+        return K3CamPlan(m_device, m_knowledge).stepsFor(job);
     K3Steps steps;
     if (job.mode == Mode::position || m_knowledge.mode() == Mode::cam)
         appendPositionMode(steps);
@@ -63,6 +63,16 @@ void K3Plan::appendPositionMode(K3Steps &steps) const
         steps.push_back(switchStep(k3::programWord));
     if (mode != Mode::cam)
         steps.push_back(switchStep(k3::velocityOff));
+}
+
+K3Steps K3Plan::plan(const ReadCams &job) const
+{
+    return K3CamPlan(m_device, m_knowledge).stepsFor(job);
+}
+
+K3Steps K3Plan::plan(const WriteCams &job) const
+{
+    return K3CamPlan(m_device, m_knowledge).stepsFor(job);
 }
 
 // A preset that was programmed once can be activated as often as wanted (FRABA manual 5.4.1), so a value that

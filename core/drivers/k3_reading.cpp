@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/k3_reading.h"
 
+#include "words/k3_cam_word.h"
 #include "words/position_code.h"
 
 namespace codewheel {
@@ -38,11 +39,14 @@ Reading decodeReading(Word in, Instant at, const K3View &view) noexcept
     reading.in = in;
     reading.state = stateOf(in, view.dialect);
     reading.mode = view.mode;
+    reading.camProgram = view.camProgram;
     reading.coding = view.coding;
     if (reading.state == EncoderState::error)
         reading.errorNumber = k3::number(in);
     else if (reading.state == EncoderState::operation && view.hasModes && view.mode == Mode::velocity)
         reading.velocity = k3::signedData(in);
+    else if (reading.state == EncoderState::operation && view.hasModes && view.mode == Mode::cam)
+        reading.cams = {k3::camsOn(in), k3::camPositionPart(in)};
     else if (reading.state == EncoderState::operation && positionCanBeRead(view))
         reading.position = k3::decodePosition(in, *view.coding);
     return reading;

@@ -12,6 +12,7 @@ struct K3View
     bool hasModes = false; // then a position is one only in Mode::position
     std::optional<Mode> mode;
     std::optional<PositionCoding> coding; // nothing: the raw word is all there is
+    std::optional<unsigned> camProgram{}; // in cam mode
 };
 
 EncoderState stateOf(Word in, k3::Dialect dialect) noexcept;

@@ -25,6 +25,9 @@ struct K3Step : Step
     bool mustOperate = false;             // toNormal: only operation will do
     bool tolerateError = false;           // run: an error answer is an answer
     int holdCycles = 0;                   // word that nothing acknowledges
+    bool inCamMode = false;               // word: what cam mode makes of it decides what ends it
+    unsigned camProgram = 0;              // camParameter, camReadOut: of this program
+    bool writesCams = false;              // follows from what was read of the program
 };
 
 } // namespace codewheel

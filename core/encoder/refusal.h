@@ -79,6 +79,7 @@ enum class RefusalId : std::uint8_t {
     verificationFailed,     // Parameter, wanted, read
     unknownState,           // Word IN
     restarted,              // Word IN: parameterization ended without run
+    camWordRefused,         // Word OUT, Word IN: the text tells what the word does
     camPositionAboveRange,  // cam, Word IN
     camVerificationFailed,  // program
     serviceRefused,         // service number, Word IN

@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <array>
 
 namespace codewheel {
@@ -183,6 +184,10 @@ constexpr std::array rows{
             "Refusal",
             "The encoder left parameterization before run was sent or answered, as after a loss "
             "of power (IN %1). It may have kept its old values: check its supply and write again.")},
+    Row{RefusalId::camWordRefused, "camWordRefused",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The encoder refused the word %1, which %2 (IN %3). It kept the old value: compare "
+                          "the cam program with the encoder, and check which encoder it is.")},
     Row{RefusalId::camPositionAboveRange, "camPositionAboveRange",
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 98000004: a start or stop of cam %1 is above the largest position (IN %2). "
@@ -241,15 +246,22 @@ QString effectInCamMode(Word word)
     if (k3::isCamStop(word))
         return sentence(pattern(QT_TRANSLATE_NOOP("Refusal", "sets the stop of cam %1 to %2")),
                         {cam, position});
+    if (k3::isCamShift(word))
+        return sentence(pattern(QT_TRANSLATE_NOOP("Refusal", "sets the shift to %1")),
+                        {argumentText(std::int64_t{word & 0xFF})});
+    if (k3::isProgramWord(word))
+        return sentence(pattern(QT_TRANSLATE_NOOP("Refusal", "switches to cam program %1")),
+                        {argumentText(std::int64_t{word & 0xF})});
     return pattern(QT_TRANSLATE_NOOP("Refusal", "changes which cams are active"));
 }
 
-QString modeText(const Refusal &refusal)
+// The word, what it does, and what else there is.
+QString wordText(const Refusal &refusal)
 {
     QStringList parts = argumentTexts(refusal.arguments);
     const auto *word = refusal.arguments.empty() ? nullptr : std::get_if<Word>(&refusal.arguments.front());
-    parts.resize(1);
-    parts << effectInCamMode(word ? *word : k3::initialisePreset);
+    parts.resize(std::max<qsizetype>(parts.size(), 1));
+    parts.insert(1, effectInCamMode(word ? *word : k3::initialisePreset));
     return sentence(pattern(rowOf(refusal.id).text), parts);
 }
 
@@ -291,7 +303,8 @@ QString refusalText(const Refusal &refusal)
         return suspectsText(refusal);
     case RefusalId::modeNotKnown:
     case RefusalId::inCamMode:
-        return modeText(refusal);
+    case RefusalId::camWordRefused:
+        return wordText(refusal);
     case RefusalId::camFileBroken:
         return camFileText(refusal);
     default:

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/cam_program.h"
+#include "words/k3_word.h"
+
+#include <bitset>
+#include <optional>
+
+// A cam program value by value, as the encoder takes and tells it: one word each (FRABA manual 10.5).
+namespace codewheel {
+
+enum class CamValue : std::uint8_t { start, stop, activeCams, shift };
+
+struct CamField
+{
+    CamValue value = CamValue::start;
+    unsigned cam = 0; // of start and stop: 0..7
+
+    friend constexpr bool operator==(const CamField &, const CamField &) = default;
+};
+
+// All of a program, in the order in which they are written: start and stop cam by cam, the active cams,
+// shift.
+inline constexpr std::size_t camFieldCount = 2 * CamProgram::cams + 2;
+using CamFieldSet = std::bitset<camFieldCount>;
+constexpr CamField camField(std::size_t index)
+{
+    const auto cam = static_cast<unsigned>(index / 2);
+    if (cam < CamProgram::cams)
+        return {index % 2 == 0 ? CamValue::start : CamValue::stop, cam};
+    return {index == camFieldCount - 1 ? CamValue::shift : CamValue::activeCams, 0};
+}
+std::size_t indexOf(CamField field);
+
+// The word that sets the field, and the one that reads it out.
+Word settingWord(CamField field, std::int64_t data);
+Word readOutWord(CamField field);
+// The field that OUT sets in cam mode, or reads out. Nothing: none, or of a cam there is not.
+std::optional<CamField> fieldSetBy(Word out);
+std::optional<CamField> fieldReadBy(Word out);
+// The data of a word that sets a field.
+std::int64_t dataOf(CamField field, Word out);
+
+// Active cams as bits; those of 16 bits that belong to no cam are dropped.
+std::int64_t valueOf(const CamProgram &program, CamField field);
+void setValue(CamProgram &program, CamField field, std::int64_t data);
+
+CamFieldSet differences(const CamProgram &a, const CamProgram &b);
+
+} // namespace codewheel

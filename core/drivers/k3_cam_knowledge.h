@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cams/cam_fields.h"
+#include "encoder/event.h"
+#include "words/k3_explain.h"
+
+#include <array>
+
+namespace codewheel {
+
+// What is known of a FRABA encoder's cam programs, learned from the words that pass, whoever sent them: a
+// read-out tells a value, an acknowledgement sets it. A changed program is saved when it is left, and lost at
+// power-off before. Part of K3Knowledge.
+class K3CamKnowledge
+{
+public:
+    void set(const std::vector<KnownCams> &known);
+    // One bus cycle. `mode` and `program` (of cam mode) as far as they are known.
+    void observe(Word in, Word out, std::optional<Mode> mode, std::optional<unsigned> program, Instant now);
+    // A word that leaves the program was taken. True: it was changed, which costs an EEPROM write.
+    bool leave();
+    void forgetAll();
+
+    // The program as the encoder has it now; nothing while one of its values is not known.
+    std::optional<KnownCams> known(unsigned program) const;
+    // Adds what has changed since the last call; whether anything has.
+    bool takeChanges(KnowledgeChanged &changes);
+
+private:
+    struct Value
+    {
+        std::int64_t data = 0;
+        Evidence evidence = Evidence::read;
+    };
+    struct Program
+    {
+        std::array<std::optional<Value>, camFieldCount> values;
+        Instant at{};
+    };
+
+    void observeOut(Word out, bool mayBeCamMode);
+    void observeAnswer(Word in);
+    void observeOperation(Word in, Word out);
+    bool isEndOfReadOut(Word out) const;
+    void observeReadOut(Word in, Word out);
+    void observeError(Word in);
+    void learn(unsigned program, CamField field, Value value);
+    void beginChange();
+    void doubtAsked();
+    void loseChange(bool certainly);
+
+    std::array<Program, CamProgram::programs + 1> m_programs; // by number
+    std::array<std::optional<KnownCams>, CamProgram::programs + 1> m_told;
+    std::optional<unsigned> m_program; // that is worked with
+    bool m_changed = false;            // since it was entered, and not saved yet
+    Program m_saved;                   // it, before the first change
+    std::optional<Word> m_asked;       // a cam word that was not answered yet, be it in OUT or not
+    bool m_isParameterized = false;    // an acknowledgement stood in IN, and no end of it was seen
+    bool m_mayEnd = false;             // run was sent since, or another mode
+    bool m_answerIsFresh = false;      // IN held no read-out answer since the request stands in OUT
+    bool m_isDirty = false;
+    Word m_in = 0;
+    Word m_out = 0;
+    Instant m_now{};
+};
+
+} // namespace codewheel
