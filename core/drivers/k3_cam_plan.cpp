@@ -56,19 +56,28 @@ void appendSetting(K3Steps &steps, const CamProgram &program, CamField field)
     steps.push_back(step);
 }
 
+std::optional<CamField> firstOf(CamFieldSet fields)
+{
+    for (std::size_t i = 0; i < camFieldCount; ++i)
+        if (fields[i])
+            return camField(i);
+    return std::nullopt;
+}
+
 // The first word opens the cam parameterization, which shows in IN from then on until power-off or run. Where
 // it would have another meaning, shift_iw goes out before it.
 void appendSettings(K3Steps &steps, const CamProgram &program, CamFieldSet fields)
 {
-    K3Steps settings;
+    const auto first = firstOf(fields);
+    if (!first)
+        return;
+    if (hasAnotherMeaning(settingWord(*first, valueOf(program, *first)))) {
+        appendSetting(steps, program, shiftField);
+        fields.reset(indexOf(shiftField));
+    }
     for (std::size_t i = 0; i < camFieldCount; ++i)
         if (fields[i])
-            appendSetting(settings, program, camField(i));
-    if (settings.empty())
-        return;
-    if (hasAnotherMeaning(settings.front().out))
-        appendSetting(steps, program, shiftField);
-    steps.insert(steps.end(), settings.begin(), settings.end());
+            appendSetting(steps, program, camField(i));
     steps.push_back(K3Plan::runStep(false));
     steps.push_back(K3Plan::toNormal(true));
 }

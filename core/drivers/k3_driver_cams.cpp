@@ -107,9 +107,10 @@ K3Steps K3Driver::stepsToRestoreCams() const
 // 84000000h in answer to the words that only ask whether it understands cams: run ends the error.
 bool K3Driver::bringsBack(Word in) const
 {
-    const StepKind kind = current().kind;
-    return (kind == StepKind::switchMode || kind == StepKind::camReadOut) &&
-           isErrorAnswer(in, m_device.dialect);
+    const K3Step &step = current();
+    const bool onlyAsks = step.kind == StepKind::camReadOut ||
+                          (step.kind == StepKind::switchMode && k3::isProgramWord(step.out));
+    return onlyAsks && isErrorAnswer(in, m_device.dialect);
 }
 
 void K3Driver::failAt(Word in)

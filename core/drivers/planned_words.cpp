@@ -6,10 +6,11 @@
 namespace codewheel {
 
 Result<std::vector<Step>> plannedSteps(const DeviceDescription &device, const std::vector<Known> &known,
-                                       const Job &job)
+                                       const Job &job, const std::vector<KnownCams> &cams)
 {
     K3Knowledge knowledge(device);
     knowledge.set(known);
+    knowledge.setCams(cams);
     const K3Plan plan(device, knowledge);
     if (const auto checked = plan.check(job); !checked)
         return tl::unexpected(checked.error());

@@ -61,6 +61,10 @@ void DriverTable::collect()
             m_progress = *progress;
         if (const auto *change = std::get_if<KnowledgeChanged>(&event)) {
             m_eepromWrites += change->eepromWrites;
+            for (const unsigned gone : change->camsNoLongerKnown)
+                m_cams.erase(gone);
+            for (const KnownCams &fresh : change->cams)
+                m_cams[fresh.program.number] = fresh;
             for (const Parameter gone : change->noLongerKnown)
                 std::erase_if(m_known, [&](const Known &known) { return known.parameter == gone; });
             for (const Known &fresh : change->known) {
@@ -101,6 +105,13 @@ std::optional<Evidence> DriverTable::evidence(Parameter parameter)
 {
     const Known *known = find(parameter);
     return known == nullptr ? std::nullopt : std::optional(known->evidence);
+}
+
+std::optional<KnownCams> DriverTable::cams(unsigned program)
+{
+    collect();
+    const auto found = m_cams.find(program);
+    return found == m_cams.end() ? std::nullopt : std::optional(found->second);
 }
 
 int DriverTable::eepromWrites()

@@ -4,6 +4,7 @@
 #include "catalog/catalog.h"
 #include "drivers/k3_driver.h"
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -35,6 +36,7 @@ public:
     const Progress &progress();
     std::optional<std::int64_t> known(Parameter parameter);
     std::optional<Evidence> evidence(Parameter parameter);
+    std::optional<KnownCams> cams(unsigned program);
     int eepromWrites();
 
 private:
@@ -49,6 +51,7 @@ private:
     std::optional<Outcome> m_outcome;
     Progress m_progress;
     std::vector<Known> m_known;
+    std::map<unsigned, KnownCams> m_cams;
     int m_eepromWrites = 0;
 };
 

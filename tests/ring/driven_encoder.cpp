@@ -128,6 +128,12 @@ EncoderState DrivenEncoder::state() const
     return stateOf(m_in, m_device.dialect);
 }
 
+std::optional<CamProgram> DrivenEncoder::knownCams(unsigned program) const
+{
+    const auto found = m_cams.find(program);
+    return found == m_cams.end() ? std::nullopt : std::optional(found->second.program);
+}
+
 void DrivenEncoder::expectTruth() const
 {
     EXPECT_EQ(m_out, 0u);
@@ -153,6 +159,10 @@ void DrivenEncoder::collect()
         if (change == nullptr)
             continue;
         m_eepromWrites += change->eepromWrites;
+        for (const unsigned program : change->camsNoLongerKnown)
+            m_cams.erase(program);
+        for (const KnownCams &known : change->cams)
+            m_cams[known.program.number] = known;
         for (const Known &known : change->known)
             m_known[known.parameter] = known;
         for (const Parameter parameter : change->noLongerKnown)

@@ -35,6 +35,7 @@ public:
 
     std::int64_t actual(Parameter parameter) const;
     EncoderState state() const;
+    std::optional<CamProgram> knownCams(unsigned program) const;
     // What the outcome tells as written, and what is held as known, is what the encoder has; OUT is 0.
     void expectTruth() const;
 
@@ -49,6 +50,7 @@ private:
     Instant m_now{};
     std::optional<Outcome> m_outcome;
     std::map<Parameter, Known> m_known;
+    std::map<unsigned, KnownCams> m_cams;
     int m_eepromWrites = 0;
 };
 
