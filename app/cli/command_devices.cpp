@@ -27,7 +27,9 @@ Answer listOf(const Catalog &catalog)
                CommandLine::tr("read-out"), CommandLine::tr("encoder")});
     QJsonArray devices;
     for (const DeviceDescription &device : catalog.devices()) {
-        table.add({device.key, profileName(device.profile), hexCode(device.deviceCode, 4),
+        const bool onBus = device.profile != Profile::esc;
+        table.add({device.key, profileName(device.profile),
+                   onBus ? hexCode(device.deviceCode, 4) : QStringLiteral("-"),
                    yesNo(device.capabilities.reads), device.fullName()});
         devices.append(QJsonObject{{QStringLiteral("name"), device.key},
                                    {QStringLiteral("vendor"), device.vendor},

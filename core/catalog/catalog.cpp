@@ -4,18 +4,33 @@
 #include "catalog/description_reader.h"
 #include "catalog/strict_json.h"
 
-#include <QDirIterator>
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 
 #include <algorithm>
 
 namespace codewheel {
+QString Catalog::Fault::place() const
+{
+    QString place = file;
+    if (line > 0)
+        place = QCoreApplication::translate("codewheel::Catalog", "%1, line %2").arg(file).arg(line);
+    return key.isEmpty() ? place : place + QStringLiteral(", ") + key;
+}
+
+QStringList Catalog::inReadingOrder(QStringList files)
+{
+    std::ranges::sort(files, {}, [](const QString &file) { return QFileInfo(file).completeBaseName(); });
+    return files;
+}
+
 Catalog Catalog::builtIn()
 {
     Catalog catalog;
-    QDirIterator files(QStringLiteral(":/devices"), {QStringLiteral("*.json")});
-    while (files.hasNext()) {
-        QFile file(files.next());
+    const QDir folder(QStringLiteral(":/devices"));
+    for (const QString &name : inReadingOrder(folder.entryList({QStringLiteral("*.json")}))) {
+        QFile file(folder.filePath(name));
         if (!file.open(QIODevice::ReadOnly))
             qFatal("%s cannot be read", qPrintable(file.fileName()));
         if (const auto added = catalog.add(file.readAll(), file.fileName()); !added)
@@ -33,7 +48,7 @@ tl::expected<void, Catalog::Fault> Catalog::add(const QByteArray &json, const QS
     if (faults.first())
         return tl::unexpected(*faults.first());
 
-    DeviceDescription device = readDescription(root, faults);
+    DeviceDescription device = readDescription(root, *this, faults);
     if (find(device.key))
         faults.report(root["key"], QStringLiteral("key"),
                       QCoreApplication::translate("codewheel::Catalog",

@@ -3,6 +3,8 @@
 
 #include "catalog/device_description.h"
 
+#include <QStringList>
+
 #include <span>
 
 namespace codewheel {
@@ -15,10 +17,16 @@ public:
     struct Fault
     {
         QString file;
-        int line = 0;
+        int line = 0; // 0: the file as a whole
         QString key;
         QString reason;
+
+        QString place() const; // "my.json, line 7, parameters[0].minimum"
     };
+
+    // Files in the order in which they are to be added: by name without ".json", so that fraba-ocd-ib comes
+    // before fraba-ocd-ib-k1, which may share its tables.
+    static QStringList inReadingOrder(QStringList files);
 
     // The descriptions that come with the program. A broken one is a defect of the program.
     static Catalog builtIn();

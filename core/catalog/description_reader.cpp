@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/description_reader.h"
 
+#include "catalog/ordering_key_reader.h"
+#include "catalog/tables_reader.h"
+
 #include <algorithm>
 
 namespace codewheel {
 namespace {
 
-constexpr NamedValue<Profile> profiles[] = {{"K1", Profile::k1},
-                                            {"K2", Profile::k2},
-                                            {"K3", Profile::k3},
-                                            {"K4", Profile::k4},
-                                            {"LA-66", Profile::la66}};
+constexpr NamedValue<Profile> profiles[] = {{"K1", Profile::k1},      {"K2", Profile::k2},
+                                            {"K3", Profile::k3},      {"K4", Profile::k4},
+                                            {"LA-66", Profile::la66}, {"ESC", Profile::esc}};
 constexpr NamedValue<k3::Dialect> dialects[] = {
     {"generic", k3::Dialect::generic}, {"fraba", k3::Dialect::fraba}, {"baumer", k3::Dialect::baumer}};
 constexpr NamedValue<PositionCoding> codings[] = {{"binary", PositionCoding::binary},
@@ -50,15 +51,16 @@ public:
     static void readVendor(const JsonObject &json, DeviceDescription &device);
     static void readCoding(const JsonObject &json, DeviceDescription &device);
     static void readIdentity(const JsonObject &json, DeviceDescription &device);
+    static void readTables(const JsonObject &json, const Catalog &catalog, DeviceDescription &device);
     static void readParameters(const JsonObject &json, DeviceDescription &device);
     static void readErrors(const JsonObject &json, DeviceDescription &device);
     static Capabilities readCapabilities(const JsonObject &json);
     static Quirks readQuirks(const JsonObject &json);
 
 private:
+    static void readPlaceOnBus(const JsonObject &json, DeviceDescription &device);
     static Parameter readParameterName(const JsonObject &row);
     static ParameterDescription readParameter(const JsonObject &row);
-    static QMap<QString, QString> readNotes(const JsonObject &json);
     static void readChoices(const JsonObject &row, ParameterDescription &parameter);
     static void checkRange(const JsonObject &row, const ParameterDescription &parameter);
     static void refuseTaken(const JsonObject &row, const ParameterDescription &parameter,
@@ -72,29 +74,34 @@ bool isKey(QStringView text)
     });
 }
 
-QMap<QString, QString> DescriptionReader::readNotes(const JsonObject &json)
-{
-    QMap<QString, QString> notes{{QStringLiteral("en"), json.text("en")}};
-    if (json.has("de"))
-        notes.insert(QStringLiteral("de"), json.text("de"));
-    return notes;
-}
-
 // A K3 has the dialect of its vendor. What all other profiles say on the bus does not depend on the vendor.
 void DescriptionReader::readVendor(const JsonObject &json, DeviceDescription &device)
 {
     if (device.profile == Profile::k3) {
         device.dialect = json.oneOf("dialect", dialects);
-        if (device.dialect == k3::Dialect::generic && json.has("vendor"))
-            json.report("vendor", tr("A generic description has no vendor."));
-        if (device.dialect == k3::Dialect::generic)
-            return;
-        device.vendor = json.text("vendor");
-    } else {
-        if (json.has("dialect"))
-            json.report("dialect", tr("Only a K3 has a dialect. Leave it out."));
-        device.vendor = json.has("vendor") ? json.text("vendor") : QString();
+        if (device.dialect != k3::Dialect::generic && !json.has("vendor"))
+            json.report("vendor", tr("Only a description of the generic dialect has no vendor."));
+    } else if (json.has("dialect")) {
+        json.report("dialect", tr("Only a K3 has a dialect. Leave it out."));
     }
+    device.vendor = json.textOr("vendor", {});
+}
+
+void DescriptionReader::readPlaceOnBus(const JsonObject &json, DeviceDescription &device)
+{
+    if (device.profile == Profile::esc) {
+        for (const char *key : {"idCode", "deviceCode", "inWords", "outWords"})
+            if (json.has(key))
+                json.report(key, tr("An encoder on a serial line has none. Leave it out."));
+        device.inWords = device.outWords = 0;
+        return;
+    }
+    device.idCode = json.hexNumber("idCode");
+    device.deviceCode = json.hexNumber("deviceCode");
+    if ((device.deviceCode & 0xFF) != device.idCode)
+        json.report("deviceCode", tr("The last two digits must be those of idCode."));
+    device.inWords = static_cast<int>(json.number("inWords", 0, mostWords));
+    device.outWords = static_cast<int>(json.number("outWords", 0, mostWords));
 }
 
 void DescriptionReader::readCoding(const JsonObject &json, DeviceDescription &device)
@@ -113,16 +120,10 @@ void DescriptionReader::readIdentity(const JsonObject &json, DeviceDescription &
         json.report("key", tr("A key consists of the letters a to z, digits and hyphens."));
     device.name = json.text("name");
     device.manual = json.text("manual");
-    if (json.has("notes"))
-        device.notes = readNotes(json.object("notes", {"en", "de"}));
+    device.notes = json.localTextOr("notes", {});
     device.profile = json.oneOf("profile", profiles);
     readVendor(json, device);
-    device.idCode = json.hexNumber("idCode");
-    device.deviceCode = json.hexNumber("deviceCode");
-    if ((device.deviceCode & 0xFF) != device.idCode)
-        json.report("deviceCode", tr("The last two digits must be those of idCode."));
-    device.inWords = static_cast<int>(json.number("inWords", 0, mostWords));
-    device.outWords = static_cast<int>(json.number("outWords", 0, mostWords));
+    readPlaceOnBus(json, device);
     device.physicalStepsPerTurn = static_cast<int>(json.number("physicalStepsPerTurn", 0, mostStepsPerTurn));
     device.physicalTurns = static_cast<int>(json.number("physicalTurns", 0, mostTurns));
     readCoding(json, device);
@@ -191,6 +192,7 @@ ParameterDescription DescriptionReader::readParameter(const JsonObject &row)
     parameter.factory = row.optionalNumber("factory");
     parameter.unit = row.has("unit") ? row.oneOf("unit", units) : Unit::none;
     parameter.stored = row.flagOr("stored", parameter.number.has_value());
+    parameter.chapter = row.localTextOr("chapter", {});
     if (parameter.minimum <= parameter.maximum)
         readChoices(row, parameter);
     checkRange(row, parameter);
@@ -212,7 +214,7 @@ void DescriptionReader::readParameters(const JsonObject &json, DeviceDescription
 {
     for (const JsonObject &row :
          json.array("parameters", {"parameter", "number", "readOut", "minimum", "maximum", "factory", "unit",
-                                   "stored", "onLabel", "choices"})) {
+                                   "stored", "onLabel", "choices", "chapter"})) {
         const ParameterDescription parameter = readParameter(row);
         refuseTaken(row, parameter, device);
         device.parameters.push_back(parameter);
@@ -221,9 +223,10 @@ void DescriptionReader::readParameters(const JsonObject &json, DeviceDescription
 
 void DescriptionReader::readErrors(const JsonObject &json, DeviceDescription &device)
 {
-    for (const JsonObject &row : json.array("errors", {"number", "meaning", "warning"})) {
+    for (const JsonObject &row : json.array("errors", {"number", "meaning", "warning", "text"})) {
         const DeviceError error{static_cast<unsigned>(row.number("number", 1, highestNumber)),
-                                row.oneOf("meaning", errorMeanings), row.flagOr("warning", false)};
+                                row.oneOf("meaning", errorMeanings), row.flagOr("warning", false),
+                                row.localTextOr("text", {})};
         if (device.findError(error.number))
             row.report("number", tr("This number stands here twice."));
         device.errors.push_back(error);
@@ -265,6 +268,25 @@ Quirks DescriptionReader::readQuirks(const JsonObject &json)
     return quirks;
 }
 
+// Each table of its own goes before that of the description it shares tables with.
+void DescriptionReader::readTables(const JsonObject &json, const Catalog &catalog, DeviceDescription &device)
+{
+    const DeviceDescription none;
+    const DeviceDescription *shared = &none;
+    if (json.has("tablesOf")) {
+        const QString key = json.text("tablesOf");
+        if (const DeviceDescription *found = catalog.find(key))
+            shared = found;
+        else
+            json.report("tablesOf", tr("There is no device with the key \"%1\" before this one.").arg(key));
+    }
+    device.connectors = json.has("connectors") ? readConnectors(json) : shared->connectors;
+    device.leds = json.has("leds") ? readLeds(json) : shared->leds;
+    device.supply = json.has("supply") ? readSupply(json) : shared->supply;
+    device.limits = json.has("limits") ? readLimits(json) : shared->limits;
+    device.orderingKey = json.has("orderingKey") ? readOrderingKey(json) : shared->orderingKey;
+}
+
 // What follows from the parameters is not asked for a second time.
 void completeCapabilities(DeviceDescription &device)
 {
@@ -279,13 +301,15 @@ void completeCapabilities(DeviceDescription &device)
 
 } // namespace
 
-DeviceDescription readDescription(const Json::Value &root, FaultKeeper &faults)
+DeviceDescription readDescription(const Json::Value &root, const Catalog &catalog, FaultKeeper &faults)
 {
-    const JsonObject json(root, QString(),
-                          {"key", "vendor", "name", "manual", "notes", "profile", "dialect", "idCode",
-                           "deviceCode", "inWords", "outWords", "physicalStepsPerTurn", "physicalTurns",
-                           "coding", "parameters", "errors", "capabilities", "quirks"},
-                          faults);
+    const JsonObject json(
+        root, QString(),
+        {"key",           "vendor",     "name",       "manual",  "notes",        "profile",
+         "dialect",       "idCode",     "deviceCode", "inWords", "outWords",     "physicalStepsPerTurn",
+         "physicalTurns", "coding",     "parameters", "errors",  "capabilities", "quirks",
+         "tablesOf",      "connectors", "leds",       "supply",  "limits",       "orderingKey"},
+        faults);
     DeviceDescription device;
     DescriptionReader::readIdentity(json, device);
     DescriptionReader::readParameters(json, device);
@@ -296,6 +320,7 @@ DeviceDescription readDescription(const Json::Value &root, FaultKeeper &faults)
                      "manufacturerPreset", "resets", "presetNeedsValue", "eepromBudget", "eepromLimit"}));
     device.quirks = DescriptionReader::readQuirks(json.object(
         "quirks", {"confirmsWhileProcessing", "presetNeedsRearming", "mayCountStepsMinusOne", "hasModes"}));
+    DescriptionReader::readTables(json, catalog, device);
     completeCapabilities(device);
     return device;
 }

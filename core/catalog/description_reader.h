@@ -6,7 +6,7 @@
 namespace codewheel {
 
 // Reads a whole description (docs/device-descriptions.md) from its root. What it returns is of use only if
-// `faults` has none afterwards.
-DeviceDescription readDescription(const Json::Value &root, FaultKeeper &faults);
+// `faults` has none afterwards. Another of `catalog` may be named to share its tables.
+DeviceDescription readDescription(const Json::Value &root, const Catalog &catalog, FaultKeeper &faults);
 
 } // namespace codewheel

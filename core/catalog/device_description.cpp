@@ -30,6 +30,8 @@ QString profileName(Profile profile)
         return QStringLiteral("K4");
     case Profile::la66:
         return QStringLiteral("LA-66");
+    case Profile::esc:
+        return QStringLiteral("ESC");
     }
     return {};
 }
@@ -78,13 +80,6 @@ QString DeviceDescription::fullName() const
     if (isGeneric())
         return QCoreApplication::translate("DeviceDescription", "%1, make not known").arg(name);
     return vendor + u' ' + name;
-}
-
-QString DeviceDescription::notesText() const
-{
-    const QString language =
-        QCoreApplication::translate("DeviceDescription", "en", "code of the language of these texts");
-    return notes.value(language, notes.value(QStringLiteral("en")));
 }
 
 } // namespace codewheel

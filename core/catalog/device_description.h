@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "catalog/device_tables.h"
+#include "catalog/ordering_key.h"
 #include "encoder/capabilities.h"
 #include "encoder/parameter.h"
 #include "encoder/refusal.h"
 #include "words/k3_explain.h"
 
-#include <QMap>
 #include <QString>
 
 #include <optional>
@@ -14,9 +15,10 @@
 
 namespace codewheel {
 
-// ENCOM profile 71 (FRABA manual 2.1), and the words of the TR LA-66.
-enum class Profile : std::uint8_t { k1, k2, k3, k4, la66 };
-QString profileName(Profile profile); // "K1" .. "K4", "LA-66"
+// ENCOM profile 71 (FRABA manual 2.1), the words of the TR LA-66, and the serial protocol of Kübler, which
+// has no words and no ID code.
+enum class Profile : std::uint8_t { k1, k2, k3, k4, la66, esc };
+QString profileName(Profile profile); // "K1" .. "K4", "LA-66", "ESC"
 
 // A value with a name of its own: direction 3 = "cw".
 struct Choice
@@ -41,6 +43,7 @@ struct ParameterDescription
     bool stored = true;          // in EEPROM
     bool onLabel = false;        // told by the label and by the user; neither written nor read
     std::vector<Choice> choices; // empty: any value of the range
+    LocalText chapter{};         // of the manual; may be empty
 
     const Choice *findChoice(std::int64_t value) const;
     const Choice *findChoice(QStringView key) const;
@@ -54,6 +57,7 @@ struct DeviceError
     unsigned number = 0;
     RefusalId meaning = RefusalId::otherDeviceError;
     bool warning = false; // run is answered although the cause stays (Baumer 14)
+    LocalText text{};     // as the manual puts it; may be empty
 
     friend bool operator==(const DeviceError &, const DeviceError &) = default;
 };
@@ -72,13 +76,11 @@ struct Quirks
 // One kind of encoder, as its JSON file in resources/devices describes it.
 struct DeviceDescription
 {
-    QString key;    // "fraba-ocd-ib"
-    QString vendor; // "FRABA"; empty for a generic description
-    QString name;   // "OCD-IB K3"
-    QString manual; // the source, with edition
-    // What is assumed where the manual is silent, by language ("en", "de"). May be empty; else it has
-    // English.
-    QMap<QString, QString> notes;
+    QString key;     // "fraba-ocd-ib"
+    QString vendor;  // "FRABA"; empty for a generic description
+    QString name;    // "OCD-IB K3"
+    QString manual;  // the source, with edition
+    LocalText notes; // what is assumed where the manual is silent; may be empty
     Profile profile = Profile::k3;
     k3::Dialect dialect = k3::Dialect::generic; // of a K3
     unsigned idCode = 0;                        // 37h
@@ -93,6 +95,12 @@ struct DeviceDescription
     std::vector<DeviceError> errors;
     Capabilities capabilities;
     Quirks quirks;
+    // What the manual's tables say of it; empty where it has none.
+    std::vector<Connector> connectors;
+    std::optional<Leds> leds;
+    Supply supply;
+    std::vector<LimitTable> limits;
+    std::optional<OrderingKey> orderingKey;
 
     const ParameterDescription *find(Parameter parameter) const;
     // By the number of the word that writes it, D28..D25.
@@ -105,8 +113,7 @@ struct DeviceDescription
     bool isGeneric() const { return vendor.isEmpty(); }
     // "FRABA OCD-IB K3"; "K3, make not known" for a generic description.
     QString fullName() const;
-    // The notes in the language of all texts, or in English. May be empty.
-    QString notesText() const;
+    QString notesText() const { return notes.toString(); }
 
     friend bool operator==(const DeviceDescription &, const DeviceDescription &) = default;
 };

@@ -94,6 +94,44 @@ QString JsonObject::textOr(const char *key, const QString &otherwise) const
     return has(key) ? text(key) : otherwise;
 }
 
+QStringList JsonObject::texts(const char *key) const
+{
+    const Json::Value &value = member(key);
+    QStringList result;
+    bool sound = value.isArray();
+    if (sound)
+        for (const Json::Value &each : value) {
+            sound = sound && each.isString();
+            result << (each.isString() ? QString::fromStdString(each.asString()) : QString());
+        }
+    if (!sound)
+        report(key, tr("A list of texts [\"...\"] is expected here."));
+    return result;
+}
+
+LocalText JsonObject::localText(const char *key) const
+{
+    const Json::Value &value = member(key);
+    if (value.isString())
+        return {{{QString(), text(key)}}};
+    if (!value.isObject()) {
+        report(key,
+               tr("A text in quotation marks or an object {\"en\": \"...\", \"de\": \"...\"} is expected "
+                  "here."));
+        return {};
+    }
+    const JsonObject languages = object(key, {"en", "de"});
+    LocalText result{{{QStringLiteral("en"), languages.text("en")}}};
+    if (languages.has("de"))
+        result.byLanguage.insert(QStringLiteral("de"), languages.text("de"));
+    return result;
+}
+
+LocalText JsonObject::localTextOr(const char *key, const LocalText &otherwise) const
+{
+    return has(key) ? localText(key) : otherwise;
+}
+
 bool JsonObject::flag(const char *key) const
 {
     const Json::Value &value = member(key);

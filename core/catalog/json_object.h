@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalog/catalog.h"
+#include "catalog/local_text.h"
 
 #include <QCoreApplication>
 
@@ -50,6 +51,10 @@ public:
     bool has(const char *key) const;
     QString text(const char *key) const; // not empty
     QString textOr(const char *key, const QString &otherwise) const;
+    QStringList texts(const char *key) const; // a list of texts
+    // "DO1", the same in every language, or {"en": "...", "de": "..."}, of which English must be there.
+    LocalText localText(const char *key) const;
+    LocalText localTextOr(const char *key, const LocalText &otherwise) const;
     bool flag(const char *key) const;
     bool flagOr(const char *key, bool otherwise) const;
     std::int64_t number(const char *key, std::int64_t minimum = std::numeric_limits<std::int64_t>::min(),

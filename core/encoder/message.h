@@ -37,6 +37,7 @@ enum class MessageId : std::uint8_t {
     resetDone,        // EEPROM writes
     camsRead,         // number of programs
     camsWritten,      // texts of the programs joined, EEPROM writes
+    deviceNamed,      // name of the device
     training,         // text of what the trainer did (QString)
 };
 inline constexpr std::size_t messageCount = static_cast<std::size_t>(MessageId::training) + 1;

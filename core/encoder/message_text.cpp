@@ -60,6 +60,9 @@ constexpr std::array rows{
     Row{MessageId::camsRead, "camsRead", QT_TRANSLATE_NOOP("Message", "Cam programs read: %1.")},
     Row{MessageId::camsWritten, "camsWritten",
         QT_TRANSLATE_NOOP("Message", "Cam programs written: %1 (EEPROM writes so far: %2).")},
+    Row{MessageId::deviceNamed, "deviceNamed",
+        QT_TRANSLATE_NOOP("Message",
+                          "This encoder is now taken for: %1. What was known of it is forgotten.")},
     Row{MessageId::training, "training", "%1"},
 };
 

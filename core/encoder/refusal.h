@@ -43,7 +43,10 @@ enum class RefusalId : std::uint8_t {
     camProgramGivenTwice,  // program
     camFileBroken,         // file, line, key, reason
     camFileOfOtherProgram, // file, its program, the program wanted
-    labelKeyNotUnderstood, // the key, the part, what may stand there
+    labelKeyNotUnderstood, // the key, the part (empty: it ends too early), what may stand there (empty:
+                           // nothing)
+    deviceFileBroken,      // file with line and key, reason
+    deviceCodeDiffers,     // place, its device code, device name, that one's
     // notSupported
     parameterNotSupported,          // Parameter, device name
     readingNotSupported,            // device name

@@ -64,6 +64,12 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Refusal", "%1 holds cam program %2, not %3. Choose program %2, or another file.")},
     Row{RefusalId::labelKeyNotUnderstood, "labelKeyNotUnderstood",
         QT_TRANSLATE_NOOP("Refusal", "\"%2\" in \"%1\" is not understood. There may stand: %3.")},
+    Row{RefusalId::deviceFileBroken, "deviceFileBroken",
+        QT_TRANSLATE_NOOP("Refusal", "%1: %2 This description was left out; all others were taken.")},
+    Row{RefusalId::deviceCodeDiffers, "deviceCodeDiffers",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "%1 has the device code %2: it cannot be the %3, which has %4. Choose an encoder "
+                          "of the same device code.")},
     // notSupported
     Row{RefusalId::parameterNotSupported, "parameterNotSupported",
         QT_TRANSLATE_NOOP("Refusal",
@@ -265,6 +271,20 @@ QString wordText(const Refusal &refusal)
     return sentence(pattern(rowOf(refusal.id).text), parts);
 }
 
+QString labelKeyText(const Refusal &refusal)
+{
+    const QStringList parts = argumentTexts(refusal.arguments);
+    if (parts.value(1).isEmpty())
+        return sentence(pattern(QT_TRANSLATE_NOOP("Refusal", "\"%1\" ends too early. There may follow: %3.")),
+                        parts);
+    if (parts.value(2).isEmpty())
+        return sentence(
+            pattern(QT_TRANSLATE_NOOP("Refusal",
+                                      "\"%2\" in \"%1\" is too much: the key ends before it. Leave it out.")),
+            parts);
+    return sentence(pattern(rowOf(refusal.id).text), parts);
+}
+
 // The parameters that may be to blame, and IN. A number stands for a parameter without a name.
 QString suspectsText(const Refusal &refusal)
 {
@@ -307,6 +327,8 @@ QString refusalText(const Refusal &refusal)
         return wordText(refusal);
     case RefusalId::camFileBroken:
         return camFileText(refusal);
+    case RefusalId::labelKeyNotUnderstood:
+        return labelKeyText(refusal);
     default:
         break;
     }

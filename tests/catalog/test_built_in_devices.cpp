@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
 
+#include <QDir>
+
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace codewheel {
@@ -14,19 +17,19 @@ const DeviceDescription &device(const Catalog &catalog, QStringView key)
     return found ? *found : none;
 }
 
-// The resource is in a static library: it must reach the program all the same.
+// The resource is in a static library: it must reach the program all the same. Each file of the folder must
+// be in it, and have the name of its key.
 TEST(BuiltInDevices, AreLinkedIntoTheProgram)
 {
     const Catalog catalog = Catalog::builtIn();
-    std::vector<QString> keys;
+    QStringList keys;
     for (const DeviceDescription &each : catalog.devices())
-        keys.push_back(each.key);
-    EXPECT_EQ(keys, (std::vector{QStringLiteral("baumer-gxp6w"), QStringLiteral("fraba-ocd-ib"),
-                                 QStringLiteral("fraba-ocd-ib-k1"), QStringLiteral("fraba-ocd-ib-k2"),
-                                 QStringLiteral("fraba-ocd-ib-loop2"), QStringLiteral("generic-k1"),
-                                 QStringLiteral("generic-k2"), QStringLiteral("generic-k3"),
-                                 QStringLiteral("generic-k4"), QStringLiteral("tr-la66"),
-                                 QStringLiteral("twk-k4")}));
+        keys << each.key + QStringLiteral(".json");
+    QStringList files = QDir(QStringLiteral(CODEWHEEL_ROOT "/resources/devices")).entryList(QDir::Files);
+    files.sort();
+    keys.sort();
+    EXPECT_EQ(keys, files);
+    EXPECT_TRUE(keys.contains(QStringLiteral("fraba-ocd-ib.json")));
     EXPECT_EQ(catalog.find(u"fraba"), nullptr);
 }
 
@@ -163,54 +166,92 @@ TEST(BuiltInDevices, BaumerCannotReadAndStatesNoBudget)
     EXPECT_TRUE(baumer.notesText().contains(QStringLiteral("assumed")));
 }
 
-// LA-66 manual 1 and 3. Number and read-out code are the service that writes and the one that reads.
-TEST(BuiltInDevices, ServicesOfTheRodAreThoseOfTheManual)
+// All texts of a description; those that are the same in every language are under "".
+std::vector<LocalText> textsOf(const DeviceDescription &device)
 {
-    const Catalog catalog = Catalog::builtIn();
-    const DeviceDescription &rod = device(catalog, u"tr-la66");
-    EXPECT_EQ(rod.profile, Profile::la66);
-    EXPECT_EQ(rod.deviceCode, 0x0233u);
-    struct Row
-    {
-        Parameter parameter;
-        std::optional<unsigned> number;
-        std::optional<unsigned> readOut;
-        std::int64_t minimum;
-        std::int64_t maximum;
-    };
-    const Row rows[] = {
-        {Parameter::direction, 1, 1, 0, 1},
-        {Parameter::measuringLength, 2, 2, 1, 0xFF'FFFF},
-        {Parameter::externalPreset, 4, 4, 0, 0xFF'FFFF},
-        {Parameter::errorStatus, {}, 8, 0, 0xFFFF},
-    };
-    for (const Row &row : rows) {
-        const ParameterDescription *found = rod.find(row.parameter);
-        ASSERT_NE(found, nullptr);
-        EXPECT_EQ(found->number, row.number);
-        EXPECT_EQ(found->readOut, row.readOut);
-        EXPECT_EQ(found->minimum, row.minimum);
-        EXPECT_EQ(found->maximum, row.maximum);
+    std::vector<LocalText> texts{device.notes, device.supply.value, device.supply.chapter};
+    for (const ParameterDescription &parameter : device.parameters)
+        texts.push_back(parameter.chapter);
+    for (const DeviceError &error : device.errors)
+        texts.push_back(error.text);
+    for (const Connector &connector : device.connectors) {
+        texts.insert(texts.end(), {connector.name, connector.chapter});
+        for (const Pin &pin : connector.pins)
+            texts.insert(texts.end(), {pin.signal, pin.remark});
     }
-    EXPECT_TRUE(rod.find(Parameter::rodLength)->onLabel);
-    EXPECT_EQ(rod.parameters.size(), std::size(rows) + 1);
-    EXPECT_TRUE(rod.capabilities.presetNeedsValue);
-    EXPECT_FALSE(rod.capabilities.eepromBudget);
-    EXPECT_EQ(rod.findError(5)->meaning, RefusalId::magnetOutOfRange);
+    for (const Led &lamp : device.leds.value_or(Leds{}).lamps)
+        texts.insert(texts.end(), {lamp.colour, lamp.meaning});
+    for (const LedState &state : device.leds.value_or(Leds{}).states)
+        texts.push_back(state.meaning);
+    for (const LimitTable &table : device.limits) {
+        texts.insert(texts.end(), {table.name, table.chapter});
+        for (const LimitTable::Row &row : table.rows)
+            texts.insert(texts.end(), {row.name, row.value});
+    }
+    for (const OrderingKey::Part &part : device.orderingKey.value_or(OrderingKey{}).parts) {
+        texts.push_back(part.name);
+        for (const OrderingKey::Code &code : part.codes)
+            texts.push_back(code.meaning);
+    }
+    return texts;
 }
 
-// 33h is the ID code of analog modules too: an unnamed one is no encoder.
-TEST(BuiltInDevices, AnUnnamed0233hIsNotTakenForARod)
+TEST(BuiltInDevices, EveryTextIsInEachLanguage)
 {
-    EXPECT_EQ(Catalog::builtIn().generic(0x0233), nullptr);
+    const QStringList both{QStringLiteral("de"), QStringLiteral("en")};
+    const Catalog catalog = Catalog::builtIn();
+    for (const DeviceDescription &device : catalog.devices()) {
+        EXPECT_EQ(device.notes.byLanguage.keys(), both) << qPrintable(device.key);
+        for (const LocalText &text : textsOf(device)) {
+            if (!text.isEmpty() && !text.byLanguage.contains(QString())) {
+                EXPECT_EQ(text.byLanguage.keys(), both)
+                    << qPrintable(device.key) << ": " << qPrintable(text.toString());
+            }
+        }
+    }
 }
 
-TEST(BuiltInDevices, NotesAreInEachLanguage)
+// FRABA manual 3.1, 3.3 and 6; Baumer 8.6: what one plugs in wrongly costs an encoder.
+TEST(BuiltInDevices, SupplyAndItsPinsAreThoseOfTheManuals)
+{
+    const auto signalAt = [](const Connector &connector, const char *pin) {
+        const auto found = std::ranges::find(connector.pins, QLatin1String(pin), &Pin::pin);
+        return found == connector.pins.end() ? std::string("none") : found->signal.toString().toStdString();
+    };
+    const Catalog catalog = Catalog::builtIn();
+    const DeviceDescription &fraba = device(catalog, u"fraba-ocd-ib");
+    ASSERT_EQ(fraba.connectors.size(), 2u);
+    for (const Connector &connector : fraba.connectors) {
+        EXPECT_EQ(connector.pins.size(), 9u);
+        EXPECT_EQ(signalAt(connector, "7"), "+ 12-30 V DC");
+        EXPECT_EQ(signalAt(connector, "8"), "GND (0 V)");
+    }
+    EXPECT_TRUE(fraba.supply.value.toString().startsWith(QStringLiteral("10 - 30 V DC")));
+    ASSERT_EQ(fraba.leds->lamps.size(), 4u);
+    ASSERT_EQ(fraba.leds->states.size(), 4u);
+    EXPECT_EQ(fraba.leds->states[1].blinking, QStringList{QStringLiteral("BA")});
+
+    const DeviceDescription &baumer = device(catalog, u"baumer-gxp6w");
+    ASSERT_EQ(baumer.connectors.size(), 4u);
+    EXPECT_EQ(signalAt(baumer.connectors[0], "1"), "D01");
+    EXPECT_EQ(signalAt(baumer.connectors[0], "7"), "UB");
+    EXPECT_EQ(signalAt(baumer.connectors[0], "9"), "-");
+    EXPECT_EQ(signalAt(baumer.connectors[1], "1"), "/D02");
+    EXPECT_EQ(signalAt(baumer.connectors[1], "9"), "RBST");
+}
+
+// Kübler 1: the two interfaces differ from pin 3 on.
+TEST(BuiltInDevices, KueblerIsKnownByItsLabelAndItsTables)
 {
     const Catalog catalog = Catalog::builtIn();
-    for (const DeviceDescription &device : catalog.devices())
-        EXPECT_EQ(device.notes.keys(), (QStringList{QStringLiteral("de"), QStringLiteral("en")}))
-            << qPrintable(device.key);
+    const DeviceDescription &rs485 = device(catalog, u"kuebler-esc-rs485");
+    const DeviceDescription &rs422 = device(catalog, u"kuebler-esc-rs422");
+    EXPECT_EQ(rs485.profile, Profile::esc);
+    EXPECT_EQ(rs485.deviceCode, 0u);
+    EXPECT_EQ(catalog.generic(0), nullptr);
+    EXPECT_EQ(rs485.connectors[0].pins[2].signal.toString(), QStringLiteral("T/R-"));
+    EXPECT_EQ(rs422.connectors[0].pins[2].signal.toString(), QStringLiteral("R+"));
+    EXPECT_TRUE(rs422.connectors[0].pins[6].remark.toString().contains(QStringLiteral("+UB")));
 }
 
 TEST(BuiltInDevices, AnUnnamed0237hIsTheGenericK3)
@@ -280,6 +321,14 @@ TEST(BuiltInDevices, TheLoop2EncoderDiffersInNothingButItsCodes)
     loop.name = standard.name;
     loop.idCode = standard.idCode;
     loop.deviceCode = standard.deviceCode;
+    // plugs, LEDs and label are those of the standard encoder alone (3.1, 3.3, 8)
+    EXPECT_TRUE(loop.connectors.empty());
+    EXPECT_FALSE(loop.leds || loop.orderingKey);
+    loop.connectors = standard.connectors;
+    loop.leds = standard.leds;
+    loop.supply = standard.supply;
+    loop.limits = standard.limits;
+    loop.orderingKey = standard.orderingKey;
     EXPECT_EQ(loop, standard);
 }
 

@@ -113,7 +113,7 @@ constexpr Breakage breakages[] = {
     {R"("profile": "K3")", R"("profile": "K9")", 6, "profile",
      "\"K9\" is not known here. Known are: K1, K2, K3"},
     {R"("dialect": "fraba")", R"("dialect": "FRABA")", 7, "dialect", "not known"},
-    {R"("dialect": "fraba")", R"("dialect": "generic")", 3, "vendor", "no vendor"},
+    {R"("vendor": "Some",)", "", 1, "vendor", "generic dialect"},
     {R"("parameter": "steps")", R"("parameter": "step")", 15, "parameters[0].parameter",
      "steps, revolutions"},
     {R"("tenth-degree-celsius")", R"("kelvin")", 18, "parameters[2].unit", "kelvin"},
