@@ -19,14 +19,14 @@ const QString widestHex = widestNumber; // with room for the mark of bad input
 
 } // namespace
 
-NumberFields::NumberFields(const QString &place, int bits, bool editable, QWidget *parent)
+NumberFields::NumberFields(const QString &place, const WordForm &form, bool editable, QWidget *parent)
     : QWidget(parent)
-    , m_bits(bits)
+    , m_form(form)
     , m_hex(new WordField(widestHex, this))
     , m_decimal(new NumberField(widestNumber, this))
     , m_signed(new NumberField(widestNumber, this))
     , m_gray(new NumberField(widestNumber, this))
-    , m_binary(new NumberField(binaryText(0, bits), this))
+    , m_binary(new NumberField(binaryText(0, form.bits), this))
 {
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins({});
@@ -100,19 +100,22 @@ void NumberFields::setDisplay(const MonitorDisplay &display)
     show(m_signed, display.signedDecimal);
     show(m_gray, display.gray);
     show(m_binary, display.binary);
-    const bool dataOnly = numberBits() == k3::dataBits;
-    m_decimal->setToolTip(dataOnly ? tr("D24..D0 as a number") : tr("The whole word as a number"));
-    m_signed->setToolTip(dataOnly ? tr("D24..D0 as a signed number (two's complement)")
+    const bool dataOnly = numberBits() < m_form.bits;
+    const QString dataBits = QStringLiteral("D%1..D0").arg(m_form.dataBits - 1);
+    m_decimal->setToolTip(dataOnly ? tr("%1 as a number", "D24..D0").arg(dataBits)
+                                   : tr("The whole word as a number"));
+    m_signed->setToolTip(dataOnly ? tr("%1 as a signed number (two's complement)", "D24..D0").arg(dataBits)
                                   : tr("The whole word as a signed number (two's complement)"));
-    m_gray->setToolTip(dataOnly ? tr("The number that D24..D0 give when read as Gray code")
-                                : tr("The number that the whole word gives when read as Gray code"));
+    m_gray->setToolTip(dataOnly
+                           ? tr("The number that %1 give when read as Gray code", "D24..D0").arg(dataBits)
+                           : tr("The number that the whole word gives when read as Gray code"));
     m_binary->setToolTip(tr("All bits, the highest first"));
     showNumbers();
 }
 
 int NumberFields::numberBits() const
 {
-    return m_bits == 32 && !m_display.wholeWord ? k3::dataBits : m_bits;
+    return m_display.wholeWord ? m_form.bits : m_form.dataBits;
 }
 
 void NumberFields::showNumbers()
@@ -124,7 +127,7 @@ void NumberFields::showNumbers()
     if (m_display.gray)
         m_gray->showText(grayText(m_word, numberBits()));
     if (m_display.binary)
-        m_binary->showText(binaryText(m_word, m_bits));
+        m_binary->showText(binaryText(m_word, m_form.bits));
 }
 
 void NumberFields::hexTyped(const QString &text)

@@ -4,7 +4,7 @@
 #include "widgets/monitor/monitor_display.h"
 #include "widgets/monitor/number_field.h"
 #include "widgets/monitor/word_field.h"
-#include "words/k3_word.h"
+#include "widgets/monitor/word_form.h"
 
 #include <QHash>
 
@@ -20,8 +20,8 @@ class NumberFields : public QWidget
     Q_OBJECT
 
 public:
-    // place: "OUT 1.0"; bits: 16 or 32.
-    NumberFields(const QString &place, int bits, bool editable, QWidget *parent = nullptr);
+    // place: "OUT 1.0"
+    NumberFields(const QString &place, const WordForm &form, bool editable, QWidget *parent = nullptr);
 
     // What is being typed stays as it was typed, for as long as it says this word, or no word at all.
     void setWord(Word word);
@@ -43,7 +43,7 @@ private:
     void showNumbers();
     int numberBits() const;
 
-    int m_bits;
+    WordForm m_form;
     WordField *m_hex;
     NumberField *m_decimal;
     NumberField *m_signed;

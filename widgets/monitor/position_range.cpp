@@ -8,6 +8,10 @@ namespace codewheel {
 std::optional<PositionRange> positionRange(const EncoderSession &encoder)
 {
     const DeviceDescription &device = encoder.device();
+    if (device.find(Parameter::measuringLength) != nullptr) {
+        const auto length = encoder.known(Parameter::measuringLength);
+        return length ? std::optional(PositionRange{0, length->value}) : std::nullopt;
+    }
     const auto steps = encoder.known(Parameter::steps);
     const auto revolutions = encoder.known(Parameter::revolutions);
     if (!steps || !revolutions || revolutions->value < 1 || !encoder.latest().coding)

@@ -14,8 +14,8 @@ struct PositionRange
     friend bool operator==(const PositionRange &, const PositionRange &) = default;
 };
 
-// From the steps, revolutions and measuring range that are known, and the coding; nothing where one is
-// missing.
+// From the steps, revolutions and measuring range that are known, and the coding, or from the measuring
+// length of a rod; nothing where one is missing.
 std::optional<PositionRange> positionRange(const EncoderSession &encoder);
 
 } // namespace codewheel

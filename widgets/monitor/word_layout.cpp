@@ -10,18 +10,10 @@ namespace {
 constexpr int cellWidth = 22;
 constexpr int cellHeight = 26;
 
-// Groups that start at this bit, counted from bit 0 up: the right end of each row of groups.
-bool startsGroup(int bit, int bits)
-{
-    if (bits == 32 && bit > 24)
-        return bit == 25 || bit == 29;
-    return bit % 4 == 0;
-}
-
 } // namespace
 
-WordLayout::WordLayout(int bits, int rows, double factor, int numberHeight)
-    : m_bits(bits)
+WordLayout::WordLayout(const WordForm &form, int rows, double factor, int numberHeight)
+    : m_form(form)
     , m_rows(rows)
     , m_cell(qRound(cellWidth * factor), qRound(cellHeight * factor))
     , m_numberHeight(numberHeight)
@@ -29,7 +21,7 @@ WordLayout::WordLayout(int bits, int rows, double factor, int numberHeight)
 
 QSize WordLayout::size() const
 {
-    const int width = left(m_bits - bitsPerRow()) + m_cell.width();
+    const int width = left(bits() - bitsPerRow()) + m_cell.width();
     const int rowHeight = m_numberHeight + m_cell.height();
     return {width, m_rows * rowHeight + (m_rows - 1) * grid::unit};
 }
@@ -41,10 +33,10 @@ int WordLayout::left(int bit) const
         const int first = of - of % bitsPerRow();
         int distance = 0;
         for (int below = first; below < of; ++below)
-            distance += m_cell.width() + (startsGroup(below + 1, m_bits) ? grid::groupGap : 0);
+            distance += m_cell.width() + (startsGroup(below + 1) ? grid::groupGap : 0);
         return distance;
     };
-    return fromRight(m_bits - 1) - fromRight(bit);
+    return fromRight(bits() - 1) - fromRight(bit);
 }
 
 QRect WordLayout::cell(int bit) const
@@ -61,7 +53,7 @@ QRect WordLayout::number(int bit) const
 
 std::optional<int> WordLayout::bitAt(QPoint point) const
 {
-    for (int bit = 0; bit < m_bits; ++bit)
+    for (int bit = 0; bit < bits(); ++bit)
         if (cell(bit).united(number(bit)).contains(point))
             return bit;
     return {};

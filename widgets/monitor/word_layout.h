@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/monitor/word_form.h"
+
 #include <QRect>
 
 #include <optional>
 
 namespace codewheel {
 
-// Where the bits of a word stand: the highest left, status D31..D29 | parameter number D28..D25 | data by
-// nibbles, each with its number above. Pure geometry, for WordView.
+// Where the bits of a word stand: the highest left, in groups, each with its number above. Pure geometry, for
+// WordView.
 class WordLayout
 {
 public:
     static constexpr int matrixBitsPerRow = 8;
 
-    // bits: 16 or 32; rows: 1, 2, or as many as a matrix has; factor: 1.5 with large controls.
-    WordLayout(int bits, int rows, double factor, int numberHeight);
+    // rows: 1, 2, or as many as a matrix has; factor: 1.5 with large controls.
+    WordLayout(const WordForm &form, int rows, double factor, int numberHeight);
 
-    int bits() const { return m_bits; }
+    const WordForm &form() const { return m_form; }
+    int bits() const { return m_form.bits; }
     int rows() const { return m_rows; }
-    int bitsPerRow() const { return m_bits / m_rows; }
+    int bitsPerRow() const { return m_form.bits / m_rows; }
     QSize cellSize() const { return m_cell; }
     QSize size() const;
 
@@ -29,10 +32,11 @@ public:
     std::optional<int> bitAt(QPoint point) const;
 
 private:
+    bool startsGroup(int bit) const { return (m_form.groupStarts >> bit & 1) != 0; }
     int left(int bit) const;
     int rowOf(int bit) const { return m_rows - 1 - bit / bitsPerRow(); }
 
-    int m_bits;
+    WordForm m_form;
     int m_rows;
     QSize m_cell;
     int m_numberHeight;

@@ -41,9 +41,9 @@ WordMonitor::WordMonitor(WordChannel &channel, EncoderSession *encoder, const De
     , m_number(channel.number())
     , m_place(wordPlace(kind, m_number))
     , m_menu(new DisplayMenu(kind, this))
-    , m_bits(new WordView(bitsOf(kind), this))
+    , m_bits(new WordView(wordForm(kind, device), this))
     , m_meaning(new MeaningLine(this))
-    , m_numbers(new NumberFields(m_place, bitsOf(kind), isOut(), this))
+    , m_numbers(new NumberFields(m_place, wordForm(kind, device), isOut(), this))
     , m_message(new InlineMessage(this))
 {
     setFrameShape(QFrame::StyledPanel);
@@ -133,7 +133,7 @@ void WordMonitor::makeBody(QHBoxLayout *title)
 
 void WordMonitor::makeSender()
 {
-    m_sender = new WordSender(*m_channel, m_place, this);
+    m_sender = new WordSender(*m_channel, m_place, wordForm(m_kind, m_device), this);
     connect(m_channel, &WordChannel::stagedChanged, this, [this] {
         if (!m_channel->staged())
             m_hasSent = false;

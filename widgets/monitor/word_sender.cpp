@@ -11,9 +11,10 @@
 
 namespace codewheel {
 
-WordSender::WordSender(WordChannel &channel, const QString &place, QWidget *parent)
+WordSender::WordSender(WordChannel &channel, const QString &place, const WordForm &form, QWidget *parent)
     : QWidget(parent)
     , m_channel(&channel)
+    , m_commandBits(form.commandBits)
     , m_write(new QPushButton(lineIcon(Icon::write), tr("Write"), this))
     , m_discard(new QPushButton(tr("Discard"), this))
     , m_atOnce(new QCheckBox(tr("At once"), this))
@@ -26,7 +27,7 @@ WordSender::WordSender(WordChannel &channel, const QString &place, QWidget *pare
     m_discard->setToolTip(tr("Back to the word that stands on the bus (Esc)"));
     m_atOnce->setAccessibleName(tr("Send %1 at once", "Send OUT 1.0 at once").arg(place));
     m_atOnce->setToolTip(tr("Send each change as it is made. Words with a parameter number or a command bit "
-                            "(D31..D25) still ask."));
+                            "still ask."));
     m_staged->setState(Role::attention, tr("Not sent yet"));
 
     auto *layout = new QHBoxLayout(this);
@@ -41,11 +42,6 @@ WordSender::WordSender(WordChannel &channel, const QString &place, QWidget *pare
     connect(m_write, &QPushButton::clicked, this, &WordSender::write);
     connect(m_discard, &QPushButton::clicked, this, &WordSender::discard);
     showStaged();
-}
-
-bool WordSender::isHarmless(Word word)
-{
-    return (word & k3::controlMask) == 0;
 }
 
 void WordSender::setBlocked(bool blocked)
@@ -76,7 +72,7 @@ void WordSender::edited()
 {
     if (!m_channel || !m_atOnce->isChecked() || !m_channel->staged())
         return;
-    if (isHarmless(*m_channel->staged()))
+    if ((*m_channel->staged() & m_commandBits) == 0)
         write();
     else
         Q_EMIT askedFor(*m_channel->staged());

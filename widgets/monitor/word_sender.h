@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ring/word_channel.h"
+#include "widgets/monitor/word_form.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -22,10 +23,7 @@ class WordSender : public QWidget
 
 public:
     // place: "OUT 1.0"
-    WordSender(WordChannel &channel, const QString &place, QWidget *parent = nullptr);
-
-    // Whether a word does nothing at the encoder but stand there: D31..D25 are 0.
-    static bool isHarmless(Word word);
+    WordSender(WordChannel &channel, const QString &place, const WordForm &form, QWidget *parent = nullptr);
 
     void setBlocked(bool blocked); // by bad input, which must not be taken for what is sent
     void write();
@@ -41,6 +39,7 @@ Q_SIGNALS:
 
 private:
     QPointer<WordChannel> m_channel;
+    Word m_commandBits;
     QPushButton *m_write;
     QPushButton *m_discard;
     QCheckBox *m_atOnce;

@@ -44,10 +44,10 @@ QWidget *viewportAround(const QWidget &view)
 
 } // namespace
 
-WordView::WordView(int bits, QWidget *parent)
+WordView::WordView(const WordForm &form, QWidget *parent)
     : QWidget(parent)
-    , m_layout(bits, 1, 1.0, numberHeight())
-    , m_focusedBit(bits - 1)
+    , m_layout(form, 1, 1.0, numberHeight())
+    , m_focusedBit(form.bits - 1)
 {
     installWordViewAccessibility();
     setFocusPolicy(Qt::StrongFocus);
@@ -154,14 +154,14 @@ bool WordView::fitsIntoOneRow() const
 {
     if (m_room == nullptr)
         return true;
-    const int needed = WordLayout(bits(), 1, controlFactor(*this), numberHeight()).size().width();
+    const int needed = WordLayout(m_layout.form(), 1, controlFactor(*this), numberHeight()).size().width();
     return needed + cardMargins <= m_room->width();
 }
 
 // The width of window and column decides on one row or two, the style on the size of the cells.
 void WordView::arrange()
 {
-    m_layout = WordLayout(bits(), wantedRows(), controlFactor(*this), numberHeight());
+    m_layout = WordLayout(m_layout.form(), wantedRows(), controlFactor(*this), numberHeight());
     updateGeometry();
     update();
 }

@@ -23,8 +23,7 @@ class WordView : public QWidget
     Q_OBJECT
 
 public:
-    // bits: 16 or 32.
-    explicit WordView(int bits, QWidget *parent = nullptr);
+    explicit WordView(const WordForm &form, QWidget *parent = nullptr);
 
     // "OUT 1.0": names the bits for screen readers.
     void setPlace(const QString &place);

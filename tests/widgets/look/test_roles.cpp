@@ -73,7 +73,7 @@ TEST_P(Contrast, IconsOfRolesStandOutThreeToOneAndTheirWordsFourAndAHalf)
 
 TEST_P(Contrast, ASetBitStandsOutAndItsDigitFromIt)
 {
-    WordView view(16);
+    WordView view(wordForm(MonitorKind::in16, nullptr));
     view.setWord(1, 1, 0, {});
     const QImage cell = grab(view, view.bitRect(0));
     const QRgb fill = cell.pixel(cell.width() / 2, 8);
@@ -84,7 +84,7 @@ TEST_P(Contrast, ASetBitStandsOutAndItsDigitFromIt)
 
 TEST_P(Contrast, AClearBitHasARimAndADigitToSee)
 {
-    WordView view(16);
+    WordView view(wordForm(MonitorKind::in16, nullptr));
     const QImage cell = grab(view, view.bitRect(0));
     const QRgb inside = cell.pixel(cell.width() / 2, 8);
     EXPECT_EQ(inside, qApp->palette().base().color().rgb());

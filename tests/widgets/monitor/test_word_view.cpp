@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/device_description.h"
 #include "widgets/look/appearance.h"
 #include "widgets/monitor/word_view.h"
 
@@ -32,8 +33,9 @@ protected:
     }
     QImage picture(int bit) { return view.grab(view.bitRect(bit)).toImage(); }
 
+    const DeviceDescription k3;
     QWidget window;
-    WordView view{32, &window};
+    WordView view{wordForm(MonitorKind::in32, &k3), &window};
     QSignalSpy toggled{&view, &WordView::bitToggled};
 };
 
@@ -186,6 +188,21 @@ TEST_F(WordViewTest, GroupsStandApartByEightPixels)
     for (const int inside : {30, 29, 27, 26, 25, 22, 0})
         EXPECT_EQ(view.bitRect(inside).left(), view.bitRect(inside + 1).right() + 1)
             << "before bit " << inside;
+}
+
+// TR manual 2.2: status D31..D28, service number D27..D24, data D23..D0.
+TEST_F(WordViewTest, GroupsAreThoseOfTheDevice)
+{
+    DeviceDescription rod;
+    rod.profile = Profile::la66;
+    const WordView ofRod(wordForm(MonitorKind::in32, &rod), &window);
+    const auto gapBefore = [&ofRod](int bit) {
+        return ofRod.bitRect(bit).left() - ofRod.bitRect(bit + 1).right() - 1;
+    };
+    for (const int bit : {27, 23, 19, 15, 11, 7, 3})
+        EXPECT_EQ(gapBefore(bit), 8) << "before bit " << bit;
+    for (const int bit : {30, 29, 28, 26, 25, 24, 22, 0})
+        EXPECT_EQ(gapBefore(bit), 0) << "before bit " << bit;
 }
 
 TEST_F(WordViewTest, LargeControlsMakeCellsOneAndAHalfTimesAsLarge)

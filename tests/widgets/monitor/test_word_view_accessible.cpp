@@ -32,7 +32,7 @@ protected:
     }
 
     QWidget window;
-    WordView *view = new WordView(32, &window);
+    WordView *view = new WordView(wordForm(MonitorKind::in32, nullptr), &window);
     QAccessibleInterface *word = nullptr;
 };
 

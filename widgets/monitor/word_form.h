@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/monitor/monitor_kind.h"
+
+namespace codewheel {
+
+struct DeviceDescription;
+
+// How a device divides its word: in groups of bits, of which the lowest carry the data.
+struct WordForm
+{
+    static constexpr Word nibbles = 0x1111'1111;
+
+    int bits = 32;               // 16 or 32
+    Word groupStarts = nibbles;  // the lowest bit of each group is set
+    int dataBits = 32;           // D(n-1)..D0: what is shown as a number
+    Word commandBits = ~Word{0}; // of OUT: any of them set, and the device may do something
+
+    friend bool operator==(const WordForm &, const WordForm &) = default;
+};
+
+// device: null for one that is not known, then every bit may be anything.
+WordForm wordForm(MonitorKind kind, const DeviceDescription *device);
+
+} // namespace codewheel
