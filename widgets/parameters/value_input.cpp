@@ -10,13 +10,42 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QLocale>
 #include <QValidator>
 
 #include <algorithm>
+#include <cmath>
 
 namespace codewheel {
 
 namespace {
+
+constexpr double micrometresPerMillimetre = 1000;
+constexpr double largestMillimetres = 1e9;
+constexpr int mostDigits = 12;
+
+// As it is typed: mm for a length that goes in micrometres, else a whole number.
+QString inputText(const ParameterDescription &parameter, std::int64_t value)
+{
+    if (parameter.unit != Unit::micrometres)
+        return QString::number(value);
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(static_cast<double>(value) / micrometresPerMillimetre, 'g', mostDigits);
+}
+
+std::optional<std::int64_t> inputNumber(const ParameterDescription &parameter, const QString &text)
+{
+    if (parameter.unit != Unit::micrometres)
+        return parseNumber(text);
+    QLocale locale;
+    locale.setNumberOptions(QLocale::RejectGroupSeparator);
+    bool isNumber = false;
+    const double millimetres = locale.toDouble(text.trimmed(), &isNumber);
+    if (!isNumber || std::abs(millimetres) > largestMillimetres)
+        return std::nullopt;
+    return std::llround(millimetres * micrometresPerMillimetre);
+}
 
 // Anything can be typed, so that what is wrong can be said; only what is good is taken.
 class RangeCheck final : public QValidator
@@ -50,19 +79,25 @@ NumberInput::NumberInput(ParameterDescription parameter, QWidget *parent)
 
 void NumberInput::setValue(std::optional<std::int64_t> value)
 {
-    setText(value ? QString::number(*value) : QString());
+    setText(value ? inputText(m_parameter, *value) : QString());
 }
 
 Result<std::optional<std::int64_t>> NumberInput::value() const
 {
     if (text().trimmed().isEmpty())
         return std::optional<std::int64_t>();
-    const auto number = parseNumber(text());
+    const auto number = inputNumber(m_parameter, text());
     if (number && *number >= m_parameter.minimum && *number <= m_parameter.maximum)
         return number;
-    const RefusalArgument given = number ? RefusalArgument(*number) : RefusalArgument(text().trimmed());
+    const auto argument = [this](std::int64_t value) {
+        return m_parameter.unit == Unit::micrometres
+                   ? RefusalArgument(QStringLiteral("%1 %2").arg(valueText(m_parameter, value),
+                                                                 unitText(m_parameter.unit)))
+                   : RefusalArgument(value);
+    };
     return refuse(RefusalKind::badInput, RefusalId::valueOutOfRange,
-                  {m_parameter.parameter, given, m_parameter.minimum, m_parameter.maximum});
+                  {m_parameter.parameter, number ? argument(*number) : RefusalArgument(text().trimmed()),
+                   argument(m_parameter.minimum), argument(m_parameter.maximum)});
 }
 
 void NumberInput::check()

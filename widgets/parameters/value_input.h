@@ -10,8 +10,8 @@ class QComboBox;
 
 namespace codewheel {
 
-// A field for one number of an encoder, decimal or hexadecimal, that says while you type what is wrong with
-// it. Empty is allowed: no value.
+// A field for one number of an encoder, decimal or hexadecimal, or a length in mm, that says while you type
+// what is wrong with it. Empty is allowed: no value.
 class NumberInput : public QLineEdit
 {
     Q_OBJECT
@@ -33,8 +33,8 @@ private:
     QAction *m_mark; // at the field while its input is bad
 };
 
-// What an item delegate and the "tell" row both need: a NumberInput, or a combo box for the choices the
-// device has. ifEmpty is how no value is called: "as it is".
+// What an item delegate, the "tell" row and a page of fields need: a NumberInput, or a combo box for the
+// choices the device has. ifEmpty is how no value is called: "as it is".
 QWidget *makeValueInput(const ParameterDescription &parameter, const QString &ifEmpty, QWidget *parent);
 void setInputValue(QWidget &input, std::optional<std::int64_t> value);
 Result<std::optional<std::int64_t>> inputValue(const QWidget &input);

@@ -7,8 +7,8 @@
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
+#include "widgets/parameters/value_field.h"
 #include "widgets/wizard/quiet_table.h"
-#include "widgets/wizard/value_field.h"
 
 #include <QItemSelectionModel>
 #include <QLabel>

@@ -5,10 +5,10 @@
 #include "encoder/refusal_text.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/parameters/value_field.h"
 #include "widgets/wizard/gear_panel.h"
 #include "widgets/wizard/known_text.h"
 #include "widgets/wizard/scale_preview.h"
-#include "widgets/wizard/value_field.h"
 #include "widgets/wizard/wanted_scale.h"
 
 #include <QCheckBox>

@@ -8,13 +8,10 @@
 
 #include <optional>
 
-class QComboBox;
-class QLineEdit;
-
 namespace codewheel {
 
-// A field for one value of an encoder: a number (decimal or hexadecimal), or one of the choices the device
-// has. Empty: no value given.
+// A field for one value of an encoder on a page of fields: a number, or one of the choices the device has
+// (widgets/parameters/value_input.h). Empty: no value given.
 class ValueField : public QWidget
 {
     Q_OBJECT
@@ -28,12 +25,11 @@ public:
     Result<std::optional<std::int64_t>> value() const;
 
 Q_SIGNALS:
-    void edited(); // by mouse, keys or a screen reader; not by setValue()
+    void edited();  // by mouse, keys or a screen reader; not by setValue()
+    void entered(); // Enter in a number that is good
 
 private:
-    ParameterDescription m_parameter;
-    QLineEdit *m_number = nullptr;
-    QComboBox *m_choice = nullptr;
+    QWidget *m_input;
 };
 
 } // namespace codewheel

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/parameters/value_field.h"
+
+#include "widgets/parameters/value_input.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+
+namespace codewheel {
+
+ValueField::ValueField(const ParameterDescription &parameter, const QString &ifEmpty, QWidget *parent)
+    : QWidget(parent)
+    , m_input(makeValueInput(parameter, ifEmpty, this))
+{
+    m_input->setObjectName(parameterKey(parameter.parameter));
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_input);
+    setFocusProxy(m_input);
+    if (const auto *number = qobject_cast<NumberInput *>(m_input)) {
+        connect(number, &QLineEdit::textChanged, this, &ValueField::edited);
+        connect(number, &QLineEdit::returnPressed, this, &ValueField::entered);
+    } else {
+        connect(static_cast<QComboBox *>(m_input), &QComboBox::currentIndexChanged, this,
+                &ValueField::edited);
+    }
+}
+
+void ValueField::setValue(std::optional<std::int64_t> value)
+{
+    const QSignalBlocker quiet(this);
+    setInputValue(*m_input, value);
+}
+
+Result<std::optional<std::int64_t>> ValueField::value() const
+{
+    return inputValue(*m_input);
+}
+
+} // namespace codewheel
