@@ -6,21 +6,23 @@
 #include <QScrollArea>
 
 #include <optional>
+#include <vector>
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
-class QSpinBox;
+class QPushButton;
 class QVBoxLayout;
 
 namespace codewheel {
 
-class HandWheel;
+enum class Icon : std::uint8_t;
+class RodControls;
+class ShaftControls;
 
-// What a trainer does to the simulated encoders: turn a shaft, switch the power, cause faults. Used by the
-// training dock.
+// What a trainer does to the simulated encoders: turn a shaft or move a magnet, switch the power, cause
+// faults. Of each device only what it has is shown. Used by the training dock.
 class TrainingPanel : public QScrollArea
 {
     Q_OBJECT
@@ -29,7 +31,7 @@ public:
     // The controls outlive the panel.
     explicit TrainingPanel(TrainingControls &controls, QWidget *parent = nullptr);
 
-    // Chooses this device, if it is one of the simulated ring.
+    // Chooses this device, if it has anything to train with.
     void setDevice(DeviceNumber number);
     // Shows how the encoder stands; called by the window with every picture.
     void refresh();
@@ -40,39 +42,44 @@ Q_SIGNALS:
     void acted(codewheel::DeviceNumber number, const QString &what);
 
 private:
-    using Shaft = TrainingControls::Shaft;
+    // What a shaft and a rod have in common.
+    struct Common
+    {
+        bool powered = true;
+        bool hasParameters = true;
+        int eepromWrites = 0;
+        bool hasConfirmations = false; // of which the time can be changed
+        bool slow = false;
+        bool hasBattery = false;
+        bool batteryLow = false;
+    };
 
-    void makeShaft(QVBoxLayout *column);
-    void makePosition(QGridLayout *grid);
-    void makeSpeed(QGridLayout *grid);
+    void makeTop(QVBoxLayout *column);
     void makeTroubles(QVBoxLayout *column);
-    QCheckBox *addBox(QVBoxLayout *column, const QString &text, const QString &toolTip);
-    void listDevices(const std::vector<Shaft> &shafts);
+    QPushButton *addCommand(QVBoxLayout *column, Icon icon, const QString &text, const QString &toolTip);
+    void listDevices();
     void choose();
-    void showShaft(const Shaft &shaft);
-    void showPosition(const Shaft &shaft);
-    void turnBy(qint64 steps);
-    void turnTo();
-    void setSpeed(double rpm);
+    void showCommon(const Common &common);
     void setPower(bool on);
-    void tellOfTurning();
+    void setSlow(bool slow);
+    void setBatteryLow(bool low);
     void act(const QString &what);
 
     TrainingControls &m_controls;
-    std::optional<Shaft> m_shown; // what the fields say of the encoder
-    int m_picturesToRest = 0;     // pictures until a turn by hand is told of
+    std::vector<DeviceNumber> m_devices; // by index of the field
+    std::optional<DeviceNumber> m_number;
+    std::optional<Common> m_shown; // what the fields say of the encoder
 
     QWidget *m_content;
     QComboBox *m_device;
-    HandWheel *m_wheel;
-    QLabel *m_raw;
-    QLabel *m_turn;
+    ShaftControls *m_shaft;
+    RodControls *m_rod;
+    QLabel *m_writesCaption;
     QLabel *m_writes;
-    QSpinBox *m_target;
-    QDoubleSpinBox *m_speed;
     QCheckBox *m_power = nullptr;
     QCheckBox *m_slow = nullptr;
     QCheckBox *m_battery = nullptr;
+    QPushButton *m_lose = nullptr;
 };
 
 } // namespace codewheel

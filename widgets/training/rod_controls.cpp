@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/training/rod_controls.h"
+
+#include "widgets/look/grid.h"
+#include "widgets/training/training_fields.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+
+namespace codewheel {
+
+using namespace training_fields;
+
+namespace {
+
+constexpr int tenths = 10; // of a mm, the unit of the track
+constexpr int placeDecimals = 2;
+constexpr double fastest = 10'000; // mm/s
+
+QString number(double millimetres)
+{
+    return QLocale().toString(millimetres, 'f', placeDecimals);
+}
+
+} // namespace
+
+RodControls::RodControls(TrainingControls &controls, QWidget *parent)
+    : QWidget(parent)
+    , m_controls(controls)
+    , m_track(new QSlider(Qt::Horizontal, this))
+    , m_place(numberLabel(tr("Place of the magnet in mm"), this))
+    , m_target(new QDoubleSpinBox(this))
+    , m_speed(new QDoubleSpinBox(this))
+{
+    m_track->setAccessibleName(tr("Magnet on the rod"));
+    m_track->setToolTip(tr("Move the magnet by hand: drag, or use the arrow keys and Page Up, Page Down. The "
+                           "head is at the left."));
+    m_track->setSingleStep(1);
+    m_track->setPageStep(10 * tenths);
+    auto *fields = new QGridLayout;
+    fields->setHorizontalSpacing(grid::unit);
+    fields->setVerticalSpacing(grid::unit);
+    fields->setColumnStretch(1, 1);
+    addCaption(fields, 0, tr("Place, mm"), m_place);
+    fields->addWidget(m_place, 0, 1);
+    makePlace(fields);
+    makeSpeed(fields);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(grid::unit);
+    column->addWidget(m_track);
+    column->addLayout(fields);
+    m_inRange =
+        addBox(column, tr("Magnet in range"),
+               tr("Outside the measuring range the encoder keeps its last position and sets the error "
+                  "bit"));
+    connect(m_track, &QSlider::valueChanged, this, &RodControls::slide);
+    connect(m_inRange, &QCheckBox::clicked, this, &RodControls::setInRange);
+}
+
+void RodControls::makePlace(QGridLayout *grid)
+{
+    prepare(m_target, 8);
+    m_target->setDecimals(placeDecimals);
+    m_target->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    m_target->setAccessibleName(tr("Place to move the magnet to, in mm"));
+    m_target->setToolTip(tr("mm from the head; Enter moves the magnet there"));
+    auto *go = buttonBeside(Icon::next, tr("Move the magnet to the place"), this);
+    addCaption(grid, 1, tr("Move to"), m_target);
+    grid->addWidget(m_target, 1, 1);
+    grid->addWidget(go, 1, 2);
+    connect(go, &QToolButton::clicked, this, &RodControls::moveTo);
+    connect(m_target->findChild<QLineEdit *>(), &QLineEdit::returnPressed, this, &RodControls::moveTo);
+}
+
+void RodControls::makeSpeed(QGridLayout *grid)
+{
+    m_speed->setRange(-fastest, fastest);
+    m_speed->setDecimals(1);
+    m_speed->setSingleStep(10);
+    prepare(m_speed, 8);
+    m_speed->setAccessibleName(tr("Speed in mm per second"));
+    m_speed->setToolTip(
+        tr("mm per second; positive is away from the head. The magnet turns round at the ends."));
+    auto *stop = buttonBeside(Icon::stop, tr("Stop the magnet"), this);
+    addCaption(grid, 2, tr("Speed, mm/s"), m_speed);
+    grid->addWidget(m_speed, 2, 1);
+    grid->addWidget(stop, 2, 2);
+    connect(m_speed, &QDoubleSpinBox::valueChanged, this, &RodControls::setSpeed);
+    connect(stop, &QToolButton::clicked, this, [this] { m_speed->setValue(0); });
+}
+
+void RodControls::showRod(const TrainingControls::Rod &rod)
+{
+    const bool isNew = !m_shown;
+    const TrainingControls::Rod before = std::exchange(m_shown, rod).value_or(TrainingControls::Rod{});
+    if (isNew) {
+        const QSignalBlocker silent(m_track);
+        m_track->setRange(0, qRound(rod.lengthMillimetres * tenths));
+        m_target->setRange(0, rod.lengthMillimetres);
+        m_target->setValue(rod.millimetres);
+    }
+    if (isNew || rod.millimetres != before.millimetres)
+        showPlace(rod.millimetres);
+    if (isNew || rod.millimetresPerSecond != before.millimetresPerSecond) {
+        const QSignalBlocker silent(m_speed);
+        m_speed->setValue(rod.millimetresPerSecond);
+    }
+    if (isNew || rod.magnetInRange != before.magnetInRange)
+        m_inRange->setChecked(rod.magnetInRange);
+    if (m_leftAlone.picture())
+        tellOfMoving();
+}
+
+void RodControls::showPlace(double millimetres)
+{
+    m_place->setText(number(millimetres));
+    if (m_track->isSliderDown())
+        return;
+    const QSignalBlocker silent(m_track);
+    m_track->setValue(qRound(millimetres * tenths));
+}
+
+void RodControls::leave()
+{
+    if (m_leftAlone.isMoving())
+        tellOfMoving();
+    m_shown.reset();
+}
+
+void RodControls::slide(int place)
+{
+    m_controls.moveMagnetTo(m_shown->number, static_cast<double>(place) / tenths);
+    m_leftAlone.moved();
+}
+
+void RodControls::moveTo()
+{
+    m_target->interpretText();
+    m_controls.moveMagnetTo(m_shown->number, m_target->value());
+    m_leftAlone.forget();
+    Q_EMIT acted(tr("Magnet moved to %1 mm.").arg(number(m_target->value())));
+}
+
+void RodControls::setSpeed(double millimetresPerSecond)
+{
+    m_controls.setMagnetSpeed(m_shown->number, millimetresPerSecond);
+    Q_EMIT acted(millimetresPerSecond == 0
+                     ? tr("Magnet stopped.")
+                     : tr("Magnet moves at %1 mm/s.")
+                           .arg(QLocale().toString(millimetresPerSecond, 'f', m_speed->decimals())));
+}
+
+void RodControls::setInRange(bool inRange)
+{
+    m_controls.setMagnetInRange(m_shown->number, inRange);
+    Q_EMIT acted(inRange ? tr("Magnet back in the measuring range.")
+                         : tr("Magnet outside the measuring range."));
+}
+
+void RodControls::tellOfMoving()
+{
+    m_leftAlone.forget();
+    Q_EMIT acted(tr("Magnet moved by hand to %1 mm.").arg(number(m_shown->millimetres)));
+}
+
+} // namespace codewheel

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simulator/training_controls.h"
+#include "widgets/training/left_alone.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QGridLayout;
+class QLabel;
+class QSlider;
+
+namespace codewheel {
+
+// The magnet of a simulated linear encoder: moved along its rod by hand, to a place, or at a speed, and taken
+// out of its range. Part of the training panel.
+class RodControls : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit RodControls(TrainingControls &controls, QWidget *parent = nullptr);
+
+    // With every picture. A field is changed only when the rod changed: what the user has just typed is not
+    // undone before the bus has come round.
+    void showRod(const TrainingControls::Rod &rod);
+    // The panel goes to another device.
+    void leave();
+
+Q_SIGNALS:
+    void acted(const QString &what);
+
+private:
+    void makePlace(QGridLayout *grid);
+    void makeSpeed(QGridLayout *grid);
+    void showPlace(double millimetres);
+    void slide(int tenths);
+    void moveTo();
+    void setSpeed(double millimetresPerSecond);
+    void setInRange(bool inRange);
+    void tellOfMoving();
+
+    TrainingControls &m_controls;
+    std::optional<TrainingControls::Rod> m_shown;
+    LeftAlone m_leftAlone;
+    QSlider *m_track; // in tenths of mm
+    QLabel *m_place;
+    QDoubleSpinBox *m_target;
+    QDoubleSpinBox *m_speed;
+    QCheckBox *m_inRange;
+};
+
+} // namespace codewheel

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/training/shaft_controls.h"
+
+#include "widgets/look/grid.h"
+#include "widgets/training/hand_wheel.h"
+#include "widgets/training/training_fields.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include <algorithm>
+#include <limits>
+
+namespace codewheel {
+
+using namespace training_fields;
+
+ShaftControls::ShaftControls(TrainingControls &controls, QWidget *parent)
+    : QWidget(parent)
+    , m_controls(controls)
+    , m_wheel(new HandWheel(this))
+    , m_raw(numberLabel(tr("Raw position"), this))
+    , m_turn(numberLabel(tr("Turn"), this))
+    , m_target(new QSpinBox(this))
+    , m_speed(new QDoubleSpinBox(this))
+{
+    auto *numbers = new QGridLayout;
+    numbers->setVerticalSpacing(grid::unit / 2);
+    numbers->setColumnStretch(1, 1);
+    addCaption(numbers, 0, tr("Raw position"), m_raw);
+    numbers->addWidget(m_raw, 0, 1);
+    addCaption(numbers, 1, tr("Turn"), m_turn);
+    numbers->addWidget(m_turn, 1, 1);
+    auto *fields = new QGridLayout;
+    fields->setHorizontalSpacing(grid::unit);
+    fields->setVerticalSpacing(grid::unit);
+    fields->setColumnStretch(1, 1);
+    makePosition(fields);
+    makeSpeed(fields);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(grid::unit);
+    column->addWidget(m_wheel);
+    column->addLayout(numbers);
+    column->addLayout(fields);
+    connect(m_wheel, &HandWheel::turned, this, &ShaftControls::turnBy);
+}
+
+void ShaftControls::makePosition(QGridLayout *grid)
+{
+    prepare(m_target, 8);
+    m_target->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    m_target->setAccessibleName(tr("Raw position to turn to"));
+    m_target->setToolTip(tr("Raw position, in the encoder's own steps; Enter turns the shaft to it"));
+    auto *go = buttonBeside(Icon::shaft, tr("Turn to the raw position"), this);
+    addCaption(grid, 0, tr("Turn to"), m_target);
+    grid->addWidget(m_target, 0, 1);
+    grid->addWidget(go, 0, 2);
+    connect(go, &QToolButton::clicked, this, &ShaftControls::turnTo);
+    connect(m_target->findChild<QLineEdit *>(), &QLineEdit::returnPressed, this, &ShaftControls::turnTo);
+}
+
+void ShaftControls::makeSpeed(QGridLayout *grid)
+{
+    m_speed->setRange(-TrainingControls::fastest, TrainingControls::fastest);
+    m_speed->setDecimals(1);
+    m_speed->setSingleStep(10);
+    prepare(m_speed, 8);
+    m_speed->setAccessibleName(tr("Speed in revolutions per minute"));
+    m_speed->setToolTip(tr("Revolutions per minute; positive is clockwise, looking at the shaft"));
+    auto *stop = buttonBeside(Icon::stop, tr("Stop the shaft"), this);
+    addCaption(grid, 1, tr("Speed, rpm"), m_speed);
+    grid->addWidget(m_speed, 1, 1);
+    grid->addWidget(stop, 1, 2);
+    connect(m_speed, &QDoubleSpinBox::valueChanged, this, &ShaftControls::setSpeed);
+    connect(stop, &QToolButton::clicked, this, [this] { m_speed->setValue(0); });
+}
+
+void ShaftControls::showShaft(const TrainingControls::Shaft &shaft)
+{
+    const bool isNew = !m_shown;
+    const TrainingControls::Shaft before = std::exchange(m_shown, shaft).value_or(TrainingControls::Shaft{});
+    if (isNew) {
+        const std::int64_t last = std::int64_t{shaft.stepsPerTurn} * shaft.turns - 1;
+        m_target->setRange(0,
+                           static_cast<int>(std::min<std::int64_t>(last, std::numeric_limits<int>::max())));
+        m_target->setValue(static_cast<int>(shaft.raw));
+        m_wheel->setStepsPerTurn(shaft.stepsPerTurn);
+    }
+    if (isNew || shaft.raw != before.raw) {
+        m_raw->setText(QLocale().toString(qint64{shaft.raw}));
+        m_turn->setText(QLocale().toString(qint64{shaft.raw / shaft.stepsPerTurn}));
+        m_wheel->showRaw(shaft.raw);
+    }
+    if (isNew || shaft.revolutionsPerMinute != before.revolutionsPerMinute) {
+        const QSignalBlocker silent(m_speed);
+        m_speed->setValue(shaft.revolutionsPerMinute);
+    }
+    if (m_leftAlone.picture())
+        tellOfTurning();
+}
+
+void ShaftControls::leave()
+{
+    if (m_leftAlone.isMoving())
+        tellOfTurning();
+    m_shown.reset();
+}
+
+void ShaftControls::turnBy(qint64 steps)
+{
+    m_controls.turnBy(m_shown->number, steps);
+    m_leftAlone.moved();
+}
+
+void ShaftControls::turnTo()
+{
+    m_target->interpretText();
+    m_controls.turnTo(m_shown->number, m_target->value());
+    m_leftAlone.forget();
+    Q_EMIT acted(tr("Shaft turned to raw position %1.").arg(QLocale().toString(m_target->value())));
+}
+
+void ShaftControls::setSpeed(double rpm)
+{
+    m_controls.setSpeed(m_shown->number, rpm);
+    Q_EMIT acted(rpm == 0
+                     ? tr("Shaft stopped.")
+                     : tr("Shaft turns at %1 rpm.").arg(QLocale().toString(rpm, 'f', m_speed->decimals())));
+}
+
+void ShaftControls::tellOfTurning()
+{
+    m_leftAlone.forget();
+    Q_EMIT acted(
+        tr("Shaft turned by hand to raw position %1.").arg(QLocale().toString(qint64{m_shown->raw})));
+}
+
+} // namespace codewheel

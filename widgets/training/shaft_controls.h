@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simulator/training_controls.h"
+#include "widgets/training/left_alone.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QDoubleSpinBox;
+class QGridLayout;
+class QLabel;
+class QSpinBox;
+
+namespace codewheel {
+
+class HandWheel;
+
+// The shaft of a simulated encoder: turned by hand, to a raw position, or at a speed. Part of the training
+// panel.
+class ShaftControls : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ShaftControls(TrainingControls &controls, QWidget *parent = nullptr);
+
+    // With every picture. A field is changed only when the shaft changed: what the user has just typed is not
+    // undone before the bus has come round.
+    void showShaft(const TrainingControls::Shaft &shaft);
+    // The panel goes to another device.
+    void leave();
+
+Q_SIGNALS:
+    void acted(const QString &what);
+
+private:
+    void makePosition(QGridLayout *grid);
+    void makeSpeed(QGridLayout *grid);
+    void turnBy(qint64 steps);
+    void turnTo();
+    void setSpeed(double rpm);
+    void tellOfTurning();
+
+    TrainingControls &m_controls;
+    std::optional<TrainingControls::Shaft> m_shown;
+    LeftAlone m_leftAlone;
+    HandWheel *m_wheel;
+    QLabel *m_raw;
+    QLabel *m_turn;
+    QSpinBox *m_target;
+    QDoubleSpinBox *m_speed;
+};
+
+} // namespace codewheel

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/training/training_fields.h"
+
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+
+#include <QAbstractSpinBox>
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace codewheel::training_fields {
+
+QLabel *numberLabel(const QString &name, QWidget *parent)
+{
+    auto *label = new QLabel(parent);
+    label->setFont(numberFont());
+    label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    label->setAccessibleName(name);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+void prepare(QAbstractSpinBox *field, int digits)
+{
+    field->setFont(numberFont());
+    field->setAlignment(Qt::AlignRight);
+    field->setKeyboardTracking(false);
+    field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    field->setMinimumWidth(QFontMetrics(numberFont()).averageCharWidth() * digits + 2 * grid::margin);
+}
+
+QToolButton *buttonBeside(Icon icon, const QString &name, QWidget *parent)
+{
+    auto *button = new QToolButton(parent);
+    button->setIcon(lineIcon(icon));
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setToolTip(name);
+    button->setAccessibleName(name);
+    return button;
+}
+
+QCheckBox *addBox(QVBoxLayout *column, const QString &text, const QString &toolTip)
+{
+    auto *box = new QCheckBox(text, column->parentWidget());
+    box->setToolTip(toolTip);
+    box->setAccessibleDescription(toolTip);
+    column->addWidget(box);
+    return box;
+}
+
+void addCaption(QGridLayout *grid, int row, const QString &text, QWidget *field)
+{
+    auto *caption = new QLabel(text, field->parentWidget());
+    caption->setBuddy(field);
+    grid->addWidget(caption, row, 0);
+}
+
+} // namespace codewheel::training_fields

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/look/icons.h"
+
+#include <QString>
+
+class QAbstractSpinBox;
+class QCheckBox;
+class QGridLayout;
+class QLabel;
+class QToolButton;
+class QVBoxLayout;
+class QWidget;
+
+// The fields of the training panel: as narrow as its dock wants, each with its name for screen readers.
+namespace codewheel::training_fields {
+
+QLabel *numberLabel(const QString &name, QWidget *parent);
+void prepare(QAbstractSpinBox *field, int digits);
+QToolButton *buttonBeside(Icon icon, const QString &name, QWidget *parent);
+QCheckBox *addBox(QVBoxLayout *column, const QString &text, const QString &toolTip);
+void addCaption(QGridLayout *grid, int row, const QString &text, QWidget *field);
+
+} // namespace codewheel::training_fields
