@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/dial/code_disc.h"
 
+#include "widgets/dial/dial_note.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 
@@ -93,13 +94,10 @@ int CodeDisc::textHeight(int noteLines) const
     return number + (1 + noteLines) * heightOf(font()) + 3 * grid::unit;
 }
 
-// Two lines are always kept free for the note, so that the disc stays where it is when one comes.
 void CodeDisc::arrange()
 {
     const int line = heightOf(font());
-    const QRect noteSpace(0, 0, width() - grid::smallIcon - grid::unit, 10 * line);
-    const int note = fontMetrics().boundingRect(noteSpace, Qt::TextWordWrap, this->note()).height();
-    const int noteLines = std::max(2, (note + line - 1) / line);
+    const int noteLines = dial_note::lines(fontMetrics(), width(), note());
     const int side = std::clamp(std::min(width(), height() - textHeight(noteLines)), 0, largestSide);
     const int above = std::max(0, (height() - side - textHeight(noteLines)) / 2);
     m_dial = QRect((width() - side) / 2, above, side, side);
@@ -145,7 +143,7 @@ void CodeDisc::paintEvent(QPaintEvent *event)
     }
     drawNumbers(painter);
     if (event->region().intersects(m_note))
-        drawNote(painter);
+        dial_note::paint(painter, *this, m_note, m_state.role, note());
 }
 
 void CodeDisc::drawSpeed(QPainter &painter) const
@@ -240,21 +238,6 @@ void CodeDisc::drawNumbers(QPainter &painter) const
                      m_state.position ? locale().toString(*m_state.position) : dash);
     painter.setFont(numberFont());
     painter.drawText(m_speed, Qt::AlignCenter, m_state.rpm ? speedText() : QString());
-}
-
-void CodeDisc::drawNote(QPainter &painter) const
-{
-    if (note().isEmpty())
-        return;
-    const QRect space = m_note.adjusted(grid::smallIcon + grid::unit, grid::unit, 0, 0);
-    const QRect text = fontMetrics().boundingRect(space, Qt::TextWordWrap | Qt::AlignLeft, note());
-    const int left = (width() - text.width() - grid::smallIcon - grid::unit) / 2;
-    lineIcon(roleIcon(m_state.role), m_state.role)
-        .paint(&painter, QRect(left, text.top(), grid::smallIcon, grid::smallIcon));
-    painter.setFont(font());
-    painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(QRect(QPoint(left + grid::smallIcon + grid::unit, text.top()), text.size()),
-                     Qt::TextWordWrap, m_state.note);
 }
 
 QString CodeDisc::speedText() const

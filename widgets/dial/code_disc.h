@@ -40,7 +40,6 @@ private:
     void drawPointer(QPainter &painter, double radius) const;
     void drawHub(QPainter &painter) const;
     void drawNumbers(QPainter &painter) const;
-    void drawNote(QPainter &painter) const;
     QString speedText() const;
     QString note() const;
     int textHeight(int noteLines) const;

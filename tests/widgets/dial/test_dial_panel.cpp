@@ -2,6 +2,7 @@
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/dial/code_disc.h"
 #include "widgets/dial/dial_panel.h"
+#include "widgets/dial/shaft_motion.h"
 
 namespace codewheel {
 namespace {
@@ -20,7 +21,11 @@ protected:
     }
 
     const DialState &shown() { return panel.findChild<CodeDisc *>()->state(); }
-    QPushButton &readButton() { return *panel.findChild<QPushButton *>(QStringLiteral("readMissing")); }
+    QPushButton &readButton() // of the shaft: the rod has one, too
+    {
+        return *panel.findChild<CodeDisc *>()->parentWidget()->findChild<QPushButton *>(
+            QStringLiteral("readMissing"));
+    }
     void advance(int milliseconds)
     {
         for (; milliseconds > 0; milliseconds -= 33)

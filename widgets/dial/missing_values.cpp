@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/dial/missing_values.h"
+
+#include "catalog/device_description.h"
+#include "encoder/refusal_text.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+#include "widgets/look/inline_message.h"
+
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace codewheel {
+
+MissingValues::MissingValues(std::vector<Parameter> needed, QWidget *parent)
+    : QWidget(parent)
+    , m_needed(std::move(needed))
+    , m_read(new QPushButton(lineIcon(Icon::read), tr("&Read what is missing"), this))
+    , m_message(new InlineMessage(this))
+{
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(grid::unit);
+    layout->addWidget(m_message);
+    layout->addWidget(m_read, 0, Qt::AlignHCenter);
+    m_read->setToolTip(
+        tr("Reads what the dial needs from the encoder. That sends words, and takes the position away for "
+           "some cycles."));
+    m_read->setAccessibleName(tr("Read what the dial needs"));
+    m_read->setObjectName(QStringLiteral("readMissing"));
+    m_read->hide();
+    connect(m_read, &QPushButton::clicked, this, [this] { read(m_missing); });
+}
+
+void MissingValues::setEncoder(EncoderSession *encoder)
+{
+    if (m_encoder != nullptr)
+        m_encoder->disconnect(this);
+    m_encoder = encoder;
+    m_message->withdraw();
+    if (encoder == nullptr)
+        return;
+    connect(encoder, &EncoderSession::knownChanged, this, &MissingValues::find);
+    connect(encoder, &EncoderSession::jobStarted, this, [this] { m_read->setEnabled(false); });
+    connect(encoder, &EncoderSession::finished, this, [this](const Outcome &outcome) {
+        m_read->setEnabled(true);
+        if (outcome.result)
+            m_message->withdraw();
+    });
+    connect(encoder, &EncoderSession::permissionChanged, m_message, &InlineMessage::withdraw);
+    m_read->setEnabled(!encoder->runningJob());
+    find();
+}
+
+void MissingValues::find()
+{
+    m_missing.clear();
+    for (const Parameter parameter : m_needed)
+        if (m_encoder->device().find(parameter) != nullptr && !m_encoder->known(parameter))
+            m_missing.push_back(parameter);
+    m_read->setVisible(!m_missing.empty() && m_encoder->can().reads);
+    Q_EMIT changed();
+}
+
+void MissingValues::read(const std::vector<Parameter> &parameters)
+{
+    if (m_encoder == nullptr)
+        return;
+    if (const auto started = m_encoder->start(ReadParameters{parameters}); !started)
+        m_message->showMessage(Role::attention, refusalText(started.error()));
+}
+
+QString MissingValues::names() const
+{
+    QStringList names;
+    for (const Parameter parameter : m_missing)
+        names.append(parameterName(parameter));
+    return names.join(QStringLiteral(", "));
+}
+
+} // namespace codewheel

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+
+#include <QPointer>
+#include <QWidget>
+
+class QPushButton;
+
+namespace codewheel {
+
+class InlineMessage;
+
+// Below a dial: what it needs of its encoder and is not known, and a button that reads it where it can be
+// read.
+class MissingValues : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit MissingValues(std::vector<Parameter> needed, QWidget *parent = nullptr);
+
+    void setEncoder(EncoderSession *encoder);
+    bool isEmpty() const { return m_missing.empty(); }
+    QString names() const; // "Steps, Direction"
+    // Reads these now; a refusal is shown here.
+    void read(const std::vector<Parameter> &parameters);
+
+Q_SIGNALS:
+    void changed(); // something is known now that was not, or has another value
+
+private:
+    void find();
+
+    std::vector<Parameter> m_needed;
+    std::vector<Parameter> m_missing; // of what this kind of encoder has
+    QPointer<EncoderSession> m_encoder;
+    QPushButton *m_read;
+    InlineMessage *m_message;
+};
+
+} // namespace codewheel

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/dial/rod_dial.h"
+
+#include "catalog/value_text.h"
+#include "widgets/dial/missing_values.h"
+#include "widgets/dial/rod_view.h"
+#include "widgets/dial/state_note.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+#include "widgets/parameters/value_field.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace codewheel {
+
+namespace {
+
+constexpr double micrometresPerMillimetre = 1000;
+
+std::optional<std::int64_t> valueKnown(const EncoderSession &encoder, Parameter parameter)
+{
+    const auto known = encoder.known(parameter);
+    return known ? std::optional(known->value) : std::nullopt;
+}
+
+} // namespace
+
+RodDial::RodDial(QWidget *parent)
+    : QWidget(parent)
+    , m_rod(new RodView(this))
+    , m_missing(new MissingValues({Parameter::direction, Parameter::measuringLength}, this))
+    , m_readStatus(new QPushButton(lineIcon(Icon::read), tr("Read error &status"), this))
+    , m_tellRow(new QWidget(this))
+    , m_tell(new QPushButton(tr("&Tell"), m_tellRow))
+{
+    m_readStatus->setObjectName(QStringLiteral("readErrorStatus"));
+    m_readStatus->setToolTip(tr("Reads why the error bit is set. That clears it, once the magnet is back."));
+    m_tell->setObjectName(QStringLiteral("tellRodLength"));
+    m_tell->setToolTip(tr("Takes the length as known by telling. Nothing is sent."));
+    auto *row = new QGridLayout(m_tellRow);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(grid::unit);
+    row->setColumnStretch(0, 1);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(grid::unit);
+    column->addWidget(m_rod, 1);
+    column->addWidget(m_missing);
+    column->addWidget(m_readStatus, 0, Qt::AlignHCenter);
+    column->addWidget(m_tellRow);
+    connect(m_missing, &MissingValues::changed, this, &RodDial::knownChanged);
+    connect(m_readStatus, &QPushButton::clicked, this, [this] { m_missing->read({Parameter::errorStatus}); });
+    connect(m_tell, &QPushButton::clicked, this, &RodDial::tellLength);
+}
+
+void RodDial::setEncoder(EncoderSession *encoder)
+{
+    if (m_encoder != nullptr)
+        m_encoder->disconnect(this);
+    m_encoder = encoder;
+    if (encoder != nullptr) {
+        m_rod->setPlace(encoder->number().toString());
+        connect(encoder, &EncoderSession::latestChanged, this, &RodDial::draw);
+        showTellRow();
+    }
+    m_missing->setEncoder(encoder);
+}
+
+// The field belongs to the device: its range is that of the description.
+void RodDial::showTellRow()
+{
+    delete std::exchange(m_lengthField, nullptr);
+    qDeleteAll(m_tellRow->findChildren<QLabel *>());
+    const ParameterDescription *length = m_encoder->device().find(Parameter::rodLength);
+    if (length == nullptr)
+        return;
+    auto *name = new QLabel(tr("Rod &length, from its label:"), m_tellRow);
+    name->setWordWrap(true);
+    m_lengthField = new ValueField(*length, tr("unknown"), m_tellRow);
+    name->setBuddy(m_lengthField->focusProxy());
+    auto *row = static_cast<QGridLayout *>(m_tellRow->layout());
+    row->addWidget(name, 0, 0, 1, 3);
+    row->addWidget(m_lengthField, 1, 0);
+    row->addWidget(new QLabel(unitText(length->unit), m_tellRow), 1, 1);
+    row->addWidget(m_tell, 1, 2);
+    setTabOrder(m_lengthField->focusProxy(), m_tell);
+    connect(m_lengthField, &ValueField::entered, this, &RodDial::tellLength);
+}
+
+void RodDial::tellLength()
+{
+    const auto length = m_lengthField->value();
+    if (length && *length && m_encoder != nullptr)
+        m_encoder->tell(Parameter::rodLength, *length);
+}
+
+void RodDial::knownChanged()
+{
+    m_known = {};
+    m_known.length = valueKnown(*m_encoder, Parameter::measuringLength);
+    const auto rodLength = valueKnown(*m_encoder, Parameter::rodLength);
+    if (rodLength && m_known.length && *m_known.length > 0)
+        m_known.millimetresPerStep =
+            static_cast<double>(*rodLength) / micrometresPerMillimetre / static_cast<double>(*m_known.length);
+    const ParameterDescription *direction = m_encoder->device().find(Parameter::direction);
+    if (const auto value = valueKnown(*m_encoder, Parameter::direction); value && direction != nullptr)
+        if (const Choice *choice = direction->findChoice(*value))
+            m_known.countsUpToTheEnd = choice->key == QStringLiteral("increasing");
+    m_motion.reset();
+    m_tellRow->setVisible(m_lengthField != nullptr && !rodLength);
+    draw();
+}
+
+void RodDial::draw()
+{
+    if (m_encoder == nullptr)
+        return;
+    const Reading &reading = m_encoder->latest();
+    m_readStatus->setVisible(reading.state == EncoderState::error && m_encoder->can().reads);
+    m_rod->setState(stateOf(reading));
+}
+
+RodState RodDial::stateOf(const Reading &reading)
+{
+    RodState state = m_known;
+    state.position = reading.position;
+    if (reading.state == EncoderState::operation) {
+        state.stepsPerSecond = stepsPerSecond(reading);
+        state.note = noteOfKnown();
+        state.role = state.note.isEmpty() ? Role::running : Role::attention;
+        if (state.note.isEmpty() && !magnetPlace(state))
+            state.note = tr("The position was set by a preset: where the magnet stands on the rod is not "
+                            "known.");
+        return state;
+    }
+    m_motion.reset();
+    const StateNote note = noteOfState(m_encoder->device(), reading);
+    state.isLastKnown = true;
+    state.note = note.sentence;
+    state.role = note.role;
+    return state;
+}
+
+std::optional<double> RodDial::stepsPerSecond(const Reading &reading)
+{
+    if (!reading.position)
+        return {};
+    m_motion.observe(reading.at, *reading.position, std::nullopt);
+    return m_motion.stepsPerSecond();
+}
+
+QString RodDial::noteOfKnown() const
+{
+    if (!m_missing->isEmpty())
+        return tr("Not known: %1.").arg(m_missing->names());
+    return m_known.millimetresPerStep ? QString() : tr("mm unknown: tell the rod length from its label.");
+}
+
+} // namespace codewheel

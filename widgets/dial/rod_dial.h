@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+#include "widgets/dial/rod_state.h"
+#include "widgets/dial/shaft_motion.h"
+
+#include <QPointer>
+#include <QWidget>
+
+class QPushButton;
+
+namespace codewheel {
+
+class MissingValues;
+class RodView;
+class ValueField;
+
+// A linear encoder as its rod. The length of the rod stands on its label alone: it is told here, and then
+// steps are mm.
+class RodDial : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit RodDial(QWidget *parent = nullptr);
+
+    void setEncoder(EncoderSession *encoder); // null: none is shown
+
+private:
+    void knownChanged();
+    void showTellRow();
+    void tellLength();
+    void draw();
+    RodState stateOf(const Reading &reading);
+    std::optional<double> stepsPerSecond(const Reading &reading);
+    QString noteOfKnown() const;
+
+    QPointer<EncoderSession> m_encoder;
+    RodState m_known; // length, scale, direction
+    ShaftMotion m_motion;
+    RodView *m_rod;
+    MissingValues *m_missing;
+    QPushButton *m_readStatus;
+    QWidget *m_tellRow;
+    ValueField *m_lengthField = nullptr;
+    QPushButton *m_tell;
+};
+
+} // namespace codewheel

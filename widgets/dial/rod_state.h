@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/look/roles.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace codewheel {
+
+// What the dial shows of a rod encoder. Nothing is nothing: it is never shown as 0.
+struct RodState
+{
+    std::optional<qint64> position = {};           // steps
+    std::optional<qint64> length = {};             // measuring length, steps
+    std::optional<double> millimetresPerStep = {}; // needs the length of the rod
+    std::optional<bool> countsUpToTheEnd = {};     // the direction of counting
+    std::optional<double> stepsPerSecond = {};     // positive: counts up
+    bool isLastKnown = false;                      // the position is of before the magnet was lost
+    QString note = {};                             // a sentence: what is wrong or missing, and what to do
+    Role role = Role::inactive;                    // of the note, and of the magnet
+
+    friend bool operator==(const RodState &, const RodState &) = default;
+};
+
+// Where the magnet stands, 0 at the head to 1 at the end of the rod; nothing where the position lies outside
+// the measuring length, or not all is known.
+std::optional<double> magnetPlace(const RodState &state);
+
+} // namespace codewheel

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/dial/rod_view.h"
+
+#include "widgets/dial/dial_note.h"
+#include "widgets/dial/millimetres.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+
+#include <QEvent>
+#include <QLocale>
+#include <QPainter>
+#include <QPaintEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace codewheel {
+
+namespace {
+
+constexpr int smallestWidth = 160;
+
+int largeLine()
+{
+    return QFontMetrics(numberFont(TextSize::large)).height();
+}
+
+} // namespace
+
+RodView::RodView(QWidget *parent)
+    : ValueWidget(parent)
+{
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+    setAccessibleName(tr("Rod"));
+}
+
+void RodView::setPlace(const QString &place)
+{
+    setAccessibleName(tr("Rod of %1", "device number").arg(place));
+}
+
+void RodView::setState(const RodState &state)
+{
+    const RodState before = std::exchange(m_state, state);
+    if (before == state)
+        return;
+    if (before.note != state.note) {
+        arrange();
+        update();
+        return;
+    }
+    update(QRegion(m_picture.space()) + m_number + m_millimetres + m_speed + m_resolution);
+}
+
+QSize RodView::sizeHint() const
+{
+    return {RodPicture::usualWidth, RodPicture::height() + textHeight(2)};
+}
+
+QSize RodView::minimumSizeHint() const
+{
+    return {smallestWidth, sizeHint().height()};
+}
+
+// What stands below the rod: position, millimetres, speed, resolution, the note.
+int RodView::textHeight(int noteLines) const
+{
+    return largeLine() + (3 + noteLines) * fontMetrics().height() + 3 * grid::unit;
+}
+
+void RodView::arrange()
+{
+    const int line = fontMetrics().height();
+    const int noteLines = dial_note::lines(fontMetrics(), width(), note());
+    const int above = std::max(0, (height() - RodPicture::height() - textHeight(noteLines)) / 2);
+    m_picture.setSpace(QRect(0, above, width(), RodPicture::height()));
+    m_number = QRect(0, m_picture.space().bottom() + 1 + grid::unit, width(), largeLine());
+    m_millimetres = QRect(0, m_number.bottom() + 1, width(), line);
+    m_speed = m_millimetres.translated(0, line);
+    m_resolution = m_speed.translated(0, line);
+    m_note = QRect(0, m_resolution.bottom() + 1 + grid::unit, width(), noteLines * line + grid::unit);
+}
+
+void RodView::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+void RodView::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        arrange();
+    update();
+}
+
+void RodView::paintEvent(QPaintEvent *event)
+{
+    QPainter painter(this);
+    if (event->region().intersects(m_picture.space()))
+        m_picture.paint(painter, palette(), m_state);
+    drawNumbers(painter);
+    if (event->region().intersects(m_note))
+        dial_note::paint(painter, *this, m_note, m_state.role, note());
+}
+
+void RodView::drawNumbers(QPainter &painter) const
+{
+    painter.setPen(palette().color(m_state.isLastKnown ? QPalette::PlaceholderText : QPalette::WindowText));
+    painter.setFont(numberFont(TextSize::large));
+    painter.drawText(m_number, Qt::AlignCenter, m_state.position ? positionText() : QString(QChar(0x2013)));
+    painter.setFont(numberFont());
+    painter.drawText(m_millimetres, Qt::AlignCenter, m_state.position ? millimetreText() : QString());
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(m_speed, Qt::AlignCenter, speedText());
+    painter.setFont(font());
+    painter.drawText(m_resolution, Qt::AlignCenter, resolutionText());
+}
+
+QString RodView::positionText() const
+{
+    return tr("%1 steps").arg(locale().toString(*m_state.position));
+}
+
+QString RodView::millimetreText() const
+{
+    if (!m_state.millimetresPerStep)
+        return tr("mm not known");
+    return tr("%1 mm").arg(millimetres(static_cast<double>(*m_state.position) * *m_state.millimetresPerStep,
+                                       *m_state.millimetresPerStep));
+}
+
+QString RodView::speedText() const
+{
+    if (!m_state.stepsPerSecond)
+        return {};
+    const double speed = *m_state.stepsPerSecond * m_state.millimetresPerStep.value_or(1);
+    const QString number = locale().toString(std::abs(speed), 'f', 1);
+    const QString text =
+        m_state.millimetresPerStep ? tr("%1 mm/s").arg(number) : tr("%1 steps/s").arg(number);
+    if (std::abs(speed) < 0.05 || !m_state.countsUpToTheEnd)
+        return text;
+    return (speed > 0) == *m_state.countsUpToTheEnd ? tr("%1 to the end", "of the rod").arg(text)
+                                                    : tr("%1 to the head", "of the rod").arg(text);
+}
+
+QString RodView::resolutionText() const
+{
+    return m_state.millimetresPerStep ? resolution(*m_state.millimetresPerStep) : QString();
+}
+
+QString RodView::note() const
+{
+    if (m_state.note.isEmpty() && !m_state.position)
+        return tr("No position yet. Start the bus and choose an encoder in the bus structure.");
+    return m_state.note;
+}
+
+QString RodView::valueText() const
+{
+    QStringList parts;
+    if (m_state.position) {
+        parts.append(m_state.isLastKnown ? tr("Last position %1").arg(positionText())
+                                         : tr("Position %1").arg(positionText()));
+        parts.append(millimetreText());
+    }
+    if (m_state.length)
+        parts.append(tr("measuring length %1 steps").arg(locale().toString(*m_state.length)));
+    for (const QString &text : {speedText(), resolutionText(), note()})
+        if (!text.isEmpty())
+            parts.append(text);
+    return parts.join(QStringLiteral(", "));
+}
+
+} // namespace codewheel

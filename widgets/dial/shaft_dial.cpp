@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/dial/shaft_dial.h"
+
+#include "catalog/device_description.h"
+#include "encoder/hex.h"
+#include "widgets/dial/code_disc.h"
+#include "widgets/dial/missing_values.h"
+#include "widgets/dial/state_note.h"
+#include "widgets/monitor/position_range.h"
+
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace codewheel {
+namespace {
+
+// Codings of the profile with an even number count counter-clockwise (Baumer manual 5); direction 4 is CCW
+// (FRABA 5.3).
+bool countsClockwise(const EncoderSession &encoder)
+{
+    for (const Parameter parameter : {Parameter::direction, Parameter::coding})
+        if (const auto known = encoder.known(parameter))
+            return known->value % 2 != 0;
+    return true;
+}
+
+double partOfTurn(double turns, bool clockwise)
+{
+    const double part = turns - std::floor(turns);
+    return clockwise || part == 0 ? part : 1 - part;
+}
+
+} // namespace
+
+ShaftDial::ShaftDial(QWidget *parent)
+    : QWidget(parent)
+    , m_disc(new CodeDisc(this))
+    , m_missing(new MissingValues(
+          {Parameter::steps, Parameter::revolutions, Parameter::direction, Parameter::coding}, this))
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_disc, 1);
+    column->addWidget(m_missing);
+    connect(m_missing, &MissingValues::changed, this, &ShaftDial::knownChanged);
+}
+
+void ShaftDial::setEncoder(EncoderSession *encoder)
+{
+    if (m_encoder != nullptr)
+        m_encoder->disconnect(this);
+    m_encoder = encoder;
+    if (encoder != nullptr) {
+        m_disc->setPlace(encoder->number().toString());
+        connect(encoder, &EncoderSession::latestChanged, this, &ShaftDial::draw);
+    }
+    m_missing->setEncoder(encoder);
+}
+
+void ShaftDial::knownChanged()
+{
+    m_scale = scale();
+    m_motion.reset();
+    draw();
+}
+
+std::optional<ShaftDial::Scale> ShaftDial::scale() const
+{
+    const auto steps = m_encoder->known(Parameter::steps);
+    const auto revolutions = m_encoder->known(Parameter::revolutions);
+    if (!m_missing->isEmpty() || !steps || !revolutions)
+        return std::nullopt;
+    Scale scale{.stepsPerTurn = static_cast<double>(steps->value) / static_cast<double>(revolutions->value),
+                .clockwise = countsClockwise(*m_encoder),
+                .total = {}};
+    if (const auto range = positionRange(*m_encoder))
+        scale.total = range->last - range->first + 1;
+    return scale;
+}
+
+void ShaftDial::draw()
+{
+    if (m_encoder == nullptr)
+        return;
+    const Reading &reading = m_encoder->latest();
+    DialState state;
+    if (reading.state == EncoderState::operation) {
+        state = running(reading);
+    } else {
+        const StateNote note = noteOfState(m_encoder->device(), reading);
+        state = {.note = note.sentence, .role = note.role};
+    }
+    if (!state.position)
+        m_motion.reset();
+    m_disc->setState(state);
+}
+
+DialState ShaftDial::running(const Reading &reading)
+{
+    if (!reading.position)
+        return {.note = rawNote(reading), .role = Role::attention};
+    DialState state{.position = *reading.position,
+                    .note = missingNote(),
+                    .role = m_missing->isEmpty() ? Role::running : Role::attention};
+    if (!m_scale)
+        return state;
+    const double turns = static_cast<double>(*reading.position) / m_scale->stepsPerTurn;
+    state.turnFraction = partOfTurn(turns, m_scale->clockwise);
+    state.turn = static_cast<qint64>(std::floor(turns));
+    m_motion.observe(reading.at, *reading.position, m_scale->total);
+    if (const auto speed = m_motion.stepsPerSecond())
+        state.rpm = *speed / m_scale->stepsPerTurn * 60 * (m_scale->clockwise ? 1 : -1);
+    return state;
+}
+
+QString ShaftDial::rawNote(const Reading &reading) const
+{
+    const QString raw = hexWord(k3::data(reading.in));
+    if (m_encoder->device().quirks.hasModes && reading.mode != Mode::position) {
+        if (!reading.mode)
+            return tr("Raw word %1. The mode is not known: tell the start-up mode under Parameters.")
+                .arg(raw);
+        return *reading.mode == Mode::velocity
+                   ? tr("Raw word %1, in velocity mode: there is no position.").arg(raw)
+                   : tr("Raw word %1, in cam mode: there is no position.").arg(raw);
+    }
+    return tr("Raw word %1. The coding is not known: write it, or tell it under Parameters.").arg(raw);
+}
+
+QString ShaftDial::missingNote() const
+{
+    if (m_missing->isEmpty())
+        return {};
+    return tr("Not known: %1. The disc needs it to turn.").arg(m_missing->names());
+}
+
+} // namespace codewheel

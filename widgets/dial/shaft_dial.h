@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+#include "widgets/dial/dial_state.h"
+#include "widgets/dial/shaft_motion.h"
+
+#include <QPointer>
+#include <QWidget>
+
+namespace codewheel {
+
+class CodeDisc;
+class MissingValues;
+
+// An encoder on a shaft as a dial: position, turns, speed. Where coding or scale are not known it shows the
+// raw word, says what is missing, and offers to read it.
+class ShaftDial : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ShaftDial(QWidget *parent = nullptr);
+
+    void setEncoder(EncoderSession *encoder); // null: none is shown
+
+private:
+    // What has to be known for the disc to turn.
+    struct Scale
+    {
+        double stepsPerTurn = 0;
+        bool clockwise = true;
+        std::optional<std::int64_t> total;
+    };
+
+    void knownChanged();
+    void draw();
+    std::optional<Scale> scale() const;
+    DialState running(const Reading &reading);
+    QString rawNote(const Reading &reading) const;
+    QString missingNote() const;
+
+    QPointer<EncoderSession> m_encoder;
+    std::optional<Scale> m_scale;
+    ShaftMotion m_motion;
+    CodeDisc *m_disc;
+    MissingValues *m_missing;
+};
+
+} // namespace codewheel

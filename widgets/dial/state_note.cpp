@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/dial/state_note.h"
+
+#include "catalog/device_description.h"
+#include "encoder/hex.h"
+#include "encoder/refusal_text.h"
+
+#include <QCoreApplication>
+
+namespace codewheel {
+namespace {
+
+// The context of these texts.
+struct DialNote
+{
+    Q_DECLARE_TR_FUNCTIONS(DialNote)
+};
+
+// An encoder that goes on showing a position is named by its error; the others show none.
+QString errorNote(const DeviceDescription &device, const Reading &reading)
+{
+    const unsigned number = reading.errorNumber.value_or(0);
+    const DeviceError *error = device.findError(number);
+    if (reading.position && error != nullptr)
+        return refusalText({RefusalKind::device, error->meaning, {reading.in}});
+    return number == 0 ? DialNote::tr("The encoder has no valid position.")
+                       : DialNote::tr("The encoder shows error %1: there is no position.").arg(number);
+}
+
+} // namespace
+
+StateNote noteOfState(const DeviceDescription &device, const Reading &reading)
+{
+    switch (reading.state) {
+    case EncoderState::parameterization:
+        return {DialNote::tr("In parameterization: there is no position.")};
+    case EncoderState::readOut:
+        return {DialNote::tr("A read-out value stands in IN: there is no position.")};
+    case EncoderState::service:
+        return {DialNote::tr("In service mode: there is no position.")};
+    case EncoderState::error:
+        return {errorNote(device, reading), Role::fault};
+    case EncoderState::unknown:
+        return {DialNote::tr("IN %1 is in no manual: there is no position.").arg(hexWord(reading.in))};
+    case EncoderState::notSeen:
+        return {DialNote::tr("Nothing came from the encoder yet."), Role::inactive};
+    case EncoderState::operation:
+        break;
+    }
+    return {{}, Role::running};
+}
+
+} // namespace codewheel

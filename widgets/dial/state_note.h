@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/reading.h"
+#include "widgets/look/roles.h"
+
+#include <QString>
+
+namespace codewheel {
+
+struct DeviceDescription;
+
+// What a dial says of an encoder that is not in operation.
+struct StateNote
+{
+    QString sentence;
+    Role role = Role::attention;
+};
+StateNote noteOfState(const DeviceDescription &device, const Reading &reading);
+
+} // namespace codewheel
