@@ -107,6 +107,26 @@
         <source>D23..D0: position; in service mode data written or read</source>
         <translation>D23..D0: Position; im Dienstbetrieb geschriebene oder gelesene Daten</translation>
     </message>
+    <message>
+        <source>D31..D0: described in no source</source>
+        <translation>D31..D0: in keiner Quelle beschrieben</translation>
+    </message>
+    <message>
+        <source>D%1: this encoder has no OUT word</source>
+        <translation>D%1: Dieser Geber hat kein OUT-Wort</translation>
+    </message>
+    <message>
+        <source>D%1: not used, always 0</source>
+        <translation>D%1: unbenutzt, immer 0</translation>
+    </message>
+    <message>
+        <source>D31..D0: position; which four bits are status bits is in no source</source>
+        <translation>D31..D0: Position; welche vier Bits Statusbits sind, steht in keiner Quelle</translation>
+    </message>
+    <message>
+        <source>D%1..D0: position</source>
+        <translation>D%1..D0: Position</translation>
+    </message>
 </context>
 <context>
     <name>CancelQuestion</name>
@@ -314,6 +334,37 @@
     </message>
 </context>
 <context>
+    <name>DialNote</name>
+    <message>
+        <source>The encoder has no valid position.</source>
+        <translation>Der Geber hat keine gültige Position.</translation>
+    </message>
+    <message>
+        <source>The encoder shows error %1: there is no position.</source>
+        <translation>Der Geber zeigt Fehler %1: keine Position.</translation>
+    </message>
+    <message>
+        <source>In parameterization: there is no position.</source>
+        <translation>In der Parametrierung: keine Position.</translation>
+    </message>
+    <message>
+        <source>A read-out value stands in IN: there is no position.</source>
+        <translation>In IN steht ein Auslesewert: keine Position.</translation>
+    </message>
+    <message>
+        <source>In service mode: there is no position.</source>
+        <translation>Im Dienstbetrieb: keine Position.</translation>
+    </message>
+    <message>
+        <source>IN %1 is in no manual: there is no position.</source>
+        <translation>IN %1 steht in keinem Handbuch: keine Position.</translation>
+    </message>
+    <message>
+        <source>Nothing came from the encoder yet.</source>
+        <translation>Vom Geber kam noch nichts.</translation>
+    </message>
+</context>
+<context>
     <name>JobReport</name>
     <message>
         <source>position mode</source>
@@ -321,7 +372,7 @@
     </message>
     <message>
         <source>velocity mode</source>
-        <translation>Geschwindigkeitsbetrieb</translation>
+        <translation>Drehzahlbetrieb</translation>
     </message>
     <message>
         <source>cam program %1</source>
@@ -665,6 +716,22 @@
         <source>Refused: %1</source>
         <translation>Abgelehnt: %1</translation>
     </message>
+    <message>
+        <source>This encoder has no OUT word: it only tells its position</source>
+        <translation>Dieser Geber hat kein OUT-Wort: Er meldet nur seine Position</translation>
+    </message>
+    <message>
+        <source>The OUT word of a K4 encoder is described in no source</source>
+        <translation>Das OUT-Wort eines K4-Gebers ist in keiner Quelle beschrieben</translation>
+    </message>
+    <message>
+        <source>position %1, as long as all four status bits are 0: where they stand is in no source</source>
+        <translation>Position %1, solange alle vier Statusbits 0 sind: Wo sie stehen, sagt keine Quelle</translation>
+    </message>
+    <message>
+        <source>No position: %1 should be 0, since the position has %2 bits</source>
+        <translation>Keine Position: %1 müsste 0 sein, denn die Position hat %2 Bits</translation>
+    </message>
 </context>
 <context>
     <name>Message</name>
@@ -775,6 +842,17 @@
     <message>
         <source>The reset to factory settings waits for run. Run carries it out; switching the encoder off drops it.</source>
         <translation>Das Zurücksetzen auf Werkseinstellungen wartet auf Run. Run führt es aus; Ausschalten des Gebers verwirft es.</translation>
+    </message>
+    <message>
+        <source>This encoder is now taken for: %1. What was known of it is forgotten.</source>
+        <translation>Dieser Geber gilt jetzt als: %1. Was über ihn bekannt war, ist vergessen.</translation>
+    </message>
+</context>
+<context>
+    <name>Millimetres</name>
+    <message>
+        <source>%1 mm per step</source>
+        <translation>%1 mm je Schritt</translation>
     </message>
 </context>
 <context>
@@ -1255,7 +1333,7 @@
     </message>
     <message>
         <source>The %1 has no velocity mode.</source>
-        <translation>%1 hat keinen Geschwindigkeitsbetrieb.</translation>
+        <translation>%1 hat keinen Drehzahlbetrieb.</translation>
     </message>
     <message>
         <source>The %1 does not know the FRABA preset. Set the position with the preset of the profile.</source>
@@ -1300,6 +1378,54 @@
     <message>
         <source>Nothing was sent: the encoder is in cam mode, where the word %1 %2. Switch it to position mode first.</source>
         <translation>Nichts gesendet: Der Geber ist im Nockenbetrieb. Dort gilt: Das Wort %1 %2. Zuerst in den Positionsbetrieb schalten.</translation>
+    </message>
+    <message>
+        <source>%1: %2 This description was left out; all others were taken.</source>
+        <translation>%1: %2 Diese Beschreibung wurde ausgelassen, alle anderen wurden übernommen.</translation>
+    </message>
+    <message>
+        <source>%1 has the device code %2: it cannot be the %3, which has %4. Choose an encoder of the same device code.</source>
+        <translation>%1 hat den Gerätecode %2 und kann kein %3 sein: Der hat %4. Einen Geber mit demselben Gerätecode wählen.</translation>
+    </message>
+    <message>
+        <source>The encoder refused the word %1, which %2 (IN %3). It kept the old value: compare the cam program with the encoder, and check which encoder it is.</source>
+        <translation>Der Geber hat das Wort %1 abgelehnt (es %2; IN %3). Der alte Wert gilt weiter: Das Nockenprogramm mit dem Geber vergleichen und prüfen, welcher Geber es ist.</translation>
+    </message>
+    <message>
+        <source>sets the shift to %1</source>
+        <translation>setzt die Verschiebung auf %1</translation>
+    </message>
+    <message>
+        <source>switches to cam program %1</source>
+        <translation>schaltet auf Nockenprogramm %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; ends too early. There may follow: %3.</source>
+        <translation>„%1“ endet zu früh. Es kann folgen: %3.</translation>
+    </message>
+    <message>
+        <source>&quot;%2&quot; in &quot;%1&quot; is too much: the key ends before it. Leave it out.</source>
+        <translation>„%2“ in „%1“ ist zu viel: Der Schlüssel endet davor. Weglassen.</translation>
+    </message>
+</context>
+<context>
+    <name>RodPicture</name>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <comment>unit</comment>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>counts up</source>
+        <translation>zählt aufwärts</translation>
+    </message>
+    <message>
+        <source>direction not known</source>
+        <translation>Richtung unbekannt</translation>
     </message>
 </context>
 <context>
@@ -1622,6 +1748,10 @@
     <message>
         <source>A device with the key &quot;%1&quot; is in the catalog already.</source>
         <translation>Ein Gerät mit dem Schlüssel „%1“ ist schon im Katalog.</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, Zeile %2</translation>
     </message>
 </context>
 <context>
@@ -2195,10 +2325,6 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Ein Schlüssel besteht aus den Buchstaben a bis z, Ziffern und Bindestrichen.</translation>
     </message>
     <message>
-        <source>A generic description has no vendor.</source>
-        <translation>Eine allgemeine Beschreibung hat keinen Hersteller.</translation>
-    </message>
-    <message>
         <source>The last two digits must be those of idCode.</source>
         <translation>Die letzten zwei Ziffern müssen die von idCode sein.</translation>
     </message>
@@ -2250,6 +2376,22 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>A parameter needs a number to write it, a readOut code to read it, both, or onLabel.</source>
         <translation>Ein Parameter braucht eine Nummer zum Schreiben, einen readOut-Code zum Lesen, beides oder onLabel.</translation>
     </message>
+    <message>
+        <source>Only a description of the generic dialect has no vendor.</source>
+        <translation>Nur eine Beschreibung mit dem Dialekt generic hat keinen Hersteller.</translation>
+    </message>
+    <message>
+        <source>An encoder on a serial line has none. Leave it out.</source>
+        <translation>Ein Geber an einer seriellen Leitung hat das nicht. Weglassen.</translation>
+    </message>
+    <message>
+        <source>Only a K1 and a K2 always have the same coding. Leave it out.</source>
+        <translation>Nur ein K1 und ein K2 haben immer dieselbe Codierung. Weglassen.</translation>
+    </message>
+    <message>
+        <source>There is no device with the key &quot;%1&quot; before this one.</source>
+        <translation>Vor diesem gibt es kein Gerät mit dem Schlüssel „%1“.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DevicePage</name>
@@ -2289,72 +2431,12 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
 <context>
     <name>codewheel::DialPanel</name>
     <message>
-        <source>&amp;Read what is missing</source>
-        <translation>Fehlendes ausles&amp;en</translation>
-    </message>
-    <message>
         <source>No encoder is chosen.</source>
         <translation>Kein Geber gewählt.</translation>
     </message>
     <message>
         <source>Choose one in the bus structure.</source>
         <translation>Einen im Busaufbau wählen.</translation>
-    </message>
-    <message>
-        <source>Reads what the dial needs from the encoder. That sends words, and takes the position away for some cycles.</source>
-        <translation>Liest aus dem Geber, was die Scheibe braucht. Das sendet Worte; die Position fehlt für einige Zyklen.</translation>
-    </message>
-    <message>
-        <source>Read what the dial needs</source>
-        <translation>Auslesen, was die Scheibe braucht</translation>
-    </message>
-    <message>
-        <source>In parameterization: there is no position.</source>
-        <translation>In der Parametrierung: keine Position.</translation>
-    </message>
-    <message>
-        <source>A read-out value stands in IN: there is no position.</source>
-        <translation>In IN steht ein Auslesewert: keine Position.</translation>
-    </message>
-    <message>
-        <source>The encoder has no valid position.</source>
-        <translation>Der Geber hat keine gültige Position.</translation>
-    </message>
-    <message>
-        <source>The encoder shows error %1: there is no position.</source>
-        <translation>Der Geber zeigt Fehler %1: keine Position.</translation>
-    </message>
-    <message>
-        <source>IN %1 is in no manual: there is no position.</source>
-        <translation>IN %1 steht in keinem Handbuch: keine Position.</translation>
-    </message>
-    <message>
-        <source>Nothing came from the encoder yet.</source>
-        <translation>Vom Geber kam noch nichts.</translation>
-    </message>
-    <message>
-        <source>Raw word %1. The mode is not known: tell the start-up mode under Parameters.</source>
-        <translation>Rohwort %1. Betriebsart unbekannt: die Anlaufbetriebsart unter Parameter angeben.</translation>
-    </message>
-    <message>
-        <source>Raw word %1, in velocity mode: there is no position.</source>
-        <translation>Rohwort %1, im Drehzahlbetrieb: keine Position.</translation>
-    </message>
-    <message>
-        <source>Raw word %1, in cam mode: there is no position.</source>
-        <translation>Rohwort %1, im Nockenbetrieb: keine Position.</translation>
-    </message>
-    <message>
-        <source>Raw word %1. The coding is not known: write it, or tell it under Parameters.</source>
-        <translation>Rohwort %1. Codierung unbekannt: schreiben oder unter Parameter angeben.</translation>
-    </message>
-    <message>
-        <source>Not known: %1. The disc needs it to turn.</source>
-        <translation>Unbekannt: %1. Ohne das dreht die Scheibe nicht.</translation>
-    </message>
-    <message>
-        <source>In service mode: there is no position.</source>
-        <translation>Im Dienstbetrieb: Es gibt keine Position.</translation>
     </message>
 </context>
 <context>
@@ -2793,6 +2875,14 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>A list [ ] is expected here.</source>
         <translation>Hier wird eine Liste [ ] erwartet.</translation>
     </message>
+    <message>
+        <source>A list of texts [&quot;...&quot;] is expected here.</source>
+        <translation>Hier wird eine Liste von Texten [&quot;...&quot;] erwartet.</translation>
+    </message>
+    <message>
+        <source>A text in quotation marks or an object {&quot;en&quot;: &quot;...&quot;, &quot;de&quot;: &quot;...&quot;} is expected here.</source>
+        <translation>Hier wird ein Text in Anführungszeichen oder ein Objekt {&quot;en&quot;: &quot;...&quot;, &quot;de&quot;: &quot;...&quot;} erwartet.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::KnownPage</name>
@@ -2882,6 +2972,13 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>Known by</source>
         <translation>Bekannt durch</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LabelKey</name>
+    <message>
+        <source>any letters or digits, %1 in all</source>
+        <translation>beliebige Buchstaben oder Ziffern, insgesamt %1</translation>
     </message>
 </context>
 <context>
@@ -3162,6 +3259,21 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::MissingValues</name>
+    <message>
+        <source>&amp;Read what is missing</source>
+        <translation>Fehlendes ausles&amp;en</translation>
+    </message>
+    <message>
+        <source>Reads what the dial needs from the encoder. That sends words, and takes the position away for some cycles.</source>
+        <translation>Liest aus dem Geber, was die Anzeige braucht. Das sendet Worte; die Position fehlt für einige Zyklen.</translation>
+    </message>
+    <message>
+        <source>Read what the dial needs</source>
+        <translation>Auslesen, was die Anzeige braucht</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::MonitorArea</name>
     <message>
         <source>No monitor is open</source>
@@ -3251,24 +3363,12 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Das Wort eingeben: 020000FF, 0x020000FF, 20000FFh; Leerzeichen sind erlaubt</translation>
     </message>
     <message>
-        <source>D24..D0 as a number</source>
-        <translation>D24..D0 als Zahl</translation>
-    </message>
-    <message>
         <source>The whole word as a number</source>
         <translation>Das ganze Wort als Zahl</translation>
     </message>
     <message>
-        <source>D24..D0 as a signed number (two&apos;s complement)</source>
-        <translation>D24..D0 als Zahl mit Vorzeichen (Zweierkomplement)</translation>
-    </message>
-    <message>
         <source>The whole word as a signed number (two&apos;s complement)</source>
         <translation>Das ganze Wort als Zahl mit Vorzeichen (Zweierkomplement)</translation>
-    </message>
-    <message>
-        <source>The number that D24..D0 give when read as Gray code</source>
-        <translation>Die Zahl, die D24..D0 als Gray-Code ergeben</translation>
     </message>
     <message>
         <source>The number that the whole word gives when read as Gray code</source>
@@ -3281,6 +3381,60 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>The whole word, as the manuals write it</source>
         <translation>Das ganze Wort, wie es in den Handbüchern steht</translation>
+    </message>
+    <message>
+        <source>%1 as a number</source>
+        <comment>D24..D0</comment>
+        <translation>%1 als Zahl</translation>
+    </message>
+    <message>
+        <source>%1 as a signed number (two&apos;s complement)</source>
+        <comment>D24..D0</comment>
+        <translation>%1 als Zahl mit Vorzeichen (Zweierkomplement)</translation>
+    </message>
+    <message>
+        <source>The number that %1 give when read as Gray code</source>
+        <comment>D24..D0</comment>
+        <translation>Die Zahl, die %1 als Gray-Code gelesen ergeben</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::OrderingKeyReader</name>
+    <message>
+        <source>A code consists of the letters A to Z and digits.</source>
+        <translation>Ein Code besteht aus den Buchstaben A bis Z und Ziffern.</translation>
+    </message>
+    <message>
+        <source>This code stands here twice.</source>
+        <translation>Dieser Code steht hier zweimal.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; and &quot;%2&quot; cannot be told apart: one begins with the other.</source>
+        <translation>„%1“ und „%2“ sind nicht zu unterscheiden: Eines beginnt mit dem anderen.</translation>
+    </message>
+    <message>
+        <source>A part has either codes or any.</source>
+        <translation>Ein Teil hat entweder Codes oder any.</translation>
+    </message>
+    <message>
+        <source>At least one code is expected here.</source>
+        <translation>Hier wird mindestens ein Code erwartet.</translation>
+    </message>
+    <message>
+        <source>Another part tells the turns already.</source>
+        <translation>Ein anderer Teil nennt die Umdrehungen schon.</translation>
+    </message>
+    <message>
+        <source>Another part tells the steps per turn already.</source>
+        <translation>Ein anderer Teil nennt die Schritte je Umdrehung schon.</translation>
+    </message>
+    <message>
+        <source>Only the last part may be optional.</source>
+        <translation>Nur der letzte Teil darf fehlen können.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; in the example is not understood by the parts.</source>
+        <translation>„%1“ im Beispiel passt zu keinem der Teile.</translation>
     </message>
 </context>
 <context>
@@ -3607,6 +3761,186 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::RodControls</name>
+    <message>
+        <source>Place of the magnet in mm</source>
+        <translation>Ort des Magneten in mm</translation>
+    </message>
+    <message>
+        <source>Magnet on the rod</source>
+        <translation>Magnet auf dem Stab</translation>
+    </message>
+    <message>
+        <source>Move the magnet by hand: drag, or use the arrow keys and Page Up, Page Down. The head is at the left.</source>
+        <translation>Den Magneten von Hand bewegen: ziehen, oder mit Pfeiltasten und Bild auf, Bild ab. Der Kopf ist links.</translation>
+    </message>
+    <message>
+        <source>Place, mm</source>
+        <translation>Ort, mm</translation>
+    </message>
+    <message>
+        <source>Magnet in range</source>
+        <translation>Magnet im Bereich</translation>
+    </message>
+    <message>
+        <source>Outside the measuring range the encoder keeps its last position and sets the error bit</source>
+        <translation>Außerhalb des Messbereichs behält der Geber seine letzte Position und setzt das Fehlerbit</translation>
+    </message>
+    <message>
+        <source>Place to move the magnet to, in mm</source>
+        <translation>Ort, an den der Magnet geschoben wird, in mm</translation>
+    </message>
+    <message>
+        <source>mm from the head; Enter moves the magnet there</source>
+        <translation>mm vom Kopf aus; Eingabe schiebt den Magneten dorthin</translation>
+    </message>
+    <message>
+        <source>Move the magnet to the place</source>
+        <translation>Den Magneten an den Ort schieben</translation>
+    </message>
+    <message>
+        <source>Move to</source>
+        <translation>Schieben auf</translation>
+    </message>
+    <message>
+        <source>Speed in mm per second</source>
+        <translation>Geschwindigkeit in mm je Sekunde</translation>
+    </message>
+    <message>
+        <source>mm per second; positive is away from the head. The magnet turns round at the ends.</source>
+        <translation>mm je Sekunde; positiv ist vom Kopf weg. An den Enden kehrt der Magnet um.</translation>
+    </message>
+    <message>
+        <source>Stop the magnet</source>
+        <translation>Den Magneten anhalten</translation>
+    </message>
+    <message>
+        <source>Speed, mm/s</source>
+        <translation>Tempo, mm/s</translation>
+    </message>
+    <message>
+        <source>Magnet moved to %1 mm.</source>
+        <translation>Magnet auf %1 mm geschoben.</translation>
+    </message>
+    <message>
+        <source>Magnet stopped.</source>
+        <translation>Magnet angehalten.</translation>
+    </message>
+    <message>
+        <source>Magnet moves at %1 mm/s.</source>
+        <translation>Magnet bewegt sich mit %1 mm/s.</translation>
+    </message>
+    <message>
+        <source>Magnet back in the measuring range.</source>
+        <translation>Magnet wieder im Messbereich.</translation>
+    </message>
+    <message>
+        <source>Magnet outside the measuring range.</source>
+        <translation>Magnet außerhalb des Messbereichs.</translation>
+    </message>
+    <message>
+        <source>Magnet moved by hand to %1 mm.</source>
+        <translation>Magnet von Hand auf %1 mm geschoben.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RodDial</name>
+    <message>
+        <source>Read error &amp;status</source>
+        <translation>Fehler&amp;status lesen</translation>
+    </message>
+    <message>
+        <source>&amp;Tell</source>
+        <translation>A&amp;ngeben</translation>
+    </message>
+    <message>
+        <source>Reads why the error bit is set. That clears it, once the magnet is back.</source>
+        <translation>Liest, warum das Fehlerbit gesetzt ist. Das löscht es, sobald der Magnet zurück ist.</translation>
+    </message>
+    <message>
+        <source>Takes the length as known by telling. Nothing is sent.</source>
+        <translation>Übernimmt die Länge als angegeben. Gesendet wird nichts.</translation>
+    </message>
+    <message>
+        <source>Rod &amp;length, from its label:</source>
+        <translation>Stab&amp;länge, vom Typenschild:</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>The position was set by a preset: where the magnet stands on the rod is not known.</source>
+        <translation>Die Position wurde durch einen Preset gesetzt: Wo der Magnet auf dem Stab steht, ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>Not known: %1.</source>
+        <translation>Unbekannt: %1.</translation>
+    </message>
+    <message>
+        <source>mm unknown: tell the rod length from its label.</source>
+        <translation>mm unbekannt: die Stablänge vom Typenschild angeben.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RodView</name>
+    <message>
+        <source>Rod</source>
+        <translation>Stab</translation>
+    </message>
+    <message>
+        <source>Rod of %1</source>
+        <comment>device number</comment>
+        <translation>Stab von %1</translation>
+    </message>
+    <message>
+        <source>%1 steps</source>
+        <translation>%1 Schritte</translation>
+    </message>
+    <message>
+        <source>mm not known</source>
+        <translation>mm unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm/s</source>
+        <translation>%1 mm/s</translation>
+    </message>
+    <message>
+        <source>%1 steps/s</source>
+        <translation>%1 Schritte/s</translation>
+    </message>
+    <message>
+        <source>%1 to the end</source>
+        <comment>of the rod</comment>
+        <translation>%1 zum Ende</translation>
+    </message>
+    <message>
+        <source>%1 to the head</source>
+        <comment>of the rod</comment>
+        <translation>%1 zum Kopf</translation>
+    </message>
+    <message>
+        <source>No position yet. Start the bus and choose an encoder in the bus structure.</source>
+        <translation>Noch keine Position. Den Bus starten und im Busaufbau einen Geber wählen.</translation>
+    </message>
+    <message>
+        <source>Last position %1</source>
+        <translation>Letzte Position %1</translation>
+    </message>
+    <message>
+        <source>Position %1</source>
+        <translation>Position %1</translation>
+    </message>
+    <message>
+        <source>measuring length %1 steps</source>
+        <translation>Messlänge %1 Schritte</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::ScalePreview</name>
     <message>
         <source>Will read, &amp;after turns from here:</source>
@@ -3824,6 +4158,88 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>Send the words to %1 one after the other, each until it is acknowledged</source>
         <translation>Die Worte nacheinander an %1 senden, jedes bis zur Bestätigung</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ShaftControls</name>
+    <message>
+        <source>Raw position</source>
+        <translation>Rohposition</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Umdrehung</translation>
+    </message>
+    <message>
+        <source>Raw position to turn to</source>
+        <translation>Rohposition, auf die gedreht wird</translation>
+    </message>
+    <message>
+        <source>Raw position, in the encoder&apos;s own steps; Enter turns the shaft to it</source>
+        <translation>Rohposition in Schritten des Gebers; Eingabe dreht die Welle dorthin</translation>
+    </message>
+    <message>
+        <source>Turn to the raw position</source>
+        <translation>Auf die Rohposition drehen</translation>
+    </message>
+    <message>
+        <source>Turn to</source>
+        <translation>Drehen auf</translation>
+    </message>
+    <message>
+        <source>Speed in revolutions per minute</source>
+        <translation>Drehzahl in Umdrehungen je Minute</translation>
+    </message>
+    <message>
+        <source>Revolutions per minute; positive is clockwise, looking at the shaft</source>
+        <translation>Umdrehungen je Minute; positiv ist im Uhrzeigersinn, Blick auf die Welle</translation>
+    </message>
+    <message>
+        <source>Stop the shaft</source>
+        <translation>Die Welle anhalten</translation>
+    </message>
+    <message>
+        <source>Speed, rpm</source>
+        <translation>Drehzahl, U/min</translation>
+    </message>
+    <message>
+        <source>Shaft turned to raw position %1.</source>
+        <translation>Welle auf Rohposition %1 gedreht.</translation>
+    </message>
+    <message>
+        <source>Shaft stopped.</source>
+        <translation>Welle angehalten.</translation>
+    </message>
+    <message>
+        <source>Shaft turns at %1 rpm.</source>
+        <translation>Welle dreht mit %1 U/min.</translation>
+    </message>
+    <message>
+        <source>Shaft turned by hand to raw position %1.</source>
+        <translation>Welle von Hand auf Rohposition %1 gedreht.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ShaftDial</name>
+    <message>
+        <source>Raw word %1. The mode is not known: tell the start-up mode under Parameters.</source>
+        <translation>Rohwort %1. Betriebsart unbekannt: die Anlaufbetriebsart unter Parameter angeben.</translation>
+    </message>
+    <message>
+        <source>Raw word %1, in velocity mode: there is no position.</source>
+        <translation>Rohwort %1, im Drehzahlbetrieb: keine Position.</translation>
+    </message>
+    <message>
+        <source>Raw word %1, in cam mode: there is no position.</source>
+        <translation>Rohwort %1, im Nockenbetrieb: keine Position.</translation>
+    </message>
+    <message>
+        <source>Raw word %1. The coding is not known: write it, or tell it under Parameters.</source>
+        <translation>Rohwort %1. Codierung unbekannt: schreiben oder unter Parameter angeben.</translation>
+    </message>
+    <message>
+        <source>Not known: %1. The disc needs it to turn.</source>
+        <translation>Unbekannt: %1. Ohne das dreht die Scheibe nicht.</translation>
     </message>
 </context>
 <context>
@@ -4126,6 +4542,21 @@ Zustand: %7</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::TablesReader</name>
+    <message>
+        <source>This stands here twice.</source>
+        <translation>Das steht hier zweimal.</translation>
+    </message>
+    <message>
+        <source>At least one row is expected here.</source>
+        <translation>Hier wird mindestens eine Zeile erwartet.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be on and blink.</source>
+        <translation>„%1“ kann nicht zugleich leuchten und blinken.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::TellBar</name>
     <message>
         <source>&amp;Tell</source>
@@ -4274,14 +4705,6 @@ Zustand: %7</translation>
 <context>
     <name>codewheel::TrainingPanel</name>
     <message>
-        <source>Raw position</source>
-        <translation>Rohposition</translation>
-    </message>
-    <message>
-        <source>Turn</source>
-        <translation>Umdrehung</translation>
-    </message>
-    <message>
         <source>EEPROM writes</source>
         <translation>EEPROM-Schreibvorgänge</translation>
     </message>
@@ -4294,44 +4717,8 @@ Zustand: %7</translation>
         <translation>Geber zum Üben</translation>
     </message>
     <message>
-        <source>The simulated encoder that is turned, switched and disturbed here</source>
-        <translation>Der simulierte Geber, der hier gedreht, geschaltet und gestört wird</translation>
-    </message>
-    <message>
         <source>Encoder</source>
         <translation>Geber</translation>
-    </message>
-    <message>
-        <source>Raw position to turn to</source>
-        <translation>Rohposition, auf die gedreht wird</translation>
-    </message>
-    <message>
-        <source>Raw position, in the encoder&apos;s own steps; Enter turns the shaft to it</source>
-        <translation>Rohposition in Schritten des Gebers; Eingabe dreht die Welle dorthin</translation>
-    </message>
-    <message>
-        <source>Turn to the raw position</source>
-        <translation>Auf die Rohposition drehen</translation>
-    </message>
-    <message>
-        <source>Turn to</source>
-        <translation>Drehen auf</translation>
-    </message>
-    <message>
-        <source>Speed in revolutions per minute</source>
-        <translation>Drehzahl in Umdrehungen je Minute</translation>
-    </message>
-    <message>
-        <source>Revolutions per minute; positive is clockwise, looking at the shaft</source>
-        <translation>Umdrehungen je Minute; positiv ist im Uhrzeigersinn, Blick auf die Welle</translation>
-    </message>
-    <message>
-        <source>Stop the shaft</source>
-        <translation>Die Welle anhalten</translation>
-    </message>
-    <message>
-        <source>Speed, rpm</source>
-        <translation>Drehzahl, U/min</translation>
     </message>
     <message>
         <source>Power on</source>
@@ -4398,18 +4785,6 @@ Zustand: %7</translation>
         <translation>Parameter verloren.</translation>
     </message>
     <message>
-        <source>Shaft turned to raw position %1.</source>
-        <translation>Welle auf Rohposition %1 gedreht.</translation>
-    </message>
-    <message>
-        <source>Shaft stopped.</source>
-        <translation>Welle angehalten.</translation>
-    </message>
-    <message>
-        <source>Shaft turns at %1 rpm.</source>
-        <translation>Welle dreht mit %1 U/min.</translation>
-    </message>
-    <message>
         <source>Power on.</source>
         <translation>Eingeschaltet.</translation>
     </message>
@@ -4418,8 +4793,8 @@ Zustand: %7</translation>
         <translation>Ausgeschaltet.</translation>
     </message>
     <message>
-        <source>Shaft turned by hand to raw position %1.</source>
-        <translation>Welle von Hand auf Rohposition %1 gedreht.</translation>
+        <source>The simulated encoder that is moved, switched and disturbed here</source>
+        <translation>Der simulierte Geber, der hier bewegt, geschaltet und gestört wird</translation>
     </message>
 </context>
 <context>
@@ -4439,13 +4814,6 @@ Zustand: %7</translation>
     <message>
         <source>What happens</source>
         <translation>Was geschieht</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::ValueField</name>
-    <message>
-        <source>%1 to %2; decimal, or hexadecimal as 0x.. or ..h. Empty: %3.</source>
-        <translation>%1 bis %2; dezimal, oder hexadezimal als 0x.. oder ..h. Leer: %3.</translation>
     </message>
 </context>
 <context>
@@ -4824,12 +5192,12 @@ Zustand: %7</translation>
         <translation>%1 sofort senden</translation>
     </message>
     <message>
-        <source>Send each change as it is made. Words with a parameter number or a command bit (D31..D25) still ask.</source>
-        <translation>Jede Änderung sofort senden. Bei Worten mit Parameternummer oder Befehlsbit (D31..D25) kommt trotzdem eine Rückfrage.</translation>
-    </message>
-    <message>
         <source>Not sent yet</source>
         <translation>Noch nicht gesendet</translation>
+    </message>
+    <message>
+        <source>Send each change as it is made. Words with a parameter number or a command bit still ask.</source>
+        <translation>Jede Änderung sofort senden. Bei Worten mit Parameternummer oder Befehlsbit wird trotzdem gefragt.</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "simulator/training_controls.h"
+#include "widgets/look/icons.h"
 
 #include <QScrollArea>
 
@@ -17,7 +18,6 @@ class QVBoxLayout;
 
 namespace codewheel {
 
-enum class Icon : std::uint8_t;
 class RodControls;
 class ShaftControls;
 
