@@ -40,6 +40,7 @@ public:
         double millimetresPerSecond = 0; // positive: away from the head
         bool magnetInRange = true;
         bool powered = true;
+        bool slow = false;    // answers slowly
         int eepromWrites = 0; // since the ring began
     };
 

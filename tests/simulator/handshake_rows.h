@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulator/simulated_k3.h"
+#include "simulator/simulated_device.h"
 
 #include <cstdio>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ inline std::string hex8(Word word)
 }
 
 // Plays the rows cycle by cycle and expects every IN.
-inline void play(SimulatedK3 &encoder, std::initializer_list<HandshakeRow> rows)
+inline void play(SimulatedDevice &encoder, std::initializer_list<HandshakeRow> rows)
 {
     int number = 0;
     for (const HandshakeRow &row : rows) {
@@ -40,7 +40,7 @@ inline void play(SimulatedK3 &encoder, std::initializer_list<HandshakeRow> rows)
 
 // Holds each word for as many cycles as any answer of an encoder with usual timing takes. Answers the IN that
 // stands then.
-inline Word send(SimulatedK3 &encoder, std::initializer_list<Word> words)
+inline Word send(SimulatedDevice &encoder, std::initializer_list<Word> words)
 {
     Word in = 0;
     for (const Word out : words) {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/rod_magnet.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace codewheel {
+namespace {
+
+constexpr double nanometresPerMillimetre = 1'000'000;
+constexpr double nanometresPerCycle = 1'000; // of 1 mm/s
+constexpr double shortest = 20;              // mm: twice as long as the fastest magnet travels in a cycle
+
+} // namespace
+
+RodMagnet::RodMagnet(double lengthMillimetres)
+    : m_length(std::llround(std::max(lengthMillimetres, shortest) * nanometresPerMillimetre))
+{}
+
+double RodMagnet::millimetres() const
+{
+    return static_cast<double>(m_position) / nanometresPerMillimetre;
+}
+
+double RodMagnet::lengthInMillimetres() const
+{
+    return static_cast<double>(m_length) / nanometresPerMillimetre;
+}
+
+double RodMagnet::speed() const
+{
+    return static_cast<double>(m_perCycle) / nanometresPerCycle;
+}
+
+void RodMagnet::moveTo(double millimetres)
+{
+    if (!std::isnan(millimetres))
+        m_position =
+            std::llround(std::clamp(millimetres, 0.0, lengthInMillimetres()) * nanometresPerMillimetre);
+}
+
+void RodMagnet::setSpeed(double millimetresPerSec)
+{
+    if (!std::isnan(millimetresPerSec))
+        m_perCycle = std::llround(std::clamp(millimetresPerSec, -fastest, fastest) * nanometresPerCycle);
+}
+
+} // namespace codewheel
