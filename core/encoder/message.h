@@ -27,6 +27,7 @@ enum class MessageId : std::uint8_t {
     wordsSent,         // number of words
     broughtBack,       // the encoder is in operation again
     leftInParameterization,
+    leftInService,    // LA-66: IN still holds the answer to a service
     onlyZeroSinceRun, // success that an encoder without power would show as well
     deviceFault,      // error number, Word IN; Message::refusal names it where the device is known
     deviceFaultGone,  //

@@ -38,6 +38,9 @@ constexpr std::array rows{
     Row{MessageId::leftInParameterization, "leftInParameterization",
         QT_TRANSLATE_NOOP("Message", "The encoder was left in parameterization. Send run to bring it back to "
                                      "operation.")},
+    Row{MessageId::leftInService, "leftInService",
+        QT_TRANSLATE_NOOP("Message", "The encoder was left in service mode: it shows no position. Set OUT to "
+                                     "0 to bring it back to normal mode.")},
     Row{MessageId::onlyZeroSinceRun, "onlyZeroSinceRun",
         QT_TRANSLATE_NOOP("Message",
                           "IN has been 00000000 since run: position 0, or an encoder without power. "

@@ -141,6 +141,8 @@ std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const Dev
                             .id = std::holds_alternative<ResetToDefault>(job)
                                       ? MessageId::resetWaitsForRun
                                       : MessageId::leftInParameterization});
+    if (outcome.leftIn == EncoderState::service)
+        messages.push_back({.severity = Severity::attention, .id = MessageId::leftInService});
     return messages;
 }
 

@@ -5,6 +5,8 @@ namespace codewheel {
 
 std::optional<Message> FaultWatch::look(std::size_t device, const Reading &reading)
 {
+    if (reading.state == EncoderState::service) // says nothing of the fault
+        return std::nullopt;
     std::optional<unsigned> fault;
     if (reading.state == EncoderState::error)
         fault = reading.errorNumber.value_or(0);

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+
+namespace codewheel {
+
+// What makes millimetres of the position of a rod: its measuring length in steps and on its label (LA-66
+// manual 3.2: steps = length [mm] / resolution [mm]).
+struct RodScale
+{
+    std::int64_t steps = 1;       // 1..FFFFFFh
+    std::int64_t micrometres = 0; // of the same length
+
+    double millimetres(std::int64_t position) const;
+    // "123.45 mm", by locale; as many decimals as tell one step from the next, 3 at most.
+    QString text(std::int64_t position) const;
+
+    friend constexpr bool operator==(const RodScale &, const RodScale &) = default;
+};
+
+// Nothing where the measuring length or the length of the rod is not known.
+std::optional<RodScale> rodScale(std::optional<std::int64_t> measuringLength,
+                                 std::optional<std::int64_t> rodLength);
+std::optional<RodScale> rodScale(const EncoderSession &encoder);
+
+} // namespace codewheel
