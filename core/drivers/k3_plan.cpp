@@ -2,29 +2,16 @@
 #include "drivers/k3_plan.h"
 
 #include "drivers/k3_cam_plan.h"
-
-#include <QStringList>
+#include "drivers/parameter_check.h"
 
 #include <algorithm>
-#include <set>
 
 namespace codewheel {
-namespace {
-
-QString allowedTexts(const ParameterDescription &parameter)
-{
-    QStringList keys;
-    for (const Choice &choice : parameter.choices)
-        keys.append(choice.key);
-    return keys.join(QStringLiteral(", "));
-}
-
-} // namespace
 
 Result<void> K3Plan::check(const Job &job) const
 {
     if (const auto *read = std::get_if<ReadParameters>(&job))
-        return checkRead(*read);
+        return checkToRead(m_device, read->parameters);
     if (const auto *write = std::get_if<WriteParameters>(&job))
         return checkWrite(*write);
     if (const auto *preset = std::get_if<SetPreset>(&job))
@@ -37,7 +24,7 @@ Result<void> K3Plan::check(const Job &job) const
         return refuse(RefusalKind::badInput, RefusalId::nothingToDo);
     if (const auto *end = std::get_if<EndParameterization>(&job))
         for (const ParameterValue &value : end->restore)
-            if (auto checked = checkValue(value); !checked)
+            if (auto checked = checkValue(m_device, value); !checked)
                 return checked;
     if (const auto *cams = std::get_if<ReadCams>(&job))
         return K3CamPlan(m_device, m_knowledge).check(*cams);
@@ -46,54 +33,12 @@ Result<void> K3Plan::check(const Job &job) const
     return {};
 }
 
-Result<void> K3Plan::checkRead(const ReadParameters &job) const
-{
-    if (!m_device.capabilities.reads)
-        return refuse(RefusalKind::notSupported, RefusalId::readingNotSupported, {m_device.fullName()});
-    if (job.parameters.empty())
-        return refuse(RefusalKind::badInput, RefusalId::nothingToDo);
-    for (const Parameter parameter : job.parameters) {
-        const ParameterDescription *description = m_device.find(parameter);
-        if (description == nullptr || !description->readOut)
-            return refuse(RefusalKind::badInput, RefusalId::parameterNotSupported,
-                          {parameter, m_device.fullName()});
-    }
-    return {};
-}
-
 Result<void> K3Plan::checkWrite(const WriteParameters &job) const
 {
-    if (!m_device.capabilities.writes)
-        return refuse(RefusalKind::notSupported, RefusalId::writingNotSupported, {m_device.fullName()});
+    if (auto checked = checkToWrite(m_device, job.values); !checked)
+        return checked;
     if (job.values.empty() && !job.initialisePreset)
         return refuse(RefusalKind::badInput, RefusalId::nothingToDo);
-    std::set<Parameter> seen;
-    for (const ParameterValue &value : job.values) {
-        if (auto checked = checkValue(value); !checked)
-            return checked;
-        if (!seen.insert(value.parameter).second)
-            return refuse(RefusalKind::badInput, RefusalId::parameterGivenTwice, {value.parameter});
-    }
-    return {};
-}
-
-Result<void> K3Plan::checkValue(const ParameterValue &value) const
-{
-    const ParameterDescription *parameter = m_device.find(value.parameter);
-    if (parameter == nullptr)
-        return refuse(RefusalKind::badInput, RefusalId::parameterNotSupported,
-                      {value.parameter, m_device.fullName()});
-    if (!parameter->number)
-        return refuse(RefusalKind::badInput, RefusalId::parameterReadOnly,
-                      {value.parameter, m_device.fullName()});
-    if (!parameter->choices.empty()) {
-        if (std::ranges::find(parameter->choices, value.value, &Choice::value) == parameter->choices.end())
-            return refuse(RefusalKind::badInput, RefusalId::valueNotAllowed,
-                          {value.parameter, QString::number(value.value), allowedTexts(*parameter)});
-    } else if (value.value < parameter->minimum || value.value > parameter->maximum) {
-        return refuse(RefusalKind::badInput, RefusalId::valueOutOfRange,
-                      {value.parameter, value.value, parameter->minimum, parameter->maximum});
-    }
     return {};
 }
 

@@ -33,9 +33,7 @@ public:
     Word parameterWord(Parameter parameter, std::int64_t value) const;
 
 private:
-    Result<void> checkValue(const ParameterValue &value) const;
     Result<void> checkWrite(const WriteParameters &job) const;
-    Result<void> checkRead(const ReadParameters &job) const;
     Result<void> checkPreset(const SetPreset &job) const;
     Result<void> checkSwitch(const SwitchMode &job) const;
     Result<void> checkReset() const;

@@ -2,6 +2,7 @@
 // The functions beside parameters: modes, the FRABA preset, the reset to factory settings.
 #include "drivers/k3_cam_plan.h"
 #include "drivers/k3_plan.h"
+#include "drivers/parameter_check.h"
 #include "words/k3_cam_word.h"
 
 namespace codewheel {
@@ -23,7 +24,7 @@ Result<void> K3Plan::checkPreset(const SetPreset &job) const
     if (job.command == PresetCommand::manufacturer && !can.manufacturerPreset)
         return refuse(RefusalKind::notSupported, RefusalId::manufacturerPresetNotSupported,
                       {m_device.fullName()});
-    return job.value ? checkValue({Parameter::preset, *job.value}) : Result<void>{};
+    return job.value ? checkValue(m_device, {Parameter::preset, *job.value}) : Result<void>{};
 }
 
 Result<void> K3Plan::checkSwitch(const SwitchMode &job) const

@@ -3,6 +3,7 @@
 
 #include "catalog/position_format.h"
 #include "drivers/k3_driver.h"
+#include "drivers/la66_driver.h"
 #include "drivers/position_driver.h"
 
 namespace codewheel {
@@ -11,6 +12,8 @@ std::unique_ptr<CyclicDriver> makeDriver(const DeviceDescription &device)
 {
     if (device.profile == Profile::k3)
         return std::make_unique<K3Driver>(device);
+    if (device.profile == Profile::la66)
+        return std::make_unique<La66Driver>(device);
     if (onlyTellsPosition(device.profile))
         return std::make_unique<PositionDriver>(device);
     return nullptr;

@@ -2,20 +2,34 @@
 #include "drivers/planned_words.h"
 
 #include "drivers/k3_plan.h"
+#include "drivers/la66_plan.h"
 
 namespace codewheel {
+namespace {
+
+template <typename Plan, typename MakeSteps>
+Result<std::vector<Step>> stepsOf(const Plan &plan, const Job &job, MakeSteps make)
+{
+    if (const auto checked = plan.check(job); !checked)
+        return tl::unexpected(checked.error());
+    const auto steps = make();
+    return std::vector<Step>(steps.begin(), steps.end());
+}
+
+} // namespace
 
 Result<std::vector<Step>> plannedSteps(const DeviceDescription &device, const std::vector<Known> &known,
                                        const Job &job, const std::vector<KnownCams> &cams)
 {
+    if (device.profile == Profile::la66) {
+        const La66Plan plan(device, {});
+        return stepsOf(plan, job, [&] { return plan.stepsFor(job, la66::normalMode); });
+    }
     K3Knowledge knowledge(device);
     knowledge.set(known);
     knowledge.setCams(cams);
     const K3Plan plan(device, knowledge);
-    if (const auto checked = plan.check(job); !checked)
-        return tl::unexpected(checked.error());
-    const K3Steps steps = plan.stepsFor(job);
-    return std::vector<Step>(steps.begin(), steps.end());
+    return stepsOf(plan, job, [&] { return plan.stepsFor(job); });
 }
 
 } // namespace codewheel

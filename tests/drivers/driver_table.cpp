@@ -18,19 +18,23 @@ const DeviceDescription &describe(QStringView key)
 } // namespace
 
 DriverTable::DriverTable(QStringView device, K3Timing timing)
-    : m_driver(describe(device), timing)
+    : m_driver(std::make_unique<K3Driver>(describe(device), timing))
+{}
+
+DriverTable::DriverTable(La66Timing timing)
+    : m_driver(std::make_unique<La66Driver>(describe(u"tr-la66"), timing))
 {}
 
 void DriverTable::tell(Parameter parameter, std::int64_t value)
 {
     m_told.push_back({parameter, value, Evidence::told, m_now});
-    m_driver.setKnown(m_told);
+    m_driver->setKnown(m_told);
 }
 
 Result<void> DriverTable::begin(const Job &job, Pace pace)
 {
     m_outcome.reset();
-    return m_driver.begin(1, job, pace, m_in, m_out, m_now);
+    return m_driver->begin(1, job, pace, m_in, m_out, m_now);
 }
 
 void DriverTable::play(const std::vector<Row> &rows)
@@ -42,7 +46,7 @@ void DriverTable::play(const std::vector<Row> &rows)
                                   << " and should be " << hexWord(row.out).toStdString();
         m_in = row.in;
         m_now += std::chrono::milliseconds(1);
-        m_out = m_driver.cycle(row.in, m_out, m_now);
+        m_out = m_driver->cycle(row.in, m_out, m_now);
     }
     collect();
 }
@@ -54,7 +58,7 @@ void DriverTable::repeat(int cycles, Row row)
 
 void DriverTable::collect()
 {
-    for (const Event &event : m_driver.takeEvents()) {
+    for (const Event &event : m_driver->takeEvents()) {
         if (const auto *outcome = std::get_if<Outcome>(&event))
             m_outcome = *outcome;
         if (const auto *progress = std::get_if<Progress>(&event))

@@ -3,8 +3,10 @@
 
 #include "catalog/catalog.h"
 #include "drivers/k3_driver.h"
+#include "drivers/la66_driver.h"
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -23,8 +25,9 @@ class DriverTable
 {
 public:
     explicit DriverTable(QStringView device, K3Timing timing = {.settle = Instant{0}});
+    explicit DriverTable(La66Timing timing); // a TR LA-66
 
-    K3Driver &driver() { return m_driver; }
+    CyclicDriver &driver() { return *m_driver; }
     void tell(Parameter parameter, std::int64_t value);
     // The job begins on the words of the last row; on 00000000 / 00000000 before the first.
     Result<void> begin(const Job &job, Pace pace = Pace::byItself);
@@ -43,7 +46,7 @@ private:
     void collect();
     const Known *find(Parameter parameter);
 
-    K3Driver m_driver;
+    std::unique_ptr<CyclicDriver> m_driver;
     std::vector<Known> m_told;
     Word m_out = 0;
     Word m_in = 0;

@@ -2,6 +2,7 @@
 #include "catalog/catalog.h"
 #include "drivers/planned_words.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -61,6 +62,24 @@ TEST_F(PlannedWords, OfAnEncoderWithoutReadOutEndWithThePreset)
                                 .previous = {},
                                 .initialisePreset = true}),
         ElementsAre(0x0400'0001, 0x1E00'0005, 0x8000'0000, 0x0000'0000, 0x4000'0000, 0x0000'0000));
+}
+
+// LA-66 manual 4
+TEST_F(PlannedWords, OfARodAreThreeForEachService)
+{
+    const WriteParameters length{.values = {{Parameter::measuringLength, 50'000}}, .previous = {}};
+    EXPECT_THAT(wordsOf(u"tr-la66", {}, length),
+                ElementsAre(0x4200'C350, 0xC200'C350, 0x4200'C350, 0x0200'0000, 0x8200'0000, 0x0200'0000,
+                            0x0000'0000));
+    EXPECT_THAT(wordsOf(u"tr-la66", {}, SetPreset{.value = 1'000}),
+                ElementsAre(0x4600'03E8, 0xC600'03E8, 0x4600'03E8, 0x0000'0000));
+    EXPECT_THAT(wordsOf(u"tr-la66", {}, SendWords{{0xC100'0001, 0x0000'0000}}),
+                ElementsAre(0x4100'0001, 0xC100'0001, 0x4100'0001, 0x0000'0000));
+    const auto steps = plannedSteps(*catalog.find(u"tr-la66"), {}, length);
+    const auto writing = std::ranges::find_if(*steps, writesValue);
+    ASSERT_NE(writing, steps->end());
+    EXPECT_EQ(writing->out, 0xC200'C350u);
+    EXPECT_EQ(std::ranges::count_if(*steps, writesValue), 1);
 }
 
 TEST_F(PlannedWords, AreRefusedWhereTheInputIsBad)

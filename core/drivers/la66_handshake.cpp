@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivers/la66_handshake.h"
+
+namespace codewheel {
+namespace {
+
+using State = La66Handshake::State;
+
+// A write comes back as it went out. Other data are the answer to a service from before.
+State answerToService(Word in, Word out)
+{
+    if (!la66::answers(in, out))
+        return State::waiting;
+    if (la66::hasError(in))
+        return State::refused;
+    const bool isOurs = !la66::isWrite(out) || la66::data(in) == la66::data(out);
+    return isOurs ? State::done : State::waiting;
+}
+
+// Without a service bit in OUT, the encoder must be in normal mode too.
+bool isThrough(Word in, Word out)
+{
+    return la66::isServiceMode(out) || !la66::isServiceMode(in);
+}
+
+} // namespace
+
+void La66Handshake::begin(const La66Step &step, Instant now)
+{
+    m_step = step;
+    m_cycles = 0;
+    m_begin = now;
+}
+
+State La66Handshake::cycle(Word in, Word out, Instant now)
+{
+    if (out != m_step.out)
+        return State::waiting; // another word went out in this cycle
+    const State state = answerTo(in);
+    return state == State::waiting && now - m_begin >= m_timing.timeOut ? State::noAnswer : state;
+}
+
+State La66Handshake::answerTo(Word in)
+{
+    switch (m_step.kind) {
+    case StepKind::serviceBit:
+        return answerToService(in, m_step.out);
+    case StepKind::service: // an answer that still stands must go before the next service is asked for
+        m_cycles = la66::isServiceMode(in) ? 0 : m_cycles + 1;
+        return m_cycles >= m_timing.dataCycles ? State::done : State::waiting;
+    case StepKind::word:
+        return ++m_cycles >= m_step.holdCycles && isThrough(in, m_step.out) ? State::done : State::waiting;
+    default:
+        return isThrough(in, m_step.out) ? State::done : State::waiting;
+    }
+}
+
+} // namespace codewheel

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "drivers/la66_step.h"
+
+namespace codewheel {
+
+// One word and what ends it: a step of the handshake on the service bit (LA-66 manual 4). It is told what
+// came in while its word stood in OUT, and says whether to go on waiting.
+class La66Handshake
+{
+public:
+    enum class State : std::uint8_t { waiting, done, refused, noAnswer };
+
+    explicit La66Handshake(La66Timing timing)
+        : m_timing(timing)
+    {}
+
+    void begin(const La66Step &step, Instant now);
+    State cycle(Word in, Word out, Instant now);
+
+private:
+    State answerTo(Word in);
+
+    La66Timing m_timing;
+    La66Step m_step;
+    int m_cycles = 0; // in which the word has stood in OUT, beside the IN it waits for
+    Instant m_begin{};
+};
+
+} // namespace codewheel

@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/drivers/driver_table.h"
+
+#include <gtest/gtest.h>
+
+// LA-66 manual 4: service and data for two cycles, the service bit until it is acknowledged, the service bit
+// back with the rest standing, 0 when the encoder is in normal mode again.
+namespace codewheel {
+namespace {
+
+constexpr Word pos = 0x0000'3039;
+
+DriverTable rod(La66Timing timing = {})
+{
+    return DriverTable(timing);
+}
+
+WriteParameters write(ParameterValues values, bool onlyWhatDiffers = false)
+{
+    return WriteParameters{.values = std::move(values), .onlyWhatDiffers = onlyWhatDiffers, .previous = {}};
+}
+
+TEST(La66Driver, AWriteIsAServiceAndIsReadBack)
+{
+    DriverTable table = rod();
+    ASSERT_TRUE(table.begin(write({{Parameter::measuringLength, 50'000}})));
+    table.play({
+        {0x0000'0000, pos},
+        {0x4200'C350, pos},         // service and data, D31 = 0
+        {0x4200'C350, pos},         // for two cycles
+        {0xC200'C350, pos},         // service bit
+        {0xC200'C350, pos},         // the encoder processes
+        {0xC200'C350, 0xC200'C350}, // done and acknowledged
+        {0x4200'C350, 0xC200'C350}, // service bit back, the rest stands
+        {0x4200'C350, pos},         // the encoder is in normal mode
+        {0x0200'0000, pos},         // read it back
+        {0x0200'0000, pos},
+        {0x8200'0000, pos},
+        {0x8200'0000, 0x8200'C350},
+        {0x0200'0000, 0x8200'C350},
+        {0x0200'0000, pos},
+        {0x0000'0000, pos},
+        {0x0000'0000, pos},
+    });
+    ASSERT_TRUE(table.outcome());
+    EXPECT_TRUE(table.outcome()->result);
+    EXPECT_EQ(table.outcome()->written, (ParameterValues{{Parameter::measuringLength, 50'000}}));
+    EXPECT_EQ(table.outcome()->eepromWrites, 1);
+    EXPECT_EQ(table.outcome()->leftIn, EncoderState::operation);
+    EXPECT_EQ(table.evidence(Parameter::measuringLength), Evidence::read);
+}
+
+struct ServiceRow
+{
+    const char *name;
+    Job job;
+    Word asked;  // with the service bit
+    Word answer; // in IN
+};
+
+class La66Service : public testing::TestWithParam<ServiceRow>
+{};
+
+// LA-66 manual 3: C1/81, C2/82, C4/84, C6, 88
+TEST_P(La66Service, GoesOutAsTheManualSays)
+{
+    const auto &[name, job, asked, answer] = GetParam();
+    DriverTable table = rod();
+    ASSERT_TRUE(table.begin(job));
+    table.play({{0, pos}, {asked & 0x7FFF'FFFF, pos}, {asked & 0x7FFF'FFFF, pos}, {asked, pos}});
+    table.play({{asked, answer}, {asked & 0x7FFF'FFFF, pos}});
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfTheManual, La66Service,
+    testing::Values(
+        ServiceRow{"writeDirection", write({{Parameter::direction, 1}}), 0xC100'0001, 0xC100'0001},
+        ServiceRow{"writeLength", write({{Parameter::measuringLength, 5'000}}), 0xC200'1388, 0xC200'1388},
+        ServiceRow{"writePreset", write({{Parameter::externalPreset, 0xFF'FFFF}}), 0xC4FF'FFFF, 0xC4FF'FFFF},
+        ServiceRow{"adjustPreset", SetPreset{.value = 1'000}, 0xC600'03E8, 0xC600'03E8},
+        ServiceRow{"readDirection", ReadParameters{{Parameter::direction}}, 0x8100'0000, 0x8100'0001},
+        ServiceRow{"readLength", ReadParameters{{Parameter::measuringLength}}, 0x8200'0000, 0x8200'1388},
+        ServiceRow{"readPreset", ReadParameters{{Parameter::externalPreset}}, 0x8400'0000, 0x84FF'FFFF},
+        ServiceRow{"readErrorStatus", ReadParameters{{Parameter::errorStatus}}, 0x8800'0000, 0x8800'0020}),
+    [](const auto &row) { return row.param.name; });
+
+TEST(La66Driver, SeveralValuesAreReadOneAfterTheOther)
+{
+    DriverTable table = rod();
+    ASSERT_TRUE(table.begin(ReadParameters{{Parameter::direction, Parameter::errorStatus}}));
+    table.play({
+        {0x0000'0000, pos},
+        {0x0100'0000, pos},
+        {0x0100'0000, pos},
+        {0x8100'0000, 0x8100'0001},
+        {0x0100'0000, pos},
+        {0x0800'0000, pos},
+        {0x0800'0000, pos},
+        {0x8800'0000, 0x8800'0020},
+        {0x0800'0000, pos},
+        {0x0000'0000, pos},
+        {0x0000'0000, pos},
+    });
+    ASSERT_TRUE(table.outcome());
+    EXPECT_EQ(table.outcome()->read,
+              (ParameterValues{{Parameter::direction, 1}, {Parameter::errorStatus, 32}}));
+    EXPECT_EQ(table.outcome()->eepromWrites, 0);
+}
+
+TEST(La66Driver, SettingThePositionIsOneServiceThatNothingReadsBack)
+{
+    DriverTable table = rod();
+    ASSERT_TRUE(table.begin(SetPreset{.value = 1'000}));
+    table.play({
+        {0x0000'0000, pos},
+        {0x4600'03E8, pos},
+        {0x4600'03E8, pos},
+        {0xC600'03E8, 0xC600'03E8},
+        {0x4600'03E8, 0x0000'03E8},
+        {0x0000'0000, 0x0000'03E8},
+        {0x0000'0000, 0x0000'03E8},
+    });
+    ASSERT_TRUE(table.outcome());
+    EXPECT_TRUE(table.outcome()->result);
+    EXPECT_EQ(table.outcome()->positionBefore, 12'345);
+    EXPECT_EQ(table.outcome()->positionAfter, 1'000);
+    EXPECT_EQ(table.outcome()->eepromWrites, 1);
+}
+
+TEST(La66Driver, WhatIsAlreadyThereIsNotWrittenAgain)
+{
+    DriverTable table = rod();
+    ASSERT_TRUE(table.begin(write({{Parameter::measuringLength, 50'000}, {Parameter::direction, 1}}, true)));
+    table.play({
+        {0x0000'0000, pos}, {0x0200'0000, pos},         {0x0200'0000, pos}, {0x8200'0000, 0x8200'C350},
+        {0x0200'0000, pos}, {0x0100'0000, pos},         {0x0100'0000, pos}, {0x8100'0000, 0x8100'0000},
+        {0x0100'0000, pos}, {0x4100'0001, pos}, // only what differs
+        {0x4100'0001, pos}, {0xC100'0001, 0xC100'0001}, {0x4100'0001, pos}, {0x0100'0000, pos},
+        {0x0100'0000, pos}, {0x8100'0000, 0x8100'0001}, {0x0100'0000, pos}, {0x0000'0000, pos},
+        {0x0000'0000, pos},
+    });
+    ASSERT_TRUE(table.outcome());
+    EXPECT_TRUE(table.outcome()->result);
+    EXPECT_EQ(table.outcome()->alreadyThere, (ParameterValues{{Parameter::measuringLength, 50'000}}));
+    EXPECT_EQ(table.outcome()->written, (ParameterValues{{Parameter::direction, 1}}));
+    EXPECT_EQ(table.outcome()->eepromWrites, 1);
+}
+
+TEST(La66Driver, AReadBackThatDiffersIsAFailureAndEndsTheJob)
+{
+    DriverTable table = rod();
+    ASSERT_TRUE(table.begin(write({{Parameter::measuringLength, 50'000}, {Parameter::direction, 1}})));
+    table.play({{0, pos}, {0x4200'C350, pos}, {0x4200'C350, pos}, {0xC200'C350, 0xC200'C350}});
+    table.play({{0x4200'C350, pos},
+                {0x0200'0000, pos},
+                {0x0200'0000, pos},
+                {0x8200'0000, 0x8200'1388},
+                {0x0200'0000, 0x8200'1388},
+                {0x0200'0000, pos},
+                {0x0000'0000, pos},
+                {0x0000'0000, pos}});
+    ASSERT_TRUE(table.outcome());
+    ASSERT_FALSE(table.outcome()->result);
+    EXPECT_EQ(table.outcome()->result.error(),
+              (Refusal{RefusalKind::device,
+                       RefusalId::verificationFailed,
+                       {Parameter::measuringLength, std::int64_t{50'000}, std::int64_t{5'000}}}));
+    EXPECT_TRUE(table.outcome()->written.empty());
+    EXPECT_EQ(table.known(Parameter::measuringLength), 5'000) << "what was read is what is known";
+}
+
+TEST(La66Driver, ARefusedServiceIsNamedAndOutGoesBack)
+{
+    DriverTable table = rod();
+    ASSERT_TRUE(table.begin(write({{Parameter::measuringLength, 50'000}})));
+    table.play({{0, pos},
+                {0x4200'C350, pos},
+                {0x4200'C350, pos},
+                {0xC200'C350, 0xE200'C350},
+                {0x4200'C350, 0xE200'C350},
+                {0x4200'C350, pos},
+                {0x0000'0000, pos},
+                {0x0000'0000, pos}});
+    ASSERT_TRUE(table.outcome());
+    ASSERT_FALSE(table.outcome()->result);
+    EXPECT_EQ(
+        table.outcome()->result.error(),
+        (Refusal{RefusalKind::device, RefusalId::serviceRefused, {std::int64_t{2}, Word{0xE200'C350}}}));
+    EXPECT_EQ(table.outcome()->eepromWrites, 0);
+    EXPECT_EQ(table.known(Parameter::measuringLength), std::nullopt);
+}
+
+TEST(La66Driver, AnEncoderThatDoesNotAnswerIsNamedWithItsWords)
+{
+    DriverTable table = rod({.timeOut = std::chrono::milliseconds(50)});
+    ASSERT_TRUE(table.begin(ReadParameters{{Parameter::direction}}));
+    table.play({{0, pos}, {0x0100'0000, pos}, {0x0100'0000, pos}});
+    table.repeat(50, {0x8100'0000, pos});
+    table.play({{0x0100'0000, pos}, {0x0000'0000, pos}, {0x0000'0000, pos}});
+    ASSERT_TRUE(table.outcome());
+    ASSERT_FALSE(table.outcome()->result);
+    EXPECT_EQ(table.outcome()->result.error(),
+              (Refusal{RefusalKind::device, RefusalId::noAnswer, {0.05, Word{0x8100'0000}, pos}}));
+}
+
+TEST(La66Driver, AnAnswerThatNeverEndsLeavesTheRestOfTheWordStanding)
+{
+    DriverTable table = rod({.timeOut = std::chrono::milliseconds(50)});
+    ASSERT_TRUE(table.begin(ReadParameters{{Parameter::direction}}));
+    table.play({{0, pos}, {0x0100'0000, pos}, {0x0100'0000, pos}, {0x8100'0000, 0x8100'0000}});
+    table.repeat(102, {0x0100'0000, 0x8100'0000});
+    ASSERT_TRUE(table.outcome());
+    EXPECT_EQ(table.outcome()->result.error().id, RefusalId::noAnswer);
+    EXPECT_EQ(table.outcome()->leftIn, EncoderState::service);
+}
+
+// e.g. after an ALARM STOP: OUT was zeroed while the encoder still works on a service
+TEST(La66Driver, TheAnswerToAnEarlierServiceIsWaitedFor)
+{
+    DriverTable table = rod();
+    ASSERT_TRUE(table.begin(write({{Parameter::measuringLength, 5'000}})));
+    table.play({{0, pos},
+                {0x4200'1388, pos},
+                {0x4200'1388, 0xC200'C350}, // late
+                {0x4200'1388, pos},
+                {0x4200'1388, pos},
+                {0xC200'1388, pos}});
+
+    DriverTable second = rod();
+    ASSERT_TRUE(second.begin(write({{Parameter::measuringLength, 5'000}})));
+    second.play({{0, pos}, {0x4200'1388, pos}, {0x4200'1388, pos}, {0xC200'1388, 0xC200'C350}});
+    second.repeat(5, {0xC200'1388, 0xC200'C350}); // not what was written
+}
+
+TEST(La66Driver, AServiceBitThatSomebodyLeftIsTakenBackFirst)
+{
+    DriverTable table = rod();
+    ASSERT_TRUE(table.begin(SendWords{{0xC200'1388}, 3}));
+    table.play({{0, pos}, {0x4200'1388, pos}, {0x4200'1388, pos}, {0xC200'1388, 0xC200'1388}});
+    ASSERT_TRUE(table.outcome());
+    ASSERT_TRUE(table.outcome()->result);
+    EXPECT_EQ(table.outcome()->leftIn, EncoderState::service);
+
+    ASSERT_TRUE(table.begin(EndParameterization{}));
+    table.play({{0xC200'1388, 0xC200'1388},
+                {0x4200'1388, 0xC200'1388},
+                {0x4200'1388, pos},
+                {0x0000'0000, pos},
+                {0x0000'0000, pos}});
+    ASSERT_TRUE(table.outcome());
+    EXPECT_TRUE(table.outcome()->result);
+    EXPECT_EQ(table.outcome()->leftIn, EncoderState::operation);
+}
+
+TEST(La66Driver, WordsOfTheUserGetWhatTheHandshakeNeedsInBetween)
+{
+    DriverTable table = rod();
+    ASSERT_TRUE(table.begin(SendWords{{0xC200'C350, 0x8100'0000, 0x0000'0000}, 3}));
+    table.play({{0x0000'0000, pos},
+                {0x4200'C350, pos}, // put in
+                {0x4200'C350, pos},
+                {0xC200'C350, 0xC200'C350},
+                {0x4200'C350, pos}, // put in
+                {0x0100'0000, pos}, // put in
+                {0x0100'0000, pos},
+                {0x8100'0000, 0x8100'0000},
+                {0x0100'0000, pos}, // put in
+                {0x0000'0000, pos},
+                {0x0000'0000, pos},
+                {0x0000'0000, pos},
+                {0x0000'0000, pos}});
+    ASSERT_TRUE(table.outcome());
+    EXPECT_TRUE(table.outcome()->result);
+    EXPECT_EQ(table.known(Parameter::measuringLength), 50'000);
+    EXPECT_EQ(table.evidence(Parameter::measuringLength), Evidence::echoed);
+    EXPECT_EQ(table.known(Parameter::direction), 0);
+}
+
+TEST(La66Driver, WordsInTheFiveStepsGoOutAsTheyAre)
+{
+    DriverTable table = rod();
+    ASSERT_TRUE(table.begin(SendWords{{0x4200'C350, 0xC200'C350, 0x4200'C350, 0x0000'0000}, 2}));
+    table.play({{0x0000'0000, pos},
+                {0x4200'C350, pos},
+                {0x4200'C350, pos},
+                {0xC200'C350, 0xC200'C350},
+                {0x4200'C350, pos},
+                {0x0000'0000, pos},
+                {0x0000'0000, pos},
+                {0x0000'0000, pos}});
+    ASSERT_TRUE(table.outcome());
+    EXPECT_TRUE(table.outcome()->result);
+}
+
+TEST(La66Driver, ARefusedWordOfTheUserEndsTheSequenceWhereItIs)
+{
+    DriverTable table = rod();
+    ASSERT_TRUE(table.begin(SendWords{{0xC300'0001, 0x0000'0000}, 3}));
+    table.play({{0, pos}, {0x4300'0001, pos}, {0x4300'0001, pos}, {0xC300'0001, 0xE300'0001}});
+    table.repeat(5, {0xC300'0001, 0xE300'0001});
+    ASSERT_TRUE(table.outcome());
+    EXPECT_EQ(table.outcome()->result.error().id, RefusalId::serviceRefused);
+    EXPECT_EQ(table.outcome()->leftIn, EncoderState::service);
+}
+
+struct BadInput
+{
+    const char *name;
+    Job job;
+    RefusalId id;
+};
+
+class La66BadInput : public testing::TestWithParam<BadInput>
+{};
+
+TEST_P(La66BadInput, IsRefusedAndNothingIsSent)
+{
+    DriverTable table = rod();
+    const Result<void> taken = table.begin(GetParam().job);
+    ASSERT_FALSE(taken);
+    EXPECT_EQ(taken.error().id, GetParam().id);
+    table.repeat(10, {0x0000'0000, pos});
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Rod, La66BadInput,
+    testing::Values(
+        BadInput{"noLength", write({{Parameter::measuringLength, 0}}), RefusalId::valueOutOfRange},
+        BadInput{"tooLong", write({{Parameter::measuringLength, 0x100'0000}}), RefusalId::valueOutOfRange},
+        BadInput{"direction", write({{Parameter::direction, 2}}), RefusalId::valueNotAllowed},
+        BadInput{"rodLength", write({{Parameter::rodLength, 500'000}}), RefusalId::parameterReadOnly},
+        BadInput{"errorStatus", write({{Parameter::errorStatus, 0}}), RefusalId::parameterReadOnly},
+        BadInput{"steps", write({{Parameter::steps, 255}}), RefusalId::parameterNotSupported},
+        BadInput{"twice", write({{Parameter::direction, 0}, {Parameter::direction, 1}}),
+                 RefusalId::parameterGivenTwice},
+        BadInput{"nothing", write({}), RefusalId::nothingToDo},
+        BadInput{"noParameters", ReadParameters{}, RefusalId::nothingToDo},
+        BadInput{"readRodLength", ReadParameters{{Parameter::rodLength}}, RefusalId::parameterNotSupported},
+        BadInput{"noWords", SendWords{{}}, RefusalId::nothingToDo},
+        BadInput{"presetWithoutValue", SetPreset{}, RefusalId::presetNeedsValue},
+        BadInput{"presetTooLarge", SetPreset{.value = 0x100'0000}, RefusalId::valueOutOfRange},
+        BadInput{"negativePreset", SetPreset{.value = -1}, RefusalId::valueOutOfRange},
+        BadInput{"frabaPreset", SetPreset{.value = 1, .command = PresetCommand::manufacturer},
+                 RefusalId::manufacturerPresetNotSupported},
+        BadInput{
+            "initialise",
+            WriteParameters{.values = {{Parameter::direction, 0}}, .previous = {}, .initialisePreset = true},
+            RefusalId::presetNeedsValue},
+        BadInput{"mode", SwitchMode{}, RefusalId::jobNotSupported},
+        BadInput{"reset", ResetToDefault{}, RefusalId::jobNotSupported},
+        BadInput{"cams", ReadCams{{1}, {}}, RefusalId::jobNotSupported},
+        BadInput{"writeCams", WriteCams{}, RefusalId::jobNotSupported}),
+    [](const auto &row) { return row.param.name; });
+
+TEST(La66Driver, ByHandItWaitsBeforeEachChangeOfOut)
+{
+    DriverTable table = rod();
+    ASSERT_TRUE(table.begin(ReadParameters{{Parameter::measuringLength}}, Pace::byHand));
+    table.repeat(20, {0x0000'0000, pos});
+    EXPECT_TRUE(table.progress().waitsForUser);
+    table.driver().proceed();
+    table.play({{0x0000'0000, pos}});
+    table.repeat(20, {0x0200'0000, pos});
+    table.driver().proceed();
+    table.play({{0x0200'0000, pos}, {0x8200'0000, pos}});
+    table.repeat(20, {0x8200'0000, 0x8200'C350});
+    table.driver().proceed();
+    table.play({{0x8200'0000, 0x8200'C350}, {0x0200'0000, 0x8200'C350}});
+    table.repeat(20, {0x0200'0000, pos});
+    table.driver().proceed();
+    table.play({{0x0200'0000, pos}, {0x0000'0000, pos}, {0x0000'0000, pos}});
+    ASSERT_TRUE(table.outcome());
+    EXPECT_TRUE(table.outcome()->result);
+    EXPECT_EQ(table.progress().steps.size(), 4u);
+}
+
+} // namespace
+} // namespace codewheel
