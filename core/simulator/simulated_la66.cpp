@@ -180,6 +180,9 @@ Word SimulatedLa66::position() const
 void SimulatedLa66::moveMagnetTo(double millimetres)
 {
     m_magnet.moveTo(millimetres);
+    if (m_phase != Phase::off)
+        look();
+    refresh();
 }
 
 void SimulatedLa66::setMagnetSpeed(double millimetresPerSecond)

@@ -62,8 +62,13 @@ public:
     int countedWrites = 0;
 
 private:
-    const Catalog m_catalog = Catalog::builtIn();
-    La66Driver m_driver{*m_catalog.find(u"tr-la66")};
+    static const DeviceDescription &description()
+    {
+        static const Catalog catalog = Catalog::builtIn();
+        return *catalog.find(u"tr-la66");
+    }
+
+    La66Driver m_driver{description()};
     Word m_in = 0;
     Word m_out = 0;
     Instant m_now{};

@@ -17,11 +17,7 @@ class SimulatedLa66Test : public testing::Test
 protected:
     SimulatedLa66Test() { moveTo(123.45); }
 
-    void moveTo(double millimetres)
-    {
-        m_rod.moveMagnetTo(millimetres);
-        m_rod.cycle(0); // IN is prepared in the cycle before
-    }
+    void moveTo(double millimetres) { m_rod.moveMagnetTo(millimetres); }
     std::string shown() { return hex8(m_rod.cycle(0)); }
     // OUT without the service bit, with it until the answer stands, and back.
     Word answer(Word out)
