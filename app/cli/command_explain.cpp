@@ -84,7 +84,7 @@ Checked<std::optional<PositionCoding>> codingOf(const Call &call, const DeviceDe
     const auto given = call.arguments.value("--coding");
     if (!given)
         return std::optional<PositionCoding>();
-    if (device.dialect == k3::Dialect::fraba)
+    if (device.dialect == k3::Dialect::fraba || device.profile == Profile::la66)
         return badInput(QStringLiteral("oneCodingOnly"),
                         CommandLine::tr("The %1 has one coding only. Leave --coding out."),
                         {device.fullName()});

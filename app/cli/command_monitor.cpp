@@ -50,10 +50,10 @@ Checked<Answer> run(const Call &call)
         return tl::unexpected(interval.error());
 
     const std::vector<Exchange> rows = watch(*call.bus, **encoder, *seconds * 1000, *interval);
-    return Answer{traceText((*encoder)->device(), rows),
+    return Answer{traceText((*encoder)->device(), rows, rodScale(**encoder)),
                   {{QStringLiteral("place"), (*encoder)->number().toString()},
                    {QStringLiteral("device"), (*encoder)->device().key},
-                   {QStringLiteral("samples"), traceJson((*encoder)->device(), rows)}}};
+                   {QStringLiteral("samples"), traceJson((*encoder)->device(), rows, rodScale(**encoder))}}};
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "cli/complaint.h"
 #include "encoder/known.h"
 #include "encoder/reading.h"
+#include "encoder/rod_scale.h"
 #include "words/meaning.h"
 
 #include <QJsonArray>
@@ -16,6 +17,8 @@ namespace codewheel {
 // strings of eight hexadecimal digits, everything that has a name is told by its key.
 QJsonValue wordJson(Word word);
 QJsonValue numberJson(std::optional<std::int64_t> number); // null where there is none
+// null where the position or the scale of the rod is not known
+QJsonValue millimetresJson(std::optional<std::int64_t> position, const std::optional<RodScale> &scale);
 QJsonArray meaningsJson(const Explanation &explanation);
 QJsonObject errorJson(const Complaint &complaint);
 // {"parameter", "value", "choice", "unit"}; choice only where the value has a name.

@@ -14,6 +14,9 @@ QString typedValue(const ParameterDescription &parameter, std::int64_t value)
 
 QString rangeText(const ParameterDescription &parameter)
 {
+    if (parameter.choices.empty() && parameter.unit == Unit::micrometres) // shown as millimetres
+        return QStringLiteral("%1..%2").arg(valueText(parameter, parameter.minimum),
+                                            valueText(parameter, parameter.maximum));
     if (parameter.choices.empty())
         return QStringLiteral("%1..%2").arg(parameter.minimum).arg(parameter.maximum);
     QStringList texts;

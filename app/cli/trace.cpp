@@ -24,30 +24,52 @@ Explanation inMeaning(const DeviceDescription &device, const Exchange &row)
         {.direction = WordDirection::in, .mode = row.mode, .coding = row.coding, .counterpart = row.out});
 }
 
+// The position of a rod that stands in IN.
+std::optional<std::int64_t> rodPosition(const DeviceDescription &device, const Exchange &row)
+{
+    if (device.profile != Profile::la66)
+        return std::nullopt;
+    const Meaning meaning = inMeaning(device, row).first();
+    const bool isPosition = meaning.id == MeaningId::position || meaning.id == MeaningId::positionWithError;
+    return isPosition ? std::optional(meaning.number[0]) : std::nullopt;
+}
+
+QString inText(const DeviceDescription &device, const Exchange &row, const std::optional<RodScale> &scale)
+{
+    const QString text = explanationText(device, inMeaning(device, row));
+    const auto position = rodPosition(device, row);
+    return scale && position ? QStringLiteral("%1 (%2)").arg(text, scale->text(*position)) : text;
+}
+
 } // namespace
 
-QString traceText(const DeviceDescription &device, const std::vector<Exchange> &rows)
+QString traceText(const DeviceDescription &device, const std::vector<Exchange> &rows,
+                  const std::optional<RodScale> &scale)
 {
     TextTable table({TextTable::Align::right});
     table.add({CommandLine::tr("cycle"), QStringLiteral("OUT"), QStringLiteral("IN"),
                CommandLine::tr("OUT means"), CommandLine::tr("IN means")});
     for (const Exchange &row : rows)
         table.add({QString::number(row.cycle), hexWord(row.out), hexWord(row.in),
-                   explanationText(device, outMeaning(device, row)),
-                   explanationText(device, inMeaning(device, row))});
+                   explanationText(device, outMeaning(device, row)), inText(device, row, scale)});
     return table.toString();
 }
 
-QJsonArray traceJson(const DeviceDescription &device, const std::vector<Exchange> &rows)
+QJsonArray traceJson(const DeviceDescription &device, const std::vector<Exchange> &rows,
+                     const std::optional<RodScale> &scale)
 {
     QJsonArray json;
-    for (const Exchange &row : rows)
-        json.append(QJsonObject{{QStringLiteral("cycle"), static_cast<qint64>(row.cycle)},
-                                {QStringLiteral("microseconds"), static_cast<qint64>(row.at.count())},
-                                {QStringLiteral("out"), wordJson(row.out)},
-                                {QStringLiteral("in"), wordJson(row.in)},
-                                {QStringLiteral("outMeanings"), meaningsJson(outMeaning(device, row))},
-                                {QStringLiteral("inMeanings"), meaningsJson(inMeaning(device, row))}});
+    for (const Exchange &row : rows) {
+        QJsonObject object{{QStringLiteral("cycle"), static_cast<qint64>(row.cycle)},
+                           {QStringLiteral("microseconds"), static_cast<qint64>(row.at.count())},
+                           {QStringLiteral("out"), wordJson(row.out)},
+                           {QStringLiteral("in"), wordJson(row.in)},
+                           {QStringLiteral("outMeanings"), meaningsJson(outMeaning(device, row))},
+                           {QStringLiteral("inMeanings"), meaningsJson(inMeaning(device, row))}};
+        if (device.profile == Profile::la66)
+            object.insert(QStringLiteral("millimetres"), millimetresJson(rodPosition(device, row), scale));
+        json.append(object);
+    }
     return json;
 }
 

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/exchange.h"
+#include "encoder/rod_scale.h"
 
 #include <QJsonArray>
 
@@ -10,8 +11,11 @@
 
 namespace codewheel {
 
-// Rows of words as the manuals print them: cycle, OUT, IN, and what both mean.
-QString traceText(const DeviceDescription &device, const std::vector<Exchange> &rows);
-QJsonArray traceJson(const DeviceDescription &device, const std::vector<Exchange> &rows);
+// Rows of words as the manuals print them: cycle, OUT, IN, and what both mean. Positions of a rod are told in
+// millimetres too where its scale is known.
+QString traceText(const DeviceDescription &device, const std::vector<Exchange> &rows,
+                  const std::optional<RodScale> &scale = {});
+QJsonArray traceJson(const DeviceDescription &device, const std::vector<Exchange> &rows,
+                     const std::optional<RodScale> &scale = {});
 
 } // namespace codewheel

@@ -26,9 +26,8 @@ std::vector<Known> allKnown(const EncoderSession &encoder)
 
 Word wordFor(Parameter parameter, const std::vector<Step> &steps)
 {
-    const auto step = std::ranges::find_if(steps, [parameter](const Step &one) {
-        return one.kind == StepKind::parameter && one.parameter == parameter;
-    });
+    const auto step = std::ranges::find_if(
+        steps, [parameter](const Step &one) { return writesValue(one) && one.parameter == parameter; });
     return step->out; // each value has its step
 }
 
@@ -87,7 +86,7 @@ QString WritePlan::toText() const
         table.add({parameterKey(row.parameter->parameter), knownText(row),
                    typedValue(*row.parameter, row.wanted),
                    row.leftOut ? CommandLine::tr("left out: already there") : hexWord(row.word)});
-    if (!isEmpty())
+    if (!isEmpty() && !isRod())
         table.add({CommandLine::tr("run"), {}, {}, hexWord(k3::run)});
     return sentence(CommandLine::tr("To be written to %1, %2:"),
                     {m_encoder.number().toString(), m_encoder.device().fullName()}) +
@@ -101,11 +100,22 @@ QString WritePlan::notes() const
         return CommandLine::tr("The encoder has all of it: there is nothing to write.") + u'\n';
     if (m_readsFirst)
         text += CommandLine::tr("The encoder is read first, and what it already has is left out.") + u'\n';
+    if (isRod())
+        text +=
+            CommandLine::tr("Each word goes out for two bus cycles with its first bit, the service bit, 0; "
+                            "what was written is read back.") +
+            u'\n';
     if (m_stepsMinusOneIsOpen)
         text +=
             CommandLine::tr("If it turns out to count steps minus 1, the word of steps carries one less.") +
             u'\n';
     return text;
+}
+
+// Services need no run.
+bool WritePlan::isRod() const
+{
+    return m_encoder.device().profile == Profile::la66;
 }
 
 QJsonArray WritePlan::toJson() const

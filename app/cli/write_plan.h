@@ -39,6 +39,7 @@ public:
 private:
     WritePlan(const EncoderSession &encoder, bool all);
     QString notes() const;
+    bool isRod() const;
 
     const EncoderSession &m_encoder;
     bool m_readsFirst;          // the job asks the encoder and leaves out what it has
