@@ -34,6 +34,7 @@ WordForm wordForm(MonitorKind kind, const DeviceDescription *device)
     case Profile::k1:
     case Profile::k2:
     case Profile::k4:
+    case Profile::esc:
         break;
     }
     return {};
