@@ -5,6 +5,7 @@
 #include "cli/parameter_arguments.h"
 #include "cli/position_text.h"
 #include "cli/texts.h"
+#include "cli/told_mode.h"
 #include "cli/trace.h"
 #include "encoder/sentence.h"
 
@@ -13,9 +14,14 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"preset 1.0", "preset 1.0 1000", "preset 1.0 3E8h --trace"};
+constexpr const char *examples[] = {"preset 1.0", "preset 1.0 1000", "preset 1.0 3E8h --trace",
+                                    "preset 1.0 1000 --fraba"};
 
 constexpr std::array options{
+    Option{
+        "--fraba", nullptr,
+        QT_TRANSLATE_NOOP("codewheel::CommandLine", "send the FRABA preset, which works as often as wanted")},
+    inPositionModeOption,
     Option{"--trace", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
 };
@@ -23,6 +29,8 @@ constexpr std::array options{
 Checked<SetPreset> jobFrom(const Call &call, const DeviceDescription &device)
 {
     SetPreset job;
+    if (call.arguments.has("--fraba"))
+        job.command = PresetCommand::manufacturer;
     if (call.arguments.rest.size() < 2)
         return job;
     const ParameterDescription *preset = device.find(Parameter::preset);
@@ -46,6 +54,7 @@ Checked<Answer> run(const Call &call)
     if (!preset)
         return tl::unexpected(preset.error());
 
+    tellMode(**encoder, call.arguments);
     const Reading before = (*encoder)->latest();
     const FinishedJob job = runToEnd(*call.bus, **encoder, *preset);
     Answer answer;
@@ -62,15 +71,15 @@ Checked<Answer> run(const Call &call)
         answer.complaint = complaintAbout(job.outcome.result.error());
         return answer;
     }
-    answer.text += sentence(CommandLine::tr("Position before: %1"),
-                            {positionText(job.outcome.positionBefore, before.in)}) +
-                   u'\n' +
-                   sentence(CommandLine::tr("Position after:  %1"),
-                            {positionText(job.outcome.positionAfter, (*encoder)->latest().in)}) +
-                   u'\n' +
-                   sentence(CommandLine::tr("EEPROM writes:   %1"),
-                            argumentTexts({std::int64_t{job.outcome.eepromWrites}})) +
-                   u'\n';
+    answer.text +=
+        sentence(CommandLine::tr("Position before: %1"), {positionText(job.outcome.positionBefore, before)}) +
+        u'\n' +
+        sentence(CommandLine::tr("Position after:  %1"),
+                 {positionText(job.outcome.positionAfter, (*encoder)->latest())}) +
+        u'\n' +
+        sentence(CommandLine::tr("EEPROM writes:   %1"),
+                 argumentTexts({std::int64_t{job.outcome.eepromWrites}})) +
+        u'\n';
     return answer;
 }
 
@@ -78,12 +87,16 @@ Checked<Answer> run(const Call &call)
 
 const Subcommand presetCommand{
     .name = "preset",
-    .usage = "PLACE [VALUE] [--trace]",
+    .usage = "PLACE [VALUE] [--fraba] [--in-position-mode] [--trace]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "set the position of an encoder"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
         "Makes the encoder show its preset value at the place where its shaft stands. With a VALUE, that is\n"
-        "written as the preset first. Sends at once, without asking."),
+        "written as the preset first. Sends at once, without asking.\n"
+        "\n"
+        "A FRABA encoder activates a preset once; it is programmed again where that is needed. The FRABA "
+        "preset\n"
+        "(60000000, for one bus cycle) needs no programming again."),
     .examples = examples,
     .options = options,
     .minimumArguments = 1,

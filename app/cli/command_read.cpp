@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalog/value_text.h"
 #include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/json.h"
@@ -8,6 +7,7 @@
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "cli/trace.h"
+#include "cli/value_lines.h"
 #include "encoder/sentence.h"
 
 #include <array>
@@ -17,38 +17,13 @@ namespace codewheel {
 namespace {
 
 constexpr const char *examples[] = {"read 1.0", "read 1.0 steps revolutions direction preset",
-                                    "read 1.0 serial-number --trace", "read 1.0 --json"};
+                                    "read 1.0 serial-number --trace", "read 1.0 temperature opc-register-3",
+                                    "read 1.0 --json"};
 
 constexpr std::array options{
     Option{"--trace", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
 };
-
-// "= 8192", "= 21.5 °C". Steps and revolutions are their own units.
-QString valueCell(const ParameterDescription &parameter, std::int64_t value)
-{
-    const bool isItsUnit = parameterKey(parameter.parameter) == unitKey(parameter.unit);
-    const QString unit = isItsUnit ? QString() : unitText(parameter.unit);
-    return QStringLiteral("= %1 %2").arg(typedValue(parameter, value), unit).trimmed();
-}
-
-QString valueLines(const DeviceDescription &device, const ParameterValues &values)
-{
-    TextTable table;
-    for (const ParameterValue &value : values) {
-        const ParameterDescription &parameter = *device.find(value.parameter);
-        table.add({parameterKey(value.parameter), valueCell(parameter, value.value)});
-    }
-    return table.toString();
-}
-
-QJsonArray valuesJson(const DeviceDescription &device, const ParameterValues &values)
-{
-    QJsonArray json;
-    for (const ParameterValue &value : values)
-        json.append(valueJson(*device.find(value.parameter), value.value));
-    return json;
-}
 
 // The encoder cannot be read: what is known of it from what was written here.
 Answer whatIsKnown(const EncoderSession &encoder)
@@ -123,8 +98,9 @@ const Subcommand readCommand{
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "read the parameters that an encoder has"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
-        "Reads the parameters named, or all that can be read. While it is read, the encoder shows no\n"
-        "position. An encoder without read-out (devices tells which) is not asked: exit code 1."),
+        "Reads the parameters named, or all that can be read but the registers of the bus chip, which are\n"
+        "read by name: opc-register-0 to opc-register-15. While it is read, the encoder shows no position.\n"
+        "An encoder without read-out (devices tells which) is not asked: exit code 1."),
     .examples = examples,
     .options = options,
     .minimumArguments = 1,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/bus_access.h"
 #include "cli/commands.h"
+#include "cli/consent.h"
 #include "cli/json.h"
 #include "cli/parameter_arguments.h"
 #include "cli/parameter_text.h"
@@ -34,21 +35,6 @@ constexpr std::array options{
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
 };
 
-// Nobody is asked where nobody can answer, or where the answer is for a program.
-Checked<void> consent(const Call &call, const EncoderSession &encoder)
-{
-    if (call.arguments.has("--yes"))
-        return {};
-    if (!call.terminal.isInteractive || call.arguments.has("--json"))
-        return badInput(QStringLiteral("noConsent"),
-                        CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to write, or "
-                                        "--dry-run to look only."));
-    const QString question = sentence(CommandLine::tr("Write this to %1?"), {encoder.number().toString()});
-    if (!call.terminal.confirms(question))
-        return badInput(QStringLiteral("declined"), CommandLine::tr("Nothing was sent."));
-    return {};
-}
-
 // What became of a value, by the best evidence the encoder has.
 QString whatBecameOf(const ParameterValue &value, const EncoderSession &encoder, const Outcome &outcome)
 {
@@ -78,11 +64,11 @@ QString accountText(const EncoderSession &encoder, const ParameterValues &wanted
                             argumentTexts({std::int64_t{outcome.eepromWrites}})) +
                    u'\n';
     if (before.state == EncoderState::operation)
-        text += sentence(CommandLine::tr("Position before: %1"), {positionText(before.position, before.in)}) +
-                u'\n';
+        text +=
+            sentence(CommandLine::tr("Position before: %1"), {positionText(before.position, before)}) + u'\n';
     if (after.state == EncoderState::operation)
-        text += sentence(CommandLine::tr("Position after:  %1"), {positionText(after.position, after.in)}) +
-                u'\n';
+        text +=
+            sentence(CommandLine::tr("Position after:  %1"), {positionText(after.position, after)}) + u'\n';
     return text;
 }
 
@@ -162,7 +148,12 @@ Checked<Answer> run(const Call &call)
                    {QStringLiteral("plan"), plan->toJson()}};
     if (call.arguments.has("--dry-run") || plan->isEmpty())
         return answer;
-    if (const auto agreed = consent(call, **encoder); agreed)
+    const QString question =
+        sentence(CommandLine::tr("Write this to %1?"), {(*encoder)->number().toString()});
+    const auto agreed = consent(call, question,
+                                CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to "
+                                                "write, or --dry-run to look only."));
+    if (agreed)
         carryOut(call, **encoder, *plan, answer);
     else
         answer.complaint = agreed.error();

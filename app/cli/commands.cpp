@@ -7,8 +7,9 @@
 namespace codewheel {
 namespace {
 
-constexpr std::array commands{&devicesCommand, &scanCommand,  &explainCommand, &wordsCommand,
-                              &readCommand,    &writeCommand, &presetCommand,  &monitorCommand};
+constexpr std::array commands{&devicesCommand, &scanCommand,   &explainCommand, &wordsCommand,
+                              &readCommand,    &writeCommand,  &presetCommand,  &velocityCommand,
+                              &resetCommand,   &monitorCommand};
 
 constexpr std::array common{
     Option{"--json", nullptr,

@@ -13,6 +13,8 @@ extern const Subcommand wordsCommand;
 extern const Subcommand readCommand;
 extern const Subcommand writeCommand;
 extern const Subcommand presetCommand;
+extern const Subcommand velocityCommand;
+extern const Subcommand resetCommand;
 extern const Subcommand monitorCommand;
 
 // In the order of the help.

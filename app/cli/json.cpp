@@ -96,6 +96,21 @@ QString evidenceKey(Evidence evidence)
     return QStringLiteral("told");
 }
 
+QJsonValue modeJson(std::optional<Mode> mode)
+{
+    if (!mode)
+        return {};
+    switch (*mode) {
+    case Mode::velocity:
+        return QStringLiteral("velocity");
+    case Mode::cam:
+        return QStringLiteral("cam");
+    case Mode::position:
+        break;
+    }
+    return QStringLiteral("position");
+}
+
 QString stateKey(EncoderState state)
 {
     switch (state) {

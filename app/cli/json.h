@@ -27,5 +27,6 @@ QJsonObject valueJson(const ParameterDescription &parameter, std::int64_t value)
 QString unitKey(Unit unit);
 QString evidenceKey(Evidence evidence);
 QString stateKey(EncoderState state);
+QJsonValue modeJson(std::optional<Mode> mode); // null where it is not known
 
 } // namespace codewheel

@@ -7,11 +7,13 @@
 
 namespace codewheel {
 
-QString positionText(std::optional<std::int64_t> position, Word in)
+QString positionText(std::optional<std::int64_t> position, const Reading &shown)
 {
     if (position)
         return argumentText(*position);
-    return sentence(CommandLine::tr("IN %1, and how it is coded is not known"), {hexWord(in)});
+    if (shown.velocity)
+        return CommandLine::tr("not shown in velocity mode");
+    return sentence(CommandLine::tr("IN %1, and how it is coded is not known"), {hexWord(shown.in)});
 }
 
 } // namespace codewheel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "words/k3_word.h"
+#include "encoder/reading.h"
 
 #include <QString>
 
@@ -10,7 +10,7 @@
 
 namespace codewheel {
 
-// A position in steps; where the coding is not known, the raw word and what is missing.
-QString positionText(std::optional<std::int64_t> position, Word in);
+// A position in steps; where there is none, what the encoder shows instead, and what is missing.
+QString positionText(std::optional<std::int64_t> position, const Reading &shown);
 
 } // namespace codewheel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/value_text.h"
 
+#include "encoder/hex.h"
 #include "encoder/sentence.h"
 
 #include <QCoreApplication>
@@ -63,6 +64,8 @@ double divisorOf(Unit unit)
     return 1;
 }
 
+constexpr int registerDigits = 4; // 16 bit
+
 } // namespace
 
 QString choiceName(const ParameterDescription &parameter, std::int64_t value)
@@ -78,6 +81,8 @@ QString choiceName(const ParameterDescription &parameter, std::int64_t value)
 
 QString valueText(const ParameterDescription &parameter, std::int64_t value)
 {
+    if (isOpcRegister(parameter.parameter))
+        return hexWord(static_cast<Word>(value)).right(registerDigits) + u'h';
     const double divisor = divisorOf(parameter.unit);
     const int decimals = parameter.unit == Unit::micrometres ? 3 : 1;
     const QString number = divisor > 1

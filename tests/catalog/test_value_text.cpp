@@ -31,6 +31,14 @@ TEST(ValueText, NumbersAreWrittenByLocale)
     EXPECT_EQ(unitText(Unit::none), QString());
 }
 
+TEST(ValueText, ARegisterIsHexadecimalInAnyLocale)
+{
+    const Catalog catalog = Catalog::builtIn();
+    const ParameterDescription &first = *catalog.find(u"fraba-ocd-ib")->find(opcRegister(0));
+    EXPECT_EQ(valueText(first, 0x0237), QStringLiteral("0237h"));
+    EXPECT_EQ(valueText(first, 0xFFFF), QStringLiteral("FFFFh"));
+}
+
 TEST(ValueText, EveryChoiceOfABuiltInDeviceHasAName)
 {
     const Catalog catalog = Catalog::builtIn();

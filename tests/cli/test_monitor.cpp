@@ -38,6 +38,16 @@ TEST(CliMonitor, AShaftThatTurnsIsARowEachTenthOfASecond)
     EXPECT_EQ(rowsOf(run.json(), "samples").back(), "00000000 000F4795");
 }
 
+// FRABA manual 5.4.2
+TEST(CliMonitor, ShowsRevolutionsPerMinuteInVelocityMode)
+{
+    SharedBus shared;
+    shared.controls().setSpeed({1, 0}, -150);
+    shared.runLine(QStringLiteral("velocity 1.0 on"));
+    EXPECT_THAT(shared.runLine(QStringLiteral("monitor 1.0 --for 1")).out,
+                HasSubstr("00000000  01FFFF6A  Normal running  Running, speed -150 rpm\n"));
+}
+
 TEST(CliMonitor, TimeAndIntervalCanBeSet)
 {
     EXPECT_THAT(cyclesOf(runLine(QStringLiteral("monitor 2.0 --for 2 --every 1000 --json"))),

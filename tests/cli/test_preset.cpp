@@ -69,7 +69,42 @@ TEST(CliPreset, IsRefusedInCamMode)
     shared.runLine(QStringLiteral("words 1.0 20800001 00000000"));
     const CliRun run = shared.runLine(QStringLiteral("preset 1.0 --json"));
     EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(errorKey(run), "inCamMode");
+}
+
+// FRABA manual 5.4.1: programmed once, activated as often as wanted; 60000000 stands for one cycle
+TEST(CliPreset, TheFrabaPresetNeedsNoProgrammingAgain)
+{
+    SharedBus shared;
+    EXPECT_EQ(shared.runLine(QStringLiteral("preset 1.0 1000 --fraba")).out, "Position before: 12345\n"
+                                                                             "Position after:  1000\n"
+                                                                             "EEPROM writes:   2\n");
+    const CliRun again = shared.runLine(QStringLiteral("preset 1.0 --fraba --trace --json"));
+    EXPECT_THAT(rowsOf(again.json()),
+                ElementsAre("00000000 000003E8", "60000000 000003E8", "00000000 000003E8"));
+    EXPECT_EQ(again.json()[u"eepromWrites"], 1);
+    EXPECT_EQ(shared.eepromWrites(), 3);
+    EXPECT_EQ(errorKey(shared.runLine(QStringLiteral("preset 2.0 --fraba --json"))),
+              "manufacturerPresetNotSupported");
+}
+
+TEST(CliPreset, InVelocityModeThereIsNoPositionToTell)
+{
+    SharedBus shared;
+    shared.runLine(QStringLiteral("velocity 1.0 on"));
+    EXPECT_THAT(shared.runLine(QStringLiteral("preset 1.0 1000")).out,
+                HasSubstr("Position after:  not shown in velocity mode\n"));
+    EXPECT_EQ(shared.runLine(QStringLiteral("velocity 1.0 off")).out, "Position mode: 1000\n");
+}
+
+TEST(CliPreset, WhereTheModeIsNotKnownTheUserSaysIt)
+{
+    SharedBus shared;
+    shared.bus().close();
+    ASSERT_TRUE(shared.bus().open(BusSession::Start::operating)); // nothing is known after that
+    const CliRun run = shared.runLine(QStringLiteral("preset 1.0 --json"));
     EXPECT_EQ(errorKey(run), "modeNotKnown");
+    EXPECT_EQ(shared.runLine(QStringLiteral("preset 1.0 --in-position-mode")).exit, 0);
 }
 
 } // namespace

@@ -44,6 +44,22 @@ TEST(CliRead, ReadsWhatIsNamedInThatOrder)
     EXPECT_EQ(json[u"device"], QStringLiteral("fraba-ocd-ib"));
 }
 
+// FRABA manual 10.2: 2021000C and 2021003D
+TEST(CliRead, TemperatureHasItsUnitAndARegisterIsHexadecimal)
+{
+    EXPECT_EQ(runLine(QStringLiteral("read 1.0 temperature opc-register-0 opc-register-3")).out,
+              "temperature     = 24.5 °C\n"
+              "opc-register-0  = 0237h\n"
+              "opc-register-3  = 0000h\n");
+    const QJsonArray values =
+        runLine(QStringLiteral("read 1.0 temperature opc-register-0 --json")).json()[u"values"].toArray();
+    EXPECT_EQ(values[0][u"value"], 245);
+    EXPECT_EQ(values[0][u"unit"], QStringLiteral("tenth-degree-celsius"));
+    EXPECT_EQ(values[1][u"value"], 0x0237);
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("read 2.0 opc-register-3 --json"))), "readingNotSupported");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("read 1.0 opc-register-16 --json"))), "unknownParameter");
+}
+
 TEST(CliRead, ATraceShowsTheReadOut)
 {
     const CliRun run = runLine(QStringLiteral("read 1.0 serial-number --trace --json"));

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bus_access.h"
+#include "cli/commands.h"
+#include "cli/consent.h"
+#include "cli/json.h"
+#include "cli/position_text.h"
+#include "cli/texts.h"
+#include "cli/trace.h"
+#include "cli/value_lines.h"
+#include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *examples[] = {"reset 1.0", "reset 2.0 --yes --trace"};
+
+constexpr std::array options{
+    Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "reset without asking")},
+    Option{"--trace", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
+};
+
+// What is lost, and what it costs.
+QString warningText(const EncoderSession &encoder)
+{
+    QStringList lost;
+    for (const ParameterDescription &parameter : encoder.device().parameters)
+        if (parameter.number)
+            lost << parameterKey(parameter.parameter);
+    QString text =
+        sentence(CommandLine::tr("%1, %2, will be reset to factory settings (0E000000, then run)."),
+                 {encoder.number().toString(), encoder.device().fullName()}) +
+        u'\n' + sentence(CommandLine::tr("Lost are: %1."), {lost.join(QStringLiteral(", "))}) + u'\n';
+    if (encoder.can().cams)
+        text += CommandLine::tr("All cam programs are lost, too, and the encoder is in position mode "
+                                "afterwards.") +
+                u'\n';
+    text += sentence(CommandLine::tr("EEPROM writes:   %1"), {QStringLiteral("1")});
+    const auto mode = encoder.latest().mode;
+    if (encoder.can().cams && mode != Mode::position && mode != Mode::velocity)
+        text += CommandLine::tr(", and 1 more where it is in a cam program that was changed");
+    return text + u'\n';
+}
+
+// Read back where that is possible, else the factory settings, by the confirmation.
+ParameterValues valuesNow(const EncoderSession &encoder)
+{
+    ParameterValues values;
+    for (const ParameterDescription &parameter : encoder.device().parameters)
+        if (const auto known = encoder.known(parameter.parameter); known && parameter.number)
+            values.push_back({parameter.parameter, known->value});
+    return values;
+}
+
+void carryOut(const Call &call, EncoderSession &encoder, Answer &answer)
+{
+    const FinishedJob job = runToEnd(*call.bus, encoder, ResetToDefault{});
+    const DeviceDescription &device = encoder.device();
+    if (call.arguments.has("--trace")) {
+        answer.text += u'\n' + traceText(device, job.rows);
+        answer.json.insert(QStringLiteral("trace"), traceJson(device, job.rows));
+    }
+    answer.json.insert(QStringLiteral("eepromWrites"), job.outcome.eepromWrites);
+    answer.json.insert(QStringLiteral("leftIn"), stateKey(job.outcome.leftIn));
+    if (!job.outcome.result) {
+        answer.complaint = complaintAbout(job.outcome.result.error());
+        if (job.outcome.leftIn == EncoderState::parameterization)
+            answer.complaint->text += u' ' + messageText({.id = MessageId::resetWaitsForRun});
+        return;
+    }
+    const ParameterValues values = valuesNow(encoder);
+    answer.json.insert(QStringLiteral("values"), valuesJson(device, values));
+    answer.json.insert(QStringLiteral("position"), numberJson(encoder.latest().position));
+    answer.json.insert(QStringLiteral("onlyZeroSinceRun"), job.outcome.onlyZeroSinceRun);
+    answer.text +=
+        u'\n' +
+        (device.capabilities.reads ? CommandLine::tr("Read back:")
+                                   : CommandLine::tr("Factory settings, confirmed by the handshake:")) +
+        u'\n' + valueLines(device, values) +
+        sentence(CommandLine::tr("EEPROM writes:   %1"),
+                 argumentTexts({std::int64_t{job.outcome.eepromWrites}})) +
+        u'\n' +
+        sentence(CommandLine::tr("Position after:  %1"),
+                 {positionText(encoder.latest().position, encoder.latest())}) +
+        u'\n';
+    if (job.outcome.onlyZeroSinceRun)
+        answer.text += messageText({.id = MessageId::onlyZeroSinceRun}) + u'\n';
+}
+
+Checked<Answer> run(const Call &call)
+{
+    const auto encoder = encoderAt(*call.bus, call.arguments.rest.front());
+    if (!encoder)
+        return tl::unexpected(encoder.error());
+    const DeviceDescription &device = (*encoder)->device();
+    if (!(*encoder)->can().resets)
+        return tl::unexpected(
+            complaintAbout({RefusalKind::notSupported, RefusalId::resetNotSupported, {device.fullName()}}));
+    if (!call.arguments.has("--json"))
+        call.terminal.print(warningText(**encoder));
+    Answer answer;
+    answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
+                   {QStringLiteral("device"), device.key}};
+    const auto agreed =
+        consent(call, sentence(CommandLine::tr("Reset %1?"), {(*encoder)->number().toString()}),
+                CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to reset."));
+    if (agreed)
+        carryOut(call, **encoder, answer);
+    else
+        answer.complaint = agreed.error();
+    return answer;
+}
+
+} // namespace
+
+const Subcommand resetCommand{
+    .name = "reset",
+    .usage = "PLACE [--yes] [--trace]",
+    .summary =
+        QT_TRANSLATE_NOOP("codewheel::CommandLine", "reset an encoder to factory settings, after asking"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Tells what is lost and what it costs; asks; resets the encoder; and tells what it has then, read "
+        "back\n"
+        "where that is possible. Where nobody can be asked, --yes is needed: without it nothing is sent, "
+        "exit\n"
+        "code 2."),
+    .examples = examples,
+    .options = options,
+    .minimumArguments = 1,
+    .maximumArguments = 1,
+    .needsBus = true,
+    .run = run,
+};
+
+} // namespace codewheel

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bus_access.h"
+#include "cli/commands.h"
+#include "cli/json.h"
+#include "cli/position_text.h"
+#include "cli/texts.h"
+#include "cli/told_mode.h"
+#include "cli/trace.h"
+#include "encoder/sentence.h"
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *examples[] = {"velocity 1.0 on", "velocity 1.0 off --trace",
+                                    "velocity 1.0 on --in-position-mode"};
+
+constexpr std::array options{
+    inPositionModeOption,
+    Option{"--trace", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
+};
+
+Checked<SwitchMode> jobFrom(const QString &wanted)
+{
+    if (wanted == QStringLiteral("on"))
+        return SwitchMode{Mode::velocity};
+    if (wanted == QStringLiteral("off"))
+        return SwitchMode{Mode::position};
+    return badInput(QStringLiteral("onOrOff"), CommandLine::tr("\"%1\" is neither on nor off."), {wanted});
+}
+
+QString readingText(const Reading &reading)
+{
+    if (reading.velocity)
+        return sentence(CommandLine::tr("Velocity mode: %1 rpm"), {argumentText(*reading.velocity)}) + u'\n';
+    return sentence(CommandLine::tr("Position mode: %1"), {positionText(reading.position, reading)}) + u'\n';
+}
+
+Checked<Answer> run(const Call &call)
+{
+    const auto encoder = encoderAt(*call.bus, call.arguments.rest.front());
+    if (!encoder)
+        return tl::unexpected(encoder.error());
+    const auto wanted = jobFrom(call.arguments.rest[1]);
+    if (!wanted)
+        return tl::unexpected(wanted.error());
+
+    tellMode(**encoder, call.arguments);
+    const FinishedJob job = runToEnd(*call.bus, **encoder, *wanted);
+    const DeviceDescription &device = (*encoder)->device();
+    const Reading &reading = (*encoder)->latest();
+    Answer answer;
+    answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
+                   {QStringLiteral("device"), device.key},
+                   {QStringLiteral("mode"), modeJson(reading.mode)},
+                   {QStringLiteral("velocity"), numberJson(reading.velocity)},
+                   {QStringLiteral("position"), numberJson(reading.position)}};
+    if (call.arguments.has("--trace")) {
+        answer.text = traceText(device, job.rows) + u'\n';
+        answer.json.insert(QStringLiteral("trace"), traceJson(device, job.rows));
+    }
+    if (job.outcome.result)
+        answer.text += readingText(reading);
+    else
+        answer.complaint = complaintAbout(job.outcome.result.error());
+    return answer;
+}
+
+} // namespace
+
+const Subcommand velocityCommand{
+    .name = "velocity",
+    .usage = "PLACE on|off [--in-position-mode] [--trace]",
+    .summary =
+        QT_TRANSLATE_NOOP("codewheel::CommandLine", "let an encoder show its speed, or its position again"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "In velocity mode an encoder shows whole revolutions per minute instead of its position, and goes on "
+        "so\n"
+        "after power-off, until it is switched off. Sends at once, without asking; writes nothing to the "
+        "EEPROM.\n"
+        "\"off\" ends cam mode, too."),
+    .examples = examples,
+    .options = options,
+    .minimumArguments = 2,
+    .maximumArguments = 2,
+    .needsBus = true,
+    .run = run,
+};
+
+} // namespace codewheel

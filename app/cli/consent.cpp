@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/consent.h"
+
+#include "cli/texts.h"
+
+namespace codewheel {
+
+Checked<void> consent(const Call &call, const QString &question, const QString &howWithoutAsking)
+{
+    if (call.arguments.has("--yes"))
+        return {};
+    if (!call.terminal.isInteractive || call.arguments.has("--json"))
+        return badInput(QStringLiteral("noConsent"), howWithoutAsking);
+    if (!call.terminal.confirms(question))
+        return badInput(QStringLiteral("declined"), CommandLine::tr("Nothing was sent."));
+    return {};
+}
+
+} // namespace codewheel

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/arguments.h"
+#include "encoder/encoder_session.h"
+
+#include <QtGlobal>
+
+namespace codewheel {
+
+// Of commands whose words would set a cam in cam mode.
+inline constexpr Option inPositionModeOption{
+    "--in-position-mode", nullptr,
+    QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                      "say that the encoder is not in cam mode, where the same word sets a cam")};
+// The user says so with that option. Asked for only where the mode is not known.
+void tellMode(EncoderSession &encoder, const Arguments &arguments);
+
+} // namespace codewheel

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/value_lines.h"
+
+#include "catalog/value_text.h"
+#include "cli/json.h"
+#include "cli/parameter_text.h"
+#include "cli/text_table.h"
+
+namespace codewheel {
+
+QString valueCell(const ParameterDescription &parameter, std::int64_t value)
+{
+    const bool isItsUnit = parameterKey(parameter.parameter) == unitKey(parameter.unit);
+    const QString unit = isItsUnit ? QString() : unitText(parameter.unit);
+    return QStringLiteral("= %1 %2").arg(typedValue(parameter, value), unit).trimmed();
+}
+
+QString valueLines(const DeviceDescription &device, const ParameterValues &values)
+{
+    TextTable table;
+    for (const ParameterValue &value : values) {
+        const ParameterDescription &parameter = *device.find(value.parameter);
+        table.add({parameterKey(value.parameter), valueCell(parameter, value.value)});
+    }
+    return table.toString();
+}
+
+QJsonArray valuesJson(const DeviceDescription &device, const ParameterValues &values)
+{
+    QJsonArray json;
+    for (const ParameterValue &value : values)
+        json.append(valueJson(*device.find(value.parameter), value.value));
+    return json;
+}
+
+} // namespace codewheel

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/training_controls.h"
+#include "tests/cli/cli_run.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+// FRABA manual 5.4.2 and 10.2
+TEST(CliVelocity, SwitchesToRevolutionsPerMinuteAndBack)
+{
+    SharedBus shared;
+    shared.controls().setSpeed({1, 0}, -150);
+    const CliRun on = shared.runLine(QStringLiteral("velocity 1.0 on --trace --json"));
+    EXPECT_EQ(on.exit, 0);
+    EXPECT_THAT(rowsOf(on.json()),
+                ElementsAre("00000000 00003039", StartsWith("20400001 "), "00000000 01FFFF6A"));
+    EXPECT_EQ(on.json()[u"mode"], QStringLiteral("velocity"));
+    EXPECT_EQ(on.json()[u"velocity"], -150);
+    EXPECT_TRUE(on.json()[u"position"].isNull());
+    shared.controls().setSpeed({1, 0}, 0);
+    shared.controls().turnTo({1, 0}, 4711);
+    EXPECT_EQ(shared.runLine(QStringLiteral("velocity 1.0 off")).out, "Position mode: 4711\n");
+    EXPECT_EQ(shared.eepromWrites(), 0);
+}
+
+TEST(CliVelocity, OffEndsCamMode)
+{
+    SharedBus shared;
+    shared.runLine(QStringLiteral("words 1.0 20800001 00000000"));
+    const CliRun run = shared.runLine(QStringLiteral("velocity 1.0 off --json"));
+    EXPECT_EQ(run.json()[u"mode"], QStringLiteral("position"));
+    EXPECT_EQ(run.json()[u"position"], 12'345);
+}
+
+TEST(CliVelocity, WhereTheModeIsNotKnownTheUserSaysIt)
+{
+    SharedBus shared;
+    shared.bus().close();
+    ASSERT_TRUE(shared.bus().open(BusSession::Start::operating)); // nothing is known after that
+    const CliRun run = shared.runLine(QStringLiteral("velocity 1.0 on"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("In cam mode the word 20400001 changes which cams are active"));
+    EXPECT_EQ(shared.runLine(QStringLiteral("velocity 1.0 on --in-position-mode")).out,
+              "Velocity mode: 0 rpm\n");
+}
+
+TEST(CliVelocity, RefusesWhatMakesNoSense)
+{
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("velocity 1.0 fast --json"))), "onOrOff");
+    EXPECT_EQ(runLine(QStringLiteral("velocity 1.0 fast")).exit, 2);
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("velocity 2.0 on --json"))), "velocityNotSupported");
+    EXPECT_EQ(runLine(QStringLiteral("velocity 2.0 on")).exit, 1);
+}
+
+} // namespace
+} // namespace codewheel
