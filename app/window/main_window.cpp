@@ -94,6 +94,8 @@ void MainWindow::makeDocks(MessageModel &messages)
     m_trace = new TraceView(*m_bus, this);
     m_sequence = new SequenceView(this);
     m_messages = new MessagesView(messages, this);
+    m_actions.deviceMenu->insertActions(m_actions.zeroOut, m_parameters->functionActions());
+    m_actions.deviceMenu->insertSeparator(m_actions.zeroOut);
     addDock(QStringLiteral("structureDock"), tr("Bus structure"), m_structure, Qt::LeftDockWidgetArea);
     addDock(QStringLiteral("trainingDock"), tr("Training"), m_trainingPanel, Qt::LeftDockWidgetArea);
     addDock(QStringLiteral("parametersDock"), tr("Parameters"), m_parameters, Qt::RightDockWidgetArea);
@@ -217,6 +219,11 @@ void MainWindow::connectViews()
     connect(m_structure, &StructureView::menuRequested, this,
             [this](DeviceNumber, const QPoint &position) { m_actions.deviceMenu->popup(position); });
     connect(m_parameters, &ParameterPanel::wizardRequested, this, &MainWindow::showWizard);
+    connect(m_parameters, &ParameterPanel::refusalShown, this, [this] {
+        auto *dock = findChild<QDockWidget *>(QStringLiteral("parametersDock"));
+        dock->show();
+        dock->raise();
+    });
     connect(m_wizard, &ParameterWizard::closeRequested, this, &MainWindow::showMonitors);
     connect(m_trainingPanel, &TrainingPanel::acted, this, [this](DeviceNumber number, const QString &what) {
         m_messageModel->addNow({.place = number,

@@ -71,7 +71,7 @@ void CodeDisc::setState(const DialState &state)
     }
     if (placeOf(before.turnFraction) != placeOf(state.turnFraction) || before.turn != state.turn)
         update(m_dial);
-    if (before.position != state.position)
+    if (before.position != state.position || before.velocity != state.velocity)
         update(m_number);
     if (before.rpm != state.rpm)
         update(QRegion(m_dial) + m_speed);
@@ -233,11 +233,17 @@ void CodeDisc::drawNumbers(QPainter &painter) const
 {
     painter.setPen(palette().color(QPalette::WindowText));
     painter.setFont(numberFont(TextSize::large));
-    const QString dash(QChar(0x2013));
-    painter.drawText(m_number, Qt::AlignCenter,
-                     m_state.position ? locale().toString(*m_state.position) : dash);
+    painter.drawText(m_number, Qt::AlignCenter, numberText());
     painter.setFont(numberFont());
     painter.drawText(m_speed, Qt::AlignCenter, m_state.rpm ? speedText() : QString());
+}
+
+QString CodeDisc::numberText() const
+{
+    if (m_state.position)
+        return locale().toString(*m_state.position);
+    return m_state.velocity ? tr("%1 rpm", "revolutions per minute").arg(locale().toString(*m_state.velocity))
+                            : QString(QChar(0x2013));
 }
 
 QString CodeDisc::speedText() const
@@ -252,7 +258,8 @@ QString CodeDisc::speedText() const
 
 QString CodeDisc::note() const
 {
-    const bool nothingKnown = !m_state.position && !m_state.turnFraction && !m_state.turn && !m_state.rpm;
+    const bool nothingKnown =
+        !m_state.position && !m_state.turnFraction && !m_state.turn && !m_state.velocity && !m_state.rpm;
     if (m_state.note.isEmpty() && nothingKnown)
         return tr("No position yet. Start the bus and choose an encoder in the bus structure.");
     return m_state.note;
@@ -263,6 +270,8 @@ QString CodeDisc::valueText() const
     QStringList parts;
     if (m_state.position)
         parts.append(tr("Position %1").arg(locale().toString(*m_state.position)));
+    if (m_state.velocity)
+        parts.append(tr("Velocity %1").arg(numberText()));
     if (m_state.turn)
         parts.append(tr("turn %1").arg(locale().toString(*m_state.turn)));
     if (m_state.turnFraction)

@@ -15,6 +15,7 @@ struct DialState
     std::optional<double> turnFraction = {}; // 0 to 1 of a turn, clockwise; needs the steps per revolution
     std::optional<qint64> position = {};     // steps, as parameterized
     std::optional<qint64> turn = {};         // whole turns, from 0
+    std::optional<qint64> velocity = {};     // rpm, as the encoder sends it: positive where positions rise
     std::optional<double> rpm = {};          // positive: clockwise
     QString note = {};                       // a sentence: what is wrong or missing, and how to get it
     Role role = Role::inactive;              // of the note, and of the pointer

@@ -98,6 +98,8 @@ void ShaftDial::draw()
 
 DialState ShaftDial::running(const Reading &reading)
 {
+    if (reading.velocity)
+        return turning(*reading.velocity);
     if (!reading.position)
         return {.note = rawNote(reading), .role = Role::attention};
     DialState state{.position = *reading.position,
@@ -114,6 +116,17 @@ DialState ShaftDial::running(const Reading &reading)
     return state;
 }
 
+// Which way the shaft turns is known once the direction is.
+DialState ShaftDial::turning(std::int64_t velocity) const
+{
+    DialState state{.velocity = velocity,
+                    .note = tr("No position while the encoder sends its velocity."),
+                    .role = Role::running};
+    if (m_encoder->known(Parameter::direction))
+        state.rpm = static_cast<double>(countsClockwise(*m_encoder) ? velocity : -velocity);
+    return state;
+}
+
 QString ShaftDial::rawNote(const Reading &reading) const
 {
     const QString raw = hexWord(k3::data(reading.in));
@@ -121,9 +134,7 @@ QString ShaftDial::rawNote(const Reading &reading) const
         if (!reading.mode)
             return tr("Raw word %1. The mode is not known: tell the start-up mode under Parameters.")
                 .arg(raw);
-        return *reading.mode == Mode::velocity
-                   ? tr("Raw word %1, in velocity mode: there is no position.").arg(raw)
-                   : tr("Raw word %1, in cam mode: there is no position.").arg(raw);
+        return tr("Raw word %1, in cam mode: there is no position.").arg(raw);
     }
     return tr("Raw word %1. The coding is not known: write it, or tell it under Parameters.").arg(raw);
 }

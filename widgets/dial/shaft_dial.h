@@ -37,6 +37,7 @@ private:
     void draw();
     std::optional<Scale> scale() const;
     DialState running(const Reading &reading);
+    DialState turning(std::int64_t velocity) const;
     QString rawNote(const Reading &reading) const;
     QString missingNote() const;
 

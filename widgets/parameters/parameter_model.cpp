@@ -13,6 +13,32 @@
 
 namespace codewheel {
 
+namespace {
+
+bool isRegister(const ParameterDescription &parameter)
+{
+    return isOpcRegister(parameter.parameter);
+}
+
+bool isWritable(const ParameterDescription &parameter)
+{
+    return parameter.number.has_value();
+}
+
+bool isReadOnlyValue(const ParameterDescription &parameter)
+{
+    return !isWritable(parameter) && !isRegister(parameter);
+}
+
+ParameterRow head(ParameterRow::Head kind)
+{
+    ParameterRow row;
+    row.head = kind;
+    return row;
+}
+
+} // namespace
+
 ParameterModel::ParameterModel(WantedValues &wanted, QObject *parent)
     : TableModelBase(parent)
     , m_wanted(wanted)
@@ -28,12 +54,53 @@ void ParameterModel::setEncoder(EncoderSession *encoder)
     std::vector<ParameterRow> rows;
     if (encoder != nullptr) {
         connect(encoder, &EncoderSession::knownChanged, this, &ParameterModel::refresh);
-        for (const ParameterDescription &parameter : encoder->device().parameters)
-            if (!isOpcRegister(parameter.parameter))
-                rows.push_back(rowFor(parameter));
-        std::ranges::stable_partition(rows, std::not_fn(&ParameterRow::isReadOnly));
+        rows = rowsOf(isWritable);
+        const std::vector<ParameterRow> readOnly = rowsOf(isReadOnlyValue);
+        if (!readOnly.empty())
+            rows.push_back(head(ParameterRow::Head::readOnly));
+        rows.insert(rows.end(), readOnly.begin(), readOnly.end());
+        if (!rowsOf(isRegister).empty())
+            rows.push_back(head(ParameterRow::Head::registersClosed));
     }
     setRows(std::move(rows));
+}
+
+std::vector<ParameterRow> ParameterModel::rowsOf(bool (*belongs)(const ParameterDescription &)) const
+{
+    std::vector<ParameterRow> rows;
+    for (const ParameterDescription &parameter : m_encoder->device().parameters)
+        if (belongs(parameter))
+            rows.push_back(rowFor(parameter));
+    return rows;
+}
+
+bool ParameterModel::isFoldable(const QModelIndex &index) const
+{
+    return index.isValid() && rowAt(index.row()).head >= ParameterRow::Head::registersClosed;
+}
+
+bool ParameterModel::showsRegisters() const
+{
+    return std::ranges::find(rows(), ParameterRow::Head::registersOpen, &ParameterRow::head) != rows().end();
+}
+
+// The registers are the last rows.
+void ParameterModel::toggleRegisters()
+{
+    const auto isFoldingHead = [](const ParameterRow &row) {
+        return row.head >= ParameterRow::Head::registersClosed;
+    };
+    const auto found = std::ranges::find_if(rows(), isFoldingHead);
+    if (found == rows().end())
+        return;
+    const bool opens = found->head == ParameterRow::Head::registersClosed;
+    const int headRow = static_cast<int>(found - rows().begin());
+    replace(headRow, head(opens ? ParameterRow::Head::registersOpen : ParameterRow::Head::registersClosed));
+    if (opens)
+        append(rowsOf(isRegister));
+    else
+        while (rowCount() > headRow + 1)
+            removeAt(rowCount() - 1);
 }
 
 int ParameterModel::differing() const
@@ -51,9 +118,12 @@ void ParameterModel::refresh()
 {
     if (!m_encoder)
         return;
-    for (int row = 0; row < rowCount(); ++row)
+    for (int row = 0; row < rowCount(); ++row) {
+        if (rowAt(row).isHead())
+            continue;
         if (ParameterRow now = rowFor(rowAt(row).parameter); now != rowAt(row))
             replace(row, std::move(now));
+    }
 }
 
 Qt::ItemFlags ParameterModel::flags(const QModelIndex &index) const
@@ -90,8 +160,42 @@ QVariant ParameterModel::headerCell(int column, int role) const
     }
 }
 
+// It stands across all columns.
+QVariant ParameterModel::headCell(const ParameterRow &row, int column, int role) const
+{
+    const bool isReadOnly = row.head == ParameterRow::Head::readOnly;
+    const bool isOpen = row.head == ParameterRow::Head::registersOpen;
+    const QString name = isReadOnly ? tr("Read only") : tr("Registers of the bus chip");
+    switch (role) {
+    case Qt::DisplayRole:
+        if (column != nameColumn)
+            return {};
+        return isReadOnly ? name : QStringLiteral("%1 %2").arg(QChar(isOpen ? 0x25BE : 0x25B8)).arg(name);
+    case Qt::AccessibleTextRole:
+        if (column != nameColumn || isReadOnly)
+            return column == nameColumn ? name : QString();
+        return isOpen ? tr("%1, open").arg(name) : tr("%1, folded away").arg(name);
+    case Qt::ToolTipRole:
+        if (isReadOnly)
+            return tr("What the encoder tells and nobody can write");
+        return isOpen ? tr("Click, or Enter: folds the registers away")
+                      : tr("Click, or Enter: shows the registers of the INTERBUS chip. While they are shown, "
+                           "Read from encoder reads them, too.");
+    case Qt::FontRole:
+        return textFont(TextSize::small);
+    case Qt::TextAlignmentRole:
+        return QVariant(Qt::AlignLeft | Qt::AlignVCenter);
+    case isPaleRole:
+        return isReadOnly;
+    default:
+        return {};
+    }
+}
+
 QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) const
 {
+    if (row.isHead())
+        return headCell(row, column, role);
     const bool isPale = column == knownColumn ? !row.known : column == wantedColumn && !row.wanted;
     switch (role) {
     case Qt::DisplayRole:

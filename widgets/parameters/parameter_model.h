@@ -10,13 +10,18 @@
 
 namespace codewheel {
 
-// What an encoder is known to have of one parameter, and what the user wants it to have.
+// What an encoder is known to have of one parameter, and what the user wants it to have; or the head of a
+// group of rows.
 struct ParameterRow
 {
+    enum class Head { none, readOnly, registersClosed, registersOpen };
+
     ParameterDescription parameter;
     std::optional<Known> known;
     std::optional<std::int64_t> wanted;
+    Head head = Head::none;
 
+    bool isHead() const { return head != Head::none; }
     bool isReadOnly() const { return !parameter.number; }
     // Both are there and not the same.
     bool differs() const { return known && wanted && known->value != *wanted; }
@@ -25,8 +30,8 @@ struct ParameterRow
 };
 
 // The table of the parameter panel: parameter, what the encoder has, what is wanted. What can be written
-// comes first. A cell may have a second, small line (detailRole): how and when the value came to be known,
-// whether it differs.
+// comes first, then what can only be read; the registers of the bus chip are folded away at the end. A cell
+// may have a second, small line (detailRole): how and when the value came to be known, whether it differs.
 class ParameterModel final : public TableModelBase<ParameterRow>
 {
     Q_OBJECT
@@ -42,6 +47,11 @@ public:
     void setEncoder(EncoderSession *encoder);
     int differing() const; // rows
 
+    // The head of the registers opens and closes them.
+    bool isFoldable(const QModelIndex &index) const;
+    void toggleRegisters();
+    bool showsRegisters() const;
+
     Qt::ItemFlags flags(const QModelIndex &index) const override;
     // The wanted value, a qlonglong; an invalid variant leaves the parameter as it is.
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
@@ -53,6 +63,8 @@ protected:
 
 private:
     ParameterRow rowFor(const ParameterDescription &parameter) const;
+    std::vector<ParameterRow> rowsOf(bool (*belongs)(const ParameterDescription &)) const;
+    QVariant headCell(const ParameterRow &row, int column, int role) const;
     void refresh();
     QString text(const ParameterRow &row, int column) const;
     QString detail(const ParameterRow &row, int column) const;

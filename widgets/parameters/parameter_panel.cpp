@@ -2,6 +2,8 @@
 #include "widgets/parameters/parameter_panel.h"
 
 #include "encoder/refusal_text.h"
+#include "widgets/functions/encoder_functions.h"
+#include "widgets/functions/function_questions.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/inline_message.h"
@@ -17,6 +19,7 @@
 #include <QAction>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QMenu>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -31,6 +34,7 @@ ParameterPanel::ParameterPanel(WantedValues &wanted, QWidget *parent)
     : QWidget(parent)
     , m_wanted(wanted)
     , m_model(new ParameterModel(wanted, this))
+    , m_functions(new EncoderFunctions(this))
     , m_pages(new QStackedWidget(this))
     , m_empty(new EmptyState(Icon::parameters, tr("No encoder is chosen"),
                              tr("Choose an encoder in the bus structure. Its parameters are shown here: what "
@@ -83,7 +87,7 @@ QWidget *ParameterPanel::makeButtons()
     m_write->setToolTip(tr("Shows what will be written before anything is sent"));
     m_wizard->setToolTip(tr("Sets the encoder up step by step"));
     m_more->setText(tr("&More"));
-    m_more->setToolTip(tr("Take over, clear or tell values"));
+    m_more->setToolTip(tr("Take over, clear or tell values; modes, preset and reset"));
     m_more->setAccessibleName(tr("More for the parameters"));
     m_more->setPopupMode(QToolButton::InstantPopup);
     m_more->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
@@ -105,6 +109,9 @@ void ParameterPanel::makeMenu()
     menu->addSeparator();
     m_takeKnown = menu->addAction(tr("Take &known values as wanted"));
     m_leaveAll = menu->addAction(tr("&Leave all as they are"));
+    menu->addSeparator();
+    menu->addActions(m_functions->actions());
+    menu->setToolTipsVisible(true);
     m_more->setMenu(menu);
     m_table->setContextMenuPolicy(Qt::CustomContextMenu);
 }
@@ -119,6 +126,7 @@ void ParameterPanel::connectParts()
     connect(m_tellValue, &QAction::triggered, this, &ParameterPanel::askWhatItHas);
     connect(m_table, &QWidget::customContextMenuRequested, this, &ParameterPanel::showMenu);
     connect(m_table, &ParameterTable::inputChecked, this, &ParameterPanel::showWrongInput);
+    connect(m_functions, &EncoderFunctions::refused, this, &ParameterPanel::showRefusal);
     connect(m_message, &InlineMessage::actionTriggered, this, &ParameterPanel::bringBack);
     connect(m_tell, &TellBar::told, this, [this](Parameter parameter, std::optional<std::int64_t> value) {
         if (m_encoder)
@@ -147,6 +155,7 @@ void ParameterPanel::setEncoder(EncoderSession *encoder)
     m_tell->hide();
     m_model->setEncoder(encoder);
     m_job->setEncoder(encoder);
+    m_functions->setEncoder(encoder);
     m_pages->setCurrentWidget(encoder != nullptr ? m_tablePage : m_empty);
     if (encoder == nullptr)
         return;
@@ -154,6 +163,11 @@ void ParameterPanel::setEncoder(EncoderSession *encoder)
     connectEncoder();
     showReadingNote();
     showRunningJob();
+}
+
+QList<QAction *> ParameterPanel::functionActions() const
+{
+    return m_functions->actions();
 }
 
 void ParameterPanel::connectEncoder()
@@ -192,7 +206,12 @@ void ParameterPanel::read()
 {
     if (!m_table->finishEditing())
         return;
-    start(ReadParameters{m_encoder->device().readableValues()});
+    ReadParameters job{m_encoder->device().readableValues()};
+    if (m_model->showsRegisters())
+        for (const ParameterRow &row : m_model->rows())
+            if (!row.isHead() && isOpcRegister(row.parameter.parameter))
+                job.parameters.push_back(row.parameter.parameter);
+    start(job);
 }
 
 void ParameterPanel::review()
@@ -217,6 +236,12 @@ void ParameterPanel::start(const Job &job)
     const auto taken = m_encoder->start(job);
     if (!taken)
         showMessage(Cause::refusal, Role::attention, refusalText(taken.error()));
+}
+
+void ParameterPanel::showRefusal(const Refusal &why)
+{
+    showMessage(Cause::refusal, Role::attention, refusalText(why));
+    Q_EMIT refusalShown();
 }
 
 void ParameterPanel::bringBack()
@@ -244,6 +269,8 @@ Parameter ParameterPanel::currentParameter() const
 
 void ParameterPanel::askWhatItHas()
 {
+    if (const int row = m_table->currentIndex().row(); row >= 0 && m_model->rowAt(row).isHead())
+        return;
     const Parameter parameter = currentParameter();
     const auto known = m_encoder->known(parameter);
     m_tell->ask(*m_encoder->device().find(parameter), known ? std::optional(known->value) : std::nullopt);
@@ -277,7 +304,11 @@ void ParameterPanel::finished(const Outcome &outcome)
     const bool isStuck =
         outcome.leftIn == EncoderState::parameterization || outcome.leftIn == EncoderState::error;
     const QString help = isStuck ? tr("Send run") : QString();
-    if (outcome.result)
+    const bool resetWaits =
+        m_functions->isReset(outcome.job) && outcome.leftIn == EncoderState::parameterization;
+    if (resetWaits) // without the help: run would carry it out
+        showMessage(Cause::outcome, Role::attention, messageText({.id = MessageId::resetWaitsForRun}));
+    else if (outcome.result)
         showMessage(Cause::outcome, isStuck ? Role::attention : Role::running, successText(outcome), help);
     else
         showMessage(
@@ -303,8 +334,13 @@ QString ParameterPanel::successText(const Outcome &outcome) const
         for (const ParameterValue &value : outcome.written)
             names << parameterName(value.parameter);
         sentences << verified.arg(names.join(QStringLiteral(", ")));
-        sentences << tr("EEPROM writes: %1.").arg(outcome.eepromWrites);
     }
+    if (!outcome.written.empty() || outcome.eepromWrites > 0)
+        sentences << tr("EEPROM writes: %1.").arg(outcome.eepromWrites);
+    if (outcome.positionAfter)
+        sentences << tr("Position: %1.").arg(QLocale().toString(qlonglong{*outcome.positionAfter}));
+    if (m_encoder->device().quirks.hasModes && m_encoder->latest().mode != Mode::position)
+        sentences << tr("Mode: %1.").arg(modeName(m_encoder->latest().mode));
     if (!outcome.alreadyThere.empty())
         sentences << tr("There already: %1.").arg(outcome.alreadyThere.size());
     else if (outcome.written.empty() && !outcome.read.empty())

@@ -16,6 +16,7 @@ class QToolButton;
 namespace codewheel {
 
 class EmptyState;
+class EncoderFunctions;
 class InlineMessage;
 class JobStrip;
 class ParameterModel;
@@ -36,9 +37,12 @@ public:
     explicit ParameterPanel(WantedValues &wanted, QWidget *parent = nullptr);
 
     void setEncoder(codewheel::EncoderSession *encoder); // null: none is chosen
+    // Modes, FRABA preset, reset: in the menu here, and for that of the window.
+    QList<QAction *> functionActions() const;
 
 Q_SIGNALS:
     void wizardRequested();
+    void refusalShown(); // of one of the function actions
 
 private:
     enum class Cause { input, refusal, outcome };
@@ -62,6 +66,7 @@ private:
     void finished(const Outcome &outcome);
     QString successText(const Outcome &outcome) const;
     void showReadingNote();
+    void showRefusal(const Refusal &why);
     void showDifferences();
     void showRunningJob();
     void showWrongInput(const QString &wrong);
@@ -74,6 +79,7 @@ private:
     std::optional<Cause> m_cause; // of the message that is shown
 
     ParameterModel *m_model;
+    EncoderFunctions *m_functions;
     QStackedWidget *m_pages; // empty, table, review
     EmptyState *m_empty;
     QWidget *m_tablePage = nullptr;

@@ -20,6 +20,7 @@ constexpr int smallestColumn = 40;
 
 ParameterTable::ParameterTable(ParameterModel &model, QWidget *parent)
     : QTableView(parent)
+    , m_model(model)
 {
     auto *delegate = new ParameterDelegate(this);
     setModel(&model);
@@ -39,7 +40,8 @@ ParameterTable::ParameterTable(ParameterModel &model, QWidget *parent)
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     horizontalHeader()->setSectionResizeMode(ParameterModel::nameColumn, QHeaderView::Fixed);
     connect(delegate, &ParameterDelegate::inputChecked, this, &ParameterTable::inputChecked);
-    connect(this, &QTableView::clicked, this, &ParameterTable::editWanted);
+    connect(this, &QTableView::clicked, this, &ParameterTable::activateCell);
+    connect(&model, &QAbstractItemModel::modelReset, this, &ParameterTable::spanHeads);
 }
 
 bool ParameterTable::finishEditing()
@@ -53,10 +55,24 @@ bool ParameterTable::finishEditing()
     return true;
 }
 
-void ParameterTable::editWanted(const QModelIndex &index)
+// The heads of groups stay where they are while a group is opened.
+void ParameterTable::spanHeads()
 {
-    if (index.isValid() && index.flags().testFlag(Qt::ItemIsEditable) && state() != EditingState)
+    clearSpans();
+    for (int row = 0; row < m_model.rowCount(); ++row)
+        if (m_model.rowAt(row).isHead())
+            setSpan(row, 0, 1, m_model.columnCount());
+}
+
+void ParameterTable::activateCell(const QModelIndex &index)
+{
+    if (m_model.isFoldable(index)) {
+        m_model.toggleRegisters();
+        if (m_model.showsRegisters())
+            scrollTo(index, PositionAtTop);
+    } else if (index.isValid() && index.flags().testFlag(Qt::ItemIsEditable) && state() != EditingState) {
         edit(index);
+    }
 }
 
 // Tab and Shift+Tab in a field: the next and the previous wanted value.
@@ -77,6 +93,10 @@ void ParameterTable::keyPressEvent(QKeyEvent *event)
 {
     const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     const QModelIndex wanted = currentIndex().siblingAtColumn(ParameterModel::wantedColumn);
+    if ((isEnter || event->key() == Qt::Key_Space) && m_model.isFoldable(wanted)) {
+        activateCell(wanted.siblingAtColumn(ParameterModel::nameColumn));
+        return;
+    }
     if (state() != EditingState && wanted.isValid() && wanted.flags().testFlag(Qt::ItemIsEditable)) {
         if (isEnter || event->key() == Qt::Key_F2) {
             edit(wanted);

@@ -9,7 +9,7 @@ class ParameterDelegate;
 class ParameterModel;
 
 // The view of a ParameterModel: one click or Enter edits a wanted value, and while editing, Tab goes on to
-// the next one.
+// the next one. One click or Enter on the head of a folded group opens it.
 class ParameterTable : public QTableView
 {
     Q_OBJECT
@@ -30,7 +30,10 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
-    void editWanted(const QModelIndex &index);
+    void activateCell(const QModelIndex &index);
+    void spanHeads();
+
+    ParameterModel &m_model;
 };
 
 } // namespace codewheel

@@ -36,8 +36,10 @@ void SequenceJob::cancel(OnCancel how)
 // Once it failed or was cancelled, other steps follow, which bring OUT back.
 void SequenceJob::takeProgress(const Progress &progress)
 {
-    if (progress.job != m_job || progress.index >= m_words ||
-        progress.steps.at(static_cast<std::size_t>(progress.index)).kind != StepKind::word)
+    if (progress.job != m_job || progress.index >= m_words)
+        return;
+    const StepKind kind = progress.steps.at(static_cast<std::size_t>(progress.index)).kind;
+    if (kind != StepKind::word && kind != StepKind::manufacturerPreset)
         return;
     m_index = progress.index;
     Q_EMIT reached(m_index);

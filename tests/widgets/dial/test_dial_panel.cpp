@@ -98,6 +98,25 @@ TEST_F(DialPanelTest, SpeedIsClockwisePositiveWhateverTheCounting)
     EXPECT_NEAR(*shown().rpm, 10, 0.1);
 }
 
+// FRABA manual 5.4.2
+TEST_F(DialPanelTest, InVelocityModeItShowsRevolutionsPerMinuteAndNoPosition)
+{
+    EncoderSession &encoder = ring.encoder(fraba);
+    encoder.tell(Parameter::startUpMode, 1);
+    panel.setEncoder(&encoder);
+    ring.controls->setSpeed(fraba, -150);
+    ASSERT_TRUE(encoder.start(SwitchMode{Mode::velocity}));
+    advance(200);
+    EXPECT_EQ(shown().velocity, -150);
+    EXPECT_EQ(shown().position, std::nullopt);
+    EXPECT_EQ(shown().rpm, std::nullopt) << "which way is not known";
+    EXPECT_EQ(shown().note, QStringLiteral("No position while the encoder sends its velocity."));
+    encoder.tell(Parameter::direction, 4); // CCW: positions rise counter-clockwise
+    advance(66);
+    EXPECT_EQ(shown().rpm, 150);
+    EXPECT_TRUE(panel.findChild<CodeDisc *>()->valueText().startsWith(QStringLiteral("Velocity -150 rpm")));
+}
+
 TEST_F(DialPanelTest, ParameterizationHasNoPosition)
 {
     tellBaumer(3);

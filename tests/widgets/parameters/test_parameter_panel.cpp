@@ -123,6 +123,45 @@ TEST_F(Parameters, WhatASequenceWroteIsNotSaidToBeReadBack)
         << message().toStdString();
 }
 
+TEST_F(Parameters, TheRegistersOfTheBusChipAreFoldedAwayUntilOpened)
+{
+    const test::ModelTester tester(model());
+    const QString closed = QStringLiteral("Registers of the bus chip, folded away");
+    const int rows = model().rowCount();
+    const auto head = [this] { // the last row but the registers
+        for (int row = model().rowCount() - 1; row >= 0; --row)
+            if (model()
+                    .index(row, 0)
+                    .data(Qt::AccessibleTextRole)
+                    .toString()
+                    .startsWith(QStringLiteral("Registers")))
+                return model().index(row, 0);
+        return QModelIndex();
+    };
+    ASSERT_EQ(head().row(), rows - 1);
+    EXPECT_EQ(head().data(Qt::AccessibleTextRole).toString(), closed);
+    table().scrollTo(head());
+    QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, table().visualRect(head()).center());
+    EXPECT_EQ(model().rowCount(), rows + 16);
+    click(QStringLiteral("Read from encoder"));
+    finishJob();
+    EXPECT_TRUE(textAt(opcRegister(0), ParameterModel::knownColumn).startsWith(QStringLiteral("0237h")))
+        << textAt(opcRegister(0), ParameterModel::knownColumn).toStdString();
+    table().setFocus();
+    table().setCurrentIndex(head());
+    QTest::keyClick(&table(), Qt::Key_Return);
+    EXPECT_EQ(model().rowCount(), rows);
+    EXPECT_EQ(head().data(Qt::AccessibleTextRole).toString(), closed);
+}
+
+TEST_F(Parameters, WithoutOpeningThemTheRegistersAreNotRead)
+{
+    click(QStringLiteral("Read from encoder"));
+    finishJob();
+    EXPECT_TRUE(bus.encoder(fraba)->known(Parameter::temperature));
+    EXPECT_FALSE(bus.encoder(fraba)->known(opcRegister(0)));
+}
+
 TEST_F(Parameters, AllColumnsFitTheNarrowDock)
 {
     panel.resize(panel.minimumSizeHint().width(), 300);

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Modes, FRABA preset and reset as they are asked for in the parameter panel's menu, with the mouse.
+#include "tests/app/question.h"
+#include "tests/widgets/training_bus_session.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/wanted_values.h"
+
+#include <gmock/gmock.h>
+
+namespace codewheel {
+namespace {
+
+using test::baumer;
+using test::fraba;
+using test::Question;
+using testing::ElementsAre;
+
+class EncoderFunctionsTest : public testing::Test
+{
+protected:
+    EncoderFunctionsTest()
+    {
+        m_panel.resize(290, 480);
+        m_panel.show();
+        show(fraba);
+    }
+    void show(DeviceNumber number)
+    {
+        m_number = number;
+        m_panel.setEncoder(&encoder());
+        m_ring.bus.advance(33);
+        QObject::connect(&encoder(), &EncoderSession::exchanged, &m_panel, [this](const Exchange &row) {
+            if (m_sent.empty() || m_sent.back() != row.out)
+                m_sent.push_back(row.out);
+        });
+    }
+    void isInPositionMode()
+    {
+        encoder().tell(Parameter::startUpMode, 1);
+        m_ring.bus.advance(33);
+    }
+    EncoderSession &encoder() { return m_ring.encoder(m_number); }
+    QAction &action(const char *name)
+    {
+        for (QAction *found : m_panel.functionActions())
+            if (found->objectName() == QLatin1String(name))
+                return *found;
+        throw std::logic_error(name);
+    }
+    void click(const char *name)
+    {
+        QMenu *menu = m_panel.findChild<QMenu *>();
+        ASSERT_NE(menu, nullptr);
+        menu->popup(m_panel.mapToGlobal(QPoint(0, 0)));
+        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(&action(name)).center());
+    }
+    void finishJobs()
+    {
+        for (int i = 0; i < 200; ++i)
+            m_ring.bus.advance(10);
+        ASSERT_FALSE(encoder().runningJob());
+    }
+    QString message() { return m_panel.findChild<InlineMessage *>()->sentence(); }
+
+    test::TrainingBusSession m_ring;
+    WantedValues m_wanted;
+    ParameterPanel m_panel{m_wanted};
+    DeviceNumber m_number;
+    std::vector<Word> m_sent;
+};
+
+TEST_F(EncoderFunctionsTest, VelocityModeIsSwitchedOnAndOffAndTheTickFollowsTheEncoder)
+{
+    isInPositionMode();
+    m_ring.controls->setSpeed(fraba, -150);
+    EXPECT_TRUE(action("positionMode").isChecked());
+    click("velocityMode");
+    EXPECT_FALSE(action("velocityMode").isChecked()) << "the encoder has not switched yet";
+    finishJobs();
+    EXPECT_THAT(m_sent, ElementsAre(0x2040'0001u, 0u));
+    EXPECT_EQ(encoder().latest().velocity, -150);
+    EXPECT_TRUE(action("velocityMode").isChecked());
+    EXPECT_TRUE(action("velocityMode").text().contains(QStringLiteral("now: velocity")));
+    EXPECT_TRUE(message().contains(QStringLiteral("Mode: velocity."))) << message().toStdString();
+    click("velocityMode");
+    finishJobs();
+    EXPECT_TRUE(action("positionMode").isChecked());
+    EXPECT_TRUE(encoder().latest().position);
+}
+
+TEST_F(EncoderFunctionsTest, AModeThatIsNotKnownIsAskedFor)
+{
+    EXPECT_TRUE(action("velocityMode").text().contains(QStringLiteral("now: not known")));
+    {
+        const Question question = Question::answeredBy(QStringLiteral("It is in position mode"));
+        click("velocityMode");
+        EXPECT_TRUE(question.text().contains(QStringLiteral("20400001 changes which cams are active")))
+            << question.text().toStdString();
+    }
+    finishJobs();
+    EXPECT_THAT(m_sent, ElementsAre(0x2040'0001u, 0u));
+    EXPECT_EQ(encoder().latest().mode, Mode::velocity);
+}
+
+TEST_F(EncoderFunctionsTest, ItCanBePutIntoPositionModeFirst)
+{
+    {
+        const Question question = Question::answeredBy(QStringLiteral("Put it into position mode"));
+        click("velocityMode");
+    }
+    finishJobs();
+    EXPECT_THAT(m_sent, ElementsAre(0x2080'0000u, 0x2040'0000u, 0u, 0x2040'0001u, 0u));
+    EXPECT_EQ(encoder().latest().mode, Mode::velocity);
+}
+
+TEST_F(EncoderFunctionsTest, CancelSendsNothing)
+{
+    for (const char *name : {"velocityMode", "frabaPreset", "resetToDefault"}) {
+        const Question question = Question::answeredBy(QStringLiteral("Cancel"));
+        click(name);
+        finishJobs();
+        EXPECT_TRUE(m_sent.empty()) << name;
+    }
+}
+
+TEST_F(EncoderFunctionsTest, TheFrabaPresetStandsForOneCycle)
+{
+    isInPositionMode();
+    {
+        const Question question = Question::answeredBy(QStringLiteral("Set position"));
+        click("frabaPreset");
+        EXPECT_TRUE(question.text().contains(QStringLiteral("EEPROM writes: 1")))
+            << question.text().toStdString();
+        EXPECT_TRUE(question.text().contains(QStringLiteral("not known: read it")));
+    }
+    finishJobs();
+    EXPECT_THAT(m_sent, ElementsAre(0x6000'0000u, 0u));
+    EXPECT_EQ(encoder().latest().position, 0);
+    EXPECT_EQ(encoder().eepromWrites(), 1);
+    EXPECT_TRUE(message().contains(QStringLiteral("Position: 0."))) << message().toStdString();
+}
+
+TEST_F(EncoderFunctionsTest, AResetTellsWhatIsLostAndReadsBack)
+{
+    isInPositionMode();
+    ASSERT_TRUE(encoder().start(WriteParameters{.values = {{Parameter::steps, 255}}, .previous = {}}));
+    finishJobs();
+    {
+        const Question question = Question::answeredBy(QStringLiteral("Reset"));
+        click("resetToDefault");
+        for (const char *part : {"Steps, Revolutions, Direction, Preset, Zero offset", "All cam programs",
+                                 "EEPROM writes: 1; by this program so far: 1.", "about 200"})
+            EXPECT_TRUE(question.text().contains(QLatin1String(part)))
+                << part << question.text().toStdString();
+    }
+    finishJobs();
+    EXPECT_EQ(encoder().known(Parameter::steps)->value, 8192);
+    EXPECT_EQ(encoder().known(Parameter::steps)->evidence, Evidence::read);
+    EXPECT_EQ(encoder().eepromWrites(), 2);
+}
+
+TEST_F(EncoderFunctionsTest, ABaumerCanOnlyBeReset)
+{
+    show(baumer);
+    EXPECT_FALSE(action("velocityMode").isVisible());
+    EXPECT_FALSE(action("positionMode").isVisible());
+    EXPECT_FALSE(action("frabaPreset").isVisible());
+    {
+        const Question question = Question::answeredBy(QStringLiteral("Reset"));
+        click("resetToDefault");
+        EXPECT_TRUE(question.text().contains(QStringLiteral("It cannot be read")));
+    }
+    finishJobs();
+    EXPECT_EQ(encoder().known(Parameter::coding)->value, 3);
+}
+
+TEST_F(EncoderFunctionsTest, InWatchTheRefusalStandsInThePanel)
+{
+    isInPositionMode();
+    m_ring.bus.setOperate(false);
+    m_ring.bus.advance(33);
+    QSignalSpy shown(&m_panel, &ParameterPanel::refusalShown);
+    click("velocityMode");
+    EXPECT_EQ(shown.count(), 1);
+    EXPECT_TRUE(message().contains(QStringLiteral("Switch to Operate first"))) << message().toStdString();
+    m_ring.bus.setOperate(true);
+    m_ring.bus.advance(33);
+    EXPECT_TRUE(message().isEmpty());
+}
+
+TEST_F(EncoderFunctionsTest, DuringAJobNothingElseCanBeAskedFor)
+{
+    isInPositionMode();
+    ASSERT_TRUE(encoder().start(ReadParameters{{Parameter::steps}}));
+    EXPECT_FALSE(action("resetToDefault").isEnabled());
+    finishJobs();
+    EXPECT_TRUE(action("resetToDefault").isEnabled());
+}
+
+} // namespace
+} // namespace codewheel

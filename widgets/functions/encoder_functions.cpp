@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/functions/encoder_functions.h"
+
+#include "catalog/device_description.h"
+#include "widgets/functions/function_questions.h"
+#include "widgets/look/icons.h"
+
+#include <QWidget>
+
+namespace codewheel {
+namespace {
+
+constexpr std::int64_t startsUpAsK3 = 1; // read-out 9, FRABA manual 10.2
+
+void describe(QAction &action, const char *name, const QString &what, const QKeySequence &key = {})
+{
+    action.setObjectName(QLatin1String(name));
+    action.setStatusTip(what);
+    action.setShortcut(key);
+    action.setToolTip(
+        key.isEmpty() ? what : QStringLiteral("%1 (%2)").arg(what, key.toString(QKeySequence::NativeText)));
+}
+
+} // namespace
+
+EncoderFunctions::EncoderFunctions(QWidget *window)
+    : QObject(window)
+    , m_window(window)
+    , m_position(new QAction(tr("P&osition mode"), this))
+    , m_velocity(new QAction(this))
+    , m_frabaPreset(new QAction(lineIcon(Icon::preset), tr("FRABA &preset..."), this))
+    , m_reset(new QAction(tr("Reset to &factory settings..."), this))
+{
+    m_position->setCheckable(true);
+    m_velocity->setCheckable(true);
+    describe(*m_position, "positionMode", tr("The encoder sends its position; ends velocity and cam mode"),
+             Qt::CTRL | Qt::SHIFT | Qt::Key_O);
+    describe(*m_velocity, "velocityMode",
+             tr("The encoder sends its speed in revolutions per minute instead of its position"),
+             Qt::CTRL | Qt::SHIFT | Qt::Key_V);
+    describe(*m_frabaPreset, "frabaPreset",
+             tr("Sets the position to the programmed preset, as often as wanted; asks first"),
+             Qt::CTRL | Qt::SHIFT | Qt::Key_P);
+    describe(*m_reset, "resetToDefault", tr("Tells what is lost, and asks first"));
+    connect(m_position, &QAction::triggered, this, &EncoderFunctions::goToPositionMode);
+    connect(m_velocity, &QAction::triggered, this, &EncoderFunctions::goToVelocityMode);
+    connect(m_frabaPreset, &QAction::triggered, this, &EncoderFunctions::setToPreset);
+    connect(m_reset, &QAction::triggered, this, &EncoderFunctions::reset);
+    show();
+}
+
+void EncoderFunctions::setEncoder(EncoderSession *encoder)
+{
+    if (m_encoder)
+        m_encoder->disconnect(this);
+    m_encoder = encoder;
+    m_resetJob.reset();
+    m_switchJob.reset();
+    if (encoder != nullptr) {
+        connect(encoder, &EncoderSession::latestChanged, this, &EncoderFunctions::show);
+        connect(encoder, &EncoderSession::jobStarted, this, &EncoderFunctions::show);
+        connect(encoder, &EncoderSession::finished, this, &EncoderFunctions::finished);
+        connect(encoder, &QObject::destroyed, this, &EncoderFunctions::show);
+    }
+    show();
+}
+
+void EncoderFunctions::show()
+{
+    const Capabilities can = m_encoder ? m_encoder->can() : Capabilities{};
+    const bool hasModes = m_encoder && m_encoder->device().quirks.hasModes;
+    const auto mode = m_encoder ? m_encoder->latest().mode : std::nullopt;
+    const bool isFree = m_encoder && !m_encoder->runningJob();
+    m_position->setVisible(hasModes);
+    m_velocity->setVisible(can.velocity);
+    m_frabaPreset->setVisible(can.manufacturerPreset);
+    m_reset->setVisible(can.resets);
+    for (QAction *action : actions())
+        action->setEnabled(isFree && action->isVisible());
+    m_position->setChecked(mode == Mode::position);
+    m_velocity->setChecked(mode == Mode::velocity);
+    m_velocity->setText(tr("&Velocity mode (now: %1)").arg(modeName(mode)));
+}
+
+void EncoderFunctions::goToPositionMode()
+{
+    show(); // the tick follows the encoder, not the click
+    const auto mode = m_encoder->latest().mode;
+    if (mode == Mode::position || (mode == Mode::cam && !askToLeaveCamMode(m_window, *m_encoder)))
+        return;
+    start(SwitchMode{Mode::position});
+}
+
+void EncoderFunctions::goToVelocityMode()
+{
+    show();
+    const auto mode = m_encoder->latest().mode;
+    if (mode == Mode::velocity)
+        start(SwitchMode{Mode::position});
+    else if (mode != Mode::cam || askToLeaveCamMode(m_window, *m_encoder))
+        startInPositionMode(SwitchMode{Mode::velocity}, k3::velocityOn);
+}
+
+void EncoderFunctions::setToPreset()
+{
+    if (askForFrabaPreset(m_window, *m_encoder))
+        startInPositionMode(SetPreset{{}, PresetCommand::manufacturer}, k3::frabaPreset);
+}
+
+void EncoderFunctions::reset()
+{
+    if (askForReset(m_window, *m_encoder))
+        m_resetJob = start(ResetToDefault{});
+}
+
+// Asks for the mode where it is not known.
+void EncoderFunctions::startInPositionMode(const Job &job, Word out)
+{
+    if (!m_encoder)
+        return;
+    if (m_encoder->latest().mode) {
+        start(job);
+        return;
+    }
+    switch (askForMode(m_window, *m_encoder, out)) {
+    case ModeAnswer::isInPositionMode:
+        m_encoder->tell(Parameter::startUpMode, startsUpAsK3);
+        start(job);
+        break;
+    case ModeAnswer::switchFirst:
+        m_next = job;
+        m_switchJob = start(SwitchMode{Mode::position});
+        break;
+    case ModeAnswer::cancel:
+        break;
+    }
+}
+
+std::optional<JobId> EncoderFunctions::start(const Job &job)
+{
+    if (!m_encoder) // gone while it was asked for
+        return std::nullopt;
+    const auto started = m_encoder->start(job);
+    if (started)
+        return *started;
+    Q_EMIT refused(started.error());
+    return std::nullopt;
+}
+
+void EncoderFunctions::finished(const Outcome &outcome)
+{
+    show();
+    if (m_switchJob != outcome.job)
+        return;
+    m_switchJob.reset();
+    if (outcome.result)
+        start(m_next);
+}
+
+} // namespace codewheel

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+
+#include <QAction>
+#include <QPointer>
+
+namespace codewheel {
+
+// What an encoder can do beside its parameters: position and velocity mode, FRABA preset, reset to factory
+// settings. Actions for menus, shown as far as the encoder has them; those that cost or lose something ask
+// first. How a job ends is told by the encoder session.
+class EncoderFunctions : public QObject
+{
+    Q_OBJECT
+
+public:
+    // Questions are asked on `window`.
+    explicit EncoderFunctions(QWidget *window);
+
+    void setEncoder(EncoderSession *encoder);
+    QList<QAction *> actions() const { return {m_position, m_velocity, m_frabaPreset, m_reset}; }
+    // Whether this job is the reset that was started here.
+    bool isReset(JobId job) const { return m_resetJob == job; }
+
+Q_SIGNALS:
+    void refused(const codewheel::Refusal &why);
+
+private:
+    void show();
+    void goToPositionMode();
+    void goToVelocityMode();
+    void setToPreset();
+    void reset();
+    void startInPositionMode(const Job &job, Word out);
+    std::optional<JobId> start(const Job &job);
+    void finished(const Outcome &outcome);
+
+    QWidget *m_window;
+    QPointer<EncoderSession> m_encoder;
+    QAction *m_position;
+    QAction *m_velocity;
+    QAction *m_frabaPreset;
+    QAction *m_reset;
+    std::optional<JobId> m_resetJob;
+    std::optional<JobId> m_switchJob; // into position mode, for
+    Job m_next;
+};
+
+} // namespace codewheel

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/functions/function_questions.h"
+
+#include "catalog/device_description.h"
+#include "encoder/refusal_text.h"
+#include "widgets/wizard/known_text.h"
+
+#include <QCoreApplication>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace codewheel {
+namespace {
+
+struct Functions
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::EncoderFunctions)
+};
+
+// "EEPROM writes: 1, by this program so far: 12. The manual states about 200 in all."
+QString costText(const EncoderSession &encoder)
+{
+    QString text = Functions::tr("EEPROM writes: 1; by this program so far: %1.").arg(encoder.eepromWrites());
+    if (const auto budget = encoder.can().eepromBudget)
+        text += u' ' + Functions::tr("The manual states about %1 in all.").arg(*budget);
+    return text;
+}
+
+bool confirm(QWidget *window, const QString &question, const QStringList &paragraphs, const QString &doIt,
+             const QString &toolTip)
+{
+    QMessageBox box(QMessageBox::Question, QString(), question, QMessageBox::NoButton, window);
+    box.setWindowTitle(QCoreApplication::applicationName());
+    box.setInformativeText(paragraphs.join(QStringLiteral("\n\n")));
+    QPushButton *yes = box.addButton(doIt, QMessageBox::AcceptRole);
+    yes->setToolTip(toolTip);
+    box.setDefaultButton(box.addButton(QMessageBox::Cancel));
+    box.exec();
+    return box.clickedButton() == yes;
+}
+
+QString whatIsLost(const EncoderSession &encoder)
+{
+    QStringList names;
+    for (const ParameterDescription &parameter : encoder.device().parameters)
+        if (parameter.number)
+            names << parameterName(parameter.parameter);
+    QString text = Functions::tr("Lost are: %1.").arg(names.join(QStringLiteral(", ")));
+    if (encoder.can().cams)
+        text += u' ' + Functions::tr("All cam programs are lost, too, and the encoder is in position mode "
+                                     "afterwards.");
+    return text;
+}
+
+} // namespace
+
+QString modeName(std::optional<Mode> mode)
+{
+    if (!mode)
+        return Functions::tr("not known", "mode");
+    switch (*mode) {
+    case Mode::velocity:
+        return Functions::tr("velocity", "mode");
+    case Mode::cam:
+        return Functions::tr("cam", "mode");
+    case Mode::position:
+        break;
+    }
+    return Functions::tr("position", "mode");
+}
+
+ModeAnswer askForMode(QWidget *window, const EncoderSession &encoder, Word out)
+{
+    QMessageBox box(QMessageBox::Question, QCoreApplication::applicationName(),
+                    Functions::tr("In which mode is the encoder %1?").arg(encoder.number().toString()),
+                    QMessageBox::NoButton, window);
+    box.setInformativeText(
+        refusalText({RefusalKind::notSupported, RefusalId::modeNotKnown, {out}}) + QStringLiteral("\n\n") +
+        Functions::tr(
+            "It can also be put into position mode first: 20800000, then 20400000. Where it is in a "
+            "cam program that was changed, that stores the program: one EEPROM write."));
+    QPushButton *is = box.addButton(Functions::tr("It is in &position mode"), QMessageBox::AcceptRole);
+    is->setToolTip(Functions::tr("Goes on, as you have made sure of it"));
+    QPushButton *put = box.addButton(Functions::tr("Put it into position &mode"), QMessageBox::AcceptRole);
+    put->setToolTip(Functions::tr("Sends 20800000 and 20400000, then goes on"));
+    box.setDefaultButton(box.addButton(QMessageBox::Cancel));
+    box.exec();
+    if (box.clickedButton() == is)
+        return ModeAnswer::isInPositionMode;
+    return box.clickedButton() == put ? ModeAnswer::switchFirst : ModeAnswer::cancel;
+}
+
+bool askToLeaveCamMode(QWidget *window, const EncoderSession &encoder)
+{
+    return confirm(window, Functions::tr("Leave cam mode at %1?").arg(encoder.number().toString()),
+                   {Functions::tr("The cams switch no more. A cam program that was changed is stored when it "
+                                  "is left: one EEPROM write.")},
+                   Functions::tr("&Leave cam mode"), Functions::tr("Sends 20800000, then goes on"));
+}
+
+bool askForFrabaPreset(QWidget *window, const EncoderSession &encoder)
+{
+    const auto preset = encoder.known(Parameter::preset);
+    const QString value = preset ? valueWithUnit(encoder.device(), {Parameter::preset, preset->value})
+                                 : Functions::tr("not known: read it, or write one, under Parameters");
+    return confirm(
+        window, Functions::tr("Set the position of %1 to its preset?").arg(encoder.number().toString()),
+        {Functions::tr("FRABA preset: where the shaft stands now, the encoder will show its preset (%1). "
+                       "60000000 is sent for one bus cycle. It works as often as you want.")
+             .arg(value),
+         costText(encoder)},
+        Functions::tr("&Set position"), Functions::tr("Sends 60000000 for one bus cycle, then 00000000"));
+}
+
+bool askForReset(QWidget *window, const EncoderSession &encoder)
+{
+    const QString after =
+        encoder.can().reads
+            ? Functions::tr("Afterwards the encoder is read, to see what it has then.")
+            : Functions::tr("It cannot be read: afterwards it is taken to have the factory settings of its "
+                            "manual.");
+    return confirm(
+        window, Functions::tr("Reset %1 to factory settings?").arg(encoder.number().toString()),
+        {Functions::tr("Sends 0E000000, then run. %1").arg(whatIsLost(encoder)), costText(encoder), after},
+        Functions::tr("&Reset"), Functions::tr("Sends 0E000000, then run. This cannot be taken back."));
+}
+
+} // namespace codewheel

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+
+class QWidget;
+
+namespace codewheel {
+
+// "position", "velocity", "cam", "not known".
+QString modeName(std::optional<Mode> mode);
+
+enum class ModeAnswer { isInPositionMode, switchFirst, cancel };
+
+// The mode is not known, and `out` would set a cam in cam mode.
+ModeAnswer askForMode(QWidget *window, const EncoderSession &encoder, Word out);
+
+// What it does and what it costs; true: do it.
+bool askToLeaveCamMode(QWidget *window, const EncoderSession &encoder);
+bool askForFrabaPreset(QWidget *window, const EncoderSession &encoder);
+bool askForReset(QWidget *window, const EncoderSession &encoder);
+
+} // namespace codewheel
