@@ -847,6 +847,10 @@
         <source>This encoder is now taken for: %1. What was known of it is forgotten.</source>
         <translation>Dieser Geber gilt jetzt als: %1. Was über ihn bekannt war, ist vergessen.</translation>
     </message>
+    <message>
+        <source>The encoder was left in service mode: it shows no position. Set OUT to 0 to bring it back to normal mode.</source>
+        <translation>Der Geber blieb im Dienstbetrieb: Er zeigt keine Position. OUT auf 0 setzen bringt ihn in den Normalbetrieb zurück.</translation>
+    </message>
 </context>
 <context>
     <name>Millimetres</name>
@@ -1429,6 +1433,13 @@
     </message>
 </context>
 <context>
+    <name>RodScale</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
     <name>Role</name>
     <message>
         <source>Running</source>
@@ -1800,6 +1811,10 @@
         <source>%1 degrees</source>
         <translation>%1 Grad</translation>
     </message>
+    <message>
+        <source>Velocity %1</source>
+        <translation>Drehzahl %1</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandLine</name>
@@ -2006,12 +2021,6 @@ er ohne Warten läuft, kommt die Antwort sofort.</translation>
         <translation>die Position eines Gebers setzen</translation>
     </message>
     <message>
-        <source>Makes the encoder show its preset value at the place where its shaft stands. With a VALUE, that is
-written as the preset first. Sends at once, without asking.</source>
-        <translation>Lässt den Geber dort, wo seine Welle steht, den Presetwert zeigen. Mit VALUE wird dieser Wert
-erst als Preset geschrieben. Sendet sofort, ohne zu fragen.</translation>
-    </message>
-    <message>
         <source>Nothing was written to it from here either, so nothing is known of it.</source>
         <translation>Von hier wurde auch nichts geschrieben, deshalb ist nichts von ihm bekannt.</translation>
     </message>
@@ -2022,12 +2031,6 @@ erst als Preset geschrieben. Sendet sofort, ohne zu fragen.</translation>
     <message>
         <source>read the parameters that an encoder has</source>
         <translation>die Parameter eines Gebers auslesen</translation>
-    </message>
-    <message>
-        <source>Reads the parameters named, or all that can be read. While it is read, the encoder shows no
-position. An encoder without read-out (devices tells which) is not asked: exit code 1.</source>
-        <translation>Liest die genannten Parameter oder alle lesbaren. Während des Auslesens zeigt der Geber keine
-Position. Ein Geber ohne Auslesen (siehe devices) wird nicht gefragt: Exit-Code 1.</translation>
     </message>
     <message>
         <source>make not known</source>
@@ -2317,6 +2320,114 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>If it turns out to count steps minus 1, the word of steps carries one less.</source>
         <translation>Zählt der Geber Schritte minus 1, steht im Wort der Schritte eins weniger.</translation>
     </message>
+    <message>
+        <source>send the FRABA preset, which works as often as wanted</source>
+        <translation>den FRABA-Preset senden, der beliebig oft wirkt</translation>
+    </message>
+    <message>
+        <source>Makes the encoder show its preset value at the place where its shaft stands. With a VALUE, that is
+written as the preset first. Sends at once, without asking.
+
+A FRABA encoder activates a preset once; it is programmed again where that is needed. The FRABA preset
+(60000000, for one bus cycle) needs no programming again.</source>
+        <translation>Lässt den Geber an der Stelle, an der seine Welle steht, seinen Preset-Wert zeigen. Mit VALUE wird
+dieser zuerst als Preset geschrieben. Sendet sofort, ohne zu fragen.
+
+Ein FRABA-Geber aktiviert einen Preset nur einmal; wo nötig, wird er neu programmiert. Der FRABA-Preset
+(60000000, einen Buszyklus lang) braucht das nicht.</translation>
+    </message>
+    <message>
+        <source>Reads the parameters named, or all that can be read but the registers of the bus chip, which are
+read by name: opc-register-0 to opc-register-15. While it is read, the encoder shows no position.
+An encoder without read-out (devices tells which) is not asked: exit code 1.</source>
+        <translation>Liest die genannten Parameter, oder alle lesbaren außer den Registern des Buschips; die werden mit
+Namen gelesen: opc-register-0 bis opc-register-15. Beim Lesen zeigt der Geber keine Position.
+Ein Geber ohne Auslesen (siehe devices) wird nicht gefragt: Rückgabewert 1.</translation>
+    </message>
+    <message>
+        <source>reset without asking</source>
+        <translation>zurücksetzen, ohne zu fragen</translation>
+    </message>
+    <message>
+        <source>%1, %2, will be reset to factory settings (0E000000, then run).</source>
+        <translation>%1, %2, wird auf Werkseinstellungen zurückgesetzt (0E000000, dann Run).</translation>
+    </message>
+    <message>
+        <source>Lost are: %1.</source>
+        <translation>Verloren gehen: %1.</translation>
+    </message>
+    <message>
+        <source>All cam programs are lost, too, and the encoder is in position mode afterwards.</source>
+        <translation>Auch alle Nockenprogramme gehen verloren; danach ist der Geber im Positionsbetrieb.</translation>
+    </message>
+    <message>
+        <source>, and 1 more where it is in a cam program that was changed</source>
+        <translation>, und einer mehr, wenn er in einem geänderten Nockenprogramm ist</translation>
+    </message>
+    <message>
+        <source>Read back:</source>
+        <translation>Zurückgelesen:</translation>
+    </message>
+    <message>
+        <source>Factory settings, confirmed by the handshake:</source>
+        <translation>Werkseinstellungen, durch den Handshake bestätigt:</translation>
+    </message>
+    <message>
+        <source>Reset %1?</source>
+        <translation>%1 zurücksetzen?</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: there is nobody to ask. Add --yes to reset.</source>
+        <translation>Nichts gesendet: Niemand kann gefragt werden. Mit --yes wird zurückgesetzt.</translation>
+    </message>
+    <message>
+        <source>reset an encoder to factory settings, after asking</source>
+        <translation>einen Geber nach Rückfrage auf Werkseinstellungen zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Tells what is lost and what it costs; asks; resets the encoder; and tells what it has then, read back
+where that is possible. Where nobody can be asked, --yes is needed: without it nothing is sent, exit
+code 2.</source>
+        <translation>Sagt, was verloren geht und was es kostet; fragt; setzt den Geber zurück; und sagt, was er danach hat,
+zurückgelesen, wo das geht. Wo niemand gefragt werden kann, ist --yes nötig: Sonst wird nichts gesendet,
+Rückgabewert 2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither on nor off.</source>
+        <translation>„%1“ ist weder on noch off.</translation>
+    </message>
+    <message>
+        <source>Velocity mode: %1 rpm</source>
+        <translation>Drehzahlbetrieb: %1 U/min</translation>
+    </message>
+    <message>
+        <source>Position mode: %1</source>
+        <translation>Positionsbetrieb: %1</translation>
+    </message>
+    <message>
+        <source>let an encoder show its speed, or its position again</source>
+        <translation>einen Geber seine Drehzahl zeigen lassen, oder wieder seine Position</translation>
+    </message>
+    <message>
+        <source>In velocity mode an encoder shows whole revolutions per minute instead of its position, and goes on so
+after power-off, until it is switched off. Sends at once, without asking; writes nothing to the EEPROM.
+&quot;off&quot; ends cam mode, too.</source>
+        <translation>Im Drehzahlbetrieb zeigt ein Geber ganze Umdrehungen je Minute statt seiner Position, auch nach dem
+Ausschalten, bis der Betrieb beendet wird. Sendet sofort, ohne zu fragen; schreibt nichts ins EEPROM.
+„off“ beendet auch den Nockenbetrieb.</translation>
+    </message>
+    <message>
+        <source>not shown in velocity mode</source>
+        <translation>wird im Drehzahlbetrieb nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>say that the encoder is not in cam mode, where the same word sets a cam</source>
+        <translation>angeben, dass der Geber nicht im Nockenbetrieb ist, in dem dasselbe Wort einen Nocken setzt</translation>
+    </message>
+    <message>
+        <source>Each word goes out for two bus cycles with its first bit, the service bit, 0; what was written is read back.</source>
+        <translation>Jedes Wort geht zwei Buszyklen lang mit dem ersten Bit, dem Dienst-Bit, 0 hinaus; Geschriebenes wird zurückgelesen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DescriptionReader</name>
@@ -2543,6 +2654,161 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>Numbers of the &amp;whole word, not of D24..D0</source>
         <translation>Zahlen für das ga&amp;nze Wort, nicht für D24..D0</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EncoderFunctions</name>
+    <message>
+        <source>P&amp;osition mode</source>
+        <translation>P&amp;ositionsbetrieb</translation>
+    </message>
+    <message>
+        <source>FRABA &amp;preset...</source>
+        <translation>FRABA-&amp;Preset ...</translation>
+    </message>
+    <message>
+        <source>Reset to &amp;factory settings...</source>
+        <translation>Auf &amp;Werkseinstellungen zurücksetzen ...</translation>
+    </message>
+    <message>
+        <source>The encoder sends its position; ends velocity and cam mode</source>
+        <translation>Der Geber sendet seine Position; beendet Drehzahl- und Nockenbetrieb</translation>
+    </message>
+    <message>
+        <source>The encoder sends its speed in revolutions per minute instead of its position</source>
+        <translation>Der Geber sendet seine Drehzahl in Umdrehungen je Minute statt seiner Position</translation>
+    </message>
+    <message>
+        <source>Sets the position to the programmed preset, as often as wanted; asks first</source>
+        <translation>Setzt die Position auf den programmierten Preset, beliebig oft; fragt vorher</translation>
+    </message>
+    <message>
+        <source>Tells what is lost, and asks first</source>
+        <translation>Sagt, was verloren geht, und fragt vorher</translation>
+    </message>
+    <message>
+        <source>&amp;Velocity mode (now: %1)</source>
+        <translation>&amp;Drehzahlbetrieb (jetzt: %1)</translation>
+    </message>
+    <message>
+        <source>EEPROM writes: 1; by this program so far: %1.</source>
+        <translation>EEPROM-Schreibvorgänge: 1; von diesem Programm bisher: %1.</translation>
+    </message>
+    <message>
+        <source>The manual states about %1 in all.</source>
+        <translation>Das Handbuch nennt insgesamt etwa %1.</translation>
+    </message>
+    <message>
+        <source>Lost are: %1.</source>
+        <translation>Verloren gehen: %1.</translation>
+    </message>
+    <message>
+        <source>All cam programs are lost, too, and the encoder is in position mode afterwards.</source>
+        <translation>Auch alle Nockenprogramme gehen verloren; danach ist der Geber im Positionsbetrieb.</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <comment>mode</comment>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <comment>mode</comment>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>cam</source>
+        <comment>mode</comment>
+        <translation>Nocken</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <comment>mode</comment>
+        <translation>die Position</translation>
+    </message>
+    <message>
+        <source>In which mode is the encoder %1?</source>
+        <translation>In welcher Betriebsart ist der Geber %1?</translation>
+    </message>
+    <message>
+        <source>It can also be put into position mode first: 20800000, then 20400000. Where it is in a cam program that was changed, that stores the program: one EEPROM write.</source>
+        <translation>Er kann auch zuerst in den Positionsbetrieb geschaltet werden: 20800000, dann 20400000. Ist er in einem geänderten Nockenprogramm, wird dieses dabei gespeichert: ein EEPROM-Schreibvorgang.</translation>
+    </message>
+    <message>
+        <source>It is in &amp;position mode</source>
+        <translation>Er ist im &amp;Positionsbetrieb</translation>
+    </message>
+    <message>
+        <source>Goes on, as you have made sure of it</source>
+        <translation>Geht weiter, weil das sichergestellt ist</translation>
+    </message>
+    <message>
+        <source>Put it into position &amp;mode</source>
+        <translation>In den Positions&amp;betrieb schalten</translation>
+    </message>
+    <message>
+        <source>Sends 20800000 and 20400000, then goes on</source>
+        <translation>Sendet 20800000 und 20400000, dann geht es weiter</translation>
+    </message>
+    <message>
+        <source>Leave cam mode at %1?</source>
+        <translation>Den Nockenbetrieb bei %1 verlassen?</translation>
+    </message>
+    <message>
+        <source>The cams switch no more. A cam program that was changed is stored when it is left: one EEPROM write.</source>
+        <translation>Die Nocken schalten nicht mehr. Ein geändertes Nockenprogramm wird beim Verlassen gespeichert: ein EEPROM-Schreibvorgang.</translation>
+    </message>
+    <message>
+        <source>&amp;Leave cam mode</source>
+        <translation>Nockenbetrieb &amp;verlassen</translation>
+    </message>
+    <message>
+        <source>Sends 20800000, then goes on</source>
+        <translation>Sendet 20800000, dann geht es weiter</translation>
+    </message>
+    <message>
+        <source>not known: read it, or write one, under Parameters</source>
+        <translation>unbekannt: unter Parameter auslesen oder schreiben</translation>
+    </message>
+    <message>
+        <source>Set the position of %1 to its preset?</source>
+        <translation>Die Position von %1 auf den Preset setzen?</translation>
+    </message>
+    <message>
+        <source>FRABA preset: where the shaft stands now, the encoder will show its preset (%1). 60000000 is sent for one bus cycle. It works as often as you want.</source>
+        <translation>FRABA-Preset: Wo die Welle jetzt steht, zeigt der Geber danach seinen Preset (%1). 60000000 wird einen Buszyklus lang gesendet. Das wirkt beliebig oft.</translation>
+    </message>
+    <message>
+        <source>&amp;Set position</source>
+        <translation>Position &amp;setzen</translation>
+    </message>
+    <message>
+        <source>Sends 60000000 for one bus cycle, then 00000000</source>
+        <translation>Sendet einen Buszyklus lang 60000000, dann 00000000</translation>
+    </message>
+    <message>
+        <source>Afterwards the encoder is read, to see what it has then.</source>
+        <translation>Danach wird der Geber ausgelesen, um zu sehen, was er hat.</translation>
+    </message>
+    <message>
+        <source>It cannot be read: afterwards it is taken to have the factory settings of its manual.</source>
+        <translation>Er ist nicht lesbar: Danach gelten die Werkseinstellungen seines Handbuchs.</translation>
+    </message>
+    <message>
+        <source>Reset %1 to factory settings?</source>
+        <translation>%1 auf Werkseinstellungen zurücksetzen?</translation>
+    </message>
+    <message>
+        <source>Sends 0E000000, then run. %1</source>
+        <translation>Sendet 0E000000, dann Run. %1</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>&amp;Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Sends 0E000000, then run. This cannot be taken back.</source>
+        <translation>Sendet 0E000000, dann Run. Das ist nicht rückgängig zu machen.</translation>
     </message>
 </context>
 <context>
@@ -3487,6 +3753,34 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <source>Known</source>
         <translation>Bekannt</translation>
     </message>
+    <message>
+        <source>Read only</source>
+        <translation>Nur lesbar</translation>
+    </message>
+    <message>
+        <source>Registers of the bus chip</source>
+        <translation>Register des Buschips</translation>
+    </message>
+    <message>
+        <source>%1, open</source>
+        <translation>%1, aufgeklappt</translation>
+    </message>
+    <message>
+        <source>%1, folded away</source>
+        <translation>%1, zugeklappt</translation>
+    </message>
+    <message>
+        <source>What the encoder tells and nobody can write</source>
+        <translation>Was der Geber meldet und niemand schreiben kann</translation>
+    </message>
+    <message>
+        <source>Click, or Enter: folds the registers away</source>
+        <translation>Klick oder Eingabe: klappt die Register zu</translation>
+    </message>
+    <message>
+        <source>Click, or Enter: shows the registers of the INTERBUS chip. While they are shown, Read from encoder reads them, too.</source>
+        <translation>Klick oder Eingabe: zeigt die Register des INTERBUS-Chips. Solange sie gezeigt werden, liest „Aus dem Geber lesen“ sie mit.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ParameterPanel</name>
@@ -3521,10 +3815,6 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>&amp;More</source>
         <translation>&amp;Mehr</translation>
-    </message>
-    <message>
-        <source>Take over, clear or tell values</source>
-        <translation>Werte übernehmen, leeren oder angeben</translation>
     </message>
     <message>
         <source>More for the parameters</source>
@@ -3587,6 +3877,18 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>Values read: %1.</source>
         <translation>Ausgelesene Werte: %1.</translation>
+    </message>
+    <message>
+        <source>Take over, clear or tell values; modes, preset and reset</source>
+        <translation>Werte übernehmen, löschen oder angeben; Betriebsarten, Preset und Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Position: %1.</source>
+        <translation>Position: %1.</translation>
+    </message>
+    <message>
+        <source>Mode: %1.</source>
+        <translation>Betriebsart: %1.</translation>
     </message>
 </context>
 <context>
@@ -4226,10 +4528,6 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
         <translation>Rohwort %1. Betriebsart unbekannt: die Anlaufbetriebsart unter Parameter angeben.</translation>
     </message>
     <message>
-        <source>Raw word %1, in velocity mode: there is no position.</source>
-        <translation>Rohwort %1, im Drehzahlbetrieb: keine Position.</translation>
-    </message>
-    <message>
         <source>Raw word %1, in cam mode: there is no position.</source>
         <translation>Rohwort %1, im Nockenbetrieb: keine Position.</translation>
     </message>
@@ -4240,6 +4538,10 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>Not known: %1. The disc needs it to turn.</source>
         <translation>Unbekannt: %1. Ohne das dreht die Scheibe nicht.</translation>
+    </message>
+    <message>
+        <source>No position while the encoder sends its velocity.</source>
+        <translation>Keine Position, solange der Geber seine Drehzahl sendet.</translation>
     </message>
 </context>
 <context>
