@@ -27,7 +27,7 @@ void K3CamKnowledge::observe(Word in, Word out, std::optional<Mode> mode, std::o
     if (k3::isConfirmation(in))
         observeAnswer(in);
     else if (k3::isOperation(in))
-        observeOperation(in, out);
+        observeOperation(in);
     else if (k3::isReadOutAnswer(in))
         observeReadOut(in, out);
     else if (in != m_in)
@@ -74,23 +74,15 @@ void K3CamKnowledge::observeAnswer(Word in)
 }
 
 // Only run and a change of the program end a cam parameterization: else the encoder has lost its power. So it
-// may have where IN becomes 00000000h.
-void K3CamKnowledge::observeOperation(Word in, Word out)
+// may have where IN becomes 00000000h, which it did not show in operation before.
+void K3CamKnowledge::observeOperation(Word in)
 {
     if (m_isParameterized && !m_mayEnd)
         loseChange(true);
-    else if (in == 0 && m_in != 0 && !isEndOfReadOut(out))
+    else if (in == 0 && m_shown != 0)
         loseChange(false);
     m_isParameterized = false;
-}
-
-// With the cams only, 00000000h is what IN shows as long as none of them is on.
-bool K3CamKnowledge::isEndOfReadOut(Word out) const
-{
-    if (!m_program || !k3::isReadOutAnswer(m_in) || out != k3::normalRunning)
-        return false;
-    const auto &shift = m_programs[*m_program].values[camFieldCount - 1];
-    return shift && shift->data == CamProgram::largestShift;
+    m_shown = in;
 }
 
 void K3CamKnowledge::observeReadOut(Word in, Word out)

@@ -41,8 +41,7 @@ private:
 
     void observeOut(Word out, bool mayBeCamMode);
     void observeAnswer(Word in);
-    void observeOperation(Word in, Word out);
-    bool isEndOfReadOut(Word out) const;
+    void observeOperation(Word in);
     void observeReadOut(Word in, Word out);
     void observeError(Word in);
     void learn(unsigned program, CamField field, Value value);
@@ -60,6 +59,7 @@ private:
     bool m_mayEnd = false;             // run was sent since, or another mode
     bool m_answerIsFresh = false;      // IN held no read-out answer since the request stands in OUT
     bool m_isDirty = false;
+    Word m_shown = 0; // last in operation
     Word m_in = 0;
     Word m_out = 0;
     Instant m_now{};

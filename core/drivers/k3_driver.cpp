@@ -167,7 +167,7 @@ Word K3Driver::carryOn(Word in, Word out, Instant now)
             else if (run.cancelled)
                 finish(refuse(RefusalKind::stopped, RefusalId::cancelled));
             else
-                finish({});
+                finish(checkCams(in));
             return out;
         }
         if (!run.begun) {
@@ -306,10 +306,13 @@ void K3Driver::ranWithWhatWasConfirmed()
 void K3Driver::fail(Refusal why)
 {
     Run &run = *m_run;
+    const bool isOfBringingBack =
+        run.failure && run.index < run.steps.size() && current().kind == StepKind::run;
     run.steps.resize(run.index);
     run.begun = false;
-    if (!run.failure) {
-        run.failure = std::move(why);
+    if (!run.failure || isOfBringingBack) {
+        if (!run.failure)
+            run.failure = std::move(why);
         if (!std::holds_alternative<SendWords>(run.job))
             run.steps.push_back(K3Plan::toNormal(false));
     }

@@ -84,6 +84,7 @@ private:
     void planWrite(const CamProgram &now);
     void camWordTaken(Word out);
     void dropCams();
+    Result<void> checkCams(Word in);
     K3Steps stepsToRestoreCams() const;
     bool bringsBack(Word in) const;
     void fail(Refusal why);

@@ -86,6 +86,19 @@ void K3Driver::dropCams()
         cams.taken.erase(*program);
 }
 
+// What was written and read back may be lost until its program is left. With the cams only, 00000000h in IN
+// is no sign of that.
+Result<void> K3Driver::checkCams(Word in)
+{
+    const auto isLost = [this](const CamProgram &program) {
+        const auto known = m_knowledge.cams(program.number);
+        return program.shift != CamProgram::largestShift && (!known || known->program != program);
+    };
+    if (std::erase_if(m_run->cams.written, isLost) != 0)
+        return tl::unexpected(restarted(in));
+    return {};
+}
+
 // The program the encoder is in first: what it has there is not saved yet.
 K3Steps K3Driver::stepsToRestoreCams() const
 {

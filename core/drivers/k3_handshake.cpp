@@ -61,6 +61,8 @@ State K3Handshake::answerTo(Word in)
             return runs(in);
         case StepKind::toNormal:
             return m_step.mustOperate ? runs(in) : !showsReadOut(in);
+        case StepKind::switchMode:
+            return in != 0 || !k3::isProgramWord(m_step.out);
         default:
             return true;
         }
@@ -131,12 +133,14 @@ State K3Handshake::presetAnswer(Word in) const
     return k3::isOperation(in) && hasSettled() ? State::done : State::waiting;
 }
 
-// A mode word acts at once, without acknowledgement or run (FRABA manual 5.4.2, 5.4.4).
+// A mode word acts at once, without acknowledgement or run (FRABA manual 5.4.2, 5.4.4). Where IN becomes
+// 00000000h, the encoder may have lost its power before it took the word: it stands until that is over.
 State K3Handshake::switchAnswer(Word in) const
 {
     if (isNewError(in))
         return State::error;
-    return m_cycles >= m_step.holdCycles && hasSettled() ? State::done : State::waiting;
+    const bool isWatched = m_answered ? hasSettled() : m_now - m_begin >= m_timing.restart;
+    return m_cycles >= m_step.holdCycles && isWatched ? State::done : State::waiting;
 }
 
 State K3Handshake::normalAnswer(Word in) const
@@ -154,10 +158,15 @@ State K3Handshake::readOutAnswer(Word in) const
     return k3::number(in) == 0 ? State::done : State::error; // A4......: unknown parameter in read-out
 }
 
-// Outside cam mode 2020xxxx is an undefined word: 84000000.
+// Outside cam mode 2020xxxx is an undefined word: 84000000. An answer that comes out of a long 00000000h is
+// that of an encoder that has just started, in a program that is not known.
 State K3Handshake::camReadOutAnswer(Word in) const
 {
-    return isNewError(in) ? State::error : readOutAnswer(in);
+    if (isNewError(in))
+        return State::error;
+    const State answer = readOutAnswer(in);
+    const bool hasStarted = m_inAtBegin == 0 && m_now - m_begin >= m_timing.restart;
+    return answer == State::done && hasStarted ? State::restarted : answer;
 }
 
 // IN = OUT with D31 D30 = 11, or an error in its place (FRABA manual 5.4.4, 10.6).

@@ -181,11 +181,14 @@ void K3Knowledge::observeRun(Word in, Instant now)
     m_changed = true;
 }
 
-// D30 0 -> 1: the zero offset is a new one. FRABA stores it, once for each programmed preset.
+// D30 0 -> 1: the zero offset is a new one. FRABA stores it, once for each programmed preset; with a number
+// or data beside D30 the word sets a cam, or is refused.
 void K3Knowledge::observePreset(Word out)
 {
     if ((out & k3::presetBit) == 0 || (m_out & k3::presetBit) != 0 || mode() == Mode::cam ||
         isManufacturerPreset(out) || !k3::isOperation(m_in))
+        return;
+    if (m_device.quirks.hasModes && out != k3::initialisePreset)
         return;
     forget(Parameter::zeroOffset);
     forget(Parameter::presetFlag);

@@ -114,15 +114,22 @@ struct Success
         return {
             {.id = MessageId::camsRead, .arguments = {static_cast<std::int64_t>(outcome.camsRead.size())}}};
     }
-    std::vector<Message> operator()(const WriteCams &) const
+    std::vector<Message> operator()(const WriteCams &job) const
     {
-        return {{.id = MessageId::camsWritten,
-                 .arguments = {programs(outcome.camsWritten), std::int64_t{outcome.eepromWrites}}}};
+        if (outcome.camsWritten.empty()) // the encoder had it all
+            return (*this)(ReadCams{.programs = {}, .afterwards = job.afterwards});
+        return whatWasWritten();
     }
     std::vector<Message> whatWasWritten() const
     {
-        return outcome.written.empty() ? std::vector<Message>{}
-                                       : std::vector<Message>{written(outcome, device)};
+        std::vector<Message> messages;
+        if (!outcome.written.empty())
+            messages.push_back(written(outcome, device));
+        if (!outcome.camsWritten.empty())
+            messages.push_back(
+                {.id = MessageId::camsWritten,
+                 .arguments = {programs(outcome.camsWritten), std::int64_t{outcome.eepromWrites}}});
+        return messages;
     }
 };
 
