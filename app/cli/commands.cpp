@@ -7,9 +7,9 @@
 namespace codewheel {
 namespace {
 
-constexpr std::array commands{&devicesCommand, &scanCommand,   &explainCommand, &wordsCommand,
-                              &readCommand,    &writeCommand,  &presetCommand,  &velocityCommand,
-                              &resetCommand,   &monitorCommand};
+constexpr std::array commands{&devicesCommand, &scanCommand,  &explainCommand, &wordsCommand,
+                              &readCommand,    &writeCommand, &presetCommand,  &velocityCommand,
+                              &resetCommand,   &camsCommand,  &monitorCommand};
 
 constexpr std::array common{
     Option{"--json", nullptr,

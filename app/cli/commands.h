@@ -15,6 +15,7 @@ extern const Subcommand writeCommand;
 extern const Subcommand presetCommand;
 extern const Subcommand velocityCommand;
 extern const Subcommand resetCommand;
+extern const Subcommand camsCommand;
 extern const Subcommand monitorCommand;
 
 // In the order of the help.

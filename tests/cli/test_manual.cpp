@@ -2,6 +2,7 @@
 // README and manual page print what the program prints.
 #include "tests/cli/cli_run.h"
 
+#include <QDir>
 #include <QFile>
 #include <QStringList>
 
@@ -35,6 +36,7 @@ std::vector<Example> examplesIn(const QString &page)
 
 void comparePage(const char *name, std::size_t atLeast)
 {
+    QDir::setCurrent(QStringLiteral(CODEWHEEL_ROOT)); // examples name files of docs/examples
     QFile file(QStringLiteral(CODEWHEEL_ROOT "/") + QString::fromLatin1(name));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     const std::vector<Example> examples = examplesIn(QString::fromUtf8(file.readAll()));

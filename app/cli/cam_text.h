@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cams/cam_fields.h"
+
+#include <QJsonArray>
+#include <QString>
+
+#include <vector>
+
+namespace codewheel {
+
+// A value in which the encoder and the wanted program are not the same.
+struct CamDifference
+{
+    unsigned program = 1;
+    CamField field;
+    std::int64_t encoder = 0;
+    std::int64_t wanted = 0;
+};
+
+// `has` and `wanted` are programs of the same numbers.
+std::vector<CamDifference> differencesOf(const std::vector<CamProgram> &has,
+                                         const std::vector<CamProgram> &wanted);
+
+// Program by program, a row for each cam.
+QString camTable(const std::vector<CamProgram> &programs);
+// A row for each value, with the word that sets it.
+QString differenceTable(const std::vector<CamDifference> &differences);
+
+QJsonArray camsJson(const std::vector<CamProgram> &programs);
+QJsonArray differencesJson(const std::vector<CamDifference> &differences);
+
+} // namespace codewheel

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cams/cam_file.h"
+#include "cams/check_cams.h"
+#include "catalog/total_range.h"
+#include "cli/bus_access.h"
+#include "cli/cam_text.h"
+#include "cli/commands.h"
+#include "cli/consent.h"
+#include "cli/json.h"
+#include "cli/texts.h"
+#include "cli/trace.h"
+#include "drivers/planned_words.h"
+#include "encoder/hex.h"
+#include "encoder/sentence.h"
+
+#include <QFile>
+#include <QSaveFile>
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *examples[] = {"cams 1.0 read", "cams 1.0 read cams.json --program 1",
+                                    "cams 1.0 compare docs/examples/cams.json",
+                                    "cams 1.0 write docs/examples/cams.json --yes"};
+
+constexpr std::array options{
+    Option{"--program", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "only this cam program, 1 to 8")},
+    Option{"--stay", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "leave the encoder in cam mode, in the last of the programs")},
+    Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "write without asking")},
+    Option{"--trace", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
+};
+
+// One call on its way: what it is about, and what it has to say so far.
+struct CamCall
+{
+    const Call &call;
+    EncoderSession &encoder;
+    Answer answer{};
+    std::vector<Exchange> rows{};
+
+    Result<Outcome> carryOut(const Job &job)
+    {
+        const FinishedJob finished = runToEnd(*call.bus, encoder, job);
+        rows.insert(rows.end(), finished.rows.begin(), finished.rows.end());
+        if (!finished.outcome.result)
+            return tl::unexpected(finished.outcome.result.error());
+        return finished.outcome;
+    }
+    // Where it was before, as far as that is known; else it stays in the last program, which is saved.
+    SwitchMode afterwards(const std::vector<unsigned> &programs) const
+    {
+        const Reading &reading = encoder.latest();
+        if (call.arguments.has("--stay") || !reading.mode)
+            return {Mode::cam, programs.back()};
+        return {*reading.mode, reading.camProgram.value_or(0)};
+    }
+    std::optional<std::int64_t> positions() const
+    {
+        ParameterValues values;
+        for (const Parameter parameter : {Parameter::steps, Parameter::revolutions})
+            if (const auto known = encoder.known(parameter))
+                values.push_back({parameter, known->value});
+        return totalRange(encoder.device(), values);
+    }
+    Result<std::vector<CamProgram>> readPrograms(const std::vector<unsigned> &programs)
+    {
+        auto read = carryOut(ReadParameters{{Parameter::steps, Parameter::revolutions}});
+        if (read)
+            read = carryOut(ReadCams{programs, afterwards(programs)});
+        if (!read)
+            return tl::unexpected(read.error());
+        std::ranges::sort(read->camsRead, {}, &CamProgram::number);
+        return read->camsRead;
+    }
+};
+
+Checked<std::optional<unsigned>> programFrom(const Arguments &arguments)
+{
+    const auto text = arguments.value("--program");
+    if (!text)
+        return std::nullopt;
+    bool isNumber = false;
+    const int number = text->toInt(&isNumber);
+    if (!isNumber)
+        return badInput(QStringLiteral("notANumber"),
+                        CommandLine::tr("\"%1\" is no number of a cam program. Choose one from 1 to 8."),
+                        {*text});
+    if (const auto checked = checkCamProgramNumber(number); !checked)
+        return tl::unexpected(complaintAbout(checked.error()));
+    return static_cast<unsigned>(number);
+}
+
+Checked<std::vector<CamProgram>> programsIn(const QString &name, std::optional<unsigned> program)
+{
+    QFile file(name);
+    if (!file.open(QIODevice::ReadOnly))
+        return badInput(QStringLiteral("fileNotRead"), CommandLine::tr("%1 cannot be read: %2."),
+                        {name, file.errorString()});
+    const auto cams = camFileFromJson(file.readAll(), name);
+    if (!cams)
+        return tl::unexpected(complaintAbout(cams.error()));
+    if (!program)
+        return cams->programs;
+    const auto one = camProgramOf(*cams, *program, name);
+    if (!one)
+        return tl::unexpected(complaintAbout(one.error()));
+    return std::vector{*one};
+}
+
+std::vector<unsigned> numbersOf(const std::vector<CamProgram> &programs)
+{
+    std::vector<unsigned> numbers;
+    for (const CamProgram &program : programs)
+        numbers.push_back(program.number);
+    return numbers;
+}
+
+void save(CamCall &cams, const QString &name, std::vector<CamProgram> programs)
+{
+    QSaveFile file(name);
+    const QByteArray json = camFileToJson({cams.encoder.device().key, cams.positions(), std::move(programs)});
+    if (file.open(QIODevice::WriteOnly) && file.write(json) == json.size() && file.commit())
+        cams.answer.text += sentence(CommandLine::tr("Saved in %1."), {name}) + u'\n';
+    else
+        cams.answer.complaint =
+            badInput(QStringLiteral("fileNotWritten"), CommandLine::tr("%1 cannot be written: %2."),
+                     {name, file.errorString()})
+                .value();
+}
+
+void read(CamCall &cams, std::optional<unsigned> program)
+{
+    std::vector<unsigned> programs{1, 2, 3, 4, 5, 6, 7, 8};
+    if (program)
+        programs = {*program};
+    const auto read = cams.readPrograms(programs);
+    if (!read) {
+        cams.answer.complaint = complaintAbout(read.error());
+        return;
+    }
+    cams.answer.text += camTable(*read);
+    cams.answer.json.insert(QStringLiteral("programs"), camsJson(*read));
+    if (cams.call.arguments.rest.size() > 2)
+        save(cams, cams.call.arguments.rest[2], *read);
+}
+
+// Reads the programs of the file from the encoder, and tells what differs.
+std::optional<std::vector<CamDifference>> compareWith(CamCall &cams, const std::vector<CamProgram> &wanted)
+{
+    const auto read = cams.readPrograms(numbersOf(wanted));
+    if (!read) {
+        cams.answer.complaint = complaintAbout(read.error());
+        return std::nullopt;
+    }
+    auto differences = differencesOf(*read, wanted);
+    cams.answer.json.insert(QStringLiteral("differences"), differencesJson(differences));
+    cams.answer.text += differences.empty() ? CommandLine::tr("The encoder has all of it.") + u'\n'
+                                            : differenceTable(differences);
+    return differences;
+}
+
+void compare(CamCall &cams, const std::vector<CamProgram> &wanted)
+{
+    const auto differences = compareWith(cams, wanted);
+    if (differences && !differences->empty())
+        cams.answer.complaint =
+            Complaint{ExitCode::refused, QStringLiteral("camsDiffer"),
+                      sentence(CommandLine::tr("The encoder and the file differ in values: %1."),
+                               {QString::number(differences->size())})};
+}
+
+QString wordList(const std::vector<Step> &steps)
+{
+    QStringList words;
+    for (const Step &step : steps)
+        if (step.kind != StepKind::camReadOut && step.kind != StepKind::endReadOut)
+            words << hexWord(step.out);
+    return words.join(u' ');
+}
+
+// What will be sent beside read-outs, and what it costs.
+Result<QString> reviewText(const CamCall &cams, const WriteCams &job)
+{
+    std::vector<KnownCams> known;
+    std::vector<Known> parameters;
+    for (unsigned number = 1; number <= CamProgram::programs; ++number)
+        if (const auto one = cams.encoder.cams(number))
+            known.push_back(*one);
+    for (const Parameter parameter : {Parameter::steps, Parameter::revolutions})
+        if (const auto one = cams.encoder.known(parameter))
+            parameters.push_back(*one);
+    if (const auto program = cams.encoder.latest().camProgram) // as read-out 9 tells it
+        parameters.push_back({Parameter::startUpMode, std::int64_t{*program} + 2, Evidence::told, {}});
+    return plannedSteps(cams.encoder.device(), parameters, job, known)
+        .map([&](const std::vector<Step> &steps) {
+            return sentence(CommandLine::tr("Words to be sent, beside read-outs: %1"), {wordList(steps)}) +
+                   u'\n';
+        });
+}
+
+QString costText(const std::vector<CamDifference> &differences)
+{
+    int programs = 0;
+    unsigned last = 0;
+    for (const CamDifference &one : differences)
+        programs += std::exchange(last, one.program) != one.program ? 1 : 0;
+    return sentence(CommandLine::tr("EEPROM writes: %1, one for each program that is changed and left."),
+                    {QString::number(programs)}) +
+           u'\n';
+}
+
+void show(CamCall &cams)
+{
+    if (!cams.call.arguments.has("--json"))
+        cams.call.terminal.print(std::exchange(cams.answer.text, {}));
+}
+
+void carryOutWrite(CamCall &cams, const WriteCams &job)
+{
+    const auto outcome = cams.carryOut(job);
+    if (!outcome) {
+        cams.answer.complaint = complaintAbout(outcome.error());
+        return;
+    }
+    QStringList numbers;
+    for (const CamProgram &program : outcome->camsWritten)
+        numbers << QString::number(program.number);
+    cams.answer.text +=
+        sentence(CommandLine::tr("Written and read back: cam program %1. EEPROM writes: %2."),
+                 {numbers.join(QStringLiteral(", ")), QString::number(outcome->eepromWrites)}) +
+        u'\n';
+    cams.answer.json.insert(QStringLiteral("written"), camsJson(outcome->camsWritten));
+    cams.answer.json.insert(QStringLiteral("eepromWrites"), outcome->eepromWrites);
+}
+
+void write(CamCall &cams, const std::vector<CamProgram> &wanted)
+{
+    const auto differences = compareWith(cams, wanted);
+    if (!differences || differences->empty())
+        return;
+    const WriteCams job{.programs = wanted, .afterwards = cams.afterwards(numbersOf(wanted))};
+    const auto review = reviewText(cams, job);
+    if (!review) {
+        cams.answer.complaint = complaintAbout(review.error());
+        return;
+    }
+    cams.answer.text += *review + costText(*differences);
+    show(cams);
+    const auto agreed = consent(
+        cams.call, sentence(CommandLine::tr("Write this to %1?"), {cams.encoder.number().toString()}),
+        CommandLine::tr("Nothing was written: there is nobody to ask. Add --yes to write, or use compare "
+                        "to look only."));
+    if (agreed)
+        carryOutWrite(cams, job);
+    else
+        cams.answer.complaint = agreed.error();
+}
+
+Checked<Answer> run(const Call &call)
+{
+    const QString &what = call.arguments.rest[1];
+    const bool reads = what == QStringLiteral("read");
+    const bool compares = what == QStringLiteral("compare");
+    if (!reads && !compares && what != QStringLiteral("write"))
+        return badInput(QStringLiteral("unknownAction"),
+                        CommandLine::tr("\"%1\" is none of read, write and compare."), {what});
+    if (!reads && call.arguments.rest.size() < 3)
+        return badInput(QStringLiteral("missingFile"), CommandLine::tr("Name the file of the cam programs."));
+    const auto program = programFrom(call.arguments);
+    if (!program)
+        return tl::unexpected(program.error());
+    Checked<std::vector<CamProgram>> wanted;
+    if (!reads)
+        wanted = programsIn(call.arguments.rest[2], *program);
+    if (!wanted)
+        return tl::unexpected(wanted.error());
+    const auto encoder = encoderAt(*call.bus, call.arguments.rest.front());
+    if (!encoder)
+        return tl::unexpected(encoder.error());
+    if (!(*encoder)->can().cams)
+        return tl::unexpected(complaintAbout(
+            {RefusalKind::notSupported, RefusalId::camsNotSupported, {(*encoder)->device().fullName()}}));
+
+    CamCall cams{call, **encoder};
+    if (reads)
+        read(cams, *program);
+    else if (compares)
+        compare(cams, *wanted);
+    else
+        write(cams, *wanted);
+    Answer answer = std::move(cams.answer);
+    answer.json.insert(QStringLiteral("place"), (*encoder)->number().toString());
+    answer.json.insert(QStringLiteral("device"), (*encoder)->device().key);
+    if (call.arguments.has("--trace")) {
+        answer.text = traceText((*encoder)->device(), cams.rows) + u'\n' + answer.text;
+        answer.json.insert(QStringLiteral("trace"), traceJson((*encoder)->device(), cams.rows));
+    }
+    return answer;
+}
+
+} // namespace
+
+const Subcommand camsCommand{
+    .name = "cams",
+    .usage = "PLACE read|write|compare [FILE] [--program N] [--stay] [--yes] [--trace]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "read, write and compare cam programs"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "read prints the cam programs, and saves them in FILE where one is named. compare reads those that "
+        "are "
+        "in\n"
+        "FILE and tells line by line what differs; exit code 1 if anything does. write does the same, shows "
+        "the\n"
+        "words and the EEPROM writes, asks, writes what differs, and reads it back.\n"
+        "\n"
+        "Without --program, all eight are read, or all that are in the file. The encoder is in cam mode "
+        "meanwhile.\n"
+        "Afterwards it is again in the mode it was in, where that is known; else, and with --stay, it stays "
+        "in "
+        "the\n"
+        "last of the programs. A changed program is saved when it is left, with one EEPROM write."),
+    .examples = examples,
+    .options = options,
+    .minimumArguments = 2,
+    .maximumArguments = 3,
+    .needsBus = true,
+    .run = run,
+};
+
+} // namespace codewheel

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/cli_run.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsSupersetOf;
+
+class CliCams : public testing::Test
+{
+protected:
+    // The path holds no space.
+    QString file(const QByteArray &json)
+    {
+        const QString name = m_directory.filePath(QStringLiteral("cams.json"));
+        QFile file(name);
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(json);
+        return name;
+    }
+    static QByteArray program(const QByteArray &number, const QByteArray &shift, const QByteArray &start)
+    {
+        return R"({"format": "codewheel-cams", "version": 1, "device": "fraba-ocd-ib", "programs": [{"program": )" +
+               number + R"(, "shift": )" + shift + R"(, "cams": [{"cam": 3, "start": )" + start +
+               R"(, "stop": 531, "active": true}]}]})";
+    }
+
+    QTemporaryDir m_directory;
+};
+
+TEST_F(CliCams, WritesTheWordsOfTheManualAndReadsThemBack)
+{
+    SharedBus shared;
+    const QString cams = file(program("1", "0", "21"));
+    const CliRun run = shared.runLine(QStringLiteral("cams 1.0 write %1 --yes --trace --json").arg(cams));
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(rowsOf(run.json()),
+                IsSupersetOf({"46000015 C6000015", "66000213 E6000213", "20400008 E0400008",
+                              "20200013 A0000015", "20200023 A0000213", "20200000 A0000008"}));
+    EXPECT_EQ(run.json()[u"eepromWrites"], 1);
+    EXPECT_EQ(shared.eepromWrites(), 1);
+    EXPECT_EQ(shared.bus().encoder({1, 0})->latest().mode, Mode::position) << "as before";
+
+    EXPECT_EQ(shared.runLine(QStringLiteral("cams 1.0 compare %1").arg(cams)).exit, 0);
+    const CliRun again = shared.runLine(QStringLiteral("cams 1.0 write %1 --yes").arg(cams));
+    EXPECT_EQ(again.out, "The encoder has all of it.\n");
+    EXPECT_EQ(shared.eepromWrites(), 1);
+}
+
+TEST_F(CliCams, WhatIsReadAndSavedIsWhatIsThere)
+{
+    SharedBus shared;
+    shared.runLine(QStringLiteral("cams 1.0 write %1 --yes").arg(file(program("8", "25", "21"))));
+    const QString saved = m_directory.filePath(QStringLiteral("saved.json"));
+    EXPECT_EQ(shared.runLine(QStringLiteral("cams 1.0 read %1").arg(saved)).exit, 0);
+    EXPECT_EQ(shared.runLine(QStringLiteral("cams 1.0 compare %1").arg(saved)).exit, 0);
+    QFile json(saved);
+    ASSERT_TRUE(json.open(QIODevice::ReadOnly));
+    const QByteArray text = json.readAll();
+    EXPECT_THAT(text.toStdString(), HasSubstr("\"totalRange\": 33554432"));
+    EXPECT_THAT(text.toStdString(),
+                HasSubstr("{\"cam\": 3, \"start\": 21, \"stop\": 531, \"active\": true}"));
+    EXPECT_EQ(text.count("\"program\""), 8);
+}
+
+TEST_F(CliCams, ACompareTellsLineByLineWhatDiffers)
+{
+    const CliRun run = runLine(QStringLiteral("cams 1.0 compare %1").arg(file(program("2", "3", "21"))));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(run.out, "  program  cam  value    encoder      file  OUT\n"
+                       "        2    3  start          0        21  46000015\n"
+                       "        2    3  stop           0       531  66000213\n"
+                       "        2    -  active  00000000  00001000  20400008\n"
+                       "        2    -  shift          0         3  20100003\n");
+    EXPECT_EQ(run.err, "codewheel-cli: The encoder and the file differ in values: 4.\n");
+}
+
+TEST_F(CliCams, NothingIsWrittenWithoutConsent)
+{
+    SharedBus shared;
+    const QString line = QStringLiteral("cams 1.0 write %1").arg(file(program("1", "0", "21")));
+    const CliRun nobody = shared.runLine(line);
+    EXPECT_EQ(nobody.exit, 2);
+    EXPECT_THAT(nobody.out,
+                HasSubstr("Words to be sent, beside read-outs: 20800001 46000015 66000213 20400008 "
+                          "80000000 00000000 20800000 00000000\n"
+                          "EEPROM writes: 1, one for each program that is changed and left.\n"));
+    EXPECT_THAT(nobody.err, HasSubstr("Nothing was written"));
+    EXPECT_EQ(shared.runLine(line, {true, "no\n"}).exit, 2);
+    EXPECT_EQ(shared.eepromWrites(), 0);
+    EXPECT_EQ(shared.runLine(line, {true, "yes\n"}).exit, 0);
+    EXPECT_EQ(shared.eepromWrites(), 1);
+}
+
+TEST_F(CliCams, StaysInTheProgramThatIsSavedWhereThatIsWanted)
+{
+    SharedBus shared;
+    const QString line = QStringLiteral("cams 1.0 write %1 --yes --stay").arg(file(program("4", "0", "21")));
+    EXPECT_EQ(shared.runLine(line).exit, 0);
+    EXPECT_EQ(shared.bus().encoder({1, 0})->latest().camProgram, 4u);
+    EXPECT_EQ(shared.eepromWrites(), 1);
+}
+
+TEST_F(CliCams, BadInputIsNamedAndNothingIsSent)
+{
+    struct Row
+    {
+        QByteArray json;
+        const char *options;
+        const char *key;
+    };
+    const Row rows[] = {
+        {program("0", "0", "21"), "", "camFileBroken"},
+        {program("9", "0", "21"), "", "camFileBroken"},
+        {program("1", "26", "21"), "", "camFileBroken"},
+        {program("1", "0", "33554432"), "", "camFileBroken"},
+        {"{}", "", "camFileBroken"},
+        {program("1", "0", "21"), "--program 2", "camFileOfOtherProgram"},
+        {program("1", "0", "21"), "--program 0", "camProgramOutOfRange"},
+        {program("1", "0", "21"), "--program 9", "camProgramOutOfRange"},
+        {program("1", "0", "21"), "--program x", "notANumber"},
+    };
+    for (const Row &row : rows) {
+        SharedBus shared;
+        const CliRun run = shared.runLine(QStringLiteral("cams 1.0 write %1 --yes --json %2")
+                                              .arg(file(row.json), QLatin1String(row.options)));
+        EXPECT_EQ(run.exit, 2) << row.json.toStdString();
+        EXPECT_EQ(errorKey(run), row.key) << row.json.toStdString();
+        EXPECT_EQ(shared.bus().latest().cycle, 0u) << "nothing went over the bus";
+    }
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("cams 1.0 write /no/such.json --json"))), "fileNotRead");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("cams 1.0 write --json"))), "missingFile");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("cams 1.0 erase --json"))), "unknownAction");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("cams 2.0 read --json"))), "camsNotSupported");
+}
+
+TEST_F(CliCams, APositionTheEncoderDoesNotHaveIsRefusedBeforeAnyCamWord)
+{
+    SharedBus shared;
+    shared.runLine(QStringLiteral("write 1.0 steps=2 --yes")); // x 4096 turns: positions 0..8191
+    const CliRun run =
+        shared.runLine(QStringLiteral("cams 1.0 write %1 --yes --json").arg(file(program("1", "0", "8192"))));
+    EXPECT_EQ(run.exit, 2);
+    EXPECT_EQ(errorKey(run), "camPositionTooLarge");
+}
+
+// FRABA manual 5.4.4
+TEST(CliWords, OfTheCamVectorAreAcknowledgedOneByOne)
+{
+    const CliRun run = runLine(QStringLiteral(
+        "words 1.0 20800001 46000015 66000213 20400008 80000000 20200013 20200023 20200000 00000000 --json"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_THAT(
+        rowsOf(run.json()),
+        IsSupersetOf({"46000015 C6000015", "66000213 E6000213", "20400008 E0400008", "80000000 00303900",
+                      "20200013 A0000015", "20200023 A0000213", "20200000 A0000008"}));
+}
+
+} // namespace
+} // namespace codewheel
