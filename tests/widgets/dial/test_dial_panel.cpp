@@ -66,6 +66,7 @@ TEST_F(DialPanelTest, ReadingOnRequestMakesItTurn)
     panel.setEncoder(&ring.encoder(fraba));
     advance(66);
     ASSERT_TRUE(readButton().isVisible());
+    QCoreApplication::processEvents(); // so that it has its place
     QTest::mouseClick(&readButton(), Qt::LeftButton);
     advance(1000);
     EXPECT_FALSE(readButton().isVisible());
