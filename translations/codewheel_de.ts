@@ -2724,7 +2724,7 @@ Ausschalten, bis der Betrieb beendet wird. Sendet sofort, ohne zu fragen; schrei
     <message>
         <source>position</source>
         <comment>mode</comment>
-        <translation>die Position</translation>
+        <translation>Position</translation>
     </message>
     <message>
         <source>In which mode is the encoder %1?</source>
@@ -3779,7 +3779,7 @@ Ausschalten, bis der Betrieb beendet wird. Sendet sofort, ohne zu fragen; schrei
     </message>
     <message>
         <source>Click, or Enter: shows the registers of the INTERBUS chip. While they are shown, Read from encoder reads them, too.</source>
-        <translation>Klick oder Eingabe: zeigt die Register des INTERBUS-Chips. Solange sie gezeigt werden, liest „Aus dem Geber lesen“ sie mit.</translation>
+        <translation>Klick oder Eingabe: zeigt die Register des INTERBUS-Chips. Solange sie gezeigt werden, liest „Auslesen“ sie mit.</translation>
     </message>
 </context>
 <context>
