@@ -2428,6 +2428,119 @@ Ausschalten, bis der Betrieb beendet wird. Sendet sofort, ohne zu fragen; schrei
         <source>Each word goes out for two bus cycles with its first bit, the service bit, 0; what was written is read back.</source>
         <translation>Jedes Wort geht zwei Buszyklen lang mit dem ersten Bit, dem Dienst-Bit, 0 hinaus; Geschriebenes wird zurückgelesen.</translation>
     </message>
+    <message>
+        <source>Cam program %1: nothing is set</source>
+        <translation>Nockenprogramm %1: nichts gesetzt</translation>
+    </message>
+    <message>
+        <source>Cam program %1, shift %2</source>
+        <translation>Nockenprogramm %1, Verschiebung %2</translation>
+    </message>
+    <message>
+        <source>cam</source>
+        <translation>Nocken</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>aktiv</translation>
+    </message>
+    <message>
+        <source>program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>only this cam program, 1 to 8</source>
+        <translation>nur dieses Nockenprogramm, 1 bis 8</translation>
+    </message>
+    <message>
+        <source>leave the encoder in cam mode, in the last of the programs</source>
+        <translation>den Geber im Nockenbetrieb lassen, im letzten der Programme</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number of a cam program. Choose one from 1 to 8.</source>
+        <translation>„%1“ ist keine Nummer eines Nockenprogramms. Eine von 1 bis 8 wählen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>%1 ist nicht lesbar: %2.</translation>
+    </message>
+    <message>
+        <source>Saved in %1.</source>
+        <translation>Gespeichert in %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>%1 ist nicht beschreibbar: %2.</translation>
+    </message>
+    <message>
+        <source>The encoder has all of it.</source>
+        <translation>Der Geber hat alles davon.</translation>
+    </message>
+    <message>
+        <source>The encoder and the file differ in values: %1.</source>
+        <translation>Geber und Datei unterscheiden sich in Werten: %1.</translation>
+    </message>
+    <message>
+        <source>Words to be sent, beside read-outs: %1</source>
+        <translation>Zu sendende Worte, neben dem Auslesen: %1</translation>
+    </message>
+    <message>
+        <source>EEPROM writes: %1, one for each program that is changed and left.</source>
+        <translation>EEPROM-Schreibvorgänge: %1, einer je Programm, das geändert und verlassen wird.</translation>
+    </message>
+    <message>
+        <source>Written and read back: cam program %1. EEPROM writes: %2.</source>
+        <translation>Geschrieben und zurückgelesen: Nockenprogramm %1. EEPROM-Schreibvorgänge: %2.</translation>
+    </message>
+    <message>
+        <source>Nothing was written: there is nobody to ask. Add --yes to write, or use compare to look only.</source>
+        <translation>Nichts geschrieben: Niemand kann gefragt werden. Mit --yes wird geschrieben; compare sieht nur nach.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none of read, write and compare.</source>
+        <translation>„%1“ ist weder read noch write noch compare.</translation>
+    </message>
+    <message>
+        <source>Name the file of the cam programs.</source>
+        <translation>Die Datei mit den Nockenprogrammen angeben.</translation>
+    </message>
+    <message>
+        <source>read, write and compare cam programs</source>
+        <translation>Nockenprogramme lesen, schreiben und vergleichen</translation>
+    </message>
+    <message>
+        <source>read prints the cam programs, and saves them in FILE where one is named. compare reads those that are in
+FILE and tells line by line what differs; exit code 1 if anything does. write does the same, shows the
+words and the EEPROM writes, asks, writes what differs, and reads it back.
+
+Without --program, all eight are read, or all that are in the file. The encoder is in cam mode meanwhile.
+Afterwards it is again in the mode it was in, where that is known; else, and with --stay, it stays in the
+last of the programs. A changed program is saved when it is left, with one EEPROM write.</source>
+        <translation>read gibt die Nockenprogramme aus und speichert sie in FILE, wo eine Datei genannt ist. compare liest die
+Programme aus FILE im Geber nach und sagt Zeile für Zeile, was abweicht; Rückgabewert 1, wenn etwas
+abweicht. write tut dasselbe, zeigt die Worte und EEPROM-Schreibvorgänge, fragt, schreibt, was abweicht,
+und liest es zurück.
+
+Ohne --program werden alle acht gelesen, oder alle aus der Datei. Der Geber ist solange im Nockenbetrieb.
+Danach ist er wieder in der Betriebsart von vorher, wo sie bekannt ist; sonst, und mit --stay, bleibt er
+im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: ein EEPROM-Schreibvorgang.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DescriptionReader</name>
