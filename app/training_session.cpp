@@ -4,20 +4,17 @@
 #include "simulator/training_bus.h"
 
 namespace codewheel {
-namespace {
-
-constexpr DeviceNumber frabaEncoder{1, 0};
-constexpr std::int64_t startsUpAsK3 = 1; // read-out 9, FRABA manual 10.2
-
-} // namespace
 
 TrainingSession openTrainingSession(const Catalog &catalog, QDateTime begin)
 {
-    TrainingBus training = makeTrainingBus();
+    const TrainingPlan plan = trainingPlan(catalog);
+    TrainingBus training = makeTrainingBus(plan);
     auto bus = std::make_unique<BusSession>(std::move(training.link), catalog, std::move(begin));
     if (!bus->open(BusSession::Start::operating)) // a simulated link always opens
         Q_UNREACHABLE();
-    bus->encoder(frabaEncoder)->tell(Parameter::startUpMode, startsUpAsK3);
+    for (const TrainingParticipant &planned : plan)
+        for (const ParameterValue &value : planned.known)
+            bus->encoder(planned.number)->tell(value.parameter, value.value);
     return {std::move(training.controls), std::move(bus)};
 }
 

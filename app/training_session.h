@@ -17,7 +17,7 @@ struct TrainingSession
 };
 
 // The catalog must outlive the session; `begin` is the date and time that Instant 0 stands for. What the plan
-// of the training bus says of its encoders is told to them: its FRABA encoder starts up in position mode.
+// of the training bus knows of its encoders is told to them: the FRABA K3 start up in position mode.
 TrainingSession openTrainingSession(const Catalog &catalog, QDateTime begin);
 
 } // namespace codewheel

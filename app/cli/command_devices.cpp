@@ -102,8 +102,9 @@ Answer detailsOf(const DeviceDescription &device)
     QString text = QStringLiteral("%1 (%2)\n").arg(device.fullName(), device.manual);
     if (!device.notes.isEmpty())
         text += device.notesText() + u'\n';
-    text += u'\n' + parameterLines(device) + u'\n' + errorLines(device) + u'\n' +
-            budgetText(device.capabilities) + u'\n';
+    if (!device.parameters.empty())
+        text += u'\n' + parameterLines(device) + u'\n' + errorLines(device) + u'\n' +
+                budgetText(device.capabilities) + u'\n';
 
     QJsonArray parameters;
     for (const ParameterDescription &parameter : device.parameters)

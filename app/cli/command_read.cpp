@@ -44,6 +44,8 @@ Answer whatIsKnown(const EncoderSession &encoder)
     answer.complaint = complaintAbout(
         {RefusalKind::notSupported, RefusalId::readingNotSupported, {encoder.device().fullName()}});
     answer.json = {{QStringLiteral("known"), known}};
+    if (!encoder.device().capabilities.writes)
+        return answer;
     if (known.isEmpty())
         answer.complaint->text +=
             u' ' + CommandLine::tr("Nothing was written to it from here either, so nothing is known of it.");

@@ -12,10 +12,11 @@ namespace {
 
 constexpr const char *examples[] = {"scan", "scan --json"};
 
-// The ID code tells the profile, never the make; that is the plan's to name.
-QString makeOf(const DeviceDescription *named)
+// The ID code tells the profile, never the make of an encoder; that is the plan's to name.
+QString makeOf(const Participant &participant, const DeviceDescription *named)
 {
-    return named ? named->fullName() : CommandLine::tr("make not known");
+    return named || participant.idCode == busTerminalIdCode ? participantName(participant, named)
+                                                            : CommandLine::tr("make not known");
 }
 
 Checked<Answer> run(const Call &call)
@@ -24,7 +25,7 @@ Checked<Answer> run(const Call &call)
     TextTable table({left, left, left, right, right});
     table.add({CommandLine::tr("place"), CommandLine::tr("ID code"), CommandLine::tr("device code"),
                CommandLine::tr("IN words"), CommandLine::tr("OUT words"), CommandLine::tr("profile"),
-               CommandLine::tr("encoder")});
+               CommandLine::tr("device")});
     QJsonArray devices;
     for (const Participant &participant : call.bus->structure()) {
         const DeviceDescription *named = call.catalog.find(participant.deviceKey);
@@ -33,7 +34,7 @@ Checked<Answer> run(const Call &call)
         table.add({participant.number.toString(),
                    QStringLiteral("%1 (%2)").arg(hexCode(participant.idCode, 2)).arg(participant.idCode),
                    hexCode(participant.deviceCode, 4), QString::number(participant.inWords),
-                   QString::number(participant.outWords), profile, makeOf(named)});
+                   QString::number(participant.outWords), profile, makeOf(participant, named)});
         devices.append(
             QJsonObject{{QStringLiteral("place"), participant.number.toString()},
                         {QStringLiteral("idCode"), static_cast<int>(participant.idCode)},

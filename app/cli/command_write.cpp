@@ -133,6 +133,9 @@ Checked<Answer> run(const Call &call)
     if (!encoder)
         return tl::unexpected(encoder.error());
     const DeviceDescription &device = (*encoder)->device();
+    if (!device.capabilities.writes)
+        return tl::unexpected(
+            complaintAbout({RefusalKind::notSupported, RefusalId::writingNotSupported, {device.fullName()}}));
     const auto values = valuesToWrite(device, call.arguments.rest.sliced(1));
     if (!values)
         return tl::unexpected(values.error());

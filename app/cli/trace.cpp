@@ -47,6 +47,13 @@ QString traceText(const DeviceDescription &device, const std::vector<Exchange> &
                   const std::optional<RodScale> &scale)
 {
     TextTable table({TextTable::Align::right});
+    if (device.outWords == 0) {
+        table.add({CommandLine::tr("cycle"), QStringLiteral("IN"), CommandLine::tr("IN means")});
+        for (const Exchange &row : rows)
+            table.add({QString::number(row.cycle), hexWord(row.in),
+                       explanationText(device, inMeaning(device, row))});
+        return table.toString();
+    }
     table.add({CommandLine::tr("cycle"), QStringLiteral("OUT"), QStringLiteral("IN"),
                CommandLine::tr("OUT means"), CommandLine::tr("IN means")});
     for (const Exchange &row : rows)

@@ -73,7 +73,7 @@ constexpr std::array rows{
 
     // IN
     Row{MeaningId::position, "position", QT_TRANSLATE_NOOP("Meaning", "position %1")},
-    Row{MeaningId::signedPosition, "signedPosition", QT_TRANSLATE_NOOP("Meaning", "position %1")},
+    Row{MeaningId::signedPosition, "signedPosition", QT_TRANSLATE_NOOP("Meaning", "position %1 (signed)")},
     Row{MeaningId::grayPosition, "grayPosition", QT_TRANSLATE_NOOP("Meaning", "position %1 (Gray code %2)")},
     Row{MeaningId::undescribedPosition, "undescribedPosition",
         QT_TRANSLATE_NOOP("Meaning", "position %1, as long as all four status bits are 0: where they stand "

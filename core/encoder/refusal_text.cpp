@@ -103,7 +103,7 @@ constexpr std::array rows{
     Row{RefusalId::resetNotSupported, "resetNotSupported",
         QT_TRANSLATE_NOOP("Refusal", "The %1 cannot be reset to factory settings over the bus.")},
     Row{RefusalId::sendingNotSupported, "sendingNotSupported",
-        QT_TRANSLATE_NOOP("Refusal", "The %1 has no OUT word: it only tells its position.")},
+        QT_TRANSLATE_NOOP("Refusal", "%1 has no OUT word: nothing can be sent to it.")},
     Row{RefusalId::jobNotSupported, "jobNotSupported",
         QT_TRANSLATE_NOOP("Refusal", "The %1 cannot do this.")},
     // busy

@@ -245,7 +245,7 @@ Result<void> BusSession::write(std::size_t device, Word word)
 {
     const Participant &participant = d->structure[device];
     if (participant.outWords == 0)
-        return refuse(RefusalKind::notSupported, RefusalId::writingNotSupported,
+        return refuse(RefusalKind::notSupported, RefusalId::sendingNotSupported,
                       {participant.number.toString()});
     const auto &session = d->sessions[device];
     if (auto allowed = maySend(*d->latest, device, participant.number, RefusalId::wordHeldByJob); !allowed)

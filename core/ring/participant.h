@@ -9,6 +9,10 @@
 
 namespace codewheel {
 
+struct DeviceDescription;
+
+inline constexpr unsigned busTerminalIdCode = 0x0C;
+
 // One device of the ring, as the master finds it (ID register) and as the plan names it. The vendor is not in
 // the ID code: without a plan, deviceKey is empty and the make is not known.
 struct Participant
@@ -23,5 +27,8 @@ struct Participant
     friend bool operator==(const Participant &, const Participant &) = default;
 };
 using RingStructure = std::vector<Participant>;
+
+// What to call it: the name of its description, or without one (null) "bus terminal" or "device not known".
+QString participantName(const Participant &participant, const DeviceDescription *description);
 
 } // namespace codewheel

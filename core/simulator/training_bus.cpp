@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/training_bus.h"
 
+#include "catalog/position_format.h"
 #include "simulator/baumer_k3.h"
 #include "simulator/fraba_k3.h"
+#include "simulator/simulated_bus_terminal.h"
+#include "simulator/simulated_position_encoder.h"
 #include "simulator/simulated_ring.h"
+
+#include <QFile>
 
 namespace codewheel {
 
@@ -11,27 +16,60 @@ namespace {
 
 constexpr PhysicalResolution thirteenPlusTwelveBit{.stepsPerTurn = 8192, .turns = 4096};
 constexpr Word firstSerialNumber = 20'417;
-constexpr Word operatingTime = 1'234; // 10 min: 205 hours and 40 minutes
-constexpr std::int64_t rawOfStillShaft = 12'345;
-constexpr std::int64_t rawOfTurningShaft = 1'000'000;
-constexpr double baumerSpeed = 10;      // rpm
+constexpr Word operatingTime = 1'234;   // 10 min: 205 hours and 40 minutes
 constexpr double slowestOfRing = 100;   // rpm
 constexpr double speedDifference = 7.5; // rpm from one shaft to the next
 constexpr std::int64_t rawDifference = 100'003;
 
-Participant k3At(int segment, const QString &deviceKey)
+Participant frabaAt(int segment)
 {
     return {.number = {segment, 0},
             .idCode = 0x37,
             .deviceCode = 0x0237,
             .inWords = 2,
             .outWords = 2,
-            .deviceKey = deviceKey};
+            .deviceKey = QStringLiteral("fraba-ocd-ib")};
 }
 
-Participant frabaAt(int segment)
+Participant participantOf(const TrainingParticipant &planned)
 {
-    return k3At(segment, QStringLiteral("fraba-ocd-ib"));
+    if (!planned.device)
+        return {.number = planned.number,
+                .idCode = busTerminalIdCode,
+                .deviceCode = busTerminalIdCode,
+                .inWords = 0,
+                .outWords = 0,
+                .deviceKey = {}};
+    const DeviceDescription &device = *planned.device;
+    return {.number = planned.number,
+            .idCode = device.idCode,
+            .deviceCode = device.deviceCode,
+            .inWords = device.inWords,
+            .outWords = device.outWords,
+            .deviceKey = device.key};
+}
+
+std::unique_ptr<SimulatedDevice> encoderOf(const TrainingParticipant &planned)
+{
+    const DeviceDescription &device = *planned.device;
+    const PhysicalResolution resolution{.stepsPerTurn = device.physicalStepsPerTurn,
+                                        .turns = device.physicalTurns};
+    if (onlyTellsPosition(device.profile))
+        return std::make_unique<SimulatedPositionEncoder>(resolution, planned.position);
+    if (device.dialect == k3::Dialect::baumer)
+        return std::make_unique<BaumerK3>(resolution, planned.position);
+    const FrabaPlate plate{.serialNumber = static_cast<Word>(planned.serialNumber),
+                           .operatingTime = static_cast<Word>(planned.operatingTime)};
+    return std::make_unique<FrabaK3>(resolution, planned.position, plate);
+}
+
+std::unique_ptr<SimulatedDevice> deviceOf(const TrainingParticipant &planned)
+{
+    if (!planned.device)
+        return std::make_unique<SimulatedBusTerminal>();
+    auto encoder = encoderOf(planned);
+    encoder->setSpeed(static_cast<double>(planned.revolutionsPerMinute));
+    return encoder;
 }
 
 TrainingBus busOf(std::shared_ptr<SimulatedRing> ring)
@@ -41,16 +79,29 @@ TrainingBus busOf(std::shared_ptr<SimulatedRing> ring)
 
 } // namespace
 
-TrainingBus makeTrainingBus()
+TrainingPlan trainingPlan(const Catalog &catalog)
+{
+    QFile file(QStringLiteral(":/examples/training.json"));
+    if (!file.open(QIODevice::ReadOnly))
+        qFatal("%s cannot be read", qPrintable(file.fileName()));
+    auto plan = readTrainingPlan(file.readAll(), file.fileName(), catalog);
+    if (!plan)
+        qFatal("%s:%d: %s: %s", qPrintable(plan.error().file), plan.error().line,
+               qPrintable(plan.error().key), qPrintable(plan.error().reason));
+    return *std::move(plan);
+}
+
+TrainingBus makeTrainingBus(const TrainingPlan &plan)
 {
     auto ring = std::make_shared<SimulatedRing>();
-    const FrabaPlate plate{.serialNumber = firstSerialNumber, .operatingTime = operatingTime};
-    ring->add(frabaAt(1), std::make_unique<FrabaK3>(thirteenPlusTwelveBit, rawOfStillShaft, plate));
-
-    auto baumer = std::make_unique<BaumerK3>(thirteenPlusTwelveBit, rawOfTurningShaft);
-    baumer->setSpeed(baumerSpeed);
-    ring->add(k3At(2, QStringLiteral("baumer-gxp6w")), std::move(baumer));
+    for (const TrainingParticipant &planned : plan)
+        ring->add(participantOf(planned), deviceOf(planned));
     return busOf(std::move(ring));
+}
+
+TrainingBus makeTrainingBus(const Catalog &catalog)
+{
+    return makeTrainingBus(trainingPlan(catalog));
 }
 
 TrainingBus makeMovingRing(int count)

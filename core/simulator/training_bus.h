@@ -3,21 +3,25 @@
 
 #include "ring/process_data_link.h"
 #include "simulator/training_controls.h"
+#include "simulator/training_plan.h"
 
 #include <memory>
 
 namespace codewheel {
 
-// The training bus: 1.0 FRABA OCD-IB K3 (13 + 12 bit; steps 8192, revolutions 1, CW, preset 0; stands still
-// at raw position 12345 until somebody moves it) and 2.0 Baumer GXP6W K3 (factory settings, turning clockwise
-// at 10 rpm). Starts the same in every process.
+// A simulated ring: the link to it and the trainer's hand on it. It starts the same in every process.
 struct TrainingBus
 {
     std::unique_ptr<ProcessDataLink> link;
     std::shared_ptr<TrainingControls> controls;
 };
 
-TrainingBus makeTrainingBus();
+// The plant of resources/examples/training.json. The catalog must hold the descriptions that come with the
+// program, and must outlive the plan.
+TrainingPlan trainingPlan(const Catalog &catalog);
+
+TrainingBus makeTrainingBus(const TrainingPlan &plan);
+TrainingBus makeTrainingBus(const Catalog &catalog); // of trainingPlan()
 
 // A ring of `count` FRABA K3 encoders, all turning: for benchmarks.
 TrainingBus makeMovingRing(int count);

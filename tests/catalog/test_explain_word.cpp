@@ -85,7 +85,7 @@ TEST_F(ExplainWord, WordsOfBaumer)
     EXPECT_EQ(text(baumer, 0x0001'2A4F, in), "Running, position 00012A4F in a coding that is not known");
     k3::ExplainContext decoded = in;
     decoded.coding = PositionCoding::signedBinary;
-    EXPECT_EQ(text(baumer, 0x01FF'FFFF, decoded), "Running, position -1");
+    EXPECT_EQ(text(baumer, 0x01FF'FFFF, decoded), "Running, position -1 (signed)");
 }
 
 TEST_F(ExplainWord, WordsOfAnUnnamedK3)
@@ -137,7 +137,7 @@ TEST_F(ExplainWord, WordsOfEncodersThatOnlyTellTheirPosition)
     coded.coding = PositionCoding::gray;
     EXPECT_EQ(text(coded, 0x0000'0214, in), "Running, position 999 (Gray code 00000214)");
     coded.coding = PositionCoding::signedBinary;
-    EXPECT_EQ(text(coded, 0x00FF'FFFF, in), "Running, position -1");
+    EXPECT_EQ(text(coded, 0x00FF'FFFF, in), "Running, position -1 (signed)");
 }
 
 TEST_F(ExplainWord, BitsAreNamedAsInTheManual)

@@ -46,6 +46,15 @@ TEST(CliDevices, TellsTheParametersOfOne)
                 HasSubstr("EEPROM writes: not stated in the manual"));
 }
 
+TEST(CliDevices, OfAnEncoderThatOnlyTellsItsPositionThereIsNothingToList)
+{
+    const CliRun run = runLine(QStringLiteral("devices fraba-ocd-ib-k1"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_THAT(run.out, HasSubstr("FRABA OCD-IB K1 (FRABA UME OCD IB, version 11/03)\nPosition only:"));
+    EXPECT_THAT(run.out, testing::Not(HasSubstr("EEPROM")));
+    EXPECT_THAT(run.out, testing::Not(HasSubstr("parameter  number")));
+}
+
 TEST(CliDevices, TellsProgramsNumbersRangesAndChoices)
 {
     const QJsonObject json = runLine(QStringLiteral("devices fraba-ocd-ib --json")).json();

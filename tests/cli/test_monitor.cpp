@@ -60,6 +60,20 @@ TEST(CliMonitor, PrintsWhatTheWordsMean)
                 HasSubstr("    1  00000000  00003039  Normal running  Running, position 12345\n"));
 }
 
+// A K1 of 12 bit at 3 rpm: 204.8 steps a second; a K2 of 24 bit at -6 rpm: 409.6 steps a second.
+TEST(CliMonitor, ShowsEncodersThatHaveOnlyAnInWord)
+{
+    EXPECT_EQ(runLine(QStringLiteral("monitor 3.0 --for 2 --every 1000")).out,
+              "cycle  IN        IN means\n"
+              "    1  000003E8  Running, position 1000\n"
+              " 1001  000004B4  Running, position 1204\n"
+              " 2001  00000581  Running, position 1409\n");
+    EXPECT_EQ(runLine(QStringLiteral("monitor 4.0 --for 1 --every 1000")).out,
+              "cycle  IN        IN means\n"
+              "    1  007A1200  Running, position 8000000\n"
+              " 1001  007A1066  Running, position 7999590\n");
+}
+
 TEST(CliMonitor, RefusesTimesThatMakeNoSense)
 {
     for (const char *option : {"--for 0", "--for soon", "--every 0", "--for 3601"}) {

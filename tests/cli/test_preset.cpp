@@ -62,6 +62,15 @@ TEST(CliPreset, RefusesValuesTheEncoderCannotHave)
     EXPECT_EQ(runLine(QStringLiteral("preset 9.9")).exit, 2);
 }
 
+TEST(CliPreset, IsRefusedByAnEncoderThatOnlyTellsItsPosition)
+{
+    for (const char *line : {"preset 3.0", "preset 3.0 100", "preset 4.0"}) {
+        const CliRun run = runLine(QString::fromLatin1(line));
+        EXPECT_EQ(run.exit, 1) << line;
+        EXPECT_THAT(run.err, HasSubstr("cannot be set over the bus")) << line;
+    }
+}
+
 // In cam mode 40000000 would set the start of cam 0.
 TEST(CliPreset, IsRefusedInCamMode)
 {

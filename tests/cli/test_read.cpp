@@ -101,6 +101,24 @@ TEST(CliRead, AnEncoderWithoutReadOutTellsWhatWasWrittenFromHere)
     EXPECT_EQ(json[u"known"][0][u"evidence"], QStringLiteral("echoed"));
 }
 
+TEST(CliRead, AnEncoderThatOnlyTellsItsPositionHasNothingToRead)
+{
+    const CliRun run = runLine(QStringLiteral("read 3.0"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(run.err, "codewheel-cli: The FRABA OCD-IB K1 has no read-out: its values cannot be read.\n");
+}
+
+// Device number of the branch behind the bus terminal 6.0
+TEST(CliRead, ReadsAnEncoderOnTheLoop)
+{
+    const CliRun run = runLine(QStringLiteral("read 6.1 serial-number start-up-mode"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_EQ(run.out, "serial-number  = 20418\n"
+                       "start-up-mode  = k3 (1)\n");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("read 6.0 --json"))), "noEncoder");
+}
+
 struct BadCall
 {
     const char *line;

@@ -17,16 +17,21 @@ TEST(CliScan, NamesEachParticipant)
     SharedBus shared;
     const CliRun run = shared.runLine(QStringLiteral("scan"));
     EXPECT_EQ(run.exit, 0);
-    EXPECT_EQ(run.out, "place  ID code   device code  IN words  OUT words  profile  encoder\n"
-                       "1.0    37h (55)  0237h               2          2  K3       FRABA OCD-IB K3\n"
-                       "2.0    37h (55)  0237h               2          2  K3       Baumer GXP6W K3\n");
+    EXPECT_EQ(run.out,
+              "place  ID code    device code  IN words  OUT words  profile  device\n"
+              "1.0    37h (55)   0237h               2          2  K3       FRABA OCD-IB K3\n"
+              "2.0    37h (55)   0237h               2          2  K3       Baumer GXP6W K3\n"
+              "3.0    36h (54)   0136h               1          0  K1       FRABA OCD-IB K1\n"
+              "4.0    36h (54)   0236h               2          0  K2       FRABA OCD-IB K2\n"
+              "6.0    0Ch (12)   000Ch               0          0  -        bus terminal\n"
+              "6.1    B3h (179)  02B3h               2          2  K3       FRABA OCD-IB K3 Loop 2\n");
     EXPECT_EQ(shared.bus().latest().cycle, 0u);
 }
 
 TEST(CliScan, TellsProgramsTheSame)
 {
     const QJsonArray participants = runLine(QStringLiteral("scan --json")).json()[u"participants"].toArray();
-    ASSERT_EQ(participants.size(), 2);
+    ASSERT_EQ(participants.size(), 6);
     EXPECT_EQ(participants[1].toObject(),
               (QJsonObject{{QStringLiteral("place"), QStringLiteral("2.0")},
                            {QStringLiteral("idCode"), 0x37},
@@ -35,6 +40,13 @@ TEST(CliScan, TellsProgramsTheSame)
                            {QStringLiteral("outWords"), 2},
                            {QStringLiteral("profile"), QStringLiteral("K3")},
                            {QStringLiteral("device"), QStringLiteral("baumer-gxp6w")}}));
+    EXPECT_EQ(participants[4].toObject(), (QJsonObject{{QStringLiteral("place"), QStringLiteral("6.0")},
+                                                       {QStringLiteral("idCode"), 0x0C},
+                                                       {QStringLiteral("deviceCode"), 0x0C},
+                                                       {QStringLiteral("inWords"), 0},
+                                                       {QStringLiteral("outWords"), 0},
+                                                       {QStringLiteral("profile"), QJsonValue()},
+                                                       {QStringLiteral("device"), QJsonValue()}}));
 }
 
 } // namespace

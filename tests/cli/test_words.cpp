@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ring/word_channel.h"
 #include "tests/cli/cli_run.h"
 
 #include <QJsonArray>
@@ -92,6 +93,15 @@ struct BadCall
     const char *key;
     const char *help; // what the sentence must offer
 };
+
+TEST(CliWords, AnEncoderWithoutOutTakesNone)
+{
+    SharedBus shared;
+    const CliRun run = shared.runLine(QStringLiteral("words 3.0 020000FF"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("FRABA OCD-IB K1 has no OUT word: nothing can be sent to it."));
+    EXPECT_EQ(shared.bus().channel({3, 0})->out(), 0u);
+}
 
 class CliWordsBadInput : public testing::TestWithParam<BadCall>
 {};

@@ -196,6 +196,16 @@ TEST_P(CliWriteBadInput, IsRefusedAndNothingIsSent)
     EXPECT_EQ(shared.bus().channel({1, 0})->out(), 0u);
 }
 
+TEST(CliWrite, AnEncoderThatOnlyTellsItsPositionTakesNoParameters)
+{
+    SharedBus shared;
+    const CliRun run = shared.runLine(QStringLiteral("write 3.0 steps=255 --yes"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(run.err, "codewheel-cli: The FRABA OCD-IB K1 cannot be parameterized over the bus.\n");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("write 4.0 steps=255 --yes --json"))), "writingNotSupported");
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Calls, CliWriteBadInput,
     testing::Values(
@@ -211,7 +221,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"1.0 direction=1", "valueNotAllowed", "cw (3), ccw (4)"},
         BadCall{"1.0 steps=1 preset=2 steps=3", "parameterGivenTwice", "Give it once"},
         BadCall{"1.0 steps", "notAnAssignment", "steps=255"},
-        BadCall{"3.0 steps=255", "unknownDevice", "1.0, 2.0"}));
+        BadCall{"7.0 steps=255", "unknownDevice", "1.0, 2.0"}));
 
 } // namespace
 } // namespace codewheel

@@ -152,7 +152,7 @@ TEST_F(BusSessionTest, WritingIsAnsweredAtOnce)
     EXPECT_THAT(m_refused,
                 ElementsAre(RefusalId::watchOnly, RefusalId::wordHeldByJob, RefusalId::notRunning));
     EXPECT_EQ(channel()->staged(), wordA);
-    EXPECT_EQ(m_bus->channel(digitalInput)->write().error().id, RefusalId::writingNotSupported);
+    EXPECT_EQ(m_bus->channel(digitalInput)->write().error().id, RefusalId::sendingNotSupported);
 }
 
 TEST_F(BusSessionTest, ALateRefusalComesAsASignalAndKeepsTheStagedWord)

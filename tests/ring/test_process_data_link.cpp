@@ -35,8 +35,10 @@ INSTANTIATE_TEST_SUITE_P(ScriptedLink, ProcessDataLinkContract,
                          testing::Values(quick(), slow(), failing(1), failing(2), failing(3)));
 
 INSTANTIATE_TEST_SUITE_P(TrainingBus, ProcessDataLinkContract,
-                         testing::Values(LinkUnderTest{"training bus",
-                                                       [] { return std::move(makeTrainingBus().link); }}));
+                         testing::Values(LinkUnderTest{"training bus", [] {
+                                                           return std::move(
+                                                               makeTrainingBus(Catalog::builtIn()).link);
+                                                       }}));
 
 } // namespace
 } // namespace codewheel

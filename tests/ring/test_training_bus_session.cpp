@@ -34,7 +34,7 @@ protected:
     }
 
     const Catalog m_catalog = Catalog::builtIn();
-    TrainingBus m_training = makeTrainingBus();
+    TrainingBus m_training = makeTrainingBus(m_catalog);
     BusSession m_bus{std::move(m_training.link), m_catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
     std::optional<Outcome> m_outcome;
 };

@@ -11,28 +11,48 @@ namespace {
 class TheTrainingBus : public testing::Test
 {
 protected:
-    std::array<Word, 2> exchange(Word first, Word second, int cycles = 1)
+    // What goes to 1.0 and 2.0; all others are sent 0. What comes from all.
+    std::array<Word, 6> exchange(Word first, Word second, int cycles = 1)
     {
-        const std::array<Word, 2> out{first, second};
-        std::array<Word, 2> in{};
+        const std::array<Word, 6> out{first, second};
+        std::array<Word, 6> in{};
         for (int i = 0; i < cycles; ++i)
             EXPECT_TRUE(m_bus.link->exchange(out, in));
         return in;
     }
 
-    TrainingBus m_bus = makeTrainingBus();
+    const Catalog m_catalog = Catalog::builtIn();
+    TrainingBus m_bus = makeTrainingBus(m_catalog);
     const DeviceNumber m_fraba{1, 0};
     const DeviceNumber m_baumer{2, 0};
 };
 
-TEST_F(TheTrainingBus, HasAFrabaAndABaumer)
+TEST_F(TheTrainingBus, IsThePlantOfItsFile)
 {
     const auto structure = m_bus.link->open();
     ASSERT_TRUE(structure);
-    ASSERT_EQ(structure->size(), 2U);
-    EXPECT_EQ(structure->at(0), (Participant{m_fraba, 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")}));
-    EXPECT_EQ(structure->at(1), (Participant{m_baumer, 0x37, 0x0237, 2, 2, QStringLiteral("baumer-gxp6w")}));
-    EXPECT_EQ(m_bus.link->readBackOut().value(), (std::vector<Word>{0, 0}));
+    const RingStructure plant{
+        {{1, 0}, 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")},
+        {{2, 0}, 0x37, 0x0237, 2, 2, QStringLiteral("baumer-gxp6w")},
+        {{3, 0}, 0x36, 0x0136, 1, 0, QStringLiteral("fraba-ocd-ib-k1")},
+        {{4, 0}, 0x36, 0x0236, 2, 0, QStringLiteral("fraba-ocd-ib-k2")},
+        {{6, 0}, 0x0C, 0x000C, 0, 0, {}},
+        {{6, 1}, 0xB3, 0x02B3, 2, 2, QStringLiteral("fraba-ocd-ib-loop2")},
+    };
+    EXPECT_EQ(*structure, plant);
+    EXPECT_EQ(m_bus.link->readBackOut().value(), std::vector<Word>(6));
+}
+
+// 3.0 at 3 rpm of 4096 steps, 4.0 at -6 rpm; 6.0 has no data; 6.1 stands.
+TEST_F(TheTrainingBus, WhatOnlyTellsItsPositionTurnsByItself)
+{
+    ASSERT_TRUE(m_bus.link->open());
+    EXPECT_EQ(exchange(0, 0), (std::array<Word, 6>{0x3039, 0xF'4240, 0x3E8, 0x7A'1200, 0, 0x1267}));
+    const auto later = exchange(0, 0, 10'000);
+    EXPECT_EQ(later[2], 1000U + 2048);
+    EXPECT_EQ(later[3], 8'000'000U - 4096);
+    EXPECT_EQ(later[4], 0U);
+    EXPECT_EQ(later[5], 4711U);
 }
 
 TEST_F(TheTrainingBus, TheFrabaStandsStillAndTheBaumerTurns)
@@ -55,12 +75,12 @@ TEST_F(TheTrainingBus, TakesThe255StepsExample)
     EXPECT_EQ(m_bus.controls->shafts().at(0).eepromWrites, 4);
     exchange(0x4000'0000, 0, 2);
     EXPECT_EQ(exchange(0x4000'0000, 0)[0], 0U);
-    EXPECT_EQ(m_bus.link->readBackOut().value(), (std::vector<Word>{0x4000'0000, 0}));
+    EXPECT_EQ(m_bus.link->readBackOut().value(), (std::vector<Word>{0x4000'0000, 0, 0, 0, 0, 0}));
 }
 
 TEST_F(TheTrainingBus, RefusesWhatIsNotConnectedOrOfAnotherSize)
 {
-    std::array<Word, 2> words{};
+    std::array<Word, 6> words{};
     const auto refused = m_bus.link->exchange(words, words);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().kind, RefusalKind::link);
@@ -96,6 +116,10 @@ TEST_F(TheTrainingBus, TheTrainerSeesAndMovesTheShafts)
     exchange(0, 0, 10);
     EXPECT_NEAR(static_cast<double>(m_bus.controls->shafts().at(0).raw), 150, 1);
     m_bus.controls->turnTo({9, 0}, 5); // no such place
+    m_bus.controls->turnTo({6, 0}, 5); // nothing there that turns
+    m_bus.controls->setSpeed({3, 0}, 0);
+    m_bus.controls->turnTo({3, 0}, 4095);
+    EXPECT_EQ(exchange(0, 0)[2], 0xFFFU);
 }
 
 TEST_F(TheTrainingBus, TheTrainerMakesFaults)
@@ -123,7 +147,7 @@ TEST_F(TheTrainingBus, IsUsedByAnyThread)
     std::jthread trainer([controls = m_bus.controls](const std::stop_token &stop) {
         while (!stop.stop_requested()) {
             controls->turnBy({1, 0}, 1);
-            EXPECT_EQ(controls->shafts().size(), 2U);
+            EXPECT_EQ(controls->shafts().size(), 5U);
         }
     });
     exchange(0, 0, 2'000);

@@ -12,6 +12,10 @@ namespace codewheel::test {
 
 inline constexpr DeviceNumber fraba{1, 0};
 inline constexpr DeviceNumber baumer{2, 0};
+inline constexpr DeviceNumber singleTurn{3, 0}; // K1
+inline constexpr DeviceNumber multiTurn{4, 0};  // K2
+inline constexpr DeviceNumber busTerminal{6, 0};
+inline constexpr DeviceNumber onLoop{6, 1};
 
 // The training bus in virtual time, for tests of views.
 class TrainingBusSession
@@ -27,7 +31,7 @@ public:
     EncoderSession &encoder(DeviceNumber number) const { return *bus.encoder(number); }
 
     const Catalog catalog = Catalog::builtIn();
-    TrainingBus training = makeTrainingBus();
+    TrainingBus training = makeTrainingBus(catalog);
     std::shared_ptr<TrainingControls> controls = training.controls;
     BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
 };

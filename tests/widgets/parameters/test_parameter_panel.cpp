@@ -89,7 +89,7 @@ protected:
     QString message() { return panel.findChild<InlineMessage *>()->sentence(); }
 
     const Catalog catalog = Catalog::builtIn();
-    TrainingBus training = makeTrainingBus();
+    TrainingBus training = makeTrainingBus(catalog);
     BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 2), QTime(14, 2))};
     WantedValues wanted;
     ParameterPanel panel{wanted};
@@ -100,6 +100,27 @@ TEST_F(Parameters, WithoutAnEncoderItSaysWhatBelongsHere)
     panel.setEncoder(nullptr);
     EXPECT_FALSE(table().isVisible());
     EXPECT_EQ(button(QStringLiteral("Write...")), nullptr);
+}
+
+TEST_F(Parameters, AnEncoderThatOnlyTellsItsPositionSaysSo)
+{
+    panel.setEncoder(bus.encoder({3, 0}));
+    EXPECT_FALSE(table().isVisible());
+    const auto texts = [this] {
+        QStringList shown;
+        for (const QLabel *label : panel.findChildren<QLabel *>())
+            if (label->isVisible() && !label->text().isEmpty())
+                shown += label->text();
+        return shown;
+    };
+    EXPECT_EQ(texts(), (QStringList{QStringLiteral("3.0 has no parameters here"),
+                                    QStringLiteral("The FRABA OCD-IB K1 has no OUT word. It only tells its "
+                                                   "position: nothing can be read from it or written to "
+                                                   "it.")}));
+    panel.setEncoder(bus.encoder(fraba));
+    EXPECT_TRUE(table().isVisible());
+    panel.setEncoder(nullptr);
+    EXPECT_TRUE(texts().contains(QStringLiteral("No encoder is chosen")));
 }
 
 TEST_F(Parameters, UnknownIsShownAsUnknownAndNeverAsADefault)

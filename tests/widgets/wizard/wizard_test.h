@@ -102,7 +102,7 @@ protected:
     Word out(DeviceNumber number = {1, 0}) const { return bus.channel(number)->out(); }
 
     const Catalog catalog = Catalog::builtIn();
-    TrainingBus training = makeTrainingBus();
+    TrainingBus training = makeTrainingBus(catalog);
     std::shared_ptr<TrainingControls> controls = training.controls;
     BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC)};
     WantedValues wanted;

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/catalog.h"
+#include "encoder/device_number.h"
+
+#include <vector>
+
+namespace codewheel {
+
+// One participant of a training bus, as its file describes it.
+struct TrainingParticipant
+{
+    DeviceNumber number;
+    const DeviceDescription *device = nullptr; // of the catalog; null: a bus terminal
+    std::int64_t position = 0;                 // physical steps of the shaft
+    std::int64_t revolutionsPerMinute = 0;     // positive: clockwise, looking at the shaft
+    std::int64_t serialNumber = 0;             // FRABA K3
+    std::int64_t operatingTime = 0;            // FRABA K3, 10 min
+    ParameterValues known;                     // what the user is taken to know of it
+};
+using TrainingPlan = std::vector<TrainingParticipant>; // in ring order
+
+// The plan in `json`, or the first thing that is wrong with it. Its form is documented in
+// docs/training-plans.md. The plan points into the catalog.
+tl::expected<TrainingPlan, Catalog::Fault> readTrainingPlan(const QByteArray &json, const QString &file,
+                                                            const Catalog &catalog);
+
+} // namespace codewheel

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/training_plan.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+// A plan that is sound; each test breaks one place of it.
+const QByteArray sound = R"({
+  "participants": [
+    {"place": "1.0", "device": "fraba-ocd-ib", "position": 12345, "serialNumber": 7, "operatingTime": 60,
+     "known": [{"parameter": "start-up-mode", "value": 1}]},
+    {"place": "2.0", "device": "fraba-ocd-ib-k1", "revolutionsPerMinute": -3},
+    {"place": "3.0", "busTerminal": true},
+    {"place": "3.1", "device": "baumer-gxp6w"}
+  ]
+}
+)";
+
+struct Breakage
+{
+    const char *from;
+    const char *to;
+    int line;
+    const char *key;
+    const char *reason; // a part of it
+};
+
+void PrintTo(const Breakage &breakage, std::ostream *out)
+{
+    *out << breakage.from << " -> " << breakage.to;
+}
+
+class BrokenTrainingPlan : public testing::TestWithParam<Breakage>
+{};
+
+TEST_P(BrokenTrainingPlan, IsRefusedWithLineKeyAndReason)
+{
+    QByteArray json = sound;
+    ASSERT_EQ(json.count(GetParam().from), 1) << GetParam().from;
+    json.replace(GetParam().from, GetParam().to);
+    const Catalog catalog = Catalog::builtIn();
+    const auto plan = readTrainingPlan(json, QStringLiteral("plant.json"), catalog);
+    ASSERT_FALSE(plan);
+    EXPECT_EQ(plan.error().file, QStringLiteral("plant.json"));
+    EXPECT_EQ(plan.error().line, GetParam().line);
+    EXPECT_EQ(plan.error().key.toStdString(), GetParam().key);
+    EXPECT_TRUE(plan.error().reason.contains(QLatin1String(GetParam().reason)))
+        << plan.error().reason.toStdString();
+}
+
+constexpr Breakage breakages[] = {
+    {R"(true})", R"(true)", 7, "", "not valid JSON"},
+    {R"("participants")", R"("devices")", 2, "devices", "not known"},
+    {R"("2.0")", R"("two")", 5, "participants[1].place", "6.1"},
+    {R"("2.0")", R"("1.0")", 5, "participants[1].place", "order of the ring"},
+    {R"("3.1")", R"("4.1")", 7, "participants[3].place", "needs a bus terminal before it: 4.0"},
+    {R"(true})", R"(false, "device": "fraba-ocd-ib-k1"})", 7, "participants[3].place", "bus terminal"},
+    {R"(true})", R"(true, "position": 5})", 6, "participants[2].position", "no encoder"},
+    {R"("busTerminal": true)", R"("rack": true)", 6, "participants[2].rack", "not known"},
+    {R"("baumer-gxp6w")", R"("baumer")", 7, "participants[3].device", "no device \"baumer\""},
+    {R"("baumer-gxp6w")", R"("generic-k3")", 7, "participants[3].device", "cannot be simulated"},
+    {R"("baumer-gxp6w")", R"("twk-k4")", 7, "participants[3].device", "cannot be simulated"},
+    {R"("position": 12345)", R"("position": 33554432)", 3, "participants[0].position", "33554431"},
+    {R"("position": 12345)", R"("position": -1)", 3, "participants[0].position", "between 0 and"},
+    {R"("revolutionsPerMinute": -3)", R"("position": 4096)", 5, "participants[1].position", "4095"},
+    {R"("revolutionsPerMinute": -3)", R"("revolutionsPerMinute": -12001)", 5,
+     "participants[1].revolutionsPerMinute", "between -12000 and 12000"},
+    {R"("revolutionsPerMinute": -3)", R"("serialNumber": 3)", 5, "participants[1].serialNumber",
+     "Only a FRABA K3"},
+    {R"("start-up-mode")", R"("coding")", 4, "participants[0].known[0].parameter", "no parameter \"coding\""},
+    {R"("value": 1)", R"("value": 11)", 4, "participants[0].known[0].value", "between 0 and 10"},
+};
+
+INSTANTIATE_TEST_SUITE_P(TrainingPlan, BrokenTrainingPlan, testing::ValuesIn(breakages));
+
+TEST(TrainingPlan, TellsEachParticipant)
+{
+    const Catalog catalog = Catalog::builtIn();
+    const auto plan = readTrainingPlan(sound, QStringLiteral("plant.json"), catalog);
+    ASSERT_TRUE(plan);
+    ASSERT_EQ(plan->size(), 4U);
+    const TrainingParticipant &fraba = plan->at(0);
+    EXPECT_EQ(fraba.number, (DeviceNumber{1, 0}));
+    EXPECT_EQ(fraba.device, catalog.find(u"fraba-ocd-ib"));
+    EXPECT_EQ(fraba.position, 12'345);
+    EXPECT_EQ(fraba.serialNumber, 7);
+    EXPECT_EQ(fraba.operatingTime, 60);
+    EXPECT_EQ(fraba.known, (ParameterValues{{Parameter::startUpMode, 1}}));
+    EXPECT_EQ(plan->at(1).revolutionsPerMinute, -3);
+    EXPECT_EQ(plan->at(1).position, 0);
+    EXPECT_EQ(plan->at(2).device, nullptr);
+    EXPECT_EQ(plan->at(3).number, (DeviceNumber{3, 1}));
+}
+
+} // namespace
+} // namespace codewheel
