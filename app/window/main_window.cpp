@@ -212,9 +212,7 @@ void MainWindow::connectViews()
     connect(m_structure, &StructureView::chosen, this, &MainWindow::choose);
     connect(m_structure, &StructureView::opened, this, [this](DeviceNumber number) {
         showMonitors();
-        m_monitors->openMonitor(number, MonitorKind::in32);
-        if (m_bus->channel(number)->outWords() > 0)
-            m_monitors->openMonitor(number, MonitorKind::out32);
+        m_monitors->openWords(number);
     });
     connect(m_structure, &StructureView::menuRequested, this,
             [this](DeviceNumber, const QPoint &position) { m_actions.deviceMenu->popup(position); });
@@ -242,6 +240,7 @@ void MainWindow::choose(DeviceNumber number)
     m_sequence->setEncoder(encoder);
     m_status->setEncoder(encoder);
     m_wizard->setEncoder(encoder);
+    m_actions.showChosen(encoder);
 }
 
 void MainWindow::openFirstMonitors()

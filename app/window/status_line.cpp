@@ -92,7 +92,7 @@ void StatusLine::refresh()
               period > 0 ? tr("cycle %1 ms").arg(locale.toString(period, 'f', 1)) : tr("virtual time"));
     setTextOf(m_late, tr("%n late cycles", nullptr, static_cast<int>(snapshot.lateCycles)));
     setTextOf(m_linkLabel, tr("link: %1").arg(m_link));
-    setTextOf(m_writes, m_encoder == nullptr
+    setTextOf(m_writes, m_encoder == nullptr || !m_encoder->can().writes
                             ? QString()
                             : tr("%1 %2: %n writes from here", nullptr, m_encoder->eepromWrites())
                                   .arg(m_encoder->number().toString(), m_encoder->device().vendor));

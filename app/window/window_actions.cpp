@@ -2,6 +2,9 @@
 #include "app/window/window_actions.h"
 
 #include "app/window/alarm_stop.h"
+#include "catalog/device_description.h"
+#include "encoder/encoder_session.h"
+#include "encoder/refusal_text.h"
 #include "widgets/look/appearance.h"
 #include "widgets/look/icons.h"
 
@@ -95,10 +98,27 @@ void WindowActions::makeDeviceMenu()
         open(tr("Monitor &OUT 32"), Qt::CTRL | Qt::Key_2, tr("Opens a monitor of the 32-bit OUT word"));
     openIn16 = open(tr("Monitor IN &16"), Qt::CTRL | Qt::Key_3, tr("Opens a monitor of a 16-bit IN word"));
     deviceMenu->addSeparator();
-    wizard = described(deviceMenu->addAction(lineIcon(Icon::wizard), tr("Parameter &wizard")), Qt::Key_F6,
-                       tr("Sets up the chosen encoder step by step"));
-    zeroOut = described(deviceMenu->addAction(lineIcon(Icon::write), tr("Set OUT to &00000000")),
-                        Qt::CTRL | Qt::Key_0, tr("Sends 00000000 to the chosen device: normal running"));
+    wizard = deviceMenu->addAction(lineIcon(Icon::wizard), tr("Parameter &wizard"));
+    wizard->setShortcut(Qt::Key_F6);
+    zeroOut = deviceMenu->addAction(lineIcon(Icon::write), tr("Set OUT to &00000000"));
+    zeroOut->setShortcut(Qt::CTRL | Qt::Key_0);
+    showChosen(nullptr);
+}
+
+void WindowActions::showChosen(const EncoderSession *encoder)
+{
+    const auto why = [encoder](RefusalId id) {
+        return refusalText({RefusalKind::notSupported, id, {encoder->device().fullName()}});
+    };
+    const bool canBeSetUp = !encoder || encoder->can().writes;
+    described(wizard, wizard->shortcut(),
+              canBeSetUp ? tr("Sets up the chosen encoder step by step")
+                         : why(RefusalId::writingNotSupported));
+    const bool hasOut = !encoder || encoder->device().outWords > 0;
+    described(zeroOut, zeroOut->shortcut(),
+              hasOut ? tr("Sends 00000000 to the chosen device: normal running")
+                     : why(RefusalId::sendingNotSupported));
+    zeroOut->setEnabled(hasOut);
 }
 
 void WindowActions::makeViewMenu()

@@ -12,6 +12,8 @@ class QMenu;
 
 namespace codewheel {
 
+class EncoderSession;
+
 // Everything that can be asked for in the main window, with text, icon, tooltip and key, in menus and tool
 // bar. Who carries it out is connected by MainWindow.
 class WindowActions : public QObject
@@ -20,6 +22,9 @@ class WindowActions : public QObject
 
 public:
     explicit WindowActions(QMainWindow &window);
+
+    // Says of the device that is chosen why it cannot be set up, or be sent anything. Null: no encoder.
+    void showChosen(const EncoderSession *encoder);
 
     // File
     QAction *exportTrace;

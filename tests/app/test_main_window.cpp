@@ -32,6 +32,30 @@ TEST_F(MainWindowTest, NothingIsSentByOpeningChoosingAndLooking)
     EXPECT_EQ(out(baumer), 0u);
 }
 
+TEST_F(MainWindowTest, OfAnEncoderWithoutOutItSaysWhyNothingCanBeSetUp)
+{
+    const QString usual = actions().wizard->toolTip();
+    window().findChild<StructureView *>()->choose({3, 0});
+    EXPECT_TRUE(actions().wizard->toolTip().startsWith(
+        QStringLiteral("The FRABA OCD-IB K1 cannot be parameterized over the bus.")));
+    EXPECT_FALSE(actions().zeroOut->isEnabled());
+    EXPECT_TRUE(actions().zeroOut->toolTip().startsWith(QStringLiteral("FRABA OCD-IB K1 has no OUT word")));
+    window().findChild<StructureView *>()->choose(fraba);
+    EXPECT_EQ(actions().wizard->toolTip(), usual);
+    EXPECT_TRUE(actions().zeroOut->isEnabled());
+}
+
+TEST_F(MainWindowTest, ABusTerminalCanBeChosenAndShowsNothing)
+{
+    window().findChild<StructureView *>()->choose({6, 0});
+    advance(100);
+    actions().wizard->trigger();
+    actions().zeroOut->trigger();
+    actions().openIn32->trigger();
+    advance(100);
+    EXPECT_EQ(monitors().monitors().size(), 2u);
+}
+
 TEST_F(MainWindowTest, LayoutAndMonitorsAreKept)
 {
     dock("messagesDock")->close();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/dial/shaft_dial.h"
 
-#include "catalog/device_description.h"
+#include "catalog/position_format.h"
 #include "encoder/hex.h"
 #include "widgets/dial/code_disc.h"
 #include "widgets/dial/missing_values.h"
@@ -67,6 +67,8 @@ void ShaftDial::knownChanged()
 
 std::optional<ShaftDial::Scale> ShaftDial::scale() const
 {
+    if (onlyTellsPosition(m_encoder->device().profile))
+        return physicalScale();
     const auto steps = m_encoder->known(Parameter::steps);
     const auto revolutions = m_encoder->known(Parameter::revolutions);
     if (!m_missing->isEmpty() || !steps || !revolutions)
@@ -77,6 +79,18 @@ std::optional<ShaftDial::Scale> ShaftDial::scale() const
     if (const auto range = positionRange(*m_encoder))
         scale.total = range->last - range->first + 1;
     return scale;
+}
+
+// What a K1 or K2 shows is the place on its code disc.
+std::optional<ShaftDial::Scale> ShaftDial::physicalScale() const
+{
+    const auto range = positionRange(*m_encoder);
+    if (!range)
+        return std::nullopt;
+    const DeviceDescription &device = m_encoder->device();
+    return Scale{.stepsPerTurn = static_cast<double>(device.physicalStepsPerTurn),
+                 .countsTurns = device.physicalTurns > 1,
+                 .total = range->last - range->first + 1};
 }
 
 void ShaftDial::draw()
@@ -103,13 +117,14 @@ DialState ShaftDial::running(const Reading &reading)
     if (!reading.position)
         return {.note = rawNote(reading), .role = Role::attention};
     DialState state{.position = *reading.position,
-                    .note = missingNote(),
+                    .note = note(reading),
                     .role = m_missing->isEmpty() ? Role::running : Role::attention};
     if (!m_scale)
         return state;
     const double turns = static_cast<double>(*reading.position) / m_scale->stepsPerTurn;
     state.turnFraction = partOfTurn(turns, m_scale->clockwise);
-    state.turn = static_cast<qint64>(std::floor(turns));
+    if (m_scale->countsTurns)
+        state.turn = static_cast<qint64>(std::floor(turns));
     m_motion.observe(reading.at, *reading.position, m_scale->total);
     if (const auto speed = m_motion.stepsPerSecond())
         state.rpm = *speed / m_scale->stepsPerTurn * 60 * (m_scale->clockwise ? 1 : -1);
@@ -139,11 +154,18 @@ QString ShaftDial::rawNote(const Reading &reading) const
     return tr("Raw word %1. The coding is not known: write it, or tell it under Parameters.").arg(raw);
 }
 
-QString ShaftDial::missingNote() const
+// What is missing, or that the position is not plain binary.
+QString ShaftDial::note(const Reading &reading) const
 {
-    if (m_missing->isEmpty())
-        return {};
-    return tr("Not known: %1. The disc needs it to turn.").arg(m_missing->names());
+    if (!m_missing->isEmpty())
+        return tr("Not known: %1. The disc needs it to turn.").arg(m_missing->names());
+    if (!m_scale && onlyTellsPosition(m_encoder->device().profile))
+        return tr("The steps per turn of this encoder are not described: the disc cannot turn.");
+    if (reading.coding == PositionCoding::gray)
+        return tr("The position comes in Gray code.");
+    if (reading.coding == PositionCoding::signedBinary)
+        return tr("The position is signed.");
+    return {};
 }
 
 } // namespace codewheel

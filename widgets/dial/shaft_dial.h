@@ -30,16 +30,18 @@ private:
     {
         double stepsPerTurn = 0;
         bool clockwise = true;
+        bool countsTurns = true;
         std::optional<std::int64_t> total;
     };
 
     void knownChanged();
     void draw();
     std::optional<Scale> scale() const;
+    std::optional<Scale> physicalScale() const;
     DialState running(const Reading &reading);
     DialState turning(std::int64_t velocity) const;
     QString rawNote(const Reading &reading) const;
-    QString missingNote() const;
+    QString note(const Reading &reading) const;
 
     QPointer<EncoderSession> m_encoder;
     std::optional<Scale> m_scale;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/dial/state_note.h"
 
-#include "catalog/device_description.h"
+#include "catalog/explain_word.h"
+#include "catalog/position_format.h"
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
 
@@ -27,6 +28,14 @@ QString errorNote(const DeviceDescription &device, const Reading &reading)
                        : DialNote::tr("The encoder shows error %1: there is no position.").arg(number);
 }
 
+// A K1 or K2 has no states: then bits are 1 that it does not use.
+QString unknownNote(const DeviceDescription &device, const Reading &reading)
+{
+    if (onlyTellsPosition(device.profile))
+        return explanationText(device, explainWord(device, reading.in, {WordDirection::in, {}, {}, {}, {}}));
+    return DialNote::tr("IN %1 is in no manual: there is no position.").arg(hexWord(reading.in));
+}
+
 } // namespace
 
 StateNote noteOfState(const DeviceDescription &device, const Reading &reading)
@@ -41,7 +50,7 @@ StateNote noteOfState(const DeviceDescription &device, const Reading &reading)
     case EncoderState::error:
         return {errorNote(device, reading), Role::fault};
     case EncoderState::unknown:
-        return {DialNote::tr("IN %1 is in no manual: there is no position.").arg(hexWord(reading.in))};
+        return {unknownNote(device, reading)};
     case EncoderState::notSeen:
         return {DialNote::tr("Nothing came from the encoder yet."), Role::inactive};
     case EncoderState::operation:

@@ -2,6 +2,7 @@
 #include "widgets/monitor/monitor_area.h"
 
 #include "catalog/device_description.h"
+#include "encoder/refusal_text.h"
 #include "ring/word_channel.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
@@ -124,9 +125,7 @@ void MonitorArea::openMonitor(DeviceNumber number, MonitorKind kind)
     m_message->withdraw();
     WordMonitor *opened = monitor(number, kind);
     if (!opened && !hasWord(number, kind)) {
-        m_message->showMessage(Role::attention,
-                               tr("%1 has no word %2 to show. Choose another device or word.")
-                                   .arg(number.toString(), monitorKindText(kind)));
+        m_message->showMessage(Role::attention, whyNot(number, kind));
         return;
     }
     if (!opened)
@@ -134,6 +133,26 @@ void MonitorArea::openMonitor(DeviceNumber number, MonitorKind kind)
     m_column->activate();
     m_scroll->ensureWidgetVisible(opened, 0, 0);
     opened->setFocus();
+}
+
+void MonitorArea::openWords(DeviceNumber number)
+{
+    openMonitor(number, hasWord(number, MonitorKind::in32) ? MonitorKind::in32 : MonitorKind::in16);
+    if (hasWord(number, MonitorKind::out32))
+        openMonitor(number, MonitorKind::out32);
+}
+
+QString MonitorArea::whyNot(DeviceNumber number, MonitorKind kind) const
+{
+    const WordChannel *channel = m_bus.channel(number);
+    const EncoderSession *encoder = m_bus.encoder(number);
+    if (channel && channel->inWords() == 0 && channel->outWords() == 0)
+        return tr("%1 has no words to show: it takes no part in the process data.").arg(number.toString());
+    if (encoder && channel && channel->outWords() == 0 && kind == MonitorKind::out32)
+        return refusalText(
+            {RefusalKind::notSupported, RefusalId::sendingNotSupported, {encoder->device().fullName()}});
+    return tr("%1 has no word %2 to show. Choose another device or word.")
+        .arg(number.toString(), monitorKindText(kind));
 }
 
 void MonitorArea::openFirst()

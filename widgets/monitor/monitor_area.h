@@ -29,6 +29,8 @@ public:
 
     // Opens it at the end, or brings it into view where it is open already; says on the spot why it cannot.
     void openMonitor(DeviceNumber number, MonitorKind kind);
+    // All words the device has: IN 32, or IN 16 where there is no more, and OUT 32.
+    void openWords(DeviceNumber number);
     // At first start: IN 32 and OUT 32 of the first device that has both.
     void openFirst();
     void closeMonitor(DeviceNumber number, MonitorKind kind);
@@ -46,6 +48,7 @@ private:
     void fillAddMenu();
     WordMonitor *addMonitor(DeviceNumber number, MonitorKind kind);
     void remove(WordMonitor *monitor);
+    QString whyNot(DeviceNumber number, MonitorKind kind) const;
     bool hasWord(DeviceNumber number, MonitorKind kind) const;
     void setDisplay(MonitorKind kind, const MonitorDisplay &display);
     void showPicture();

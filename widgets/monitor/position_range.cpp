@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/position_range.h"
 
-#include "catalog/device_description.h"
+#include "catalog/position_format.h"
 
 namespace codewheel {
+namespace {
+
+PositionRange rangeOf(std::int64_t total, PositionCoding coding)
+{
+    if (coding != PositionCoding::signedBinary)
+        return {0, total - 1};
+    const std::int64_t firstNegative = (total + 1) / 2; // as an unsigned position
+    return {firstNegative - total, firstNegative - 1};
+}
+
+} // namespace
 
 std::optional<PositionRange> positionRange(const EncoderSession &encoder)
 {
@@ -11,6 +22,10 @@ std::optional<PositionRange> positionRange(const EncoderSession &encoder)
     if (device.find(Parameter::measuringLength) != nullptr) {
         const auto length = encoder.known(Parameter::measuringLength);
         return length ? std::optional(PositionRange{0, length->value}) : std::nullopt;
+    }
+    if (onlyTellsPosition(device.profile)) {
+        const std::int64_t positions = std::int64_t{device.physicalStepsPerTurn} * device.physicalTurns;
+        return positions < 2 ? std::nullopt : std::optional(rangeOf(positions, device.coding));
     }
     const auto steps = encoder.known(Parameter::steps);
     const auto revolutions = encoder.known(Parameter::revolutions);
@@ -25,10 +40,7 @@ std::optional<PositionRange> positionRange(const EncoderSession &encoder)
     const std::int64_t total = steps->value * turns / revolutions->value;
     if (total < 2)
         return {};
-    if (*encoder.latest().coding != PositionCoding::signedBinary)
-        return PositionRange{0, total - 1};
-    const std::int64_t firstNegative = (total + 1) / 2; // as an unsigned position
-    return PositionRange{firstNegative - total, firstNegative - 1};
+    return rangeOf(total, *encoder.latest().coding);
 }
 
 } // namespace codewheel

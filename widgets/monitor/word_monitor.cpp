@@ -4,6 +4,7 @@
 #include "catalog/explain_word.h"
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
+#include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
@@ -126,9 +127,21 @@ void WordMonitor::makeBody(QHBoxLayout *title)
     if (m_bar)
         rows->addWidget(m_bar);
     rows->addWidget(m_numbers);
+    if (m_channel->outWords() == 0)
+        rows->addWidget(makeNoOutNote());
     if (m_sender)
         rows->addWidget(m_sender);
     rows->addWidget(m_message);
+}
+
+QLabel *WordMonitor::makeNoOutNote()
+{
+    auto *note = new QLabel(
+        tr("%1 has no OUT word: nothing can be sent to it.", "1.0").arg(m_number.toString()), this);
+    note->setObjectName(QStringLiteral("noOut"));
+    note->setWordWrap(true);
+    note->setFont(textFont(TextSize::small));
+    return note;
 }
 
 void WordMonitor::makeSender()

@@ -12,6 +12,7 @@
 
 class QComboBox;
 class QHBoxLayout;
+class QLabel;
 
 namespace codewheel {
 
@@ -68,6 +69,7 @@ private:
 
     QHBoxLayout *makeTitle();
     void makeBody(QHBoxLayout *title);
+    QLabel *makeNoOutNote();
     void makeSender();
     void makeKeys();
     void addCopyAction(const QString &text, const QKeySequence &key, QString (WordMonitor::*content)() const);

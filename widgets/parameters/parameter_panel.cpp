@@ -36,10 +36,7 @@ ParameterPanel::ParameterPanel(WantedValues &wanted, QWidget *parent)
     , m_model(new ParameterModel(wanted, this))
     , m_functions(new EncoderFunctions(this))
     , m_pages(new QStackedWidget(this))
-    , m_empty(new EmptyState(Icon::parameters, tr("No encoder is chosen"),
-                             tr("Choose an encoder in the bus structure. Its parameters are shown here: what "
-                                "it has, and what you want it to have."),
-                             this))
+    , m_empty(new EmptyState(Icon::parameters, {}, {}, this))
     , m_review(new WriteReview(this))
 {
     m_tablePage = makeTablePage();
@@ -156,9 +153,12 @@ void ParameterPanel::setEncoder(EncoderSession *encoder)
     m_model->setEncoder(encoder);
     m_job->setEncoder(encoder);
     m_functions->setEncoder(encoder);
-    m_pages->setCurrentWidget(encoder != nullptr ? m_tablePage : m_empty);
-    if (encoder == nullptr)
+    const bool hasParameters = encoder != nullptr && !encoder->device().parameters.empty();
+    m_pages->setCurrentWidget(hasParameters ? m_tablePage : m_empty);
+    if (!hasParameters) {
+        showWhyEmpty();
         return;
+    }
     m_table->setCurrentIndex(m_model->index(0, ParameterModel::wantedColumn));
     connectEncoder();
     showReadingNote();
@@ -168,6 +168,25 @@ void ParameterPanel::setEncoder(EncoderSession *encoder)
 QList<QAction *> ParameterPanel::functionActions() const
 {
     return m_functions->actions();
+}
+
+void ParameterPanel::showWhyEmpty()
+{
+    if (!m_encoder) {
+        m_empty->setTexts(tr("No encoder is chosen"),
+                          tr("Choose an encoder in the bus structure. Its parameters are shown here: what "
+                             "it has, and what you want it to have."));
+        return;
+    }
+    const DeviceDescription &device = m_encoder->device();
+    const QString what = tr("%1 has no parameters here").arg(m_encoder->number().toString());
+    m_empty->setTexts(what, device.outWords == 0
+                                ? tr("The %1 has no OUT word. It only tells its position: nothing can be "
+                                     "read from it or written to it.")
+                                      .arg(device.fullName())
+                                : tr("What words set up a %1 is in no source, so none are sent. Its position "
+                                     "is shown.")
+                                      .arg(device.fullName()));
 }
 
 void ParameterPanel::connectEncoder()

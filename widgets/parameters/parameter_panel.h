@@ -52,6 +52,7 @@ private:
     void makeMenu();
     void connectParts();
     void connectEncoder();
+    void showWhyEmpty();
 
     void read();
     void review();

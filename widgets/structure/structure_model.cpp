@@ -47,7 +47,7 @@ void StructureModel::setBus(BusSession *bus)
             const EncoderSession *encoder = bus->encoder(participant.number);
             const DeviceDescription *device = encoder == nullptr ? nullptr : &encoder->device();
             Node node{.participant = participant,
-                      .name = device == nullptr ? tr("device not known") : device->fullName(),
+                      .name = participantName(participant, device),
                       .profile = profileText(device),
                       .children = {},
                       .shown = {}};
@@ -121,6 +121,9 @@ StructureModel::Shown StructureModel::shownOf(const Node &node, std::size_t plac
     const WordChannel *channel = m_bus->channel(node.participant.number);
     if (!m_bus->isRunning())
         return {Role::inactive, tr("stopped")};
+    const bool exchanged = m_bus->latest().cycle > 0;
+    if (exchanged && m_bus->encoder(node.participant.number) == nullptr) // no driver that could tell more
+        return {Role::running, tr("ok")};
     if (device.reading.state == EncoderState::error)
         return {Role::fault, tr("error %1").arg(device.reading.errorNumber.value_or(0))};
     if (device.heldByJob)
@@ -265,7 +268,7 @@ QVariant StructureModel::deviceCell(const Node &node, int column, int role) cons
         return toolTip(node);
     if (role == Qt::DecorationRole) {
         if (column == deviceColumn)
-            return lineIcon(Icon::encoder);
+            return lineIcon(node.participant.idCode == busTerminalIdCode ? Icon::ring : Icon::encoder);
         if (column == stateColumn)
             return lineIcon(roleIcon(node.shown.role), node.shown.role);
         return {};
@@ -288,14 +291,29 @@ QVariant StructureModel::deviceCell(const Node &node, int column, int role) cons
     }
 }
 
+// How the position stands in IN, where it is not plain binary.
+QString StructureModel::codingText(const Node &node) const
+{
+    const EncoderSession *encoder = m_bus->encoder(node.participant.number);
+    const auto coding = encoder == nullptr ? std::nullopt : encoder->latest().coding;
+    if (coding == PositionCoding::gray)
+        return tr("Position: Gray code");
+    if (coding == PositionCoding::signedBinary)
+        return tr("Position: signed");
+    return {};
+}
+
 QString StructureModel::toolTip(const Node &node) const
 {
-    return tr("%1  %2\nID code %3, device code %4\n%5 words IN, %6 words OUT\nState: %7")
-        .arg(node.participant.number.toString(), node.name, idCodeText(node.participant.idCode),
-             hexCode(node.participant.deviceCode, 4))
-        .arg(node.participant.inWords)
-        .arg(node.participant.outWords)
-        .arg(node.shown.word);
+    const QString coding = codingText(node);
+    const QString text =
+        tr("%1  %2\nID code %3, device code %4\n%5 words IN, %6 words OUT\nState: %7")
+            .arg(node.participant.number.toString(), node.name, idCodeText(node.participant.idCode),
+                 hexCode(node.participant.deviceCode, 4))
+            .arg(node.participant.inWords)
+            .arg(node.participant.outWords)
+            .arg(node.shown.word);
+    return coding.isEmpty() ? text : text + u'\n' + coding;
 }
 
 } // namespace codewheel

@@ -62,6 +62,7 @@ private:
     Shown shownOfMaster() const;
     QVariant masterCell(int column, int role) const;
     QVariant deviceCell(const Node &node, int column, int role) const;
+    QString codingText(const Node &node) const;
     QString toolTip(const Node &node) const;
     int nodeOf(const QModelIndex &index) const;
     int rowOf(int node) const;

@@ -60,6 +60,47 @@ TEST_F(DialPanelTest, APositionWithoutItsScaleIsANumberAndADiscThatStands)
     EXPECT_EQ(ring.channel(fraba).out(), 0u) << "looking sends nothing";
 }
 
+TEST_F(DialPanelTest, APositionOnlyEncoderTurnsTheDiscAtOnce)
+{
+    ring.controls->setSpeed(test::singleTurn, 0);
+    ring.controls->turnTo(test::singleTurn, 1024);
+    ring.controls->setSpeed(test::multiTurn, 0);
+    ring.controls->turnTo(test::multiTurn, 3 * 4096 + 2048);
+    panel.setEncoder(&ring.encoder(test::singleTurn));
+    advance(66);
+    EXPECT_EQ(shown().position, 1024);
+    EXPECT_EQ(shown().turnFraction, 0.25);
+    EXPECT_EQ(shown().turn, std::nullopt) << "it counts no turns";
+    EXPECT_EQ(shown().note, QString());
+    EXPECT_FALSE(readButton().isVisible());
+    panel.setEncoder(&ring.encoder(test::multiTurn));
+    advance(66);
+    EXPECT_EQ(shown().turnFraction, 0.5);
+    EXPECT_EQ(shown().turn, 3);
+}
+
+TEST_F(DialPanelTest, TheSpeedOfAPositionOnlyEncoderIsShown)
+{
+    panel.setEncoder(&ring.encoder(test::multiTurn));
+    advance(2000);
+    ASSERT_TRUE(shown().rpm);
+    EXPECT_NEAR(*shown().rpm, -6, 0.2);
+}
+
+TEST_F(DialPanelTest, ACodingThatIsNotPlainIsNamed)
+{
+    panel.setEncoder(&ring.encoder(baumer));
+    tellBaumer(5);
+    advance(66);
+    EXPECT_EQ(shown().note, QStringLiteral("The position comes in Gray code."));
+    tellBaumer(2);
+    advance(66);
+    EXPECT_EQ(shown().note, QStringLiteral("The position is signed."));
+    tellBaumer(3);
+    advance(66);
+    EXPECT_EQ(shown().note, QString());
+}
+
 TEST_F(DialPanelTest, ReadingOnRequestMakesItTurn)
 {
     ring.encoder(fraba).tell(Parameter::startUpMode, 1);

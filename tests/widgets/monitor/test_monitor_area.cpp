@@ -64,11 +64,52 @@ TEST_F(MonitorAreaTest, ADeviceThatIsNotThereIsRefusedWithASentence)
               QStringLiteral("7.0 has no word IN 32 to show. Choose another device or word."));
 }
 
+TEST_F(MonitorAreaTest, OpensTheWordsADeviceHas)
+{
+    area.openWords(test::singleTurn);
+    area.openWords(test::multiTurn);
+    area.openWords(test::onLoop);
+    EXPECT_EQ(open(), (QStringList{QStringLiteral("3.0 IN 16"), QStringLiteral("4.0 IN 32"),
+                                   QStringLiteral("6.1 IN 32"), QStringLiteral("6.1 OUT 32")}));
+    EXPECT_TRUE(area.findChild<InlineMessage *>()->isHidden());
+    EXPECT_EQ(area.monitor(test::singleTurn, MonitorKind::in16)->hexText(), QStringLiteral("03E9"));
+}
+
+TEST_F(MonitorAreaTest, WhereThereIsNoOutWordItSaysSo)
+{
+    const QString name = QStringLiteral("noOut");
+    area.openWords(test::singleTurn);
+    area.openWords(fraba);
+    const auto *note = area.monitor(test::singleTurn, MonitorKind::in16)->findChild<QLabel *>(name);
+    ASSERT_NE(note, nullptr);
+    EXPECT_EQ(note->text(), QStringLiteral("3.0 has no OUT word: nothing can be sent to it."));
+    EXPECT_EQ(area.monitor(fraba, MonitorKind::in32)->findChild<QLabel *>(name), nullptr);
+
+    const auto *message = area.findChild<InlineMessage *>(QString(), Qt::FindDirectChildrenOnly);
+    area.openMonitor(test::multiTurn, MonitorKind::out32);
+    EXPECT_EQ(message->sentence(),
+              QStringLiteral("FRABA OCD-IB K2 has no OUT word: nothing can be sent to it."));
+    area.openWords(test::busTerminal);
+    EXPECT_EQ(message->sentence(),
+              QStringLiteral("6.0 has no words to show: it takes no part in the process data."));
+}
+
+TEST_F(MonitorAreaTest, WhatAPositionOnlyEncoderShowsIsExplained)
+{
+    area.openWords(test::singleTurn);
+    ring.controls->setSpeed(test::singleTurn, 0);
+    ring.controls->turnTo(test::singleTurn, 4095);
+    ring.bus.advance(5);
+    const WordMonitor *monitor = area.monitor(test::singleTurn, MonitorKind::in16);
+    EXPECT_EQ(monitor->hexText(), QStringLiteral("0FFF"));
+    EXPECT_EQ(monitor->meaning(), QStringLiteral("Running, position 4095"));
+}
+
 TEST_F(MonitorAreaTest, TheMenuOffersEveryWordOfEveryDevice)
 {
     auto *menu = area.findChild<QMenu *>();
     QMetaObject::invokeMethod(menu, "aboutToShow");
-    ASSERT_EQ(menu->actions().size(), 6);
+    ASSERT_EQ(menu->actions().size(), 12) << "K1 has one word, K2 two, a bus terminal none";
     EXPECT_EQ(menu->actions().at(1)->text(), QStringLiteral("1.0  OUT 32  FRABA OCD-IB K3"));
     menu->actions().at(1)->trigger();
     EXPECT_EQ(open(), QStringList{QStringLiteral("1.0 OUT 32")});

@@ -32,12 +32,41 @@ TEST_F(StructureTest, ShowsTheMasterAndBelowItTheDevicesOfTheRing)
     const QModelIndex master = model.index(0, 0);
     EXPECT_EQ(master.data().toString(), QStringLiteral("Master"));
     EXPECT_EQ(master.siblingAtColumn(StructureModel::stateColumn).data().toString(), QStringLiteral("RUN"));
-    EXPECT_EQ(model.rowCount(master), 2);
+    EXPECT_EQ(model.rowCount(master), 5);
     EXPECT_EQ(text(fraba, StructureModel::deviceColumn), QStringLiteral("1.0  FRABA OCD-IB K3"));
     EXPECT_EQ(text(fraba, StructureModel::profileColumn), QStringLiteral("K3"));
     EXPECT_EQ(text(fraba, StructureModel::idCodeColumn), QStringLiteral("37h = 55"));
     EXPECT_EQ(text(baumer, StructureModel::wordsColumn), QStringLiteral("2 / 2"));
     EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("ok"));
+    EXPECT_EQ(text(test::singleTurn, StructureModel::profileColumn), QStringLiteral("K1"));
+    EXPECT_EQ(text(test::singleTurn, StructureModel::wordsColumn), QStringLiteral("1 / 0"));
+}
+
+TEST_F(StructureTest, ABranchHangsOnItsBusTerminal)
+{
+    model.setBus(&ring.bus);
+    const QModelIndex terminal = model.indexOf(test::busTerminal);
+    EXPECT_EQ(terminal.data().toString(), QStringLiteral("6.0  bus terminal"));
+    EXPECT_EQ(text(test::busTerminal, StructureModel::idCodeColumn), QStringLiteral("0Ch = 12"));
+    EXPECT_EQ(text(test::busTerminal, StructureModel::wordsColumn), QStringLiteral("0 / 0"));
+    EXPECT_EQ(text(test::busTerminal, StructureModel::stateColumn), QStringLiteral("ok"));
+    EXPECT_EQ(model.indexOf(test::onLoop).parent(), terminal);
+    EXPECT_EQ(model.rowCount(terminal), 1);
+    EXPECT_EQ(text(test::onLoop, StructureModel::deviceColumn),
+              QStringLiteral("6.1  FRABA OCD-IB K3 Loop 2"));
+}
+
+TEST_F(StructureTest, TheTooltipTellsACodingThatIsNotPlain)
+{
+    model.setBus(&ring.bus);
+    const auto toolTip = [this] { return model.indexOf(baumer).data(Qt::ToolTipRole).toString(); };
+    EXPECT_FALSE(toolTip().contains(QStringLiteral("Position:")));
+    ring.encoder(baumer).tell(Parameter::coding, 5);
+    ring.bus.advance(2);
+    EXPECT_TRUE(toolTip().endsWith(QStringLiteral("Position: Gray code")));
+    ring.encoder(baumer).tell(Parameter::coding, 1);
+    ring.bus.advance(2);
+    EXPECT_TRUE(toolTip().endsWith(QStringLiteral("Position: signed")));
 }
 
 TEST_F(StructureTest, StatesFollowTheBus)

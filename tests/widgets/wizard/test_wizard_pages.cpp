@@ -27,6 +27,20 @@ TEST_F(WizardPages, UnknownIsShownAsUnknownAndToldIsToldApart)
     EXPECT_FALSE(find<QAbstractButton>("readAll")->isVisible()); // no read-out
 }
 
+TEST_F(WizardPages, AnEncoderThatOnlyTellsItsPositionCannotBeSetUp)
+{
+    wizard.setEncoder(bus.encoder({3, 0}));
+    EXPECT_FALSE(isEnabled("wizardNext"));
+    QStringList sentences;
+    for (const auto *message : wizard.findChildren<InlineMessage *>())
+        if (message->isVisible())
+            sentences += message->sentence();
+    EXPECT_EQ(sentences,
+              QStringList{QStringLiteral("The FRABA OCD-IB K1 cannot be parameterized over the bus.")});
+    wizard.setEncoder(&fraba());
+    EXPECT_TRUE(isEnabled("wizardNext"));
+}
+
 TEST_F(WizardPages, DirectionIsCheckedByTurningTheShaft)
 {
     wizard.setEncoder(&fraba());
