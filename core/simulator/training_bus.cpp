@@ -5,6 +5,7 @@
 #include "simulator/baumer_k3.h"
 #include "simulator/fraba_k3.h"
 #include "simulator/simulated_bus_terminal.h"
+#include "simulator/simulated_la66.h"
 #include "simulator/simulated_position_encoder.h"
 #include "simulator/simulated_ring.h"
 
@@ -63,10 +64,20 @@ std::unique_ptr<SimulatedDevice> encoderOf(const TrainingParticipant &planned)
     return std::make_unique<FrabaK3>(resolution, planned.position, plate);
 }
 
+std::unique_ptr<SimulatedDevice> rodOf(const TrainingParticipant &planned)
+{
+    auto rod = std::make_unique<SimulatedLa66>(static_cast<double>(planned.rodMillimetres));
+    rod->moveMagnetTo(static_cast<double>(planned.millimetres));
+    rod->setMagnetSpeed(static_cast<double>(planned.millimetresPerSecond));
+    return rod;
+}
+
 std::unique_ptr<SimulatedDevice> deviceOf(const TrainingParticipant &planned)
 {
     if (!planned.device)
         return std::make_unique<SimulatedBusTerminal>();
+    if (planned.device->profile == Profile::la66)
+        return rodOf(planned);
     auto encoder = encoderOf(planned);
     encoder->setSpeed(static_cast<double>(planned.revolutionsPerMinute));
     return encoder;

@@ -11,8 +11,18 @@ namespace {
 
 constexpr auto fastest = static_cast<std::int64_t>(TrainingControls::fastest);
 
+constexpr std::int64_t shortestRod = 20; // mm
+constexpr std::int64_t longestRod = 10'000;
+
+bool isRod(const DeviceDescription &device)
+{
+    return device.profile == Profile::la66;
+}
+
 bool canBeSimulated(const DeviceDescription &device)
 {
+    if (isRod(device))
+        return true;
     const bool hasResolution = device.physicalStepsPerTurn > 0 && device.physicalTurns > 0;
     const bool isK3 = device.profile == Profile::k3 && device.dialect != k3::Dialect::generic;
     return hasResolution && (isK3 || onlyTellsPosition(device.profile));
@@ -35,6 +45,7 @@ private:
     void readPlace(const JsonObject &row, TrainingParticipant &participant) const;
     bool hasTerminal(int segment) const;
     void readDevice(const JsonObject &row, TrainingParticipant &participant) const;
+    static void readRod(const JsonObject &row, TrainingParticipant &participant);
     static void readShaft(const JsonObject &row, TrainingParticipant &participant);
     static void readKnown(const JsonObject &row, TrainingParticipant &participant);
     static void refuseKeys(const JsonObject &row, std::initializer_list<const char *> keys,
@@ -50,7 +61,8 @@ void TrainingPlanReader::read(const JsonObject &row)
     readPlace(row, participant);
     if (row.flagOr("busTerminal", false))
         refuseKeys(row,
-                   {"device", "position", "revolutionsPerMinute", "serialNumber", "operatingTime", "known"},
+                   {"device", "position", "revolutionsPerMinute", "rodMillimetres", "millimetres",
+                    "millimetresPerSecond", "serialNumber", "operatingTime", "known"},
                    tr("A bus terminal has no encoder."));
     else
         readDevice(row, participant);
@@ -88,7 +100,10 @@ void TrainingPlanReader::readDevice(const JsonObject &row, TrainingParticipant &
         row.report("device", tr("The device \"%1\" cannot be simulated.").arg(key));
         return;
     }
-    readShaft(row, participant);
+    if (isRod(*participant.device))
+        readRod(row, participant);
+    else
+        readShaft(row, participant);
     if (participant.device->dialect == k3::Dialect::fraba) {
         participant.serialNumber = row.optionalNumber("serialNumber", 0, k3::dataMask).value_or(0);
         participant.operatingTime = row.optionalNumber("operatingTime", 0, k3::dataMask).value_or(0);
@@ -99,8 +114,19 @@ void TrainingPlanReader::readDevice(const JsonObject &row, TrainingParticipant &
         readKnown(row, participant);
 }
 
+void TrainingPlanReader::readRod(const JsonObject &row, TrainingParticipant &participant)
+{
+    refuseKeys(row, {"position", "revolutionsPerMinute"}, tr("A linear encoder has no shaft."));
+    participant.rodMillimetres = row.number("rodMillimetres", shortestRod, longestRod);
+    participant.millimetres = row.optionalNumber("millimetres", 0, participant.rodMillimetres).value_or(0);
+    participant.millimetresPerSecond =
+        row.optionalNumber("millimetresPerSecond", -longestRod, longestRod).value_or(0);
+}
+
 void TrainingPlanReader::readShaft(const JsonObject &row, TrainingParticipant &participant)
 {
+    refuseKeys(row, {"rodMillimetres", "millimetres", "millimetresPerSecond"},
+               tr("Only a linear encoder has a rod."));
     const DeviceDescription &device = *participant.device;
     const std::int64_t range = std::int64_t{device.physicalStepsPerTurn} * device.physicalTurns;
     participant.position = row.optionalNumber("position", 0, range - 1).value_or(0);
@@ -142,6 +168,7 @@ tl::expected<TrainingPlan, Catalog::Fault> readTrainingPlan(const QByteArray &js
         const JsonObject plan(root, QString(), {"participants"}, faults);
         for (const JsonObject &row :
              plan.array("participants", {"place", "device", "busTerminal", "position", "revolutionsPerMinute",
+                                         "rodMillimetres", "millimetres", "millimetresPerSecond",
                                          "serialNumber", "operatingTime", "known"}))
             reader.read(row);
     }

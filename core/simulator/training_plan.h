@@ -15,9 +15,12 @@ struct TrainingParticipant
     const DeviceDescription *device = nullptr; // of the catalog; null: a bus terminal
     std::int64_t position = 0;                 // physical steps of the shaft
     std::int64_t revolutionsPerMinute = 0;     // positive: clockwise, looking at the shaft
-    std::int64_t serialNumber = 0;             // FRABA K3
-    std::int64_t operatingTime = 0;            // FRABA K3, 10 min
-    ParameterValues known;                     // what the user is taken to know of it
+    std::int64_t rodMillimetres = 0;           // measuring length of a rod
+    std::int64_t millimetres = 0;              // where its magnet stands
+    std::int64_t millimetresPerSecond = 0;
+    std::int64_t serialNumber = 0;  // FRABA K3
+    std::int64_t operatingTime = 0; // FRABA K3, 10 min
+    ParameterValues known;          // what the user is taken to know of it
 };
 using TrainingPlan = std::vector<TrainingParticipant>; // in ring order
 

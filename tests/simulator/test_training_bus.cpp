@@ -12,10 +12,10 @@ class TheTrainingBus : public testing::Test
 {
 protected:
     // What goes to 1.0 and 2.0; all others are sent 0. What comes from all.
-    std::array<Word, 6> exchange(Word first, Word second, int cycles = 1)
+    std::array<Word, 7> exchange(Word first, Word second, int cycles = 1)
     {
-        const std::array<Word, 6> out{first, second};
-        std::array<Word, 6> in{};
+        const std::array<Word, 7> out{first, second};
+        std::array<Word, 7> in{};
         for (int i = 0; i < cycles; ++i)
             EXPECT_TRUE(m_bus.link->exchange(out, in));
         return in;
@@ -36,23 +36,25 @@ TEST_F(TheTrainingBus, IsThePlantOfItsFile)
         {{2, 0}, 0x37, 0x0237, 2, 2, QStringLiteral("baumer-gxp6w")},
         {{3, 0}, 0x36, 0x0136, 1, 0, QStringLiteral("fraba-ocd-ib-k1")},
         {{4, 0}, 0x36, 0x0236, 2, 0, QStringLiteral("fraba-ocd-ib-k2")},
+        {{5, 0}, 0x33, 0x0233, 2, 2, QStringLiteral("tr-la66")},
         {{6, 0}, 0x0C, 0x000C, 0, 0, {}},
         {{6, 1}, 0xB3, 0x02B3, 2, 2, QStringLiteral("fraba-ocd-ib-loop2")},
     };
     EXPECT_EQ(*structure, plant);
-    EXPECT_EQ(m_bus.link->readBackOut().value(), std::vector<Word>(6));
+    EXPECT_EQ(m_bus.link->readBackOut().value(), std::vector<Word>(7));
 }
 
-// 3.0 at 3 rpm of 4096 steps, 4.0 at -6 rpm; 6.0 has no data; 6.1 stands.
+// 3.0 at 3 rpm of 4096 steps, 4.0 at -6 rpm. 5.0 and 6.1 stand; 6.0 has no data.
 TEST_F(TheTrainingBus, WhatOnlyTellsItsPositionTurnsByItself)
 {
     ASSERT_TRUE(m_bus.link->open());
-    EXPECT_EQ(exchange(0, 0), (std::array<Word, 6>{0x3039, 0xF'4240, 0x3E8, 0x7A'1200, 0, 0x1267}));
+    EXPECT_EQ(exchange(0, 0), (std::array<Word, 7>{0x3039, 0xF'4240, 0x3E8, 0x7A'1200, 0x30D4, 0, 0x1267}));
     const auto later = exchange(0, 0, 10'000);
     EXPECT_EQ(later[2], 1000U + 2048);
     EXPECT_EQ(later[3], 8'000'000U - 4096);
-    EXPECT_EQ(later[4], 0U);
-    EXPECT_EQ(later[5], 4711U);
+    EXPECT_EQ(later[4], 12'500U);
+    EXPECT_EQ(later[5], 0U);
+    EXPECT_EQ(later[6], 4711U);
 }
 
 TEST_F(TheTrainingBus, TheFrabaStandsStillAndTheBaumerTurns)
@@ -75,12 +77,12 @@ TEST_F(TheTrainingBus, TakesThe255StepsExample)
     EXPECT_EQ(m_bus.controls->shafts().at(0).eepromWrites, 4);
     exchange(0x4000'0000, 0, 2);
     EXPECT_EQ(exchange(0x4000'0000, 0)[0], 0U);
-    EXPECT_EQ(m_bus.link->readBackOut().value(), (std::vector<Word>{0x4000'0000, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(m_bus.link->readBackOut().value(), (std::vector<Word>{0x4000'0000, 0, 0, 0, 0, 0, 0}));
 }
 
 TEST_F(TheTrainingBus, RefusesWhatIsNotConnectedOrOfAnotherSize)
 {
-    std::array<Word, 6> words{};
+    std::array<Word, 7> words{};
     const auto refused = m_bus.link->exchange(words, words);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().kind, RefusalKind::link);
@@ -117,6 +119,9 @@ TEST_F(TheTrainingBus, TheTrainerSeesAndMovesTheShafts)
     EXPECT_NEAR(static_cast<double>(m_bus.controls->shafts().at(0).raw), 150, 1);
     m_bus.controls->turnTo({9, 0}, 5); // no such place
     m_bus.controls->turnTo({6, 0}, 5); // nothing there that turns
+    m_bus.controls->moveMagnetTo({5, 0}, 250);
+    EXPECT_EQ(exchange(0, 0)[4], 25'000U);
+    EXPECT_EQ(m_bus.controls->rods().at(0).millimetres, 250);
     m_bus.controls->setSpeed({3, 0}, 0);
     m_bus.controls->turnTo({3, 0}, 4095);
     EXPECT_EQ(exchange(0, 0)[2], 0xFFFU);
@@ -148,6 +153,7 @@ TEST_F(TheTrainingBus, IsUsedByAnyThread)
         while (!stop.stop_requested()) {
             controls->turnBy({1, 0}, 1);
             EXPECT_EQ(controls->shafts().size(), 5U);
+            EXPECT_EQ(controls->rods().size(), 1U);
         }
     });
     exchange(0, 0, 2'000);

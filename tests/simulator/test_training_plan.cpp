@@ -13,7 +13,8 @@ const QByteArray sound = R"({
      "known": [{"parameter": "start-up-mode", "value": 1}]},
     {"place": "2.0", "device": "fraba-ocd-ib-k1", "revolutionsPerMinute": -3},
     {"place": "3.0", "busTerminal": true},
-    {"place": "3.1", "device": "baumer-gxp6w"}
+    {"place": "3.1", "device": "baumer-gxp6w"},
+    {"place": "4.0", "device": "tr-la66", "rodMillimetres": 300, "millimetres": 20, "millimetresPerSecond": -5}
   ]
 }
 )";
@@ -69,6 +70,10 @@ constexpr Breakage breakages[] = {
      "participants[1].revolutionsPerMinute", "between -12000 and 12000"},
     {R"("revolutionsPerMinute": -3)", R"("serialNumber": 3)", 5, "participants[1].serialNumber",
      "Only a FRABA K3"},
+    {R"("rodMillimetres": 300)", R"("position": 300)", 8, "participants[4].position", "no shaft"},
+    {R"("rodMillimetres": 300, )", "", 8, "participants[4].rodMillimetres", "missing"},
+    {R"("millimetres": 20)", R"("millimetres": 301)", 8, "participants[4].millimetres", "between 0 and 300"},
+    {R"("revolutionsPerMinute": -3)", R"("millimetres": 3)", 5, "participants[1].millimetres", "has a rod"},
     {R"("start-up-mode")", R"("coding")", 4, "participants[0].known[0].parameter", "no parameter \"coding\""},
     {R"("value": 1)", R"("value": 11)", 4, "participants[0].known[0].value", "between 0 and 10"},
 };
@@ -80,7 +85,7 @@ TEST(TrainingPlan, TellsEachParticipant)
     const Catalog catalog = Catalog::builtIn();
     const auto plan = readTrainingPlan(sound, QStringLiteral("plant.json"), catalog);
     ASSERT_TRUE(plan);
-    ASSERT_EQ(plan->size(), 4U);
+    ASSERT_EQ(plan->size(), 5U);
     const TrainingParticipant &fraba = plan->at(0);
     EXPECT_EQ(fraba.number, (DeviceNumber{1, 0}));
     EXPECT_EQ(fraba.device, catalog.find(u"fraba-ocd-ib"));
@@ -92,6 +97,9 @@ TEST(TrainingPlan, TellsEachParticipant)
     EXPECT_EQ(plan->at(1).position, 0);
     EXPECT_EQ(plan->at(2).device, nullptr);
     EXPECT_EQ(plan->at(3).number, (DeviceNumber{3, 1}));
+    EXPECT_EQ(plan->at(4).rodMillimetres, 300);
+    EXPECT_EQ(plan->at(4).millimetres, 20);
+    EXPECT_EQ(plan->at(4).millimetresPerSecond, -5);
 }
 
 } // namespace

@@ -109,7 +109,7 @@ TEST_F(MonitorAreaTest, TheMenuOffersEveryWordOfEveryDevice)
 {
     auto *menu = area.findChild<QMenu *>();
     QMetaObject::invokeMethod(menu, "aboutToShow");
-    ASSERT_EQ(menu->actions().size(), 12) << "K1 has one word, K2 two, a bus terminal none";
+    ASSERT_EQ(menu->actions().size(), 15) << "K1 has one word, K2 two, a bus terminal none";
     EXPECT_EQ(menu->actions().at(1)->text(), QStringLiteral("1.0  OUT 32  FRABA OCD-IB K3"));
     menu->actions().at(1)->trigger();
     EXPECT_EQ(open(), QStringList{QStringLiteral("1.0 OUT 32")});

@@ -32,7 +32,7 @@ TEST_F(StructureTest, ShowsTheMasterAndBelowItTheDevicesOfTheRing)
     const QModelIndex master = model.index(0, 0);
     EXPECT_EQ(master.data().toString(), QStringLiteral("Master"));
     EXPECT_EQ(master.siblingAtColumn(StructureModel::stateColumn).data().toString(), QStringLiteral("RUN"));
-    EXPECT_EQ(model.rowCount(master), 5);
+    EXPECT_EQ(model.rowCount(master), 6);
     EXPECT_EQ(text(fraba, StructureModel::deviceColumn), QStringLiteral("1.0  FRABA OCD-IB K3"));
     EXPECT_EQ(text(fraba, StructureModel::profileColumn), QStringLiteral("K3"));
     EXPECT_EQ(text(fraba, StructureModel::idCodeColumn), QStringLiteral("37h = 55"));
