@@ -155,12 +155,13 @@ void ParameterPanel::setEncoder(EncoderSession *encoder)
     m_functions->setEncoder(encoder);
     const bool hasParameters = encoder != nullptr && !encoder->device().parameters.empty();
     m_pages->setCurrentWidget(hasParameters ? m_tablePage : m_empty);
+    if (encoder != nullptr)
+        connectEncoder();
     if (!hasParameters) {
         showWhyEmpty();
         return;
     }
     m_table->setCurrentIndex(m_model->index(0, ParameterModel::wantedColumn));
-    connectEncoder();
     showReadingNote();
     showRunningJob();
 }

@@ -182,7 +182,7 @@ TEST_F(WizardMainJob, ByAccessibilityAlone)
     const Reader reader(wizard);
     QAccessibleInterface *list = reader.find(QAccessible::List, "Encoders of the bus");
     ASSERT_NE(list, nullptr);
-    ASSERT_EQ(list->childCount(), 2);
+    ASSERT_EQ(list->childCount(), 6);
     list->child(0)->actionInterface()->doAction(QAccessibleActionInterface::toggleAction());
     EXPECT_EQ(wizard.encoder(), &fraba());
     reader.press("Next");
