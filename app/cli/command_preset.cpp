@@ -33,7 +33,17 @@ Checked<SetPreset> jobFrom(const Call &call, const DeviceDescription &device)
         job.command = PresetCommand::manufacturer;
     if (call.arguments.rest.size() < 2)
         return job;
+    // An LA-66 has no preset as a parameter: the value is the position itself.
+    static const ParameterDescription anyPosition{.parameter = Parameter::preset,
+                                                  .number = {},
+                                                  .readOut = {},
+                                                  .maximum = la66::dataMask,
+                                                  .factory = {},
+                                                  .unit = Unit::steps,
+                                                  .choices = {}};
     const ParameterDescription *preset = device.find(Parameter::preset);
+    if (!preset && device.capabilities.presetNeedsValue)
+        preset = &anyPosition;
     if (!preset)
         return tl::unexpected(
             complaintAbout({RefusalKind::notSupported, RefusalId::presetNotSupported, {device.fullName()}}));
@@ -72,10 +82,11 @@ Checked<Answer> run(const Call &call)
         return answer;
     }
     answer.text +=
-        sentence(CommandLine::tr("Position before: %1"), {positionText(job.outcome.positionBefore, before)}) +
+        sentence(CommandLine::tr("Position before: %1"),
+                 {positionText(job.outcome.positionBefore, before, rodScale(**encoder))}) +
         u'\n' +
         sentence(CommandLine::tr("Position after:  %1"),
-                 {positionText(job.outcome.positionAfter, (*encoder)->latest())}) +
+                 {positionText(job.outcome.positionAfter, (*encoder)->latest(), rodScale(**encoder))}) +
         u'\n' +
         sentence(CommandLine::tr("EEPROM writes:   %1"),
                  argumentTexts({std::int64_t{job.outcome.eepromWrites}})) +

@@ -52,10 +52,10 @@ Checked<Answer> run(const Call &call)
 
     const FinishedJob job = runToEnd(*call.bus, **encoder, SendWords{*words, *hold});
     Answer answer;
-    answer.text = traceText((*encoder)->device(), job.rows, rodScale(**encoder));
+    answer.text = traceText((*encoder)->device(), job.rows);
     answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
                    {QStringLiteral("device"), (*encoder)->device().key},
-                   {QStringLiteral("trace"), traceJson((*encoder)->device(), job.rows, rodScale(**encoder))},
+                   {QStringLiteral("trace"), traceJson((*encoder)->device(), job.rows)},
                    {QStringLiteral("eepromWrites"), job.outcome.eepromWrites},
                    {QStringLiteral("leftIn"), stateKey(job.outcome.leftIn)}};
     if (!job.outcome.result)

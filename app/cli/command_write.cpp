@@ -48,8 +48,21 @@ QString whatBecameOf(const ParameterValue &value, const EncoderSession &encoder,
                                                           : CommandLine::tr("did not become active");
 }
 
+// How the encoder was before the job: a rod may have another scale afterwards.
+struct Before
+{
+    Reading reading;
+    std::optional<RodScale> scale;
+};
+
+// A rod shows its last position in error as well.
+bool showsPosition(const Reading &reading)
+{
+    return reading.state == EncoderState::operation || reading.position;
+}
+
 QString accountText(const EncoderSession &encoder, const ParameterValues &wanted, const Outcome &outcome,
-                    const Reading &before)
+                    const Before &before)
 {
     TextTable values;
     for (const ParameterValue &value : wanted) {
@@ -63,12 +76,14 @@ QString accountText(const EncoderSession &encoder, const ParameterValues &wanted
                    sentence(CommandLine::tr("EEPROM writes:   %1"),
                             argumentTexts({std::int64_t{outcome.eepromWrites}})) +
                    u'\n';
-    if (before.state == EncoderState::operation)
-        text +=
-            sentence(CommandLine::tr("Position before: %1"), {positionText(before.position, before)}) + u'\n';
-    if (after.state == EncoderState::operation)
-        text +=
-            sentence(CommandLine::tr("Position after:  %1"), {positionText(after.position, after)}) + u'\n';
+    if (showsPosition(before.reading))
+        text += sentence(CommandLine::tr("Position before: %1"),
+                         {positionText(before.reading.position, before.reading, before.scale)}) +
+                u'\n';
+    if (showsPosition(after))
+        text += sentence(CommandLine::tr("Position after:  %1"),
+                         {positionText(after.position, after, rodScale(encoder))}) +
+                u'\n';
     return text;
 }
 
@@ -97,13 +112,17 @@ void addAccount(QJsonObject &json, const EncoderSession &encoder, const Outcome 
     json.insert(QStringLiteral("onlyZeroSinceRun"), outcome.onlyZeroSinceRun);
 }
 
-QString whereItWasLeft(EncoderState state)
+QString whereItWasLeft(const Reading &left)
 {
-    switch (state) {
+    switch (left.state) {
     case EncoderState::parameterization:
         return CommandLine::tr("The encoder was left in parameterization: it shows no position.");
+    case EncoderState::service:
+        return CommandLine::tr("The encoder was left in service mode: it shows no position.");
     case EncoderState::error:
-        return CommandLine::tr("The encoder was left in error: it shows no position.");
+        return left.position ? CommandLine::tr("The encoder was left in error: it shows the last position "
+                                               "it knew.")
+                             : CommandLine::tr("The encoder was left in error: it shows no position.");
     default:
         return CommandLine::tr("The encoder is in operation.");
     }
@@ -111,7 +130,7 @@ QString whereItWasLeft(EncoderState state)
 
 void carryOut(const Call &call, EncoderSession &encoder, const WritePlan &plan, Answer &answer)
 {
-    const Reading before = encoder.latest();
+    const Before before{encoder.latest(), rodScale(encoder)};
     const FinishedJob job = runToEnd(*call.bus, encoder, plan.job());
     if (call.arguments.has("--trace")) {
         answer.text += u'\n' + traceText(encoder.device(), job.rows);
@@ -120,10 +139,10 @@ void carryOut(const Call &call, EncoderSession &encoder, const WritePlan &plan, 
     answer.text += u'\n' + accountText(encoder, plan.job().values, job.outcome, before);
     if (job.outcome.onlyZeroSinceRun)
         answer.text += messageText({.id = MessageId::onlyZeroSinceRun}) + u'\n';
-    addAccount(answer.json, encoder, job.outcome, before);
+    addAccount(answer.json, encoder, job.outcome, before.reading);
     if (!job.outcome.result) {
         answer.complaint = complaintAbout(job.outcome.result.error());
-        answer.complaint->text += u' ' + whereItWasLeft(job.outcome.leftIn);
+        answer.complaint->text += u' ' + whereItWasLeft(encoder.latest());
     }
 }
 

@@ -7,8 +7,11 @@
 
 namespace codewheel {
 
-QString positionText(std::optional<std::int64_t> position, const Reading &shown)
+QString positionText(std::optional<std::int64_t> position, const Reading &shown,
+                     const std::optional<RodScale> &scale)
 {
+    if (position && scale)
+        return QStringLiteral("%1 (%2)").arg(argumentText(*position), scale->text(*position));
     if (position)
         return argumentText(*position);
     if (shown.velocity)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "encoder/reading.h"
+#include "encoder/rod_scale.h"
 
 #include <QString>
 
@@ -10,7 +11,9 @@
 
 namespace codewheel {
 
-// A position in steps; where there is none, what the encoder shows instead, and what is missing.
-QString positionText(std::optional<std::int64_t> position, const Reading &shown);
+// A position in steps, and in millimetres where the scale of a rod is known; where there is none, what the
+// encoder shows instead, and what is missing.
+QString positionText(std::optional<std::int64_t> position, const Reading &shown,
+                     const std::optional<RodScale> &scale = {});
 
 } // namespace codewheel
