@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAccessible>
+#include <QPoint>
+#include <QRect>
+#include <QString>
+
+class QWidget;
+
+namespace codewheel {
+
+// A painted widget whose parts are controls of their own for assistive technology: a group of check boxes. A
+// widget inherits this beside QWidget, and calls installPaintedPartsAccessibility() in its constructor.
+class PaintedParts
+{
+public:
+    virtual ~PaintedParts() = default;
+
+    virtual int partCount() const = 0;
+    virtual QString partName(int part) const = 0;
+    virtual QString partDescription(int part) const = 0;
+    virtual QRect partRect(int part) const = 0; // in the widget
+    virtual bool isPartChecked(int part) const = 0;
+    virtual int focusedPart() const = 0;
+    virtual void focusPart(int part) = 0;
+    virtual void togglePart(int part) = 0;
+};
+
+// Makes Qt ask us for the accessible side of such widgets; may be called any number of times.
+void installPaintedPartsAccessibility();
+
+// To be called when focusedPart() became another one, or a part was checked or unchecked.
+void announcePartFocus(QWidget &widget, int part);
+void announcePartState(QWidget &widget, int part);
+
+} // namespace codewheel
