@@ -11,6 +11,8 @@
 #include <QProgressBar>
 #include <QPushButton>
 
+#include <algorithm>
+
 namespace codewheel {
 
 namespace {
@@ -20,6 +22,19 @@ QPushButton *button(const QString &text, const QString &tip, QWidget *parent)
     auto *made = new QPushButton(text, parent);
     made->setToolTip(tip);
     return made;
+}
+
+bool isCamWord(const Step &step)
+{
+    return step.kind == StepKind::camParameter || step.kind == StepKind::camReadOut;
+}
+
+// Cams are acknowledged one by one, too, but are no parameters.
+bool tookCams(const Progress &progress)
+{
+    const auto done = std::min(progress.steps.size(), static_cast<std::size_t>(progress.index));
+    return std::any_of(progress.steps.begin(), progress.steps.begin() + static_cast<std::ptrdiff_t>(done),
+                       [](const Step &step) { return step.kind == StepKind::camParameter; });
 }
 
 } // namespace
@@ -111,7 +126,7 @@ QString JobStrip::stepText(const Step &step) const
     const Explanation meaning = explainWord(device, step.out,
                                             {.direction = WordDirection::out,
                                              .dialect = device.dialect,
-                                             .mode = Mode::position, // a job sends nothing else
+                                             .mode = isCamWord(step) ? Mode::cam : Mode::position,
                                              .coding = {},
                                              .counterpart = {}});
     return explanationText(device, meaning);
@@ -122,7 +137,7 @@ void JobStrip::cancel()
 {
     if (!m_encoder)
         return;
-    if (m_progress.confirmed.empty())
+    if (m_progress.confirmed.empty() && !tookCams(m_progress))
         leave(OnCancel::leaveAsIs);
     else
         showChoices(true);
@@ -132,8 +147,10 @@ void JobStrip::showChoices(bool visible)
 {
     const bool appears = visible && m_choices->isHidden();
     if (visible)
-        m_question->setText(tr("The encoder has taken: %1. How is it to be left?")
-                                .arg(parameter_words::list(m_encoder->device(), m_progress.confirmed)));
+        m_question->setText(tookCams(m_progress)
+                                ? tr("The encoder has taken words of a cam program. How is it to be left?")
+                                : tr("The encoder has taken: %1. How is it to be left?")
+                                      .arg(parameter_words::list(m_encoder->device(), m_progress.confirmed)));
     m_restore->setEnabled(m_progress.canRestore);
     m_restore->setToolTip(m_progress.canRestore
                               ? tr("Writes the values from before, then run")

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/cams/cam_editor_test.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+namespace codewheel {
+namespace {
+
+using test::manualCam;
+using test::manualValue;
+
+class CamEditorFiles : public test::CamEditorTest
+{
+protected:
+    QString path(const char *name) const { return folder.filePath(QLatin1String(name)); }
+    QString keep(const char *name, const QByteArray &content)
+    {
+        QFile file(path(name));
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(content);
+        return file.fileName();
+    }
+    void setManualCamIn(unsigned number)
+    {
+        sheet().setNumber(number);
+        setManualCam();
+    }
+
+    QTemporaryDir folder;
+};
+
+TEST_F(CamEditorFiles, AllProgramsComeBackFromAFileInOneStep)
+{
+    setManualCamIn(1);
+    setManualCamIn(8);
+    sheet().setShift(25);
+    ASSERT_TRUE(editor.save(path("cams.json")));
+    trigger("Clear this program");
+    sheet().setNumber(1);
+    trigger("Clear this program");
+    const int steps = sheet().document().undoStack().index();
+    ASSERT_TRUE(editor.load(path("cams.json"))) << message().toStdString();
+    EXPECT_EQ(program(1).cam.at(manualCam), manualValue);
+    EXPECT_EQ(program(8).shift, 25U);
+    EXPECT_EQ(sheet().document().undoStack().index(), steps + 1);
+    sheet().document().undoStack().undo();
+    EXPECT_EQ(program(1).cam.at(manualCam), Cam());
+}
+
+TEST_F(CamEditorFiles, AFileOfAnotherProgramIsNotTakenForThisOne)
+{
+    setManualCamIn(3);
+    ASSERT_TRUE(editor.saveProgram(path("three.json")));
+    setManualCamIn(1);
+    const CamProgram before = program(1);
+    EXPECT_FALSE(editor.loadProgram(path("three.json")));
+    EXPECT_EQ(message(),
+              QStringLiteral("three.json holds cam program 3, not 1. Choose program 3, or another file."));
+    EXPECT_EQ(program(1), before);
+    EXPECT_EQ(out(), 0U);
+    sheet().setNumber(3);
+    trigger("Clear this program");
+    EXPECT_TRUE(editor.loadProgram(path("three.json")));
+    EXPECT_TRUE(message().isEmpty());
+    EXPECT_EQ(program(3).cam.at(manualCam), manualValue);
+}
+
+TEST_F(CamEditorFiles, AFileOfOneProgramShowsItsProgram)
+{
+    setManualCamIn(3);
+    ASSERT_TRUE(editor.saveProgram(path("three.json")));
+    sheet().setNumber(1);
+    ASSERT_TRUE(editor.load(path("three.json")));
+    EXPECT_EQ(sheet().number(), 3U);
+}
+
+TEST_F(CamEditorFiles, ABrokenFileIsRefusedWithLineAndReasonAndNothingIsLost)
+{
+    setManualCam();
+    const CamProgram before = program(1);
+    ASSERT_TRUE(editor.save(path("cams.json")));
+    QFile good(path("cams.json"));
+    ASSERT_TRUE(good.open(QIODevice::ReadOnly));
+    const QByteArray json = good.readAll();
+    struct Fault
+    {
+        const char *of;
+        const char *by;
+        const char *said;
+    };
+    for (const Fault &fault : {Fault{"\"shift\": 0", "\"shift\": 26", "shift"},
+                               Fault{"\"program\": 8", "\"program\": 9", "program"},
+                               Fault{"\"program\": 1", "\"program\": 0", "program"},
+                               Fault{"\"stop\": 531", "\"stop\": 33554432", "stop"},
+                               Fault{"\"cam\": 7", "\"cam\": 8", "cam"}, Fault{"[", "", "line"}}) {
+        QByteArray broken = json;
+        const auto at = broken.indexOf(fault.of);
+        ASSERT_GE(at, 0) << fault.of;
+        broken.replace(at, qstrlen(fault.of), fault.by);
+        EXPECT_FALSE(editor.load(keep("broken.json", broken))) << fault.by;
+        EXPECT_TRUE(message().contains(QStringLiteral("broken.json, line "))) << message().toStdString();
+        EXPECT_TRUE(message().contains(QLatin1String(fault.said))) << message().toStdString();
+        EXPECT_EQ(program(1), before);
+    }
+}
+
+TEST_F(CamEditorFiles, ACamBeyondTheRangeOfTheEncoderIsNotTaken)
+{
+    sheet().setCam(0, {0, 33'554'431, true}, {});
+    ASSERT_TRUE(editor.saveProgram(path("large.json")));
+    trigger("Clear this program");
+    encoder().tell(Parameter::steps, 100);
+    encoder().tell(Parameter::revolutions, 4096);
+    ASSERT_EQ(sheet().largest(), 99);
+    EXPECT_FALSE(editor.load(path("large.json")));
+    EXPECT_TRUE(message().contains(QStringLiteral("stop"))) << message().toStdString();
+    EXPECT_EQ(program(1), CamProgram());
+}
+
+TEST_F(CamEditorFiles, WhatCannotBeReadOrSavedIsSaid)
+{
+    EXPECT_FALSE(editor.load(path("missing.json")));
+    EXPECT_TRUE(message().contains(QStringLiteral("missing.json cannot be read"))) << message().toStdString();
+    EXPECT_FALSE(editor.save(path("no-such-folder/cams.json")));
+    EXPECT_TRUE(message().contains(QStringLiteral("was not saved"))) << message().toStdString();
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cam editor and FRABA 1.0 of the training bus: read, write, compare, run.
+#include "tests/widgets/cams/cam_editor_test.h"
+#include "widgets/cams/cam_mode_bar.h"
+#include "widgets/cams/cam_review.h"
+#include "widgets/parameters/job_strip.h"
+
+#include <QTableView>
+
+namespace codewheel {
+namespace {
+
+using test::fraba;
+using test::manualCam;
+using test::manualValue;
+
+class CamEditorJobs : public test::CamEditorTest
+{
+protected:
+    CamReview &review() { return *editor.findChild<CamReview *>(); }
+    QStringList reviewedWords()
+    {
+        QStringList words;
+        const auto &model = *review().findChild<CamReviewModel *>();
+        for (int row = 0; row < model.rowCount(); ++row)
+            words << model.index(row, CamReviewModel::wordColumn).data().toString();
+        return words;
+    }
+    void writeManualCam()
+    {
+        setManualCam();
+        trigger("Write...");
+        ASSERT_TRUE(review().isVisible()) << message().toStdString();
+        click("confirmWriteCams");
+        finishJob();
+    }
+    std::optional<CamProgram> known(unsigned number)
+    {
+        const auto there = encoder().cams(number);
+        return there ? std::optional(there->program) : std::nullopt;
+    }
+};
+
+TEST_F(CamEditorJobs, WritingShowsTheWordsOfTheManualBeforeItSendsThem)
+{
+    tellAll();
+    trigger("Read");
+    finishJob();
+    setManualCam();
+    trigger("Write...");
+    ASSERT_TRUE(review().isVisible());
+    EXPECT_EQ(reviewedWords(), (QStringList{QStringLiteral("46000015"), QStringLiteral("66000213"),
+                                            QStringLiteral("20400008")}));
+    EXPECT_EQ(out(), 0U);
+    click("confirmWriteCams");
+    EXPECT_TRUE(editor.findChild<JobStrip *>()->isVisible());
+    finishJob();
+    EXPECT_TRUE(message().startsWith(QStringLiteral("Program 1 was written and read back.")))
+        << message().toStdString();
+    ASSERT_TRUE(known(1));
+    EXPECT_EQ(*known(1), program(1));
+    EXPECT_EQ(sheet().differs(1), false);
+    EXPECT_EQ(encoder().latest().mode, Mode::position); // as before
+    EXPECT_EQ(out(), 0U);
+}
+
+TEST_F(CamEditorJobs, LeavingAChangedProgramIsCountedAsAnEepromWrite)
+{
+    tellAll();
+    const int before = encoder().eepromWrites();
+    writeManualCam();
+    EXPECT_EQ(encoder().eepromWrites(), before + 1);
+    EXPECT_TRUE(message().contains(QStringLiteral("EEPROM writes: 1"))) << message().toStdString();
+    trigger("Write...");
+    EXPECT_TRUE(reviewedWords().isEmpty());
+    EXPECT_FALSE(button("confirmWriteCams")->isEnabled());
+}
+
+TEST_F(CamEditorJobs, EscapeInTheReviewSendsNothing)
+{
+    tellAll();
+    setManualCam();
+    trigger("Write...");
+    QTest::keyClick(&review(), Qt::Key_Escape);
+    EXPECT_FALSE(review().isVisible());
+    advance(100);
+    EXPECT_EQ(out(), 0U);
+    EXPECT_FALSE(encoder().runningJob());
+}
+
+TEST_F(CamEditorJobs, ReadingTakesTheProgramAndCanBeTakenBack)
+{
+    tellAll();
+    writeManualCam();
+    sheet().setCam(manualCam, {1, 2, false}, {});
+    trigger("Read");
+    finishJob();
+    EXPECT_EQ(sheet().cam(manualCam), manualValue);
+    EXPECT_TRUE(message().startsWith(QStringLiteral("Program 1 was read."))) << message().toStdString();
+    sheet().document().undoStack().undo();
+    EXPECT_EQ(sheet().cam(manualCam), (Cam{1, 2, false}));
+}
+
+TEST_F(CamEditorJobs, ComparingNamesWhatDiffersAndChangesNothing)
+{
+    tellAll();
+    writeManualCam();
+    trigger("Compare");
+    finishJob();
+    EXPECT_EQ(message(), QStringLiteral("The encoder has the same program 1."));
+    sheet().setCam(manualCam, {0x15, 0x200, true}, {});
+    sheet().setShift(3);
+    trigger("Compare");
+    finishJob();
+    EXPECT_TRUE(
+        message().startsWith(QStringLiteral("Program 1 differs in: cam 3, the shift (the encoder has 0).")))
+        << message().toStdString();
+    EXPECT_EQ(sheet().cam(manualCam), (Cam{0x15, 0x200, true}));
+}
+
+TEST_F(CamEditorJobs, WhereTheModeIsNotKnownItAsksHowToLeaveTheEncoder)
+{
+    auto &question = *editor.findChild<CamModeBar *>();
+    trigger("Read");
+    EXPECT_TRUE(question.isVisible());
+    EXPECT_FALSE(encoder().runningJob());
+    QTest::keyClick(&question, Qt::Key_Escape);
+    EXPECT_FALSE(question.isVisible());
+    EXPECT_EQ(out(), 0U);
+    trigger("Read");
+    click("afterwardsPosition");
+    EXPECT_TRUE(encoder().runningJob());
+    finishJob();
+    EXPECT_EQ(encoder().latest().mode, Mode::position);
+    EXPECT_EQ(sheet().differs(1), false);
+}
+
+TEST_F(CamEditorJobs, ACamBeyondTheLargestPositionIsSaidBeforeAnythingIsSent)
+{
+    tellAll();
+    sheet().setCam(2, {0, 33'554'431, true}, {});
+    encoder().tell(Parameter::steps, 4096);
+    trigger("Write...");
+    EXPECT_FALSE(review().isVisible());
+    EXPECT_EQ(message(),
+              QStringLiteral("Program 1: Cam 2 cannot start or stop at 33554431. Give a position from 0 "
+                             "to 16777215."));
+    sheet().setCam(2, {0, 16'777'215, true}, {});
+    EXPECT_TRUE(message().isEmpty());
+}
+
+// The program does not know that the encoder has fewer positions.
+TEST_F(CamEditorJobs, WhatTheEncoderRefusesIsNamedAndNothingIsLost)
+{
+    tellAll();
+    ASSERT_TRUE(encoder().start(SendWords{.words = {0x0200'00FF, 0x8000'0000, 0x0000'0000}}));
+    finishJob();
+    encoder().tell(Parameter::steps, 8192); // the user is wrong
+    sheet().setCam(manualCam, {0x15, 33'000'000, true}, {});
+    trigger("Write...");
+    click("confirmWriteCams");
+    finishJob();
+    EXPECT_TRUE(message().contains(QStringLiteral("98000004"))) << message().toStdString();
+    EXPECT_EQ(sheet().cam(manualCam), (Cam{0x15, 33'000'000, true}));
+}
+
+TEST_F(CamEditorJobs, WatchingSendsNothingAndSaysSo)
+{
+    tellAll();
+    ring.bus.setOperate(false);
+    advance(40);
+    trigger("Read");
+    EXPECT_TRUE(message().contains(QStringLiteral("Operate"))) << message().toStdString();
+    ring.bus.setOperate(true);
+    advance(40);
+    EXPECT_TRUE(message().isEmpty());
+}
+
+TEST_F(CamEditorJobs, TheCamsOfTheRunningProgramAreShownAsTheEncoderTellsThem)
+{
+    tellAll();
+    writeManualCam();
+    ring.controls->turnTo(fraba, 0x15);
+    trigger("Run this program in the encoder");
+    finishJob();
+    EXPECT_EQ(encoder().latest().mode, Mode::cam);
+    EXPECT_TRUE(sheet().live().isTold);
+    EXPECT_EQ(sheet().isOn(manualCam), true);
+    ring.controls->turnTo(fraba, 0x214);
+    advance(60);
+    EXPECT_EQ(sheet().isOn(manualCam), false);
+    trigger("Back to position mode");
+    finishJob();
+    EXPECT_EQ(encoder().latest().mode, Mode::position);
+    EXPECT_FALSE(sheet().live().isTold);
+}
+
+TEST_F(CamEditorJobs, AShiftedPositionIsAStretchOfTheRuler)
+{
+    tellAll();
+    sheet().setShift(8);
+    writeManualCam();
+    ring.controls->turnTo(fraba, 1'000'000);
+    trigger("Run this program in the encoder");
+    finishJob();
+    EXPECT_EQ(sheet().live().position, (CamLive::Position{999'936, 1'000'191}));
+}
+
+} // namespace
+} // namespace codewheel

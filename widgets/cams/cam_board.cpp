@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/cams/cam_board.h"
+
+#include "widgets/cams/cam_program_strip.h"
+#include "widgets/cams/cam_ruler.h"
+#include "widgets/cams/cam_shift_spin.h"
+#include "widgets/cams/cam_table.h"
+#include "widgets/cams/cam_table_model.h"
+#include "widgets/cams/cam_word_picture.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+namespace codewheel {
+namespace {
+
+constexpr int scrollSteps = 10'000; // of the scroll bar, for the whole range
+constexpr int roomForEncoder = 660; // below this width, ruler and strip alone tell what differs
+
+} // namespace
+
+CamBoard::CamBoard(CamSheet &sheet, QWidget *parent)
+    : QWidget(parent)
+    , m_sheet(sheet)
+    , m_strip(new CamProgramStrip(sheet, this))
+    , m_note(new QLabel(this))
+    , m_table(new CamTable(sheet, this))
+    , m_ruler(new CamRuler(sheet, this))
+    , m_scroll(new QScrollBar(Qt::Horizontal, this))
+    , m_shift(new CamShiftSpin(this))
+    , m_word(new CamWordPicture(this))
+{
+    m_note->setWordWrap(true);
+    m_note->setFont(textFont(TextSize::small));
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setAccessibleName(tr("Scroll the ruler"));
+    m_scroll->setToolTip(tr("Which part of the positions is in sight"));
+
+    auto *rows = new QGridLayout;
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(0);
+    rows->addWidget(m_table, 0, 0, Qt::AlignTop);
+    rows->addWidget(m_ruler, 0, 1, Qt::AlignTop);
+    rows->addWidget(makeZoom(), 1, 0);
+    rows->addWidget(m_scroll, 1, 1);
+    rows->setColumnStretch(1, 1);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(grid::unit);
+    layout->addWidget(m_strip);
+    layout->addWidget(m_note);
+    layout->addLayout(rows);
+    layout->addWidget(makeWord());
+    layout->addStretch(1);
+    setFocusProxy(m_table);
+    connectParts();
+    showScale();
+    showShift();
+}
+
+QWidget *CamBoard::makeZoom()
+{
+    auto *zoom = new QWidget(this);
+    auto *row = new QHBoxLayout(zoom);
+    row->setContentsMargins(0, 0, grid::unit, 0);
+    row->setSpacing(0);
+    row->addStretch();
+    const auto add = [&](const QString &text, const QString &tip, void (CamRuler::*slot)()) {
+        auto *button = new QToolButton(zoom);
+        button->setText(text);
+        button->setToolTip(tip);
+        button->setAccessibleName(tip);
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::TabFocus);
+        connect(button, &QToolButton::clicked, m_ruler, slot);
+        row->addWidget(button);
+    };
+    add(QStringLiteral("+"), tr("Zoom in (+)"), &CamRuler::zoomIn);
+    add(QStringLiteral("\u2212"), tr("Zoom out (-)"), &CamRuler::zoomOut);
+    add(tr("All"), tr("Show all positions (0)"), &CamRuler::zoomToAll);
+    return zoom;
+}
+
+QWidget *CamBoard::makeWord()
+{
+    auto *word = new QWidget(this);
+    auto *label = new QLabel(tr("&Shift"), word);
+    label->setBuddy(m_shift);
+    auto *grid = new QGridLayout(word);
+    grid->setContentsMargins(0, grid::unit, 0, 0);
+    grid->setHorizontalSpacing(grid::groupGap);
+    grid->setVerticalSpacing(0);
+    grid->addWidget(label, 0, 0, Qt::AlignBottom);
+    grid->addWidget(m_shift, 1, 0, Qt::AlignTop);
+    grid->addWidget(m_word, 0, 1, 2, 1);
+    grid->setColumnStretch(1, 1);
+    return word;
+}
+
+void CamBoard::connectParts()
+{
+    connect(m_strip, &CamProgramStrip::programChosen, this, &CamBoard::programChosen);
+    connect(m_table, &CamTable::inputChecked, this, &CamBoard::inputChecked);
+    connect(m_shift, &CamShiftSpin::inputChecked, this, &CamBoard::inputChecked);
+    connect(m_shift, &QSpinBox::valueChanged, this,
+            [this](int shift) { m_sheet.setShift(static_cast<unsigned>(shift)); });
+    connect(m_ruler, &CamRuler::viewChanged, this, &CamBoard::showScale);
+    connect(m_scroll, &QScrollBar::valueChanged, this, [this](int value) {
+        m_ruler->scrollTo(static_cast<double>(value) / scrollSteps *
+                          static_cast<double>(m_ruler->scale().total()));
+    });
+    connect(&m_sheet, &CamSheet::documentChanged, this, &CamBoard::showShift);
+    connect(&m_sheet, &CamSheet::numberChanged, this, &CamBoard::showShift);
+    connect(&m_sheet, &CamSheet::programChanged, this, &CamBoard::showShift);
+    connect(&m_sheet, &CamSheet::largestChanged, this, &CamBoard::showShift);
+}
+
+void CamBoard::showScale()
+{
+    const RulerScale &scale = m_ruler->scale();
+    const auto steps = [&](double positions) {
+        return qRound(positions / static_cast<double>(scale.total()) * scrollSteps);
+    };
+    const QSignalBlocker quiet(m_scroll);
+    m_scroll->setRange(0, scrollSteps - steps(scale.shown()));
+    m_scroll->setPageStep(std::max(1, steps(scale.shown())));
+    m_scroll->setSingleStep(std::max(1, steps(scale.shown()) / 10));
+    m_scroll->setValue(steps(scale.first()));
+    m_scroll->setEnabled(!scale.showsAll());
+}
+
+void CamBoard::showShift()
+{
+    const QSignalBlocker quiet(m_shift);
+    m_shift->setValue(static_cast<int>(m_sheet.program().shift));
+    m_word->setShift(m_sheet.program().shift, m_sheet.largest());
+}
+
+void CamBoard::setNote(const QString &sentence)
+{
+    m_note->setText(sentence);
+}
+
+bool CamBoard::finishEditing()
+{
+    if (!m_shift->hasAcceptableInput()) {
+        m_shift->setFocus();
+        return false;
+    }
+    m_shift->interpretText();
+    return m_table->finishEditing();
+}
+
+void CamBoard::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    m_table->setColumnHidden(CamTableModel::encoderColumn, width() < roomForEncoder);
+    m_table->updateGeometry();
+}
+
+} // namespace codewheel

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QScrollBar;
+
+namespace codewheel {
+
+class CamProgramStrip;
+class CamRuler;
+class CamSheet;
+class CamShiftSpin;
+class CamTable;
+class CamWordPicture;
+
+// Where cams are edited: the eight programs, table and ruler row by row beside each other, the shift with a
+// picture of the word. Shows and changes the sheet; knows no encoder.
+class CamBoard : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit CamBoard(CamSheet &sheet, QWidget *parent = nullptr);
+
+    void setNote(const QString &sentence); // what the encoder is doing
+    // False, and back in its field, while what is typed is bad.
+    bool finishEditing();
+
+Q_SIGNALS:
+    void programChosen(unsigned number);     // as typed or clicked; may be one that does not exist
+    void inputChecked(const QString &wrong); // empty: good, or given up
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    QWidget *makeZoom();
+    QWidget *makeWord();
+    void connectParts();
+    void showScale();
+    void showShift();
+
+    CamSheet &m_sheet;
+    CamProgramStrip *m_strip;
+    QLabel *m_note;
+    CamTable *m_table;
+    CamRuler *m_ruler;
+    QScrollBar *m_scroll;
+    CamShiftSpin *m_shift;
+    CamWordPicture *m_word;
+};
+
+} // namespace codewheel

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/cams/cam_editor.h"
+
+#include "cams/check_cams.h"
+#include "catalog/device_description.h"
+#include "catalog/total_range.h"
+#include "encoder/refusal_text.h"
+#include "widgets/cams/cam_board.h"
+#include "widgets/cams/cam_mode_bar.h"
+#include "widgets/cams/cam_outcome_text.h"
+#include "widgets/cams/cam_range_bar.h"
+#include "widgets/cams/cam_review.h"
+#include "widgets/cams/cam_texts.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/parameters/job_strip.h"
+#include "widgets/wizard/known_text.h"
+#include "widgets/wizard/values_to_write.h"
+
+#include <QScrollArea>
+#include <QStackedWidget>
+
+#include <algorithm>
+#include <numeric>
+
+namespace codewheel {
+
+CamEditor::Work &CamEditor::workOf(DeviceNumber number)
+{
+    auto &work = m_works[number];
+    if (!work) {
+        work = std::make_unique<Work>();
+        m_undo.addStack(&work->document.undoStack());
+    }
+    return *work;
+}
+
+void CamEditor::setEncoder(EncoderSession *encoder)
+{
+    if (m_encoder)
+        m_encoder->disconnect(this);
+    const bool hasCams = encoder != nullptr && encoder->can().cams;
+    m_encoder = hasCams ? encoder : nullptr;
+    m_message->withdraw();
+    m_mode->hide();
+    m_range->hide();
+    m_job->setEncoder(m_encoder);
+    showRunningJob();
+    for (QAction *action : m_fileActions)
+        action->setEnabled(hasCams);
+    if (!hasCams) {
+        m_undo.setActiveStack(nullptr);
+        m_empty->setTexts(
+            encoder == nullptr ? tr("No encoder is chosen")
+                               : refusalText({RefusalKind::notSupported,
+                                              RefusalId::camsNotSupported,
+                                              {encoder->device().fullName()}}),
+            tr("Choose an encoder with cams, such as the FRABA OCD-IB K3, in the bus structure. Its "
+               "eight programs of eight cams are edited here."));
+        m_pages->setCurrentWidget(m_empty);
+        return;
+    }
+    Work &work = workOf(encoder->number());
+    work.encoder = encoder;
+    m_undo.setActiveStack(&work.document.undoStack());
+    m_sheet->setDocument(work.document);
+    m_sheet->setNumber(work.program);
+    m_pages->setCurrentWidget(m_scroll);
+    connectEncoder();
+    showKnown();
+    showLive();
+}
+
+void CamEditor::connectEncoder()
+{
+    connect(m_encoder, &EncoderSession::latestChanged, this, &CamEditor::showLive);
+    connect(m_encoder, &EncoderSession::knownChanged, this, &CamEditor::showKnown);
+    connect(m_encoder, &EncoderSession::jobStarted, this, [this] {
+        m_message->withdraw();
+        showRunningJob();
+    });
+    connect(m_encoder, &EncoderSession::finished, this, &CamEditor::showRunningJob);
+    connect(m_encoder, &EncoderSession::permissionChanged, this, [this] { withdraw(Cause::refusal); });
+    connect(m_encoder, &QObject::destroyed, this, [this] { setEncoder(nullptr); });
+}
+
+void CamEditor::chooseProgram(unsigned number)
+{
+    if (const auto checked = checkCamProgramNumber(number); !checked) {
+        say(Cause::input, Role::fault, refusalText(checked.error()));
+        return;
+    }
+    if (!m_board->finishEditing())
+        return;
+    withdraw(Cause::input);
+    if (m_encoder)
+        workOf(m_encoder->number()).program = number;
+    m_sheet->setNumber(number);
+    showLive();
+}
+
+void CamEditor::showKnown()
+{
+    CamSheet::KnownPrograms known;
+    for (unsigned number = 1; number <= CamProgram::programs; ++number)
+        if (const auto there = m_encoder->cams(number))
+            known.at(number - 1) = there->program;
+    m_sheet->setKnown(known);
+    showRange();
+}
+
+void CamEditor::showRange()
+{
+    ParameterValues values;
+    for (const Known &known : allKnown(*m_encoder))
+        values.push_back({known.parameter, known.value});
+    const auto total = totalRange(m_encoder->device(), values);
+    const auto told = workOf(m_encoder->number()).toldLargest;
+    m_sheet->setLargest(total ? std::optional(*total - 1) : told);
+    if (total)
+        m_range->hide();
+    else
+        m_range->ask(m_encoder->can().reads, told);
+}
+
+void CamEditor::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    showLive();
+}
+
+void CamEditor::showLive()
+{
+    if (!m_encoder || !isVisible() || m_pages->currentWidget() == m_empty)
+        return;
+    m_sheet->setLive(camLive(*m_encoder, m_sheet->program(), m_sheet->largest()));
+    m_board->setNote(note());
+}
+
+QString CamEditor::note() const
+{
+    const Reading &reading = m_encoder->latest();
+    const CamLive &live = m_sheet->live();
+    if (reading.cams && live.isTold)
+        return tr("Program %1 runs in the encoder. \"Now\" is what it shows.").arg(m_sheet->number());
+    const QString would = live.on
+                              ? tr("\"Now\" is what the cams of program %1 would be.").arg(m_sheet->number())
+                              : tr("What its cams would be is not known.");
+    if (reading.cams && reading.camProgram)
+        return tr("Program %1 runs in the encoder.").arg(*reading.camProgram) + QLatin1Char(' ') + would;
+    if (reading.cams)
+        return tr("The encoder is in cam mode; which program runs is not known.");
+    if (reading.state != EncoderState::operation && reading.state != EncoderState::notSeen)
+        return tr("The encoder shows no cams now.");
+    if (!reading.mode)
+        return tr("The mode of the encoder is not known, and so are its cams.");
+    if (*reading.mode == Mode::velocity)
+        return tr("The encoder is in velocity mode and shows no cams.");
+    return tr("The encoder is in position mode.") + QLatin1Char(' ') + would;
+}
+
+void CamEditor::showRunningJob()
+{
+    const bool isRunning = m_encoder && m_encoder->runningJob().has_value();
+    if (isRunning)
+        m_job->begin();
+    m_job->setVisible(isRunning);
+    for (QAction *action : m_jobActions)
+        action->setEnabled(m_encoder && !isRunning);
+}
+
+void CamEditor::withModeAfterwards(std::function<void(const SwitchMode &)> then)
+{
+    if (!m_encoder || !m_board->finishEditing())
+        return;
+    m_message->withdraw();
+    if (const auto now = modeNow(*m_encoder)) {
+        then(*now);
+        return;
+    }
+    m_whenAnswered = std::move(then);
+    m_mode->ask(m_sheet->number());
+}
+
+void CamEditor::readPrograms(CamJobs::Purpose purpose, const std::vector<unsigned> &programs)
+{
+    withModeAfterwards([this, purpose, programs](const SwitchMode &afterwards) {
+        start(purpose, ReadCams{.programs = programs, .afterwards = afterwards});
+    });
+}
+
+void CamEditor::read()
+{
+    readPrograms(CamJobs::Purpose::read, {m_sheet->number()});
+}
+
+void CamEditor::readAll()
+{
+    std::vector<unsigned> all(CamProgram::programs);
+    std::iota(all.begin(), all.end(), 1U);
+    readPrograms(CamJobs::Purpose::read, all);
+}
+
+void CamEditor::compare()
+{
+    readPrograms(CamJobs::Purpose::compare, {m_sheet->number()});
+}
+
+void CamEditor::write()
+{
+    if (!m_board->finishEditing())
+        return;
+    reviewPrograms({m_sheet->program()});
+}
+
+// What is set here, and is not known to be in the encoder.
+void CamEditor::writeAll()
+{
+    if (!m_board->finishEditing())
+        return;
+    std::vector<CamProgram> programs;
+    for (unsigned number = 1; number <= CamProgram::programs; ++number) {
+        const CamProgram &program = m_sheet->document().program(number);
+        const auto differs = m_sheet->differs(number);
+        if (differs.value_or(program != CamProgram{.number = number}))
+            programs.push_back(program);
+    }
+    if (programs.empty())
+        say(Cause::outcome, Role::running,
+            tr("No program has to be written: none is set that the encoder does not have."));
+    else
+        reviewPrograms(programs);
+}
+
+void CamEditor::reviewPrograms(const std::vector<CamProgram> &programs)
+{
+    for (const CamProgram &program : programs)
+        if (const auto checked = check(program, m_sheet->largest()); !checked) {
+            say(Cause::input, Role::fault,
+                tr("Program %1: %2").arg(program.number).arg(refusalText(checked.error())));
+            return;
+        }
+    withModeAfterwards([this, programs](const SwitchMode &afterwards) {
+        m_review->review(*m_encoder, programs, afterwards);
+        m_pages->setCurrentWidget(m_review);
+    });
+}
+
+void CamEditor::runHere()
+{
+    start(CamJobs::Purpose::switchMode, SwitchMode{.mode = Mode::cam, .camProgram = m_sheet->number()});
+}
+
+void CamEditor::positionMode()
+{
+    start(CamJobs::Purpose::switchMode, SwitchMode{.mode = Mode::position});
+}
+
+void CamEditor::readRange()
+{
+    ReadParameters job;
+    for (const Parameter parameter : {Parameter::steps, Parameter::revolutions, Parameter::measuringRange})
+        if (const auto *described = m_encoder->device().find(parameter); described && described->readOut)
+            job.parameters.push_back(parameter);
+    start(CamJobs::Purpose::findRange, job);
+}
+
+void CamEditor::bringBack()
+{
+    if (m_encoder && m_cause == Cause::outcome)
+        start(CamJobs::Purpose::switchMode, EndParameterization{});
+}
+
+void CamEditor::start(CamJobs::Purpose purpose, const Job &job)
+{
+    if (!m_encoder)
+        return;
+    m_message->withdraw();
+    if (const auto taken = m_jobs->start(*m_encoder, purpose, job); !taken)
+        say(Cause::refusal, Role::attention, refusalText(taken.error()));
+}
+
+void CamEditor::finished(DeviceNumber number, CamJobs::Purpose purpose, const Outcome &outcome)
+{
+    CamDocument &document = workOf(number).document;
+    if (outcome.result && purpose == CamJobs::Purpose::read)
+        document.setPrograms(outcome.camsRead, tr("Read from the encoder"));
+    if (!m_encoder || m_encoder->number() != number)
+        return; // the messages tell it
+    const bool isStuck =
+        outcome.leftIn == EncoderState::parameterization || outcome.leftIn == EncoderState::error;
+    const QString help = isStuck ? tr("Send run") : QString();
+    if (!outcome.result) {
+        const bool isFault = outcome.result.error().kind == RefusalKind::device;
+        say(Cause::outcome, isFault ? Role::fault : Role::attention,
+            QStringLiteral("%1 %2").arg(refusalText(outcome.result.error()), leftInText(outcome.leftIn)),
+            help);
+        return;
+    }
+    switch (purpose) {
+    case CamJobs::Purpose::read:
+        say(Cause::outcome, Role::running, cam_outcome::readText(outcome));
+        break;
+    case CamJobs::Purpose::write:
+        say(Cause::outcome, Role::running, cam_outcome::writtenText(outcome));
+        break;
+    case CamJobs::Purpose::compare:
+        for (const CamProgram &there : outcome.camsRead) {
+            const QString difference = cam_outcome::difference(document.program(there.number), there);
+            if (difference.isEmpty())
+                say(Cause::outcome, Role::running,
+                    tr("The encoder has the same program %1.").arg(there.number));
+            else
+                say(Cause::outcome, Role::attention,
+                    difference + QLatin1Char(' ') +
+                        tr("The lines in the ruler show what the encoder has. Nothing was changed."));
+        }
+        break;
+    default:
+        break;
+    }
+}
+
+void CamEditor::say(Cause cause, Role role, const QString &sentence, const QString &action)
+{
+    m_cause = cause;
+    m_message->showMessage(role, sentence, action);
+}
+
+void CamEditor::withdraw(Cause cause)
+{
+    if (m_cause == cause)
+        m_message->withdraw();
+}
+
+} // namespace codewheel

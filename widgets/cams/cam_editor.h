@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/cams/cam_jobs.h"
+#include "widgets/cams/cam_sheet.h"
+#include "widgets/look/icons.h"
+#include "widgets/look/roles.h"
+
+#include <QUndoGroup>
+#include <QWidget>
+
+#include <functional>
+#include <memory>
+
+class QAction;
+class QMenu;
+class QScrollArea;
+class QStackedWidget;
+class QToolBar;
+
+namespace codewheel {
+
+class CamBoard;
+class CamModeBar;
+class CamRangeBar;
+class CamReview;
+class EmptyState;
+class InlineMessage;
+class JobStrip;
+
+// The cams of the encoder that is chosen in the bus structure: edit, read, write, compare, keep in files.
+// What was edited for an encoder stays while another one is chosen. Sends nothing unless asked, and shows
+// what will be written before.
+class CamEditor : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit CamEditor(QWidget *parent = nullptr);
+
+    void setEncoder(codewheel::EncoderSession *encoder); // null: none is chosen
+
+    // All programs a file holds; or the open program alone. Each says on the spot what went wrong.
+    bool load(const QString &path);
+    bool loadProgram(const QString &path);
+    bool save(const QString &path);
+    bool saveProgram(const QString &path);
+
+    // Asks where programs were edited that are neither in a file nor in their encoder. False: the user stays.
+    bool mayClose();
+
+Q_SIGNALS:
+    void closeRequested(); // back to the monitors
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    // What is kept for an encoder while the program runs.
+    struct Work
+    {
+        QPointer<EncoderSession> encoder;
+        CamDocument document;
+        unsigned program = 1;
+        std::optional<std::int64_t> toldLargest;
+    };
+    enum class Cause { input, refusal, outcome, file };
+    using Slot = void (CamEditor::*)();
+
+    void makeTools();
+    QAction *addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip, Slot slot);
+    void makeMenu();
+    void makePages();
+    void connectParts();
+    void connectEncoder();
+    Work &workOf(DeviceNumber number);
+    static bool isUnsaved(const Work &work);
+
+    void chooseProgram(unsigned number);
+    void showKnown();
+    void showRange();
+    void showLive();
+    void showRunningJob();
+    QString note() const;
+
+    void read();
+    void readAll();
+    void compare();
+    void write();
+    void writeAll();
+    void runHere();
+    void positionMode();
+    void readRange();
+    void bringBack();
+    void clearProgram();
+    void askLoad();
+    void askLoadProgram();
+    void askSave();
+    void askSaveProgram();
+    bool keep(const QString &path, const std::vector<CamProgram> &programs);
+
+    void readPrograms(CamJobs::Purpose purpose, const std::vector<unsigned> &programs);
+    void reviewPrograms(const std::vector<CamProgram> &programs);
+    // Asks for the mode afterwards where the mode is not known.
+    void withModeAfterwards(std::function<void(const SwitchMode &)> then);
+    void start(CamJobs::Purpose purpose, const Job &job);
+    void finished(DeviceNumber number, CamJobs::Purpose purpose, const Outcome &outcome);
+
+    void say(Cause cause, Role role, const QString &sentence, const QString &action = {});
+    void withdraw(Cause cause); // its message, if that is the one which is shown
+
+    QPointer<EncoderSession> m_encoder;
+    std::map<DeviceNumber, std::unique_ptr<Work>> m_works;
+    CamSheet *m_sheet;
+    CamJobs *m_jobs;
+    QUndoGroup m_undo;
+    std::function<void(const SwitchMode &)> m_whenAnswered;
+    std::optional<Cause> m_cause; // of the message that is shown
+
+    QToolBar *m_tools;
+    QMenu *m_menu;
+    QList<QAction *> m_jobActions;  // need an encoder with cams that has no job
+    QList<QAction *> m_fileActions; // need an encoder with cams
+    InlineMessage *m_message;
+    CamModeBar *m_mode;
+    CamRangeBar *m_range;
+    QStackedWidget *m_pages; // empty, board, review
+    EmptyState *m_empty;
+    CamBoard *m_board;
+    QScrollArea *m_scroll;
+    CamReview *m_review;
+    JobStrip *m_job;
+};
+
+} // namespace codewheel

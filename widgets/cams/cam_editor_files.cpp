@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The files of the cam editor, and what is asked before it is closed.
+#include "catalog/device_description.h"
+#include "encoder/refusal_text.h"
+#include "widgets/cams/cam_board.h"
+#include "widgets/cams/cam_editor.h"
+#include "widgets/cams/cam_file_io.h"
+#include "widgets/cams/cam_outcome_text.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace codewheel {
+
+void CamEditor::askLoad()
+{
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Open cam programs"), {}, tr("Cam programs (*.json)"));
+    if (!path.isEmpty())
+        load(path);
+}
+
+void CamEditor::askLoadProgram()
+{
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open cam program %1").arg(m_sheet->number()),
+                                                      {}, tr("Cam programs (*.json)"));
+    if (!path.isEmpty())
+        loadProgram(path);
+}
+
+void CamEditor::askSave()
+{
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save all cam programs"), tr("cams.json"),
+                                                      tr("Cam programs (*.json)"));
+    if (!path.isEmpty())
+        save(path);
+}
+
+void CamEditor::askSaveProgram()
+{
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save cam program %1").arg(m_sheet->number()),
+                                                      tr("cams-%1.json", "file name").arg(m_sheet->number()),
+                                                      tr("Cam programs (*.json)"));
+    if (!path.isEmpty())
+        saveProgram(path);
+}
+
+bool CamEditor::load(const QString &path)
+{
+    const auto file =
+        loadCamFile(path, m_sheet->knowsLargest() ? std::optional(m_sheet->largest()) : std::nullopt);
+    if (!file) {
+        say(Cause::file, Role::fault, file.error());
+        return false;
+    }
+    m_sheet->document().setPrograms(file->programs, tr("Open %1").arg(QFileInfo(path).fileName()));
+    if (file->programs.size() == 1)
+        chooseProgram(file->programs.front().number);
+    say(Cause::file, Role::running,
+        tr("Taken from %1: program %2.")
+            .arg(QFileInfo(path).fileName(), cam_outcome::programList(file->programs)));
+    return true;
+}
+
+bool CamEditor::loadProgram(const QString &path)
+{
+    const QString name = QFileInfo(path).fileName();
+    const auto program =
+        loadCamFile(path, m_sheet->knowsLargest() ? std::optional(m_sheet->largest()) : std::nullopt)
+            .and_then([&](const CamFile &file) {
+                return camProgramOf(file, m_sheet->number(), name).map_error([](const Refusal &refusal) {
+                    return refusalText(refusal);
+                });
+            });
+    if (!program) {
+        say(Cause::file, Role::fault, program.error());
+        return false;
+    }
+    m_sheet->document().setProgram(*program, tr("Open %1").arg(name));
+    withdraw(Cause::file);
+    return true;
+}
+
+bool CamEditor::save(const QString &path)
+{
+    if (!m_board->finishEditing())
+        return false;
+    std::vector<CamProgram> programs;
+    for (unsigned number = 1; number <= CamProgram::programs; ++number)
+        programs.push_back(m_sheet->document().program(number));
+    return keep(path, programs);
+}
+
+bool CamEditor::saveProgram(const QString &path)
+{
+    return m_board->finishEditing() && keep(path, {m_sheet->program()});
+}
+
+bool CamEditor::keep(const QString &path, const std::vector<CamProgram> &programs)
+{
+    if (!m_encoder)
+        return false;
+    CamFile file{.device = m_encoder->device().key, .totalRange = {}, .programs = programs};
+    if (m_sheet->knowsLargest())
+        file.totalRange = m_sheet->largest() + 1;
+    if (const auto saved = saveCamFile(path, file); !saved) {
+        say(Cause::file, Role::fault, saved.error());
+        return false;
+    }
+    if (programs.size() == CamProgram::programs)
+        m_sheet->document().undoStack().setClean();
+    withdraw(Cause::file);
+    return true;
+}
+
+bool CamEditor::isUnsaved(const Work &work)
+{
+    const auto isKept = [&](unsigned number) {
+        const auto known = work.encoder ? work.encoder->cams(number) : std::nullopt;
+        return work.document.program(number) == (known ? known->program : CamProgram{.number = number});
+    };
+    if (work.document.undoStack().isClean())
+        return false;
+    for (unsigned number = 1; number <= CamProgram::programs; ++number)
+        if (!isKept(number))
+            return true;
+    return false;
+}
+
+bool CamEditor::mayClose()
+{
+    QStringList places;
+    for (const auto &[number, work] : m_works)
+        if (isUnsaved(*work))
+            places << number.toString();
+    if (places.isEmpty())
+        return true;
+    QMessageBox box(QMessageBox::Question, tr("Cams"), tr("Cam programs were edited and not kept."),
+                    QMessageBox::NoButton, this);
+    box.setInformativeText(
+        tr("The cam programs for %1 are neither in a file nor in the encoder.").arg(places.join(tr(", "))));
+    QPushButton *stay = box.addButton(tr("&Stay"), QMessageBox::RejectRole);
+    QPushButton *close = box.addButton(tr("&Close without them"), QMessageBox::DestructiveRole);
+    stay->setToolTip(tr("Goes on; Save keeps them in a file"));
+    close->setToolTip(tr("What was edited is lost"));
+    box.setDefaultButton(stay);
+    box.setEscapeButton(stay);
+    box.exec();
+    return box.clickedButton() == close;
+}
+
+} // namespace codewheel

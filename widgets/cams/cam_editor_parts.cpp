@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the cam editor is made of: tools, pages and how they are connected.
+#include "widgets/cams/cam_board.h"
+#include "widgets/cams/cam_editor.h"
+#include "widgets/cams/cam_mode_bar.h"
+#include "widgets/cams/cam_range_bar.h"
+#include "widgets/cams/cam_review.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/parameters/job_strip.h"
+
+#include <QMenu>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QToolBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace codewheel {
+
+CamEditor::CamEditor(QWidget *parent)
+    : QWidget(parent)
+    , m_sheet(new CamSheet(this))
+    , m_jobs(new CamJobs(this))
+    , m_tools(new QToolBar(this))
+    , m_menu(new QMenu(this))
+    , m_message(new InlineMessage(this))
+    , m_mode(new CamModeBar(this))
+    , m_range(new CamRangeBar(this))
+    , m_pages(new QStackedWidget(this))
+    , m_empty(new EmptyState(Icon::cams, {}, {}, this))
+    , m_board(new CamBoard(*m_sheet, this))
+    , m_scroll(new QScrollArea(this))
+    , m_review(new CamReview(this))
+    , m_job(new JobStrip(this))
+{
+    makeTools();
+    makePages();
+    setFocusProxy(m_board);
+    connectParts();
+    setEncoder(nullptr);
+}
+
+void CamEditor::makePages()
+{
+    m_scroll->setWidget(m_board);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setFocusPolicy(Qt::NoFocus);
+    m_pages->addWidget(m_empty);
+    m_pages->addWidget(m_scroll);
+    m_pages->addWidget(m_review);
+    auto *column = new QVBoxLayout;
+    column->setContentsMargins(grid::margin, 0, grid::margin, grid::margin);
+    column->setSpacing(grid::unit);
+    column->addWidget(m_message);
+    column->addWidget(m_mode);
+    column->addWidget(m_range);
+    column->addWidget(m_pages, 1);
+    column->addWidget(m_job);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins({});
+    layout->setSpacing(grid::unit);
+    layout->addWidget(m_tools);
+    layout->addLayout(column);
+}
+
+QAction *CamEditor::addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip,
+                            Slot slot)
+{
+    auto *action = new QAction(lineIcon(icon), text, this);
+    action->setShortcut(key);
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    action->setToolTip(tr("%1 (%2)", "what it does, key").arg(tip, key.toString(QKeySequence::NativeText)));
+    addAction(action);
+    m_tools->addAction(action);
+    connect(action, &QAction::triggered, this, slot);
+    return action;
+}
+
+void CamEditor::makeTools()
+{
+    m_tools->setIconSize({grid::smallIcon, grid::smallIcon});
+    m_tools->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_jobActions = {
+        addTool(Icon::read, tr("Read"), Qt::CTRL | Qt::Key_R,
+                tr("Read this program from the encoder; the position is away meanwhile"), &CamEditor::read),
+        addTool(Icon::write, tr("Write..."), Qt::CTRL | Qt::Key_Return,
+                tr("Show what will be written before anything is sent"), &CamEditor::write),
+        addTool(Icon::compare, tr("Compare"), Qt::CTRL | Qt::Key_D,
+                tr("Read this program and say what differs; nothing is changed"), &CamEditor::compare),
+    };
+    m_tools->addSeparator();
+    QAction *undo = m_undo.createUndoAction(this, tr("Undo"));
+    QAction *redo = m_undo.createRedoAction(this, tr("Redo"));
+    undo->setIcon(lineIcon(Icon::turnLeft));
+    redo->setIcon(lineIcon(Icon::turnRight));
+    undo->setShortcut(QKeySequence::Undo);
+    redo->setShortcut(QKeySequence::Redo);
+    QAction *open = addTool(Icon::open, tr("Open"), Qt::CTRL | Qt::SHIFT | Qt::Key_O,
+                            tr("Take the cam programs of a file"), &CamEditor::askLoad);
+    QAction *save = addTool(Icon::save, tr("Save"), QKeySequence::Save,
+                            tr("Keep all eight programs in a file"), &CamEditor::askSave);
+    for (QAction *action : {undo, redo}) {
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        addAction(action);
+        m_tools->insertAction(open, action);
+    }
+    for (QAction *action : {undo, redo, open, save})
+        static_cast<QToolButton *>(m_tools->widgetForAction(action))
+            ->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    m_fileActions = {open, save};
+    makeMenu();
+}
+
+void CamEditor::makeMenu()
+{
+    const auto add = [this](const QString &text, const QString &tip, Slot slot) {
+        QAction *action = m_menu->addAction(text);
+        action->setToolTip(tip);
+        connect(action, &QAction::triggered, this, slot);
+        return action;
+    };
+    m_jobActions << add(tr("&Run this program in the encoder"),
+                        tr("Cam mode: IN shows the cams of this program"), &CamEditor::runHere)
+                 << add(tr("Back to &position mode"), tr("IN shows the position again"),
+                        &CamEditor::positionMode);
+    m_menu->addSeparator();
+    m_jobActions << add(tr("Read &all programs"),
+                        tr("Each program is left again: what was changed and not stored is stored then, up "
+                           "to 8 EEPROM "
+                           "writes"),
+                        &CamEditor::readAll)
+                 << add(tr("&Write all programs..."),
+                        tr("All that are set here and are not known to be in the encoder"),
+                        &CamEditor::writeAll);
+    m_menu->addSeparator();
+    m_fileActions << add(tr("&Open this program alone..."), tr("Take the program that is shown from a file"),
+                         &CamEditor::askLoadProgram);
+    m_fileActions << add(tr("&Save this program alone..."), tr("Keep the program that is shown in a file"),
+                         &CamEditor::askSaveProgram);
+    m_menu->addSeparator();
+    m_fileActions << add(tr("&Clear this program"), tr("All eight cams inactive, shift 0; can be undone"),
+                         &CamEditor::clearProgram);
+    m_menu->setToolTipsVisible(true);
+
+    auto *more = new QToolButton(m_tools);
+    more->setText(tr("&More"));
+    more->setToolTip(tr("Modes, all programs, single files"));
+    more->setAccessibleName(tr("More for the cams"));
+    more->setPopupMode(QToolButton::InstantPopup);
+    more->setMenu(m_menu);
+    m_tools->addWidget(more);
+    for (QAction *action : m_tools->actions())
+        if (QWidget *button = m_tools->widgetForAction(action); button != nullptr && !action->isSeparator())
+            button->setFocusPolicy(Qt::TabFocus);
+}
+
+void CamEditor::connectParts()
+{
+    connect(m_jobs, &CamJobs::ended, this, &CamEditor::finished);
+    connect(m_board, &CamBoard::programChosen, this, &CamEditor::chooseProgram);
+    const auto checked = [this](const QString &wrong) {
+        if (wrong.isEmpty())
+            withdraw(Cause::input);
+        else
+            say(Cause::input, Role::fault, wrong);
+    };
+    connect(m_board, &CamBoard::inputChecked, this, checked);
+    connect(m_range, &CamRangeBar::inputChecked, this, checked);
+    connect(m_range, &CamRangeBar::readRequested, this, &CamEditor::readRange);
+    connect(m_range, &CamRangeBar::told, this, [this](qint64 largest) {
+        workOf(m_encoder->number()).toldLargest = largest;
+        showRange();
+        showLive();
+    });
+    connect(m_mode, &CamModeBar::answered, this, [this](const SwitchMode &afterwards) {
+        if (m_encoder && m_whenAnswered)
+            std::exchange(m_whenAnswered, {})(afterwards);
+    });
+    connect(m_message, &InlineMessage::actionTriggered, this, &CamEditor::bringBack);
+    connect(m_review, &CamReview::cancelled, this, [this] { m_pages->setCurrentWidget(m_scroll); });
+    connect(m_review, &CamReview::confirmed, this, [this](const WriteCams &job) {
+        m_pages->setCurrentWidget(m_scroll);
+        start(CamJobs::Purpose::write, job);
+    });
+    connect(m_sheet, &CamSheet::programChanged, this, [this] {
+        withdraw(Cause::input);
+        showLive();
+    });
+    connect(m_sheet, &CamSheet::largestChanged, this, [this] { withdraw(Cause::input); });
+}
+
+void CamEditor::clearProgram()
+{
+    m_sheet->document().setProgram(CamProgram{.number = m_sheet->number()},
+                                   tr("Clear program %1").arg(m_sheet->number()));
+}
+
+} // namespace codewheel

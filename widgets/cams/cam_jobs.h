@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+
+#include <QPointer>
+
+#include <map>
+
+namespace codewheel {
+
+// The jobs the cam editor has given to encoders, and what for. They go on when another encoder is chosen.
+class CamJobs : public QObject
+{
+    Q_OBJECT
+
+public:
+    enum class Purpose { findRange, read, compare, write, switchMode };
+
+    using QObject::QObject;
+
+    Result<void> start(EncoderSession &encoder, Purpose purpose, const Job &job);
+
+Q_SIGNALS:
+    void ended(codewheel::DeviceNumber number, codewheel::CamJobs::Purpose purpose,
+               const codewheel::Outcome &outcome);
+
+private:
+    struct Running
+    {
+        JobId job = 0;
+        Purpose purpose = Purpose::read;
+        QMetaObject::Connection connection;
+    };
+    void finish(DeviceNumber number, const Outcome &outcome);
+
+    std::map<DeviceNumber, Running> m_running;
+};
+
+// The mode the encoder is in, as what a job is to leave it in; nothing where it is not known.
+std::optional<SwitchMode> modeNow(const EncoderSession &encoder);
+
+} // namespace codewheel

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/cams/cam_mode_bar.h"
+
+#include "widgets/look/grid.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+
+namespace codewheel {
+
+CamModeBar::CamModeBar(QWidget *parent)
+    : QWidget(parent)
+    , m_question(
+          new QLabel(tr("The mode of the encoder is not known, and for this it is switched to cam mode. In "
+                        "which mode is it to be afterwards?"),
+                     this))
+    , m_position(new QPushButton(tr("&Position mode"), this))
+    , m_cams(new QPushButton(this))
+    , m_cancel(new QPushButton(tr("&Cancel"), this))
+{
+    m_question->setWordWrap(true);
+    m_position->setObjectName(QStringLiteral("afterwardsPosition"));
+    m_cams->setObjectName(QStringLiteral("afterwardsCams"));
+    m_position->setToolTip(tr("IN shows the position again (20800000)"));
+    m_cams->setToolTip(tr("IN goes on showing the cams"));
+    m_cancel->setToolTip(tr("Nothing is sent (Esc)"));
+    auto *buttons = new QHBoxLayout;
+    buttons->setSpacing(grid::margin);
+    buttons->addStretch();
+    for (QPushButton *button : {m_position, m_cams, m_cancel})
+        buttons->addWidget(button);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_question);
+    layout->addLayout(buttons);
+    connect(m_position, &QPushButton::clicked, this, [this] { answer({.mode = Mode::position}); });
+    connect(m_cams, &QPushButton::clicked, this,
+            [this] { answer({.mode = Mode::cam, .camProgram = m_program}); });
+    connect(m_cancel, &QPushButton::clicked, this, &QWidget::hide);
+    hide();
+}
+
+void CamModeBar::ask(unsigned program)
+{
+    m_program = program;
+    m_cams->setText(tr("Cam &mode, program %1").arg(program));
+    show();
+    m_position->setFocus();
+}
+
+void CamModeBar::answer(const SwitchMode &afterwards)
+{
+    hide();
+    Q_EMIT answered(afterwards);
+}
+
+void CamModeBar::keyPressEvent(QKeyEvent *event)
+{
+    if (event->key() == Qt::Key_Escape)
+        hide();
+    else
+        QWidget::keyPressEvent(event);
+}
+
+} // namespace codewheel

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/cams/cam_range_bar.h"
+
+#include "cams/check_cams.h"
+#include "encoder/sentence.h"
+#include "widgets/cams/cam_texts.h"
+#include "widgets/cams/position_input.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace codewheel {
+namespace {
+
+QString complaint(const RefusalArgument &given)
+{
+    return CamRangeBar::tr("The largest position cannot be %1. Give a number from 1 to %2.")
+        .arg(argumentText(given), cam_texts::position(largestCamPosition));
+}
+
+} // namespace
+
+CamRangeBar::CamRangeBar(QWidget *parent)
+    : QWidget(parent)
+    , m_text(new QLabel(this))
+    , m_read(new QPushButton(lineIcon(Icon::read), tr("Read &it"), this))
+    , m_largest(new PositionInput(1, largestCamPosition, complaint, this))
+    , m_tell(new QPushButton(tr("&Take it"), this))
+{
+    m_text->setWordWrap(true);
+    m_read->setToolTip(
+        tr("Reads steps and revolutions. That sends words, and takes the position away for some "
+           "cycles."));
+    m_largest->setAccessibleName(tr("Largest position"));
+    m_largest->setPlaceholderText(tr("largest position"));
+    m_largest->setToolTip(
+        tr("Total range - 1, from the encoder's papers; decimal, or hexadecimal as 0x.. or ..h"));
+    m_largest->setMaximumWidth(35 * grid::unit);
+    m_tell->setToolTip(tr("Takes the largest position as said; nothing is sent"));
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(grid::margin);
+    row->addWidget(m_text, 1);
+    row->addWidget(m_read);
+    row->addWidget(m_largest);
+    row->addWidget(m_tell);
+    connect(m_read, &QPushButton::clicked, this, &CamRangeBar::readRequested);
+    connect(m_tell, &QPushButton::clicked, this, &CamRangeBar::tell);
+    connect(m_largest, &QLineEdit::returnPressed, this, &CamRangeBar::tell);
+    connect(m_largest, &PositionInput::inputChecked, this, &CamRangeBar::inputChecked);
+}
+
+void CamRangeBar::ask(bool canRead, std::optional<std::int64_t> toldLargest)
+{
+    m_read->setVisible(canRead);
+    if (toldLargest)
+        m_text->setText(tr("The positions go to %1, as you said; the encoder was not asked.")
+                            .arg(cam_texts::position(*toldLargest)));
+    else
+        m_text->setText(tr("How many positions there are is not known."));
+    show();
+}
+
+void CamRangeBar::tell()
+{
+    const auto largest = m_largest->value();
+    if (largest)
+        Q_EMIT told(*largest);
+}
+
+} // namespace codewheel

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/cams/cam_review.h"
+
+namespace codewheel {
+
+// The words that write the programs, as far as they change anything: what the encoder is known to have is
+// left out unless all is to be written. A program that is not known is written as far as it turns out to
+// differ.
+std::vector<CamReviewRow> camReviewRows(const EncoderSession &encoder, const WriteCams &job);
+
+} // namespace codewheel

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The keys of the cam ruler.
+#include "widgets/cams/cam_ruler.h"
+#include "widgets/cams/cam_texts.h"
+
+#include <QKeyEvent>
+
+#include <algorithm>
+
+namespace codewheel {
+
+void CamRuler::chooseCam(std::size_t cam)
+{
+    m_sheet.setCurrent(std::min(cam, CamProgram::cams - 1));
+}
+
+bool CamRuler::focusNextPrevChild(bool next)
+{
+    const std::size_t now = m_sheet.current();
+    if (next ? now + 1 >= CamProgram::cams : now == 0)
+        return QWidget::focusNextPrevChild(next);
+    chooseCam(next ? now + 1 : now - 1);
+    return true;
+}
+
+bool CamRuler::zoomByKey(int key)
+{
+    switch (key) {
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+        zoomIn();
+        return true;
+    case Qt::Key_Minus:
+        zoomOut();
+        return true;
+    case Qt::Key_0:
+        zoomToAll();
+        return true;
+    default:
+        return false;
+    }
+}
+
+void CamRuler::moveByKey(std::int64_t by)
+{
+    const std::size_t number = m_sheet.current();
+    const Cam &cam = m_sheet.cam(number);
+    const std::int64_t total = m_scale.total();
+    if (m_keyGesture == CamDocument::noGesture)
+        m_keyGesture = m_sheet.document().newGesture();
+    const CamSheet::Gesture gesture = m_keyGesture;
+    m_sheet.setCam(number, gripMoved(cam, m_grip, by, total), cam_texts::movement(number, m_grip), gesture);
+    m_scale.reveal(m_grip == CamGrip::stop ? m_sheet.cam(number).stop : m_sheet.cam(number).start);
+    showView();
+}
+
+void CamRuler::keyPressEvent(QKeyEvent *event)
+{
+    const std::size_t cam = m_sheet.current();
+    const std::int64_t step =
+        event->modifiers().testFlag(Qt::ShiftModifier) ? m_scale.tickStep(tickDistance()) : 1;
+    switch (event->key()) {
+    case Qt::Key_Left:
+        moveByKey(-step);
+        return;
+    case Qt::Key_Right:
+        moveByKey(step);
+        return;
+    case Qt::Key_Up:
+        chooseCam(cam == 0 ? 0 : cam - 1);
+        return;
+    case Qt::Key_Down:
+        chooseCam(cam + 1);
+        return;
+    case Qt::Key_Home:
+        setGrip(CamGrip::start);
+        return;
+    case Qt::Key_End:
+        setGrip(CamGrip::stop);
+        return;
+    case Qt::Key_Space:
+        togglePart(focusedPart());
+        return;
+    case Qt::Key_Delete:
+        m_sheet.clear(cam);
+        return;
+    case Qt::Key_Escape:
+        if (m_drag)
+            endDrag(false);
+        else if (m_grip != CamGrip::bar)
+            setGrip(CamGrip::bar);
+        else
+            event->ignore();
+        return;
+    default:
+        break;
+    }
+    if (!zoomByKey(event->key()))
+        QWidget::keyPressEvent(event);
+}
+
+} // namespace codewheel

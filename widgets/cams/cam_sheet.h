@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/cams/cam_document.h"
+#include "widgets/cams/cam_live.h"
+
+#include <QPointer>
+
+namespace codewheel {
+
+// What the cam editor has open: a program of a document, the cam that is worked on, the positions there are,
+// what the encoder is known to have, what it shows now. Ruler, table and pictures show the same sheet and
+// change the document through it.
+class CamSheet : public QObject
+{
+    Q_OBJECT
+
+public:
+    using Gesture = CamDocument::Gesture;
+    using KnownPrograms = std::array<std::optional<CamProgram>, CamProgram::programs>;
+
+    explicit CamSheet(QObject *parent = nullptr);
+
+    void setDocument(CamDocument &document); // must outlive its use here
+    CamDocument &document() const { return *m_document; }
+
+    unsigned number() const { return m_number; }
+    void setNumber(unsigned number); // 1..8
+    const CamProgram &program() const { return m_document->program(m_number); }
+    const Cam &cam(std::size_t cam) const { return program().cam.at(cam); }
+
+    std::size_t current() const { return m_current; } // 0..7
+    void setCurrent(std::size_t cam);
+
+    // Nothing: not known; then any position of 25 bits may be given.
+    void setLargest(std::optional<std::int64_t> largest);
+    std::int64_t largest() const;
+    bool knowsLargest() const { return m_largest.has_value(); }
+    bool fits(const Cam &cam) const; // starts and stops within the range
+
+    void setKnown(const KnownPrograms &known);
+    const std::optional<CamProgram> &known(unsigned number) const { return m_known.at(number - 1); }
+    // Nothing: the encoder's program is not known.
+    std::optional<bool> differs(unsigned number) const;
+
+    void setLive(const CamLive &live);
+    const CamLive &live() const { return m_live; }
+    std::optional<bool> isOn(std::size_t cam) const;
+
+    // Steps of undo.
+    void setCam(std::size_t cam, const Cam &value, const QString &what, Gesture gesture = {});
+    void setActive(std::size_t cam, bool active);
+    void clear(std::size_t cam);
+    void setShift(unsigned shift, Gesture gesture = {});
+
+Q_SIGNALS:
+    void documentChanged();                // another one
+    void programChanged(unsigned program); // what it holds, or what the encoder is known to have of it
+    void numberChanged(unsigned program);
+    void currentChanged(std::size_t cam);
+    void largestChanged();
+    void liveChanged();
+
+private:
+    QPointer<CamDocument> m_document;
+    unsigned m_number = 1;
+    std::size_t m_current = 0;
+    std::optional<std::int64_t> m_largest;
+    KnownPrograms m_known;
+    CamLive m_live;
+};
+
+} // namespace codewheel

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/cams/cam_table.h"
+
+#include "encoder/refusal_text.h"
+#include "widgets/cams/cam_rows.h"
+#include "widgets/cams/cam_table_model.h"
+#include "widgets/cams/cam_texts.h"
+#include "widgets/cams/position_input.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QKeyEvent>
+
+namespace codewheel {
+namespace {
+
+bool isPosition(int column)
+{
+    return column == CamTableModel::startColumn || column == CamTableModel::stopColumn;
+}
+
+} // namespace
+
+CamDelegate::CamDelegate(const CamSheet &sheet, QObject *parent)
+    : QStyledItemDelegate(parent)
+    , m_sheet(sheet)
+{}
+
+QWidget *CamDelegate::createEditor(QWidget *parent, const QStyleOptionViewItem &,
+                                   const QModelIndex &index) const
+{
+    const std::size_t cam = static_cast<const CamTableModel &>(*index.model()).rowAt(index.row()).number;
+    const std::int64_t largest = m_sheet.largest();
+    const auto complaint = [cam, largest](const RefusalArgument &given) {
+        return refusalText({RefusalKind::badInput,
+                            RefusalId::camPositionTooLarge,
+                            {static_cast<std::int64_t>(cam), given, largest}});
+    };
+    auto *input = new PositionInput(0, largest, complaint, parent);
+    input->setAccessibleName(
+        (index.column() == CamTableModel::startColumn ? tr("Start of cam %1") : tr("Stop of cam %1"))
+            .arg(cam));
+    input->setToolTip(tr("A position from 0 to %1; decimal, or hexadecimal as 0x.. or ..h")
+                          .arg(cam_texts::position(largest)));
+    connect(input, &PositionInput::inputChecked, this, &CamDelegate::inputChecked);
+    connect(input, &QObject::destroyed, this, [this] { Q_EMIT inputChecked({}); });
+    return input;
+}
+
+// What the user is typing is not overwritten by what comes from the bus.
+void CamDelegate::setEditorData(QWidget *editor, const QModelIndex &index) const
+{
+    auto *input = static_cast<PositionInput *>(editor);
+    if (!input->isModified())
+        input->setText(QString::number(index.data(Qt::EditRole).toLongLong()));
+}
+
+void CamDelegate::setModelData(QWidget *editor, QAbstractItemModel *model, const QModelIndex &index) const
+{
+    if (const auto position = static_cast<PositionInput *>(editor)->value())
+        model->setData(index, qlonglong{*position}, Qt::EditRole);
+}
+
+bool CamDelegate::eventFilter(QObject *editor, QEvent *event)
+{
+    if (event->type() == QEvent::FocusOut) {
+        const auto *input = qobject_cast<PositionInput *>(editor);
+        if (input != nullptr && !input->value())
+            return false;
+    }
+    return QStyledItemDelegate::eventFilter(editor, event);
+}
+
+CamTable::CamTable(CamSheet &sheet, QWidget *parent)
+    : QTableView(parent)
+    , m_sheet(sheet)
+    , m_model(new CamTableModel(sheet, this))
+{
+    auto *delegate = new CamDelegate(sheet, this);
+    setModel(m_model);
+    setItemDelegate(delegate);
+    setAccessibleName(tr("Cams of the program"));
+    setSelectionMode(QAbstractItemView::SingleSelection);
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
+    setTabKeyNavigation(false);
+    setShowGrid(false);
+    setWordWrap(false);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    verticalHeader()->hide();
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setMinimumSectionSize(1);
+    setCurrentIndex(m_model->index(0, CamTableModel::startColumn));
+    connect(delegate, &CamDelegate::inputChecked, this, &CamTable::inputChecked);
+    connect(selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex &now) {
+        if (now.isValid())
+            m_sheet.setCurrent(m_model->rowAt(now.row()).number);
+    });
+    connect(&sheet, &CamSheet::currentChanged, this, [this](std::size_t cam) {
+        const int row = static_cast<int>(cam);
+        if (row != currentIndex().row())
+            setCurrentIndex(m_model->index(row, CamTableModel::startColumn));
+    });
+    for (const auto signal : {&CamSheet::documentChanged, &CamSheet::largestChanged})
+        connect(&sheet, signal, this, &CamTable::fit);
+    fit();
+}
+
+bool CamTable::finishEditing()
+{
+    for (PositionInput *input : viewport()->findChildren<PositionInput *>())
+        if (input->isVisible() && !input->value()) {
+            input->setFocus();
+            return false;
+        }
+    setFocus();
+    return true;
+}
+
+// As wide as the widest text that can come, so that nothing jumps while the encoder turns.
+void CamTable::fit()
+{
+    const int height = camRowHeight(*this);
+    verticalHeader()->setMinimumSectionSize(height);
+    verticalHeader()->setDefaultSectionSize(height);
+    horizontalHeader()->setFixedHeight(camAxisHeight(*this));
+    const int check = style()->pixelMetric(QStyle::PM_IndicatorWidth, nullptr, this) + grid::margin;
+    const int icon = grid::smallIcon + grid::margin;
+    const int digits = QFontMetrics(numberFont()).horizontalAdvance(cam_texts::position(m_sheet.largest()));
+    const auto words = [this](const QStringList &texts) {
+        int width = 0;
+        for (const QString &text : texts)
+            width = std::max(width, fontMetrics().horizontalAdvance(text));
+        return width;
+    };
+    const std::array contents{check + fontMetrics().horizontalAdvance(QStringLiteral("0")), digits, digits,
+                              icon + words({tr("on"), tr("off")}),
+                              icon + words({tr("same"), tr("differs"), tr("unknown")})};
+    for (int column = 0; column < m_model->columnCount(); ++column) {
+        const QString header = m_model->headerData(column, Qt::Horizontal).toString();
+        const int content = contents.at(static_cast<std::size_t>(column));
+        setColumnWidth(column, std::max(content, words({header})) + 2 * grid::margin);
+    }
+    updateGeometry();
+}
+
+QSize CamTable::sizeHint() const
+{
+    const int rows = static_cast<int>(CamProgram::cams) * camRowHeight(*this);
+    return {horizontalHeader()->length() + 2 * frameWidth(), rows + camAxisHeight(*this) + 2 * frameWidth()};
+}
+
+// Tab and Shift+Tab in a field: stop of the cam, start of the next one.
+QModelIndex CamTable::moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers)
+{
+    if (action != MoveNext && action != MovePrevious)
+        return QTableView::moveCursor(action, modifiers);
+    const QModelIndex at = currentIndex();
+    const int step = action == MoveNext ? 1 : -1;
+    const bool staysInRow = (action == MoveNext) == (at.column() < CamTableModel::stopColumn);
+    if (staysInRow)
+        return at.siblingAtColumn(action == MoveNext ? CamTableModel::stopColumn
+                                                     : CamTableModel::startColumn);
+    return m_model->index(at.row() + step,
+                          action == MoveNext ? CamTableModel::startColumn : CamTableModel::stopColumn);
+}
+
+void CamTable::keyPressEvent(QKeyEvent *event)
+{
+    if (state() == EditingState || !currentIndex().isValid()) {
+        QTableView::keyPressEvent(event);
+        return;
+    }
+    const std::size_t cam = m_model->rowAt(currentIndex().row()).number;
+    const QModelIndex position = isPosition(currentIndex().column())
+                                     ? currentIndex()
+                                     : currentIndex().siblingAtColumn(CamTableModel::startColumn);
+    switch (event->key()) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+    case Qt::Key_F2:
+        setCurrentIndex(position);
+        edit(position);
+        return;
+    case Qt::Key_Delete:
+        m_sheet.clear(cam);
+        return;
+    case Qt::Key_Space:
+        m_sheet.setActive(cam, !m_sheet.cam(cam).active);
+        return;
+    default:
+        break;
+    }
+    if (!event->text().isEmpty() && event->text().front().isPrint())
+        setCurrentIndex(position); // so that typing begins there
+    QTableView::keyPressEvent(event);
+}
+
+void CamTable::changeEvent(QEvent *event)
+{
+    QTableView::changeEvent(event);
+    if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)
+        fit();
+}
+
+} // namespace codewheel

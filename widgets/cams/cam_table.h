@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStyledItemDelegate>
+#include <QTableView>
+
+namespace codewheel {
+
+class CamSheet;
+class CamTableModel;
+
+// Edits the positions of the cam table. Bad input keeps its field open, so that nothing typed is lost; Escape
+// gives it up.
+class CamDelegate final : public QStyledItemDelegate
+{
+    Q_OBJECT
+
+public:
+    CamDelegate(const CamSheet &sheet, QObject *parent);
+
+    QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &option,
+                          const QModelIndex &index) const override;
+    void setEditorData(QWidget *editor, const QModelIndex &index) const override;
+    void setModelData(QWidget *editor, QAbstractItemModel *model, const QModelIndex &index) const override;
+
+Q_SIGNALS:
+    // A sentence while what is typed is bad; empty when it is good or given up.
+    void inputChecked(const QString &wrong) const;
+
+protected:
+    bool eventFilter(QObject *editor, QEvent *event) override;
+
+private:
+    const CamSheet &m_sheet;
+};
+
+// The cams as a table whose rows are as high as those of the ruler beside it. Enter or a double click edits,
+// Tab goes from start to stop and on to the next cam, Space ticks, Delete clears.
+class CamTable : public QTableView
+{
+    Q_OBJECT
+
+public:
+    CamTable(CamSheet &sheet, QWidget *parent = nullptr);
+
+    // False, and back in its field, while what is typed is bad.
+    bool finishEditing();
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+Q_SIGNALS:
+    void inputChecked(const QString &wrong); // empty: good, or given up
+
+protected:
+    QModelIndex moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    void fit();
+
+    CamSheet &m_sheet;
+    CamTableModel *m_model;
+};
+
+} // namespace codewheel

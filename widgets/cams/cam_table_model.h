@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/cams/cam_sheet.h"
+#include "widgets/models/table_model_base.h"
+
+namespace codewheel {
+
+struct CamRow
+{
+    std::size_t number = 0;
+    Cam cam;
+    std::optional<bool> isOn;
+    bool isTold = false;      // isOn: by the encoder itself
+    std::optional<Cam> known; // what the encoder has
+    bool fits = true;
+
+    friend bool operator==(const CamRow &, const CamRow &) = default;
+};
+
+// The cams of a sheet as a table: which are active, from where to where, what they are now, what the encoder
+// has. A change of a cell is a change of the document.
+class CamTableModel final : public TableModelBase<CamRow>
+{
+    Q_OBJECT
+
+public:
+    enum Column { camColumn, startColumn, stopColumn, stateColumn, encoderColumn };
+
+    explicit CamTableModel(CamSheet &sheet, QObject *parent = nullptr);
+
+    Qt::ItemFlags flags(const QModelIndex &index) const override;
+    // Positions as qlonglong; the first column is a check box: active or not.
+    bool setData(const QModelIndex &index, const QVariant &value, int role) override;
+
+protected:
+    int columns() const override { return encoderColumn + 1; }
+    QVariant headerCell(int column, int role) const override;
+    QVariant cell(const CamRow &row, int column, int role) const override;
+
+private:
+    CamRow rowOf(std::size_t cam) const;
+    void refresh();
+    QString text(const CamRow &row, int column) const;
+    QVariant icon(const CamRow &row, int column) const;
+
+    CamSheet &m_sheet;
+};
+
+} // namespace codewheel
