@@ -4,6 +4,8 @@
 #include "app/window/training_window.h"
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
+#include "widgets/cams/cam_editor.h"
+#include "widgets/cams/cam_sheet.h"
 #include "widgets/look/appearance.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/parameters/wanted_values.h"
@@ -133,6 +135,37 @@ QWidget *handshakeHalfWay(TrainingWindow &shown)
     return wizard;
 }
 
+// The cam of FRABA manual 5.4.4 and some more, one of them through zero, and what the encoder has.
+CamProgram exampleCams()
+{
+    CamProgram program;
+    program.cam = {
+        Cam{0, 8'191, true},    Cam{6'000'000, 11'500'000, true}, Cam{12'000'000, 15'000'000, false},
+        Cam{0x15, 0x213, true}, Cam{30'000'000, 3'000'000, true}, Cam{18'000'000, 26'000'000, true}};
+    program.shift = 8;
+    return program;
+}
+
+QWidget *camsAtWork(TrainingWindow &shown)
+{
+    readAll(shown);
+    CamProgram there = exampleCams();
+    there.cam.at(5) = {20'000'000, 26'000'000, true};
+    shown.controls().turnTo(fraba, 7'654'321);
+    if (shown.bus().encoder(fraba)->start(
+            WriteCams{.programs = {there}, .onlyWhatDiffers = true, .afterwards = SwitchMode{Mode::cam, 1}}))
+        shown.advance(4 * whileMilliseconds);
+    shown.window().showCams();
+    CamProgram second = exampleCams();
+    second.number = 2;
+    second.cam.at(1) = {21'000'000, 2'000'000, true};
+    auto *sheet = shown.window().findChild<CamSheet *>();
+    sheet->document().setPrograms({exampleCams(), second}, {});
+    sheet->setCurrent(5);
+    shown.advance(whileMilliseconds);
+    return shown.window().findChild<CamEditor *>();
+}
+
 std::vector<Picture> pictures()
 {
     return {
@@ -168,6 +201,7 @@ std::vector<Picture> pictures()
              readAll(shown);
              return dock(shown, QStringLiteral("dialDock"));
          }},
+        {QStringLiteral("cams"), usual, camsAtWork},
         {QStringLiteral("messages"), usual,
          [](TrainingWindow &shown) {
              readAll(shown);

@@ -7,6 +7,7 @@
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
 #include "simulator/training_controls.h"
+#include "widgets/cams/cam_editor.h"
 #include "widgets/dial/dial_panel.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/messages/messages_view.h"
@@ -73,7 +74,9 @@ void MainWindow::attach(BusSession &bus, std::shared_ptr<TrainingControls> train
     m_monitors = new MonitorArea(bus, this);
     m_wizard = new ParameterWizard(bus, *m_wanted, this);
     m_pages->addWidget(m_monitors);
+    m_cams = new CamEditor(this);
     m_pages->addWidget(m_wizard);
+    m_pages->addWidget(m_cams);
     makeDocks(messages);
     m_leaving->setBus(&bus);
     m_status->setBus(&bus, link);
@@ -158,6 +161,7 @@ void MainWindow::connectActions()
             [this] { m_leaving->ask(Leaving::Why::stop, [this] { m_bus->stopBus(); }); });
     connect(m_actions.wizard, &QAction::triggered, this, &MainWindow::showWizard);
     connect(m_actions.monitors, &QAction::triggered, this, &MainWindow::showMonitors);
+    connect(m_actions.cams, &QAction::triggered, this, &MainWindow::showCams);
     const auto open = [this](MonitorKind kind) {
         return [this, kind] {
             if (const auto number = currentNumber()) {
@@ -240,6 +244,7 @@ void MainWindow::choose(DeviceNumber number)
     m_sequence->setEncoder(encoder);
     m_status->setEncoder(encoder);
     m_wizard->setEncoder(encoder);
+    m_cams->setEncoder(encoder);
     m_actions.showChosen(encoder);
 }
 
@@ -271,6 +276,14 @@ void MainWindow::showMonitors()
 {
     if (m_monitors != nullptr)
         m_pages->setCurrentWidget(m_monitors);
+}
+
+void MainWindow::showCams()
+{
+    if (m_cams == nullptr)
+        return;
+    m_pages->setCurrentWidget(m_cams);
+    m_cams->setFocus();
 }
 
 void MainWindow::showBusState()
@@ -323,6 +336,10 @@ void MainWindow::closeEvent(QCloseEvent *event)
 {
     if (m_bus != nullptr && !m_mayClose) {
         event->ignore();
+        if (!m_cams->mayClose()) {
+            showCams();
+            return;
+        }
         m_leaving->ask(Leaving::Why::quit, [this] {
             m_mayClose = true;
             QTimer::singleShot(0, this, &QWidget::close);

@@ -18,6 +18,7 @@ namespace codewheel {
 
 class AlarmStopEverywhere;
 class BusSession;
+class CamEditor;
 class DialPanel;
 class EncoderSession;
 class Leaving;
@@ -34,9 +35,9 @@ class TrainingControls;
 class TrainingPanel;
 class WantedValues;
 
-// The window: menus, tool bar, panels around the monitors or the wizard, status line. Wires views to the bus
-// session and to each other; does nothing of its own with a word. Made empty, so that it is seen at once;
-// attach() fills it.
+// The window: menus, tool bar, panels around the monitors, the wizard or the cam editor, status line. Wires
+// views to the bus session and to each other; does nothing of its own with a word. Made empty, so that it is
+// seen at once; attach() fills it.
 class MainWindow : public QMainWindow
 {
     Q_OBJECT
@@ -56,6 +57,7 @@ public:
     const WindowActions &actions() const { return m_actions; }
     void showWizard();
     void showMonitors();
+    void showCams();
     // Size, layout and monitors, for the next start.
     void saveWindow();
 
@@ -95,6 +97,7 @@ private:
     StructureView *m_structure = nullptr;
     MonitorArea *m_monitors = nullptr;
     ParameterWizard *m_wizard = nullptr;
+    CamEditor *m_cams = nullptr;
     ParameterPanel *m_parameters = nullptr;
     DialPanel *m_dial = nullptr;
     TraceView *m_trace = nullptr;

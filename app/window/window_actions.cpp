@@ -90,6 +90,7 @@ void WindowActions::makeBusMenu()
 void WindowActions::makeDeviceMenu()
 {
     deviceMenu = m_window.menuBar()->addMenu(tr("&Device"));
+    deviceMenu->setToolTipsVisible(true); // they say why something is not to be had
     const auto open = [this](const QString &text, const QKeySequence &key, const QString &what) {
         return described(deviceMenu->addAction(lineIcon(Icon::monitor), text), key, what);
     };
@@ -100,6 +101,8 @@ void WindowActions::makeDeviceMenu()
     deviceMenu->addSeparator();
     wizard = deviceMenu->addAction(lineIcon(Icon::wizard), tr("Parameter &wizard"));
     wizard->setShortcut(Qt::Key_F6);
+    cams = deviceMenu->addAction(lineIcon(Icon::cams), tr("&Cams"));
+    cams->setShortcut(Qt::Key_F8);
     zeroOut = deviceMenu->addAction(lineIcon(Icon::write), tr("Set OUT to &00000000"));
     zeroOut->setShortcut(Qt::CTRL | Qt::Key_0);
     showChosen(nullptr);
@@ -114,6 +117,12 @@ void WindowActions::showChosen(const EncoderSession *encoder)
     described(wizard, wizard->shortcut(),
               canBeSetUp ? tr("Sets up the chosen encoder step by step")
                          : why(RefusalId::writingNotSupported));
+    const bool hasCams = encoder && encoder->can().cams;
+    described(cams, cams->shortcut(),
+              hasCams   ? tr("Edits, reads and writes the cam programs of the chosen encoder")
+              : encoder ? why(RefusalId::camsNotSupported)
+                        : tr("No encoder is chosen."));
+    cams->setEnabled(hasCams);
     const bool hasOut = !encoder || encoder->device().outWords > 0;
     described(zeroOut, zeroOut->shortcut(),
               hasOut ? tr("Sends 00000000 to the chosen device: normal running")
@@ -176,6 +185,7 @@ void WindowActions::makeToolBar()
     bar->addAction(stop);
     bar->addSeparator();
     bar->addAction(wizard);
+    bar->addAction(cams);
     auto *space = new QWidget(bar);
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(space);

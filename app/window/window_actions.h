@@ -23,7 +23,8 @@ class WindowActions : public QObject
 public:
     explicit WindowActions(QMainWindow &window);
 
-    // Says of the device that is chosen why it cannot be set up, or be sent anything. Null: no encoder.
+    // Says of the device that is chosen why it cannot be set up, has no cams, or cannot be sent
+    // anything. Null: no encoder.
     void showChosen(const EncoderSession *encoder);
 
     // File
@@ -41,6 +42,7 @@ public:
     QAction *openOut32;
     QAction *openIn16;
     QAction *wizard;
+    QAction *cams;
     QAction *zeroOut;
     // View
     QMenu *docks;

@@ -49,9 +49,6 @@ public:
     // Asks where programs were edited that are neither in a file nor in their encoder. False: the user stays.
     bool mayClose();
 
-Q_SIGNALS:
-    void closeRequested(); // back to the monitors
-
 protected:
     void showEvent(QShowEvent *event) override;
 
