@@ -732,6 +732,10 @@
         <source>No position: %1 should be 0, since the position has %2 bits</source>
         <translation>Keine Position: %1 müsste 0 sein, denn die Position hat %2 Bits</translation>
     </message>
+    <message>
+        <source>position %1 (signed)</source>
+        <translation>Position %1 (mit Vorzeichen)</translation>
+    </message>
 </context>
 <context>
     <name>Message</name>
@@ -1102,6 +1106,17 @@
     </message>
 </context>
 <context>
+    <name>Participant</name>
+    <message>
+        <source>bus terminal</source>
+        <translation>Busklemme</translation>
+    </message>
+    <message>
+        <source>device not known</source>
+        <translation>Gerät unbekannt</translation>
+    </message>
+</context>
+<context>
     <name>Refusal</name>
     <message>
         <source>%1 = %2 is out of range. Give a value from %3 to %4.</source>
@@ -1352,10 +1367,6 @@
         <translation>%1 kann über den Bus nicht auf Werkseinstellungen zurückgesetzt werden.</translation>
     </message>
     <message>
-        <source>The %1 has no OUT word: it only tells its position.</source>
-        <translation>%1 hat kein OUT-Wort: Er meldet nur seine Position.</translation>
-    </message>
-    <message>
         <source>The %1 cannot do this.</source>
         <translation>%1 kann das nicht.</translation>
     </message>
@@ -1410,6 +1421,10 @@
     <message>
         <source>&quot;%2&quot; in &quot;%1&quot; is too much: the key ends before it. Leave it out.</source>
         <translation>„%2“ in „%1“ ist zu viel: Der Schlüssel endet davor. Weglassen.</translation>
+    </message>
+    <message>
+        <source>%1 has no OUT word: nothing can be sent to it.</source>
+        <translation>%1 hat kein OUT-Wort: Dorthin kann nichts gesendet werden.</translation>
     </message>
 </context>
 <context>
@@ -2540,6 +2555,10 @@ und liest es zurück.
 Ohne --program werden alle acht gelesen, oder alle aus der Datei. Der Geber ist solange im Nockenbetrieb.
 Danach ist er wieder in der Betriebsart von vorher, wo sie bekannt ist; sonst, und mit --stay, bleibt er
 im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: ein EEPROM-Schreibvorgang.</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>Gerät</translation>
     </message>
 </context>
 <context>
@@ -3682,6 +3701,10 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
         <source>%1 has no word %2 to show. Choose another device or word.</source>
         <translation>%1 hat kein Wort %2. Ein anderes Gerät oder Wort wählen.</translation>
     </message>
+    <message>
+        <source>%1 has no words to show: it takes no part in the process data.</source>
+        <translation>%1 hat keine Worte zu zeigen: Er nimmt an den Prozessdaten nicht teil.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::NumberField</name>
@@ -4002,6 +4025,18 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>Mode: %1.</source>
         <translation>Betriebsart: %1.</translation>
+    </message>
+    <message>
+        <source>%1 has no parameters here</source>
+        <translation>%1 hat hier keine Parameter</translation>
+    </message>
+    <message>
+        <source>The %1 has no OUT word. It only tells its position: nothing can be read from it or written to it.</source>
+        <translation>%1 hat kein OUT-Wort und meldet nur seine Position: Nichts kann aus ihm gelesen oder in ihn geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>What words set up a %1 is in no source, so none are sent. Its position is shown.</source>
+        <translation>Mit welchen Worten %1 eingerichtet wird, steht in keiner Quelle; darum werden keine gesendet. Die Position wird gezeigt.</translation>
     </message>
 </context>
 <context>
@@ -4656,6 +4691,18 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
         <source>No position while the encoder sends its velocity.</source>
         <translation>Keine Position, solange der Geber seine Drehzahl sendet.</translation>
     </message>
+    <message>
+        <source>The steps per turn of this encoder are not described: the disc cannot turn.</source>
+        <translation>Die Schritte je Umdrehung dieses Gebers sind nicht beschrieben: Die Scheibe kann nicht drehen.</translation>
+    </message>
+    <message>
+        <source>The position comes in Gray code.</source>
+        <translation>Die Position kommt im Gray-Code.</translation>
+    </message>
+    <message>
+        <source>The position is signed.</source>
+        <translation>Die Position hat ein Vorzeichen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::StatusLine</name>
@@ -4839,10 +4886,6 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
 <context>
     <name>codewheel::StructureModel</name>
     <message>
-        <source>device not known</source>
-        <translation>Gerät unbekannt</translation>
-    </message>
-    <message>
         <source>READY</source>
         <translation>READY</translation>
     </message>
@@ -4935,6 +4978,14 @@ Zustand: %7</translation>
     <message>
         <source>service mode</source>
         <translation>Dienstbetrieb</translation>
+    </message>
+    <message>
+        <source>Position: Gray code</source>
+        <translation>Position: Gray-Code</translation>
+    </message>
+    <message>
+        <source>Position: signed</source>
+        <translation>Position: mit Vorzeichen</translation>
     </message>
 </context>
 <context>
@@ -5210,6 +5261,49 @@ Zustand: %7</translation>
     <message>
         <source>The simulated encoder that is moved, switched and disturbed here</source>
         <translation>Der simulierte Geber, der hier bewegt, geschaltet und gestört wird</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TrainingPlanReader</name>
+    <message>
+        <source>A bus terminal has no encoder.</source>
+        <translation>Eine Busklemme hat keinen Geber.</translation>
+    </message>
+    <message>
+        <source>A device number such as &quot;6.1&quot; is expected here.</source>
+        <translation>Hier wird eine Gerätenummer wie „6.1“ erwartet.</translation>
+    </message>
+    <message>
+        <source>The participants must stand in the order of the ring.</source>
+        <translation>Die Teilnehmer müssen in der Reihenfolge des Rings stehen.</translation>
+    </message>
+    <message>
+        <source>A branch needs a bus terminal before it: %1.0.</source>
+        <translation>Vor einem Abzweig muss eine Busklemme stehen: %1.0.</translation>
+    </message>
+    <message>
+        <source>There is no device &quot;%1&quot; in the catalog.</source>
+        <translation>Im Katalog gibt es kein Gerät „%1“.</translation>
+    </message>
+    <message>
+        <source>The device &quot;%1&quot; cannot be simulated.</source>
+        <translation>Das Gerät „%1“ kann nicht simuliert werden.</translation>
+    </message>
+    <message>
+        <source>Only a FRABA K3 has this.</source>
+        <translation>Das hat nur ein FRABA K3.</translation>
+    </message>
+    <message>
+        <source>A linear encoder has no shaft.</source>
+        <translation>Ein Lineargeber hat keine Welle.</translation>
+    </message>
+    <message>
+        <source>Only a linear encoder has a rod.</source>
+        <translation>Nur ein Lineargeber hat einen Stab.</translation>
+    </message>
+    <message>
+        <source>The device has no parameter &quot;%1&quot;.</source>
+        <translation>Das Gerät hat keinen Parameter „%1“.</translation>
     </message>
 </context>
 <context>
@@ -5567,6 +5661,11 @@ Zustand: %7</translation>
         <source>Send %1</source>
         <comment>a word</comment>
         <translation>%1 senden</translation>
+    </message>
+    <message>
+        <source>%1 has no OUT word: nothing can be sent to it.</source>
+        <comment>1.0</comment>
+        <translation>%1 hat kein OUT-Wort: Dorthin kann nichts gesendet werden.</translation>
     </message>
 </context>
 <context>
