@@ -24,6 +24,7 @@ CamModeBar::CamModeBar(QWidget *parent)
     m_position->setObjectName(QStringLiteral("afterwardsPosition"));
     m_cams->setObjectName(QStringLiteral("afterwardsCams"));
     m_position->setToolTip(tr("IN shows the position again (20800000)"));
+    m_cams->setAccessibleName(tr("Cam mode"));
     m_cams->setToolTip(tr("IN goes on showing the cams"));
     m_cancel->setToolTip(tr("Nothing is sent (Esc)"));
     auto *buttons = new QHBoxLayout;

@@ -95,6 +95,8 @@ CamReview::CamReview(QWidget *parent)
     m_writeAll->setToolTip(tr("Writes every cam of the program once more"));
     m_write->setObjectName(QStringLiteral("confirmWriteCams"));
     m_write->setDefault(true);
+    m_write->setAccessibleName(tr("Write these words"));
+    m_write->setToolTip(tr("Sends these words in cam mode, then run (80000000)"));
     m_cancel->setToolTip(tr("Back to the editor; nothing is sent (Esc)"));
 
     auto *buttons = new QHBoxLayout;
@@ -185,8 +187,6 @@ void CamReview::showPlan()
     m_model->setRows(camReviewRows(*m_encoder, job()));
     const int count = m_model->rowCount();
     m_write->setText(count == 1 ? tr("&Write this word") : tr("&Write these %1 words").arg(count));
-    m_write->setToolTip(tr("Sends these words in cam mode, then run (80000000)"));
-    m_write->setAccessibleName(tr("Write these words"));
     m_write->setEnabled(count > 0);
     m_notes->setText(notes());
 }
