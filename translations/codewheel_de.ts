@@ -129,6 +129,153 @@
     </message>
 </context>
 <context>
+    <name>CamFiles</name>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation>%1 ist nicht lesbar: %2</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a file of cam programs.</source>
+        <translation>%1 ist zu groß für eine Datei mit Nockenprogrammen.</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: %2</source>
+        <comment>file, reason</comment>
+        <translation>%1 wurde nicht gesichert: %2</translation>
+    </message>
+</context>
+<context>
+    <name>CamOutcome</name>
+    <message>
+        <source>EEPROM writes: %1.</source>
+        <translation>EEPROM-Schreibvorgänge: %1.</translation>
+    </message>
+    <message>
+        <source>cam %1</source>
+        <translation>Nocken %1</translation>
+    </message>
+    <message>
+        <source>the shift (the encoder has %1)</source>
+        <translation>Verschiebung (im Geber %1)</translation>
+    </message>
+    <message>
+        <source>Program %1 differs in: %2.</source>
+        <translation>Programm %1 weicht ab in: %2.</translation>
+    </message>
+    <message>
+        <source>Program %1 was read.</source>
+        <translation>Programm %1 wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>Programs %1 were read.</source>
+        <translation>Die Programme %1 wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>The encoder has all of it already. Nothing was written.</source>
+        <translation>Der Geber hat das alles schon. Es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Program %1 was written and read back.</source>
+        <translation>Programm %1 wurde geschrieben und zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>Programs %1 were written and read back.</source>
+        <translation>Die Programme %1 wurden geschrieben und zurückgelesen.</translation>
+    </message>
+</context>
+<context>
+    <name>CamReviewRows</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+</context>
+<context>
+    <name>CamTexts</name>
+    <message>
+        <source>What the encoder has is not known.</source>
+        <translation>Was der Geber hat, ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>The encoder has the same.</source>
+        <translation>Der Geber hat dasselbe.</translation>
+    </message>
+    <message>
+        <source>The encoder has %1, %2.</source>
+        <comment>21 to 531, active</comment>
+        <translation>Der Geber hat %1, %2.</translation>
+    </message>
+    <message>
+        <source>Cam %1</source>
+        <translation>Nocken %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2, through zero</source>
+        <translation>%1 bis %2, durch null</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>aktiv</translation>
+    </message>
+    <message>
+        <source>inactive</source>
+        <translation>nicht aktiv</translation>
+    </message>
+    <message>
+        <source>Move cam %1</source>
+        <translation>Nocken %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Start of cam %1</source>
+        <translation>Anfang von Nocken %1</translation>
+    </message>
+    <message>
+        <source>Stop of cam %1</source>
+        <translation>Ende von Nocken %1</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>would be on</source>
+        <translation>wäre ein</translation>
+    </message>
+    <message>
+        <source>would be off</source>
+        <translation>wäre aus</translation>
+    </message>
+    <message>
+        <source>%1 is not set.</source>
+        <translation>%1 ist nicht gesetzt.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3.</source>
+        <comment>Cam 3: 21 to 531, active</comment>
+        <translation>%1: %2; %3.</translation>
+    </message>
+    <message>
+        <source>Now: %1.</source>
+        <translation>Jetzt: %1.</translation>
+    </message>
+</context>
+<context>
     <name>CancelQuestion</name>
     <message>
         <source>a value it has not confirmed yet</source>
@@ -1739,6 +1886,317 @@
     </message>
 </context>
 <context>
+    <name>codewheel::CamBoard</name>
+    <message>
+        <source>Scroll the ruler</source>
+        <translation>Das Lineal verschieben</translation>
+    </message>
+    <message>
+        <source>Which part of the positions is in sight</source>
+        <translation>Welcher Teil der Positionen zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Zoom in (+)</source>
+        <translation>Vergrößern (+)</translation>
+    </message>
+    <message>
+        <source>Zoom out (-)</source>
+        <translation>Verkleinern (-)</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Show all positions (0)</source>
+        <translation>Alle Positionen zeigen (0)</translation>
+    </message>
+    <message>
+        <source>&amp;Shift</source>
+        <translation>Ver&amp;schiebung</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CamDelegate</name>
+    <message>
+        <source>Start of cam %1</source>
+        <translation>Anfang von Nocken %1</translation>
+    </message>
+    <message>
+        <source>Stop of cam %1</source>
+        <translation>Ende von Nocken %1</translation>
+    </message>
+    <message>
+        <source>A position from 0 to %1; decimal, or hexadecimal as 0x.. or ..h</source>
+        <translation>Eine Position von 0 bis %1; dezimal oder hexadezimal als 0x.. oder ..h</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CamEditor</name>
+    <message>
+        <source>No encoder is chosen</source>
+        <translation>Kein Geber gewählt</translation>
+    </message>
+    <message>
+        <source>Choose an encoder with cams, such as the FRABA OCD-IB K3, in the bus structure. Its eight programs of eight cams are edited here.</source>
+        <translation>Im Busaufbau einen Geber mit Nocken wählen, etwa den FRABA OCD-IB K3. Hier werden seine acht Programme mit je acht Nocken bearbeitet.</translation>
+    </message>
+    <message>
+        <source>Program %1 runs in the encoder. &quot;Now&quot; is what it shows.</source>
+        <translation>Programm %1 läuft im Geber. „Jetzt“ ist, was er zeigt.</translation>
+    </message>
+    <message>
+        <source>&quot;Now&quot; is what the cams of program %1 would be.</source>
+        <translation>„Jetzt“ ist, wie die Nocken von Programm %1 stünden.</translation>
+    </message>
+    <message>
+        <source>What its cams would be is not known.</source>
+        <translation>Wie seine Nocken stünden, ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>Program %1 runs in the encoder.</source>
+        <translation>Programm %1 läuft im Geber.</translation>
+    </message>
+    <message>
+        <source>The encoder is in cam mode; which program runs is not known.</source>
+        <translation>Der Geber ist im Nockenbetrieb; welches Programm läuft, ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>The encoder shows no cams now.</source>
+        <translation>Der Geber zeigt jetzt keine Nocken.</translation>
+    </message>
+    <message>
+        <source>The mode of the encoder is not known, and so are its cams.</source>
+        <translation>Die Betriebsart des Gebers ist unbekannt, und damit auch seine Nocken.</translation>
+    </message>
+    <message>
+        <source>The encoder is in velocity mode and shows no cams.</source>
+        <translation>Der Geber ist im Drehzahlbetrieb und zeigt keine Nocken.</translation>
+    </message>
+    <message>
+        <source>The encoder is in position mode.</source>
+        <translation>Der Geber ist im Positionsbetrieb.</translation>
+    </message>
+    <message>
+        <source>No program has to be written: none is set that the encoder does not have.</source>
+        <translation>Kein Programm muss geschrieben werden: Keines ist gesetzt, das der Geber nicht hat.</translation>
+    </message>
+    <message>
+        <source>Program %1: %2</source>
+        <translation>Programm %1: %2</translation>
+    </message>
+    <message>
+        <source>Read from the encoder</source>
+        <translation>Aus dem Geber gelesen</translation>
+    </message>
+    <message>
+        <source>Send run</source>
+        <translation>Run senden</translation>
+    </message>
+    <message>
+        <source>The encoder has the same program %1.</source>
+        <translation>Der Geber hat dasselbe Programm %1.</translation>
+    </message>
+    <message>
+        <source>The lines in the ruler show what the encoder has. Nothing was changed.</source>
+        <translation>Die Linien im Lineal zeigen, was der Geber hat. Es wurde nichts geändert.</translation>
+    </message>
+    <message>
+        <source>Open cam programs</source>
+        <translation>Nockenprogramme öffnen</translation>
+    </message>
+    <message>
+        <source>Cam programs (*.json)</source>
+        <translation>Nockenprogramme (*.json)</translation>
+    </message>
+    <message>
+        <source>Open cam program %1</source>
+        <translation>Nockenprogramm %1 öffnen</translation>
+    </message>
+    <message>
+        <source>Save all cam programs</source>
+        <translation>Alle Nockenprogramme sichern</translation>
+    </message>
+    <message>
+        <source>cams.json</source>
+        <translation>nocken.json</translation>
+    </message>
+    <message>
+        <source>Save cam program %1</source>
+        <translation>Nockenprogramm %1 sichern</translation>
+    </message>
+    <message>
+        <source>cams-%1.json</source>
+        <comment>file name</comment>
+        <translation>nocken-%1.json</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Taken from %1: program %2.</source>
+        <translation>Aus %1 übernommen: Programm %2.</translation>
+    </message>
+    <message>
+        <source>Cams</source>
+        <translation>Nocken</translation>
+    </message>
+    <message>
+        <source>Cam programs were edited and not kept.</source>
+        <translation>Nockenprogramme wurden bearbeitet und nicht gesichert.</translation>
+    </message>
+    <message>
+        <source>The cam programs for %1 are neither in a file nor in the encoder.</source>
+        <translation>Die Nockenprogramme für %1 stehen weder in einer Datei noch im Geber.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>&amp;Stay</source>
+        <translation>&amp;Bleiben</translation>
+    </message>
+    <message>
+        <source>&amp;Close without them</source>
+        <translation>&amp;Ohne sie schließen</translation>
+    </message>
+    <message>
+        <source>Goes on; Save keeps them in a file</source>
+        <translation>Geht weiter; Sichern legt sie in einer Datei ab</translation>
+    </message>
+    <message>
+        <source>What was edited is lost</source>
+        <translation>Das Bearbeitete geht verloren</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>what it does, key</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>Auslesen</translation>
+    </message>
+    <message>
+        <source>Read this program from the encoder; the position is away meanwhile</source>
+        <translation>Dieses Programm aus dem Geber lesen; solange fehlt die Position</translation>
+    </message>
+    <message>
+        <source>Write...</source>
+        <translation>Schreiben ...</translation>
+    </message>
+    <message>
+        <source>Show what will be written before anything is sent</source>
+        <translation>Zeigen, was geschrieben wird, bevor etwas gesendet wird</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Read this program and say what differs; nothing is changed</source>
+        <translation>Dieses Programm lesen und sagen, was abweicht; geändert wird nichts</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Take the cam programs of a file</source>
+        <translation>Die Nockenprogramme einer Datei übernehmen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Sichern</translation>
+    </message>
+    <message>
+        <source>Keep all eight programs in a file</source>
+        <translation>Alle acht Programme in einer Datei sichern</translation>
+    </message>
+    <message>
+        <source>&amp;Run this program in the encoder</source>
+        <translation>Dieses Programm im Geber &amp;laufen lassen</translation>
+    </message>
+    <message>
+        <source>Cam mode: IN shows the cams of this program</source>
+        <translation>Nockenbetrieb: IN zeigt die Nocken dieses Programms</translation>
+    </message>
+    <message>
+        <source>Back to &amp;position mode</source>
+        <translation>Zurück in den &amp;Positionsbetrieb</translation>
+    </message>
+    <message>
+        <source>IN shows the position again</source>
+        <translation>IN zeigt wieder die Position</translation>
+    </message>
+    <message>
+        <source>Read &amp;all programs</source>
+        <translation>&amp;Alle Programme auslesen</translation>
+    </message>
+    <message>
+        <source>Each program is left again: what was changed and not stored is stored then, up to 8 EEPROM writes</source>
+        <translation>Jedes Programm wird wieder verlassen: Was geändert und nicht gespeichert war, wird dabei gespeichert; bis zu 8 EEPROM-Schreibvorgänge</translation>
+    </message>
+    <message>
+        <source>&amp;Write all programs...</source>
+        <translation>Alle Programme &amp;schreiben ...</translation>
+    </message>
+    <message>
+        <source>All that are set here and are not known to be in the encoder</source>
+        <translation>Alle, die hier gesetzt sind und nicht bekanntermaßen im Geber stehen</translation>
+    </message>
+    <message>
+        <source>&amp;Open this program alone...</source>
+        <translation>Nur dieses Programm ö&amp;ffnen ...</translation>
+    </message>
+    <message>
+        <source>Take the program that is shown from a file</source>
+        <translation>Das gezeigte Programm aus einer Datei übernehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Save this program alone...</source>
+        <translation>Nur dieses Programm si&amp;chern ...</translation>
+    </message>
+    <message>
+        <source>Keep the program that is shown in a file</source>
+        <translation>Das gezeigte Programm in einer Datei sichern</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this program</source>
+        <translation>Dieses Programm &amp;leeren</translation>
+    </message>
+    <message>
+        <source>All eight cams inactive, shift 0; can be undone</source>
+        <translation>Alle acht Nocken nicht aktiv, Verschiebung 0; kann rückgängig gemacht werden</translation>
+    </message>
+    <message>
+        <source>&amp;More</source>
+        <translation>&amp;Mehr</translation>
+    </message>
+    <message>
+        <source>Modes, all programs, single files</source>
+        <translation>Betriebsarten, alle Programme, einzelne Dateien</translation>
+    </message>
+    <message>
+        <source>More for the cams</source>
+        <translation>Mehr zu den Nocken</translation>
+    </message>
+    <message>
+        <source>Clear program %1</source>
+        <translation>Programm %1 leeren</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::CamFileReader</name>
     <message>
         <source>This is no file of cam programs: the format is not &quot;%1&quot;.</source>
@@ -1759,6 +2217,386 @@
     <message>
         <source>Cam %1 stands above already.</source>
         <translation>Nocken %1 steht weiter oben schon.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CamModeBar</name>
+    <message>
+        <source>The mode of the encoder is not known, and for this it is switched to cam mode. In which mode is it to be afterwards?</source>
+        <translation>Die Betriebsart des Gebers ist unbekannt; hierfür wird er in den Nockenbetrieb geschaltet. In welcher Betriebsart soll er danach sein?</translation>
+    </message>
+    <message>
+        <source>&amp;Position mode</source>
+        <translation>&amp;Positionsbetrieb</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>IN shows the position again (20800000)</source>
+        <translation>IN zeigt wieder die Position (20800000)</translation>
+    </message>
+    <message>
+        <source>IN goes on showing the cams</source>
+        <translation>IN zeigt weiter die Nocken</translation>
+    </message>
+    <message>
+        <source>Nothing is sent (Esc)</source>
+        <translation>Gesendet wird nichts (Esc)</translation>
+    </message>
+    <message>
+        <source>Cam &amp;mode, program %1</source>
+        <translation>&amp;Nockenbetrieb, Programm %1</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CamProgramButton</name>
+    <message>
+        <source>Cam program %1</source>
+        <translation>Nockenprogramm %1</translation>
+    </message>
+    <message>
+        <source>What the encoder has is not known.</source>
+        <translation>Was der Geber hat, ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>The encoder has another program.</source>
+        <translation>Der Geber hat ein anderes Programm.</translation>
+    </message>
+    <message>
+        <source>The encoder has the same.</source>
+        <translation>Der Geber hat dasselbe.</translation>
+    </message>
+    <message>
+        <source>%1 of 8 cams are active.</source>
+        <translation>%1 von 8 Nocken sind aktiv.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CamProgramStrip</name>
+    <message>
+        <source>Cam programs</source>
+        <translation>Nockenprogramme</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CamRangeBar</name>
+    <message>
+        <source>The largest position cannot be %1. Give a number from 1 to %2.</source>
+        <translation>Die größte Position kann nicht %1 sein. Eine Zahl von 1 bis %2 angeben.</translation>
+    </message>
+    <message>
+        <source>Read &amp;it</source>
+        <translation>A&amp;uslesen</translation>
+    </message>
+    <message>
+        <source>&amp;Take it</source>
+        <translation>Über&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>Reads steps and revolutions. That sends words, and takes the position away for some cycles.</source>
+        <translation>Liest Schritte und Umdrehungen. Das sendet Worte; die Position fehlt für einige Zyklen.</translation>
+    </message>
+    <message>
+        <source>Largest position</source>
+        <translation>Größte Position</translation>
+    </message>
+    <message>
+        <source>largest position</source>
+        <translation>größte Position</translation>
+    </message>
+    <message>
+        <source>Total range - 1, from the encoder&apos;s papers; decimal, or hexadecimal as 0x.. or ..h</source>
+        <translation>Gesamtbereich - 1, aus den Papieren des Gebers; dezimal oder hexadezimal als 0x.. oder ..h</translation>
+    </message>
+    <message>
+        <source>Takes the largest position as said; nothing is sent</source>
+        <translation>Übernimmt die größte Position wie angegeben; gesendet wird nichts</translation>
+    </message>
+    <message>
+        <source>The positions go to %1, as you said; the encoder was not asked.</source>
+        <translation>Die Positionen gehen bis %1, wie angegeben; der Geber wurde nicht gefragt.</translation>
+    </message>
+    <message>
+        <source>How many positions there are is not known.</source>
+        <translation>Wie viele Positionen es gibt, ist unbekannt.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CamReview</name>
+    <message>
+        <source>Write &amp;all, also what is there</source>
+        <translation>A&amp;lles schreiben, auch Vorhandenes</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>What will be written</source>
+        <translation>Was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Writes every cam of the program once more</source>
+        <translation>Schreibt jeden Nocken des Programms noch einmal</translation>
+    </message>
+    <message>
+        <source>Back to the editor; nothing is sent (Esc)</source>
+        <translation>Zurück zum Bearbeiten; gesendet wird nichts (Esc)</translation>
+    </message>
+    <message>
+        <source>A&amp;fterwards the encoder is in</source>
+        <translation>&amp;Danach ist der Geber im</translation>
+    </message>
+    <message>
+        <source>Cams are written in cam mode: the position is away meanwhile. A program is stored in EEPROM when it is left.</source>
+        <translation>Nocken werden im Nockenbetrieb geschrieben: Solange fehlt die Position. Ein Programm wird im EEPROM gespeichert, wenn es verlassen wird.</translation>
+    </message>
+    <message>
+        <source>Mode afterwards</source>
+        <translation>Betriebsart danach</translation>
+    </message>
+    <message>
+        <source>position mode</source>
+        <translation>Positionsbetrieb</translation>
+    </message>
+    <message>
+        <source>velocity mode</source>
+        <translation>Drehzahlbetrieb</translation>
+    </message>
+    <message>
+        <source>cam mode, program %1</source>
+        <translation>Nockenbetrieb, Programm %1</translation>
+    </message>
+    <message>
+        <source>Write cam program %1 to the encoder at %2</source>
+        <translation>Nockenprogramm %1 in den Geber bei %2 schreiben</translation>
+    </message>
+    <message>
+        <source>Write %1 cam programs to the encoder at %2</source>
+        <translation>%1 Nockenprogramme in den Geber bei %2 schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Write this word</source>
+        <translation>Dieses &amp;Wort schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Write these %1 words</source>
+        <translation>Diese %1 &amp;Worte schreiben</translation>
+    </message>
+    <message>
+        <source>Sends these words in cam mode, then run (80000000)</source>
+        <translation>Sendet diese Worte im Nockenbetrieb, dann Run (80000000)</translation>
+    </message>
+    <message>
+        <source>Write these words</source>
+        <translation>Diese Worte schreiben</translation>
+    </message>
+    <message>
+        <source>The encoder is known to have all of it. There is nothing to write.</source>
+        <translation>Der Geber hat bekanntermaßen alles davon. Es gibt nichts zu schreiben.</translation>
+    </message>
+    <message>
+        <source>The encoder is read first; what it already has is not written again.</source>
+        <translation>Der Geber wird erst ausgelesen; was er schon hat, wird nicht noch einmal geschrieben.</translation>
+    </message>
+    <message>
+        <source>A program that is changed is stored in EEPROM when it is left: one write. EEPROM writes so far by this program: %1.</source>
+        <translation>Ein geändertes Programm wird beim Verlassen im EEPROM gespeichert: ein Schreibvorgang. EEPROM-Schreibvorgänge von hier aus bisher: %1.</translation>
+    </message>
+    <message>
+        <source>The manual states about %1 writes for the encoder&apos;s life.</source>
+        <translation>Das Handbuch nennt etwa %1 Schreibvorgänge für die Lebensdauer des Gebers.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CamReviewModel</name>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Word</source>
+        <translation>Wort</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>Encoder has</source>
+        <translation>Geber hat</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CamRuler</name>
+    <message>
+        <source>Ruler of the cams</source>
+        <translation>Lineal der Nocken</translation>
+    </message>
+    <message>
+        <source>Draw cam %1</source>
+        <translation>Nocken %1 zeichnen</translation>
+    </message>
+    <message>
+        <source>Drag to draw cam %1</source>
+        <translation>Ziehen zeichnet Nocken %1</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CamSheet</name>
+    <message>
+        <source>Activate cam %1</source>
+        <translation>Nocken %1 aktivieren</translation>
+    </message>
+    <message>
+        <source>Deactivate cam %1</source>
+        <translation>Nocken %1 deaktivieren</translation>
+    </message>
+    <message>
+        <source>Clear cam %1</source>
+        <translation>Nocken %1 leeren</translation>
+    </message>
+    <message>
+        <source>Shift the position</source>
+        <translation>Die Position verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CamShiftSpin</name>
+    <message>
+        <source>Shift of the position</source>
+        <translation>Verschiebung der Position</translation>
+    </message>
+    <message>
+        <source>shift_iw: by how many bits the position is shifted right before it stands in D24 to D8. 25 shows the cams only.</source>
+        <translation>shift_iw: um wie viele Bits die Position nach rechts verschoben wird, ehe sie in D24 bis D8 steht. 25 zeigt nur die Nocken.</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CamTable</name>
+    <message>
+        <source>Cams of the program</source>
+        <translation>Nocken des Programms</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>same</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>verschieden</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CamTableModel</name>
+    <message>
+        <source>Ticked: the cam is active. Only active cams come on.</source>
+        <translation>Angehakt: Der Nocken ist aktiv. Nur aktive Nocken schalten ein.</translation>
+    </message>
+    <message>
+        <source>Cam</source>
+        <translation>Nocken</translation>
+    </message>
+    <message>
+        <source>First position on which the cam is on, in steps</source>
+        <translation>Erste Position, auf der der Nocken ein ist, in Schritten</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Last position on which the cam is on, in steps; smaller than the start: through zero</source>
+        <translation>Letzte Position, auf der der Nocken ein ist, in Schritten; kleiner als der Anfang: durch null</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>What the encoder shows now in cam mode; in position mode, what these cams would be</source>
+        <translation>Was der Geber im Nockenbetrieb jetzt zeigt; im Positionsbetrieb, wie diese Nocken stünden</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Whether the encoder is known to have the same</source>
+        <translation>Ob der Geber bekanntermaßen dasselbe hat</translation>
+    </message>
+    <message>
+        <source>Encoder</source>
+        <translation>Geber</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>same</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>verschieden</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CamWordPicture</name>
+    <message>
+        <source>What IN will hold</source>
+        <translation>Was in IN stehen wird</translation>
+    </message>
+    <message>
+        <source>D7 to D0: cams 7 to 0. No part of the position. D31: not valid.</source>
+        <translation>D7 bis D0: Nocken 7 bis 0. Kein Teil der Position. D31: nicht gültig.</translation>
+    </message>
+    <message>
+        <source>D24 to D8: bits %1 to %2 of the position. D7 to D0: cams 7 to 0. D31: not valid.</source>
+        <translation>D24 bis D8: Bits %1 bis %2 der Position. D7 bis D0: Nocken 7 bis 0. D31: nicht gültig.</translation>
+    </message>
+    <message>
+        <source>! not valid</source>
+        <translation>! nicht gültig</translation>
+    </message>
+    <message>
+        <source>bits of the position</source>
+        <translation>Bits der Position</translation>
+    </message>
+    <message>
+        <source>no part of the position</source>
+        <translation>kein Teil der Position</translation>
+    </message>
+    <message>
+        <source>cams</source>
+        <translation>Nocken</translation>
     </message>
 </context>
 <context>
@@ -2560,6 +3398,14 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
         <source>device</source>
         <translation>Gerät</translation>
     </message>
+    <message>
+        <source>The encoder was left in service mode: it shows no position.</source>
+        <translation>Der Geber blieb im Dienstbetrieb: Er zeigt keine Position.</translation>
+    </message>
+    <message>
+        <source>The encoder was left in error: it shows the last position it knew.</source>
+        <translation>Der Geber blieb im Fehler: Er zeigt die letzte bekannte Position.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DescriptionReader</name>
@@ -3229,6 +4075,10 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>The values from before are not all known, so they cannot be restored</source>
         <translation>Die Werte von vorher sind nicht alle bekannt und deshalb nicht wiederherstellbar</translation>
+    </message>
+    <message>
+        <source>The encoder has taken words of a cam program. How is it to be left?</source>
+        <translation>Der Geber hat Worte eines Nockenprogramms übernommen. Wie soll er verlassen werden?</translation>
     </message>
 </context>
 <context>
@@ -4079,6 +4929,13 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>To the next page.</source>
         <translation>Zur nächsten Seite.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::PositionInput</name>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
     </message>
 </context>
 <context>
@@ -5589,6 +6446,18 @@ Zustand: %7</translation>
     <message>
         <source>Bus</source>
         <translation>Bus</translation>
+    </message>
+    <message>
+        <source>&amp;Cams</source>
+        <translation>&amp;Nocken</translation>
+    </message>
+    <message>
+        <source>Edits, reads and writes the cam programs of the chosen encoder</source>
+        <translation>Bearbeitet, liest und schreibt die Nockenprogramme des gewählten Gebers</translation>
+    </message>
+    <message>
+        <source>No encoder is chosen.</source>
+        <translation>Kein Geber gewählt.</translation>
     </message>
 </context>
 <context>
