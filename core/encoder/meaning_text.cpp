@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/meaning_text.h"
 
+#include "encoder/enumeration_rows.h"
 #include "encoder/sentence.h"
 
 #include <QCoreApplication>
@@ -125,14 +126,7 @@ constexpr std::array rows{
     Row{MeaningId::undefinedIn, "undefinedIn", QT_TRANSLATE_NOOP("Meaning", "Not defined for this encoder")},
 };
 
-// rows stand in the order of the enumeration and are complete
-constexpr bool rowsInOrder = [] {
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        if (static_cast<std::size_t>(rows[i].id) != i)
-            return false;
-    return rows.size() == meaningCount;
-}();
-static_assert(rowsInOrder);
+static_assert(areInOrder(rows, &Row::id) && rows.size() == meaningCount);
 
 const Row &rowOf(MeaningId id)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/device_error_name.h"
+#include "encoder/enumeration_rows.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 
@@ -69,14 +70,7 @@ constexpr std::array rows{
     Row{MessageId::training, "training", "%1"},
 };
 
-// rows stand in the order of the enumeration and are complete
-constexpr bool rowsInOrder = [] {
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        if (static_cast<std::size_t>(rows[i].id) != i)
-            return false;
-    return rows.size() == messageCount;
-}();
-static_assert(rowsInOrder);
+static_assert(areInOrder(rows, &Row::id) && rows.size() == messageCount);
 
 const Row &rowOf(MessageId id)
 {

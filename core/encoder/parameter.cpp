@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/parameter.h"
 
+#include "encoder/enumeration_rows.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -98,14 +100,7 @@ constexpr auto parameters = [] {
     return all;
 }();
 
-// rows stand in the order of the enumeration
-constexpr bool rowsInOrder = [] {
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        if (static_cast<std::size_t>(rows[i].parameter) != i)
-            return false;
-    return true;
-}();
-static_assert(rowsInOrder);
+static_assert(areInOrder(rows, &Row::parameter));
 
 const Row &rowOf(Parameter parameter)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/refusal_text.h"
 
+#include "encoder/enumeration_rows.h"
 #include "encoder/sentence.h"
 #include "words/k3_cam_word.h"
 
@@ -222,14 +223,7 @@ constexpr std::array rows{
                           "state the encoder is.")},
 };
 
-// rows stand in the order of the enumeration and are complete
-constexpr bool rowsInOrder = [] {
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        if (static_cast<std::size_t>(rows[i].id) != i)
-            return false;
-    return rows.size() == refusalCount;
-}();
-static_assert(rowsInOrder);
+static_assert(areInOrder(rows, &Row::id) && rows.size() == refusalCount);
 
 const Row &rowOf(RefusalId id)
 {

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+namespace codewheel {
+
+// Whether the rows of a table stand in the order of the enumeration each has its value of in `id`: then the
+// value is the index of its row. Checked at compile time by the tables of keys and texts.
+template <typename Rows, typename Row, typename Id>
+constexpr bool areInOrder(const Rows &rows, Id Row::*id)
+{
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (static_cast<std::size_t>(rows[i].*id) != i)
+            return false;
+    return true;
+}
+
+} // namespace codewheel
