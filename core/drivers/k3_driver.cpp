@@ -91,9 +91,8 @@ Result<void> K3Driver::prepare(Word in, Word out)
             m_plan.endParameterization(end->restore, end->restore.empty() || state != EncoderState::error);
     else
         run.steps = m_plan.stepsFor(run.job);
-    const bool mustClear = out != k3::normalRunning || state == EncoderState::readOut;
-    if (mustClear && !std::holds_alternative<SendWords>(run.job))
-        run.steps.insert(run.steps.begin(), K3Plan::toNormal(false));
+    if (out != k3::normalRunning || state == EncoderState::readOut)
+        K3Plan::clearOutFirst(run.steps, run.job);
     run.prepared = true;
     return {};
 }

@@ -143,6 +143,12 @@ K3Step K3Plan::runStep(bool tolerateError)
     return step;
 }
 
+void K3Plan::clearOutFirst(K3Steps &steps, const Job &job)
+{
+    if (!std::holds_alternative<SendWords>(job))
+        steps.insert(steps.begin(), toNormal(false));
+}
+
 K3Step K3Plan::toNormal(bool mustOperate)
 {
     K3Step step;

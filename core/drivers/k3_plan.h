@@ -28,6 +28,8 @@ public:
     // Ends a parameterization: run, or run and the values from before.
     K3Steps endParameterization(const ParameterValues &restore, bool runFirst) const;
     static K3Step toNormal(bool mustOperate);
+    // A job begins with 00000000; words sent by hand begin as they are.
+    static void clearOutFirst(K3Steps &steps, const Job &job);
     static K3Step runStep(bool tolerateError);
     static K3Step switchStep(Word modeWord);
     Word parameterWord(Parameter parameter, std::int64_t value) const;

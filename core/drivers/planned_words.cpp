@@ -19,17 +19,22 @@ Result<std::vector<Step>> stepsOf(const Plan &plan, const Job &job, MakeSteps ma
 } // namespace
 
 Result<std::vector<Step>> plannedSteps(const DeviceDescription &device, const std::vector<Known> &known,
-                                       const Job &job, const std::vector<KnownCams> &cams)
+                                       const Job &job, const std::vector<KnownCams> &cams, Word out)
 {
     if (device.profile == Profile::la66) {
         const La66Plan plan(device, {});
-        return stepsOf(plan, job, [&] { return plan.stepsFor(job, la66::normalMode); });
+        return stepsOf(plan, job, [&] { return plan.stepsFor(job, out); });
     }
     K3Knowledge knowledge(device);
     knowledge.set(known);
     knowledge.setCams(cams);
     const K3Plan plan(device, knowledge);
-    return stepsOf(plan, job, [&] { return plan.stepsFor(job); });
+    return stepsOf(plan, job, [&] {
+        K3Steps steps = plan.stepsFor(job);
+        if (out != k3::normalRunning)
+            K3Plan::clearOutFirst(steps, job);
+        return steps;
+    });
 }
 
 } // namespace codewheel

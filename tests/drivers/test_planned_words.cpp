@@ -14,9 +14,10 @@ using testing::ElementsAre;
 class PlannedWords : public testing::Test
 {
 protected:
-    std::vector<Word> wordsOf(QStringView device, const std::vector<Known> &known, const Job &job)
+    std::vector<Word> wordsOf(QStringView device, const std::vector<Known> &known, const Job &job,
+                              Word out = 0x0000'0000)
     {
-        const auto steps = plannedSteps(*catalog.find(device), known, job);
+        const auto steps = plannedSteps(*catalog.find(device), known, job, {}, out);
         EXPECT_TRUE(steps);
         std::vector<Word> words;
         for (const Step &step : steps.value_or(std::vector<Step>{}))
@@ -52,6 +53,15 @@ TEST_F(PlannedWords, AskForTheFlagFirstWhereItIsNotKnown)
                             0x0000'0000));
     EXPECT_THAT(wordsOf(u"fraba-ocd-ib", {readFlag(3)}, steps),
                 ElementsAre(0x0200'00FE, 0x8000'0000, 0x0000'0000, 0x2021'0001, 0x0000'0000));
+}
+
+TEST_F(PlannedWords, BeginWithZeroWhereSomethingElseStandsInOut)
+{
+    const WriteParameters revolutions{.values = {{Parameter::revolutions, 1}}, .previous = {}};
+    EXPECT_THAT(wordsOf(u"baumer-gxp6w", {}, revolutions, 0x8000'0000),
+                ElementsAre(0x0000'0000, 0x0400'0001, 0x8000'0000, 0x0000'0000));
+    EXPECT_THAT(wordsOf(u"baumer-gxp6w", {}, SendWords{{0x4000'0000}}, 0x8000'0000),
+                ElementsAre(0x4000'0000));
 }
 
 TEST_F(PlannedWords, OfAnEncoderWithoutReadOutEndWithThePreset)
