@@ -52,4 +52,15 @@ std::optional<unsigned> BaumerK3::startUpError() const
     return m_batteryLow ? std::optional(error_number::batteryLow) : std::nullopt;
 }
 
+std::optional<unsigned> BaumerK3::fault() const
+{
+    return m_codeDiscFaulty ? std::optional(error_number::codeDiscFaulty) : std::nullopt;
+}
+
+void BaumerK3::setCodeDiscFaulty(bool faulty)
+{
+    m_codeDiscFaulty = faulty;
+    faultChanged();
+}
+
 } // namespace codewheel

@@ -78,6 +78,8 @@ std::optional<unsigned> ParameterMemory::activate()
     const bool zeroOffsetWritten = (m_written & bitOf(parameter_number::zeroOffset)) != 0;
     if (zeroOffsetWritten && m_pending.zeroOffset >= total)
         return error_number::wrongData;
+    if (m_wornOut && hasPending())
+        return error_number::notStored;
 
     m_pending.zeroOffset %= total;
     m_active = m_pending;

@@ -12,7 +12,9 @@ namespace error_number {
 inline constexpr unsigned wrongData = 1;
 inline constexpr unsigned unknownNumber = 2;
 inline constexpr unsigned parametersLost = 3;
+inline constexpr unsigned notStored = 13;
 inline constexpr unsigned batteryLow = 14;
+inline constexpr unsigned codeDiscFaulty = 15;
 } // namespace error_number
 
 // What a simulated K3 encoder keeps: the set it works with, the pending set that a handshake fills, and the
@@ -25,6 +27,7 @@ public:
     const ParameterSet &active() const { return m_active; }
     int eepromWrites() const { return m_eepromWrites; }
     bool isLost() const { return m_lost; }
+    bool isWornOut() const { return m_wornOut; }
     // Something was confirmed that run has not activated yet.
     bool hasPending() const { return m_written != 0 || m_toDefault; }
     bool isGoingToDefault() const { return m_toDefault; }
@@ -46,6 +49,7 @@ public:
 
     void powerUp(); // loads what is stored, drops what is pending
     void lose();    // error 3, until default, or parameters 1-4, and run
+    void setWornOut(bool wornOut) { m_wornOut = wornOut; } // run cannot store what is pending
     void countWrite() { ++m_eepromWrites; }
 
 private:
@@ -60,6 +64,7 @@ private:
     bool m_toDefault = false;
     bool m_unknown = false;
     bool m_lost = false;
+    bool m_wornOut = false;
     int m_eepromWrites = 0;
 };
 

@@ -40,6 +40,8 @@ public:
     virtual void setSlow(bool /*slow*/) {}
     virtual void loseParameters() {}
     virtual void setBatteryLow(bool /*low*/) {}
+    virtual void setEepromWornOut(bool /*wornOut*/) {}
+    virtual void setCodeDiscFaulty(bool /*faulty*/) {}
 };
 
 } // namespace codewheel

@@ -29,6 +29,9 @@ std::optional<TrainingControls::Shaft> SimulatedK3::shaftState() const
     state.slow = m_slow;
     state.hasBattery = hasBattery();
     state.batteryLow = isBatteryLow();
+    state.reportsFaults = reportsFaults();
+    state.eepromWornOut = m_memory.isWornOut();
+    state.codeDiscFaulty = fault() == error_number::codeDiscFaulty;
     state.eepromWrites = eepromWrites();
     return state;
 }
@@ -111,6 +114,10 @@ void SimulatedK3::runWhenDue()
 
 void SimulatedK3::run()
 {
+    if (const auto standing = fault()) {
+        fail(*standing);
+        return;
+    }
     const bool toDefault = m_memory.isGoingToDefault();
     if (const auto error = m_memory.activate()) {
         fail(*error);
@@ -172,7 +179,9 @@ void SimulatedK3::switchOn()
 
 void SimulatedK3::finishStartUp()
 {
-    if (const auto error = startUpError())
+    if (const auto standing = fault())
+        fail(*standing);
+    else if (const auto error = startUpError())
         fail(*error);
     else if (m_memory.isLost())
         fail(error_number::parametersLost);
@@ -188,6 +197,17 @@ void SimulatedK3::loseParameters()
     m_runIn = noRun;
     if (m_phase != Phase::off && m_phase != Phase::startingUp)
         fail(error_number::parametersLost);
+    refresh();
+}
+
+// Once the cause is gone, run leaves the error.
+void SimulatedK3::faultChanged()
+{
+    const auto standing = fault();
+    if (standing && m_phase != Phase::off && m_phase != Phase::startingUp) {
+        m_runIn = noRun;
+        fail(*standing);
+    }
     refresh();
 }
 

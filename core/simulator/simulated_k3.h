@@ -36,6 +36,7 @@ public:
     bool isPowered() const { return m_phase != Phase::off; }
     virtual bool hasBattery() const { return false; }
     virtual bool isBatteryLow() const { return false; }
+    virtual bool reportsFaults() const { return false; }
 
     void turnTo(std::int64_t raw) final;
     void turnBy(std::int64_t rawSteps) final;
@@ -64,6 +65,8 @@ protected:
     virtual Word operationWord() const = 0;
     // An error found at power-up, before that of lost parameters.
     virtual std::optional<unsigned> startUpError() const { return std::nullopt; }
+    // What shows by itself, and at every run as long as its cause is there.
+    virtual std::optional<unsigned> fault() const { return std::nullopt; }
     virtual void poweredUp() {}
     virtual void wentToDefault() {}
 
@@ -82,6 +85,8 @@ protected:
     void operate() { enter(Phase::operation, 0); }
     bool takePresetEdge() { return m_watch.takePresetEdge(); }
     void initialisePreset(ParameterMemory::Storing storing);
+    // To be called by the make when fault() is another.
+    void faultChanged();
     // Stands in IN instead of everything else; 0: nothing.
     void showReadOut(Word answer) { m_readOut = answer; }
     Word readOut() const { return m_readOut; }

@@ -119,6 +119,16 @@ void SimulatedRing::setBatteryLow(DeviceNumber number, bool low)
     with(number, [low](SimulatedDevice &device) { device.setBatteryLow(low); });
 }
 
+void SimulatedRing::setEepromWornOut(DeviceNumber number, bool wornOut)
+{
+    with(number, [wornOut](SimulatedDevice &device) { device.setEepromWornOut(wornOut); });
+}
+
+void SimulatedRing::setCodeDiscFaulty(DeviceNumber number, bool faulty)
+{
+    with(number, [faulty](SimulatedDevice &device) { device.setCodeDiscFaulty(faulty); });
+}
+
 namespace {
 tl::unexpected<Refusal> linkFailed(const char *text)
 {

@@ -36,6 +36,8 @@ public:
     void setSlow(DeviceNumber number, bool slow) override;
     void loseParameters(DeviceNumber number) override;
     void setBatteryLow(DeviceNumber number, bool low) override;
+    void setEepromWornOut(DeviceNumber number, bool wornOut) override;
+    void setCodeDiscFaulty(DeviceNumber number, bool faulty) override;
 
 private:
     template <typename State>

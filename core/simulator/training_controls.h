@@ -28,6 +28,9 @@ public:
         bool slow = false;         // confirms slowly
         bool hasBattery = false;
         bool batteryLow = false;
+        bool reportsFaults = false; // has error numbers for its EEPROM and its code disc
+        bool eepromWornOut = false;
+        bool codeDiscFaulty = false;
         int eepromWrites = 0; // since the ring began
     };
 
@@ -64,6 +67,8 @@ public:
     virtual void setSlow(DeviceNumber number, bool slow) = 0;      // confirmations take 50 times as long
     virtual void loseParameters(DeviceNumber number) = 0;          // error 3
     virtual void setBatteryLow(DeviceNumber number, bool low) = 0; // shows at the next power-up
+    virtual void setEepromWornOut(DeviceNumber number, bool wornOut) = 0; // error 13 when run is to store
+    virtual void setCodeDiscFaulty(DeviceNumber number, bool faulty) = 0; // error 15, by itself
 };
 
 } // namespace codewheel

@@ -166,5 +166,41 @@ TEST_F(BaumerHandshake, ResetGivesTheFactorySettings)
     EXPECT_EQ(send(m_encoder, {0x8000'0000}), pos);
 }
 
+// Baumer 7: disturbance 13, told by the run that is to store
+TEST_F(BaumerHandshake, Chapter7AWornOutEepromFailsTheRunThatStores)
+{
+    m_encoder.setEepromWornOut(true);
+    EXPECT_EQ(hex8(send(m_encoder, {0x0200'00FF})), "C20000FF");
+    EXPECT_EQ(hex8(send(m_encoder, {0x8000'0000})), "9A000000");
+    EXPECT_EQ(hex8(send(m_encoder, {0x0000'0000, 0x8000'0000})), "9A000000"); // the set stays pending
+    m_encoder.setEepromWornOut(false);
+    EXPECT_EQ(hex8(send(m_encoder, {0x0000'0000})), "9A000000");
+    EXPECT_EQ(hex8(send(m_encoder, {0x8000'0000})), "00000180");
+}
+
+// Baumer 7: "if an error occurs during the operation state (e.g. 15), the encoder automatically switches"
+TEST_F(BaumerHandshake, Chapter7AFaultyCodeDiscShowsByItselfUntilItIsGoneAndRun)
+{
+    play(m_encoder, {{0x0000'0000, pos}});
+    m_encoder.setCodeDiscFaulty(true);
+    play(m_encoder,
+         {{0x0000'0000, 0x9E00'0000, 5}, {0x8000'0000, 0x9E00'0000, 5}, {0x0000'0000, 0x9E00'0000}});
+    m_encoder.setCodeDiscFaulty(false);
+    play(m_encoder, {{0x0000'0000, 0x9E00'0000, 5}, {0x8000'0000, 0x9E00'0000}, {0x8000'0000, pos, 2}});
+}
+
+TEST_F(BaumerHandshake, Chapter7AFaultyCodeDiscIsFoundAtPowerUp)
+{
+    m_encoder.setPower(false);
+    m_encoder.setCodeDiscFaulty(true);
+    EXPECT_EQ(m_encoder.cycle(0), 0u);
+    m_encoder.setPower(true);
+    for (int cycle = 0; cycle < 30; ++cycle)
+        m_encoder.cycle(0);
+    EXPECT_EQ(hex8(m_encoder.cycle(0)), "9E000000");
+    m_encoder.setCodeDiscFaulty(false);
+    EXPECT_EQ(hex8(send(m_encoder, {0x8000'0000})), hex8(pos));
+}
+
 } // namespace
 } // namespace codewheel

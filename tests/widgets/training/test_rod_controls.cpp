@@ -27,6 +27,8 @@ public:
     void setSlow(DeviceNumber, bool) override {}
     void loseParameters(DeviceNumber) override {}
     void setBatteryLow(DeviceNumber, bool) override {}
+    void setEepromWornOut(DeviceNumber, bool) override {}
+    void setCodeDiscFaulty(DeviceNumber, bool) override {}
 
     Rod rod{.number = rodPlace, .millimetres = 125, .lengthMillimetres = 500};
 };
