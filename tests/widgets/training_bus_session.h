@@ -21,7 +21,9 @@ inline constexpr DeviceNumber onLoop{6, 1};
 class TrainingBusSession
 {
 public:
-    explicit TrainingBusSession(BusSession::Start start = BusSession::Start::operating)
+    explicit TrainingBusSession(BusSession::Start start = BusSession::Start::operating,
+                                TrainingBus (*make)(const Catalog &) = makeTrainingBus)
+        : training(make(catalog))
     {
         EXPECT_TRUE(bus.open(start));
         bus.advance(10);
@@ -31,7 +33,7 @@ public:
     EncoderSession &encoder(DeviceNumber number) const { return *bus.encoder(number); }
 
     const Catalog catalog = Catalog::builtIn();
-    TrainingBus training = makeTrainingBus(catalog);
+    TrainingBus training;
     std::shared_ptr<TrainingControls> controls = training.controls;
     BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
 };

@@ -18,8 +18,6 @@ namespace codewheel {
 
 namespace {
 
-constexpr double micrometresPerMillimetre = 1000;
-
 std::optional<std::int64_t> valueKnown(const EncoderSession &encoder, Parameter parameter)
 {
     const auto known = encoder.known(parameter);
@@ -101,16 +99,13 @@ void RodDial::knownChanged()
 {
     m_known = {};
     m_known.length = valueKnown(*m_encoder, Parameter::measuringLength);
-    const auto rodLength = valueKnown(*m_encoder, Parameter::rodLength);
-    if (rodLength && m_known.length && *m_known.length > 0)
-        m_known.millimetresPerStep =
-            static_cast<double>(*rodLength) / micrometresPerMillimetre / static_cast<double>(*m_known.length);
+    m_known.scale = rodScale(*m_encoder);
     const ParameterDescription *direction = m_encoder->device().find(Parameter::direction);
     if (const auto value = valueKnown(*m_encoder, Parameter::direction); value && direction != nullptr)
         if (const Choice *choice = direction->findChoice(*value))
             m_known.countsUpToTheEnd = choice->key == QStringLiteral("increasing");
     m_motion.reset();
-    m_tellRow->setVisible(m_lengthField != nullptr && !rodLength);
+    m_tellRow->setVisible(m_lengthField != nullptr && !m_encoder->known(Parameter::rodLength));
     draw();
 }
 
@@ -156,7 +151,7 @@ QString RodDial::noteOfKnown() const
 {
     if (!m_missing->isEmpty())
         return tr("Not known: %1.").arg(m_missing->names());
-    return m_known.millimetresPerStep ? QString() : tr("mm unknown: tell the rod length from its label.");
+    return m_known.scale ? QString() : tr("mm unknown: tell the rod length from its label.");
 }
 
 } // namespace codewheel

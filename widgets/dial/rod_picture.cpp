@@ -39,9 +39,9 @@ int smallLine()
 
 QString scaleNumber(const RodState &state, double share)
 {
-    const double steps = share * static_cast<double>(*state.length);
-    return state.millimetresPerStep ? QLocale().toString(steps * *state.millimetresPerStep, 'f', 0)
-                                    : QLocale().toString(qRound64(steps));
+    const auto steps = qRound64(share * static_cast<double>(*state.length));
+    return state.scale ? QLocale().toString(state.scale->millimetres(steps), 'f', 0)
+                       : QLocale().toString(steps);
 }
 
 } // namespace
@@ -107,8 +107,7 @@ void RodPicture::drawScale(QPainter &painter, const QPalette &palette, const Rod
         return;
     painter.setFont(textFont(TextSize::small));
     painter.setPen(palette.color(QPalette::WindowText));
-    const QString unit =
-        state.millimetresPerStep ? RodPictureText::tr("mm") : RodPictureText::tr("steps", "unit");
+    const QString unit = state.scale ? RodPictureText::tr("mm") : RodPictureText::tr("steps", "unit");
     const double bottom = top + tickHeight;
     for (const double share : {0.0, 0.5, 1.0}) {
         const double x = magnetAt(*state.countsUpToTheEnd ? share : 1 - share).x();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/rod_scale.h"
 #include "widgets/look/roles.h"
 
 #include <QString>
@@ -12,14 +13,14 @@ namespace codewheel {
 // What the dial shows of a rod encoder. Nothing is nothing: it is never shown as 0.
 struct RodState
 {
-    std::optional<qint64> position = {};           // steps
-    std::optional<qint64> length = {};             // measuring length, steps
-    std::optional<double> millimetresPerStep = {}; // needs the length of the rod
-    std::optional<bool> countsUpToTheEnd = {};     // the direction of counting
-    std::optional<double> stepsPerSecond = {};     // positive: counts up
-    bool isLastKnown = false;                      // the position is of before the magnet was lost
-    QString note = {};                             // a sentence: what is wrong or missing, and what to do
-    Role role = Role::inactive;                    // of the note, and of the magnet
+    std::optional<qint64> position = {};       // steps
+    std::optional<qint64> length = {};         // measuring length, steps
+    std::optional<RodScale> scale = {};        // needs the length of the rod
+    std::optional<bool> countsUpToTheEnd = {}; // the direction of counting
+    std::optional<double> stepsPerSecond = {}; // positive: counts up
+    bool isLastKnown = false;                  // the position is of before the magnet was lost
+    QString note = {};                         // a sentence: what is wrong or missing, and what to do
+    Role role = Role::inactive;                // of the note, and of the magnet
 
     friend bool operator==(const RodState &, const RodState &) = default;
 };

@@ -2,7 +2,7 @@
 #include "widgets/dial/rod_view.h"
 
 #include "widgets/dial/dial_note.h"
-#include "widgets/dial/millimetres.h"
+#include "widgets/dial/resolution.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 
@@ -125,20 +125,16 @@ QString RodView::positionText() const
 
 QString RodView::millimetreText() const
 {
-    if (!m_state.millimetresPerStep)
-        return tr("mm not known");
-    return tr("%1 mm").arg(millimetres(static_cast<double>(*m_state.position) * *m_state.millimetresPerStep,
-                                       *m_state.millimetresPerStep));
+    return m_state.scale ? m_state.scale->text(*m_state.position) : tr("mm not known");
 }
 
 QString RodView::speedText() const
 {
     if (!m_state.stepsPerSecond)
         return {};
-    const double speed = *m_state.stepsPerSecond * m_state.millimetresPerStep.value_or(1);
+    const double speed = *m_state.stepsPerSecond * (m_state.scale ? millimetresPerStep(*m_state.scale) : 1);
     const QString number = locale().toString(std::abs(speed), 'f', 1);
-    const QString text =
-        m_state.millimetresPerStep ? tr("%1 mm/s").arg(number) : tr("%1 steps/s").arg(number);
+    const QString text = m_state.scale ? tr("%1 mm/s").arg(number) : tr("%1 steps/s").arg(number);
     if (std::abs(speed) < 0.05 || !m_state.countsUpToTheEnd)
         return text;
     return (speed > 0) == *m_state.countsUpToTheEnd ? tr("%1 to the end", "of the rod").arg(text)
@@ -147,7 +143,7 @@ QString RodView::speedText() const
 
 QString RodView::resolutionText() const
 {
-    return m_state.millimetresPerStep ? resolution(*m_state.millimetresPerStep) : QString();
+    return m_state.scale ? resolution(millimetresPerStep(*m_state.scale)) : QString();
 }
 
 QString RodView::note() const

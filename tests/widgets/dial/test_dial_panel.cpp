@@ -23,6 +23,7 @@ protected:
     const DialState &shown() { return panel.findChild<CodeDisc *>()->state(); }
     QPushButton &readButton() // of the shaft: the rod has one, too
     {
+        QCoreApplication::processEvents(); // laid out, to be clicked
         return *panel.findChild<CodeDisc *>()->parentWidget()->findChild<QPushButton *>(
             QStringLiteral("readMissing"));
     }

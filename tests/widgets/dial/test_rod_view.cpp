@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/dial/millimetres.h"
+#include "widgets/dial/resolution.h"
 #include "widgets/dial/rod_view.h"
 
 namespace codewheel {
@@ -11,7 +11,7 @@ RodState manualRod(qint64 position)
     RodState state;
     state.position = position;
     state.length = 50'000;
-    state.millimetresPerStep = 0.01;
+    state.scale = RodScale{.steps = 50'000, .micrometres = 500'000};
     state.countsUpToTheEnd = true;
     return state;
 }
@@ -92,7 +92,7 @@ TEST_F(Rod, SaysInWordsWhatItShows)
 TEST_F(Rod, WithoutTheLengthOfTheRodThereAreStepsAndNoMillimetres)
 {
     RodState state = manualRod(12'345);
-    state.millimetresPerStep = {};
+    state.scale = {};
     state.stepsPerSecond = 100;
     state.note = QStringLiteral("Tell it.");
     rod.setState(state);
@@ -119,14 +119,12 @@ TEST_F(Rod, WithoutAPositionItSaysHowToGetOne)
               QStringLiteral("No position yet. Start the bus and choose an encoder in the bus structure."));
 }
 
-TEST(Millimetres, AreAsFineAsAStep)
+TEST(Resolution, IsToldAsFineAsItIs)
 {
-    EXPECT_EQ(millimetres(123.45, 0.01), QStringLiteral("123.45"));
-    EXPECT_EQ(millimetres(123.45, 0.1), QStringLiteral("123.5"));
-    EXPECT_EQ(millimetres(123.45, 0.005), QStringLiteral("123.450"));
-    EXPECT_EQ(millimetres(123.45, 2), QStringLiteral("123"));
     EXPECT_EQ(resolution(0.01), QStringLiteral("0.010 mm per step"));
     EXPECT_EQ(resolution(500.0 / 30'000), QStringLiteral("0.016667 mm per step"));
+    EXPECT_EQ(resolution(0.0025), QStringLiteral("0.0025 mm per step"));
+    EXPECT_NEAR(millimetresPerStep({.steps = 5000, .micrometres = 500'000}), 0.1, 1e-12);
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/widgets/training_bus_session.h"
+#include "tests/widgets/rod_bus.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/monitor/bar_view.h"
 #include "widgets/monitor/number_field.h"
@@ -233,6 +233,35 @@ TEST_F(WordMonitorTest, AtOnceIsOffAndSendsHarmlessWordsOnly)
     QTest::mouseClick(&messageAction(out), Qt::LeftButton);
     EXPECT_EQ(sentWord(), 0x02000008U);
     EXPECT_TRUE(message(out).isEmpty());
+}
+
+// TR manual 2.2: without the service bit OUT has no effect.
+TEST_F(WordMonitorTest, OfALinearEncoderOnlyTheServiceBitIsAsked)
+{
+    test::TrainingBusSession bus{BusSession::Start::operating, test::makeRodBus};
+    EncoderSession &encoder = bus.encoder(test::rodPlace);
+    WordMonitor monitor(bus.channel(test::rodPlace), &encoder, &encoder.device(), MonitorKind::out32);
+    monitor.show();
+    monitor.activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&monitor));
+    tick(find<QAbstractButton>(monitor, "Send OUT 5.0 at once"));
+    auto &field = find<WordField>(monitor, "OUT 5.0 hexadecimal");
+    const auto enter = [&](const char *word) {
+        field.setFocus();
+        field.selectAll();
+        QTest::keyClicks(&field, QString::fromLatin1(word));
+        QTest::keyClick(&field, Qt::Key_Return);
+        bus.bus.advance(10);
+    };
+    enter("4200C350");
+    EXPECT_EQ(bus.channel(test::rodPlace).out(), 0x4200C350U);
+    enter("C200C350");
+    EXPECT_EQ(bus.channel(test::rodPlace).out(), 0x4200C350U);
+    EXPECT_TRUE(message(monitor).startsWith(QLatin1String("C200C350 has a command bit")))
+        << message(monitor).toStdString();
+    QTest::mouseClick(&messageAction(monitor), Qt::LeftButton);
+    bus.bus.advance(10);
+    EXPECT_EQ(bus.channel(test::rodPlace).in(), 0xC200C350U);
 }
 
 TEST_F(WordMonitorTest, AtOnceATypedWordIsSentByReturnNotWhileItIsTyped)

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/dial/millimetres.h"
+#include "widgets/dial/resolution.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 
-#include <algorithm>
 #include <cmath>
 
 namespace codewheel {
@@ -26,16 +25,15 @@ int digitsFor(double number)
 
 } // namespace
 
-QString millimetres(double length, double millimetresPerStep)
+double millimetresPerStep(const RodScale &scale)
 {
-    const double digits = millimetresPerStep > 0 ? std::ceil(-std::log10(millimetresPerStep) - 1e-9) : 0;
-    return QLocale().toString(length, 'f', std::clamp(static_cast<int>(digits), 0, mostDigits));
+    return scale.millimetres(1);
 }
 
-QString resolution(double millimetresPerStep)
+QString resolution(double mmPerStep)
 {
-    return QCoreApplication::translate("Millimetres", "%1 mm per step")
-        .arg(QLocale().toString(millimetresPerStep, 'f', digitsFor(millimetresPerStep)));
+    return QCoreApplication::translate("Resolution", "%1 mm per step")
+        .arg(QLocale().toString(mmPerStep, 'f', digitsFor(mmPerStep)));
 }
 
 } // namespace codewheel

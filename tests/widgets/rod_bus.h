@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simulator/fraba_k3.h"
+#include "simulator/simulated_la66.h"
+#include "simulator/simulated_ring.h"
+#include "tests/widgets/training_bus_session.h"
+
+namespace codewheel::test {
+
+inline constexpr DeviceNumber rodPlace{5, 0};
+inline constexpr double rodMillimetres = 500;
+
+// A FRABA encoder at 1.0 and a TR LA-66 as it is delivered at 5.0, its magnet standing at the head.
+inline TrainingBus makeRodBus(const Catalog &)
+{
+    const auto participant = [](DeviceNumber number, unsigned idCode, const char *key) {
+        return Participant{.number = number,
+                           .idCode = idCode,
+                           .deviceCode = 0x0200 | idCode,
+                           .inWords = 2,
+                           .outWords = 2,
+                           .deviceKey = QString::fromLatin1(key)};
+    };
+    auto ring = std::make_shared<SimulatedRing>();
+    ring->add(participant(fraba, 0x37, "fraba-ocd-ib"),
+              std::make_unique<FrabaK3>(PhysicalResolution{.stepsPerTurn = 8192, .turns = 4096}, 12'345,
+                                        FrabaPlate{.serialNumber = 20'417, .operatingTime = 0}));
+    ring->add(participant(rodPlace, 0x33, "tr-la66"), std::make_unique<SimulatedLa66>(rodMillimetres));
+    return {.link = std::make_unique<SimulatedRingLink>(ring), .controls = ring};
+}
+
+} // namespace codewheel::test

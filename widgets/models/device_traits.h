@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "encoder/event.h"
+#include "words/la66_word.h"
+
+namespace codewheel {
+
+// What views ask of a kind of device beside its capabilities.
+
+// A magnet on a rod, not a shaft that turns.
+inline bool isRod(const DeviceDescription &device)
+{
+    return device.profile == Profile::la66;
+}
+
+// Whether what the encoder takes is valid only after run (K3), or at once.
+inline bool activatesByRun(const DeviceDescription &device)
+{
+    return device.profile == Profile::k3;
+}
+
+// Whether the encoder takes a value with this step: it changes, and its EEPROM is written.
+inline bool takesValue(const Step &step)
+{
+    return step.kind == StepKind::parameter || (step.kind == StepKind::serviceBit && la66::isWrite(step.out));
+}
+
+// What brings an encoder back to operation that was left so.
+enum class WayBack : std::uint8_t { none, run, endService };
+inline WayBack wayBack(const DeviceDescription &device, EncoderState leftIn)
+{
+    if (leftIn == EncoderState::service)
+        return WayBack::endService;
+    const bool isStuck = leftIn == EncoderState::parameterization || leftIn == EncoderState::error;
+    return isStuck && activatesByRun(device) ? WayBack::run : WayBack::none;
+}
+
+} // namespace codewheel
