@@ -4,6 +4,7 @@
 #include "catalog/explain_word.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
+#include "widgets/models/device_traits.h"
 #include "widgets/parameters/parameter_words.h"
 
 #include <QGridLayout>
@@ -46,10 +47,10 @@ JobStrip::JobStrip(QWidget *parent)
     , m_cancel(button(tr("&Cancel"), tr("Ends the job; asks how to leave the encoder"), this))
     , m_choices(new QWidget(this))
     , m_question(new QLabel(this))
-    , m_restore(button(tr("&Restore previous"), tr("Writes the values from before, then run"), m_choices))
+    , m_restore(button(tr("&Restore previous"), tr("Writes the values from before again"), m_choices))
     , m_run(button(tr("R&un as it is"), tr("Sends run: what the encoder has taken becomes valid"), m_choices))
-    , m_leave(button(tr("&Leave it so"),
-                     tr("The encoder stays in parameterization: no position until run is sent"), m_choices))
+    , m_leave(button(tr("&Leave it so"), tr("OUT goes back to 0, and the encoder keeps the state it is in"),
+                     m_choices))
     , m_goOn(button(tr("&Go on"), tr("The job goes on"), m_choices))
 {
     m_step->setWordWrap(true);
@@ -93,6 +94,7 @@ void JobStrip::setEncoder(EncoderSession *encoder)
     m_encoder = encoder;
     if (encoder != nullptr)
         connect(encoder, &EncoderSession::progressed, this, &JobStrip::showProgress);
+    m_run->setVisible(encoder != nullptr && activatesByRun(encoder->device()));
 }
 
 void JobStrip::begin()
@@ -153,7 +155,7 @@ void JobStrip::showChoices(bool visible)
                                       .arg(parameter_words::list(m_encoder->device(), m_progress.confirmed)));
     m_restore->setEnabled(m_progress.canRestore);
     m_restore->setToolTip(m_progress.canRestore
-                              ? tr("Writes the values from before, then run")
+                              ? tr("Writes the values from before again")
                               : tr("The values from before are not all known, so they cannot be restored"));
     m_cancel->setEnabled(!visible);
     m_question->setVisible(visible);

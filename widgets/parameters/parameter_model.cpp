@@ -129,7 +129,8 @@ void ParameterModel::refresh()
 Qt::ItemFlags ParameterModel::flags(const QModelIndex &index) const
 {
     Qt::ItemFlags flags = TableModelBase::flags(index);
-    if (index.isValid() && index.column() == wantedColumn && !rowAt(index.row()).isReadOnly())
+    if (index.isValid() && index.column() == wantedColumn &&
+        (!rowAt(index.row()).isReadOnly() || rowAt(index.row()).isTold()))
         flags |= Qt::ItemIsEditable;
     return flags;
 }
@@ -139,7 +140,10 @@ bool ParameterModel::setData(const QModelIndex &index, const QVariant &value, in
     if (role != Qt::EditRole || !m_encoder || !(flags(index) & Qt::ItemIsEditable))
         return false;
     const auto number = value.isValid() ? std::optional<std::int64_t>(value.toLongLong()) : std::nullopt;
-    m_wanted.set(m_encoder->number(), rowAt(index.row()).parameter.parameter, number);
+    if (rowAt(index.row()).isTold())
+        m_encoder->tell(rowAt(index.row()).parameter.parameter, number);
+    else
+        m_wanted.set(m_encoder->number(), rowAt(index.row()).parameter.parameter, number);
     return true;
 }
 
@@ -201,6 +205,8 @@ QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) con
     case Qt::DisplayRole:
         return text(row, column);
     case Qt::EditRole:
+        if (column == wantedColumn && row.isTold() && row.known)
+            return qlonglong{row.known->value};
         return column == wantedColumn && row.wanted ? QVariant(qlonglong{*row.wanted}) : QVariant();
     case Qt::ToolTipRole:
         return toolTip(row, column);
@@ -236,6 +242,8 @@ QString ParameterModel::text(const ParameterRow &row, int column) const
                    ? valueText(row.parameter, row.known->value)
                    : valueWithUnit(m_encoder->device(), {parameter, row.known->value});
     }
+    if (row.isTold())
+        return tr("tell it");
     if (row.isReadOnly())
         return {};
     return row.wanted ? valueText(row.parameter, *row.wanted) : tr("as it is");
@@ -250,6 +258,8 @@ QString ParameterModel::detail(const ParameterRow &row, int column) const
     }
     if (column != wantedColumn)
         return {};
+    if (row.isTold())
+        return tr("from its label");
     if (row.isReadOnly())
         return tr("read only");
     if (!row.wanted)

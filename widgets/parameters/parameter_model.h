@@ -23,6 +23,8 @@ struct ParameterRow
 
     bool isHead() const { return head != Head::none; }
     bool isReadOnly() const { return !parameter.number; }
+    // Told by the label alone: what is entered is what is known.
+    bool isTold() const { return parameter.onLabel; }
     // Both are there and not the same.
     bool differs() const { return known && wanted && known->value != *wanted; }
 
@@ -53,7 +55,8 @@ public:
     bool showsRegisters() const;
 
     Qt::ItemFlags flags(const QModelIndex &index) const override;
-    // The wanted value, a qlonglong; an invalid variant leaves the parameter as it is.
+    // The wanted value, a qlonglong; an invalid variant leaves the parameter as it is. What stands on the
+    // label is told instead.
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
 
 protected:

@@ -8,10 +8,11 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
+#include "widgets/models/device_traits.h"
 #include "widgets/parameters/job_strip.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/parameter_table.h"
-#include "widgets/parameters/tell_bar.h"
+#include "widgets/parameters/value_bar.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/parameters/write_review.h"
 #include "widgets/wizard/known_text.h"
@@ -55,7 +56,7 @@ QWidget *ParameterPanel::makeTablePage()
     m_table = new ParameterTable(*m_model, page);
     m_differences = new RoleLabel(page);
     m_message = new InlineMessage(page);
-    m_tell = new TellBar(page);
+    m_bar = new ValueBar(page);
     m_buttons = makeButtons();
     m_job = new JobStrip(page);
     m_readingNote = new QLabel(page);
@@ -66,7 +67,7 @@ QWidget *ParameterPanel::makeTablePage()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_table, 1);
     layout->addWidget(m_message);
-    layout->addWidget(m_tell);
+    layout->addWidget(m_bar);
     layout->addWidget(m_differences);
     layout->addWidget(m_buttons);
     layout->addWidget(m_job);
@@ -107,6 +108,7 @@ void ParameterPanel::makeMenu()
     m_takeKnown = menu->addAction(tr("Take &known values as wanted"));
     m_leaveAll = menu->addAction(tr("&Leave all as they are"));
     menu->addSeparator();
+    m_setPosition = menu->addAction(tr("&Set the position..."));
     menu->addActions(m_functions->actions());
     menu->setToolTipsVisible(true);
     m_more->setMenu(menu);
@@ -125,11 +127,7 @@ void ParameterPanel::connectParts()
     connect(m_table, &ParameterTable::inputChecked, this, &ParameterPanel::showWrongInput);
     connect(m_functions, &EncoderFunctions::refused, this, &ParameterPanel::showRefusal);
     connect(m_message, &InlineMessage::actionTriggered, this, &ParameterPanel::bringBack);
-    connect(m_tell, &TellBar::told, this, [this](Parameter parameter, std::optional<std::int64_t> value) {
-        if (m_encoder)
-            m_encoder->tell(parameter, value);
-        m_table->setFocus();
-    });
+    connect(m_setPosition, &QAction::triggered, this, &ParameterPanel::askWherePositionIs);
     connect(m_review, &WriteReview::cancelled, this, [this] {
         m_pages->setCurrentWidget(m_tablePage);
         m_write->setFocus();
@@ -149,7 +147,7 @@ void ParameterPanel::setEncoder(EncoderSession *encoder)
         m_encoder->disconnect(this);
     m_encoder = encoder;
     m_message->withdraw();
-    m_tell->hide();
+    m_bar->hide();
     m_model->setEncoder(encoder);
     m_job->setEncoder(encoder);
     m_functions->setEncoder(encoder);
@@ -212,6 +210,7 @@ void ParameterPanel::showReadingNote()
     m_read->setToolTip(note);
     m_read->setAccessibleDescription(note);
     m_write->setVisible(can.writes);
+    m_setPosition->setVisible(can.presetNeedsValue);
 }
 
 void ParameterPanel::showDifferences()
@@ -293,7 +292,40 @@ void ParameterPanel::askWhatItHas()
         return;
     const Parameter parameter = currentParameter();
     const auto known = m_encoder->known(parameter);
-    m_tell->ask(*m_encoder->device().find(parameter), known ? std::optional(known->value) : std::nullopt);
+    m_bar->ask({.parameter = *m_encoder->device().find(parameter),
+                .label = tr("%1: the encoder has", "parameter name").arg(parameterName(parameter)),
+                .ifEmpty = tr("unknown"),
+                .button = tr("&Tell"),
+                .toolTip = tr("Takes the value as known by telling; nothing is sent. An empty field takes it "
+                              "back."),
+                .mayBeEmpty = true,
+                .answered =
+                    [this, parameter](std::optional<std::int64_t> value) {
+                        if (m_encoder)
+                            m_encoder->tell(parameter, value);
+                        m_table->setFocus();
+                    }},
+               known ? std::optional(known->value) : std::nullopt);
+}
+
+// Where the command brings its value along: any position, stored at once.
+void ParameterPanel::askWherePositionIs()
+{
+    ParameterDescription position;
+    position.parameter = Parameter::preset;
+    position.maximum = la66::dataMask;
+    m_bar->ask({.parameter = position,
+                .label = tr("The position here is to be"),
+                .ifEmpty = tr("position"),
+                .button = tr("&Set"),
+                .toolTip = tr("Sends service 6 with this position; it holds at once, and costs an EEPROM "
+                              "write."),
+                .answered =
+                    [this](std::optional<std::int64_t> value) {
+                        if (m_encoder)
+                            start(SetPreset{.value = value});
+                    }},
+               std::nullopt);
 }
 
 void ParameterPanel::showMenu(const QPoint &position)
@@ -321,9 +353,11 @@ void ParameterPanel::showRunningJob()
 void ParameterPanel::finished(const Outcome &outcome)
 {
     showRunningJob();
-    const bool isStuck =
-        outcome.leftIn == EncoderState::parameterization || outcome.leftIn == EncoderState::error;
-    const QString help = isStuck ? tr("Send run") : QString();
+    const WayBack way = wayBack(m_encoder->device(), outcome.leftIn);
+    const bool isStuck = way != WayBack::none;
+    const QString help = way == WayBack::run          ? tr("Send run")
+                         : way == WayBack::endService ? tr("End the service")
+                                                      : QString();
     const bool resetWaits =
         m_functions->isReset(outcome.job) && outcome.leftIn == EncoderState::parameterization;
     if (resetWaits) // without the help: run would carry it out

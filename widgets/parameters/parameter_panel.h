@@ -22,7 +22,7 @@ class JobStrip;
 class ParameterModel;
 class ParameterTable;
 class RoleLabel;
-class TellBar;
+class ValueBar;
 class WantedValues;
 class WriteReview;
 
@@ -61,6 +61,7 @@ private:
     void takeKnownAsWanted();
     void leaveAllAsTheyAre();
     void askWhatItHas();
+    void askWherePositionIs();
     void showMenu(const QPoint &position);
 
     void jobStarted();
@@ -89,7 +90,7 @@ private:
     RoleLabel *m_differences = nullptr;
     QLabel *m_readingNote = nullptr;
     InlineMessage *m_message = nullptr;
-    TellBar *m_tell = nullptr;
+    ValueBar *m_bar = nullptr;
     QWidget *m_buttons = nullptr; // or, while a job runs,
     JobStrip *m_job = nullptr;
     QPushButton *m_read = nullptr;
@@ -99,6 +100,7 @@ private:
     QAction *m_takeKnown = nullptr;
     QAction *m_leaveAll = nullptr;
     QAction *m_tellValue = nullptr;
+    QAction *m_setPosition = nullptr;
 };
 
 } // namespace codewheel

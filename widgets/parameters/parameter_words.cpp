@@ -49,6 +49,9 @@ QString howKnown(const std::optional<Known> &known, const QDateTime &when)
 
 QString rangeAndFactory(const ParameterDescription &parameter)
 {
+    if (parameter.onLabel)
+        return ParameterWords::tr("Stands on the label of the encoder; it is told, never written.") +
+               QLatin1Char('\n') + range(parameter);
     if (!parameter.number)
         return ParameterWords::tr("Can be read, not written.");
     const QString factory =

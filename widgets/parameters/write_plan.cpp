@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "drivers/planned_words.h"
+#include "widgets/models/device_traits.h"
 #include "widgets/wizard/values_to_write.h"
 
 namespace codewheel {
@@ -39,7 +40,7 @@ WritePlan planWrite(const EncoderSession &encoder, const ParameterValues &wanted
                           valueOf(plan.job.values, Parameter::steps);
     if (const auto steps = plannedSteps(device, known, plan.job))
         for (const Step &step : *steps)
-            if (step.kind == StepKind::parameter && step.parameter)
+            if (takesValue(step) && step.parameter)
                 plan.rows.push_back({{*step.parameter, *valueOf(plan.job.values, *step.parameter)},
                                      encoder.known(*step.parameter),
                                      step.out});

@@ -5,6 +5,7 @@
 #include "encoder/hex.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/icons.h"
+#include "widgets/models/device_traits.h"
 #include "widgets/parameters/parameter_words.h"
 
 #include <QCheckBox>
@@ -103,7 +104,6 @@ WriteReview::WriteReview(QWidget *parent)
     m_writeAll->setToolTip(tr("Writes every wanted value once more. Each costs an EEPROM write."));
     m_write->setObjectName(QStringLiteral("confirmWrite"));
     m_write->setDefault(true);
-    m_write->setToolTip(tr("Sends these words, then run (80000000)"));
     m_cancel->setToolTip(tr("Back to the table; nothing is sent (Esc)"));
 
     auto *buttons = new QHBoxLayout;
@@ -128,6 +128,9 @@ void WriteReview::review(EncoderSession &encoder, const ParameterValues &wanted)
         m_encoder->disconnect(this);
     m_encoder = &encoder;
     m_wanted = wanted;
+    m_write->setToolTip(activatesByRun(encoder.device())
+                            ? tr("Sends these words, then run (80000000)")
+                            : tr("Sends these words, each with its handshake on the service bit"));
     connect(&encoder, &EncoderSession::knownChanged, this, &WriteReview::showPlan);
     m_writeAll->setChecked(false);
     showPlan();

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+
+#include <QWidget>
+
+#include <functional>
+#include <optional>
+
+class QLabel;
+class QPushButton;
+
+namespace codewheel {
+
+// "Steps: the encoder has [    ] [Tell] [Cancel]": asks for one value and does with it what the panel wants.
+// Hidden until asked for.
+class ValueBar : public QWidget
+{
+    Q_OBJECT
+
+public:
+    struct Question
+    {
+        ParameterDescription parameter;
+        QString label;
+        QString ifEmpty; // stands in the empty field
+        QString button;
+        QString toolTip;
+        bool mayBeEmpty = false;
+        std::function<void(std::optional<std::int64_t>)> answered;
+    };
+
+    explicit ValueBar(QWidget *parent = nullptr);
+
+    void ask(Question question, std::optional<std::int64_t> value);
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    void answer();
+    void checkInput();
+
+    Question m_question;
+    QLabel *m_name;
+    QWidget *m_input = nullptr;
+    QPushButton *m_take;
+    QPushButton *m_cancel;
+    QLabel *m_wrong;
+};
+
+} // namespace codewheel
