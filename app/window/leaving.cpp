@@ -4,6 +4,7 @@
 #include "encoder/hex.h"
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
+#include "widgets/models/device_traits.h"
 #include "widgets/wizard/cancel_question.h"
 
 #include <QMessageBox>
@@ -19,7 +20,7 @@ namespace {
 
 bool setsParameter(const Step &step)
 {
-    return step.kind == StepKind::parameter || (step.kind == StepKind::word && k3::isParameterWord(step.out));
+    return takesValue(step) || (step.kind == StepKind::word && k3::isParameterWord(step.out));
 }
 
 bool isSetting(const Progress &progress)

@@ -2,8 +2,10 @@
 #include "widgets/structure/structure_model.h"
 
 #include "catalog/device_description.h"
+#include "encoder/device_error_name.h"
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
+#include "widgets/models/device_traits.h"
 
 #include <algorithm>
 
@@ -26,6 +28,16 @@ QString idCodeText(unsigned code)
 QString profileText(const DeviceDescription *device)
 {
     return device ? profileName(device->profile) : QStringLiteral("-");
+}
+
+// By its number, as the manual's table has it; an LA-66 has but one error, and names it.
+QString errorText(const EncoderSession *encoder, const Reading &reading)
+{
+    const unsigned number = reading.errorNumber.value_or(0);
+    const DeviceError *error = encoder == nullptr ? nullptr : encoder->device().findError(number);
+    if (error != nullptr && isRod(encoder->device()))
+        return deviceErrorName(error->meaning);
+    return StructureModel::tr("error %1").arg(number);
 }
 
 } // namespace
@@ -125,7 +137,7 @@ StructureModel::Shown StructureModel::shownOf(const Node &node, std::size_t plac
     if (exchanged && m_bus->encoder(node.participant.number) == nullptr) // no driver that could tell more
         return {Role::running, tr("ok")};
     if (device.reading.state == EncoderState::error)
-        return {Role::fault, tr("error %1").arg(device.reading.errorNumber.value_or(0))};
+        return {Role::fault, errorText(m_bus->encoder(node.participant.number), device.reading)};
     if (device.heldByJob)
         return {Role::attention, tr("job running")};
     if (channel != nullptr && channel->staged())

@@ -40,7 +40,7 @@ QString explanation(const EncoderSession &encoder, const CancelSituation &situat
     else
         lines += CancelQuestion::tr("The values from before are not all known, so they cannot be restored.");
     if (situation.isActive)
-        lines += CancelQuestion::tr("Run has been sent: what it has taken is valid.");
+        lines += CancelQuestion::tr("What it has taken is valid already.");
     else
         lines += CancelQuestion::tr("Run makes what it has taken valid.");
     if (!situation.positionNote.isEmpty())

@@ -3,11 +3,13 @@
 
 #include "catalog/device_description.h"
 #include "encoder/hex.h"
+#include "widgets/dial/state_note.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
+#include "widgets/models/device_traits.h"
 #include "widgets/wizard/position_scale.h"
 
 #include <QHBoxLayout>
@@ -16,7 +18,28 @@
 #include <QPushButton>
 #include <QRadioButton>
 
+#include <array>
+#include <utility>
+
 namespace codewheel {
+namespace {
+
+// "unsigned-cw" and "unsigned-ccw", "increasing" and "decreasing"; empty where it says no direction.
+QString turnedRound(const QString &key)
+{
+    static const std::array<std::pair<QString, QString>, 2> pairs{
+        {{QStringLiteral("ccw"), QStringLiteral("cw")},
+         {QStringLiteral("increasing"), QStringLiteral("decreasing")}}};
+    for (const auto &[one, other] : pairs) {
+        if (key.endsWith(one))
+            return key.chopped(one.size()) + other;
+        if (key.endsWith(other))
+            return key.chopped(other.size()) + one;
+    }
+    return {};
+}
+
+} // namespace
 
 std::optional<ParameterValue> otherDirection(const EncoderSession &encoder)
 {
@@ -26,9 +49,7 @@ std::optional<ParameterValue> otherDirection(const EncoderSession &encoder)
         const Choice *now = description && known ? description->findChoice(known->value) : nullptr;
         if (now == nullptr)
             continue;
-        const QString key = now->key.endsWith(QStringLiteral("ccw"))
-                                ? now->key.chopped(3) + QStringLiteral("cw")
-                                : now->key.chopped(2) + QStringLiteral("ccw");
+        const QString key = turnedRound(now->key);
         if (const Choice *other = description->findChoice(QStringView(key)))
             return ParameterValue{parameter, other->value};
     }
@@ -37,6 +58,7 @@ std::optional<ParameterValue> otherDirection(const EncoderSession &encoder)
 
 DirectionPage::DirectionPage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("Direction"), parent)
+    , m_what(new QLabel(this))
     , m_position(new QLabel(this))
     , m_verdict(new RoleLabel(this))
     , m_moved(new QLabel(this))
@@ -45,19 +67,18 @@ DirectionPage::DirectionPage(Setup &setup, QWidget *parent)
     , m_otherWay(new QRadioButton(tr("Count the &other way round"), this))
     , m_problem(new InlineMessage(this))
 {
-    auto *what =
-        new QLabel(tr("Turn the shaft a little, the way the machine moves forward. Nothing is sent."), this);
-    what->setWordWrap(true);
+    m_what->setWordWrap(true);
     m_position->setFont(numberFont(TextSize::large));
     m_position->setObjectName(QStringLiteral("directionPosition"));
     m_position->setAccessibleName(tr("Position"));
     m_verdict->setObjectName(QStringLiteral("verdict"));
     m_otherWay->setObjectName(QStringLiteral("otherWay"));
     m_problem->setObjectName(QStringLiteral("directionProblem"));
+    m_again->setObjectName(QStringLiteral("checkAgain"));
     m_again->setToolTip(tr("Forget the moves seen so far."));
     m_asNow->setToolTip(tr("The direction of the encoder is kept."));
     m_otherWay->setToolTip(tr("The other direction is put among the wanted values."));
-    auto *question = new QLabel(tr("When turned this way, the position shall:"), this);
+    auto *question = new QLabel(tr("When moved this way, the position shall:"), this);
 
     auto *verdict = new QHBoxLayout;
     verdict->addWidget(m_verdict);
@@ -66,7 +87,7 @@ DirectionPage::DirectionPage(Setup &setup, QWidget *parent)
     verdict->addWidget(m_again);
     auto *layout = new QVBoxLayout(this);
     layout->setSpacing(grid::margin);
-    layout->addWidget(what);
+    layout->addWidget(m_what);
     layout->addWidget(m_position);
     layout->addLayout(verdict);
     layout->addWidget(m_problem);
@@ -84,6 +105,9 @@ DirectionPage::DirectionPage(Setup &setup, QWidget *parent)
 
 void DirectionPage::enter()
 {
+    m_what->setText(isRod(m_setup.encoder->device())
+                        ? tr("Move the magnet a little, the way the machine moves forward. Nothing is sent.")
+                        : tr("Turn the shaft a little, the way the machine moves forward. Nothing is sent."));
     const auto other = otherDirection(*m_setup.encoder);
     const bool wantsOther = other && valueOf(m_setup.wish.wanted, other->parameter) == other->value;
     m_asNow->setChecked(!wantsOther);
@@ -115,9 +139,11 @@ void DirectionPage::showLatest()
     if (reading.state != EncoderState::operation) {
         m_position->setText(hexWord(reading.in));
         m_problem->showMessage(Role::attention,
-                               tr("The encoder shows no position now (IN %1). Bring it back to "
-                                  "operation first.")
-                                   .arg(hexWord(reading.in)));
+                               reading.position
+                                   ? noteOfState(m_setup.encoder->device(), reading).sentence
+                                   : tr("The encoder shows no position now (IN %1). Bring it back to "
+                                        "operation first.")
+                                         .arg(hexWord(reading.in)));
     } else if (!reading.position) {
         m_usesRawWord = true;
         m_position->setText(hexWord(reading.in));
@@ -150,7 +176,7 @@ void DirectionPage::showVerdict()
         m_verdict->setState(Role::running, tr("Counts down"));
         break;
     case TurnCheck::Verdict::goesBothWays:
-        m_verdict->setState(Role::attention, tr("Goes both ways: turn it one way only"));
+        m_verdict->setState(Role::attention, tr("Goes both ways: move it one way only"));
         break;
     }
 }

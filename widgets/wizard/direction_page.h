@@ -13,8 +13,8 @@ namespace codewheel {
 class InlineMessage;
 class RoleLabel;
 
-// The user turns the shaft the way that shall count up; the page tells what the encoder does, and turns the
-// wanted direction round if the user says so. Sends nothing.
+// The user moves shaft or magnet the way that shall count up; the page tells what the encoder does, and turns
+// the wanted direction round if the user says so. Sends nothing.
 class DirectionPage final : public WizardPage
 {
     Q_OBJECT
@@ -32,6 +32,7 @@ private:
 
     TurnCheck m_check;
     bool m_usesRawWord = false;
+    QLabel *m_what;
     QLabel *m_position;
     RoleLabel *m_verdict;
     QLabel *m_moved;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/gear_panel.h"
 
-#include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/wizard/calculator_field.h"
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>
@@ -13,8 +13,6 @@
 namespace codewheel {
 namespace {
 
-constexpr double largest = 1'000'000;
-
 QString number(double value, int digits)
 {
     return QLocale().toString(value, 'g', digits);
@@ -24,33 +22,32 @@ QString number(double value, int digits)
 
 GearPanel::GearPanel(QWidget *parent)
     : QGroupBox(tr("From mm and gear"), parent)
-    , m_mmPerTurn(makeField(10, 0.001, 4, tr("Travel per turn of the driven part"),
-                            tr("mm the machine moves in one turn of its spindle, wheel or drum.")))
-    , m_encoderTurns(makeField(1, 0.001, 3, tr("Encoder turns of the gear"), tr("Turns of the encoder ...")))
-    , m_partTurns(makeField(1, 0.001, 3, tr("Part turns of the gear"),
-                            tr("... while the driven part makes so many turns.")))
-    , m_mmPerStep(
-          makeField(0.01, 0.00001, 5, tr("Wanted resolution"), tr("mm for one step of the position.")))
     , m_answer(new QLabel(this))
     , m_take(new QPushButton(tr("&Use these"), this))
 {
-    auto label = [this](const QString &text, QWidget *buddy) {
-        auto *made = new QLabel(text, this);
-        made->setBuddy(buddy);
-        return made;
-    };
     auto *layout = new QGridLayout(this);
     layout->setSpacing(grid::unit);
-    layout->addWidget(label(tr("&mm per turn"), m_mmPerTurn), 0, 0);
-    layout->addWidget(m_mmPerTurn, 0, 1);
-    layout->addWidget(label(tr("&Gear, encoder turns"), m_encoderTurns), 1, 0);
-    layout->addWidget(m_encoderTurns, 1, 1);
-    layout->addWidget(label(tr("to &part turns"), m_partTurns), 2, 0);
-    layout->addWidget(m_partTurns, 2, 1);
-    layout->addWidget(label(tr("mm per s&tep"), m_mmPerStep), 3, 0);
-    layout->addWidget(m_mmPerStep, 3, 1);
-    layout->addWidget(m_answer, 4, 0, 1, 2);
-    layout->addWidget(m_take, 5, 0);
+    m_mmPerTurn =
+        addCalculatorField(*layout, *this,
+                           {tr("&mm per turn"), tr("Travel per turn of the driven part"),
+                            tr("mm the machine moves in one turn of its spindle, wheel or drum."), 0.001, 4},
+                           10);
+    m_encoderTurns = addCalculatorField(*layout, *this,
+                                        {tr("&Gear, encoder turns"), tr("Encoder turns of the gear"),
+                                         tr("Turns of the encoder ..."), 0.001, 3},
+                                        1);
+    m_partTurns = addCalculatorField(*layout, *this,
+                                     {tr("to &part turns"), tr("Part turns of the gear"),
+                                      tr("... while the driven part makes so many turns."), 0.001, 3},
+                                     1);
+    m_mmPerStep = addCalculatorField(
+        *layout, *this,
+        {tr("mm per s&tep"), tr("Wanted resolution"), tr("mm for one step of the position."), 0.00001, 5},
+        0.01);
+    for (QDoubleSpinBox *field : {m_mmPerTurn, m_encoderTurns, m_partTurns, m_mmPerStep})
+        connect(field, &QDoubleSpinBox::valueChanged, this, &GearPanel::calculate);
+    layout->addWidget(m_answer, layout->rowCount(), 0, 1, 2);
+    layout->addWidget(m_take, layout->rowCount(), 0);
     layout->setColumnStretch(1, 1);
     m_answer->setWordWrap(true);
     m_answer->setObjectName(QStringLiteral("gearAnswer"));
@@ -61,22 +58,6 @@ GearPanel::GearPanel(QWidget *parent)
     calculate();
 }
 
-QDoubleSpinBox *GearPanel::makeField(double value, double least, int decimals, const QString &name,
-                                     const QString &toolTip)
-{
-    auto *field = new QDoubleSpinBox(this);
-    field->setDecimals(decimals);
-    field->setRange(least, largest);
-    field->setValue(value);
-    field->setAlignment(Qt::AlignRight);
-    field->setFont(numberFont());
-    field->setAccessibleName(name);
-    field->setToolTip(toolTip);
-    field->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    connect(field, &QDoubleSpinBox::valueChanged, this, &GearPanel::calculate);
-    return field;
-}
-
 void GearPanel::setLimits(const GearLimits &limits)
 {
     m_limits = limits;
@@ -85,8 +66,6 @@ void GearPanel::setLimits(const GearLimits &limits)
 
 void GearPanel::calculate()
 {
-    if (m_take == nullptr)
-        return; // still being made
     m_result = stepsForGear(
         {m_mmPerTurn->value(), m_encoderTurns->value(), m_partTurns->value(), m_mmPerStep->value()},
         m_limits);

@@ -27,17 +27,15 @@ Q_SIGNALS:
 
 private:
     void calculate();
-    QDoubleSpinBox *makeField(double value, double least, int decimals, const QString &name,
-                              const QString &toolTip);
 
     GearLimits m_limits;
     std::optional<GearResult> m_result;
-    QDoubleSpinBox *m_mmPerTurn;
-    QDoubleSpinBox *m_encoderTurns;
-    QDoubleSpinBox *m_partTurns;
-    QDoubleSpinBox *m_mmPerStep;
-    QLabel *m_answer = nullptr;
-    QPushButton *m_take = nullptr;
+    QDoubleSpinBox *m_mmPerTurn = nullptr;
+    QDoubleSpinBox *m_encoderTurns = nullptr;
+    QDoubleSpinBox *m_partTurns = nullptr;
+    QDoubleSpinBox *m_mmPerStep = nullptr;
+    QLabel *m_answer;
+    QPushButton *m_take;
 };
 
 } // namespace codewheel

@@ -10,6 +10,7 @@
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
+#include "widgets/models/device_traits.h"
 #include "widgets/wizard/cancel_question.h"
 #include "widgets/wizard/known_text.h"
 #include "widgets/wizard/quiet_table.h"
@@ -71,9 +72,8 @@ HandshakePage::HandshakePage(Setup &setup, QWidget *parent)
     m_leftIn->setObjectName(QStringLiteral("leftIn"));
     m_leftIn->setWordWrap(true);
     m_restore->setObjectName(QStringLiteral("recoverRestore"));
-    m_restore->setToolTip(tr("Writes the values from before, then run."));
+    m_restore->setToolTip(tr("Writes the values from before again."));
     m_run->setObjectName(QStringLiteral("recoverRun"));
-    m_run->setToolTip(tr("Sends run: what the encoder has taken becomes valid, if it accepts it."));
     for (QLabel *word : {m_out, m_in}) {
         word->setFont(numberFont());
         word->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -122,6 +122,9 @@ void HandshakePage::start()
     record.device = encoder.device().fullName();
     record.serialNumber = m_setup.valueNow(Parameter::serialNumber);
     record.job = jobForWish(encoder, m_setup.wish);
+    m_jobs = jobsForWish(encoder, m_setup.wish);
+    m_done = {};
+    record.setPositionTo = m_setup.wish.setPositionTo;
     record.before = allKnown(encoder);
     record.positionBefore = encoder.latest().position;
     record.begun = m_setup.bus->dateTime(m_setup.bus->latest().at);
@@ -130,13 +133,21 @@ void HandshakePage::start()
     m_problem->withdraw();
     m_state->setState(Role::inactive, tr("Begins"));
     m_job.reset();
-    const auto job = encoder.start(record.job, m_setup.byHand ? Pace::byHand : Pace::byItself);
-    if (job)
-        m_job = *job;
-    else
-        m_problem->showMessage(Role::attention, refusalText(job.error()), tr("Try again"));
+    if (const auto started = startJob(); !started)
+        m_problem->showMessage(Role::attention, refusalText(started.error()), tr("Try again"));
     showEnd();
     Q_EMIT changed();
+}
+
+// The first of the jobs that are left.
+Result<void> HandshakePage::startJob()
+{
+    const auto job = m_setup.encoder->start(m_jobs.front(), m_setup.byHand ? Pace::byHand : Pace::byItself);
+    if (!job)
+        return tl::unexpected(job.error());
+    m_job = *job;
+    m_jobs.erase(m_jobs.begin());
+    return {};
 }
 
 void HandshakePage::nextStep()
@@ -154,9 +165,11 @@ void HandshakePage::setByItself(bool on)
 
 void HandshakePage::showProgress()
 {
-    const Progress &progress = m_setup.record.progress;
+    Progress &progress = m_setup.record.progress;
     if (m_job != progress.job)
         return;
+    if (!m_isRecovery)
+        progress = m_done.followedBy(progress);
     m_steps.showSteps(m_setup.encoder->device(), progress.steps);
     m_steps.setCurrent(progress.index, progress.waitsForUser);
     m_view->scrollTo(m_steps.index(progress.index, 0));
@@ -201,12 +214,20 @@ void HandshakePage::showWords()
         tr("IN  %1  %2").arg(hexWord(reading.in), meaning(reading.in, m_outNow, WordDirection::in)));
 }
 
-void HandshakePage::showOutcome(const Outcome &outcome)
+void HandshakePage::showOutcome(const Outcome &ended)
 {
-    if (m_job != outcome.job)
+    if (m_job != ended.job)
         return;
     m_job.reset();
     HandshakeRecord &record = m_setup.record;
+    Outcome outcome = m_isRecovery ? ended : m_done.followedBy(ended);
+    if (!m_isRecovery && outcome.result && !m_jobs.empty()) {
+        m_done.add(record.progress.steps, ended);
+        const auto started = startJob();
+        if (started)
+            return;
+        outcome.result = tl::unexpected(started.error());
+    }
     (m_isRecovery ? record.recovery : record.outcome) = outcome;
     record.after = allKnown(*m_setup.encoder);
     record.positionAfter = m_setup.encoder->latest().position;
@@ -225,12 +246,14 @@ void HandshakePage::showEnd()
     m_next->setVisible(!last || isBusy());
     m_byItself->setVisible(!last || isBusy());
     m_next->setEnabled(false);
-    const bool stuck =
-        last && !isBusy() &&
-        (last->leftIn == EncoderState::parameterization || last->leftIn == EncoderState::error);
-    m_restore->setVisible(stuck && record.hasTaken());
+    const WayBack way = last && !isBusy() ? wayBack(m_setup.encoder->device(), last->leftIn) : WayBack::none;
+    m_restore->setVisible(way != WayBack::none && record.hasTaken());
     m_restore->setEnabled(!valuesToRestore(record).empty());
-    m_run->setVisible(stuck);
+    m_run->setVisible(way != WayBack::none);
+    m_run->setText(way == WayBack::endService ? tr("&End the service") : tr("R&un with what it has"));
+    m_run->setToolTip(way == WayBack::endService
+                          ? tr("Takes the service bit back: the encoder shows its position again.")
+                          : tr("Sends run: what the encoder has taken becomes valid, if it accepts it."));
     m_leftIn->setText(last && !isBusy() ? leftInText(last->leftIn) : QString());
     if (!last || isBusy())
         return;
@@ -268,8 +291,9 @@ bool HandshakePage::cancel()
         how = askHowToCancel(
             window(), *m_setup.encoder,
             {.taken = record.taken(),
-             .isActive = record.progress.confirmed.empty() &&
-                         m_setup.encoder->latest().state == EncoderState::operation,
+             .isActive = !activatesByRun(m_setup.encoder->device()) ||
+                         (record.progress.confirmed.empty() &&
+                          m_setup.encoder->latest().state == EncoderState::operation),
              .canRestore = record.progress.canRestore,
              .positionNote = position ? tr("The position will then read %1%2.")
                                             .arg(position->exact ? QString() : tr("about "),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/wizard/done_jobs.h"
 #include "widgets/wizard/step_table.h"
 #include "widgets/wizard/wizard_page.h"
 
@@ -29,7 +30,7 @@ public:
     QString nextText() const override { return tr("&Report"); }
     void showLatest() override;
     void showProgress() override;
-    void showOutcome(const Outcome &outcome) override;
+    void showOutcome(const Outcome &ended) override;
 
     void start(); // sends nothing by hand, the first word running by itself
     bool isBusy() const { return m_job.has_value(); }
@@ -38,6 +39,7 @@ public:
     void showRow(const Exchange &row);
 
 private:
+    Result<void> startJob();
     void nextStep();
     void setByItself(bool on);
     void bringBack(bool restore);
@@ -56,7 +58,9 @@ private:
     QLabel *m_leftIn;
     QPushButton *m_restore;
     QPushButton *m_run;
-    std::optional<JobId> m_job; // the handshake, or bringing the encoder back
+    std::vector<Job> m_jobs;    // to come
+    DoneJobs m_done;            // before the one that runs
+    std::optional<JobId> m_job; // of the handshake, or bringing the encoder back
     bool m_isRecovery = false;
     Word m_outNow = 0;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/handshake_record.h"
 
+#include "widgets/models/device_traits.h"
+
 #include <algorithm>
 
 namespace codewheel {
@@ -9,9 +11,8 @@ bool HandshakeRecord::hasTaken() const
 {
     const auto end =
         progress.steps.begin() + std::min<std::ptrdiff_t>(progress.index, std::ssize(progress.steps));
-    return !progress.confirmed.empty() || std::any_of(progress.steps.begin(), end, [](const Step &step) {
-        return step.kind == StepKind::parameter;
-    });
+    return !progress.confirmed.empty() ||
+           std::any_of(progress.steps.begin(), end, [](const Step &step) { return takesValue(step); });
 }
 
 ParameterValues HandshakeRecord::taken() const
@@ -19,7 +20,7 @@ ParameterValues HandshakeRecord::taken() const
     ParameterValues values;
     for (int i = 0; i < progress.index && i < static_cast<int>(progress.steps.size()); ++i) {
         const Step &step = progress.steps[static_cast<std::size_t>(i)];
-        if (step.kind != StepKind::parameter || !step.parameter)
+        if (!takesValue(step) || !step.parameter)
             continue;
         if (const auto value = valueOf(job.values, *step.parameter))
             values.push_back({*step.parameter, *value});

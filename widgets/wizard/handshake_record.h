@@ -20,7 +20,8 @@ struct HandshakeRecord
     QDateTime begun;
     QDateTime ended;
     WriteParameters job;
-    std::vector<Known> before; // what was known
+    std::optional<std::int64_t> setPositionTo; // by the job after it
+    std::vector<Known> before;                 // what was known
     std::vector<Known> after;
     std::vector<Exchange> rows;
     std::optional<std::int64_t> positionBefore;

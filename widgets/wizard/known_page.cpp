@@ -2,6 +2,7 @@
 #include "widgets/wizard/known_page.h"
 
 #include "catalog/device_description.h"
+#include "catalog/value_text.h"
 #include "encoder/refusal_text.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -38,6 +39,7 @@ KnownPage::KnownPage(Setup &setup, QWidget *parent)
     , m_read(new QPushButton(lineIcon(Icon::read), tr("&Read from the encoder"), this))
     , m_tellLabel(new QLabel(this))
     , m_tellRow(new QHBoxLayout)
+    , m_tellUnit(new QLabel(this))
     , m_tell(new QPushButton(tr("&Tell"), this))
     , m_mode(new RoleLabel(this))
     , m_isPositionMode(new QPushButton(tr("It is in &position mode"), this))
@@ -57,6 +59,7 @@ KnownPage::KnownPage(Setup &setup, QWidget *parent)
     reading->addWidget(m_read);
     reading->addWidget(m_explanation, 1);
     m_tellRow->addWidget(m_tellLabel);
+    m_tellRow->addWidget(m_tellUnit);
     m_tellRow->addWidget(m_tell);
     m_tellRow->addStretch();
     auto *mode = new QHBoxLayout;
@@ -171,15 +174,18 @@ void KnownPage::selectRow()
     const int row = m_view->currentIndex().row();
     const ParameterDescription *parameter =
         row < 0 ? nullptr : m_setup.encoder->device().find(m_table.rowAt(row).parameter);
-    const bool canTell = parameter != nullptr && parameter->number;
+    const bool canTell = parameter != nullptr && (parameter->number || parameter->onLabel);
     m_tellLabel->setVisible(canTell);
+    m_tellUnit->setVisible(canTell);
     m_tell->setVisible(canTell);
     if (!canTell)
         return;
-    m_tellLabel->setText(tr("%1, from its papers:").arg(parameterName(parameter->parameter)));
+    m_tellLabel->setText((parameter->onLabel ? tr("%1, from its label:") : tr("%1, from its papers:"))
+                             .arg(parameterName(parameter->parameter)));
     m_tellField = new ValueField(*parameter, tr("unknown"), this);
     m_tellField->setValue(m_setup.valueNow(parameter->parameter));
     m_tellRow->insertWidget(1, m_tellField);
+    m_tellUnit->setText(unitText(parameter->unit));
     setTabOrder(m_view, m_tellField);
     setTabOrder(m_tellField, m_tell);
 }

@@ -46,6 +46,7 @@ private:
     QLabel *m_tellLabel;
     QHBoxLayout *m_tellRow;
     ValueField *m_tellField = nullptr;
+    QLabel *m_tellUnit;
     QPushButton *m_tell;
     RoleLabel *m_mode;
     QPushButton *m_isPositionMode;

@@ -72,7 +72,7 @@ QString leftInText(EncoderState state)
     case EncoderState::parameterization:
         return KnownText::tr("The encoder is in parameterization: it gives no position until run is sent.");
     case EncoderState::error:
-        return KnownText::tr("The encoder is in the error state: it gives no position.");
+        return KnownText::tr("The encoder is in the error state: it gives no valid position.");
     case EncoderState::readOut:
         return KnownText::tr("The encoder still shows a read-out value.");
     case EncoderState::service:

@@ -2,7 +2,6 @@
 #include "widgets/wizard/review_page.h"
 
 #include "catalog/device_description.h"
-#include "drivers/planned_words.h"
 #include "encoder/refusal_text.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -12,9 +11,18 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QRadioButton>
 
 namespace codewheel {
+namespace {
+
+QString number(std::int64_t value)
+{
+    return QLocale().toString(qlonglong{value});
+}
+
+} // namespace
 
 ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("Review"), parent)
@@ -86,9 +94,14 @@ void ReviewPage::plan()
                         : job.onlyWhatDiffers ? tr("read, written if it differs")
                                               : tr("written")});
     }
+    if (const auto position = m_setup.wish.setPositionTo) {
+        const auto now = encoder.latest().position;
+        rows.push_back({Parameter::preset, now ? number(*now) : QString(), number(*position),
+                        tr("the position is set to it")});
+    }
     m_changes.setRows(std::move(rows));
 
-    const auto steps = plannedSteps(encoder.device(), allKnown(encoder), job);
+    const auto steps = stepsForJobs(encoder, jobsForWish(encoder, m_setup.wish));
     m_mayGoOn = steps.has_value();
     if (steps) {
         m_steps.showSteps(encoder.device(), *steps);

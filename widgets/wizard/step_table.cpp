@@ -57,7 +57,8 @@ QString stepText(const DeviceDescription &device, const Step &step)
 {
     switch (step.kind) {
     case StepKind::toNormal:
-        return StepTable::tr("Back to normal running");
+        return step.out == 0 ? StepTable::tr("Back to normal running")
+                             : StepTable::tr("Take the service bit back");
     case StepKind::run:
         return StepTable::tr("Run: the values become valid");
     case StepKind::initialisePreset:
@@ -72,9 +73,7 @@ QString stepText(const DeviceDescription &device, const Step &step)
     case StepKind::manufacturerPreset:
         return StepTable::tr("Set the position to the preset, for one bus cycle");
     case StepKind::service:
-        return StepTable::tr("Put out the service and its data");
     case StepKind::serviceBit:
-        return StepTable::tr("Set the service bit");
     case StepKind::switchMode:
     case StepKind::camParameter:
     case StepKind::camReadOut:

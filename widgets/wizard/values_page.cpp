@@ -6,24 +6,26 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/parameters/value_field.h"
-#include "widgets/wizard/gear_panel.h"
+#include "widgets/wizard/consequences.h"
 #include "widgets/wizard/known_text.h"
-#include "widgets/wizard/scale_preview.h"
-#include "widgets/wizard/wanted_scale.h"
+#include "words/la66_word.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
+#include <QVBoxLayout>
 
 namespace codewheel {
 namespace {
 
-constexpr std::int64_t largestTotalRange = 33'554'432; // 25 bit
-
-QString number(std::int64_t value)
+// LA-66 manual 3.4: any position of 24 bit.
+ParameterDescription positionToSet()
 {
-    return QLocale().toString(qlonglong{value});
+    ParameterDescription description;
+    description.parameter = Parameter::preset;
+    description.maximum = la66::dataMask;
+    description.unit = Unit::steps;
+    return description;
 }
 
 } // namespace
@@ -32,43 +34,33 @@ ValuesPage::ValuesPage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("Values"), parent)
     , m_form(new QWidget(this))
     , m_initialise(new QCheckBox(tr("&Set the position to the preset now"), this))
-    , m_scaleText(new QLabel(this))
+    , m_position(new ValueField(positionToSet(), tr("position"), this))
     , m_badInput(new InlineMessage(this))
-    , m_warning(new InlineMessage(this))
-    , m_gear(new GearPanel(this))
-    , m_preview(new ScalePreview(this))
+    , m_layout(new QVBoxLayout(this))
 {
     m_initialise->setObjectName(QStringLiteral("initialisePreset"));
-    m_initialise->setToolTip(
-        tr("After run, 40000000 makes the place where the shaft stands the preset value."));
-    m_scaleText->setObjectName(QStringLiteral("scaleText"));
-    m_scaleText->setWordWrap(true);
+    m_position->focusProxy()->setObjectName(QStringLiteral("positionToSet"));
+    m_position->focusProxy()->setAccessibleName(tr("Position to set now"));
     m_badInput->setObjectName(QStringLiteral("badInput"));
-    m_warning->setObjectName(QStringLiteral("scaleWarning"));
 
-    auto *aids = new QHBoxLayout;
-    aids->setSpacing(grid::margin);
-    aids->addWidget(m_gear, 1, Qt::AlignTop);
-    aids->addWidget(m_preview, 0, Qt::AlignTop);
-    auto *layout = new QVBoxLayout(this);
-    layout->setSpacing(grid::margin);
-    layout->addWidget(m_form);
-    layout->addWidget(m_initialise);
-    layout->addWidget(m_badInput);
-    layout->addWidget(m_scaleText);
-    layout->addWidget(m_warning);
-    layout->addLayout(aids);
-    layout->addStretch();
+    auto *setting = new QHBoxLayout;
+    setting->addWidget(m_initialise);
+    setting->addWidget(m_position);
+    setting->addStretch();
+    m_layout->setSpacing(grid::margin);
+    m_layout->addWidget(m_form);
+    m_layout->addLayout(setting);
+    m_layout->addWidget(m_badInput);
+    m_layout->addStretch();
 
     connect(m_initialise, &QCheckBox::clicked, this, [this](bool on) {
-        m_setup.wish.initialisePreset = on;
+        const bool needsValue = m_setup.encoder->can().presetNeedsValue;
+        m_setup.wish.initialisePreset = on && !needsValue;
         readFields();
+        if (on && needsValue)
+            m_position->setFocus();
     });
-    connect(m_gear, &GearPanel::chosen, this, [this](qint64 steps, qint64 revolutions) {
-        m_rows.at(Parameter::steps).field->setValue(steps);
-        m_rows.at(Parameter::revolutions).field->setValue(revolutions);
-        readFields();
-    });
+    connect(m_position, &ValueField::edited, this, &ValuesPage::readFields);
 }
 
 void ValuesPage::enter()
@@ -77,15 +69,39 @@ void ValuesPage::enter()
         makeRows();
     for (const auto &[parameter, row] : m_rows)
         row.field->setValue(valueOf(m_setup.wish.wanted, parameter));
-    m_initialise->setVisible(m_setup.encoder->can().presets);
-    m_initialise->setChecked(m_setup.wish.initialisePreset);
+    showSetting();
     showKnown();
     readFields();
+}
+
+// Either the preset that is programmed, or a position given with the command.
+void ValuesPage::showSetting()
+{
+    const Capabilities &can = m_setup.encoder->can();
+    m_initialise->setVisible(can.presets);
+    m_initialise->setText(can.presetNeedsValue ? tr("&Set the position now to")
+                                               : tr("&Set the position to the preset now"));
+    m_initialise->setToolTip(
+        can.presetNeedsValue
+            ? tr("After the values, service 6 makes the place where the magnet stands this position.")
+            : tr("After run, 40000000 makes the place where the shaft stands the preset value."));
+    m_initialise->setChecked(m_setup.wish.initialisePreset || m_setup.wish.setPositionTo);
+    m_position->setVisible(can.presetNeedsValue);
+    m_position->setValue(m_setup.wish.setPositionTo);
 }
 
 void ValuesPage::makeRows()
 {
     m_rowsOf = m_setup.encoder->device().key;
+    delete m_consequences;
+    m_consequences = Consequences::make(m_setup, this);
+    m_layout->insertWidget(m_layout->indexOf(m_badInput) + 1, m_consequences);
+    m_consequences->show(); // at once, as the fields
+    connect(m_consequences, &Consequences::chosen, this, [this](const ParameterValues &values) {
+        for (const ParameterValue &value : values)
+            m_rows.at(value.parameter).field->setValue(value.value);
+        readFields();
+    });
     m_rows.clear();
     delete m_form->layout();
     qDeleteAll(m_form->findChildren<QWidget *>(QString(), Qt::FindDirectChildrenOnly));
@@ -122,6 +138,7 @@ void ValuesPage::makeRows()
         before = field->focusProxy();
     }
     setTabOrder(before, m_initialise);
+    setTabOrder(m_initialise, m_position->focusProxy());
     form->setColumnStretch(1, 1);
     form->setColumnStretch(3, 1);
 }
@@ -131,12 +148,12 @@ void ValuesPage::showKnown()
     for (const auto &[parameter, row] : m_rows)
         row.now->setText(
             tr("now %1").arg(knownText(m_setup.encoder->device(), m_setup.encoder->known(parameter))));
-    showConsequences();
+    m_consequences->refresh();
 }
 
 void ValuesPage::showLatest()
 {
-    showConsequences();
+    m_consequences->refresh();
 }
 
 void ValuesPage::readFields()
@@ -150,70 +167,30 @@ void ValuesPage::readFields()
         else if (std::exchange(m_inputIsGood, false))
             m_badInput->showMessage(Role::attention, refusalText(value.error()));
     }
-    m_hasAny = !m_setup.wish.wanted.empty() || m_setup.wish.initialisePreset;
-    GearLimits limits{.physicalStepsPerTurn = m_setup.encoder->device().physicalStepsPerTurn};
-    if (const int turns = m_setup.encoder->device().physicalTurns)
-        limits.turns = m_setup.valueAfter(Parameter::measuringRange).value_or(turns);
-    m_gear->setLimits(limits);
-    showConsequences();
+    readPosition();
+    m_hasAny = !m_setup.wish.wanted.empty() || m_setup.wish.initialisePreset || m_setup.wish.setPositionTo;
+    m_consequences->refresh();
     Q_EMIT changed();
 }
 
-void ValuesPage::showConsequences()
+void ValuesPage::readPosition()
 {
-    const auto then = scaleAfter(m_setup);
-    m_scaleText->setText(
-        then ? scaleText(*then)
-             : tr("Resolution and range can be told once steps, revolutions and direction are "
-                  "known or wanted."));
-    const QString warning = then ? warningFor(*then) : QString();
-    if (warning.isEmpty())
-        m_warning->withdraw();
-    else if (warning != m_warning->sentence())
-        m_warning->showMessage(Role::attention, warning);
-    const auto start = positionAfterHandshake(m_setup);
-    m_preview->setScale(
-        then, start ? std::optional(start->position) : std::nullopt,
-        tr("What it will read here cannot be told: the zero offset or the scale is not known."));
-}
-
-QString ValuesPage::scaleText(const PositionScale &scale) const
-{
-    return tr("Resolution %1 steps per turn, total range %2 steps over %3 turns.")
-        .arg(QLocale().toString(scale.resolution(), 'f', scale.steps % scale.revolutions == 0 ? 0 : 3),
-             number(scale.total()), number(scale.turns));
-}
-
-QString ValuesPage::warningFor(const PositionScale &scale) const
-{
-    const std::int64_t most = scale.physicalStepsPerTurn * scale.revolutions;
-    if (most > 0 && scale.steps > most)
-        return refusalText({RefusalKind::badInput,
-                            RefusalId::tooManyStepsPerTurn,
-                            {scale.steps, scale.revolutions, scale.physicalStepsPerTurn}});
-    if (scale.total() > largestTotalRange)
-        return refusalText(
-            {RefusalKind::badInput, RefusalId::totalRangeTooLarge, {scale.total(), largestTotalRange}});
-    for (const Parameter parameter : {Parameter::preset, Parameter::offset})
-        if (const auto value = m_setup.valueAfter(parameter); value && *value >= scale.total())
-            return refusalText({RefusalKind::badInput,
-                                RefusalId::valueAboveTotalRange,
-                                {parameter, *value, scale.total() - 1}});
-    switch (wrapJump(scale)) {
-    case WrapJump::none:
-        return {};
-    case WrapJump::rangeDoesNotDivideTurns:
-        return tr("The position will jump: the measuring range of %1 turns does not divide the %2 turns of "
-                  "the "
-                  "encoder. Where those are used up, it goes from %3 to 0.")
-            .arg(number(scale.turns), number(scale.physicalTurns), number(lastPositionBeforeWrap(scale)));
-    case WrapJump::totalIsNotWhole:
-        return tr("The position will jump a little: %1 steps in %2 revolutions give no whole number of steps "
-                  "over "
-                  "%3 turns. A fraction of a step is lost each time they are used up.")
-            .arg(number(scale.steps), number(scale.revolutions), number(scale.turns));
+    m_setup.wish.setPositionTo.reset();
+    const bool isAsked = m_setup.encoder->can().presetNeedsValue && m_initialise->isChecked();
+    m_position->setEnabled(isAsked);
+    if (!isAsked)
+        return;
+    const auto position = m_position->value();
+    if (position && *position) {
+        m_setup.wish.setPositionTo = *position;
+        return;
     }
-    return {};
+    if (std::exchange(m_inputIsGood, false))
+        m_badInput->showMessage(Role::attention, position
+                                                     ? refusalText({RefusalKind::badInput,
+                                                                    RefusalId::presetNeedsValue,
+                                                                    {m_setup.encoder->device().fullName()}})
+                                                     : refusalText(position.error()));
 }
 
 } // namespace codewheel

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/wizard/position_scale.h"
 #include "widgets/wizard/wizard_page.h"
 
 #include <map>
@@ -9,16 +8,15 @@
 class QCheckBox;
 class QGridLayout;
 class QLabel;
+class QVBoxLayout;
 
 namespace codewheel {
 
-class GearPanel;
+class Consequences;
 class InlineMessage;
-class ScalePreview;
 class ValueField;
 
-// The wanted values, with what they come to: resolution, total range, a jump at the wrap, the position the
-// shaft will read.
+// The wanted values, with what they come to.
 class ValuesPage final : public WizardPage
 {
     Q_OBJECT
@@ -40,19 +38,17 @@ private:
 
     void makeRows();
     void readFields();
-    void showConsequences();
-    QString scaleText(const PositionScale &scale) const;
-    QString warningFor(const PositionScale &scale) const;
+    void readPosition();
+    void showSetting();
 
     std::map<Parameter, Row> m_rows;
     QString m_rowsOf; // key of the device
     QWidget *m_form;
     QCheckBox *m_initialise;
-    QLabel *m_scaleText;
+    ValueField *m_position; // that is set where the command needs it
     InlineMessage *m_badInput;
-    InlineMessage *m_warning;
-    GearPanel *m_gear;
-    ScalePreview *m_preview;
+    QVBoxLayout *m_layout;
+    Consequences *m_consequences = nullptr; // of this kind of encoder
     bool m_inputIsGood = true;
     bool m_hasAny = false;
 };

@@ -2,6 +2,8 @@
 #include "widgets/wizard/values_to_write.h"
 
 #include "catalog/device_description.h"
+#include "drivers/planned_words.h"
+#include "widgets/models/device_traits.h"
 
 #include <algorithm>
 
@@ -51,6 +53,29 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
     return job;
 }
 
+std::vector<Job> jobsForWish(const EncoderSession &encoder, const WriteWish &wish)
+{
+    std::vector<Job> jobs;
+    const WriteParameters write = jobForWish(encoder, wish);
+    if (!write.values.empty() || !wish.setPositionTo)
+        jobs.emplace_back(write);
+    if (wish.setPositionTo)
+        jobs.emplace_back(SetPreset{.value = wish.setPositionTo});
+    return jobs;
+}
+
+Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs)
+{
+    std::vector<Step> all;
+    for (const Job &job : jobs) {
+        const auto steps = plannedSteps(encoder.device(), allKnown(encoder), job);
+        if (!steps)
+            return steps;
+        all.insert(all.end(), steps->begin(), steps->end());
+    }
+    return all;
+}
+
 std::vector<Known> allKnown(const EncoderSession &encoder)
 {
     std::vector<Known> all;
@@ -63,8 +88,7 @@ std::vector<Known> allKnown(const EncoderSession &encoder)
 int eepromWritesOf(const std::vector<Step> &steps, const Capabilities &can)
 {
     return static_cast<int>(std::ranges::count_if(steps, [&](const Step &step) {
-        return step.kind == StepKind::parameter ||
-               (step.kind == StepKind::initialisePreset && can.presetIsStored);
+        return takesValue(step) || (step.kind == StepKind::initialisePreset && can.presetIsStored);
     }));
 }
 

@@ -9,7 +9,9 @@ struct WriteWish
 {
     ParameterValues wanted;
     bool initialisePreset = false; // set the position to the preset now
-    bool writeAll = false;         // also what the encoder already has
+    // Set the position to this value now, after the values; where the command needs it (presetNeedsValue).
+    std::optional<std::int64_t> setPositionTo{};
+    bool writeAll = false; // also what the encoder already has
 };
 
 // The job for a wish: what is known and equal is left out, in the order of the description. Where the encoder
@@ -17,10 +19,15 @@ struct WriteWish
 // already. A used-up preset (FRABA) is programmed again, or it could not be initialised.
 WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish);
 
+// All of it, one job after the other: writing the values, then setting the position to a value.
+std::vector<Job> jobsForWish(const EncoderSession &encoder, const WriteWish &wish);
+// Their steps, as far as they can be told beforehand.
+Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs);
+
 // All that is known of an encoder.
 std::vector<Known> allKnown(const EncoderSession &encoder);
 
-// EEPROM writes these steps will cost, at most: one per parameter, and the preset where it is stored.
+// EEPROM writes these steps will cost, at most: one per value, and the preset where it is stored.
 int eepromWritesOf(const std::vector<Step> &steps, const Capabilities &can);
 
 } // namespace codewheel

@@ -117,6 +117,8 @@ Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, 
                                                    ? WizardReport::tr("done")
                                                    : refusalText(record.recovery->result.error()));
     fact(WizardReport::tr("Left in"), leftInText(leftIn(record)));
+    if (record.setPositionTo)
+        fact(WizardReport::tr("Position set to"), positionText(record.setPositionTo));
     fact(WizardReport::tr("Position before"), positionText(record.positionBefore));
     fact(WizardReport::tr("Position after"), positionText(record.positionAfter));
     const int writes = (record.outcome ? record.outcome->eepromWrites : 0) +

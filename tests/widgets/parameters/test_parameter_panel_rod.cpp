@@ -70,7 +70,7 @@ protected:
         ASSERT_FALSE(rod().runningJob());
     }
 
-    test::TrainingBusSession ring{BusSession::Start::operating, test::makeRodBus()};
+    test::TrainingBusSession ring{BusSession::Start::operating, test::makeRodBus};
     WantedValues wanted;
     ParameterPanel panel{wanted};
 };

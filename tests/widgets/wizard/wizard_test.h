@@ -30,7 +30,8 @@ namespace codewheel::test {
 class WizardTest : public testing::Test
 {
 protected:
-    WizardTest()
+    explicit WizardTest(TrainingBus (*make)(const Catalog &) = makeTrainingBus)
+        : training(make(catalog))
     {
         EXPECT_TRUE(bus.open(BusSession::Start::operating));
         bus.advance(20);
@@ -102,7 +103,7 @@ protected:
     Word out(DeviceNumber number = {1, 0}) const { return bus.channel(number)->out(); }
 
     const Catalog catalog = Catalog::builtIn();
-    TrainingBus training = makeTrainingBus(catalog);
+    TrainingBus training;
     std::shared_ptr<TrainingControls> controls = training.controls;
     BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC)};
     WantedValues wanted;

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/model_tester.h"
+#include "tests/widgets/rod_bus.h"
+#include "tests/widgets/wizard/wizard_test.h"
+
+#include <QDoubleSpinBox>
+
+// The wizard with a TR LA-66: words of its manual, chapter 3 and 4.
+namespace codewheel {
+namespace {
+
+using test::rodPlace;
+
+class WizardRod : public test::WizardTest
+{
+protected:
+    WizardRod()
+        : WizardTest(test::makeRodBus)
+    {}
+
+    EncoderSession &rod() { return *bus.encoder(rodPlace); }
+
+    void toValues()
+    {
+        wizard.setEncoder(&rod());
+        next();
+        click("readAll");
+        bus.advance(2000);
+        next();
+        next();
+    }
+    void typeNumber(const char *field, double number)
+    {
+        auto *box = find<QDoubleSpinBox>(field);
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, box->textFromValue(number));
+        QTest::keyClick(box, Qt::Key_Return);
+    }
+    QStringList plannedWords() const
+    {
+        const QAbstractItemModel &model = *find<QTableView>("plannedWords")->model();
+        QStringList words;
+        for (int row = 0; row < model.rowCount(); ++row)
+            words.append(model.index(row, 1).data().toString());
+        return words;
+    }
+    // 500 mm at 0.1 mm, the position set to 1000.
+    void toReview()
+    {
+        toValues();
+        typeNumber("rodLength", 500);
+        typeNumber("rodResolution", 0.1);
+        click("rodUse");
+        click("initialisePreset");
+        type("positionToSet", "1000");
+        next();
+    }
+
+    const QStringList measuringLength{QStringLiteral("42001388"), QStringLiteral("C2001388"),
+                                      QStringLiteral("42001388"), QStringLiteral("02000000"),
+                                      QStringLiteral("82000000"), QStringLiteral("02000000")};
+    const QStringList normal{QStringLiteral("00000000")};
+    const QStringList setPosition{QStringLiteral("460003E8"), QStringLiteral("C60003E8"),
+                                  QStringLiteral("460003E8")};
+};
+
+TEST_F(WizardRod, TheDirectionCheckIsDoneWithTheMagnet)
+{
+    wizard.setEncoder(&rod());
+    next();
+    click("readAll");
+    bus.advance(2000);
+    next();
+    controls->moveMagnetTo(rodPlace, 100);
+    bus.advance(50);
+    click("checkAgain");
+    controls->moveMagnetTo(rodPlace, 101);
+    bus.advance(50);
+    const auto *verdict = find<QWidget>("verdict")->findChild<QLabel *>();
+    ASSERT_NE(verdict, nullptr);
+    EXPECT_TRUE(isEnabled("otherWay"));
+    click("otherWay");
+    EXPECT_EQ(wanted.value(rodPlace, Parameter::direction), 1);
+    EXPECT_EQ(out(rodPlace), 0u) << "looking sends nothing";
+}
+
+TEST_F(WizardRod, TheCalculatorFillsTheMeasuringLengthAndTellsTheRod)
+{
+    toValues();
+    typeNumber("rodLength", 500);
+    EXPECT_TRUE(text("rodAnswer").contains(QStringLiteral("C350h"))) << text("rodAnswer").toStdString();
+    typeNumber("rodResolution", 0.1);
+    EXPECT_TRUE(text("rodAnswer").contains(QStringLiteral("1388h"))) << text("rodAnswer").toStdString();
+    click("rodUse");
+    EXPECT_EQ(wanted.value(rodPlace, Parameter::measuringLength), 5000);
+    EXPECT_EQ(find<QLineEdit>("measuring-length")->text(), QStringLiteral("5000"));
+    ASSERT_TRUE(rod().known(Parameter::rodLength));
+    EXPECT_EQ(rod().known(Parameter::rodLength)->value, 500'000);
+    EXPECT_EQ(wanted.value(rodPlace, Parameter::rodLength), std::nullopt) << "never written";
+    EXPECT_TRUE(text("scaleText").contains(QStringLiteral("0.100 mm per step")))
+        << text("scaleText").toStdString();
+}
+
+TEST_F(WizardRod, APositionToSetNeedsAValue)
+{
+    toValues();
+    EXPECT_FALSE(find<QLineEdit>("positionToSet")->isEnabled());
+    click("initialisePreset");
+    EXPECT_FALSE(isEnabled("wizardNext"));
+    EXPECT_NE(sentence("badInput"), QString());
+    type("positionToSet", "16777216");
+    EXPECT_TRUE(sentence("badInput").contains(QLocale().toString(16'777'215)));
+    type("positionToSet", "0xFFFFFF");
+    EXPECT_EQ(sentence("badInput"), QString());
+    EXPECT_TRUE(isEnabled("wizardNext"));
+}
+
+TEST_F(WizardRod, TheReviewHasTheWordsAndTheEepromWrites)
+{
+    toReview();
+    EXPECT_EQ(plannedWords(), measuringLength + normal + setPosition + normal);
+    EXPECT_TRUE(text("eepromWrites").contains(QStringLiteral("2."))) << text("eepromWrites").toStdString();
+    EXPECT_EQ(out(rodPlace), 0u);
+}
+
+TEST_F(WizardRod, ByHandItGoesServiceByServiceToTheEnd)
+{
+    toReview();
+    click("byHand");
+    next();
+    const int steps = static_cast<int>((measuringLength + normal + setPosition + normal).size());
+    EXPECT_EQ(stepByHand(2), 2);
+    EXPECT_EQ(out(rodPlace), 0xC2001388);
+    const int values = 2 + stepByHand();
+    EXPECT_EQ(values, static_cast<int>((measuringLength + normal).size()));
+    EXPECT_TRUE(wizard.isBusy()) << "the position is still to be set";
+    EXPECT_EQ(values + stepByHand(), steps);
+    EXPECT_FALSE(wizard.isBusy());
+    EXPECT_TRUE(text("leftIn").startsWith(QStringLiteral("Verified"))) << text("leftIn").toStdString();
+    EXPECT_EQ(rod().known(Parameter::measuringLength)->value, 5000);
+    EXPECT_EQ(rod().latest().position, 1000);
+    EXPECT_EQ(rod().eepromWrites(), 2);
+    auto *table = find<QTableView>("steps");
+    test::ModelTester tester(*table->model());
+    ASSERT_EQ(table->model()->rowCount(), steps);
+    for (int row = 0; row < steps; ++row)
+        EXPECT_EQ(table->model()->index(row, 3).data(), QStringLiteral("done")) << row;
+    next();
+    EXPECT_TRUE(find<QPlainTextEdit>("report")->toPlainText().contains(QStringLiteral("Position set to:")));
+    EXPECT_TRUE(find<QPlainTextEdit>("report")->toPlainText().contains(QStringLiteral("C60003E8")));
+}
+
+TEST_F(WizardRod, RunningByItselfItDoesTheSame)
+{
+    toReview();
+    click("byItself");
+    next();
+    bus.advance(500); // the values
+    bus.advance(500); // the position
+    EXPECT_FALSE(wizard.isBusy());
+    EXPECT_EQ(rod().latest().position, 1000);
+    EXPECT_EQ(out(rodPlace), 0u);
+}
+
+TEST_F(WizardRod, CancelledInTheMiddleItIsLeftWithWhatItHas)
+{
+    toReview();
+    click("byHand");
+    next();
+    stepByHand(4); // the measuring length is written
+    answer("Leave it with what it has");
+    click("wizardCancel");
+    bus.advance(500);
+    EXPECT_FALSE(wizard.isBusy());
+    EXPECT_EQ(out(rodPlace), 0u);
+    EXPECT_EQ(rod().latest().state, EncoderState::operation);
+    EXPECT_EQ(rod().known(Parameter::measuringLength)->value, 5000);
+    EXPECT_NE(rod().latest().position, 1000) << "the second job was not begun";
+}
+
+} // namespace
+} // namespace codewheel

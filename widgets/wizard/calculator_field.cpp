@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/calculator_field.h"
+
+#include "widgets/look/fonts.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+
+namespace codewheel {
+namespace {
+
+constexpr double largest = 1'000'000;
+
+} // namespace
+
+QDoubleSpinBox *addCalculatorField(QGridLayout &grid, QWidget &parent, const CalculatorField &field,
+                                   double value)
+{
+    auto *box = new QDoubleSpinBox(&parent);
+    box->setDecimals(field.decimals);
+    box->setRange(field.least, largest);
+    box->setValue(value);
+    box->setAlignment(Qt::AlignRight);
+    box->setFont(numberFont());
+    box->setAccessibleName(field.name);
+    box->setToolTip(field.toolTip);
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    auto *caption = new QLabel(field.caption, &parent);
+    caption->setBuddy(box);
+    const int row = grid.rowCount();
+    grid.addWidget(caption, row, 0);
+    grid.addWidget(box, row, 1);
+    return box;
+}
+
+} // namespace codewheel

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/wizard/setup.h"
+
+#include <QWidget>
+
+namespace codewheel {
+
+// Below the wanted values: what they come to, what is wrong with them, and a calculator that finds some. Each
+// kind of encoder has its own.
+class Consequences : public QWidget
+{
+    Q_OBJECT
+
+public:
+    // For the encoder of the setup.
+    static Consequences *make(Setup &setup, QWidget *parent);
+
+    virtual void refresh() = 0;
+
+Q_SIGNALS:
+    void chosen(const codewheel::ParameterValues &values); // by the calculator
+
+protected:
+    Consequences(Setup &setup, QWidget *parent)
+        : QWidget(parent)
+        , m_setup(setup)
+    {}
+
+    Setup &m_setup;
+};
+
+} // namespace codewheel

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/done_jobs.h"
+
+namespace codewheel {
+namespace {
+
+template <typename T>
+void prepend(std::vector<T> &to, const std::vector<T> &before)
+{
+    to.insert(to.begin(), before.begin(), before.end());
+}
+
+} // namespace
+
+void DoneJobs::add(std::vector<Step> steps, const Outcome &outcome)
+{
+    m_steps = std::move(steps);
+    m_outcomes.push_back(outcome);
+}
+
+// What a job that is done has written, the next one cannot restore.
+Progress DoneJobs::followedBy(Progress progress) const
+{
+    prepend(progress.steps, m_steps);
+    progress.index += static_cast<int>(m_steps.size());
+    progress.canRestore = progress.canRestore && m_outcomes.empty();
+    return progress;
+}
+
+Outcome DoneJobs::followedBy(Outcome outcome) const
+{
+    for (auto before = m_outcomes.rbegin(); before != m_outcomes.rend(); ++before) {
+        outcome.eepromWrites += before->eepromWrites;
+        prepend(outcome.written, before->written);
+        prepend(outcome.alreadyThere, before->alreadyThere);
+        prepend(outcome.read, before->read);
+    }
+    return outcome;
+}
+
+} // namespace codewheel

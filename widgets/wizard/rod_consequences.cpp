@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/rod_consequences.h"
+
+#include "catalog/device_description.h"
+#include "widgets/dial/resolution.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/wizard/rod_panel.h"
+
+#include <QLabel>
+#include <QLocale>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace codewheel {
+namespace {
+
+constexpr double micrometresPerMillimetre = 1000;
+
+QString number(std::int64_t value)
+{
+    return QLocale().toString(qlonglong{value});
+}
+
+} // namespace
+
+RodConsequences::RodConsequences(Setup &setup, QWidget *parent)
+    : Consequences(setup, parent)
+    , m_scaleText(new QLabel(this))
+    , m_warning(new InlineMessage(this))
+    , m_calculator(new RodPanel(this))
+{
+    m_scaleText->setObjectName(QStringLiteral("scaleText"));
+    m_scaleText->setWordWrap(true);
+    m_warning->setObjectName(QStringLiteral("scaleWarning"));
+    if (const auto length = m_setup.valueNow(Parameter::rodLength))
+        m_calculator->setRodLength(static_cast<double>(*length) / micrometresPerMillimetre);
+    if (const ParameterDescription *length = m_setup.encoder->device().find(Parameter::measuringLength))
+        m_calculator->setMostSteps(length->maximum);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(grid::margin);
+    layout->addWidget(m_scaleText);
+    layout->addWidget(m_warning);
+    layout->addWidget(m_calculator);
+    connect(m_calculator, &RodPanel::chosen, this, [this](qint64 steps) {
+        m_setup.encoder->tell(Parameter::rodLength,
+                              std::llround(m_calculator->rodLength() * micrometresPerMillimetre));
+        Q_EMIT chosen({{Parameter::measuringLength, steps}});
+    });
+}
+
+void RodConsequences::refresh()
+{
+    m_scaleText->setText(scaleText());
+    const QString wrong = warning();
+    if (wrong.isEmpty())
+        m_warning->withdraw();
+    else if (wrong != m_warning->sentence())
+        m_warning->showMessage(Role::attention, wrong);
+}
+
+QString RodConsequences::scaleText() const
+{
+    const auto steps = m_setup.valueAfter(Parameter::measuringLength);
+    const auto length = m_setup.valueNow(Parameter::rodLength);
+    if (!steps)
+        return tr("The resolution can be told once the measuring length is known or wanted.");
+    if (!length)
+        return tr("Positions from 0 to %1. For mm, calculate the measuring length from the length of the "
+                  "rod, "
+                  "or tell that length under What is known.")
+            .arg(number(*steps));
+    const double millimetres = static_cast<double>(*length) / micrometresPerMillimetre;
+    return tr("Positions from 0 to %1 over %2 mm: %3.")
+        .arg(number(*steps), QLocale().toString(millimetres, 'g', 7),
+             resolution(millimetres / static_cast<double>(*steps)));
+}
+
+// What the manual leaves open is not refused.
+QString RodConsequences::warning() const
+{
+    const auto steps = m_setup.valueAfter(Parameter::measuringLength);
+    const auto preset = m_setup.valueAfter(Parameter::externalPreset);
+    if (steps && preset && *preset > *steps)
+        return tr("The external preset %1 lies beyond the measuring length of %2 steps.")
+            .arg(number(*preset), number(*steps));
+    if (steps && m_setup.wish.setPositionTo && *m_setup.wish.setPositionTo > *steps)
+        return tr("The position to be set, %1, lies beyond the measuring length of %2 steps.")
+            .arg(number(*m_setup.wish.setPositionTo), number(*steps));
+    return {};
+}
+
+} // namespace codewheel

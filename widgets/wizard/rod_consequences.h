@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/wizard/consequences.h"
+
+class QLabel;
+
+namespace codewheel {
+
+class InlineMessage;
+class RodPanel;
+
+// Of an encoder on a rod: the resolution in mm, and presets that lie beside the rod.
+class RodConsequences final : public Consequences
+{
+    Q_OBJECT
+
+public:
+    RodConsequences(Setup &setup, QWidget *parent);
+
+    void refresh() override;
+
+private:
+    QString scaleText() const;
+    QString warning() const;
+
+    QLabel *m_scaleText;
+    InlineMessage *m_warning;
+    RodPanel *m_calculator;
+};
+
+} // namespace codewheel

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/rod_panel.h"
+
+#include "widgets/dial/resolution.h"
+#include "widgets/look/grid.h"
+#include "widgets/wizard/calculator_field.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+
+namespace codewheel {
+namespace {
+
+// As the manual writes it: "C350h".
+QString hexText(std::int64_t number)
+{
+    return QString::number(number, 16).toUpper() + QLatin1Char('h');
+}
+
+} // namespace
+
+RodPanel::RodPanel(QWidget *parent)
+    : QGroupBox(tr("From rod length and resolution"), parent)
+    , m_answer(new QLabel(this))
+    , m_take(new QPushButton(tr("&Use this"), this))
+{
+    auto *layout = new QGridLayout(this);
+    layout->setSpacing(grid::unit);
+    m_length = addCalculatorField(*layout, *this,
+                                  {.caption = tr("Rod &length, mm"),
+                                   .name = tr("Length of the rod"),
+                                   .toolTip = tr("The measuring length in mm, on the label of the rod."),
+                                   .least = 0.001},
+                                  500);
+    m_mmPerStep = addCalculatorField(*layout, *this,
+                                     {.caption = tr("mm per s&tep"),
+                                      .name = tr("Wanted resolution"),
+                                      .toolTip = tr("mm for one step of the position."),
+                                      .least = 0.00001,
+                                      .decimals = 5},
+                                     0.01);
+    m_length->setObjectName(QStringLiteral("rodLength"));
+    m_mmPerStep->setObjectName(QStringLiteral("rodResolution"));
+    m_answer->setWordWrap(true);
+    m_answer->setObjectName(QStringLiteral("rodAnswer"));
+    m_take->setObjectName(QStringLiteral("rodUse"));
+    m_take->setToolTip(tr("Puts this measuring length among the wanted values, and takes the length of the "
+                          "rod as told."));
+    layout->addWidget(m_answer, layout->rowCount(), 0, 1, 2);
+    layout->addWidget(m_take, layout->rowCount(), 0);
+    layout->setColumnStretch(1, 1);
+    connect(m_length, &QDoubleSpinBox::valueChanged, this, &RodPanel::calculate);
+    connect(m_mmPerStep, &QDoubleSpinBox::valueChanged, this, &RodPanel::calculate);
+    connect(m_take, &QPushButton::clicked, this, [this] { Q_EMIT chosen(m_result->steps); });
+    calculate();
+}
+
+void RodPanel::setRodLength(double millimetres)
+{
+    m_length->setValue(millimetres);
+}
+
+double RodPanel::rodLength() const
+{
+    return m_length->value();
+}
+
+void RodPanel::setMostSteps(std::int64_t most)
+{
+    m_most = most;
+    calculate();
+}
+
+void RodPanel::calculate()
+{
+    m_result = stepsForRod(m_length->value(), m_mmPerStep->value(), m_most);
+    m_take->setEnabled(m_result.has_value());
+    const QLocale locale;
+    m_answer->setText(m_result ? tr("%1 steps (%2): %3, %4 mm off over %5 mm.")
+                                     .arg(locale.toString(qlonglong{m_result->steps}),
+                                          hexText(m_result->steps), resolution(m_result->mmPerStep),
+                                          locale.toString(m_result->errorOverLength, 'g', 3),
+                                          locale.toString(m_length->value(), 'g', 7))
+                               : tr("The encoder cannot resolve this. Choose more mm per step."));
+}
+
+} // namespace codewheel

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/wizard/rod_calculator.h"
+#include "words/la66_word.h"
+
+#include <QGroupBox>
+
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+
+namespace codewheel {
+
+// Calculates the measuring length in steps from the length of the rod and the resolution that is wanted, and
+// says how far off it will be at the end.
+class RodPanel : public QGroupBox
+{
+    Q_OBJECT
+
+public:
+    explicit RodPanel(QWidget *parent = nullptr);
+
+    void setRodLength(double millimetres); // as known
+    double rodLength() const;
+    void setMostSteps(std::int64_t most);
+
+Q_SIGNALS:
+    void chosen(qint64 steps);
+
+private:
+    void calculate();
+
+    QDoubleSpinBox *m_length;
+    QDoubleSpinBox *m_mmPerStep;
+    QLabel *m_answer;
+    QPushButton *m_take;
+    std::int64_t m_most = la66::dataMask;
+    std::optional<RodResult> m_result;
+};
+
+} // namespace codewheel

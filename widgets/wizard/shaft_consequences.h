@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/wizard/consequences.h"
+#include "widgets/wizard/position_scale.h"
+
+class QLabel;
+
+namespace codewheel {
+
+class GearPanel;
+class InlineMessage;
+class ScalePreview;
+
+// Of an encoder on a shaft: resolution, total range, a jump at the wrap, the position the shaft will read.
+class ShaftConsequences final : public Consequences
+{
+    Q_OBJECT
+
+public:
+    ShaftConsequences(Setup &setup, QWidget *parent);
+
+    void refresh() override;
+
+private:
+    QString scaleText(const PositionScale &scale) const;
+    QString warningFor(const PositionScale &scale) const;
+    void showLimits();
+
+    QLabel *m_scaleText;
+    InlineMessage *m_warning;
+    GearPanel *m_gear;
+    ScalePreview *m_preview;
+};
+
+} // namespace codewheel
