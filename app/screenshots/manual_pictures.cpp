@@ -10,6 +10,7 @@
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/sequence/sequence_view.h"
+#include "widgets/structure/structure_view.h"
 #include "widgets/wizard/parameter_wizard.h"
 
 #include <QAbstractButton>
@@ -26,6 +27,7 @@ namespace {
 
 constexpr DeviceNumber fraba{1, 0};
 constexpr DeviceNumber baumer{2, 0};
+constexpr DeviceNumber rod{5, 0};
 constexpr QSize usual(1280, 800);
 constexpr QSize smallest(1024, 640);
 constexpr int whileMilliseconds = 600; // until what was asked for is done
@@ -166,6 +168,18 @@ QWidget *camsAtWork(TrainingWindow &shown)
     return shown.window().findChild<CamEditor *>();
 }
 
+QWidget *rodAtWork(TrainingWindow &shown)
+{
+    EncoderSession &encoder = *shown.bus().encoder(rod);
+    shown.window().findChild<StructureView *>()->choose(rod);
+    encoder.tell(Parameter::rodLength, 500'000); // micrometres
+    if (encoder.start(ReadParameters{{Parameter::direction, Parameter::measuringLength}}))
+        shown.advance(whileMilliseconds);
+    shown.controls().setMagnetSpeed(rod, 20);
+    shown.advance(whileMilliseconds);
+    return dock(shown, QStringLiteral("dialDock"));
+}
+
 std::vector<Picture> pictures()
 {
     return {
@@ -202,6 +216,7 @@ std::vector<Picture> pictures()
              return dock(shown, QStringLiteral("dialDock"));
          }},
         {QStringLiteral("cams"), usual, camsAtWork},
+        {QStringLiteral("dial-rod"), usual, rodAtWork},
         {QStringLiteral("messages"), usual,
          [](TrainingWindow &shown) {
              readAll(shown);
