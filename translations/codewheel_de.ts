@@ -2249,6 +2249,10 @@
         <source>Cam &amp;mode, program %1</source>
         <translation>&amp;Nockenbetrieb, Programm %1</translation>
     </message>
+    <message>
+        <source>Cam mode</source>
+        <translation>Nockenbetrieb</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CamProgramButton</name>
