@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/bus_access.h"
 
+#include "catalog/label_key.h"
+#include "cli/device_text.h"
+#include "cli/subcommand.h"
 #include "cli/texts.h"
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {
@@ -16,7 +21,54 @@ QString placesOf(const BusSession &bus)
     return places.join(QStringLiteral(", "));
 }
 
+// A name of the catalog, or the key on a label that belongs to one device of this place's device code.
+struct NamedDevice
+{
+    QString key;
+    int turns = 0;
+    int stepsPerTurn = 0;
+};
+
+Checked<NamedDevice> deviceMeant(const Catalog &catalog, const Participant &participant, const QString &typed)
+{
+    if (catalog.find(typed))
+        return NamedDevice{typed};
+    const auto matches = findByLabel(catalog, typed);
+    if (!matches)
+        return tl::unexpected(deviceNamed(catalog, typed).error());
+    const auto found = std::ranges::find_if(*matches, [&](const LabelMatch &match) {
+        return match.device->deviceCode == participant.deviceCode;
+    });
+    const LabelMatch &match = found == matches->end() ? matches->front() : *found;
+    return NamedDevice{match.device->key, match.turns, match.stepsPerTurn};
+}
+
+Checked<void> nameDevice(const Call &call, DeviceNumber number, const QString &typed)
+{
+    const RingStructure &ring = call.bus->structure();
+    const auto participant = std::ranges::find(ring, number, &Participant::number);
+    if (participant == ring.end())
+        return {};
+    const auto meant = deviceMeant(call.catalog, *participant, typed);
+    if (!meant)
+        return tl::unexpected(meant.error());
+    if (const auto named = call.bus->name(number, meant->key, meant->turns, meant->stepsPerTurn); !named)
+        return tl::unexpected(complaintAbout(named.error()));
+    return {};
+}
+
 } // namespace
+
+Checked<EncoderSession *> encoderAt(const Call &call)
+{
+    const QString &place = call.arguments.rest.front();
+    const auto number = DeviceNumber::parse(place);
+    const auto device = call.arguments.value("--device");
+    if (number && device)
+        if (const auto named = nameDevice(call, *number, *device); !named)
+            return tl::unexpected(named.error());
+    return encoderAt(*call.bus, place);
+}
 
 Checked<EncoderSession *> encoderAt(BusSession &bus, const QString &place)
 {

@@ -1,14 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cli/arguments.h"
 #include "cli/complaint.h"
 #include "encoder/encoder_session.h"
+
+#include <QtGlobal>
 
 #include <vector>
 
 namespace codewheel {
 
 class BusSession;
+
+struct Call;
+
+// The encoder at the PLACE the call names, as encoderAt() below. With --device it is named first, for this
+// call.
+Checked<EncoderSession *> encoderAt(const Call &call);
+
+// --device of the commands that work on a PLACE.
+inline constexpr Option deviceOption{
+    "--device", "NAME",
+    QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                      "take the encoder for this one: a name of \"devices\", or the key on its label")};
 
 // The encoder at PLACE, with at least one bus cycle behind it, so that it shows where it stands.
 Checked<EncoderSession *> encoderAt(BusSession &bus, const QString &place);

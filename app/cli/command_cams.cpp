@@ -27,6 +27,7 @@ constexpr const char *examples[] = {"cams 1.0 read", "cams 1.0 read cams.json --
                                     "cams 1.0 write docs/examples/cams.json --yes"};
 
 constexpr std::array options{
+    deviceOption,
     Option{"--program", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "only this cam program, 1 to 8")},
     Option{"--stay", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
@@ -280,7 +281,7 @@ Checked<Answer> run(const Call &call)
         wanted = programsIn(call.arguments.rest[2], *program);
     if (!wanted)
         return tl::unexpected(wanted.error());
-    const auto encoder = encoderAt(*call.bus, call.arguments.rest.front());
+    const auto encoder = encoderAt(call);
     if (!encoder)
         return tl::unexpected(encoder.error());
     if (!(*encoder)->can().cams)

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/explain_word.h"
+#include "catalog/hex_code.h"
 #include "catalog/value_text.h"
 #include "cli/commands.h"
+#include "cli/device_label.h"
+#include "cli/device_tables_text.h"
 #include "cli/device_text.h"
 #include "cli/json.h"
 #include "cli/parameter_text.h"
@@ -13,7 +16,14 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"devices", "devices fraba-ocd-ib", "devices baumer-gxp6w --json"};
+constexpr const char *examples[] = {"devices", "devices fraba-ocd-ib", "devices baumer-gxp6w --json",
+                                    "devices --label OCD-IBA1B-1213-C100-PRI"};
+
+constexpr Option options[] = {
+    {"--label", "KEY",
+     QT_TRANSLATE_NOOP("codewheel::CommandLine", "what the key on a label says, and whose it is")},
+    {"--check", "FILE", QT_TRANSLATE_NOOP("codewheel::CommandLine", "whether a description file is sound")},
+};
 
 QString yesNo(bool yes)
 {
@@ -75,6 +85,7 @@ QJsonObject parameterJson(const ParameterDescription &parameter)
             {QStringLiteral("maximum"), static_cast<qint64>(parameter.maximum)},
             {QStringLiteral("factory"), numberJson(parameter.factory)},
             {QStringLiteral("unit"), unitKey(parameter.unit)},
+            {QStringLiteral("chapter"), parameter.chapter.toString()},
             {QStringLiteral("choices"), choices}};
 }
 
@@ -105,6 +116,7 @@ Answer detailsOf(const DeviceDescription &device)
     if (!device.parameters.empty())
         text += u'\n' + parameterLines(device) + u'\n' + errorLines(device) + u'\n' +
                 budgetText(device.capabilities) + u'\n';
+    text += deviceTablesText(device);
 
     QJsonArray parameters;
     for (const ParameterDescription &parameter : device.parameters)
@@ -119,11 +131,21 @@ Answer detailsOf(const DeviceDescription &device)
              {QStringLiteral("parameters"), parameters},
              {QStringLiteral("errors"), errors},
              {QStringLiteral("eepromBudget"), numberJson(device.capabilities.eepromBudget)},
-             {QStringLiteral("eepromLimit"), numberJson(device.capabilities.eepromLimit)}}};
+             {QStringLiteral("eepromLimit"), numberJson(device.capabilities.eepromLimit)},
+             {QStringLiteral("tables"), deviceTablesJson(device)}}};
 }
 
 Checked<Answer> run(const Call &call)
 {
+    const auto label = call.arguments.value("--label");
+    const auto file = call.arguments.value("--check");
+    if (label.has_value() + file.has_value() + !call.arguments.rest.isEmpty() > 1)
+        return badInput(QStringLiteral("oneQuestion"),
+                        CommandLine::tr("Give one of these: a NAME, --label KEY or --check FILE."));
+    if (label)
+        return labelAnswer(call.catalog, *label);
+    if (file)
+        return checkAnswer(*file);
     if (call.arguments.rest.isEmpty())
         return listOf(call.catalog);
     const auto device = deviceNamed(call.catalog, call.arguments.rest.front());
@@ -136,14 +158,17 @@ Checked<Answer> run(const Call &call)
 
 const Subcommand devicesCommand{
     .name = "devices",
-    .usage = "[NAME]",
+    .usage = "[NAME] [--label KEY] [--check FILE]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "list the encoders this program knows"),
-    .details = QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                                 "Lists the encoders this program knows. With a NAME: its parameters with "
-                                 "their numbers,\nread-out codes, factory values and ranges, its errors and "
-                                 "how often its EEPROM can be written."),
+    .details =
+        QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                          "Lists the encoders this program knows. With a NAME: its parameters with "
+                          "their numbers,\nread-out codes, factory values and ranges, its errors, how often "
+                          "its EEPROM can be written, and\nwhat its manual's tables say: pins, LEDs, "
+                          "supply, limits, ordering key. Descriptions of your own\nare read from "
+                          "~/.local/share/codewheel/devices/*.json; --check tells whether one is sound."),
     .examples = examples,
-    .options = {},
+    .options = options,
     .minimumArguments = 0,
     .maximumArguments = 1,
     .needsBus = false,

@@ -162,6 +162,10 @@ Checked<Answer> run(const Call &call)
     const auto device = deviceNamed(call.catalog, *key);
     if (!device)
         return tl::unexpected(device.error());
+    if ((*device)->profile == Profile::esc)
+        return badInput(QStringLiteral("noWords"),
+                        CommandLine::tr("The %1 is on a serial line: it has no words of process data."),
+                        {(*device)->fullName()});
     const auto context = contextOf(call, **device);
     if (!context)
         return tl::unexpected(context.error());

@@ -6,7 +6,9 @@
 #include "cli/help.h"
 #include "cli/json.h"
 #include "cli/texts.h"
+#include "encoder/refusal_text.h"
 #include "training_session.h"
+#include "user_devices.h"
 
 #include <QJsonDocument>
 
@@ -91,7 +93,10 @@ bool asksForHelp(const Arguments &arguments)
 
 int runOnTrainingBus(const Subcommand &command, const Arguments &arguments, const Terminal &terminal)
 {
-    const Catalog catalog = Catalog::builtIn();
+    Catalog catalog = Catalog::builtIn();
+    for (const Catalog::Fault &fault : addUserDevices(catalog, userDeviceFolder()))
+        terminal.complain(
+            refusalText({RefusalKind::badInput, RefusalId::deviceFileBroken, {fault.place(), fault.reason}}));
     if (!command.needsBus)
         return runCommand(command, arguments, catalog, nullptr, terminal);
     const TrainingSession training = openTrainingSession(catalog, QDateTime::currentDateTime());

@@ -20,6 +20,7 @@ constexpr int usualTime = 10;           // s
 constexpr int usualInterval = 100;      // ms
 
 constexpr std::array options{
+    deviceOption,
     Option{"--for", "SECONDS", QT_TRANSLATE_NOOP("codewheel::CommandLine", "how long to look (10)")},
     Option{"--every", "MS", QT_TRANSLATE_NOOP("codewheel::CommandLine", "how often to look (100)")},
 };
@@ -39,7 +40,7 @@ std::vector<Exchange> watch(BusSession &bus, const EncoderSession &encoder, int 
 
 Checked<Answer> run(const Call &call)
 {
-    const auto encoder = encoderAt(*call.bus, call.arguments.rest.front());
+    const auto encoder = encoderAt(call);
     if (!encoder)
         return tl::unexpected(encoder.error());
     const auto seconds = call.arguments.number("--for", usualTime, 1, longestTime);

@@ -22,6 +22,7 @@ constexpr std::array options{
         "--fraba", nullptr,
         QT_TRANSLATE_NOOP("codewheel::CommandLine", "send the FRABA preset, which works as often as wanted")},
     inPositionModeOption,
+    deviceOption,
     Option{"--trace", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
 };
@@ -56,7 +57,7 @@ Checked<SetPreset> jobFrom(const Call &call, const DeviceDescription &device)
 
 Checked<Answer> run(const Call &call)
 {
-    const auto encoder = encoderAt(*call.bus, call.arguments.rest.front());
+    const auto encoder = encoderAt(call);
     if (!encoder)
         return tl::unexpected(encoder.error());
     const DeviceDescription &device = (*encoder)->device();

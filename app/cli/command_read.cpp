@@ -21,6 +21,7 @@ constexpr const char *examples[] = {"read 1.0", "read 1.0 steps revolutions dire
                                     "read 1.0 --json"};
 
 constexpr std::array options{
+    deviceOption,
     Option{"--trace", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
 };
@@ -72,7 +73,7 @@ Answer readFrom(BusSession &bus, EncoderSession &encoder, std::vector<Parameter>
 
 Checked<Answer> run(const Call &call)
 {
-    const auto encoder = encoderAt(*call.bus, call.arguments.rest.front());
+    const auto encoder = encoderAt(call);
     if (!encoder)
         return tl::unexpected(encoder.error());
     const DeviceDescription &device = (*encoder)->device();

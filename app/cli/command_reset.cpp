@@ -18,6 +18,7 @@ namespace {
 constexpr const char *examples[] = {"reset 1.0", "reset 2.0 --yes --trace"};
 
 constexpr std::array options{
+    deviceOption,
     Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "reset without asking")},
     Option{"--trace", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
@@ -92,7 +93,7 @@ void carryOut(const Call &call, EncoderSession &encoder, Answer &answer)
 
 Checked<Answer> run(const Call &call)
 {
-    const auto encoder = encoderAt(*call.bus, call.arguments.rest.front());
+    const auto encoder = encoderAt(call);
     if (!encoder)
         return tl::unexpected(encoder.error());
     const DeviceDescription &device = (*encoder)->device();

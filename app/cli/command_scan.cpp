@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
+#include "catalog/hex_code.h"
 #include "cli/commands.h"
 #include "cli/device_text.h"
 #include "cli/json.h"

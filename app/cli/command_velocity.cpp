@@ -17,6 +17,7 @@ constexpr const char *examples[] = {"velocity 1.0 on", "velocity 1.0 off --trace
                                     "velocity 1.0 on --in-position-mode"};
 
 constexpr std::array options{
+    deviceOption,
     inPositionModeOption,
     Option{"--trace", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
@@ -40,7 +41,7 @@ QString readingText(const Reading &reading)
 
 Checked<Answer> run(const Call &call)
 {
-    const auto encoder = encoderAt(*call.bus, call.arguments.rest.front());
+    const auto encoder = encoderAt(call);
     if (!encoder)
         return tl::unexpected(encoder.error());
     const auto wanted = jobFrom(call.arguments.rest[1]);

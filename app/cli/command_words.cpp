@@ -19,6 +19,7 @@ constexpr const char *examples[] = {
 };
 
 constexpr std::array options{
+    deviceOption,
     Option{
         "--hold", "CYCLES",
         QT_TRANSLATE_NOOP("codewheel::CommandLine", "how long a word stands that nothing acknowledges (3)")},
@@ -46,7 +47,7 @@ Checked<Answer> run(const Call &call)
     const auto hold = call.arguments.number("--hold", 3, 1, longestHold);
     if (!hold)
         return tl::unexpected(hold.error());
-    const auto encoder = encoderAt(*call.bus, call.arguments.rest.front());
+    const auto encoder = encoderAt(call);
     if (!encoder)
         return tl::unexpected(encoder.error());
 

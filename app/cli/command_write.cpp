@@ -26,6 +26,7 @@ constexpr const char *examples[] = {
 };
 
 constexpr std::array options{
+    deviceOption,
     Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "write without asking")},
     Option{"--dry-run", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "show what would be written, and send nothing")},
@@ -148,7 +149,7 @@ void carryOut(const Call &call, EncoderSession &encoder, const WritePlan &plan, 
 
 Checked<Answer> run(const Call &call)
 {
-    const auto encoder = encoderAt(*call.bus, call.arguments.rest.front());
+    const auto encoder = encoderAt(call);
     if (!encoder)
         return tl::unexpected(encoder.error());
     const DeviceDescription &device = (*encoder)->device();

@@ -5,11 +5,6 @@
 
 namespace codewheel {
 
-QString hexCode(unsigned code, int digits)
-{
-    return QStringLiteral("%1h").arg(QString::number(code, 16).toUpper().rightJustified(digits, u'0'));
-}
-
 Checked<const DeviceDescription *> deviceNamed(const Catalog &catalog, const QString &key)
 {
     if (const DeviceDescription *device = catalog.find(key))

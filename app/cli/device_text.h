@@ -6,8 +6,6 @@
 
 namespace codewheel {
 
-QString hexCode(unsigned code, int digits); // "37h"
-
 // The device of this key, or the keys there are.
 Checked<const DeviceDescription *> deviceNamed(const Catalog &catalog, const QString &key);
 

@@ -217,6 +217,8 @@ std::vector<Picture> pictures()
          }},
         {QStringLiteral("cams"), usual, camsAtWork},
         {QStringLiteral("dial-rod"), usual, rodAtWork},
+        {QStringLiteral("device"), usual,
+         [](TrainingWindow &shown) { return dock(shown, QStringLiteral("deviceDock")); }},
         {QStringLiteral("messages"), usual,
          [](TrainingWindow &shown) {
              readAll(shown);

@@ -8,6 +8,7 @@
 #include "ring/word_channel.h"
 #include "simulator/training_controls.h"
 #include "widgets/cams/cam_editor.h"
+#include "widgets/device/device_panel.h"
 #include "widgets/dial/dial_panel.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/messages/messages_view.h"
@@ -94,6 +95,7 @@ void MainWindow::makeDocks(MessageModel &messages)
     m_trainingPanel = new TrainingPanel(*m_training, this);
     m_parameters = new ParameterPanel(*m_wanted, this);
     m_dial = new DialPanel(this);
+    m_device = new DevicePanel(*m_bus, this);
     m_trace = new TraceView(*m_bus, this);
     m_sequence = new SequenceView(this);
     m_messages = new MessagesView(messages, this);
@@ -106,6 +108,7 @@ void MainWindow::makeDocks(MessageModel &messages)
     addDock(QStringLiteral("messagesDock"), tr("Messages"), m_messages, Qt::BottomDockWidgetArea);
     addDock(QStringLiteral("traceDock"), tr("Handshake trace"), m_trace, Qt::BottomDockWidgetArea);
     addDock(QStringLiteral("sequenceDock"), tr("Sequence"), m_sequence, Qt::BottomDockWidgetArea);
+    addDock(QStringLiteral("deviceDock"), tr("Device"), m_device, Qt::RightDockWidgetArea);
     arrangeDocks();
     m_defaultLayout = saveState(layoutVersion);
     if (!restoreState(m_settings.layout(), layoutVersion)) // a tab can be raised once its tab bar is there
@@ -135,6 +138,8 @@ void MainWindow::arrangeDocks()
     splitDockWidget(dock("parametersDock"), dock("dialDock"), Qt::Vertical);
     tabifyDockWidget(dock("messagesDock"), dock("traceDock"));
     tabifyDockWidget(dock("traceDock"), dock("sequenceDock"));
+    tabifyDockWidget(dock("parametersDock"), dock("deviceDock"));
+    dock("parametersDock")->raise();
     dock("traceDock")->raise();
     resizeDocks({dock("structureDock"), dock("parametersDock")}, {280, 310}, Qt::Horizontal);
     resizeDocks({dock("parametersDock"), dock("dialDock")}, {430, 300}, Qt::Vertical);
@@ -220,6 +225,16 @@ void MainWindow::connectViews()
     });
     connect(m_structure, &StructureView::menuRequested, this,
             [this](DeviceNumber, const QPoint &position) { m_actions.deviceMenu->popup(position); });
+    connect(m_structure, &StructureView::namingRequested, this, [this] {
+        auto *dock = findChild<QDockWidget *>(QStringLiteral("deviceDock"));
+        dock->show();
+        dock->raise();
+        m_device->focusNaming();
+    });
+    connect(m_bus, &BusSession::named, this, [this](DeviceNumber number) {
+        if (currentNumber() == number)
+            choose(number);
+    });
     connect(m_parameters, &ParameterPanel::wizardRequested, this, &MainWindow::showWizard);
     connect(m_parameters, &ParameterPanel::refusalShown, this, [this] {
         auto *dock = findChild<QDockWidget *>(QStringLiteral("parametersDock"));
@@ -246,6 +261,7 @@ void MainWindow::choose(DeviceNumber number)
     m_wizard->setEncoder(encoder);
     m_cams->setEncoder(encoder);
     m_actions.showChosen(encoder);
+    m_device->setPlace(number);
 }
 
 void MainWindow::openFirstMonitors()

@@ -19,6 +19,7 @@ namespace codewheel {
 class AlarmStopEverywhere;
 class BusSession;
 class CamEditor;
+class DevicePanel;
 class DialPanel;
 class EncoderSession;
 class Leaving;
@@ -100,6 +101,7 @@ private:
     CamEditor *m_cams = nullptr;
     ParameterPanel *m_parameters = nullptr;
     DialPanel *m_dial = nullptr;
+    DevicePanel *m_device = nullptr;
     TraceView *m_trace = nullptr;
     SequenceView *m_sequence = nullptr;
     MessageModel *m_messageModel = nullptr;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/program.h"
 
+#include "app/user_devices.h"
 #include "app/window/main_window.h"
 #include "app/window/start_probe.h"
 #include "widgets/messages/message_model.h"
@@ -56,9 +57,15 @@ void Program::startBus()
 {
     const bool measured = reportFirstPaint();
     m_catalog = std::make_unique<Catalog>(Catalog::builtIn());
+    const std::vector<Catalog::Fault> faults = addUserDevices(*m_catalog, userDeviceFolder());
     m_messages = std::make_unique<MessageModel>();
     m_training = openTrainingSession(*m_catalog, QDateTime::currentDateTime());
     m_messages->setBus(*m_training.bus);
+    for (const Catalog::Fault &fault : faults)
+        m_messages->addNow(
+            {.severity = Severity::attention,
+             .refusal =
+                 Refusal{RefusalKind::badInput, RefusalId::deviceFileBroken, {fault.place(), fault.reason}}});
     attach();
     m_training.bus->startThread(busPeriod);
     m_pictures.start(picturePeriod);

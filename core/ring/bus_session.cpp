@@ -2,6 +2,7 @@
 #include "ring/bus_session.h"
 
 #include "catalog/catalog.h"
+#include "catalog/hex_code.h"
 #include "drivers/make_driver.h"
 #include "ring/paced_thread.h"
 #include "ring/ring_encoder_session.h"
@@ -28,6 +29,10 @@ struct BusSession::Private
 
     const DeviceDescription *describe(const Participant &participant) const;
     RingRunner::Drivers makeDevices(BusSession &bus);
+    // The session at a place of the ring, for `description` if there is one, and its driver.
+    std::unique_ptr<CyclicDriver> makeSession(BusSession &bus, std::size_t place,
+                                              const DeviceDescription *description);
+    bool isStale(std::size_t place) const { return renamings[place] > 0; }
     void fetch();
     std::size_t indexOf(DeviceNumber number) const; // structure.size(): no such device
 
@@ -41,6 +46,8 @@ struct BusSession::Private
     std::deque<DeviceDescription> descriptions;                // of those that have a session
     std::vector<std::unique_ptr<RingEncoderSession>> sessions; // null: no driver
     std::vector<std::unique_ptr<WordChannel>> channels;
+    std::vector<std::unique_ptr<RingEncoderSession>> retired; // of devices named in the midst of pump()
+    std::vector<int> renamings;          // on their way to the bus thread: what comes is of the driver before
     std::unique_ptr<RingRunner> runner;  // null: closed
     std::unique_ptr<PacedThread> thread; // null: cycles by hand
 
@@ -64,29 +71,42 @@ RingRunner::Drivers BusSession::Private::makeDevices(BusSession &bus)
     events.clear();
     sessions.clear();
     channels.clear();
+    retired.clear();
     descriptions.clear();
     RingRunner::Drivers drivers(structure.size());
     sessions.resize(structure.size());
+    renamings.assign(structure.size(), 0);
     for (std::size_t i = 0; i < structure.size(); ++i) {
         const Participant &participant = structure[i];
         channels.push_back(std::make_unique<WordChannel>(bus, i, participant.number, participant.inWords,
                                                          participant.outWords));
-        const DeviceDescription *description = describe(participant);
-        if (!description)
-            continue;
-        const DeviceDescription &own = descriptions.emplace_back(*description);
-        drivers[i] = driverFor(own);
-        if (drivers[i])
-            sessions[i] = std::make_unique<RingEncoderSession>(bus, i, participant.number, own,
-                                                               link->boundsWordsToCycles());
+        drivers[i] = makeSession(bus, i, describe(participant));
     }
     return drivers;
+}
+
+std::unique_ptr<CyclicDriver> BusSession::Private::makeSession(BusSession &bus, std::size_t place,
+                                                               const DeviceDescription *description)
+{
+    sessions[place].reset();
+    if (!description)
+        return nullptr;
+    const DeviceDescription &own = descriptions.emplace_back(*description);
+    auto driver = driverFor(own);
+    if (driver)
+        sessions[place] = std::make_unique<RingEncoderSession>(bus, place, structure[place].number, own,
+                                                               link->boundsWordsToCycles());
+    return driver;
 }
 
 void BusSession::Private::fetch()
 {
     for (RingEvent &event : runner->takeEvents()) {
+        if (isStale(event.device) && std::holds_alternative<Event>(event.what))
+            continue;
         const auto *message = std::get_if<Message>(&event.what);
+        if (message && message->id == MessageId::deviceNamed)
+            --renamings[event.device];
         if (message && message->id == MessageId::wordWritten)
             channels[event.device]->wasWritten(std::get<Word>(message->arguments.front()), message->at);
         events.push_back(std::move(event));
@@ -188,6 +208,7 @@ void BusSession::pump()
     d->fetch();
     if (d->pumping)
         return;
+    d->retired.clear();
     const QScopedValueRollback pumping(d->pumping, true);
     while (d->latestIsNew || !d->events.empty()) {
         const bool isNew = std::exchange(d->latestIsNew, false);
@@ -208,7 +229,7 @@ void BusSession::showLatest()
     const auto shown = d->latest;
     for (std::size_t i = 0; i < shown->devices.size(); ++i) {
         d->channels[i]->show(shown->devices[i], shown->at);
-        if (d->sessions[i])
+        if (d->sessions[i] && !d->isStale(i))
             d->sessions[i]->show(shown->devices[i].reading);
     }
     const bool stateIsOther = std::exchange(d->toldState, shown->state) != shown->state;
@@ -254,6 +275,59 @@ Result<void> BusSession::write(std::size_t device, Word word)
         return refuse(RefusalKind::busy, RefusalId::wordHeldByJob, {participant.number.toString()});
     post(command::SetOut{device, word});
     return {};
+}
+
+Result<void> BusSession::canBe(DeviceNumber number, const DeviceDescription &device) const
+{
+    const std::size_t i = d->indexOf(number);
+    const unsigned there = i < d->structure.size() ? d->structure[i].deviceCode : 0;
+    if (device.deviceCode == there)
+        return {};
+    const QString its = device.profile == Profile::esc ? QStringLiteral("-") : hexCode(device.deviceCode, 4);
+    return refuse(RefusalKind::badInput, RefusalId::deviceCodeDiffers,
+                  {number.toString(), hexCode(there, 4), device.fullName(), its});
+}
+
+Result<void> BusSession::name(DeviceNumber number, const QString &deviceKey, int turns, int stepsPerTurn)
+{
+    const std::size_t i = d->indexOf(number);
+    if (!d->runner || i >= d->structure.size())
+        return refuse(RefusalKind::busy, RefusalId::notRunning, {number.toString()});
+    Participant &participant = d->structure[i];
+    const DeviceDescription *wanted = d->catalog.find(deviceKey);
+    if (wanted)
+        if (auto can = canBe(number, *wanted); !can)
+            return can;
+    if (d->sessions[i] && d->sessions[i]->runningJob())
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {number.toString()});
+
+    participant.deviceKey = wanted ? deviceKey : QString();
+    std::optional<DeviceDescription> described;
+    if (const DeviceDescription *found = d->describe(participant))
+        described = *found;
+    if (described && turns > 0)
+        described->physicalTurns = turns;
+    if (described && stepsPerTurn > 0)
+        described->physicalStepsPerTurn = stepsPerTurn;
+    const int writes = d->sessions[i] ? d->sessions[i]->eepromWrites() : 0;
+    d->retired.push_back(std::move(d->sessions[i]));
+    auto driver = d->makeSession(*this, i, described ? &*described : nullptr);
+    if (d->sessions[i])
+        d->sessions[i]->countEepromWrites(writes);
+    ++d->renamings[i];
+    std::erase_if(d->events, [i](const RingEvent &event) {
+        return event.device == i && std::holds_alternative<Event>(event.what);
+    });
+    post(command::SetDriver{i, std::move(driver), described ? described->fullName() : number.toString()});
+    Q_EMIT named(number);
+    if (!d->pumping)
+        d->retired.clear();
+    return {};
+}
+
+const Catalog &BusSession::catalog() const
+{
+    return d->catalog;
 }
 
 void BusSession::post(Command command)

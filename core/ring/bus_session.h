@@ -73,10 +73,21 @@ public:
     void alarmStop();
     void zeroOut(DeviceNumber number);
 
+    // The user names the device: the key of a description with the device code of the place, or nothing to
+    // have it "make not known" again. What the label tells of its resolution goes before the description; 0:
+    // it does not. The device gets a new session (or none): encoder() gives that one from now on, and nothing
+    // that was known is kept but the count of EEPROM writes; the old one ends. Refused while a job runs.
+    // Sends nothing.
+    Result<void> name(DeviceNumber number, const QString &deviceKey, int turns = 0, int stepsPerTurn = 0);
+    // Whether the device at `number` can be this one, by its device code.
+    Result<void> canBe(DeviceNumber number, const DeviceDescription &device) const;
+    const Catalog &catalog() const;
+
 Q_SIGNALS:
     void updated();      // a new snapshot; at most once per pump
     void stateChanged(); // master state or Watch / Operate
     void messaged(const codewheel::Message &message);
+    void named(codewheel::DeviceNumber number); // its session is another one now
 
 private:
     friend class WordChannel;

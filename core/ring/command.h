@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "drivers/cyclic_driver.h"
 #include "encoder/job.h"
 #include "encoder/known.h"
 
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -37,6 +39,13 @@ struct SetKnown
     std::size_t device;
     std::vector<Known> known;
 };
+// The user named the device: another driver from now on, or none. No job runs.
+struct SetDriver
+{
+    std::size_t device;
+    std::unique_ptr<CyclicDriver> driver;
+    QString name; // for the message
+};
 struct StartBus
 {};
 struct StopBus
@@ -48,8 +57,8 @@ struct SetOperate
 struct AlarmStop
 {};
 } // namespace command
-using Command =
-    std::variant<command::SetOut, command::StartJob, command::Proceed, command::Cancel, command::SetKnown,
-                 command::StartBus, command::StopBus, command::SetOperate, command::AlarmStop>;
+using Command = std::variant<command::SetOut, command::StartJob, command::Proceed, command::Cancel,
+                             command::SetKnown, command::SetDriver, command::StartBus, command::StopBus,
+                             command::SetOperate, command::AlarmStop>;
 
 } // namespace codewheel

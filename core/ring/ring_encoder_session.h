@@ -51,6 +51,7 @@ private:
     void takeFault(const Message &fault);
     void report(Message message, Instant at);
     void postKnown();
+    void countEepromWrites(int writes) { m_eepromWrites += writes; }
     Result<void> checkLink(const Job &job) const;
 
     BusSession &m_bus;

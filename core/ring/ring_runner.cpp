@@ -23,6 +23,7 @@ struct RingRunner::Private
     void carryOut(const command::Proceed &c) { drivers[c.device]->proceed(); }
     void carryOut(const command::Cancel &c);
     void carryOut(const command::SetKnown &c) { drivers[c.device]->setKnown(c.known); }
+    void carryOut(command::SetDriver &c);
     void carryOut(command::StartBus);
     void carryOut(command::StopBus);
     void carryOut(command::SetOperate c);
@@ -81,8 +82,8 @@ RingRunner::Private::Private(ProcessDataLink &usedLink, RingStructure ringStruct
 // What was posted after an ALARM STOP waits for the next cycle, so that the zeros go out.
 void RingRunner::Private::carryOutCommands()
 {
-    while (const auto next = commands.next()) {
-        std::visit([this](const auto &c) { carryOut(c); }, *next);
+    while (auto next = commands.next()) {
+        std::visit([this](auto &c) { carryOut(c); }, *next);
         if (std::holds_alternative<command::AlarmStop>(*next))
             return;
     }
@@ -134,6 +135,14 @@ void RingRunner::Private::carryOut(const command::Cancel &c)
 {
     if (drivers[c.device]->busy())
         drivers[c.device]->cancel(c.how, ring.at);
+}
+
+// What the driver before had shown is no reading of this one.
+void RingRunner::Private::carryOut(command::SetDriver &c)
+{
+    drivers[c.device] = std::move(c.driver);
+    ring.devices[c.device].reading = {};
+    tellOfDevice(c.device, {.id = MessageId::deviceNamed, .arguments = {c.name}});
 }
 
 void RingRunner::Private::carryOut(command::StartBus)

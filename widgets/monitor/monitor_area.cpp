@@ -70,7 +70,27 @@ MonitorArea::MonitorArea(BusSession &bus, QWidget *parent)
         for (WordMonitor *monitor : m_monitors)
             monitor->busStateChanged();
     });
+    connect(&bus, &BusSession::named, this, &MonitorArea::openAgain);
     showWhetherEmpty();
+}
+
+// A device that was named has another session and other words: its monitors are made anew, in their places.
+void MonitorArea::openAgain(DeviceNumber number)
+{
+    const auto before = m_monitors;
+    for (WordMonitor *monitor : before) {
+        if (monitor->number() != number)
+            continue;
+        const int row = m_column->indexOf(monitor);
+        const auto place = std::ranges::find(m_monitors, monitor) - m_monitors.begin();
+        WordMonitor *fresh = addMonitor(number, monitor->kind());
+        fresh->setHighHalf(monitor->isHighHalf());
+        m_monitors.pop_back();
+        m_monitors.insert(m_monitors.begin() + place, fresh);
+        m_column->removeWidget(fresh);
+        m_column->insertWidget(row, fresh);
+        remove(monitor);
+    }
 }
 
 void MonitorArea::makeBar()

@@ -45,6 +45,7 @@ public:
 
 private:
     void makeBar();
+    void openAgain(DeviceNumber number);
     void fillAddMenu();
     WordMonitor *addMonitor(DeviceNumber number, MonitorKind kind);
     void remove(WordMonitor *monitor);

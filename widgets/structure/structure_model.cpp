@@ -2,6 +2,7 @@
 #include "widgets/structure/structure_model.h"
 
 #include "catalog/device_description.h"
+#include "catalog/hex_code.h"
 #include "encoder/device_error_name.h"
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
@@ -13,12 +14,6 @@ namespace codewheel {
 namespace {
 
 constexpr quintptr masterId = 0; // of its row; a node has its index + 1
-
-// As the manuals write it: "37h", "0237h".
-QString hexCode(unsigned code, int digits)
-{
-    return QString::number(code, 16).toUpper().rightJustified(digits, u'0') + u'h';
-}
 
 QString idCodeText(unsigned code)
 {
@@ -56,13 +51,7 @@ void StructureModel::setBus(BusSession *bus)
     m_remote.clear();
     if (bus != nullptr) {
         for (const Participant &participant : bus->structure()) {
-            const EncoderSession *encoder = bus->encoder(participant.number);
-            const DeviceDescription *device = encoder == nullptr ? nullptr : &encoder->device();
-            Node node{.participant = participant,
-                      .name = participantName(participant, device),
-                      .profile = profileText(device),
-                      .children = {},
-                      .shown = {}};
+            Node node = nodeOf(*bus, participant);
             const int self = static_cast<int>(m_nodes.size());
             const auto head = std::ranges::find_if(m_nodes, [&](const Node &other) {
                 return participant.number.position != 0 && other.participant.number.position == 0 &&
@@ -78,12 +67,37 @@ void StructureModel::setBus(BusSession *bus)
         }
         connect(bus, &BusSession::updated, this, &StructureModel::refresh);
         connect(bus, &BusSession::stateChanged, this, &StructureModel::refresh);
+        connect(bus, &BusSession::named, this, &StructureModel::showName);
         for (const DeviceNumber number : bus->numbers())
             if (WordChannel *channel = bus->channel(number))
                 connect(channel, &WordChannel::stagedChanged, this, &StructureModel::refresh);
     }
     endResetModel();
     refresh();
+}
+
+StructureModel::Node StructureModel::nodeOf(const BusSession &bus, const Participant &participant)
+{
+    const EncoderSession *encoder = bus.encoder(participant.number);
+    const DeviceDescription *device = encoder == nullptr ? nullptr : &encoder->device();
+    return {.participant = participant,
+            .name = participantName(participant, device),
+            .profile = profileText(device),
+            .children = {},
+            .shown = {}};
+}
+
+void StructureModel::showName(DeviceNumber number)
+{
+    const QModelIndex row = indexOf(number);
+    if (!row.isValid())
+        return;
+    const auto place = static_cast<std::size_t>(nodeOf(row));
+    const Node named = nodeOf(*m_bus, m_bus->structure()[place]);
+    m_nodes[place].participant = named.participant;
+    m_nodes[place].name = named.name;
+    m_nodes[place].profile = named.profile;
+    Q_EMIT dataChanged(row, row.siblingAtColumn(columns - 1));
 }
 
 // Only what changed is told to the views: most pictures change no state at all.

@@ -58,6 +58,8 @@ private:
     };
 
     void refresh();
+    static Node nodeOf(const BusSession &bus, const Participant &participant);
+    void showName(DeviceNumber number);
     Shown shownOf(const Node &node, std::size_t place) const;
     Shown shownOfMaster() const;
     QVariant masterCell(int column, int role) const;

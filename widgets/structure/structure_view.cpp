@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/structure/structure_view.h"
 
+#include "catalog/device_description.h"
 #include "ring/bus_session.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/inline_message.h"
 #include "widgets/structure/structure_model.h"
 
 #include <QHeaderView>
@@ -26,11 +28,14 @@ StructureView::StructureView(QWidget *parent)
     , m_tree(new QTreeView(this))
     , m_empty(new EmptyState(Icon::ring, tr("No ring is connected."),
                              tr("The training bus starts with the program."), this))
+    , m_question(new InlineMessage(this))
 {
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_tree);
     layout->addWidget(m_empty);
+    layout->addWidget(m_question);
+    m_question->setObjectName(QStringLiteral("makeQuestion"));
 
     m_tree->setObjectName(QStringLiteral("structure"));
     m_tree->setAccessibleName(tr("Bus structure"));
@@ -50,6 +55,7 @@ StructureView::StructureView(QWidget *parent)
     const auto numberAt = [this](const QModelIndex &index) { return m_model->numberAt(index); };
     connect(m_tree->selectionModel(), &QItemSelectionModel::currentChanged, this,
             [=, this](const QModelIndex &index) {
+                askForMake();
                 if (const auto number = numberAt(index))
                     Q_EMIT chosen(*number);
             });
@@ -60,6 +66,10 @@ StructureView::StructureView(QWidget *parent)
     connect(m_tree, &QTreeView::customContextMenuRequested, this, [=, this](const QPoint &position) {
         if (const auto number = numberAt(m_tree->indexAt(position)))
             Q_EMIT menuRequested(*number, m_tree->viewport()->mapToGlobal(position));
+    });
+    connect(m_question, &InlineMessage::actionTriggered, this, [this] {
+        if (const auto number = current())
+            Q_EMIT namingRequested(*number);
     });
     // Afterwards: the header is still resizing when it tells.
     connect(
@@ -89,13 +99,31 @@ void StructureView::resizeEvent(QResizeEvent *event)
 
 void StructureView::setBus(BusSession *bus)
 {
+    if (m_bus != nullptr)
+        m_bus->disconnect(this);
+    m_bus = bus;
     m_model->setBus(bus);
+    if (bus != nullptr)
+        connect(bus, &BusSession::named, this, &StructureView::askForMake);
     m_tree->expandAll();
     m_tree->setVisible(bus != nullptr);
     m_empty->setVisible(bus == nullptr);
     fitColumns();
     if (bus != nullptr && !bus->structure().empty())
         choose(bus->structure().front().number);
+}
+
+// The ID code tells the profile, never the make.
+void StructureView::askForMake()
+{
+    const auto number = current();
+    const EncoderSession *encoder = m_bus && number ? m_bus->encoder(*number) : nullptr;
+    if (encoder != nullptr && encoder->device().isGeneric())
+        m_question->showMessage(Role::attention,
+                                tr("The bus does not tell which make %1 is.").arg(number->toString()),
+                                tr("Name it"));
+    else
+        m_question->withdraw();
 }
 
 std::optional<DeviceNumber> StructureView::current() const

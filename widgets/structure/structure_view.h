@@ -13,6 +13,7 @@ namespace codewheel {
 
 class BusSession;
 class EmptyState;
+class InlineMessage;
 class StructureModel;
 
 // The bus structure as a tree. The chosen device is what the panels beside it show; Enter or a double click
@@ -32,6 +33,8 @@ public:
 Q_SIGNALS:
     void chosen(codewheel::DeviceNumber number);
     void opened(codewheel::DeviceNumber number);
+    // Which make the chosen device is, the bus does not tell: the user wants to.
+    void namingRequested(codewheel::DeviceNumber number);
     void menuRequested(codewheel::DeviceNumber number, const QPoint &globalPosition);
 
 protected:
@@ -39,10 +42,13 @@ protected:
 
 private:
     void fitColumns();
+    void askForMake();
 
+    BusSession *m_bus = nullptr;
     StructureModel *m_model;
     QTreeView *m_tree;
     EmptyState *m_empty;
+    InlineMessage *m_question;
 };
 
 } // namespace codewheel

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/answer.h"
+
+namespace codewheel {
+
+class Catalog;
+
+// What the key on a label says, and which devices it may belong to.
+Checked<Answer> labelAnswer(const Catalog &catalog, const QString &typed);
+
+// Whether the description file at `path` is sound. Not refused for what the user's folder has of it already.
+Answer checkAnswer(const QString &path);
+
+} // namespace codewheel

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+
+#include <QJsonObject>
+
+namespace codewheel {
+
+// What the manual's tables say of a device: connectors, LEDs, supply, limits, ordering key. Empty where it
+// has none.
+QString deviceTablesText(const DeviceDescription &device);
+// The same; texts in the user's language.
+QJsonObject deviceTablesJson(const DeviceDescription &device);
+
+} // namespace codewheel

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/device/device_panel.h"
+
+#include "catalog/device_description.h"
+#include "encoder/encoder_session.h"
+#include "ring/bus_session.h"
+#include "widgets/device/device_html.h"
+#include "widgets/device/naming_bar.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/grid.h"
+
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+namespace codewheel {
+
+DevicePanel::DevicePanel(BusSession &bus, QWidget *parent)
+    : QWidget(parent)
+    , m_bus(bus)
+    , m_naming(new NamingBar(bus, this))
+    , m_page(new QTextBrowser(this))
+    , m_empty(new EmptyState(Icon::encoder, tr("No description"), QString(), this))
+{
+    m_page->setObjectName(QStringLiteral("devicePage"));
+    m_page->setFrameShape(QFrame::NoFrame);
+    m_page->setAccessibleName(tr("What the manual says of the device"));
+    m_page->setToolTip(tr("Pins, LEDs, limits, label key and parameters, with the chapter of the manual"));
+    m_page->setTabChangesFocus(true);
+    m_page->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins(grid::margin, grid::margin, grid::margin, grid::margin);
+    rows->setSpacing(grid::margin);
+    rows->addWidget(m_naming);
+    rows->addWidget(m_page, 1);
+    rows->addWidget(m_empty, 1);
+    setFocusProxy(m_naming);
+    connect(m_naming, &NamingBar::lookedUp, this, &DevicePanel::showDevice);
+    connect(&bus, &BusSession::named, this, [this](DeviceNumber number) {
+        if (m_number == number)
+            setPlace(number);
+    });
+    showDevice();
+}
+
+void DevicePanel::setPlace(std::optional<DeviceNumber> number)
+{
+    m_number = number;
+    m_naming->setPlace(number);
+    showDevice();
+}
+
+void DevicePanel::focusNaming()
+{
+    m_naming->focusKey();
+}
+
+const DeviceDescription *DevicePanel::shown() const
+{
+    if (const LabelMatch *looked = m_naming->looked())
+        return looked->device;
+    const EncoderSession *encoder = m_number ? m_bus.encoder(*m_number) : nullptr;
+    return encoder ? &encoder->device() : nullptr;
+}
+
+void DevicePanel::showDevice()
+{
+    const DeviceDescription *device = shown();
+    m_page->setVisible(device != nullptr);
+    m_empty->setVisible(device == nullptr);
+    if (device)
+        m_page->setHtml(deviceHtml(*device));
+    else if (m_number)
+        m_empty->setTexts(tr("There is no description of %1.").arg(m_number->toString()),
+                          tr("Put one into the folder codewheel/devices of your data folder, or type the key "
+                             "on its label to look one up."));
+    else
+        m_empty->setTexts(tr("No device is chosen."),
+                          tr("Choose one in the bus structure, or type the key on a label to look one up."));
+}
+
+} // namespace codewheel
