@@ -37,7 +37,7 @@ NamingBar::NamingBar(BusSession &bus, QWidget *parent)
     , m_question(new QLabel(this))
     , m_key(new QLineEdit(this))
     , m_choice(new QComboBox(this))
-    , m_name(new QPushButton(tr("&Name it"), this))
+    , m_name(new QPushButton(tr("Name it"), this))
     , m_reading(new QLabel(this))
     , m_message(new InlineMessage(this))
 {
@@ -58,10 +58,10 @@ NamingBar::NamingBar(BusSession &bus, QWidget *parent)
 
     auto *fields = new QFormLayout;
     fields->setRowWrapPolicy(QFormLayout::WrapLongRows);
-    auto *keyLabel = new QLabel(tr("&Label key"), this);
+    auto *keyLabel = new QLabel(tr("Label key"), this);
     keyLabel->setBuddy(m_key);
     fields->addRow(keyLabel, m_key);
-    auto *choiceLabel = new QLabel(tr("En&coder"), this);
+    auto *choiceLabel = new QLabel(tr("Encoder"), this);
     choiceLabel->setBuddy(m_choice);
     fields->addRow(choiceLabel, m_choice);
 
