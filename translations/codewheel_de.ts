@@ -326,12 +326,12 @@
         <translation>Handshake &amp;fortsetzen</translation>
     </message>
     <message>
-        <source>Run has been sent: what it has taken is valid.</source>
-        <translation>Run wurde gesendet: Was er übernommen hat, gilt.</translation>
-    </message>
-    <message>
         <source>&amp;Leave it with what it has</source>
         <translation>Lassen, wie er &amp;ist</translation>
+    </message>
+    <message>
+        <source>What it has taken is valid already.</source>
+        <translation>Was er übernommen hat, gilt schon.</translation>
     </message>
 </context>
 <context>
@@ -569,10 +569,6 @@
         <translation>Der Geber ist in der Parametrierung: keine Position, bis Run gesendet wird.</translation>
     </message>
     <message>
-        <source>The encoder is in the error state: it gives no position.</source>
-        <translation>Der Geber ist im Fehlerzustand: keine Position.</translation>
-    </message>
-    <message>
         <source>The encoder still shows a read-out value.</source>
         <translation>Der Geber zeigt noch einen Auslesewert.</translation>
     </message>
@@ -587,6 +583,10 @@
     <message>
         <source>The encoder is in service mode: it gives no position until the service bit is 0.</source>
         <translation>Der Geber ist im Dienstbetrieb: Er gibt keine Position aus, bis das Dienst-Bit 0 ist.</translation>
+    </message>
+    <message>
+        <source>The encoder is in the error state: it gives no valid position.</source>
+        <translation>Der Geber ist im Fehlerzustand: Er gibt keine gültige Position aus.</translation>
     </message>
 </context>
 <context>
@@ -1004,13 +1004,6 @@
     </message>
 </context>
 <context>
-    <name>Millimetres</name>
-    <message>
-        <source>%1 mm per step</source>
-        <translation>%1 mm je Schritt</translation>
-    </message>
-</context>
-<context>
     <name>Parameter</name>
     <message>
         <source>Steps</source>
@@ -1250,6 +1243,10 @@
     <message>
         <source>The factory setting is not stated.</source>
         <translation>Die Werkseinstellung ist nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>Stands on the label of the encoder; it is told, never written.</source>
+        <translation>Steht auf dem Typenschild des Gebers; wird angegeben, nie geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -1575,6 +1572,13 @@
     </message>
 </context>
 <context>
+    <name>Resolution</name>
+    <message>
+        <source>%1 mm per step</source>
+        <translation>%1 mm je Schritt</translation>
+    </message>
+</context>
+<context>
     <name>RodPicture</name>
     <message>
         <source>mm</source>
@@ -1855,6 +1859,10 @@
     <message>
         <source>confirmed in the handshake, and run was answered by operation; this encoder cannot be read</source>
         <translation>im Handshake quittiert, und auf Run folgte der Betrieb; dieser Geber ist nicht auslesbar</translation>
+    </message>
+    <message>
+        <source>Position set to</source>
+        <translation>Position gesetzt auf</translation>
     </message>
 </context>
 <context>
@@ -3571,10 +3579,6 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
         <translation>Die andere Drehrichtung kommt zu den gewünschten Werten.</translation>
     </message>
     <message>
-        <source>When turned this way, the position shall:</source>
-        <translation>In dieser Richtung soll die Position:</translation>
-    </message>
-    <message>
         <source>The direction the encoder has now is not known: read it, or choose it on the page of the values.</source>
         <translation>Die jetzige Drehrichtung des Gebers ist unbekannt: auslesen, oder auf der Seite der Werte wählen.</translation>
     </message>
@@ -3603,8 +3607,16 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
         <translation>Zählt abwärts</translation>
     </message>
     <message>
-        <source>Goes both ways: turn it one way only</source>
-        <translation>Läuft hin und her: nur in eine Richtung drehen</translation>
+        <source>When moved this way, the position shall:</source>
+        <translation>In dieser Richtung soll die Position:</translation>
+    </message>
+    <message>
+        <source>Move the magnet a little, the way the machine moves forward. Nothing is sent.</source>
+        <translation>Den Magneten ein Stück bewegen, so wie die Maschine vorwärts fährt. Gesendet wird nichts.</translation>
+    </message>
+    <message>
+        <source>Goes both ways: move it one way only</source>
+        <translation>Geht hin und her: nur in eine Richtung bewegen</translation>
     </message>
 </context>
 <context>
@@ -3938,10 +3950,6 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
         <translation>Die übrigen Worte folgen einander, sobald der Geber sie quittiert.</translation>
     </message>
     <message>
-        <source>Writes the values from before, then run.</source>
-        <translation>Schreibt die Werte von vorher, dann Run.</translation>
-    </message>
-    <message>
         <source>Sends run: what the encoder has taken becomes valid, if it accepts it.</source>
         <translation>Sendet Run: Was der Geber übernommen hat, wird gültig, wenn er es annimmt.</translation>
     </message>
@@ -4005,6 +4013,18 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
         <source>&amp;Report</source>
         <translation>Be&amp;richt</translation>
     </message>
+    <message>
+        <source>Writes the values from before again.</source>
+        <translation>Schreibt die Werte von vorher wieder.</translation>
+    </message>
+    <message>
+        <source>&amp;End the service</source>
+        <translation>Den Dienst be&amp;enden</translation>
+    </message>
+    <message>
+        <source>Takes the service bit back: the encoder shows its position again.</source>
+        <translation>Nimmt das Dienst-Bit zurück: Der Geber zeigt wieder seine Position.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::InlineMessage</name>
@@ -4033,10 +4053,6 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
         <translation>&amp;Vorige Werte</translation>
     </message>
     <message>
-        <source>Writes the values from before, then run</source>
-        <translation>Schreibt die Werte von vorher, dann Run</translation>
-    </message>
-    <message>
         <source>R&amp;un as it is</source>
         <translation>R&amp;un wie er ist</translation>
     </message>
@@ -4047,10 +4063,6 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>&amp;Leave it so</source>
         <translation>So &amp;lassen</translation>
-    </message>
-    <message>
-        <source>The encoder stays in parameterization: no position until run is sent</source>
-        <translation>Der Geber bleibt in der Parametrierung: keine Position, bis Run gesendet wird</translation>
     </message>
     <message>
         <source>&amp;Go on</source>
@@ -4083,6 +4095,14 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>The encoder has taken words of a cam program. How is it to be left?</source>
         <translation>Der Geber hat Worte eines Nockenprogramms übernommen. Wie soll er verlassen werden?</translation>
+    </message>
+    <message>
+        <source>Writes the values from before again</source>
+        <translation>Schreibt die Werte von vorher wieder</translation>
+    </message>
+    <message>
+        <source>OUT goes back to 0, and the encoder keeps the state it is in</source>
+        <translation>OUT geht zurück auf 0, und der Geber bleibt in seinem Zustand</translation>
     </message>
 </context>
 <context>
@@ -4209,6 +4229,10 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>unknown</source>
         <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>%1, from its label:</source>
+        <translation>%1, vom Typenschild:</translation>
     </message>
 </context>
 <context>
@@ -4771,6 +4795,14 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
         <source>Click, or Enter: shows the registers of the INTERBUS chip. While they are shown, Read from encoder reads them, too.</source>
         <translation>Klick oder Eingabe: zeigt die Register des INTERBUS-Chips. Solange sie gezeigt werden, liest „Auslesen“ sie mit.</translation>
     </message>
+    <message>
+        <source>tell it</source>
+        <translation>angeben</translation>
+    </message>
+    <message>
+        <source>from its label</source>
+        <translation>vom Typenschild</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ParameterPanel</name>
@@ -4891,6 +4923,47 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>What words set up a %1 is in no source, so none are sent. Its position is shown.</source>
         <translation>Mit welchen Worten %1 eingerichtet wird, steht in keiner Quelle; darum werden keine gesendet. Die Position wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>&amp;Set the position...</source>
+        <translation>Position &amp;setzen ...</translation>
+    </message>
+    <message>
+        <source>%1: the encoder has</source>
+        <comment>parameter name</comment>
+        <translation>%1: Der Geber hat</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>&amp;Tell</source>
+        <translation>A&amp;ngeben</translation>
+    </message>
+    <message>
+        <source>Takes the value as known by telling; nothing is sent. An empty field takes it back.</source>
+        <translation>Nimmt den Wert als angegeben; nichts wird gesendet. Ein leeres Feld nimmt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>The position here is to be</source>
+        <translation>Die Position soll hier sein</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>&amp;Set</source>
+        <translation>&amp;Setzen</translation>
+    </message>
+    <message>
+        <source>Sends service 6 with this position; it holds at once, and costs an EEPROM write.</source>
+        <translation>Sendet Dienst 6 mit dieser Position; sie gilt sofort und kostet einen EEPROM-Schreibvorgang.</translation>
+    </message>
+    <message>
+        <source>End the service</source>
+        <translation>Dienst beenden</translation>
     </message>
 </context>
 <context>
@@ -5070,6 +5143,33 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
         <source>&amp;Start the handshake</source>
         <translation>Handshake s&amp;tarten</translation>
     </message>
+    <message>
+        <source>the position is set to it</source>
+        <translation>die Position wird darauf gesetzt</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RodConsequences</name>
+    <message>
+        <source>The resolution can be told once the measuring length is known or wanted.</source>
+        <translation>Die Auflösung ist bestimmbar, sobald die Messlänge bekannt oder gewünscht ist.</translation>
+    </message>
+    <message>
+        <source>Positions from 0 to %1. For mm, calculate the measuring length from the length of the rod, or tell that length under What is known.</source>
+        <translation>Positionen von 0 bis %1. Für mm die Messlänge aus der Stablänge berechnen oder die Stablänge unter dem Bekannten angeben.</translation>
+    </message>
+    <message>
+        <source>Positions from 0 to %1 over %2 mm: %3.</source>
+        <translation>Positionen von 0 bis %1 über %2 mm: %3.</translation>
+    </message>
+    <message>
+        <source>The external preset %1 lies beyond the measuring length of %2 steps.</source>
+        <translation>Der externe Preset %1 liegt jenseits der Messlänge von %2 Schritten.</translation>
+    </message>
+    <message>
+        <source>The position to be set, %1, lies beyond the measuring length of %2 steps.</source>
+        <translation>Die zu setzende Position %1 liegt jenseits der Messlänge von %2 Schritten.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RodControls</name>
@@ -5194,6 +5294,53 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     </message>
 </context>
 <context>
+    <name>codewheel::RodPanel</name>
+    <message>
+        <source>From rod length and resolution</source>
+        <translation>Aus Stablänge und Auflösung</translation>
+    </message>
+    <message>
+        <source>&amp;Use this</source>
+        <translation>Über&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>Rod &amp;length, mm</source>
+        <translation>Stab&amp;länge, mm</translation>
+    </message>
+    <message>
+        <source>Length of the rod</source>
+        <translation>Länge des Stabs</translation>
+    </message>
+    <message>
+        <source>The measuring length in mm, on the label of the rod.</source>
+        <translation>Die Messlänge in mm, auf dem Typenschild des Stabs.</translation>
+    </message>
+    <message>
+        <source>mm per s&amp;tep</source>
+        <translation>mm je S&amp;chritt</translation>
+    </message>
+    <message>
+        <source>Wanted resolution</source>
+        <translation>Gewünschte Auflösung</translation>
+    </message>
+    <message>
+        <source>mm for one step of the position.</source>
+        <translation>mm für einen Schritt der Position.</translation>
+    </message>
+    <message>
+        <source>Puts this measuring length among the wanted values, and takes the length of the rod as told.</source>
+        <translation>Nimmt diese Messlänge in die gewünschten Werte auf und die Stablänge als angegeben.</translation>
+    </message>
+    <message>
+        <source>%1 steps (%2): %3, %4 mm off over %5 mm.</source>
+        <translation>%1 Schritte (%2): %3, Abweichung %4 mm auf %5 mm.</translation>
+    </message>
+    <message>
+        <source>The encoder cannot resolve this. Choose more mm per step.</source>
+        <translation>So fein löst der Geber nicht auf. Mehr mm je Schritt wählen.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::RodView</name>
     <message>
         <source>Rod</source>
@@ -5211,10 +5358,6 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>mm not known</source>
         <translation>mm unbekannt</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1 mm/s</source>
@@ -5469,6 +5612,29 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>Send the words to %1 one after the other, each until it is acknowledged</source>
         <translation>Die Worte nacheinander an %1 senden, jedes bis zur Bestätigung</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ShaftConsequences</name>
+    <message>
+        <source>Resolution and range can be told once steps, revolutions and direction are known or wanted.</source>
+        <translation>Auflösung und Bereich sind bestimmbar, sobald Schritte, Umdrehungen und Drehrichtung bekannt oder gewünscht sind.</translation>
+    </message>
+    <message>
+        <source>What it will read here cannot be told: the zero offset or the scale is not known.</source>
+        <translation>Was er hier zeigen wird, ist nicht bestimmbar: Nullpunkt-Verschiebung oder Skalierung ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>Resolution %1 steps per turn, total range %2 steps over %3 turns.</source>
+        <translation>Auflösung %1 Schritte je Umdrehung, Gesamtbereich %2 Schritte über %3 Umdrehungen.</translation>
+    </message>
+    <message>
+        <source>The position will jump: the measuring range of %1 turns does not divide the %2 turns of the encoder. Where those are used up, it goes from %3 to 0.</source>
+        <translation>Die Position wird springen: Der Messbereich von %1 Umdrehungen teilt die %2 Umdrehungen des Gebers nicht. Wo diese zu Ende sind, springt sie von %3 auf 0.</translation>
+    </message>
+    <message>
+        <source>The position will jump a little: %1 steps in %2 revolutions give no whole number of steps over %3 turns. A fraction of a step is lost each time they are used up.</source>
+        <translation>Die Position wird etwas springen: %1 Schritte bei %2 Umdrehungen ergeben keine ganze Zahl von Schritten über %3 Umdrehungen. Jedes Mal, wenn diese zu Ende sind, geht ein Bruchteil eines Schritts verloren.</translation>
     </message>
 </context>
 <context>
@@ -5736,12 +5902,8 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
         <translation>Position auf den Preset setzen, einen Buszyklus lang</translation>
     </message>
     <message>
-        <source>Put out the service and its data</source>
-        <translation>Dienst und Daten ausgeben</translation>
-    </message>
-    <message>
-        <source>Set the service bit</source>
-        <translation>Dienst-Bit setzen</translation>
+        <source>Take the service bit back</source>
+        <translation>Das Dienst-Bit zurücknehmen</translation>
     </message>
 </context>
 <context>
@@ -5881,34 +6043,6 @@ Zustand: %7</translation>
     <message>
         <source>&quot;%1&quot; cannot be on and blink.</source>
         <translation>„%1“ kann nicht zugleich leuchten und blinken.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::TellBar</name>
-    <message>
-        <source>&amp;Tell</source>
-        <translation>A&amp;ngeben</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Takes the value as known by telling; nothing is sent. An empty field takes it back.</source>
-        <translation>Nimmt den Wert als angegeben; nichts wird gesendet. Ein leeres Feld nimmt ihn zurück.</translation>
-    </message>
-    <message>
-        <source>Leaves what is known as it is (Esc)</source>
-        <translation>Lässt, was bekannt ist, wie es ist (Esc)</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
-    </message>
-    <message>
-        <source>%1: the encoder has</source>
-        <comment>parameter name</comment>
-        <translation>%1: Der Geber hat</translation>
     </message>
 </context>
 <context>
@@ -6168,6 +6302,17 @@ Zustand: %7</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::ValueBar</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Leaves everything as it is (Esc)</source>
+        <translation>Lässt alles, wie es ist (Esc)</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::ValueChangeTable</name>
     <message>
         <source>Parameter</source>
@@ -6209,24 +6354,20 @@ Zustand: %7</translation>
         <translation>jetzt %1</translation>
     </message>
     <message>
-        <source>Resolution and range can be told once steps, revolutions and direction are known or wanted.</source>
-        <translation>Auflösung und Bereich sind bestimmbar, sobald Schritte, Umdrehungen und Drehrichtung bekannt oder gewünscht sind.</translation>
+        <source>position</source>
+        <translation>Position</translation>
     </message>
     <message>
-        <source>What it will read here cannot be told: the zero offset or the scale is not known.</source>
-        <translation>Was er hier zeigen wird, ist nicht bestimmbar: Nullpunkt-Verschiebung oder Skalierung ist unbekannt.</translation>
+        <source>Position to set now</source>
+        <translation>Jetzt zu setzende Position</translation>
     </message>
     <message>
-        <source>Resolution %1 steps per turn, total range %2 steps over %3 turns.</source>
-        <translation>Auflösung %1 Schritte je Umdrehung, Gesamtbereich %2 Schritte über %3 Umdrehungen.</translation>
+        <source>&amp;Set the position now to</source>
+        <translation>Die Position jetzt &amp;setzen auf</translation>
     </message>
     <message>
-        <source>The position will jump: the measuring range of %1 turns does not divide the %2 turns of the encoder. Where those are used up, it goes from %3 to 0.</source>
-        <translation>Die Position wird springen: Der Messbereich von %1 Umdrehungen teilt die %2 Umdrehungen des Gebers nicht. Wo diese zu Ende sind, springt sie von %3 auf 0.</translation>
-    </message>
-    <message>
-        <source>The position will jump a little: %1 steps in %2 revolutions give no whole number of steps over %3 turns. A fraction of a step is lost each time they are used up.</source>
-        <translation>Die Position wird etwas springen: %1 Schritte bei %2 Umdrehungen ergeben keine ganze Zahl von Schritten über %3 Umdrehungen. Jedes Mal, wenn diese zu Ende sind, geht ein Bruchteil eines Schritts verloren.</translation>
+        <source>After the values, service 6 makes the place where the magnet stands this position.</source>
+        <translation>Nach den Werten macht Dienst 6 den Ort des Magneten zu dieser Position.</translation>
     </message>
 </context>
 <context>
@@ -6683,6 +6824,10 @@ Zustand: %7</translation>
     <message>
         <source>Write these values</source>
         <translation>Diese Werte schreiben</translation>
+    </message>
+    <message>
+        <source>Sends these words, each with its handshake on the service bit</source>
+        <translation>Sendet diese Worte, jedes mit seinem Handshake am Dienst-Bit</translation>
     </message>
 </context>
 <context>
