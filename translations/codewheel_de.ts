@@ -2772,12 +2772,6 @@
         <translation>die Geber auflisten, die dieses Programm kennt</translation>
     </message>
     <message>
-        <source>Lists the encoders this program knows. With a NAME: its parameters with their numbers,
-read-out codes, factory values and ranges, its errors and how often its EEPROM can be written.</source>
-        <translation>Listet die Geber auf, die dieses Programm kennt. Mit NAME: seine Parameter mit Nummern,
-Auslesecodes, Werkseinstellungen und Bereichen, seine Fehler und wie oft sein EEPROM beschreibbar ist.</translation>
-    </message>
-    <message>
         <source>whose word it is (see devices)</source>
         <translation>wessen Wort es ist (siehe devices)</translation>
     </message>
@@ -3418,6 +3412,85 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
         <source>The encoder was left in error: it shows the last position it knew.</source>
         <translation>Der Geber blieb im Fehler: Er zeigt die letzte bekannte Position.</translation>
     </message>
+    <message>
+        <source>take the encoder for this one: a name of &quot;devices&quot;, or the key on its label</source>
+        <translation>den Geber für diesen nehmen: ein Name aus „devices“ oder der Schlüssel auf dem Typenschild</translation>
+    </message>
+    <message>
+        <source>what the key on a label says, and whose it is</source>
+        <translation>was der Schlüssel auf einem Typenschild sagt, und wessen er ist</translation>
+    </message>
+    <message>
+        <source>whether a description file is sound</source>
+        <translation>ob eine Beschreibungsdatei in Ordnung ist</translation>
+    </message>
+    <message>
+        <source>Give one of these: a NAME, --label KEY or --check FILE.</source>
+        <translation>Eines davon angeben: einen NAME, --label KEY oder --check FILE.</translation>
+    </message>
+    <message>
+        <source>Lists the encoders this program knows. With a NAME: its parameters with their numbers,
+read-out codes, factory values and ranges, its errors, how often its EEPROM can be written, and
+what its manual&apos;s tables say: pins, LEDs, supply, limits, ordering key. Descriptions of your own
+are read from ~/.local/share/codewheel/devices/*.json; --check tells whether one is sound.</source>
+        <translation>Listet die Geber auf, die dieses Programm kennt. Mit NAME: seine Parameter mit Nummern, Auslesecodes,
+Werkseinstellungen und Bereichen, seine Fehler, wie oft sein EEPROM beschreibbar ist, und was die
+Tabellen seines Handbuchs sagen: Anschlüsse, LEDs, Versorgung, Grenzwerte, Bestellschlüssel. Eigene
+Beschreibungen kommen aus ~/.local/share/codewheel/devices/*.json; --check prüft eine davon.</translation>
+    </message>
+    <message>
+        <source>The %1 is on a serial line: it has no words of process data.</source>
+        <translation>%1 ist an einer seriellen Leitung: Er hat keine Prozessdatenworte.</translation>
+    </message>
+    <message>
+        <source>One of these: the key does not tell which. The device code on the bus does.</source>
+        <translation>Einer von diesen: Der Schlüssel sagt nicht, welcher. Der Gerätecode am Bus sagt es.</translation>
+    </message>
+    <message>
+        <source>Turns and steps per turn: not told.</source>
+        <translation>Umdrehungen und Schritte je Umdrehung: nicht genannt.</translation>
+    </message>
+    <message>
+        <source>Turns: %1, steps per turn: %2</source>
+        <translation>Umdrehungen: %1, Schritte je Umdrehung: %2</translation>
+    </message>
+    <message>
+        <source> (of the description: the key does not tell them)</source>
+        <translation> (aus der Beschreibung: Der Schlüssel nennt sie nicht)</translation>
+    </message>
+    <message>
+        <source>%1 is sound: %2 (%3)</source>
+        <translation>%1 ist in Ordnung: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1 (manual: %2)</source>
+        <comment>Electrical data (manual: 6.1)</comment>
+        <translation>%1 (Handbuch: %2)</translation>
+    </message>
+    <message>
+        <source>%1 blinking</source>
+        <translation>%1 blinkt</translation>
+    </message>
+    <message>
+        <source>LEDs</source>
+        <translation>Leuchtdioden</translation>
+    </message>
+    <message>
+        <source>Ordering key, e.g. %1</source>
+        <translation>Bestellschlüssel, z. B. %1</translation>
+    </message>
+    <message>
+        <source>any, may be missing</source>
+        <translation>beliebig, kann fehlen</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>Supply</source>
+        <translation>Versorgung</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DescriptionReader</name>
@@ -3495,6 +3568,146 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     </message>
 </context>
 <context>
+    <name>codewheel::DeviceHtml</name>
+    <message>
+        <source>Manual: %1</source>
+        <comment>chapter</comment>
+        <translation>Handbuch: %1</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Device code</source>
+        <translation>Gerätecode</translation>
+    </message>
+    <message>
+        <source>Words IN / OUT</source>
+        <translation>Worte IN / OUT</translation>
+    </message>
+    <message>
+        <source>Steps per turn</source>
+        <translation>Schritte je Umdrehung</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Umdrehungen</translation>
+    </message>
+    <message>
+        <source>Supply</source>
+        <translation>Versorgung</translation>
+    </message>
+    <message>
+        <source>%1 (manual: %2)</source>
+        <translation>%1 (Handbuch: %2)</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Notes and assumptions</source>
+        <translation>Anmerkungen und Annahmen</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Stift</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>LEDs</source>
+        <translation>Leuchtdioden</translation>
+    </message>
+    <message>
+        <source>LED</source>
+        <translation>LED</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>%1 blinking</source>
+        <translation>%1 blinkt</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Ein</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Key on the label, e.g. %1</source>
+        <translation>Schlüssel auf dem Typenschild, z. B. %1</translation>
+    </message>
+    <message>
+        <source>any, may be missing</source>
+        <translation>beliebig, kann fehlen</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::DevicePage</name>
     <message>
         <source>Encoder</source>
@@ -3527,6 +3740,37 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>The make of this encoder is not known. If you know it, name it in the bus structure: then direction and errors can be told by their names.</source>
         <translation>Der Hersteller dieses Gebers ist unbekannt. Ist er bekannt, im Busaufbau nennen: Dann sind Drehrichtung und Fehler beim Namen zu nennen.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::DevicePanel</name>
+    <message>
+        <source>No description</source>
+        <translation>Keine Beschreibung</translation>
+    </message>
+    <message>
+        <source>What the manual says of the device</source>
+        <translation>Was das Handbuch über das Gerät sagt</translation>
+    </message>
+    <message>
+        <source>Pins, LEDs, limits, label key and parameters, with the chapter of the manual</source>
+        <translation>Anschlüsse, Leuchtdioden, Grenzwerte, Bestellschlüssel und Parameter, mit dem Kapitel des Handbuchs</translation>
+    </message>
+    <message>
+        <source>There is no description of %1.</source>
+        <translation>Für %1 gibt es keine Beschreibung.</translation>
+    </message>
+    <message>
+        <source>Put one into the folder codewheel/devices of your data folder, or type the key on its label to look one up.</source>
+        <translation>Eine in den Ordner codewheel/devices des eigenen Datenordners legen, oder den Schlüssel vom Typenschild eingeben und nachsehen.</translation>
+    </message>
+    <message>
+        <source>No device is chosen.</source>
+        <translation>Kein Gerät gewählt.</translation>
+    </message>
+    <message>
+        <source>Choose one in the bus structure, or type the key on a label to look one up.</source>
+        <translation>Eines im Busaufbau wählen, oder den Schlüssel von einem Typenschild eingeben und nachsehen.</translation>
     </message>
 </context>
 <context>
@@ -4358,6 +4602,10 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
         <source>training bus</source>
         <translation>Übungsbus</translation>
     </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::MessageModel</name>
@@ -4582,6 +4830,57 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>%1 has no words to show: it takes no part in the process data.</source>
         <translation>%1 hat keine Worte zu zeigen: Er nimmt an den Prozessdaten nicht teil.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::NamingBar</name>
+    <message>
+        <source>Name it</source>
+        <translation>Benennen</translation>
+    </message>
+    <message>
+        <source>Key on the label</source>
+        <translation>Schlüssel auf dem Typenschild</translation>
+    </message>
+    <message>
+        <source>Type the key on the label of the encoder. Spaces, dots and dashes do not matter.</source>
+        <translation>Den Schlüssel vom Typenschild des Gebers eingeben. Leerzeichen, Punkte und Striche sind gleichgültig.</translation>
+    </message>
+    <message>
+        <source>Encoder</source>
+        <translation>Geber</translation>
+    </message>
+    <message>
+        <source>The encoders of the catalog with this device code</source>
+        <translation>Die Geber des Katalogs mit diesem Gerätecode</translation>
+    </message>
+    <message>
+        <source>Takes the device for this encoder from now on. Nothing is sent; what was known of it is forgotten.</source>
+        <translation>Nimmt das Gerät ab jetzt für diesen Geber. Gesendet wird nichts; was über ihn bekannt war, ist vergessen.</translation>
+    </message>
+    <message>
+        <source>Label key</source>
+        <translation>Bestellschlüssel</translation>
+    </message>
+    <message>
+        <source>Which encoder is %1? The bus tells its device code (%2) but not its make.</source>
+        <translation>Welcher Geber ist %1? Der Bus nennt den Gerätecode (%2), aber nicht den Hersteller.</translation>
+    </message>
+    <message>
+        <source>%1 has been named. Choose &quot;make not known&quot; to take that back.</source>
+        <translation>%1 ist benannt. „Hersteller unbekannt“ nimmt das zurück.</translation>
+    </message>
+    <message>
+        <source>make not known</source>
+        <translation>Hersteller unbekannt</translation>
+    </message>
+    <message>
+        <source>%1: %2 turns, %3 steps per turn</source>
+        <translation>%1: %2 Umdrehungen, %3 Schritte je Umdrehung</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
     </message>
 </context>
 <context>
@@ -6029,6 +6328,14 @@ Zustand: %7</translation>
         <source>Choose a device to see it in the panels. Enter opens its monitors.</source>
         <translation>Ein Gerät wählen, um es in den Feldern zu sehen. Eingabe öffnet seine Monitore.</translation>
     </message>
+    <message>
+        <source>The bus does not tell which make %1 is.</source>
+        <translation>Der Bus sagt nicht, von welchem Hersteller %1 ist.</translation>
+    </message>
+    <message>
+        <source>Name it</source>
+        <translation>Benennen</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TablesReader</name>
@@ -6299,6 +6606,21 @@ Zustand: %7</translation>
     <message>
         <source>The device has no parameter &quot;%1&quot;.</source>
         <translation>Das Gerät hat keinen Parameter „%1“.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::UserDevices</name>
+    <message>
+        <source>There is no such file.</source>
+        <translation>Diese Datei gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: %1.</source>
+        <translation>Die Datei ist nicht lesbar: %1.</translation>
+    </message>
+    <message>
+        <source>The file is larger than 1 MiB: it is no device description.</source>
+        <translation>Die Datei ist größer als 1 MiB: Sie ist keine Gerätebeschreibung.</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,7 @@ const QStringList sameInGerman{
     QStringLiteral("&Bus"),
     QStringLiteral("BUS FAIL"),
     QStringLiteral("CCW"),
+    QStringLiteral("Code"),
     QStringLiteral("CW"),
     QStringLiteral("Gray"),
     QStringLiteral("%1 Gray"),
@@ -34,6 +35,7 @@ const QStringList sameInGerman{
     QStringLiteral("IN"),
     QStringLiteral("IN  %1  %2"),
     QStringLiteral("Information"),
+    QStringLiteral("LED"),
     QStringLiteral("Master"),
     QStringLiteral("mm"),
     QStringLiteral("%1 mm"),
@@ -42,6 +44,7 @@ const QStringList sameInGerman{
     QStringLiteral("Monitor &IN 32"),
     QStringLiteral("Monitor &OUT 32"),
     QStringLiteral("Monitor IN &16"),
+    QStringLiteral("Name"),
     QStringLiteral("Offset"),
     QStringLiteral("ok"),
     QStringLiteral("OUT"),
@@ -55,6 +58,7 @@ const QStringList sameInGerman{
     QStringLiteral("Preset"),
     QStringLiteral("READY"),
     QStringLiteral("RUN"),
+    QStringLiteral("Signal"),
     QStringLiteral("°C"),
 };
 

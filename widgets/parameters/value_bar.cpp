@@ -20,6 +20,7 @@ ValueBar::ValueBar(QWidget *parent)
     , m_wrong(new QLabel(this))
 {
     m_take->setObjectName(QStringLiteral("takeValue"));
+    m_take->hide(); // until it is known what it does
     m_cancel->setToolTip(tr("Leaves everything as it is (Esc)"));
     m_wrong->setWordWrap(true);
     auto *layout = new QGridLayout(this);
@@ -45,6 +46,7 @@ void ValueBar::ask(Question question, std::optional<std::int64_t> value)
     m_name->setBuddy(m_input);
     m_take->setText(m_question.button);
     m_take->setToolTip(m_question.toolTip);
+    m_take->show();
     static_cast<QGridLayout *>(layout())->addWidget(m_input, 1, 0);
     setTabOrder(m_input, m_take);
     if (auto *number = qobject_cast<NumberInput *>(m_input))

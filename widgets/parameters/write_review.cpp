@@ -104,6 +104,7 @@ WriteReview::WriteReview(QWidget *parent)
     m_writeAll->setToolTip(tr("Writes every wanted value once more. Each costs an EEPROM write."));
     m_write->setObjectName(QStringLiteral("confirmWrite"));
     m_write->setDefault(true);
+    m_write->hide(); // until it is known what it writes
     m_cancel->setToolTip(tr("Back to the table; nothing is sent (Esc)"));
 
     auto *buttons = new QHBoxLayout;
@@ -131,6 +132,7 @@ void WriteReview::review(EncoderSession &encoder, const ParameterValues &wanted)
     m_write->setToolTip(activatesByRun(encoder.device())
                             ? tr("Sends these words, then run (80000000)")
                             : tr("Sends these words, each with its handshake on the service bit"));
+    m_write->show();
     connect(&encoder, &EncoderSession::knownChanged, this, &WriteReview::showPlan);
     m_writeAll->setChecked(false);
     showPlan();

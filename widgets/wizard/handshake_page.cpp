@@ -74,6 +74,7 @@ HandshakePage::HandshakePage(Setup &setup, QWidget *parent)
     m_restore->setObjectName(QStringLiteral("recoverRestore"));
     m_restore->setToolTip(tr("Writes the values from before again."));
     m_run->setObjectName(QStringLiteral("recoverRun"));
+    m_run->hide(); // until it is known what it does
     for (QLabel *word : {m_out, m_in}) {
         word->setFont(numberFont());
         word->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -39,6 +39,7 @@ ValuesPage::ValuesPage(Setup &setup, QWidget *parent)
     , m_layout(new QVBoxLayout(this))
 {
     m_initialise->setObjectName(QStringLiteral("initialisePreset"));
+    m_initialise->hide(); // until it is known how this encoder sets its position
     m_position->focusProxy()->setObjectName(QStringLiteral("positionToSet"));
     m_position->focusProxy()->setAccessibleName(tr("Position to set now"));
     m_badInput->setObjectName(QStringLiteral("badInput"));
