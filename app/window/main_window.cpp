@@ -262,6 +262,8 @@ void MainWindow::choose(DeviceNumber number)
     m_cams->setEncoder(encoder);
     m_actions.showChosen(encoder);
     m_device->setPlace(number);
+    if (m_trainingPanel)
+        m_trainingPanel->setDevice(number);
 }
 
 void MainWindow::openFirstMonitors()

@@ -229,7 +229,7 @@ QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) con
     }
 }
 
-// The unit stands behind the value, except where the parameter is called like its unit.
+// The unit stands behind the value, except where the parameter's name tells it: "Measuring length in steps".
 QString ParameterModel::text(const ParameterRow &row, int column) const
 {
     const Parameter parameter = row.parameter.parameter;
@@ -238,7 +238,7 @@ QString ParameterModel::text(const ParameterRow &row, int column) const
     if (column == knownColumn) {
         if (!row.known)
             return evidenceText(row.known);
-        return unitText(row.parameter.unit) == parameterNameInText(parameter)
+        return parameterNameInText(parameter).contains(unitText(row.parameter.unit))
                    ? valueText(row.parameter, row.known->value)
                    : valueWithUnit(m_encoder->device(), {parameter, row.known->value});
     }
