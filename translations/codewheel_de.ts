@@ -6564,6 +6564,38 @@ Zustand: %7</translation>
         <source>The simulated encoder that is moved, switched and disturbed here</source>
         <translation>Der simulierte Geber, der hier bewegt, geschaltet und gestört wird</translation>
     </message>
+    <message>
+        <source>EEPROM worn out</source>
+        <translation>EEPROM verbraucht</translation>
+    </message>
+    <message>
+        <source>Error 13 when run is to store parameters</source>
+        <translation>Fehler 13, wenn Run Parameter speichern soll</translation>
+    </message>
+    <message>
+        <source>Code disc faulty</source>
+        <translation>Codescheibe fehlerhaft</translation>
+    </message>
+    <message>
+        <source>Error 15, by itself</source>
+        <translation>Fehler 15, von selbst</translation>
+    </message>
+    <message>
+        <source>EEPROM worn out.</source>
+        <translation>EEPROM verbraucht.</translation>
+    </message>
+    <message>
+        <source>EEPROM in order.</source>
+        <translation>EEPROM in Ordnung.</translation>
+    </message>
+    <message>
+        <source>Code disc faulty.</source>
+        <translation>Codescheibe fehlerhaft.</translation>
+    </message>
+    <message>
+        <source>Code disc in order; run ends the error.</source>
+        <translation>Codescheibe in Ordnung; Run beendet den Fehler.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TrainingPlanReader</name>

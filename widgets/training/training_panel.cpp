@@ -93,6 +93,8 @@ void TrainingPanel::makeTroubles(QVBoxLayout *column)
     m_slow = addBox(column, tr("Slow confirmation"),
                     tr("The encoder takes 50 times as long to confirm a parameter"));
     m_battery = addBox(column, tr("Battery low"), tr("The encoder tests its battery when it is switched on"));
+    m_eeprom = addBox(column, tr("EEPROM worn out"), tr("Error 13 when run is to store parameters"));
+    m_codeDisc = addBox(column, tr("Code disc faulty"), tr("Error 15, by itself"));
     auto *cycle = addCommand(column, Icon::power, tr("Power off and on"),
                              tr("Switch the encoder off and on again after 50 ms"));
     m_lose = addCommand(column, Icon::fault, tr("Lose parameters"),
@@ -100,6 +102,8 @@ void TrainingPanel::makeTroubles(QVBoxLayout *column)
     connect(m_power, &QCheckBox::clicked, this, &TrainingPanel::setPower);
     connect(m_slow, &QCheckBox::clicked, this, &TrainingPanel::setSlow);
     connect(m_battery, &QCheckBox::clicked, this, &TrainingPanel::setBatteryLow);
+    connect(m_eeprom, &QCheckBox::clicked, this, &TrainingPanel::setEepromWornOut);
+    connect(m_codeDisc, &QCheckBox::clicked, this, &TrainingPanel::setCodeDiscFaulty);
     connect(cycle, &QPushButton::clicked, this, [this] {
         m_controls.powerCycle(*m_number);
         act(tr("Power off and on."));
@@ -150,7 +154,8 @@ void TrainingPanel::refresh()
     m_shaft->setVisible(shaft != shafts.end());
     if (shaft != shafts.end()) {
         showCommon({shaft->powered, shaft->hasParameters, shaft->eepromWrites, shaft->hasParameters,
-                    shaft->slow, shaft->hasBattery, shaft->batteryLow});
+                    shaft->slow, shaft->hasBattery, shaft->batteryLow, shaft->reportsFaults,
+                    shaft->eepromWornOut, shaft->codeDiscFaulty});
         m_shaft->showShaft(*shaft);
     }
     const std::vector<TrainingControls::Rod> rods = m_controls.rods();
@@ -173,6 +178,8 @@ void TrainingPanel::showCommon(const Common &common)
         m_writes->setVisible(common.hasParameters);
         m_slow->setVisible(common.hasConfirmations);
         m_battery->setVisible(common.hasBattery);
+        m_eeprom->setVisible(common.reportsFaults);
+        m_codeDisc->setVisible(common.reportsFaults);
         m_lose->setVisible(common.hasConfirmations);
     }
     if (isNew || common.eepromWrites != before.eepromWrites)
@@ -183,6 +190,10 @@ void TrainingPanel::showCommon(const Common &common)
         m_slow->setChecked(common.slow);
     if (isNew || common.batteryLow != before.batteryLow)
         m_battery->setChecked(common.batteryLow);
+    if (isNew || common.eepromWornOut != before.eepromWornOut)
+        m_eeprom->setChecked(common.eepromWornOut);
+    if (isNew || common.codeDiscFaulty != before.codeDiscFaulty)
+        m_codeDisc->setChecked(common.codeDiscFaulty);
 }
 
 void TrainingPanel::setPower(bool on)
@@ -202,6 +213,18 @@ void TrainingPanel::setBatteryLow(bool low)
     m_controls.setBatteryLow(*m_number, low);
     act(low ? tr("Battery low; the encoder finds it when it is switched on.")
             : tr("Battery full; the encoder finds it when it is switched on."));
+}
+
+void TrainingPanel::setEepromWornOut(bool wornOut)
+{
+    m_controls.setEepromWornOut(*m_number, wornOut);
+    act(wornOut ? tr("EEPROM worn out.") : tr("EEPROM in order."));
+}
+
+void TrainingPanel::setCodeDiscFaulty(bool faulty)
+{
+    m_controls.setCodeDiscFaulty(*m_number, faulty);
+    act(faulty ? tr("Code disc faulty.") : tr("Code disc in order; run ends the error."));
 }
 
 void TrainingPanel::act(const QString &what)

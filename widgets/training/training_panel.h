@@ -52,6 +52,9 @@ private:
         bool slow = false;
         bool hasBattery = false;
         bool batteryLow = false;
+        bool reportsFaults = false; // of its EEPROM and its code disc
+        bool eepromWornOut = false;
+        bool codeDiscFaulty = false;
     };
 
     void makeTop(QVBoxLayout *column);
@@ -63,6 +66,8 @@ private:
     void setPower(bool on);
     void setSlow(bool slow);
     void setBatteryLow(bool low);
+    void setEepromWornOut(bool wornOut);
+    void setCodeDiscFaulty(bool faulty);
     void act(const QString &what);
 
     TrainingControls &m_controls;
@@ -79,6 +84,8 @@ private:
     QCheckBox *m_power = nullptr;
     QCheckBox *m_slow = nullptr;
     QCheckBox *m_battery = nullptr;
+    QCheckBox *m_eeprom = nullptr;
+    QCheckBox *m_codeDisc = nullptr;
     QPushButton *m_lose = nullptr;
 };
 

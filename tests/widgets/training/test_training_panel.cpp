@@ -225,5 +225,22 @@ TEST_F(TrainingPanelTest, CausesTroubles)
     EXPECT_EQ(acts.back().number, baumer);
 }
 
+TEST_F(TrainingPanelTest, FaultsOnlyABaumerReportsAreOfferedThere)
+{
+    EXPECT_FALSE(button<QCheckBox>("EEPROM worn out").isVisible());
+    EXPECT_FALSE(button<QCheckBox>("Code disc faulty").isVisible());
+    panel.setDevice(baumer);
+    click("EEPROM worn out");
+    picture();
+    EXPECT_TRUE(shaft(baumer).eepromWornOut);
+    click("Code disc faulty");
+    picture(20);
+    EXPECT_EQ(ring.encoder(baumer).latest().errorNumber, 15U);
+    click("Code disc faulty");
+    picture();
+    EXPECT_FALSE(shaft(baumer).codeDiscFaulty);
+    EXPECT_EQ(lastAct(), QStringLiteral("Code disc in order; run ends the error."));
+}
+
 } // namespace
 } // namespace codewheel
