@@ -3772,6 +3772,14 @@ Beschreibungen kommen aus ~/.local/share/codewheel/devices/*.json; --check prüf
         <source>Choose one in the bus structure, or type the key on a label to look one up.</source>
         <translation>Eines im Busaufbau wählen, oder den Schlüssel von einem Typenschild eingeben und nachsehen.</translation>
     </message>
+    <message>
+        <source>%1 is a bus terminal.</source>
+        <translation>%1 ist eine Busklemme.</translation>
+    </message>
+    <message>
+        <source>It connects the devices behind it to the ring; there is nothing to describe.</source>
+        <translation>Sie verbindet die Geräte dahinter mit dem Ring; zu beschreiben gibt es nichts.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DialPanel</name>

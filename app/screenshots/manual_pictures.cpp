@@ -30,6 +30,7 @@ constexpr DeviceNumber baumer{2, 0};
 constexpr DeviceNumber rod{5, 0};
 constexpr QSize usual(1280, 800);
 constexpr QSize smallest(1024, 640);
+constexpr QSize tall(1280, 1150);
 constexpr int whileMilliseconds = 600; // until what was asked for is done
 
 // What a picture shows of a window at work.
@@ -215,9 +216,9 @@ std::vector<Picture> pictures()
              readAll(shown);
              return dock(shown, QStringLiteral("dialDock"));
          }},
-        {QStringLiteral("cams"), usual, camsAtWork},
+        {QStringLiteral("cams"), smallest, camsAtWork},
         {QStringLiteral("dial-rod"), usual, rodAtWork},
-        {QStringLiteral("device"), usual,
+        {QStringLiteral("device"), tall,
          [](TrainingWindow &shown) { return dock(shown, QStringLiteral("deviceDock")); }},
         {QStringLiteral("messages"), usual,
          [](TrainingWindow &shown) {
@@ -231,6 +232,16 @@ std::vector<Picture> pictures()
              shown.controls().setSpeed(fraba, 60);
              shown.advance(whileMilliseconds);
              return dock(shown, QStringLiteral("trainingDock"));
+         }},
+        {QStringLiteral("training-rod"), usual,
+         [](TrainingWindow &shown) {
+             rodAtWork(shown);
+             return dock(shown, QStringLiteral("trainingDock"));
+         }},
+        {QStringLiteral("parameters-rod"), usual,
+         [](TrainingWindow &shown) {
+             rodAtWork(shown);
+             return dock(shown, QStringLiteral("parametersDock"));
          }},
     };
 }

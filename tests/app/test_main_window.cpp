@@ -54,6 +54,11 @@ TEST_F(MainWindowTest, ABusTerminalCanBeChosenAndShowsNothing)
     actions().openIn32->trigger();
     advance(100);
     EXPECT_EQ(monitors().monitors().size(), 2u);
+    // nor does anybody ask for its make
+    const auto *makes = window().findChild<QComboBox *>(QStringLiteral("makes"));
+    ASSERT_NE(makes, nullptr);
+    EXPECT_EQ(makes->count(), 0);
+    EXPECT_FALSE(makes->isEnabled());
 }
 
 TEST_F(MainWindowTest, LayoutAndMonitorsAreKept)
@@ -164,19 +169,30 @@ TEST_F(MainWindowTest, EveryControlHasANameAndATooltip)
     }
 }
 
+// A key of the window works everywhere, so no view may have it too; two views may share one.
 TEST_F(MainWindowTest, KeysAreGivenOnce)
 {
     QMap<QString, QString> keys;
+    std::vector<const QAction *> ofViews;
     for (const QAction *action : window().findChildren<QAction *>()) {
-        if (action->shortcut().isEmpty() || action->shortcutContext() == Qt::WidgetWithChildrenShortcut ||
-            action->shortcutContext() == Qt::WidgetShortcut)
+        if (action->shortcut().isEmpty())
             continue;
+        if (action->shortcutContext() == Qt::WidgetWithChildrenShortcut ||
+            action->shortcutContext() == Qt::WidgetShortcut) {
+            ofViews.push_back(action);
+            continue;
+        }
         const QString key = action->shortcut().toString();
         EXPECT_FALSE(keys.contains(key)) << key.toStdString() << ": " << action->text().toStdString()
                                          << " and " << keys.value(key).toStdString();
         keys.insert(key, action->text());
     }
     EXPECT_TRUE(keys.contains(QStringLiteral("Ctrl+F12")));
+    EXPECT_FALSE(ofViews.empty());
+    for (const QAction *action : ofViews)
+        EXPECT_FALSE(keys.contains(action->shortcut().toString()))
+            << action->shortcut().toString().toStdString() << ": " << action->text().toStdString() << " and "
+            << keys.value(action->shortcut().toString()).toStdString();
 }
 
 } // namespace

@@ -70,6 +70,9 @@ void DevicePanel::showDevice()
     m_empty->setVisible(device == nullptr);
     if (device)
         m_page->setHtml(deviceHtml(*device));
+    else if (isBusTerminal(participantAt(m_bus, m_number)))
+        m_empty->setTexts(tr("%1 is a bus terminal.").arg(m_number->toString()),
+                          tr("It connects the devices behind it to the ring; there is nothing to describe."));
     else if (m_number)
         m_empty->setTexts(tr("There is no description of %1.").arg(m_number->toString()),
                           tr("Put one into the folder codewheel/devices of your data folder, or type the key "

@@ -19,7 +19,6 @@
 #include <algorithm>
 
 namespace codewheel {
-namespace {
 
 const Participant *participantAt(const BusSession &bus, std::optional<DeviceNumber> number)
 {
@@ -29,7 +28,10 @@ const Participant *participantAt(const BusSession &bus, std::optional<DeviceNumb
     return found == ring.end() ? nullptr : &*found;
 }
 
-} // namespace
+bool isBusTerminal(const Participant *participant)
+{
+    return participant && participant->idCode == busTerminalIdCode;
+}
 
 NamingBar::NamingBar(BusSession &bus, QWidget *parent)
     : QWidget(parent)
@@ -101,8 +103,9 @@ void NamingBar::focusKey()
 void NamingBar::ask()
 {
     const Participant *participant = participantAt(m_bus, m_number);
-    m_question->setVisible(participant != nullptr);
-    if (!participant)
+    const bool asks = participant && !isBusTerminal(participant);
+    m_question->setVisible(asks);
+    if (!asks)
         return;
     const QString place = participant->number.toString();
     m_question->setText(
@@ -116,7 +119,7 @@ void NamingBar::fillChoices()
 {
     m_choice->clear();
     const Participant *participant = participantAt(m_bus, m_number);
-    if (participant) {
+    if (participant && !isBusTerminal(participant)) {
         m_choice->addItem(tr("make not known"), QString());
         for (const DeviceDescription &device : m_bus.catalog().devices())
             if (!device.isGeneric() && device.deviceCode == participant->deviceCode)

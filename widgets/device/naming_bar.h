@@ -15,6 +15,12 @@ namespace codewheel {
 
 class BusSession;
 class InlineMessage;
+struct Participant;
+
+// Null where there is no such device.
+const Participant *participantAt(const BusSession &bus, std::optional<DeviceNumber> number);
+// A bus terminal has no make that matters and nothing to describe.
+bool isBusTerminal(const Participant *participant);
 
 // "Which encoder is 1.0?": the key on its label, or a choice of the catalog's devices of its device code.
 // Name gives the place that driver; nothing is sent. A key is looked up even where it is no place's. Stands

@@ -34,7 +34,7 @@ EncoderFunctions::EncoderFunctions(QWidget *window)
     m_position->setCheckable(true);
     m_velocity->setCheckable(true);
     describe(*m_position, "positionMode", tr("The encoder sends its position; ends velocity and cam mode"),
-             Qt::CTRL | Qt::SHIFT | Qt::Key_O);
+             Qt::CTRL | Qt::SHIFT | Qt::Key_M);
     describe(*m_velocity, "velocityMode",
              tr("The encoder sends its speed in revolutions per minute instead of its position"),
              Qt::CTRL | Qt::SHIFT | Qt::Key_V);
