@@ -31,6 +31,7 @@ constexpr DeviceNumber rod{5, 0};
 constexpr QSize usual(1280, 800);
 constexpr QSize smallest(1024, 640);
 constexpr QSize tall(1280, 1150);
+constexpr QSize low(1280, 690);
 constexpr int whileMilliseconds = 600; // until what was asked for is done
 
 // What a picture shows of a window at work.
@@ -216,7 +217,7 @@ std::vector<Picture> pictures()
              readAll(shown);
              return dock(shown, QStringLiteral("dialDock"));
          }},
-        {QStringLiteral("cams"), smallest, camsAtWork},
+        {QStringLiteral("cams"), low, camsAtWork},
         {QStringLiteral("dial-rod"), usual, rodAtWork},
         {QStringLiteral("device"), tall,
          [](TrainingWindow &shown) { return dock(shown, QStringLiteral("deviceDock")); }},
