@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/structure/structure_view.h"
 
-#include "catalog/device_description.h"
+#include "catalog/catalog.h"
 #include "ring/bus_session.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
@@ -19,6 +19,17 @@ namespace {
 
 constexpr int narrowestName = 20 * grid::unit;
 constexpr int indentation = 3 * grid::unit; // a ring is wide and flat, and the panel narrow
+
+// Nobody named the device, and the catalog has some that it could be.
+bool makeIsOpen(const BusSession &bus, DeviceNumber number)
+{
+    const RingStructure &ring = bus.structure();
+    const auto participant = std::ranges::find(ring, number, &Participant::number);
+    return participant != ring.end() && participant->deviceKey.isEmpty() &&
+           std::ranges::any_of(bus.catalog().devices(), [&](const DeviceDescription &device) {
+               return !device.isGeneric() && device.deviceCode == participant->deviceCode;
+           });
+}
 
 } // namespace
 
@@ -113,12 +124,12 @@ void StructureView::setBus(BusSession *bus)
         choose(bus->structure().front().number);
 }
 
-// The ID code tells the profile, never the make.
+// The ID code tells the profile, never the make. A device that nobody named is asked for where the catalog
+// has devices of its code.
 void StructureView::askForMake()
 {
     const auto number = current();
-    const EncoderSession *encoder = m_bus && number ? m_bus->encoder(*number) : nullptr;
-    if (encoder != nullptr && encoder->device().isGeneric())
+    if (m_bus && number && makeIsOpen(*m_bus, *number))
         m_question->showMessage(Role::attention,
                                 tr("The bus does not tell which make %1 is.").arg(number->toString()),
                                 tr("Name it"));

@@ -155,5 +155,21 @@ TEST_F(DevicePanelTest, TheTreeAsksForTheMakeUntilItIsNamed)
     EXPECT_TRUE(question->isHidden());
 }
 
+// The code of the LA-66 is also that of analog modules: without a name there is no driver for it.
+TEST_F(DevicePanelTest, TheTreeAsksWhatAnUnnamedRodIsAndNeverABusTerminal)
+{
+    constexpr DeviceNumber la66{5, 0};
+    StructureView tree;
+    tree.setBus(&ring.bus);
+    tree.show();
+    auto *question = tree.findChild<InlineMessage *>(QStringLiteral("makeQuestion"));
+    ASSERT_TRUE(ring.bus.name(la66, {}));
+    ASSERT_EQ(ring.bus.encoder(la66), nullptr);
+    tree.choose(la66);
+    EXPECT_FALSE(question->isHidden());
+    tree.choose({6, 0});
+    EXPECT_TRUE(question->isHidden());
+}
+
 } // namespace
 } // namespace codewheel
