@@ -288,6 +288,8 @@ TEST(BuiltInDevices, WhatOnlyTellsItsPositionHasTheCodesAndWordsOfItsProfile)
         {u"fraba-ocd-ib-k2", Profile::k2, 54, 0x0236, 2, 0, 4096, 4096},
         {u"generic-k1", Profile::k1, 54, 0x0136, 1, 0, 0, 0},
         {u"generic-k2", Profile::k2, 54, 0x0236, 2, 0, 0, 0},
+        {u"generic-k1-loop2", Profile::k1, 178, 0x01B2, 1, 0, 0, 0},
+        {u"generic-k2-loop2", Profile::k2, 178, 0x02B2, 2, 0, 0, 0},
         {u"generic-k4", Profile::k4, 247, 0x03F7, 2, 2, 0, 0},
         {u"twk-k4", Profile::k4, 247, 0x03F7, 2, 2, 0, 0},
     };
@@ -330,6 +332,35 @@ TEST(BuiltInDevices, TheLoop2EncoderDiffersInNothingButItsCodes)
     loop.limits = standard.limits;
     loop.orderingKey = standard.orderingKey;
     EXPECT_EQ(loop, standard);
+}
+
+// FRABA manual 2.2: ID codes of Loop 2
+TEST(BuiltInDevices, AnUnnamedEncoderOfLoop2IsThatOfTheRemoteBusWithOtherCodes)
+{
+    const Catalog catalog = Catalog::builtIn();
+    struct Row
+    {
+        unsigned loopCode;
+        unsigned busCode;
+        const char *fullName;
+    };
+    const Row rows[] = {
+        {0x01B2, 0x0136, "K1 Loop 2, make not known"},
+        {0x02B2, 0x0236, "K2 Loop 2, make not known"},
+        {0x02B3, 0x0237, "K3 Loop 2, make not known"},
+    };
+    for (const Row &row : rows) {
+        const DeviceDescription *loop = catalog.generic(row.loopCode);
+        const DeviceDescription *standard = catalog.generic(row.busCode);
+        ASSERT_TRUE(loop && standard) << row.fullName;
+        EXPECT_EQ(loop->fullName(), QLatin1String(row.fullName));
+        DeviceDescription expected = *standard;
+        expected.key = loop->key;
+        expected.name = loop->name;
+        expected.idCode = row.loopCode & 0xFF;
+        expected.deviceCode = row.loopCode;
+        EXPECT_EQ(*loop, expected) << row.fullName;
+    }
 }
 
 } // namespace
