@@ -22,24 +22,31 @@ std::unique_ptr<Json::CharReader> strictReader()
     return std::unique_ptr<Json::CharReader>(builder.newCharReader());
 }
 
-struct SyntaxError
+// jsoncpp reports "* Line 3, Column 5\n  Duplicate key: 'name'\n", in English whatever the language is. Only
+// what the user cannot see by looking at the line is taken over: the key that stands there twice.
+void reportSyntaxError(const std::string &report, FaultKeeper &faults)
 {
-    int line = 1;
-    QString text;
-};
-
-// jsoncpp reports "* Line 3, Column 5\n  Missing ',' or '}' in object declaration\n".
-SyntaxError firstSyntaxError(const std::string &report)
-{
-    static const QRegularExpression form(QStringLiteral(R"(\* Line (\d+), Column \d+\n\s*([^\n]*))"));
+    static const QRegularExpression form(
+        QStringLiteral(R"(\* Line (\d+), Column \d+\n\s*(?:Duplicate key: '([^\n]*)')?)"));
     const QRegularExpressionMatch match = form.match(QString::fromStdString(report));
-    return match.hasMatch() ? SyntaxError{match.captured(1).toInt(), match.captured(2)} : SyntaxError{};
+    const int line = match.hasMatch() ? match.captured(1).toInt() : 1;
+    if (const QString key = match.captured(2); !key.isEmpty())
+        faults.report(line, key,
+                      QCoreApplication::translate("codewheel::Catalog", "This key stands here twice."));
+    faults.report(
+        line, QString(),
+        QCoreApplication::translate("codewheel::Catalog",
+                                    "This is not valid JSON: check brackets, commas and quotation marks."));
 }
 
 } // namespace
 
 Json::Value parseStrictly(const QByteArray &json, FaultKeeper &faults)
 {
+    if (json.trimmed().isEmpty()) {
+        faults.report(1, QString(), QCoreApplication::translate("codewheel::Catalog", "The file is empty."));
+        return {};
+    }
     Json::Value root;
     std::string report;
     try {
@@ -50,10 +57,7 @@ Json::Value parseStrictly(const QByteArray &json, FaultKeeper &faults)
                       QCoreApplication::translate("codewheel::Catalog", "The file is nested too deeply."));
         return {};
     }
-    const SyntaxError error = firstSyntaxError(report);
-    faults.report(
-        error.line, QString(),
-        QCoreApplication::translate("codewheel::Catalog", "This is not valid JSON: %1").arg(error.text));
+    reportSyntaxError(report, faults);
     return {};
 }
 
