@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/description_reader.h"
 
+#include "catalog/description_rules.h"
 #include "catalog/ordering_key_reader.h"
 #include "catalog/tables_reader.h"
 
@@ -102,6 +103,7 @@ void DescriptionReader::readPlaceOnBus(const JsonObject &json, DeviceDescription
         json.report("deviceCode", tr("The last two digits must be those of idCode."));
     device.inWords = static_cast<int>(json.number("inWords", 0, mostWords));
     device.outWords = static_cast<int>(json.number("outWords", 0, mostWords));
+    checkPlaceOnBus(json, device);
 }
 
 void DescriptionReader::readCoding(const JsonObject &json, DeviceDescription &device)
@@ -217,6 +219,7 @@ void DescriptionReader::readParameters(const JsonObject &json, DeviceDescription
                                    "stored", "onLabel", "choices", "chapter"})) {
         const ParameterDescription parameter = readParameter(row);
         refuseTaken(row, parameter, device);
+        checkParameter(row, parameter, device.profile);
         device.parameters.push_back(parameter);
     }
 }
@@ -314,12 +317,16 @@ DeviceDescription readDescription(const Json::Value &root, const Catalog &catalo
     DescriptionReader::readIdentity(json, device);
     DescriptionReader::readParameters(json, device);
     DescriptionReader::readErrors(json, device);
-    device.capabilities = DescriptionReader::readCapabilities(
+    const JsonObject capabilities =
         json.object("capabilities",
                     {"presets", "cams", "readingHidesPosition", "presetIsStored", "hasBattery", "velocity",
-                     "manufacturerPreset", "resets", "presetNeedsValue", "eepromBudget", "eepromLimit"}));
-    device.quirks = DescriptionReader::readQuirks(json.object(
-        "quirks", {"confirmsWhileProcessing", "presetNeedsRearming", "mayCountStepsMinusOne", "hasModes"}));
+                     "manufacturerPreset", "resets", "presetNeedsValue", "eepromBudget", "eepromLimit"});
+    device.capabilities = DescriptionReader::readCapabilities(capabilities);
+    checkCapabilities(capabilities, device);
+    const JsonObject quirks = json.object(
+        "quirks", {"confirmsWhileProcessing", "presetNeedsRearming", "mayCountStepsMinusOne", "hasModes"});
+    device.quirks = DescriptionReader::readQuirks(quirks);
+    checkQuirks(quirks, device);
     DescriptionReader::readTables(json, catalog, device);
     completeCapabilities(device);
     return device;

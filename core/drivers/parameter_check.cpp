@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/parameter_check.h"
 
+#include "catalog/data_field.h"
+
 #include <QStringList>
 
 #include <set>
@@ -64,6 +66,10 @@ Result<void> checkValue(const DeviceDescription &device, const ParameterValue &v
         return refuse(RefusalKind::badInput, RefusalId::valueOutOfRange,
                       {value.parameter, value.value, parameter->minimum, parameter->maximum});
     }
+    // Whatever the description says: the word would carry another value.
+    if (value.value < 0 || value.value > largestData(device.profile))
+        return refuse(RefusalKind::badInput, RefusalId::valueOutOfRange,
+                      {value.parameter, value.value, std::int64_t{0}, largestData(device.profile)});
     return {};
 }
 

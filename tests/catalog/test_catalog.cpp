@@ -34,7 +34,7 @@ const QByteArray sound = R"({
   ],
   "capabilities": {
     "presets": true, "cams": false, "readingHidesPosition": true, "presetIsStored": true, "hasBattery": false,
-    "eepromBudget": 200, "eepromLimit": 500
+    "eepromBudget": 200, "eepromLimit": 500, "resets": true
   },
   "quirks": {
     "confirmsWhileProcessing": true, "presetNeedsRearming": true, "mayCountStepsMinusOne": true, "hasModes": true
@@ -81,8 +81,9 @@ TEST_P(BrokenDescription, IsRefusedWithLineKeyAndReason)
 
 constexpr Breakage breakages[] = {
     // the file as a whole
-    {R"("inWords": 2,)", R"("inWords": 2)", 11, "", "not valid JSON: Missing ',' or '}'"},
-    {R"("inWords": 2,)", R"("outWords": 2,)", 11, "", "Duplicate key"},
+    {R"("inWords": 2,)", R"("inWords": 2)", 11, "",
+     "not valid JSON: check brackets, commas and quotation marks."},
+    {R"("inWords": 2,)", R"("outWords": 2,)", 11, "outWords", "stands here twice"},
     {"  }\n}\n", "  }\n}\n{}", 32, "", "not valid JSON"},
     {"  }\n}\n", "  }\n", 31, "", "not valid JSON"},
     {R"("a manual")", R"('a manual')", 5, "", "not valid JSON"},
@@ -118,23 +119,30 @@ constexpr Breakage breakages[] = {
      "steps, revolutions"},
     {R"("tenth-degree-celsius")", R"("kelvin")", 18, "parameters[2].unit", "kelvin"},
     {R"("batteryLow")", R"("cancelled")", 22, "errors[1].meaning", "cancelled"},
+    // the data field of a K3 has 25 bit; only what is written must fit
+    {R"("maximum": 4096)", R"("maximum": 33554432)", 15, "parameters[0].maximum", "between 0 and 33554431"},
+    {R"("maximum": 4096)", R"("maximum": 1099511627776)", 15, "parameters[0].maximum", "no room"},
+    {R"("minimum": 1, )", R"("minimum": -1, )", 15, "parameters[0].minimum", "between 0 and 33554431"},
     // rules
     {R"("deviceCode": "0237h")", R"("deviceCode": "0236h")", 9, "deviceCode", "idCode"},
     {R"("physicalTurns": 1)", R"("coding": "gray", "physicalTurns": 1)", 13, "coding", "Only a K1 and a K2"},
     {R"("physicalTurns": 1)", R"("coding": "Gray", "physicalTurns": 1)", 13, "coding",
      "Known are: binary, signed, gray"},
-    {R"("minimum": 1, )", R"("minimum": 5000, )", 15, "parameters[0].minimum", "larger than the maximum"},
     {R"("factory": 4096)", R"("factory": 0)", 15, "parameters[0].factory", "not between"},
     {R"("parameter": "temperature")", R"("parameter": "steps")", 18, "parameters[2].parameter", "twice"},
-    {R"("number": 3)", R"("number": 1)", 16, "parameters[1].number", "twice"},
     {R"("number": 3)", R"("number": 16)", 16, "parameters[1].number", "between 1 and 15"},
     {R"("number": 3, )", "", 16, "parameters[1].number", "needs a number"},
-    {R"("readOut": 12)", R"("readOut": 1)", 18, "parameters[2].readOut", "twice"},
-    {R"("value": 4)", R"("value": 5)", 17, "parameters[1].choices[1].value", "between 3 and 4"},
-    {R"("value": 4)", R"("value": 3)", 17, "parameters[1].choices[1].value", "twice"},
     {R"("ccw")", R"("cw")", 17, "parameters[1].choices[1].key", "twice"},
-    {R"("number": 14)", R"("number": 1)", 22, "errors[1].number", "twice"},
+    // overlapping ranges: minimum and maximum, choices and their range, budget and limit
+    {R"("minimum": 1, )", R"("minimum": 5000, )", 15, "parameters[0].minimum", "larger than the maximum"},
+    {R"("value": 4)", R"("value": 5)", 17, "parameters[1].choices[1].value", "between 3 and 4"},
     {R"("eepromBudget": 200)", R"("eepromBudget": 501)", 26, "capabilities.eepromBudget", "eepromLimit"},
+    // overlapping ranges: numbers, read-out codes, values, errors, the number of the reset
+    {R"("number": 3)", R"("number": 1)", 16, "parameters[1].number", "twice"},
+    {R"("number": 3)", R"("number": 7)", 26, "capabilities.resets", "number 7"},
+    {R"("readOut": 12)", R"("readOut": 1)", 18, "parameters[2].readOut", "twice"},
+    {R"("value": 4)", R"("value": 3)", 17, "parameters[1].choices[1].value", "twice"},
+    {R"("number": 14)", R"("number": 1)", 22, "errors[1].number", "twice"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Catalog, BrokenDescription, testing::ValuesIn(breakages));
@@ -153,16 +161,6 @@ TEST(Catalog, TakesASoundDescription)
     EXPECT_TRUE(device->capabilities.reads);
     EXPECT_FALSE(device->capabilities.serialNumber);
     EXPECT_EQ(catalog.generic(0x0237), nullptr);
-}
-
-TEST(Catalog, TakesTheCodingOfAnEncoderThatOnlyTellsItsPosition)
-{
-    QByteArray json = sound;
-    json.replace(R"("profile": "K3",)", R"("profile": "K2", "coding": "signed",)");
-    json.replace(R"("dialect": "fraba",)", "");
-    Catalog catalog;
-    ASSERT_TRUE(catalog.add(json, QStringLiteral("some.json")));
-    EXPECT_EQ(catalog.find(u"some-k3")->coding, PositionCoding::signedBinary);
 }
 
 TEST(Catalog, RefusesASecondDeviceOfTheSameKey)
@@ -186,6 +184,15 @@ TEST(Catalog, RefusesWhatIsNoDescriptionAtAll)
         ASSERT_FALSE(added) << text;
         EXPECT_FALSE(added.error().reason.isEmpty()) << text;
         EXPECT_GE(added.error().line, 1) << text;
+    }
+}
+
+TEST(Catalog, SaysThatAFileIsEmpty)
+{
+    for (const char *text : {"", " ", "\n\n"}) {
+        const auto added = Catalog().add(text, QStringLiteral("some.json"));
+        ASSERT_FALSE(added);
+        EXPECT_EQ(added.error().reason, QStringLiteral("The file is empty."));
     }
 }
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "catalog/json_object.h"
+
+namespace codewheel {
+
+// What the parts of a description must have in common so that the words sent to the encoder are right
+// (docs/device-descriptions.md, "What belongs together"). Each reports what breaks a rule to its object; used
+// by the description reader once the values are read.
+
+// Codes and words of the profile (FRABA manual 2.2).
+void checkPlaceOnBus(const JsonObject &json, const DeviceDescription &device);
+// A range that fits the data field, and no parameter where the profile has none.
+void checkParameter(const JsonObject &row, const ParameterDescription &parameter, Profile profile);
+// What only some profiles and makes can do. Needs the parameters.
+void checkCapabilities(const JsonObject &json, const DeviceDescription &device);
+void checkQuirks(const JsonObject &json, const DeviceDescription &device);
+
+} // namespace codewheel

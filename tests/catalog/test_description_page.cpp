@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
+
+#include <QFile>
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+// The names the reader knows, as it tells them when it meets an unknown one in the place of `from`.
+QStringList namesKnownInPlaceOf(const QByteArray &from, const QByteArray &to)
+{
+    QFile file(QStringLiteral(CODEWHEEL_ROOT "/resources/devices/tr-la66.json"));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    QByteArray json = file.readAll();
+    const auto at = json.indexOf(from);
+    EXPECT_GE(at, 0) << from.toStdString();
+    json.replace(at, from.size(), to);
+    const auto added = Catalog().add(json, QString());
+    EXPECT_FALSE(added);
+    const QString intro = QStringLiteral("Known are: ");
+    const QString reason = added ? QString() : added.error().reason;
+    EXPECT_TRUE(reason.contains(intro)) << from.toStdString() << ": " << reason.toStdString();
+    QStringList names = reason.mid(reason.indexOf(intro) + intro.size()).split(QStringLiteral(", "));
+    names.last().chop(1); // the full stop
+    return names;
+}
+
+// The registers stand there as "`opc-register-0` to `opc-register-15`".
+bool standsOnThePage(const QString &page, const QString &name)
+{
+    static const QString registers = QStringLiteral("opc-register-");
+    const QString shown = name.startsWith(registers) ? registers + u'0' : name;
+    return page.contains(u'`' + shown + u'`');
+}
+
+TEST(DescriptionPage, NamesEverythingTheReaderKnows)
+{
+    QFile page(QStringLiteral(CODEWHEEL_ROOT "/docs/device-descriptions.md"));
+    ASSERT_TRUE(page.open(QIODevice::ReadOnly));
+    const QString text = QString::fromUtf8(page.readAll());
+    struct Row
+    {
+        const char *from; // in the description of the LA-66
+        qsizetype names;
+        const char *to = R"("nonsense")";
+    };
+    const Row rows[] = {
+        {R"("manual")", 24},                                      // the device
+        {R"("profile": "LA-66")", 6, R"("profile": "nonsense")"}, // profiles
+        {R"("direction")", 35},                                   // parameters
+        {R"("readOut")", 11},                                     // a parameter
+        {R"("micrometres")", 6},                                  // units
+        {R"("magnetOutOfRange")", 9},                             // meanings of errors
+        {R"("text")", 4},                                         // an error
+        {R"("presetNeedsValue")", 11},                            // capabilities
+        {R"("hasModes")", 4},                                     // quirks
+    };
+    for (const Row &row : rows) {
+        const QStringList names = namesKnownInPlaceOf(row.from, row.to);
+        EXPECT_EQ(names.size(), row.names) << row.from;
+        for (const QString &name : names)
+            EXPECT_TRUE(standsOnThePage(text, name)) << name.toStdString();
+    }
+}
+
+} // namespace
+} // namespace codewheel

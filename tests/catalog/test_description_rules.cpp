@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+// What stands in a description about its profile; all else does not depend on it.
+struct Parts
+{
+    const char *profile;
+    const char *idCode;
+    const char *deviceCode;
+    int inWords;
+    int outWords;
+    const char *parameters = "";
+    const char *capability = R"("hasBattery": false)";
+    const char *hasModes = "false";
+};
+
+QByteArray description(const Parts &parts)
+{
+    const QString json =
+        QStringLiteral(R"({
+  "key": "some", "vendor": "Some", "name": "K", "manual": "a manual",
+  "profile": %1, "idCode": "%2", "deviceCode": "%3", "inWords": %4, "outWords": %5,
+  "physicalStepsPerTurn": 0, "physicalTurns": 0, "parameters": [%6], "errors": [],
+  "capabilities": {"presets": false, "cams": false, "readingHidesPosition": false, "presetIsStored": false,
+    "hasBattery": false},
+  "quirks": {"confirmsWhileProcessing": false, "presetNeedsRearming": false, "mayCountStepsMinusOne": false,
+    "hasModes": %7}
+})")
+            .arg(QLatin1String(parts.profile), QLatin1String(parts.idCode), QLatin1String(parts.deviceCode))
+            .arg(parts.inWords)
+            .arg(parts.outWords)
+            .arg(QLatin1String(parts.parameters), QLatin1String(parts.hasModes));
+    // the capability in question takes the place of "false", or is added
+    const QByteArray capability(parts.capability);
+    const QByteArray denied = capability.split(':').front() + ": false";
+    QByteArray result = json.toUtf8();
+    if (result.contains(denied))
+        return result.replace(denied, capability);
+    return result.replace(R"("hasBattery": false)", R"("hasBattery": false, )" + capability);
+}
+
+constexpr auto baumer = R"("K3", "dialect": "baumer")";
+constexpr auto fraba = R"("K3", "dialect": "fraba")";
+constexpr auto generic = R"("K3", "dialect": "generic")";
+constexpr auto k1 = R"("K1")";
+constexpr auto k2 = R"("K2")";
+constexpr auto k4 = R"("K4")";
+constexpr auto rod = R"("LA-66")";
+constexpr auto noCapability = R"("hasBattery": false)";
+constexpr auto writable = R"({"parameter": "steps", "number": 1, "minimum": 1, "maximum": 2})";
+constexpr auto readable = R"({"parameter": "steps", "readOut": 1, "minimum": 1, "maximum": 2})";
+constexpr auto onLabel = R"({"parameter": "steps", "onLabel": true, "minimum": 1, "maximum": 2})";
+
+// FRABA manual 2.2; TWK, table VI; LA-66 manual 1
+TEST(DescriptionRules, TakeEachProfileWithItsCodesAndWords)
+{
+    const Parts sound[] = {
+        {k1, "36h", "0136h", 1, 0},
+        {k1, "B2h", "01B2h", 1, 0},
+        {R"("K2", "coding": "signed")", "36h", "0236h", 2, 0},
+        {k2, "B2h", "02B2h", 2, 0, onLabel},
+        {generic, "37h", "0237h", 2, 2, writable, R"("presets": true)"},
+        {baumer, "37h", "0237h", 2, 2, writable, R"("resets": true)"},
+        {fraba, "B3h", "02B3h", 2, 2, readable, R"("cams": true)", "true"},
+        {fraba, "37h", "0237h", 2, 2, "", R"("velocity": true)"},
+        {k4, "F7h", "03F7h", 2, 2},
+        {rod, "33h", "0233h", 2, 2, writable, R"("presetNeedsValue": true)"},
+        // 24 bit
+        {rod, "33h", "0233h", 2, 2,
+         R"({"parameter": "steps", "number": 1, "minimum": 0, "maximum": 16777215})"},
+        {generic, "37h", "0237h", 2, 2,
+         R"({"parameter": "steps", "number": 1, "minimum": 0, "maximum": 33554431})"},
+    };
+    for (const Parts &parts : sound) {
+        Catalog catalog;
+        const auto added = catalog.add(description(parts), QStringLiteral("some.json"));
+        EXPECT_TRUE(added) << description(parts).toStdString() << added.error().reason.toStdString();
+    }
+}
+
+TEST(DescriptionRules, TakeTheCodingOfAnEncoderThatOnlyTellsItsPosition)
+{
+    Catalog catalog;
+    ASSERT_TRUE(catalog.add(description({R"("K2", "coding": "signed")", "36h", "0236h", 2, 0}), QString()));
+    EXPECT_EQ(catalog.find(u"some")->coding, PositionCoding::signedBinary);
+}
+
+struct Broken
+{
+    Parts parts;
+    const char *key;
+    const char *reason;
+};
+
+const Broken broken[] = {
+    // ID codes
+    {{k1, "37h", "0137h", 1, 0}, "idCode", "The ID code of the profile K1 is 36h or B2h."},
+    {{k2, "B3h", "02B3h", 2, 0}, "idCode", "The ID code of the profile K2 is 36h or B2h."},
+    {{generic, "36h", "0236h", 2, 2}, "idCode", "The ID code of the profile K3 is 37h or B3h."},
+    {{k4, "37h", "0237h", 2, 2}, "idCode", "The ID code of the profile K4 is F7h."},
+    {{rod, "37h", "0237h", 2, 2}, "idCode", "The ID code of the profile LA-66 is 33h."},
+    // length codes
+    {{k1, "36h", "0236h", 1, 0}, "deviceCode", "The device code of the profile K1 is 0136h or 01B2h."},
+    {{k2, "B2h", "01B2h", 2, 0}, "deviceCode", "The device code of the profile K2 is 0236h or 02B2h."},
+    {{fraba, "B3h", "01B3h", 2, 2}, "deviceCode", "The device code of the profile K3 is 0237h or 02B3h."},
+    {{k4, "F7h", "02F7h", 2, 2}, "deviceCode", "The device code of the profile K4 is 03F7h."},
+    {{rod, "33h", "0133h", 2, 2}, "deviceCode", "The device code of the profile LA-66 is 0233h."},
+    // words
+    {{k1, "36h", "0136h", 2, 0}, "inWords", "The profile K1 has 1 words IN and 0 words OUT."},
+    {{k1, "36h", "0136h", 1, 1}, "outWords", "The profile K1 has 1 words IN and 0 words OUT."},
+    {{k2, "36h", "0236h", 2, 2}, "outWords", "The profile K2 has 2 words IN and 0 words OUT."},
+    {{generic, "37h", "0237h", 1, 2}, "inWords", "The profile K3 has 2 words IN and 2 words OUT."},
+    {{generic, "37h", "0237h", 2, 0}, "outWords", "The profile K3 has 2 words IN and 2 words OUT."},
+    {{k4, "F7h", "03F7h", 2, 0}, "outWords", "The profile K4 has 2 words IN and 2 words OUT."},
+    {{rod, "33h", "0233h", 2, 1}, "outWords", "The profile LA-66 has 2 words IN and 2 words OUT."},
+    // parameters
+    {{k1, "36h", "0136h", 1, 0, writable}, "parameters[0].number", "profile K1 has no parameters"},
+    {{k2, "36h", "0236h", 2, 0, readable}, "parameters[0].readOut", "profile K2 has no parameters"},
+    {{k4, "F7h", "03F7h", 2, 2, writable}, "parameters[0].number", "profile K4 has no parameters"},
+    {{rod, "33h", "0233h", 2, 2, R"({"parameter": "steps", "number": 1, "minimum": 0, "maximum": 16777216})"},
+     "parameters[0].maximum",
+     "between 0 and 16777215"},
+    {{rod, "33h", "0233h", 2, 2, R"({"parameter": "steps", "number": 1, "minimum": -1, "maximum": 9})"},
+     "parameters[0].minimum",
+     "between 0 and 16777215"},
+    // capabilities
+    {{k1, "36h", "0136h", 1, 0, "", R"("presets": true)"}, "capabilities.presets", "profile K1 cannot do"},
+    {{k2, "36h", "0236h", 2, 0, "", R"("cams": true)"}, "capabilities.cams", "profile K2 cannot do"},
+    {{k4, "F7h", "03F7h", 2, 2, "", R"("velocity": true)"}, "capabilities.velocity", "profile K4 cannot do"},
+    {{k4, "F7h", "03F7h", 2, 2, "", R"("resets": true)"}, "capabilities.resets", "profile K4 cannot do"},
+    {{rod, "33h", "0233h", 2, 2, "", R"("cams": true)"}, "capabilities.cams", "profile LA-66 cannot do"},
+    {{rod, "33h", "0233h", 2, 2, "", R"("resets": true)"}, "capabilities.resets", "profile LA-66 cannot do"},
+    {{generic, "37h", "0237h", 2, 2, "", R"("cams": true)"}, "capabilities.cams", "dialect fraba"},
+    {{baumer, "37h", "0237h", 2, 2, "", R"("velocity": true)"}, "capabilities.velocity", "dialect fraba"},
+    {{baumer, "37h", "0237h", 2, 2, "", R"("manufacturerPreset": true)"},
+     "capabilities.manufacturerPreset",
+     "dialect fraba"},
+    {{baumer, "37h", "0237h", 2, 2, "", noCapability, "true"}, "quirks.hasModes", "dialect fraba"},
+    {{k1, "36h", "0136h", 1, 0, "", noCapability, "true"}, "quirks.hasModes", "profile K1 cannot do"},
+};
+
+TEST(DescriptionRules, RefuseWhatDoesNotBelongTogether)
+{
+    for (const Broken &each : broken) {
+        const QByteArray json = description(each.parts);
+        const auto added = Catalog().add(json, QStringLiteral("some.json"));
+        if (added) {
+            ADD_FAILURE() << each.reason << " is missed in " << json.toStdString();
+            continue;
+        }
+        EXPECT_EQ(added.error().key.toStdString(), each.key) << json.toStdString();
+        EXPECT_TRUE(added.error().reason.contains(QLatin1String(each.reason)))
+            << added.error().reason.toStdString();
+    }
+}
+
+} // namespace
+} // namespace codewheel
