@@ -26,6 +26,8 @@ public:
         : m_largestPosition(largestPosition.value_or(largestCamPosition))
     {}
 
+    // Before anything else: what is of another kind has other keys.
+    static void checkFormat(const Json::Value &root, FaultKeeper &faults);
     CamFile read(const JsonObject &json);
 
 private:
@@ -35,12 +37,17 @@ private:
     std::int64_t m_largestPosition;
 };
 
+void CamFileReader::checkFormat(const Json::Value &root, FaultKeeper &faults)
+{
+    if (!root.isObject() || root["format"] == Json::Value(formatName))
+        return;
+    faults.report(
+        root.isMember("format") ? root["format"] : root, QStringLiteral("format"),
+        tr("This is no file of cam programs: the format is not \"%1\".").arg(QLatin1String(formatName)));
+}
+
 CamFile CamFileReader::read(const JsonObject &json)
 {
-    if (json.text("format") != QLatin1String(formatName))
-        json.report(
-            "format",
-            tr("This is no file of cam programs: the format is not \"%1\".").arg(QLatin1String(formatName)));
     if (json.number("version") != formatVersion)
         json.report("version", tr("Only version %1 of the format can be read.").arg(formatVersion));
     CamFile file;
@@ -126,6 +133,8 @@ Result<CamFile> camFileFromJson(const QByteArray &json, const QString &name,
     FaultKeeper faults(json, name);
     const Json::Value root = parseStrictly(json, faults);
     CamFile file;
+    if (!faults.first())
+        CamFileReader::checkFormat(root, faults);
     if (!faults.first())
         file = CamFileReader(largestPosition)
                    .read(JsonObject(root, QString(),

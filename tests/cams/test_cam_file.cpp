@@ -118,6 +118,20 @@ TEST(CamFile, WithoutAnyProgramIsRefused)
               "from the file.");
 }
 
+TEST(CamFile, WhatIsOfAnotherKindIsToldBeforeItsKeys)
+{
+    for (const QByteArray &other :
+         {QByteArray(R"({"events": [], "format": "codewheel-sequence", "version": 1})"),
+          QByteArray(R"({"key": "my-encoder", "name": "K3", "version": 2})"),
+          QByteArray(R"({"format": ["codewheel-cams"]})")}) {
+        const auto file = camFileFromJson(other, fileName);
+        ASSERT_FALSE(file);
+        EXPECT_EQ(refusalText(file.error()).toStdString(),
+                  "press.json, line 1, format: This is no file of cam programs: the format is not "
+                  "\"codewheel-cams\". Nothing was taken from the file.");
+    }
+}
+
 TEST(CamFile, WhatIsNoJsonIsToldWithoutAKey)
 {
     for (const QByteArray &nonsense :
