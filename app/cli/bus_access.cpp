@@ -52,6 +52,12 @@ Checked<void> nameDevice(const Call &call, DeviceNumber number, const QString &t
     const auto meant = deviceMeant(call.catalog, *participant, typed);
     if (!meant)
         return tl::unexpected(meant.error());
+    const DeviceDescription *device = call.catalog.find(meant->key);
+    if (device != nullptr && device->profile == Profile::esc)
+        return badInput(QStringLiteral("deviceOnSerialLine"),
+                        CommandLine::tr("The %1 is on a serial line, not on INTERBUS: it cannot be the "
+                                        "device at %2."),
+                        {device->fullName(), number.toString()});
     if (const auto named = call.bus->name(number, meant->key, meant->turns, meant->stepsPerTurn); !named)
         return tl::unexpected(complaintAbout(named.error()));
     return {};

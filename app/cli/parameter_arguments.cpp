@@ -56,6 +56,11 @@ Checked<const ParameterDescription *> parameterNamed(const DeviceDescription &de
             device,
             {RefusalKind::badInput, RefusalId::parameterNotSupported, {*parameter, device.fullName()}},
             condition);
+    if (description->onLabel)
+        return badInput(QStringLiteral("parameterOnLabel"),
+                        CommandLine::tr("%1 stands on the label of the %2 only: it is neither read nor "
+                                        "written over the bus. There are: %3."),
+                        {*parameter, device.fullName(), namesOf(device, condition)});
     if (!condition(*description)) // can only be read
         return lacking(device,
                        {RefusalKind::badInput, RefusalId::parameterReadOnly, {*parameter, device.fullName()}},

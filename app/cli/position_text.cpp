@@ -16,6 +16,9 @@ QString positionText(std::optional<std::int64_t> position, const Reading &shown,
         return argumentText(*position);
     if (shown.velocity)
         return CommandLine::tr("not shown in velocity mode");
+    if (shown.coding && !shown.mode && shown.state == EncoderState::operation)
+        return sentence(CommandLine::tr("IN %1, and the mode of the encoder is not known"),
+                        {hexWord(shown.in)});
     return sentence(CommandLine::tr("IN %1, and how it is coded is not known"), {hexWord(shown.in)});
 }
 

@@ -32,7 +32,7 @@ Result<void> K3Plan::checkSwitch(const SwitchMode &job) const
     if (auto checked = K3CamPlan(m_device, m_knowledge).check(job); !checked)
         return checked;
     if (!m_device.quirks.hasModes)
-        return refuse(RefusalKind::notSupported, RefusalId::jobNotSupported, {m_device.fullName()});
+        return refuse(RefusalKind::notSupported, RefusalId::velocityNotSupported, {m_device.fullName()});
     return {};
 }
 

@@ -86,6 +86,8 @@ Result<void> La66Plan::check(const Job &job) const
         return send->words.empty() ? refuse(RefusalKind::badInput, RefusalId::nothingToDo) : Result<void>();
     if (const auto *end = std::get_if<EndParameterization>(&job))
         return checkToWrite(m_device, end->restore);
+    if (const auto *mode = std::get_if<SwitchMode>(&job); mode != nullptr && mode->mode != Mode::cam)
+        return refuse(RefusalKind::notSupported, RefusalId::velocityNotSupported, {m_device.fullName()});
     return refuse(RefusalKind::notSupported, RefusalId::jobNotSupported, {m_device.fullName()});
 }
 

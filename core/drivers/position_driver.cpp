@@ -16,6 +16,10 @@ struct WhyNot
     RefusalId operator()(const EndParameterization &) const { return RefusalId::writingNotSupported; }
     RefusalId operator()(const SetPreset &) const { return RefusalId::presetNotSupported; }
     RefusalId operator()(const ResetToDefault &) const { return RefusalId::resetNotSupported; }
+    RefusalId operator()(const SwitchMode &job) const
+    {
+        return job.mode == Mode::cam ? RefusalId::camsNotSupported : RefusalId::velocityNotSupported;
+    }
     RefusalId operator()(const ReadCams &) const { return RefusalId::camsNotSupported; }
     RefusalId operator()(const WriteCams &) const { return RefusalId::camsNotSupported; }
     RefusalId operator()(const SendWords &) const

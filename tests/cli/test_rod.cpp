@@ -18,8 +18,18 @@ TEST(CliRod, ReadsWhatHasAService)
     EXPECT_EQ(runLine(QStringLiteral("read 5.0 measuring-length error-status")).out,
               "measuring-length  = 50000 steps\n"
               "error-status      = no-error (0)\n");
-    const CliRun label = runLine(QStringLiteral("read 5.0 rod-length"));
-    EXPECT_EQ(label.exit, 2);
+}
+
+TEST(CliRod, WhatStandsOnTheLabelIsNeitherReadNorWritten)
+{
+    for (const char *line : {"read 5.0 rod-length --json", "write 5.0 rod-length=500000 --yes --json"}) {
+        const CliRun run = runLine(QString::fromLatin1(line));
+        EXPECT_EQ(run.exit, 2) << line;
+        EXPECT_EQ(errorKey(run), "parameterOnLabel") << line;
+        EXPECT_THAT(run.err, HasSubstr("Rod length stands on the label of the TR LA-66 only: it is neither "
+                                       "read nor written over the bus. There are: "))
+            << line;
+    }
 }
 
 TEST(CliRod, IsWrittenByServicesAndReadBack)

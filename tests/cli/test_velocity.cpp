@@ -55,8 +55,18 @@ TEST(CliVelocity, RefusesWhatMakesNoSense)
 {
     EXPECT_EQ(errorKey(runLine(QStringLiteral("velocity 1.0 fast --json"))), "onOrOff");
     EXPECT_EQ(runLine(QStringLiteral("velocity 1.0 fast")).exit, 2);
-    EXPECT_EQ(errorKey(runLine(QStringLiteral("velocity 2.0 on --json"))), "velocityNotSupported");
-    EXPECT_EQ(runLine(QStringLiteral("velocity 2.0 on")).exit, 1);
+}
+
+TEST(CliVelocity, WhoHasNoVelocityModeIsToldSo)
+{
+    for (const char *place : {"2.0", "3.0", "4.0", "5.0"})
+        for (const char *wanted : {"on", "off"}) {
+            const CliRun run = runLine(
+                QStringLiteral("velocity %1 %2 --json").arg(QLatin1String(place), QLatin1String(wanted)));
+            EXPECT_EQ(errorKey(run), "velocityNotSupported") << place << ' ' << wanted;
+            EXPECT_EQ(run.exit, 1);
+            EXPECT_THAT(run.err, HasSubstr(" has no velocity mode."));
+        }
 }
 
 } // namespace

@@ -132,6 +132,17 @@ TEST(CliWrite, WritesInTheOrderGiven)
     EXPECT_THAT(keysOf(json, u"written"), ElementsAre("preset", "direction", "steps"));
 }
 
+TEST(CliWrite, WhereTheModeIsNotKnownTheRawWordIsTold)
+{
+    SharedBus shared;
+    shared.bus().close();
+    ASSERT_TRUE(shared.bus().open(BusSession::Start::operating)); // nothing is known after that
+    const CliRun run = shared.runLine(QStringLiteral("write 1.0 steps=255 --yes"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_THAT(run.out,
+                HasSubstr("Position before: IN 00003039, and the mode of the encoder is not known\n"));
+}
+
 TEST(CliWrite, AnEncoderWithoutReadOutIsBelievedByItsHandshake)
 {
     SharedBus shared;

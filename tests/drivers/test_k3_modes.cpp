@@ -130,7 +130,7 @@ TEST(K3ModesOfOthers, AreRefused)
 {
     DriverTable table(u"baumer-gxp6w");
     EXPECT_EQ(table.begin(SwitchMode{Mode::velocity}).error().id, RefusalId::velocityNotSupported);
-    EXPECT_EQ(table.begin(SwitchMode{Mode::position}).error().id, RefusalId::jobNotSupported);
+    EXPECT_EQ(table.begin(SwitchMode{Mode::position}).error().id, RefusalId::velocityNotSupported);
 }
 
 } // namespace

@@ -346,7 +346,7 @@ INSTANTIATE_TEST_SUITE_P(
             "initialise",
             WriteParameters{.values = {{Parameter::direction, 0}}, .previous = {}, .initialisePreset = true},
             RefusalId::presetNeedsValue},
-        BadInput{"mode", SwitchMode{}, RefusalId::jobNotSupported},
+        BadInput{"mode", SwitchMode{}, RefusalId::velocityNotSupported},
         BadInput{"reset", ResetToDefault{}, RefusalId::jobNotSupported},
         BadInput{"cams", ReadCams{{1}, {}}, RefusalId::jobNotSupported},
         BadInput{"writeCams", WriteCams{}, RefusalId::jobNotSupported}),
