@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
         Breakage{"\"version\": 1,", "\"version\": 1", 4, "", "not valid JSON"},
         Breakage{"codewheel-cams", "codewheel-sequence", 2, "format", "no file of cam programs"},
         Breakage{"\"version\": 1,", "\"version\": 2,", 3, "version", "Only version 1"},
-        Breakage{"\"version\": 1,", "\"version\": 1, \"version\": 1,", 3, "", "Duplicate"},
+        Breakage{"\"version\": 1,", "\"version\": 1, \"version\": 1,", 3, "version", "stands here twice"},
         Breakage{"\"device\": \"fraba-ocd-ib\",", "", 1, "device", "missing"},
         Breakage{"8192", "0", 5, "totalRange", "not between"},
         Breakage{"8192", "33554433", 5, "totalRange", "not between"},
