@@ -66,6 +66,7 @@ void K3CamKnowledge::observeAnswer(Word in)
     m_isParameterized = true;
     if (!m_program) {
         forgetAll(); // it was in cam mode, and nobody knows in which program
+        m_changed = true;
         return;
     }
     beginChange();
@@ -116,6 +117,7 @@ void K3CamKnowledge::doubtAsked()
         return;
     if (!m_program) {
         forgetAll();
+        m_changed = true;
         return;
     }
     beginChange();
@@ -126,7 +128,8 @@ void K3CamKnowledge::doubtAsked()
 // Power-off brings the program back as it was saved; where it is not certain, what differs is not known.
 void K3CamKnowledge::loseChange(bool certainly)
 {
-    m_asked.reset();
+    if (certainly)
+        m_asked.reset();
     if (!m_changed || !m_program)
         return;
     Program &program = m_programs[*m_program];

@@ -5,6 +5,30 @@
 #include <algorithm>
 
 namespace codewheel {
+namespace {
+
+// The value a step gives the encoder, where it is one of a parameter that the description names.
+std::optional<ParameterValue> valueGivenBy(const K3Step &step)
+{
+    if (!step.parameter)
+        return std::nullopt;
+    if (step.kind == StepKind::parameter)
+        return ParameterValue{*step.parameter, step.value};
+    if (step.kind == StepKind::word)
+        return ParameterValue{*step.parameter, k3::data(step.out)};
+    return std::nullopt;
+}
+
+bool resetsToDefault(const Job &job)
+{
+    const auto *send = std::get_if<SendWords>(&job);
+    return std::holds_alternative<ResetToDefault>(job) ||
+           (send && std::ranges::any_of(send->words, [](Word word) {
+                return k3::isParameterWord(word) && k3::number(word) == resetNumber;
+            }));
+}
+
+} // namespace
 
 void K3Driver::cancel(OnCancel how, Instant now)
 {
@@ -13,9 +37,9 @@ void K3Driver::cancel(OnCancel how, Instant now)
     Run &run = *m_run;
     run.cancelled = how;
     run.cancelledAt = now;
-    if (run.begun && current().kind == StepKind::parameter && current().parameter) {
+    if (const auto value = run.begun ? valueGivenBy(current()) : std::nullopt) {
         if (m_handshake.hasConfirmed())
-            replaceValue(run.confirmed, {*current().parameter, current().value});
+            replaceValue(run.confirmed, *value);
         else
             run.inFlight = current();
     }
@@ -65,7 +89,7 @@ void K3Driver::lookForLateAnswer(Word in)
             return;
         run.inFlight.reset();
     } else if (run.inFlight && k3::isConfirmation(in) && k3::number(in) == k3::number(run.inFlight->out)) {
-        replaceValue(run.confirmed, {*run.inFlight->parameter, run.inFlight->value});
+        replaceValue(run.confirmed, *valueGivenBy(*run.inFlight));
         run.inFlight.reset();
     }
 }
@@ -99,7 +123,7 @@ void K3Driver::appendCancelSteps(Word in)
 
 bool K3Driver::canRestore() const
 {
-    if (std::holds_alternative<ResetToDefault>(m_run->job))
+    if (resetsToDefault(m_run->job))
         return false; // run would carry out the reset
     const auto isKnown = [this](const ParameterValue &value) {
         return valueOf(m_run->before, value.parameter).has_value();

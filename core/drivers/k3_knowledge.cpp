@@ -43,7 +43,8 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
     observeMode(out, now);
     if (m_device.capabilities.cams)
         m_cams.observe(in, out, mode(), camProgram(), now);
-    if (isManufacturerPreset(out) && k3::isOperation(m_in))
+    const bool isFirst = !std::exchange(m_hasSeenWords, true); // what stands in OUT then was sent by others
+    if (!isFirst && isManufacturerPreset(out) && k3::isOperation(m_in))
         observeManufacturerPreset();
     const bool outChanged = out != m_out;
     if (!outChanged && k3::isOperation(in) && k3::isOperation(m_in) && m_unproven.empty()) {
@@ -54,7 +55,8 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
     if (outChanged) {
         m_answerIsFresh = false;
         countConfirmed();
-        observePreset(out);
+        if (!isFirst)
+            observePreset(out);
         if (k3::isParameterWord(out)) {
             m_asked = out;
             m_askedIsProcessed = false;
@@ -99,9 +101,11 @@ void K3Knowledge::observeMode(Word out, Instant now)
         forget(Parameter::startUpMode);
 }
 
+// An encoder whose make is not known may be a FRABA, too.
 bool K3Knowledge::isManufacturerPreset(Word out) const
 {
-    return out == k3::frabaPreset && m_device.capabilities.manufacturerPreset && mode() != Mode::cam;
+    return out == k3::frabaPreset && (m_device.capabilities.manufacturerPreset || m_device.isGeneric()) &&
+           mode() != Mode::cam;
 }
 
 void K3Knowledge::observeConfirmation(Word in, Word out)
@@ -129,7 +133,8 @@ void K3Knowledge::observeError(Word in, Word out)
     constexpr unsigned parametersLost = 3;
     constexpr unsigned unknownWord = 2;
     const bool refusesCams = k3::isCamReadOutRequest(out) && k3::number(in) == unknownWord;
-    if (mode() == Mode::cam && (refusesCams || k3::number(in) == parametersLost))
+    const bool isInPositionMode = !mode() || mode() == Mode::position;
+    if ((mode() == Mode::cam && refusesCams) || (!isInPositionMode && k3::number(in) == parametersLost))
         m_mode.tell(std::nullopt);
     m_asked.reset();
     if (k3::isParameterWord(out) && m_pending.erase(k3::number(out)) != 0)

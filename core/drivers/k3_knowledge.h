@@ -81,6 +81,7 @@ private:
     bool m_answerIsFresh = false; // IN held no read-out answer since the request stands in OUT
     std::optional<bool> m_presetArmed;
     int m_eepromWrites = 0;
+    bool m_hasSeenWords = false;
     Word m_out = 0;
     Word m_in = 0;
 };

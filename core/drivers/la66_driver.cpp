@@ -197,9 +197,11 @@ void La66Driver::fail(Refusal why, Word out)
     Run &run = *m_run;
     run.steps.resize(run.index);
     run.begun = false;
-    if (run.failure)
+    const bool isFirst = !run.failure;
+    if (isFirst)
+        run.failure = std::move(why);
+    if (!isFirst && !la66::isServiceMode(out)) // bringing OUT back has failed itself
         return;
-    run.failure = std::move(why);
     if (std::holds_alternative<SendWords>(run.job) && !run.cancelled)
         return;
     const La66Steps back = La66Plan::wayBack(out);

@@ -16,6 +16,7 @@ RingEncoderSession::RingEncoderSession(BusSession &bus, std::size_t device, Devi
     , m_place(device)
     , m_number(number)
     , m_description(description)
+    , m_linkBoundsCycles(linkBoundsCycles)
     , m_can(description.capabilities)
 {
     m_can.manufacturerPreset = m_can.manufacturerPreset && linkBoundsCycles;
@@ -76,7 +77,8 @@ Result<JobId> RingEncoderSession::start(const Job &job, Pace pace)
 // 60000000h acts in every cycle in which it stands.
 Result<void> RingEncoderSession::checkLink(const Job &job) const
 {
-    if (m_can.manufacturerPreset || !m_description.capabilities.manufacturerPreset)
+    const bool mayBePreset = m_description.capabilities.manufacturerPreset || m_description.isGeneric();
+    if (m_linkBoundsCycles || !mayBePreset)
         return {};
     const auto *preset = std::get_if<SetPreset>(&job);
     const auto *send = std::get_if<SendWords>(&job);

@@ -58,6 +58,7 @@ private:
     std::size_t m_place; // in the ring
     DeviceNumber m_number;
     const DeviceDescription &m_description;
+    bool m_linkBoundsCycles;
     Capabilities m_can;
     Reading m_reading;
     std::map<Parameter, Known> m_known;

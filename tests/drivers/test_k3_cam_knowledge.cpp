@@ -165,6 +165,43 @@ TEST_F(CamWire, LostParametersTakeTheProgramsAlong)
     EXPECT_EQ(fraba.mode(), std::nullopt);
 }
 
+// Normal with all cams off and no part of the position beside them.
+TEST_F(CamWire, AnAcknowledgementAfterAZeroIsTaken)
+{
+    enter(1);
+    readAll(1000);
+    play({{0x4600'0015, cams}, {0x4600'0015, 0x0000'0000}, {0x4600'0015, 0xC600'0015}});
+    play({{0x8000'0000, 0xC600'0015}, {0x8000'0000, cams}, {0x0000'0000, cams}});
+    EXPECT_EQ(startOfCam3(1), 0x15);
+    enter(2);
+    EXPECT_EQ(fraba.eepromWrites(), 1);
+}
+
+TEST_F(CamWire, AChangeOfAProgramNobodyKnowsIsCountedWhenItIsLeft)
+{
+    play({{0x0000'0000, cams}});
+    setCam3();
+    EXPECT_EQ(fraba.eepromWrites(), 0);
+    enter(2);
+    EXPECT_EQ(fraba.eepromWrites(), 1);
+}
+
+TEST_F(CamWire, LostParametersEndVelocityModeToo)
+{
+    enter(1);
+    play({{0x2080'0000, cams}, {0x2080'0000, cams}, {0x2080'0000, pos}, {0x0000'0000, pos}});
+    play({{0x2040'0001, pos}, {0x2040'0001, pos}, {0x2040'0001, 0}, {0x0000'0000, 0}});
+    ASSERT_EQ(fraba.mode(), Mode::velocity);
+    play({{0x0000'0000, 0x8600'0000}});
+    EXPECT_EQ(fraba.mode(), std::nullopt);
+}
+
+TEST_F(CamWire, APresetThatStandsInOutAtFirstWasSentByOthers)
+{
+    play({{0x4000'0000, pos}, {0x4000'0000, pos}, {0x0000'0000, pos}});
+    EXPECT_EQ(fraba.eepromWrites(), 0);
+}
+
 // In position mode 46000015 is no cam word.
 TEST_F(CamWire, InPositionModeNoWordTouchesThePrograms)
 {

@@ -175,6 +175,45 @@ TEST(K3CancelUnknown, RestoreIsNotOfferedWhereTheValuesFromBeforeAreNotKnown)
 }
 
 // An encoder left behind, e.g. by a program that was closed
+// Run would carry out the reset.
+TEST(K3CancelWords, RestoreIsNotOfferedOnceAResetIsAmongThem)
+{
+    DriverTable table{u"fraba-ocd-ib"};
+    table.tell(Parameter::multiTurnAndStepsMinusOne, 2);
+    table.tell(Parameter::steps, 8192);
+    ASSERT_TRUE(table.begin(SendWords{.words = {0x0E00'0000, 0x0200'00FF, 0x8000'0000}}, Pace::byHand));
+    table.play({{0x0000'0000, pos}});
+    table.driver().proceed();
+    table.play({{0x0000'0000, pos}, {0x0E00'0000, 0xCE00'0000}});
+    table.driver().proceed();
+    table.play({{0x0E00'0000, 0xCE00'0000}, {0x0200'00FF, 0xC200'00FF}, {0x0200'00FF, 0xC200'00FF}});
+    ASSERT_FALSE(table.progress().confirmed.empty());
+    EXPECT_FALSE(table.progress().canRestore);
+}
+
+// Its old value is not known: restore would leave the new one behind.
+TEST(K3CancelWords, AWordConfirmedAfterTheCancelCountsAsTaken)
+{
+    DriverTable table{u"fraba-ocd-ib"};
+    table.tell(Parameter::multiTurnAndStepsMinusOne, 2);
+    table.tell(Parameter::steps, 8192);
+    ASSERT_TRUE(table.begin(SendWords{.words = {0x0200'00FF, 0x0400'0003, 0x8000'0000}}));
+    table.play({{0x0000'0000, pos}, {0x0200'00FF, 0xC200'00FF}, {0x0400'0003, 0xC200'00FF}});
+    table.driver().cancel(OnCancel::restorePrevious, Instant{});
+    table.play({{0x0400'0003, 0xC400'0003}, {0x0000'0000, 0xC400'0003}});
+    table.repeat(5, {0x0000'0000, 0xC400'0003}); // no run: it would activate revolutions = 3
+    ASSERT_TRUE(table.outcome());
+    EXPECT_EQ(table.outcome()->leftIn, EncoderState::parameterization);
+}
+
+// It may be a FRABA, which sets its position in every cycle in which it sees the word.
+TEST(K3MakeNotKnown, TheFrabaPresetMayNotStand)
+{
+    DriverTable table{u"generic-k3"};
+    EXPECT_FALSE(table.driver().mayStand(0x6000'0000));
+    EXPECT_TRUE(table.driver().mayStand(0x4000'0000));
+}
+
 TEST(K3EndParameterization, BringsBackAnEncoderThatWasLeftInError)
 {
     DriverTable table(u"baumer-gxp6w");
