@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cams/cam_file.h"
 #include "cams/check_cams.h"
+#include "catalog/catalog.h"
 #include "catalog/total_range.h"
 #include "cli/bus_access.h"
 #include "cli/cam_text.h"
@@ -14,6 +15,7 @@
 #include "encoder/sentence.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QSaveFile>
 
 #include <algorithm>
@@ -32,7 +34,8 @@ constexpr std::array options{
     Option{"--stay", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
                              "leave the encoder in cam mode, in the last of the programs")},
-    Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "write without asking")},
+    Option{"--yes", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "write without asking; replace FILE when reading")},
     Option{"--trace", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
 };
@@ -97,21 +100,46 @@ Checked<std::optional<unsigned>> programFrom(const Arguments &arguments)
     return static_cast<unsigned>(number);
 }
 
-Checked<std::vector<CamProgram>> programsIn(const QString &name, std::optional<unsigned> program)
+// Of the file: all its programs, or the one wanted.
+Checked<CamFile> programsIn(const QString &name, std::optional<unsigned> program)
 {
     QFile file(name);
     if (!file.open(QIODevice::ReadOnly))
         return badInput(QStringLiteral("fileNotRead"), CommandLine::tr("%1 cannot be read: %2."),
                         {name, file.errorString()});
-    const auto cams = camFileFromJson(file.readAll(), name);
+    auto cams = camFileFromJson(file.readAll(), name);
     if (!cams)
         return tl::unexpected(complaintAbout(cams.error()));
     if (!program)
-        return cams->programs;
+        return *std::move(cams);
     const auto one = camProgramOf(*cams, *program, name);
     if (!one)
         return tl::unexpected(complaintAbout(one.error()));
-    return std::vector{*one};
+    cams->programs = {*one};
+    return *std::move(cams);
+}
+
+Checked<void> checkMadeFor(const Call &call, const CamFile &file, const DeviceDescription &encoder)
+{
+    const QString &name = call.arguments.rest[2];
+    if (suits(file, encoder, call.catalog.find(file.device)))
+        return {};
+    return tl::unexpected(Complaint{ExitCode::badInput,
+                                    QStringLiteral("camFileOfOtherDevice"),
+                                    otherDeviceText(file, encoder, name),
+                                    {name, file.device, encoder.key}});
+}
+
+// What is in a file is not lost by a read.
+Checked<void> checkFileIsFree(const Arguments &arguments)
+{
+    if (arguments.rest.size() < 3 || arguments.has("--yes") || !QFileInfo::exists(arguments.rest[2]))
+        return {};
+    return badInput(
+        QStringLiteral("fileExists"),
+        CommandLine::tr("%1 is there already. Nothing was read. Name another file, or add --yes to "
+                        "replace it."),
+        {arguments.rest[2]});
 }
 
 std::vector<unsigned> numbersOf(const std::vector<CamProgram> &programs)
@@ -276,9 +304,9 @@ Checked<Answer> run(const Call &call)
     const auto program = programFrom(call.arguments);
     if (!program)
         return tl::unexpected(program.error());
-    Checked<std::vector<CamProgram>> wanted;
-    if (!reads)
-        wanted = programsIn(call.arguments.rest[2], *program);
+    if (const auto isFree = reads ? checkFileIsFree(call.arguments) : Checked<void>(); !isFree)
+        return tl::unexpected(isFree.error());
+    const auto wanted = reads ? Checked<CamFile>() : programsIn(call.arguments.rest[2], *program);
     if (!wanted)
         return tl::unexpected(wanted.error());
     const auto encoder = encoderAt(call);
@@ -287,14 +315,16 @@ Checked<Answer> run(const Call &call)
     if (!(*encoder)->can().cams)
         return tl::unexpected(complaintAbout(
             {RefusalKind::notSupported, RefusalId::camsNotSupported, {(*encoder)->device().fullName()}}));
+    if (const auto fits = reads ? Checked<void>() : checkMadeFor(call, *wanted, (*encoder)->device()); !fits)
+        return tl::unexpected(fits.error());
 
     CamCall cams{call, **encoder};
     if (reads)
         read(cams, *program);
     else if (compares)
-        compare(cams, *wanted);
+        compare(cams, wanted->programs);
     else
-        write(cams, *wanted);
+        write(cams, wanted->programs);
     Answer answer = std::move(cams.answer);
     answer.json.insert(QStringLiteral("place"), (*encoder)->number().toString());
     answer.json.insert(QStringLiteral("device"), (*encoder)->device().key);
@@ -313,12 +343,10 @@ const Subcommand camsCommand{
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "read, write and compare cam programs"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
-        "read prints the cam programs, and saves them in FILE where one is named. compare reads those that "
-        "are "
-        "in\n"
-        "FILE and tells line by line what differs; exit code 1 if anything does. write does the same, shows "
-        "the\n"
-        "words and the EEPROM writes, asks, writes what differs, and reads it back.\n"
+        "read prints the cam programs, and saves them in FILE where one is named; a FILE that is there\n"
+        "already is replaced with --yes only. compare reads those that are in FILE and tells line by line\n"
+        "what differs; exit code 1 if anything does. write does the same, shows the words and the EEPROM\n"
+        "writes, asks, writes what differs, and reads it back. A FILE made for another device is refused.\n"
         "\n"
         "Without --program, all eight are read, or all that are in the file. The encoder is in cam mode "
         "meanwhile.\n"

@@ -3,6 +3,7 @@
 
 #include "cams/check_cams.h"
 #include "catalog/strict_json.h"
+#include "encoder/sentence.h"
 
 #include <QStringList>
 
@@ -155,6 +156,21 @@ Result<CamProgram> camProgramOf(const CamFile &file, unsigned number, const QStr
     }
     return refuse(RefusalKind::badInput, RefusalId::camFileOfOtherProgram,
                   {name, held.join(QStringLiteral(", ")), std::int64_t{number}});
+}
+
+bool suits(const CamFile &file, const DeviceDescription &encoder, const DeviceDescription *madeFor)
+{
+    const auto isFrabaK3 = [](const DeviceDescription &device) {
+        return device.profile == Profile::k3 && device.dialect == k3::Dialect::fraba;
+    };
+    return file.device == encoder.key || (madeFor != nullptr && isFrabaK3(*madeFor) && isFrabaK3(encoder));
+}
+
+QString otherDeviceText(const CamFile &file, const DeviceDescription &encoder, const QString &name)
+{
+    return sentence(CamFileReader::tr("%1 holds cam programs for the device %2; this encoder is %3. Nothing "
+                                      "was taken from the file."),
+                    {name, file.device, encoder.key});
 }
 
 } // namespace codewheel

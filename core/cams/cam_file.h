@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "catalog/device_description.h"
 #include "encoder/cam_program.h"
 #include "encoder/refusal.h"
 
@@ -31,5 +32,11 @@ Result<CamFile> camFileFromJson(const QByteArray &json, const QString &name,
 
 // The one program wanted, 1..8: camFileOfOtherProgram where the file holds others only.
 Result<CamProgram> camProgramOf(const CamFile &file, unsigned number, const QString &name);
+
+// Whether the programs are for this encoder. `madeFor` is the description of the file's device, null where
+// there is none: one K3 of FRABA takes what was made for another.
+bool suits(const CamFile &file, const DeviceDescription &encoder, const DeviceDescription *madeFor);
+// Why they are not taken, in the user's language.
+QString otherDeviceText(const CamFile &file, const DeviceDescription &encoder, const QString &name);
 
 } // namespace codewheel

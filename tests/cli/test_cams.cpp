@@ -72,6 +72,54 @@ TEST_F(CliCams, WhatIsReadAndSavedIsWhatIsThere)
     EXPECT_EQ(text.count("\"program\""), 8);
 }
 
+TEST_F(CliCams, AFileThatIsThereIsReplacedOnlyWithYes)
+{
+    SharedBus shared;
+    const QByteArray before = program("1", "0", "21");
+    const QString name = file(before);
+    const auto content = [&] {
+        QFile kept(name);
+        EXPECT_TRUE(kept.open(QIODevice::ReadOnly));
+        return kept.readAll();
+    };
+    const CliRun run = shared.runLine(QStringLiteral("cams 1.0 read %1 --json").arg(name));
+    EXPECT_EQ(run.exit, 2);
+    EXPECT_EQ(errorKey(run), "fileExists");
+    EXPECT_THAT(run.err, HasSubstr("cams.json is there already. Nothing was read."));
+    EXPECT_EQ(shared.bus().latest().cycle, 0u) << "nothing went over the bus";
+    EXPECT_EQ(content(), before);
+    EXPECT_EQ(shared.runLine(QStringLiteral("cams 1.0 read %1 --yes").arg(name)).exit, 0);
+    EXPECT_EQ(content().count("\"program\""), 8);
+}
+
+TEST_F(CliCams, AFileOfAnotherDeviceIsRefused)
+{
+    const QByteArray json = program("1", "0", "21");
+    for (const char *device : {"fraba-ocd-ib-k2", "tr-la66", "baumer-gxp6w", "nobodys-encoder"})
+        for (const char *action : {"write", "compare"}) {
+            SharedBus shared;
+            const QString name = file(QByteArray(json).replace("fraba-ocd-ib", device));
+            const CliRun run = shared.runLine(
+                QStringLiteral("cams 1.0 %1 %2 --yes --json").arg(QLatin1String(action), name));
+            EXPECT_EQ(run.exit, 2) << device;
+            EXPECT_EQ(errorKey(run), "camFileOfOtherDevice") << device;
+            EXPECT_THAT(run.err, HasSubstr(std::string("cams.json holds cam programs for the device ") +
+                                           device + "; this encoder is fraba-ocd-ib. Nothing was taken"));
+            EXPECT_EQ(shared.bus().encoder({1, 0})->latest().mode, Mode::position) << "no cam word went out";
+            EXPECT_EQ(shared.eepromWrites(), 0);
+        }
+}
+
+TEST_F(CliCams, TheSameEncoderOnLoop2TakesTheFile)
+{
+    SharedBus shared;
+    EXPECT_EQ(
+        shared.runLine(QStringLiteral("cams 6.1 write %1 --yes").arg(file(program("1", "0", "21")))).exit, 0);
+    const QString saved = m_directory.filePath(QStringLiteral("loop2.json"));
+    EXPECT_EQ(shared.runLine(QStringLiteral("cams 6.1 read %1 --program 1").arg(saved)).exit, 0);
+    EXPECT_EQ(shared.runLine(QStringLiteral("cams 1.0 write %1 --yes").arg(saved)).exit, 0);
+}
+
 TEST_F(CliCams, ACompareTellsLineByLineWhatDiffers)
 {
     const CliRun run = runLine(QStringLiteral("cams 1.0 compare %1").arg(file(program("2", "3", "21"))));

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program itself, as a script starts it: nobody at a terminal.
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QProcess>
 #include <QProcessEnvironment>
+#include <QTemporaryDir>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -58,6 +63,7 @@ TEST(CliProgram, SpeaksTheLanguageOfTheSystem)
     EXPECT_THAT(start(line, QStringLiteral("de_DE.UTF-8")).out, HasSubstr("In Betrieb, Position 76367"));
 }
 
+// Save what docs/command-line.md names as texts in the user's language.
 TEST(CliProgram, JsonIsTheSameInEveryLanguage)
 {
     for (const char *line :
@@ -66,11 +72,39 @@ TEST(CliProgram, JsonIsTheSameInEveryLanguage)
           "words 2.0 04004E20 80000000 --json", "words 1.0 02000000 --json", "read 1.0 --json",
           "read 2.0 --json", "write 1.0 steps=255 direction=ccw --yes --trace --json",
           "write 1.0 steps=0 --json", "write 1.0 steps=255 --dry-run --json", "preset 1.0 7 --json",
-          "monitor 2.0 --for 0.05 --json"}) {
+          "monitor 2.0 --for 0.05 --json", "velocity 2.0 off --json", "read 5.0 rod-length --json",
+          "read 1.0 --device kuebler-esc-rs485 --json", "cams 1.0 read --program 9 --json"}) {
         const QString command = QString::fromLatin1(line);
         const Ended english = start(command);
         EXPECT_NE(english.out, "") << line;
         EXPECT_EQ(start(command, QStringLiteral("de_DE.UTF-8")).out, english.out) << line;
+    }
+}
+
+// The last argument is a reason in the user's language; key and place do not depend on it.
+TEST(CliProgram, OnlyTheReasonInAJsonErrorIsInTheUsersLanguage)
+{
+    QTemporaryDir folder;
+    const QString broken = folder.filePath(QStringLiteral("broken.json"));
+    QFile file(broken);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("{\n  \"format\": \"codewheel-sequence\"\n}\n");
+    file.close();
+    for (const QString &line : {QStringLiteral("devices --label OCD-IBA1B-1413-C100-PRI --json"),
+                                QStringLiteral("cams 1.0 compare %1 --json").arg(broken)}) {
+        const auto error = [&](const QString &locale) {
+            return QJsonDocument::fromJson(QByteArray::fromStdString(start(line, locale).out))[u"error"]
+                .toObject();
+        };
+        QJsonObject english = error(QStringLiteral("C.UTF-8"));
+        QJsonObject german = error(QStringLiteral("de_DE.UTF-8"));
+        for (QJsonObject *each : {&english, &german}) {
+            QJsonArray arguments = (*each)[u"arguments"].toArray();
+            ASSERT_GE(arguments.size(), 3) << line.toStdString();
+            EXPECT_NE(arguments.takeAt(arguments.size() - 1).toString(), QString()) << line.toStdString();
+            each->insert(u"arguments", arguments);
+        }
+        EXPECT_EQ(english, german) << line.toStdString();
     }
 }
 
