@@ -75,7 +75,7 @@ void MainWindow::attach(BusSession &bus, std::shared_ptr<TrainingControls> train
     m_monitors = new MonitorArea(bus, this);
     m_wizard = new ParameterWizard(bus, *m_wanted, this);
     m_pages->addWidget(m_monitors);
-    m_cams = new CamEditor(this);
+    m_cams = new CamEditor(bus.catalog(), this);
     m_pages->addWidget(m_wizard);
     m_pages->addWidget(m_cams);
     makeDocks(messages);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cams/cam_file.h"
 #include "widgets/cams/cam_jobs.h"
 #include "widgets/cams/cam_sheet.h"
 #include "widgets/look/icons.h"
@@ -24,6 +25,7 @@ class CamBoard;
 class CamModeBar;
 class CamRangeBar;
 class CamReview;
+class Catalog;
 class EmptyState;
 class InlineMessage;
 class JobStrip;
@@ -36,7 +38,8 @@ class CamEditor : public QWidget
     Q_OBJECT
 
 public:
-    explicit CamEditor(QWidget *parent = nullptr);
+    // The catalog tells for what a file was made, and must outlive the editor.
+    explicit CamEditor(const Catalog &catalog, QWidget *parent = nullptr);
 
     void setEncoder(codewheel::EncoderSession *encoder); // null: none is chosen
 
@@ -94,6 +97,7 @@ private:
     void askLoadProgram();
     void askSave();
     void askSaveProgram();
+    tl::expected<CamFile, QString> open(const QString &path) const;
     bool keep(const QString &path, const std::vector<CamProgram> &programs);
 
     void readPrograms(CamJobs::Purpose purpose, const std::vector<unsigned> &programs);
@@ -106,6 +110,7 @@ private:
     void say(Cause cause, Role role, const QString &sentence, const QString &action = {});
     void withdraw(Cause cause); // its message, if that is the one which is shown
 
+    const Catalog &m_catalog;
     QPointer<EncoderSession> m_encoder;
     std::map<DeviceNumber, std::unique_ptr<Work>> m_works;
     CamSheet *m_sheet;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The files of the cam editor, and what is asked before it is closed.
-#include "catalog/device_description.h"
+#include "catalog/catalog.h"
 #include "encoder/refusal_text.h"
 #include "widgets/cams/cam_board.h"
 #include "widgets/cams/cam_editor.h"
@@ -47,10 +47,18 @@ void CamEditor::askSaveProgram()
         saveProgram(path);
 }
 
+// Made for this encoder, with no position above what it has.
+tl::expected<CamFile, QString> CamEditor::open(const QString &path) const
+{
+    auto file = loadCamFile(path, m_sheet->knowsLargest() ? std::optional(m_sheet->largest()) : std::nullopt);
+    if (file && m_encoder && !suits(*file, m_encoder->device(), m_catalog.find(file->device)))
+        return tl::unexpected(otherDeviceText(*file, m_encoder->device(), QFileInfo(path).fileName()));
+    return file;
+}
+
 bool CamEditor::load(const QString &path)
 {
-    const auto file =
-        loadCamFile(path, m_sheet->knowsLargest() ? std::optional(m_sheet->largest()) : std::nullopt);
+    const auto file = open(path);
     if (!file) {
         say(Cause::file, Role::fault, file.error());
         return false;
@@ -67,13 +75,11 @@ bool CamEditor::load(const QString &path)
 bool CamEditor::loadProgram(const QString &path)
 {
     const QString name = QFileInfo(path).fileName();
-    const auto program =
-        loadCamFile(path, m_sheet->knowsLargest() ? std::optional(m_sheet->largest()) : std::nullopt)
-            .and_then([&](const CamFile &file) {
-                return camProgramOf(file, m_sheet->number(), name).map_error([](const Refusal &refusal) {
-                    return refusalText(refusal);
-                });
-            });
+    const auto program = open(path).and_then([&](const CamFile &file) {
+        return camProgramOf(file, m_sheet->number(), name).map_error([](const Refusal &refusal) {
+            return refusalText(refusal);
+        });
+    });
     if (!program) {
         say(Cause::file, Role::fault, program.error());
         return false;

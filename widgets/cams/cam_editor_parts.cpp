@@ -19,8 +19,9 @@
 
 namespace codewheel {
 
-CamEditor::CamEditor(QWidget *parent)
+CamEditor::CamEditor(const Catalog &catalog, QWidget *parent)
     : QWidget(parent)
+    , m_catalog(catalog)
     , m_sheet(new CamSheet(this))
     , m_jobs(new CamJobs(this))
     , m_tools(new QToolBar(this))

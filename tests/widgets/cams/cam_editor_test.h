@@ -82,7 +82,7 @@ protected:
     }
 
     TrainingBusSession ring;
-    CamEditor editor;
+    CamEditor editor{ring.catalog};
 };
 
 } // namespace codewheel::test

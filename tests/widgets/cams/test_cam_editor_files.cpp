@@ -66,6 +66,27 @@ TEST_F(CamEditorFiles, AFileOfAnotherProgramIsNotTakenForThisOne)
     EXPECT_EQ(program(3).cam.at(manualCam), manualValue);
 }
 
+TEST_F(CamEditorFiles, AFileOfAnotherDeviceIsNotTaken)
+{
+    setManualCamIn(1);
+    ASSERT_TRUE(editor.saveProgram(path("one.json")));
+    QFile good(path("one.json"));
+    ASSERT_TRUE(good.open(QIODevice::ReadOnly));
+    const QByteArray json = good.readAll();
+    trigger("Clear this program");
+    const int steps = sheet().document().undoStack().index();
+    const QString other = keep("other.json", QByteArray(json).replace("fraba-ocd-ib", "baumer-gxp6w"));
+    for (const bool whole : {true, false}) {
+        EXPECT_FALSE(whole ? editor.load(other) : editor.loadProgram(other));
+        EXPECT_EQ(message(), QStringLiteral("other.json holds cam programs for the device baumer-gxp6w; this "
+                                            "encoder is fraba-ocd-ib. Nothing was taken from the file."));
+        EXPECT_EQ(sheet().document().undoStack().index(), steps);
+    }
+    EXPECT_TRUE(
+        editor.load(keep("loop.json", QByteArray(json).replace("fraba-ocd-ib", "fraba-ocd-ib-loop2"))));
+    EXPECT_EQ(program(1).cam.at(manualCam), manualValue);
+}
+
 TEST_F(CamEditorFiles, AFileOfOneProgramShowsItsProgram)
 {
     setManualCamIn(3);
