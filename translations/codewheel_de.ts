@@ -2618,16 +2618,24 @@
         <translation>Die Datei ist zu tief verschachtelt.</translation>
     </message>
     <message>
-        <source>This is not valid JSON: %1</source>
-        <translation>Das ist kein gültiges JSON: %1</translation>
-    </message>
-    <message>
         <source>A device with the key &quot;%1&quot; is in the catalog already.</source>
         <translation>Ein Gerät mit dem Schlüssel „%1“ ist schon im Katalog.</translation>
     </message>
     <message>
         <source>%1, line %2</source>
         <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>This key stands here twice.</source>
+        <translation>Dieser Schlüssel steht hier doppelt.</translation>
+    </message>
+    <message>
+        <source>This is not valid JSON: check brackets, commas and quotation marks.</source>
+        <translation>Das ist kein gültiges JSON: Klammern, Kommas und Anführungszeichen prüfen.</translation>
+    </message>
+    <message>
+        <source>The file is empty.</source>
+        <translation>Die Datei ist leer.</translation>
     </message>
 </context>
 <context>
@@ -3055,24 +3063,6 @@ Geber sie hat (devices NAME). VALUE ist eine Zahl oder ein Name: 255, 0xFF, FFh,
         <translation>Beispiele:</translation>
     </message>
     <message>
-        <source>PLACE is the device number of an encoder, segment.position: 1.0. Numbers are decimal unless
-they are written 0x.. or ..h; a WORD is always hexadecimal, as the manuals print it.
-
-Each call has a new training bus, which always starts the same: 1.0 FRABA OCD-IB K3 that stands
-still, 2.0 Baumer GXP6W K3 that turns at 10 rpm. What one call wrote, the next one does not find.
-
-Exit code: 0 done, 1 the encoder or the bus refused, 2 bad input.
-codewheel-cli COMMAND --help explains a command.</source>
-        <translation>PLACE ist die Gerätenummer eines Gebers, Segment.Position: 1.0. Zahlen sind dezimal, außer
-in der Form 0x.. oder ..h; ein WORD ist immer hexadezimal, wie in den Handbüchern.
-
-Jeder Aufruf hat einen neuen Übungsbus, der immer gleich beginnt: 1.0 FRABA OCD-IB K3, der steht,
-2.0 Baumer GXP6W K3, der mit 10 U/min dreht. Was ein Aufruf schrieb, findet der nächste nicht.
-
-Exit-Code: 0 erledigt, 1 Geber oder Bus hat abgelehnt, 2 falsche Eingabe.
-codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
-    </message>
-    <message>
         <source>Usage: codewheel-cli %1</source>
         <translation>Aufruf: codewheel-cli %1</translation>
     </message>
@@ -3491,6 +3481,40 @@ Beschreibungen kommen aus ~/.local/share/codewheel/devices/*.json; --check prüf
         <source>Supply</source>
         <translation>Versorgung</translation>
     </message>
+    <message>
+        <source>The %1 is on a serial line, not on INTERBUS: it cannot be the device at %2.</source>
+        <translation>%1 ist an einer seriellen Leitung, nicht am INTERBUS: Er kann nicht das Gerät bei %2 sein.</translation>
+    </message>
+    <message>
+        <source>PLACE is the device number of an encoder, segment.position: 1.0. Numbers are decimal unless
+they are written 0x.. or ..h; a WORD is always hexadecimal, as the manuals print it.
+
+Each call has a new training bus, which always starts the same: 1.0 FRABA K3 that stands
+still, 2.0 Baumer K3 that turns at 10 rpm, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 on a rod,
+6.0 bus terminal and, behind it, 6.1 FRABA K3 on Loop 2. What one call wrote, the next one does
+not find.
+
+Exit code: 0 done, 1 the encoder or the bus refused, 2 bad input.
+codewheel-cli COMMAND --help explains a command.</source>
+        <translation>PLACE ist die Gerätenummer eines Gebers, Segment.Position: 1.0. Zahlen sind dezimal, außer sie sind
+als 0x.. oder ..h geschrieben; ein WORD ist immer hexadezimal, wie die Handbücher es drucken.
+
+Jeder Aufruf hat einen neuen Übungsbus, der immer gleich anfängt: 1.0 FRABA K3, der still steht,
+2.0 Baumer K3, der mit 10 U/min dreht, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 auf einem Stab,
+6.0 Busklemme und dahinter 6.1 FRABA K3 am Loop 2. Was ein Aufruf geschrieben hat, findet der
+nächste nicht vor.
+
+Rückgabewert: 0 erledigt, 1 vom Geber oder Bus abgelehnt, 2 falsche Eingabe.
+codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
+    </message>
+    <message>
+        <source>%1 stands on the label of the %2 only: it is neither read nor written over the bus. There are: %3.</source>
+        <translation>%1 steht nur auf dem Typenschild (%2): wird über den Bus weder gelesen noch geschrieben. Es gibt: %3.</translation>
+    </message>
+    <message>
+        <source>IN %1, and the mode of the encoder is not known</source>
+        <translation>IN %1, und die Betriebsart des Gebers ist unbekannt</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DescriptionReader</name>
@@ -3565,6 +3589,45 @@ Beschreibungen kommen aus ~/.local/share/codewheel/devices/*.json; --check prüf
     <message>
         <source>There is no device with the key &quot;%1&quot; before this one.</source>
         <translation>Vor diesem gibt es kein Gerät mit dem Schlüssel „%1“.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::DescriptionRules</name>
+    <message>
+        <source>The ID code of the profile %1 is %2.</source>
+        <translation>Der ID-Code des Profils %1 ist %2.</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>The device code of the profile %1 is %2.</source>
+        <translation>Der Gerätecode des Profils %1 ist %2.</translation>
+    </message>
+    <message>
+        <source>The profile %1 has %2 words IN and %3 words OUT.</source>
+        <translation>Das Profil %1 hat %2 Worte IN und %3 Worte OUT.</translation>
+    </message>
+    <message>
+        <source>A value that is written must be between 0 and %1: the word has no room for others.</source>
+        <translation>Ein Wert, der geschrieben wird, muss zwischen 0 und %1 liegen: Für andere ist im Wort kein Platz.</translation>
+    </message>
+    <message>
+        <source>An encoder of the profile %1 has no parameters that this program could write or read. Leave it out.</source>
+        <translation>Ein Geber mit dem Profil %1 hat keine Parameter, die dieses Programm schreiben oder lesen könnte. Weglassen.</translation>
+    </message>
+    <message>
+        <source>An encoder of the profile %1 cannot do this. Write false.</source>
+        <translation>Ein Geber mit dem Profil %1 kann das nicht. false schreiben.</translation>
+    </message>
+    <message>
+        <source>Only with the dialect fraba are the words for it known. Write false.</source>
+        <translation>Nur mit dem Dialekt fraba sind die Worte dafür bekannt. false schreiben.</translation>
+    </message>
+    <message>
+        <source>Parameter number %1 sets all values to default. It cannot be the number of a parameter, too.</source>
+        <translation>Parameternummer %1 setzt alle Werte zurück. Sie kann nicht zugleich die Nummer eines Parameters sein.</translation>
     </message>
 </context>
 <context>
