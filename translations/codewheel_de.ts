@@ -2226,6 +2226,10 @@
         <source>Cam %1 stands above already.</source>
         <translation>Nocken %1 steht weiter oben schon.</translation>
     </message>
+    <message>
+        <source>%1 holds cam programs for the device %2; this encoder is %3. Nothing was taken from the file.</source>
+        <translation>%1 enthält Nockenprogramme für das Gerät %2; dieser Geber ist %3. Aus der Datei wurde nichts übernommen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CamModeBar</name>
@@ -3374,23 +3378,6 @@ Ausschalten, bis der Betrieb beendet wird. Sendet sofort, ohne zu fragen; schrei
         <translation>Nockenprogramme lesen, schreiben und vergleichen</translation>
     </message>
     <message>
-        <source>read prints the cam programs, and saves them in FILE where one is named. compare reads those that are in
-FILE and tells line by line what differs; exit code 1 if anything does. write does the same, shows the
-words and the EEPROM writes, asks, writes what differs, and reads it back.
-
-Without --program, all eight are read, or all that are in the file. The encoder is in cam mode meanwhile.
-Afterwards it is again in the mode it was in, where that is known; else, and with --stay, it stays in the
-last of the programs. A changed program is saved when it is left, with one EEPROM write.</source>
-        <translation>read gibt die Nockenprogramme aus und speichert sie in FILE, wo eine Datei genannt ist. compare liest die
-Programme aus FILE im Geber nach und sagt Zeile für Zeile, was abweicht; Rückgabewert 1, wenn etwas
-abweicht. write tut dasselbe, zeigt die Worte und EEPROM-Schreibvorgänge, fragt, schreibt, was abweicht,
-und liest es zurück.
-
-Ohne --program werden alle acht gelesen, oder alle aus der Datei. Der Geber ist solange im Nockenbetrieb.
-Danach ist er wieder in der Betriebsart von vorher, wo sie bekannt ist; sonst, und mit --stay, bleibt er
-im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: ein EEPROM-Schreibvorgang.</translation>
-    </message>
-    <message>
         <source>device</source>
         <translation>Gerät</translation>
     </message>
@@ -3514,6 +3501,33 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>IN %1, and the mode of the encoder is not known</source>
         <translation>IN %1, und die Betriebsart des Gebers ist unbekannt</translation>
+    </message>
+    <message>
+        <source>write without asking; replace FILE when reading</source>
+        <translation>schreiben, ohne zu fragen; beim Lesen FILE ersetzen</translation>
+    </message>
+    <message>
+        <source>%1 is there already. Nothing was read. Name another file, or add --yes to replace it.</source>
+        <translation>%1 gibt es schon. Es wurde nichts gelesen. Eine andere Datei angeben, oder mit --yes ersetzen.</translation>
+    </message>
+    <message>
+        <source>read prints the cam programs, and saves them in FILE where one is named; a FILE that is there
+already is replaced with --yes only. compare reads those that are in FILE and tells line by line
+what differs; exit code 1 if anything does. write does the same, shows the words and the EEPROM
+writes, asks, writes what differs, and reads it back. A FILE made for another device is refused.
+
+Without --program, all eight are read, or all that are in the file. The encoder is in cam mode meanwhile.
+Afterwards it is again in the mode it was in, where that is known; else, and with --stay, it stays in the
+last of the programs. A changed program is saved when it is left, with one EEPROM write.</source>
+        <translation>read gibt die Nockenprogramme aus und speichert sie in FILE, wo eine Datei genannt ist; eine, die es schon
+gibt, wird nur mit --yes ersetzt. compare liest die Programme aus FILE im Geber nach und sagt Zeile für
+Zeile, was abweicht; Rückgabewert 1, wenn etwas abweicht. write tut dasselbe, zeigt die Worte und
+EEPROM-Schreibvorgänge, fragt, schreibt, was abweicht, und liest es zurück. Eine FILE für ein anderes Gerät
+wird abgelehnt.
+
+Ohne --program werden alle acht gelesen, oder alle aus der Datei. Der Geber ist solange im Nockenbetrieb.
+Danach ist er wieder in der Betriebsart von vorher, wo sie bekannt ist; sonst, und mit --stay, bleibt er
+im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: ein EEPROM-Schreibvorgang.</translation>
     </message>
 </context>
 <context>

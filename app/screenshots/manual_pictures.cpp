@@ -18,6 +18,7 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QTemporaryDir>
+#include <QTextBrowser>
 
 #include <functional>
 #include <vector>
@@ -220,7 +221,11 @@ std::vector<Picture> pictures()
         {QStringLiteral("cams"), low, camsAtWork},
         {QStringLiteral("dial-rod"), usual, rodAtWork},
         {QStringLiteral("device"), tall,
-         [](TrainingWindow &shown) { return dock(shown, QStringLiteral("deviceDock")); }},
+         [](TrainingWindow &shown) {
+             // a long page is laid out bit by bit as time allows; the scroll bar tells how far
+             shown.window().findChild<QTextBrowser *>(QStringLiteral("devicePage"))->document()->pageCount();
+             return dock(shown, QStringLiteral("deviceDock"));
+         }},
         {QStringLiteral("messages"), usual,
          [](TrainingWindow &shown) {
              readAll(shown);
