@@ -222,9 +222,11 @@ std::vector<Picture> pictures()
         {QStringLiteral("dial-rod"), usual, rodAtWork},
         {QStringLiteral("device"), tall,
          [](TrainingWindow &shown) {
+             QWidget *seen = dock(shown, QStringLiteral("deviceDock"));
+             QCoreApplication::processEvents();
              // a long page is laid out bit by bit as time allows; the scroll bar tells how far
              shown.window().findChild<QTextBrowser *>(QStringLiteral("devicePage"))->document()->pageCount();
-             return dock(shown, QStringLiteral("deviceDock"));
+             return seen;
          }},
         {QStringLiteral("messages"), usual,
          [](TrainingWindow &shown) {
