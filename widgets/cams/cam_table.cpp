@@ -45,7 +45,6 @@ QWidget *CamDelegate::createEditor(QWidget *parent, const QStyleOptionViewItem &
     input->setToolTip(tr("A position from 0 to %1; decimal, or hexadecimal as 0x.. or ..h")
                           .arg(cam_texts::position(largest)));
     connect(input, &PositionInput::inputChecked, this, &CamDelegate::inputChecked);
-    connect(input, &QObject::destroyed, this, [this] { Q_EMIT inputChecked({}); });
     return input;
 }
 
@@ -61,6 +60,13 @@ void CamDelegate::setModelData(QWidget *editor, QAbstractItemModel *model, const
 {
     if (const auto position = static_cast<PositionInput *>(editor)->value())
         model->setData(index, qlonglong{*position}, Qt::EditRole);
+}
+
+// What was wrong in it is given up with it.
+void CamDelegate::destroyEditor(QWidget *editor, const QModelIndex &index) const
+{
+    Q_EMIT inputChecked({});
+    QStyledItemDelegate::destroyEditor(editor, index);
 }
 
 bool CamDelegate::eventFilter(QObject *editor, QEvent *event)
