@@ -50,6 +50,8 @@ public:
 Q_SIGNALS:
     void latestChanged(); // a newer reading, which may say the same; at most once a picture
     void knownChanged();
+    // The encoder stored to its EEPROM because of what this program sent, so many times.
+    void eepromWritten(int writes);
     void permissionChanged(); // Watch or Operate, started or stopped: what start() refused may be taken now
     void jobStarted(codewheel::JobId job);
     void progressed(const codewheel::Progress &progress);

@@ -27,19 +27,49 @@ enum class MessageId : std::uint8_t {
     wordsSent,         // number of words
     broughtBack,       // the encoder is in operation again
     leftInParameterization,
-    leftInService,    // LA-66: IN still holds the answer to a service
-    onlyZeroSinceRun, // success that an encoder without power would show as well
-    deviceFault,      // error number, Word IN; Message::refusal names it where the device is known
-    deviceFaultGone,  //
-    valuesForgotten,  // the encoder lost its parameters: what is known does not hold any more
-    lateCycles,       // number since the last message
-    modeSwitched,     // text of the mode
-    resetWaitsForRun, // the reset was confirmed, and run was not sent
-    resetDone,        // EEPROM writes
-    camsRead,         // number of programs
-    camsWritten,      // texts of the programs joined, EEPROM writes
-    deviceNamed,      // name of the device
-    training,         // text of what the trainer did (QString)
+    leftInService,            // LA-66: IN still holds the answer to a service
+    onlyZeroSinceRun,         // success that an encoder without power would show as well
+    deviceFault,              // error number, Word IN; Message::refusal names it where the device is known
+    deviceFaultGone,          //
+    valuesForgotten,          // the encoder lost its parameters: what is known does not hold any more
+    lateCycles,               // number since the last message
+    modeSwitched,             // text of the mode
+    resetWaitsForRun,         // the reset was confirmed, and run was not sent
+    resetDone,                // EEPROM writes
+    camsRead,                 // number of programs
+    camsWritten,              // texts of the programs joined, EEPROM writes
+    deviceNamed,              // name of the device
+    connected,                // link
+    disconnected,             //
+    busFault,                 // error code (Word), place (QString, empty: not located)
+    busFaultGone,             //
+    peripheralFault,          //
+    peripheralFaultConfirmed, //
+    crcErrors,                // segment, errors since the last message, errors since the start
+    segmentOff,               // segment
+    segmentOn,                // segment
+    diagnosticsConfirmed,     //
+    ringRead,                 // devices
+    configurationActivated,   // file name
+    configurationKept,        // file name, devices
+    configurationFound,       // file name, devices
+    configurationNone,        //
+    ringAsConfigured,         // devices
+    ringDiffers,              // differences
+    faultPlan,                // text of the step
+    projectOpened,            // file
+    projectSaved,             // file
+    projectRecovered,         // file
+    eepromThreeQuarters,      // writes by this program, budget
+    eepromBudgetUsed,         // writes by this program, budget
+    valuesStored,             // encoders, values
+    transferDone,       // encoders, values written, values left out because they were there, EEPROM writes
+    encoderReplaced,    // serial number before, serial number now (either may be empty)
+    valuesRestored,     // time they were from, values
+    reportSaved,        // file
+    oldMessagesDropped, // messages
+    notKept,            // reason
+    training,           // text of what the trainer did (QString)
 };
 inline constexpr std::size_t messageCount = static_cast<std::size_t>(MessageId::training) + 1;
 

@@ -47,6 +47,15 @@ enum class RefusalId : std::uint8_t {
                            // nothing)
     deviceFileBroken,      // file with line and key, reason
     deviceCodeDiffers,     // place, its device code, device name, that one's
+    fileNotReadable,       // file, reason of the system
+    fileNotWritten,        // file, reason of the system
+    fileTooLarge,          // file, its size in MB, largest in MB
+    projectFileBroken,     // file, line, key, reason
+    projectFileNewer,      // file, its version, ours
+    faultPlanBroken,       // file, line, key, reason
+    structureBroken,       // text of the rule that would be broken
+    noSuchProjectDevice,   // place, places there are
+    projectEmpty,          //
     // notSupported
     parameterNotSupported,          // Parameter, device name
     readingNotSupported,            // device name
@@ -61,12 +70,18 @@ enum class RefusalId : std::uint8_t {
     resetNotSupported,              // device name
     sendingNotSupported,            // device name: it has no OUT word
     jobNotSupported,                // device name
+    masterServiceNotSupported,      // text of the service
+    encodersDiffer,                 // place, device name, place, device name
     // busy
     jobRunning,         // place
     wordHeldByJob,      // place
     watchOnly,          // place
     notRunning,         // place: the bus is stopped
     inParameterization, // Word IN: found so, and not by this job
+    masterStateWrong,   // text of the service, text of the state
+    noConfiguration,    //
+    eepromBudgetUsed,   // place, writes by this program, budget
+    eepromLimitPassed,  // place, writes by this program, limit
     // device
     wrongParameterData,     // error 1: Parameter or number, Word IN; more than one where it came late
     unknownParameterNumber, // error 2
@@ -87,8 +102,13 @@ enum class RefusalId : std::uint8_t {
     camVerificationFailed,  // program
     serviceRefused,         // service number, Word IN
     magnetOutOfRange,       // Word IN
+    noValuesFromBefore,     // place
     // link
-    linkFailed, // text of the link
+    linkFailed,     // text of the link
+    ringDiffers,    // place, configured, found
+    busFault,       // error code, place (empty: not located)
+    notInRing,      // place
+    databaseFailed, // file, reason
     // stopped
     cancelled,  //
     alarmStop,  //

@@ -71,6 +71,25 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 has the device code %2: it cannot be the %3, which has %4. Choose an encoder "
                           "of the same device code.")},
+    Row{RefusalId::fileNotReadable, "fileNotReadable", QT_TRANSLATE_NOOP("Refusal", "%1 cannot be read: %2")},
+    Row{RefusalId::fileNotWritten, "fileNotWritten",
+        QT_TRANSLATE_NOOP("Refusal", "%1 cannot be written: %2 The file there was left as it was.")},
+    Row{RefusalId::fileTooLarge, "fileTooLarge",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "%1 has %2 MB; the largest file that is read has %3 MB. Is it the right file?")},
+    Row{RefusalId::projectFileBroken, "projectFileBroken",
+        QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 The project was not opened.")},
+    Row{RefusalId::projectFileNewer, "projectFileNewer",
+        QT_TRANSLATE_NOOP("Refusal", "%1 was saved by a newer Codewheel (version %2 of the file; this one "
+                                     "reads up to %3). Open it with that one. Nothing was changed.")},
+    Row{RefusalId::faultPlanBroken, "faultPlanBroken",
+        QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 The fault plan was not loaded.")},
+    Row{RefusalId::structureBroken, "structureBroken",
+        QT_TRANSLATE_NOOP("Refusal", "The bus cannot be built like this: %1")},
+    Row{RefusalId::noSuchProjectDevice, "noSuchProjectDevice",
+        QT_TRANSLATE_NOOP("Refusal", "The project has no device at %1. It has: %2.")},
+    Row{RefusalId::projectEmpty, "projectEmpty",
+        QT_TRANSLATE_NOOP("Refusal", "The project has no devices. Insert one, or read in the ring.")},
     // notSupported
     Row{RefusalId::parameterNotSupported, "parameterNotSupported",
         QT_TRANSLATE_NOOP("Refusal",
@@ -107,6 +126,13 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Refusal", "%1 has no OUT word: nothing can be sent to it.")},
     Row{RefusalId::jobNotSupported, "jobNotSupported",
         QT_TRANSLATE_NOOP("Refusal", "The %1 cannot do this.")},
+    Row{RefusalId::masterServiceNotSupported, "masterServiceNotSupported",
+        QT_TRANSLATE_NOOP(
+            "Refusal",
+            "This link does not reach the master: %1 is not possible. It shows the process data only.")},
+    Row{RefusalId::encodersDiffer, "encodersDiffer",
+        QT_TRANSLATE_NOOP(
+            "Refusal", "%1 (%2) and %3 (%4) are not the same kind of encoder. Choose encoders of one kind.")},
     // busy
     Row{RefusalId::jobRunning, "jobRunning",
         QT_TRANSLATE_NOOP("Refusal", "A job is running at %1. Wait for its end, or cancel it."),
@@ -128,6 +154,17 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Refusal",
                           "Nothing was sent: the encoder is in parameterization already (IN %1). End that "
                           "first, with run.")},
+    Row{RefusalId::masterStateWrong, "masterStateWrong",
+        QT_TRANSLATE_NOOP("Refusal", "%1 is not possible while the master is in the state %2.")},
+    Row{RefusalId::noConfiguration, "noConfiguration",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The master keeps no configuration. Read in the ring, or download one.")},
+    Row{RefusalId::eepromBudgetUsed, "eepromBudgetUsed",
+        QT_TRANSLATE_NOOP("Refusal", "%1: this program has written %2 times to its EEPROM; its manual speaks "
+                                     "of about %3. Say that you want to write.")},
+    Row{RefusalId::eepromLimitPassed, "eepromLimitPassed",
+        QT_TRANSLATE_NOOP("Refusal", "%1: this program has written %2 times to its EEPROM; beyond %3 its "
+                                     "manual guarantees nothing. Type the place to write nevertheless.")},
     // device
     Row{RefusalId::wrongParameterData, "wrongParameterData",
         QT_TRANSLATE_NOOP("Refusal",
@@ -211,8 +248,19 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Refusal",
                           "The magnet is outside the measuring range (IN %1): the last position is shown. "
                           "Move the magnet back, then read the error status.")},
+    Row{RefusalId::noValuesFromBefore, "noValuesFromBefore",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "There is nothing to restore at %1: no values from before a write are kept.")},
     // link
     Row{RefusalId::linkFailed, "linkFailed", QT_TRANSLATE_NOOP("Refusal", "The link failed: %1")},
+    Row{RefusalId::ringDiffers, "ringDiffers",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "%1: configured is %2, found was %3. Compare, and take over what is right.")},
+    Row{RefusalId::busFault, "busFault", QT_TRANSLATE_NOOP("Refusal", "Bus fault %1 at %2.")},
+    Row{RefusalId::notInRing, "notInRing",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "%1 is not in the ring: its segment is switched off, or a fault lies before it.")},
+    Row{RefusalId::databaseFailed, "databaseFailed", QT_TRANSLATE_NOOP("Refusal", "%1 cannot be used: %2")},
     // stopped
     Row{RefusalId::cancelled, "cancelled", QT_TRANSLATE_NOOP("Refusal", "The job was cancelled.")},
     Row{RefusalId::alarmStop, "alarmStop",

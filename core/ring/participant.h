@@ -23,6 +23,7 @@ struct Participant
     int inWords = 0;         // 16 bit each
     int outWords = 0;
     QString deviceKey; // catalog key, empty where the make is not known
+    int level = 0;     // of the remote bus, 0..15: 0 is the main line, each branch one more
 
     friend bool operator==(const Participant &, const Participant &) = default;
 };

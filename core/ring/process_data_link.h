@@ -8,6 +8,8 @@
 
 namespace codewheel {
 
+class MasterLink;
+
 // The contract of a link to a ring: one exchange of all process data is one bus cycle. Blocking, bounded by
 // the link's time-out; used by one thread, interrupt() by any. Words stand in ring order, one 32-bit word per
 // device and direction (0 where a device has none).
@@ -29,6 +31,9 @@ public:
     // Ends the blocking call under way, or else the next one, early with a refusal of kind `stopped`: the
     // cycle is skipped, the link has not failed. A link that never blocks may ignore it. Any thread.
     virtual void interrupt() = 0;
+    // The services of the ring's master; null where the link reaches no more than the process data. It lives
+    // as long as the link, and is used by the thread that exchanges.
+    virtual MasterLink *master() { return nullptr; }
 };
 
 } // namespace codewheel

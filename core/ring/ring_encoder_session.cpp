@@ -141,6 +141,8 @@ void RingEncoderSession::take(const KnowledgeChanged &change)
         m_cams.erase(program);
     m_eepromWrites += change.eepromWrites;
     Q_EMIT knownChanged();
+    if (change.eepromWrites > 0)
+        Q_EMIT eepromWritten(change.eepromWrites);
 }
 
 // The number is 0 where the encoder has no valid position (80000000h).

@@ -2,13 +2,12 @@
 #pragma once
 
 #include "encoder/reading.h"
+#include "ring/master_status.h"
 
+#include <memory>
 #include <vector>
 
 namespace codewheel {
-
-// Master states (IBS SYS FW G4): READY, ACTIVE (ID cycles), RUN (data cycles), BUS FAIL.
-enum class MasterState : std::uint8_t { ready, active, run, busFail };
 
 // The ring as it stood after one cycle, with the bits that changed in any cycle since the last snapshot was
 // taken.
@@ -22,6 +21,7 @@ struct Snapshot
         Word inEdges = 0;
         Reading reading;
         bool heldByJob = false;
+        bool inRing = true; // false: switched off with its segment, or behind a fault; its words mean nothing
     };
 
     std::uint64_t cycle = 0;
@@ -32,6 +32,8 @@ struct Snapshot
     std::chrono::nanoseconds period{}; // of the paced thread; 0 when cycles are driven by hand
     std::uint64_t droppedRows = 0;     // trace rows lost because nobody took them
     std::vector<Device> devices;       // in ring order
+    // What the master says, made anew when it changes; null: the link reaches no master.
+    std::shared_ptr<const MasterStatus> master;
 };
 
 } // namespace codewheel

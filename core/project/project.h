@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/cam_program.h"
+#include "encoder/known.h"
+#include "ring/participant.h"
+#include "words/k3_word.h"
+
+#include <QDateTime>
+#include <QString>
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace codewheel {
+
+// What the user reads from the label of a device; 0 or empty: not told.
+struct DeviceLabel
+{
+    int turns = 0;
+    int stepsPerTurn = 0;
+    QString serialNumber;
+
+    friend bool operator==(const DeviceLabel &, const DeviceLabel &) = default;
+};
+
+// A value an encoder was known to have, kept in the project.
+struct StoredValue
+{
+    Parameter parameter = Parameter::steps;
+    std::int64_t value = 0;
+    Evidence evidence = Evidence::told;
+    QDateTime at; // UTC
+
+    friend bool operator==(const StoredValue &, const StoredValue &) = default;
+};
+struct StoredCams
+{
+    CamProgram program;
+    Evidence evidence = Evidence::read;
+    QDateTime at; // UTC
+
+    friend bool operator==(const StoredCams &, const StoredCams &) = default;
+};
+
+// One device of the planned bus, and what is wanted and known of it.
+struct ProjectDevice
+{
+    Participant participant; // its number follows from its place and level
+    QString station;         // "Crane 1, hoist"; empty: none
+    QString group;
+    QString note;
+    DeviceLabel label;
+    std::optional<int> inAddress; // given by hand, in bytes; nothing: automatic
+    std::optional<int> outAddress;
+    ParameterValues wanted;
+    std::vector<CamProgram> wantedCams; // by number
+    std::vector<StoredValue> stored;    // by parameter
+    std::vector<StoredCams> storedCams; // by number
+
+    friend bool operator==(const ProjectDevice &, const ProjectDevice &) = default;
+};
+
+struct ProjectSequence
+{
+    QString name;
+    std::vector<Word> words;
+    int holdCycles = 3;
+
+    friend bool operator==(const ProjectSequence &, const ProjectSequence &) = default;
+};
+
+// How addresses in the process image are counted and checked.
+struct AddressRules
+{
+    enum class Unit : std::uint8_t { byte, word };
+
+    Unit unit = Unit::byte; // shown and typed
+    int first = 0;          // of automatic addresses, bytes
+    bool step5 = false;     // encoders must stand above P127 (Step 5)
+
+    friend bool operator==(const AddressRules &, const AddressRules &) = default;
+};
+
+// The link the project is used with: its kind ("training") and settings, as its file keeps them.
+struct ProjectLink
+{
+    QString kind = QStringLiteral("training");
+    std::map<QString, QString> settings;
+
+    friend bool operator==(const ProjectLink &, const ProjectLink &) = default;
+};
+
+// The document: a planned bus with what is wanted of its encoders. A value; edits make a new one. Its file is
+// documented in docs/project-files.md.
+struct Project
+{
+    QString title;
+    QString note;
+    ProjectLink link;
+    AddressRules addresses;
+    double cableKilometres = 0;
+    std::vector<ProjectDevice> devices; // in ring order
+    std::vector<ProjectSequence> sequences;
+
+    friend bool operator==(const Project &, const Project &) = default;
+};
+
+} // namespace codewheel

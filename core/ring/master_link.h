@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/refusal.h"
+#include "ring/master_status.h"
+#include "ring/participant.h"
+
+#include <QString>
+
+namespace codewheel {
+
+// A configuration as a master keeps it, with the name of the file it came from.
+struct KeptConfiguration
+{
+    QString fileName;
+    RingStructure structure;
+
+    friend bool operator==(const KeptConfiguration &, const KeptConfiguration &) = default;
+};
+
+// The services of a ring's master (IBS SYS FW G4), where a link reaches it. Used by the thread that
+// exchanges; no call blocks longer than an exchange. What is not possible in the master's state is refused:
+// masterStateWrong.
+class MasterLink
+{
+public:
+    virtual ~MasterLink() = default;
+
+    // How the ring stands after the last cycle.
+    virtual const MasterStatus &status() const = 0;
+    // Without data: lets the time of one bus cycle pass while the ring does not run, so that the master goes
+    // on looking for a fault or notices that it is mended.
+    virtual void idleCycle() = 0;
+
+    // 0710: one ID cycle of creating the configuration from the ring. Call it again until `complete`; the
+    // ring is then active with what was found.
+    struct IdCycle
+    {
+        RingStructure found; // so far
+        bool complete = false;
+    };
+    virtual Result<IdCycle> createConfiguration() = 0;
+    // 0711: activates the configuration it keeps. Refused (ringDiffers) where the ring is another.
+    virtual Result<void> activateConfiguration() = 0;
+    virtual Result<void> deactivateConfiguration() = 0; // 0712
+    virtual Result<void> startDataTransfer() = 0;       // 0701
+    virtual Result<void> stopDataTransfer() = 0;        // 0702
+    virtual void alarmStop() = 0;                       // 1303: outputs to 0, from every state
+    // 0713: a segment is taken out of the data cycles, with all that branches off there.
+    virtual Result<void> switchSegment(int segment, bool on) = 0;
+    virtual Result<void> confirmDiagnostics() = 0; // 0760
+
+    virtual Result<void> keepConfiguration(const KeptConfiguration &configuration) = 0; // downloads it
+    virtual Result<KeptConfiguration> keptConfiguration() = 0;                          // 030B
+};
+
+} // namespace codewheel
