@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "project/project_take_over.h"
+
+#include "ring/numbering.h"
+#include "ring/take_over.h"
+
+namespace codewheel {
+namespace {
+
+ProjectDevice inThePlaceOf(const ProjectDevice &before)
+{
+    ProjectDevice device;
+    device.station = before.station;
+    device.group = before.group;
+    device.note = before.note;
+    device.inAddress = before.inAddress;
+    device.outAddress = before.outAddress;
+    return device;
+}
+
+} // namespace
+
+RingStructure structureOf(const Project &project)
+{
+    RingStructure structure;
+    for (const ProjectDevice &device : project.devices)
+        structure.push_back(device.participant);
+    return structure;
+}
+
+Project takenOver(Project project, const RingStructure &connected, const Comparison &comparison,
+                  std::span<const std::size_t> lines)
+{
+    const RingStructure configured = structureOf(project);
+    std::vector<ProjectDevice> devices;
+    DeviceNumber number;
+    for (const TakenDevice &taken : takeOver(comparison, lines)) {
+        const Participant participant = takenParticipant(taken, configured, connected);
+        ProjectDevice device;
+        if (taken.own) {
+            ProjectDevice &before = project.devices.at(*taken.own);
+            const bool isSame = isSameKind(before.participant, participant);
+            device = isSame ? std::move(before) : inThePlaceOf(before);
+        }
+        device.participant = participant;
+        number = nextNumber(number, isOnLocalBus(participant));
+        device.participant.number = number;
+        devices.push_back(std::move(device));
+    }
+    project.devices = std::move(devices);
+    return project;
+}
+
+} // namespace codewheel
