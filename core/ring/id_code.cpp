@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ring/id_code.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr unsigned outBit = 1U << 0;
+constexpr unsigned inBit = 1U << 1;
+constexpr unsigned directionBits = outBit | inBit;
+constexpr unsigned drivePcpClass = 0xE0;
+constexpr unsigned encoderPcpClass = 0xF4;
+constexpr int bitsPerWord = 16;
+
+struct Kind
+{
+    unsigned idCode;
+    const char *name;
+    bool isLocal = false;
+};
+constexpr std::array kinds{
+    Kind{0x01, QT_TRANSLATE_NOOP("IdCode", "digital output")},
+    Kind{0x02, QT_TRANSLATE_NOOP("IdCode", "digital input")},
+    Kind{0x03, QT_TRANSLATE_NOOP("IdCode", "digital input and output")},
+    Kind{busTerminalIdCode, QT_TRANSLATE_NOOP("IdCode", "bus terminal")},
+    Kind{0x31, QT_TRANSLATE_NOOP("IdCode", "analog output")},
+    Kind{0x32, QT_TRANSLATE_NOOP("IdCode", "analog input")},
+    Kind{0x33, QT_TRANSLATE_NOOP("IdCode", "analog input and output")},
+    Kind{0x36, QT_TRANSLATE_NOOP("IdCode", "encoder K1 or K2")},
+    Kind{0x37, QT_TRANSLATE_NOOP("IdCode", "encoder K3")},
+    Kind{0xB2, QT_TRANSLATE_NOOP("IdCode", "encoder K1 or K2, Loop 2"), true},
+    Kind{0xB3, QT_TRANSLATE_NOOP("IdCode", "encoder K3, Loop 2"), true},
+    Kind{0xBE, QT_TRANSLATE_NOOP("IdCode", "Inline digital input"), true},
+    Kind{0xE0, QT_TRANSLATE_NOOP("IdCode", "drive with PCP")},
+    Kind{0xE1, QT_TRANSLATE_NOOP("IdCode", "drive with PCP")},
+    Kind{0xE3, QT_TRANSLATE_NOOP("IdCode", "drive with PCP")},
+    Kind{0xF7, QT_TRANSLATE_NOOP("IdCode", "encoder K4")},
+};
+
+const Kind *kindOf(unsigned idCode)
+{
+    const auto *found = std::ranges::find(kinds, idCode, &Kind::idCode);
+    return found == kinds.end() ? nullptr : found;
+}
+
+int wordsFor(int bits)
+{
+    return (bits + bitsPerWord - 1) / bitsPerWord;
+}
+
+} // namespace
+
+bool isPcp(unsigned idCode)
+{
+    const unsigned pcpClass = idCode & ~directionBits;
+    return pcpClass == drivePcpClass || pcpClass == encoderPcpClass;
+}
+
+std::optional<int> pcpWords(unsigned idCode)
+{
+    if (!isPcp(idCode))
+        return 0;
+    switch (idCode & directionBits) {
+    case 0b00:
+        return 2;
+    case 0b01:
+        return 4;
+    case 0b11:
+        return 1;
+    default:
+        return std::nullopt;
+    }
+}
+
+int lengthBits(unsigned lengthCode)
+{
+    constexpr std::array bitsPerUnit{16, 4, 8, 1}; // word, nibble, byte, bit
+    return bitsPerUnit.at(lengthCode >> 6 & 0b11) * static_cast<int>(lengthCode & 0x3F);
+}
+
+Participant deviceOf(unsigned deviceCode)
+{
+    Participant device;
+    device.deviceCode = deviceCode;
+    device.idCode = deviceCode & 0xFF;
+    if (device.idCode == busTerminalIdCode)
+        return device;
+    const int words = wordsFor(lengthBits(deviceCode >> 8 & 0xFF));
+    if (isPcp(device.idCode)) {
+        device.inWords = device.outWords = std::max(0, words - pcpWords(device.idCode).value_or(0));
+        return device;
+    }
+    device.inWords = (device.idCode & inBit) != 0 ? words : 0;
+    device.outWords = (device.idCode & outBit) != 0 ? words : 0;
+    return device;
+}
+
+QString idCodeName(unsigned idCode)
+{
+    const Kind *kind = kindOf(idCode);
+    return kind ? QCoreApplication::translate("IdCode", kind->name) : QString();
+}
+
+bool standsOnLocalBus(unsigned idCode)
+{
+    const Kind *kind = kindOf(idCode);
+    return kind && kind->isLocal;
+}
+
+} // namespace codewheel
