@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/sentence.h"
+#include "report/report_words.h"
+#include "report/sections.h"
+#include "report/texts.h"
+
+namespace codewheel::report_sections {
+namespace {
+
+using Column = ReportTable::Column;
+
+QString identity(const ReportedWrites &writes)
+{
+    switch (writes.identity) {
+    case ReportedWrites::Identity::serialNumberRead:
+        return sentence(ReportTexts::tr("serial number %1, read from it"), {writes.serialNumber});
+    case ReportedWrites::Identity::serialNumberOfLabel:
+        return sentence(ReportTexts::tr("serial number %1, from its label"), {writes.serialNumber});
+    case ReportedWrites::Identity::projectAndPlace:
+        break;
+    }
+    return ReportTexts::tr("project and place; another encoder at this place counts on");
+}
+
+QString budget(const Capabilities &can)
+{
+    if (!can.eepromBudget)
+        return ReportTexts::tr("not stated");
+    const QStringList numbers{report_words::number(*can.eepromBudget),
+                              report_words::number(can.eepromLimit.value_or(0))};
+    return can.eepromLimit ? sentence(ReportTexts::tr("about %1; nothing is guaranteed beyond %2"), numbers)
+                           : sentence(ReportTexts::tr("about %1"), numbers);
+}
+
+QStringList writesRow(const ReportedDevice &device, const ReportInput &input)
+{
+    QStringList cells{device.place().toString(), device.planned->station};
+    if (const auto found = input.writes.find(device.place()); found != input.writes.end()) {
+        const ReportedWrites &writes = found->second;
+        cells << report_words::number(writes.writes) << report_words::time(writes.since, input.now)
+              << identity(writes);
+    } else {
+        cells << report_words::unknown() << QString() << QString();
+    }
+    return cells << budget(device.description->capabilities);
+}
+
+bool storesParameters(const ReportedDevice &device)
+{
+    return device.description && device.description->capabilities.writes;
+}
+
+} // namespace
+
+ReportSection eepromWrites(const ReportInput &input, const std::vector<ReportedDevice> &devices)
+{
+    ReportSection section{.heading = ReportTexts::tr("EEPROM writes by this program"), .blocks = {}};
+    ReportTable table{{ReportTexts::tr("No.", "device number"), ReportTexts::tr("Station"),
+                       ReportTexts::tr("Writes"), ReportTexts::tr("Since"),
+                       ReportTexts::tr("Encoder told by"), ReportTexts::tr("Writes the manual states")},
+                      {Column::text, Column::text, Column::number, Column::text, Column::text, Column::text},
+                      {}};
+    for (const ReportedDevice &device : devices)
+        if (storesParameters(device))
+            table.rows.push_back({writesRow(device, input)});
+    if (table.rows.empty()) {
+        section.blocks.emplace_back(ReportTexts::tr("The project has no encoder that can be written."));
+        return section;
+    }
+    section.blocks.emplace_back(std::move(table));
+    section.blocks.emplace_back(
+        ReportTexts::tr("What other programs and controllers wrote is not known and not counted."));
+    return section;
+}
+
+ReportSection notes(const ReportInput &input, const std::vector<ReportedDevice> &devices)
+{
+    ReportSection section{.heading = ReportTexts::tr("Notes"), .blocks = {}};
+    if (!input.project.note.isEmpty())
+        section.blocks.emplace_back(input.project.note);
+    ReportFacts ofDevices;
+    for (const ReportedDevice &device : devices)
+        if (!device.description && !device.planned->note.isEmpty())
+            ofDevices.push_back({device.place().toString(), device.planned->note});
+    if (!ofDevices.empty())
+        section.blocks.emplace_back(std::move(ofDevices));
+    return section;
+}
+
+ReportSection signatures()
+{
+    return {.heading = ReportTexts::tr("Signatures"),
+            .blocks = {SignaturePlaces{{ReportTexts::tr("Commissioned by"), ReportTexts::tr("Accepted by")},
+                                       ReportTexts::tr("Name"),
+                                       ReportTexts::tr("Date"),
+                                       ReportTexts::tr("Signature")}}};
+}
+
+} // namespace codewheel::report_sections

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/sentence.h"
+#include "project/check_project.h"
+#include "project/project_take_over.h"
+#include "report/deviations.h"
+#include "report/report_words.h"
+#include "report/sections.h"
+#include "report/texts.h"
+
+namespace codewheel::report_sections {
+namespace {
+
+using Column = ReportTable::Column;
+
+QString camFieldName(unsigned program, CamField field)
+{
+    const QStringList numbers{QString::number(program), QString::number(field.cam)};
+    switch (field.value) {
+    case CamValue::start:
+        return sentence(ReportTexts::tr("Cam program %1: start of cam %2"), numbers);
+    case CamValue::stop:
+        return sentence(ReportTexts::tr("Cam program %1: stop of cam %2"), numbers);
+    case CamValue::activeCams:
+        return sentence(ReportTexts::tr("Cam program %1: active cams 7 to 0"), numbers);
+    case CamValue::shift:
+        break;
+    }
+    return sentence(ReportTexts::tr("Cam program %1: shift"), numbers);
+}
+
+QString camValue(CamField field, std::int64_t value)
+{
+    if (field.value == CamValue::activeCams)
+        return QString::number(value, 2).rightJustified(CamProgram::cams, u'0');
+    return report_words::number(value);
+}
+
+QString withUnit(const ReportedDevice &device, Parameter parameter, std::int64_t value)
+{
+    return QStringLiteral("%1 %2")
+        .arg(report_words::value(device, parameter, value), report_words::unit(device, parameter))
+        .trimmed();
+}
+
+void addRows(ReportTable &table, const ReportedDevice &device, const Deviations &found)
+{
+    const QString place = device.place().toString();
+    const QString &station = device.planned->station;
+    for (const ValueDeviation &each : found.values)
+        table.rows.push_back(
+            {{place, station, parameterName(each.parameter), withUnit(device, each.parameter, each.wanted),
+              withUnit(device, each.parameter, each.known.value),
+              report_words::evidence(each.known.evidence)}});
+    for (const CamDeviation &each : found.cams)
+        table.rows.push_back(
+            {{place, station, camFieldName(each.program, each.field), camValue(each.field, each.wanted),
+              camValue(each.field, each.known), report_words::evidence(each.evidence)}});
+}
+
+void addValues(ReportSection &section, const std::vector<ReportedDevice> &devices)
+{
+    ReportTable table{
+        {ReportTexts::tr("No.", "device number"), ReportTexts::tr("Station"), ReportTexts::tr("Value"),
+         ReportTexts::tr("Wanted"), ReportTexts::tr("Known"), ReportTexts::tr("Evidence")},
+        {Column::text, Column::text, Column::text, Column::number, Column::number, Column::text},
+        {}};
+    for (const ReportedDevice &device : devices)
+        addRows(table, device, deviationsOf(device));
+    if (!table.rows.empty())
+        section.blocks.emplace_back(std::move(table));
+    else
+        section.blocks.emplace_back(
+            ReportTexts::tr("No encoder is known to have anything else than what is wanted."));
+    if (const int notKnown = countDeviations(devices).notKnown; notKnown > 0)
+        section.blocks.emplace_back(
+            ReportTexts::tr("%n wanted value(s) or cam program(s) could not be compared: what the encoders "
+                            "have there is unknown.",
+                            nullptr, notKnown));
+}
+
+void addComparison(ReportSection &section, const ReportInput &input, const Catalog &catalog)
+{
+    if (!input.connected) {
+        section.blocks.emplace_back(
+            ReportTexts::tr("The configured bus was not compared with a connected one."));
+        return;
+    }
+    const RingStructure configured = structureOf(input.project);
+    const Comparison comparison = compareRings(configured, *input.connected);
+    if (areSame(comparison)) {
+        section.blocks.emplace_back(ReportTexts::tr("The connected bus is as configured."));
+        return;
+    }
+    ReportTable table{{ReportTexts::tr("Configured and connected bus")}, {Column::text}, {}};
+    for (const ComparisonLine &line : comparison)
+        if (line.kind != ComparisonKind::same)
+            table.rows.push_back({{comparisonText(line, configured, *input.connected, catalog)}});
+    section.blocks.emplace_back(std::move(table));
+}
+
+// What breaks a rule of the ring or of its addresses.
+void addFindings(ReportSection &section, const Project &project)
+{
+    ReportTable table{{ReportTexts::tr("No.", "device number"), ReportTexts::tr("Rules of the bus")},
+                      {Column::text, Column::text},
+                      {}};
+    for (const Finding &finding : checkProject(project))
+        table.rows.push_back({{project.devices[finding.device].participant.number.toString(), finding.text}});
+    if (!table.rows.empty())
+        section.blocks.emplace_back(std::move(table));
+}
+
+} // namespace
+
+ReportSection deviations(const ReportInput &input, const Catalog &catalog,
+                         const std::vector<ReportedDevice> &devices)
+{
+    ReportSection section{.heading = ReportTexts::tr("Deviations"), .blocks = {}};
+    addValues(section, devices);
+    addComparison(section, input, catalog);
+    addFindings(section, input.project);
+    return section;
+}
+
+} // namespace codewheel::report_sections

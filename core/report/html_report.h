@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "report/report.h"
+
+#include <QByteArray>
+
+namespace codewheel {
+
+// The report as one web page (HTML 5 that is XML as well, UTF-8) for a screen and for A4 paper. It needs
+// nothing from elsewhere. The same report gives the same bytes.
+QByteArray reportAsHtml(const Report &report);
+
+} // namespace codewheel

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/make_report.h"
+
+#include "encoder/sentence.h"
+#include "report/deviations.h"
+#include "report/report_words.h"
+#include "report/sections.h"
+#include "report/texts.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace codewheel {
+namespace {
+
+QString linkText(const ProjectLink &link)
+{
+    if (link.kind == QStringLiteral("training"))
+        return ReportTexts::tr("training bus (simulated)");
+    QStringList parts{link.kind};
+    for (const auto &[name, value] : link.settings)
+        parts << QStringLiteral("%1 = %2").arg(name, value);
+    return parts.join(QStringLiteral(", "));
+}
+
+// "UTC+01:00"
+QString zoneText(const QDateTime &now)
+{
+    constexpr int secondsPerMinute = 60;
+    constexpr int minutesPerHour = 60;
+    const int minutes = now.offsetFromUtc() / secondsPerMinute;
+    const int size = std::abs(minutes);
+    return QStringLiteral("UTC%1%2:%3")
+        .arg(minutes < 0 ? QLatin1Char('-') : QLatin1Char('+'))
+        .arg(size / minutesPerHour, 2, 10, QLatin1Char('0'))
+        .arg(size % minutesPerHour, 2, 10, QLatin1Char('0'));
+}
+
+ReportFacts factsOf(const ReportInput &input, const std::vector<ReportedDevice> &devices,
+                    const QString &program)
+{
+    const auto encoders = std::ranges::count_if(
+        devices, [](const ReportedDevice &each) { return each.description != nullptr; });
+
+    ReportFacts facts;
+    const auto add = [&](const QString &name, const QString &text) { facts.push_back({name, text}); };
+    add(ReportTexts::tr("Project"),
+        input.project.title.isEmpty() ? ReportTexts::tr("without a title") : input.project.title);
+    if (!input.file.isEmpty())
+        add(ReportTexts::tr("File"), input.file);
+    add(ReportTexts::tr("Date"),
+        QStringLiteral("%1 (%2)").arg(report_words::time(input.now, input.now), zoneText(input.now)));
+    add(ReportTexts::tr("Program"), program);
+    add(ReportTexts::tr("Link"), linkText(input.project.link));
+    add(ReportTexts::tr("Devices"), sentence(ReportTexts::tr("%1, encoders among them: %2"),
+                                             {report_words::number(static_cast<std::int64_t>(devices.size())),
+                                              report_words::number(encoders)}));
+    add(ReportTexts::tr("Deviations"), report_words::number(countDeviations(devices).deviations));
+    return facts;
+}
+
+} // namespace
+
+Report makeReport(const ReportInput &input, const Catalog &catalog)
+{
+    const std::vector<ReportedDevice> devices = reportedDevices(input, catalog);
+    const QString program = QStringLiteral("Codewheel %1").arg(input.version);
+    Report report{
+        .language =
+            QCoreApplication::translate("DeviceDescription", "en", "code of the language of these texts"),
+        .title = ReportTexts::tr("Commissioning report"),
+        .subject = input.project.title,
+        .origin = QStringLiteral("%1, %2").arg(program, report_words::time(input.now, input.now)),
+        .facts = factsOf(input, devices, program),
+        .sections = {report_sections::deviations(input, catalog, devices),
+                     report_sections::structure(input, devices), report_sections::cycleTime(input)}};
+    std::ranges::move(report_sections::encoders(input, devices), std::back_inserter(report.sections));
+    report.sections.push_back(report_sections::eepromWrites(input, devices));
+    if (ReportSection notes = report_sections::notes(input, devices); !notes.blocks.empty())
+        report.sections.push_back(std::move(notes));
+    report.sections.push_back(report_sections::signatures());
+    return report;
+}
+
+} // namespace codewheel

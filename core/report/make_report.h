@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "report/report.h"
+#include "report/report_input.h"
+
+namespace codewheel {
+
+class Catalog;
+
+// The commissioning report of a project, in the language and the number format in use. The same input gives
+// the same report; what is not known is told as unknown.
+Report makeReport(const ReportInput &input, const Catalog &catalog);
+
+} // namespace codewheel

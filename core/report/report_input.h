@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "project/project.h"
+
+#include <QDateTime>
+
+#include <map>
+
+namespace codewheel {
+
+// EEPROM writes of one encoder by this program.
+struct ReportedWrites
+{
+    // How the encoder is told from others: a count is only worth as much.
+    enum class Identity : std::uint8_t { serialNumberRead, serialNumberOfLabel, projectAndPlace };
+
+    int writes = 0;
+    QDateTime since; // UTC
+    Identity identity = Identity::projectAndPlace;
+    QString serialNumber; // with the first two
+};
+
+// What a connected encoder is known to have.
+struct LiveEncoder
+{
+    std::vector<StoredValue> values;
+    std::vector<StoredCams> cams;
+};
+
+// All that a commissioning report is made of; nothing else is asked.
+struct ReportInput
+{
+    Project project;
+    QString file;    // of the project, as it is to be named; empty: never saved
+    QString version; // of the program
+    QDateTime now;   // its time zone is that of all times in the report
+    // What is known now, by place. A place that is not in it is reported as the project has it stored.
+    std::map<DeviceNumber, LiveEncoder> live;
+    std::map<DeviceNumber, ReportedWrites> writes;
+    // The connected ring, to be compared with the configured one; nothing: there is none.
+    std::optional<RingStructure> connected;
+};
+
+} // namespace codewheel

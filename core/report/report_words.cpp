@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/report_words.h"
+
+#include "catalog/value_text.h"
+#include "encoder/sentence.h"
+#include "report/texts.h"
+
+#include <QLocale>
+#include <QTimeZone>
+
+namespace codewheel::report_words {
+
+QString number(std::int64_t number)
+{
+    return QLocale().toString(qlonglong{number});
+}
+
+QString time(const QDateTime &at, const QDateTime &now)
+{
+    const QLocale locale;
+    QString dateFormat = locale.dateFormat(QLocale::ShortFormat);
+    if (!dateFormat.contains(QStringLiteral("yyyy")))
+        dateFormat.replace(QStringLiteral("yy"), QStringLiteral("yyyy"));
+    const QDateTime there = at.toTimeZone(now.timeZone());
+    return QStringLiteral("%1 %2").arg(locale.toString(there.date(), dateFormat),
+                                       locale.toString(there.time(), QLocale::ShortFormat));
+}
+
+QString device(const ReportedDevice &device)
+{
+    const Participant &participant = device.planned->participant;
+    const bool isNamed = device.description && device.description->key == participant.deviceKey;
+    if (!participant.deviceKey.isEmpty() && !isNamed)
+        return sentence(ReportTexts::tr("%1 (no description of it is known)"), {participant.deviceKey});
+    return participantName(participant, device.description);
+}
+
+QString value(const ReportedDevice &device, Parameter parameter, std::int64_t value)
+{
+    const ParameterDescription *described =
+        device.description ? device.description->find(parameter) : nullptr;
+    return described ? valueText(*described, value) : number(value);
+}
+
+QString unit(const ReportedDevice &device, Parameter parameter)
+{
+    const ParameterDescription *described =
+        device.description ? device.description->find(parameter) : nullptr;
+    return described ? unitText(described->unit) : QString();
+}
+
+QString evidence(Evidence evidence)
+{
+    switch (evidence) {
+    case Evidence::read:
+        return ReportTexts::tr("read");
+    case Evidence::echoed:
+        return ReportTexts::tr("echoed");
+    case Evidence::told:
+        break;
+    }
+    return ReportTexts::tr("told");
+}
+
+QString unknown()
+{
+    return ReportTexts::tr("unknown");
+}
+
+} // namespace codewheel::report_words

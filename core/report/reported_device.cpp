@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/reported_device.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+const DeviceDescription *descriptionOf(const Participant &participant, const Catalog &catalog)
+{
+    if (const DeviceDescription *named = catalog.find(participant.deviceKey))
+        return named;
+    return catalog.generic(participant.deviceCode);
+}
+
+} // namespace
+
+const StoredValue *ReportedDevice::known(Parameter parameter) const
+{
+    const auto found = std::ranges::find(values, parameter, &StoredValue::parameter);
+    return found == values.end() ? nullptr : &*found;
+}
+
+const StoredCams *ReportedDevice::knownCams(unsigned program) const
+{
+    const auto found =
+        std::ranges::find(cams, program, [](const StoredCams &each) { return each.program.number; });
+    return found == cams.end() ? nullptr : &*found;
+}
+
+const CamProgram *ReportedDevice::wantedCams(unsigned program) const
+{
+    const auto found = std::ranges::find(planned->wantedCams, program, &CamProgram::number);
+    return found == planned->wantedCams.end() ? nullptr : &*found;
+}
+
+ParameterValues ReportedDevice::knownValues() const
+{
+    ParameterValues all;
+    for (const StoredValue &value : values)
+        all.push_back({value.parameter, value.value});
+    return all;
+}
+
+std::vector<Parameter> ReportedDevice::parameters() const
+{
+    std::vector<Parameter> listed;
+    for (const Parameter parameter : allParameters()) {
+        const ParameterDescription *described = description ? description->find(parameter) : nullptr;
+        const bool isSetting = described && (described->number || described->onLabel);
+        if (isSetting || known(parameter) || valueOf(planned->wanted, parameter))
+            listed.push_back(parameter);
+    }
+    return listed;
+}
+
+std::vector<unsigned> ReportedDevice::camPrograms() const
+{
+    std::vector<unsigned> numbers;
+    for (unsigned number = 1; number <= CamProgram::programs; ++number)
+        if (wantedCams(number) || knownCams(number))
+            numbers.push_back(number);
+    return numbers;
+}
+
+std::vector<ReportedDevice> reportedDevices(const ReportInput &input, const Catalog &catalog)
+{
+    std::vector<ReportedDevice> devices;
+    for (const ProjectDevice &planned : input.project.devices) {
+        ReportedDevice device{.planned = &planned,
+                              .description = descriptionOf(planned.participant, catalog),
+                              .values = planned.stored,
+                              .cams = planned.storedCams};
+        if (const auto live = input.live.find(planned.participant.number); live != input.live.end()) {
+            device.isLive = true;
+            device.values = live->second.values;
+            device.cams = live->second.cams;
+        }
+        devices.push_back(std::move(device));
+    }
+    return devices;
+}
+
+} // namespace codewheel

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/catalog.h"
+#include "report/report_input.h"
+
+namespace codewheel {
+
+// One device of the project with what is known of it: of the connected encoder, or else as the project has it
+// stored. Points into input and catalog.
+struct ReportedDevice
+{
+    const ProjectDevice *planned = nullptr;
+    const DeviceDescription *description = nullptr; // null: no encoder, or not known to this program
+    bool isLive = false;
+    std::vector<StoredValue> values;
+    std::vector<StoredCams> cams;
+
+    DeviceNumber place() const { return planned->participant.number; }
+    const StoredValue *known(Parameter parameter) const;
+    const StoredCams *knownCams(unsigned program) const;
+    const CamProgram *wantedCams(unsigned program) const;
+    ParameterValues knownValues() const;
+    // Wanted or known; registers and the like only where they are.
+    std::vector<Parameter> parameters() const;
+    std::vector<unsigned> camPrograms() const; // wanted or known, 1..8
+};
+
+// In ring order.
+std::vector<ReportedDevice> reportedDevices(const ReportInput &input, const Catalog &catalog);
+
+} // namespace codewheel

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "project/project_take_over.h"
+#include "report/deviations.h"
+#include "tests/report/report_example.h"
+
+#include <QLocale>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const char *const frabaHeading = "1.0: FRABA OCD-IB K3, Crane 1, hoist";
+const char *const baumerHeading = "2.0: Baumer GXP6W K3, Crane 1, trolley";
+
+// The input keeps its numbers in the C locale; a test that changes it puts it back.
+class InLocale
+{
+public:
+    explicit InLocale(const QLocale &locale) { QLocale::setDefault(locale); }
+    ~InLocale() { QLocale::setDefault(QLocale::c()); }
+    Q_DISABLE_COPY_MOVE(InLocale)
+};
+
+TEST(CommissioningReport, TellsProjectProgramDateAndLinkFirst)
+{
+    const Report report = reportOf(exampleInput());
+    EXPECT_EQ(report.title, QStringLiteral("Commissioning report"));
+    EXPECT_EQ(report.subject, QStringLiteral("Harbour crane"));
+    EXPECT_EQ(report.origin, QStringLiteral("Codewheel 0.1.0, 1 Mar 2026 14:00:00"));
+    EXPECT_THAT(factsOf({report.facts}),
+                ElementsAre("Project: Harbour crane", "File: crane.codewheel",
+                            "Date: 1 Mar 2026 14:00:00 (UTC+00:00)", "Program: Codewheel 0.1.0",
+                            "Link: training bus (simulated)", "Devices: 3, encoders among them: 2",
+                            "Deviations: 1"));
+}
+
+TEST(CommissioningReport, StandsInItsOrder)
+{
+    const Report report = reportOf(exampleInput());
+    std::vector<std::string> headings;
+    for (const ReportSection &section : report.sections)
+        headings.push_back(section.heading.toStdString());
+    EXPECT_THAT(headings,
+                ElementsAre("Deviations", "Bus structure", "Approximate cycle time", "Encoders", frabaHeading,
+                            baumerHeading, "EEPROM writes by this program", "Signatures"));
+}
+
+TEST(CommissioningReport, StructureHasNumberStationDeviceCodeWordsAndAddresses)
+{
+    ReportInput input = exampleInput();
+    input.project.devices[1].outAddress = 16;
+    EXPECT_THAT(rowsOf(sectionOf(reportOf(input), "Bus structure")),
+                ElementsAre("1.0 | Crane 1, hoist | FRABA OCD-IB K3 | 37h | 2 / 2 | 0 | 0",
+                            "2.0 | Crane 1, trolley | Baumer GXP6W K3 | 37h | 2 / 2 | 4 | 16 by hand",
+                            "3.0 |  | bus terminal | 0Ch | 0 / 0 |  | "));
+}
+
+TEST(CommissioningReport, AddressesAreCountedAsTheProjectCountsThem)
+{
+    ReportInput input = exampleInput();
+    input.project.addresses.unit = AddressRules::Unit::word;
+    const Report report = reportOf(input);
+    EXPECT_THAT(rowsOf(sectionOf(report, "Bus structure")),
+                Contains("2.0 | Crane 1, trolley | Baumer GXP6W K3 | 37h | 2 / 2 | 2 | 2"));
+    const auto &table = std::get<ReportTable>(sectionOf(report, "Bus structure").blocks.front());
+    EXPECT_TRUE(table.header.contains(QStringLiteral("IN from word")));
+}
+
+TEST(CommissioningReport, EveryValueHasItsEvidenceAndTime)
+{
+    EXPECT_THAT(rowsOf(sectionOf(reportOf(exampleInput()), frabaHeading)),
+                ElementsAre("Steps | 4096 | 8192 | steps | read | 1 Mar 2026 12:00:00 | differs",
+                            "Revolutions |  | unknown | revolutions |  |  | ",
+                            "Direction | 3 (CW) | 3 (CW) |  | echoed | 1 Mar 2026 12:01:00 | as wanted",
+                            "Preset | 0 | unknown | steps |  |  | not compared",
+                            "Zero offset |  | unknown | steps |  |  | "));
+}
+
+TEST(CommissioningReport, AFactoryValueIsNeverTakenForAKnownOne)
+{
+    ReportInput input = exampleInput();
+    fraba(input).stored.clear();
+    for (const std::string &row : rowsOf(sectionOf(reportOf(input), frabaHeading)))
+        EXPECT_THAT(row, HasSubstr("unknown"));
+}
+
+TEST(CommissioningReport, WhatTheConnectedEncoderTellsGoesBeforeTheProject)
+{
+    ReportInput input = exampleInput();
+    input.live[{1, 0}].values = {{Parameter::steps, 4096, Evidence::read, input.now}};
+    const ReportSection section = sectionOf(reportOf(input), frabaHeading);
+    EXPECT_THAT(rowsOf(section),
+                Contains("Steps | 4096 | 4096 | steps | read | 1 Mar 2026 14:00:00 | as wanted"));
+    EXPECT_THAT(rowsOf(section), Contains("Direction | 3 (CW) | unknown |  |  |  | not compared"));
+    EXPECT_THAT(factsOf(section.blocks), Contains("Known values: of the connected encoder"));
+    EXPECT_THAT(factsOf(sectionOf(reportOf(input), baumerHeading).blocks),
+                Contains("Known values: as stored in the project; the encoder was not asked"));
+}
+
+TEST(CommissioningReport, DeviationsAndWhatCouldNotBeComparedAreTold)
+{
+    const ReportSection section = sectionOf(reportOf(exampleInput()), "Deviations");
+    EXPECT_THAT(rowsOf(section),
+                ElementsAre("1.0 | Crane 1, hoist | Steps | 4096 steps | 8192 steps | read"));
+    EXPECT_THAT(paragraphsOf(section),
+                ElementsAre(HasSubstr("1 wanted value(s) or cam program(s) could not be compared"),
+                            "The configured bus was not compared with a connected one."));
+}
+
+TEST(CommissioningReport, ComparisonOfTheBusIsToldLineByLine)
+{
+    ReportInput input = exampleInput();
+    input.connected = structureOf(input.project);
+    EXPECT_THAT(paragraphsOf(sectionOf(reportOf(input), "Deviations")),
+                Contains("The connected bus is as configured."));
+    input.connected->front() = {{1, 0}, 0x36, 0x0236, 2, 2, {}, 0};
+    EXPECT_THAT(rowsOf(sectionOf(reportOf(input), "Deviations")),
+                Contains("1.0: configured K3 37h, found K2 36h"));
+}
+
+TEST(CommissioningReport, BrokenRulesOfTheBusAreTold)
+{
+    ReportInput input = exampleInput();
+    fraba(input).inAddress = 0;
+    input.project.devices[1].inAddress = 2;
+    EXPECT_THAT(rowsOf(sectionOf(reportOf(input), "Deviations")), Contains(StartsWith("2.0 | ")));
+}
+
+TEST(CommissioningReport, CountsDeviationsForPrograms)
+{
+    const ReportInput input = exampleInput();
+    const DeviationCounts counts = countDeviations(reportedDevices(input, catalog()));
+    EXPECT_EQ(counts.deviations, 1);
+    EXPECT_EQ(counts.notKnown, 1);
+}
+
+// One K3 encoder and the formulas of INTERBUS: 0.463 and 1.007 ms at 500 kBd.
+TEST(CommissioningReport, CycleTimeIsToldByBothFormulas)
+{
+    ReportInput input = exampleInput();
+    input.project.devices.resize(1);
+    EXPECT_THAT(
+        rowsOf(sectionOf(reportOf(input), "Approximate cycle time")),
+        ElementsAre("500 kBd | about 0.463 ms | about 1.007 ms", "2 MBd | about 0.266 ms | about 0.777 ms"));
+}
+
+TEST(CommissioningReport, EepromWritesSayHowTheEncoderIsTold)
+{
+    ReportInput input = exampleInput();
+    input.writes[{1, 0}] = {12, input.now.addDays(-30), ReportedWrites::Identity::serialNumberRead,
+                            QStringLiteral("20417")};
+    EXPECT_THAT(
+        rowsOf(sectionOf(reportOf(input), "EEPROM writes by this program")),
+        ElementsAre("1.0 | Crane 1, hoist | 12 | 30 Jan 2026 14:00:00 | serial number 20417, read from "
+                    "it | about 200; nothing is guaranteed beyond 500",
+                    "2.0 | Crane 1, trolley | unknown |  |  | not stated"));
+}
+
+TEST(CommissioningReport, SerialNumberIsOfTheEncoderOrOfItsLabelOrUnknown)
+{
+    ReportInput input = exampleInput();
+    EXPECT_THAT(factsOf(sectionOf(reportOf(input), frabaHeading).blocks), Contains("Serial number: unknown"));
+    EXPECT_THAT(factsOf(sectionOf(reportOf(input), baumerHeading).blocks),
+                Contains("Serial number: B 4711 (from the label)"));
+    fraba(input).stored.push_back({Parameter::serialNumber, 20417, Evidence::read, input.now});
+    EXPECT_THAT(factsOf(sectionOf(reportOf(input), frabaHeading).blocks),
+                Contains("Serial number: 20417 (read)"));
+}
+
+TEST(CommissioningReport, NumbersAndDatesFollowTheLocale)
+{
+    const InLocale german(QLocale(QLocale::German, QLocale::Germany));
+    const std::vector<std::string> rows = rowsOf(sectionOf(reportOf(exampleInput()), frabaHeading));
+    EXPECT_THAT(rows, Contains("Steps | 4.096 | 8.192 | steps | read | 01.03.2026 12:00 | differs"));
+    EXPECT_THAT(rowsOf(sectionOf(reportOf(exampleInput()), "Approximate cycle time")).front(),
+                HasSubstr("about 0,"));
+}
+
+TEST(CommissioningReport, TimesAreInTheZoneOfTheReport)
+{
+    ReportInput input = exampleInput();
+    input.now = input.now.toOffsetFromUtc(2 * 3600);
+    const Report report = reportOf(input);
+    EXPECT_THAT(factsOf({report.facts}), Contains("Date: 1 Mar 2026 16:00:00 (UTC+02:00)"));
+    EXPECT_THAT(rowsOf(sectionOf(report, frabaHeading)), Contains(HasSubstr("1 Mar 2026 14:01:00")));
+}
+
+TEST(CommissioningReport, ADeviceWithoutDescriptionStandsInTheStructureOnly)
+{
+    ReportInput input = exampleInput();
+    input.project.devices[2].participant = {{3, 0}, 0x03, 0x0103, 1, 1, QStringLiteral("my-device"), 0};
+    input.project.devices[2].note = QStringLiteral("Valve island");
+    const Report report = reportOf(input);
+    EXPECT_THAT(rowsOf(sectionOf(report, "Bus structure")),
+                Contains(HasSubstr("my-device (no description of it is known)")));
+    EXPECT_THAT(factsOf(sectionOf(report, "Notes").blocks), ElementsAre("3.0: Valve island"));
+}
+
+TEST(CommissioningReport, APositionEncoderHasNoParameters)
+{
+    ReportInput input = exampleInput();
+    fraba(input).participant = {{1, 0}, 0x36, 0x0136, 1, 1, QStringLiteral("fraba-ocd-ib-k1"), 0};
+    fraba(input).wanted.clear();
+    fraba(input).stored.clear();
+    EXPECT_THAT(paragraphsOf(sectionOf(reportOf(input), "1.0: FRABA OCD-IB K1, Crane 1, hoist")),
+                Contains("It has no parameters: it only tells its position."));
+}
+
+TEST(CommissioningReport, AnEmptyProjectIsAReportToo)
+{
+    ReportInput input;
+    input.now = exampleInput().now;
+    const Report report = reportOf(input);
+    EXPECT_THAT(factsOf({report.facts}), Contains("Project: without a title"));
+    EXPECT_THAT(paragraphsOf(sectionOf(report, "Bus structure")), ElementsAre("The project has no devices."));
+    EXPECT_THAT(paragraphsOf(sectionOf(report, "Encoders")), ElementsAre("The project has no encoders."));
+}
+
+TEST(CommissioningReport, NobodysNameIsInTheSignatures)
+{
+    const Report report = reportOf(exampleInput());
+    const auto &places = std::get<SignaturePlaces>(sectionOf(report, "Signatures").blocks.front());
+    EXPECT_EQ(places.roles, (QStringList{QStringLiteral("Commissioned by"), QStringLiteral("Accepted by")}));
+    EXPECT_EQ(places.name, QStringLiteral("Name"));
+}
+
+} // namespace
+} // namespace codewheel
