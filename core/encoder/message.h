@@ -41,9 +41,9 @@ enum class MessageId : std::uint8_t {
     deviceNamed,              // name of the device
     connected,                // link
     disconnected,             //
-    busFault,                 // error code (Word), place (QString, empty: not located)
+    busFault,                 // error code (Word), diagnostic parameter (Word): encoder/bus_fault.h
     busFaultGone,             //
-    peripheralFault,          //
+    peripheralFault,          // error code (Word), diagnostic parameter (Word)
     peripheralFaultConfirmed, //
     crcErrors,                // segment, errors since the last message, errors since the start
     segmentOff,               // segment

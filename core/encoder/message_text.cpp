@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/bus_fault.h"
 #include "encoder/device_error_name.h"
 #include "encoder/enumeration_rows.h"
 #include "encoder/refusal_text.h"
@@ -69,11 +70,11 @@ constexpr std::array rows{
                           "This encoder is now taken for: %1. What was known of it is forgotten.")},
     Row{MessageId::connected, "connected", QT_TRANSLATE_NOOP("Message", "Connected: %1.")},
     Row{MessageId::disconnected, "disconnected", QT_TRANSLATE_NOOP("Message", "Disconnected.")},
-    Row{MessageId::busFault, "busFault", QT_TRANSLATE_NOOP("Message", "Bus fault %1 at %2.")},
+    Row{MessageId::busFault, "busFault", QT_TRANSLATE_NOOP("Message", "Bus fault: %1.")},
     Row{MessageId::busFaultGone, "busFaultGone",
         QT_TRANSLATE_NOOP("Message", "The bus fault is gone. Start the bus again.")},
     Row{MessageId::peripheralFault, "peripheralFault",
-        QT_TRANSLATE_NOOP("Message", "Peripheral fault: confirm it when its cause is gone.")},
+        QT_TRANSLATE_NOOP("Message", "Fault: %1. Confirm it when its cause is gone.")},
     Row{MessageId::peripheralFaultConfirmed, "peripheralFaultConfirmed",
         QT_TRANSLATE_NOOP("Message", "The peripheral fault was confirmed.")},
     Row{MessageId::crcErrors, "crcErrors",
@@ -162,6 +163,8 @@ QString messageText(const Message &message)
     const QStringList parts = argumentTexts(message.arguments);
     if (message.id == MessageId::presetDone)
         return presetText(parts);
+    if (message.id == MessageId::busFault || message.id == MessageId::peripheralFault)
+        return sentence(pattern(rowOf(message.id).text), {busFaultText(message.arguments)});
     if (message.id == MessageId::deviceFault && message.refusal)
         return sentence(pattern(QT_TRANSLATE_NOOP("Message", "The encoder reports error %1, %3 (IN %2).")),
                         parts + QStringList{deviceErrorName(message.refusal->id)});

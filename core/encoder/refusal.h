@@ -106,7 +106,7 @@ enum class RefusalId : std::uint8_t {
     // link
     linkFailed,     // text of the link
     ringDiffers,    // place, configured, found
-    busFault,       // error code, place (empty: not located)
+    busFault,       // error code (Word), diagnostic parameter (Word): encoder/bus_fault.h
     notInRing,      // place
     databaseFailed, // file, reason
     // stopped

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/refusal_text.h"
 
+#include "encoder/bus_fault.h"
 #include "encoder/enumeration_rows.h"
 #include "encoder/sentence.h"
 #include "words/k3_cam_word.h"
@@ -256,7 +257,7 @@ constexpr std::array rows{
     Row{RefusalId::ringDiffers, "ringDiffers",
         QT_TRANSLATE_NOOP("Refusal",
                           "%1: configured is %2, found was %3. Compare, and take over what is right.")},
-    Row{RefusalId::busFault, "busFault", QT_TRANSLATE_NOOP("Refusal", "Bus fault %1 at %2.")},
+    Row{RefusalId::busFault, "busFault", QT_TRANSLATE_NOOP("Refusal", "The bus does not run: %1.")},
     Row{RefusalId::notInRing, "notInRing",
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 is not in the ring: its segment is switched off, or a fault lies before it.")},
@@ -369,6 +370,8 @@ QString refusalText(const Refusal &refusal)
         return wordText(refusal);
     case RefusalId::camFileBroken:
         return camFileText(refusal);
+    case RefusalId::busFault:
+        return sentence(pattern(rowOf(refusal.id).text), {busFaultText(refusal.arguments)});
     case RefusalId::labelKeyNotUnderstood:
         return labelKeyText(refusal);
     default:

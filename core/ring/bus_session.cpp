@@ -1,63 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ring/bus_session.h"
-
-#include "catalog/catalog.h"
 #include "catalog/hex_code.h"
-#include "drivers/make_driver.h"
-#include "ring/paced_thread.h"
-#include "ring/ring_encoder_session.h"
-#include "ring/ring_runner.h"
+#include "ring/bus_session_private.h"
 #include "ring/send_permission.h"
-#include "ring/word_channel.h"
 
 #include <QScopedValueRollback>
 
 #include <algorithm>
-#include <deque>
 
 namespace codewheel {
-
-struct BusSession::Private
-{
-    Private(std::unique_ptr<ProcessDataLink> usedLink, const Catalog &usedCatalog, QDateTime instantZero,
-            DriverFactory factory)
-        : link(std::move(usedLink))
-        , catalog(usedCatalog)
-        , begin(std::move(instantZero))
-        , driverFor(factory ? std::move(factory) : DriverFactory(makeDriver))
-    {}
-
-    const DeviceDescription *describe(const Participant &participant) const;
-    RingRunner::Drivers makeDevices(BusSession &bus);
-    // The session at a place of the ring, for `description` if there is one, and its driver.
-    std::unique_ptr<CyclicDriver> makeSession(BusSession &bus, std::size_t place,
-                                              const DeviceDescription *description);
-    bool isStale(std::size_t place) const { return renamings[place] > 0; }
-    void fetch();
-    std::size_t indexOf(DeviceNumber number) const; // structure.size(): no such device
-
-    std::unique_ptr<ProcessDataLink> link;
-    const Catalog &catalog;
-    QDateTime begin;
-    DriverFactory driverFor;
-
-    // What was found by open(), in ring order.
-    RingStructure structure;
-    std::deque<DeviceDescription> descriptions;                // of those that have a session
-    std::vector<std::unique_ptr<RingEncoderSession>> sessions; // null: no driver
-    std::vector<std::unique_ptr<WordChannel>> channels;
-    std::vector<std::unique_ptr<RingEncoderSession>> retired; // of devices named in the midst of pump()
-    std::vector<int> renamings;          // on their way to the bus thread: what comes is of the driver before
-    std::unique_ptr<RingRunner> runner;  // null: closed
-    std::unique_ptr<PacedThread> thread; // null: cycles by hand
-
-    std::shared_ptr<const Snapshot> latest = std::make_shared<Snapshot>();
-    bool latestIsNew = false;
-    std::deque<RingEvent> events; // fetched, not told yet
-    bool pumping = false;
-    MasterState toldState = MasterState::ready;
-    bool toldOperate = false;
-};
 
 // Without a plan, or with a key that no description has, the make is not known.
 const DeviceDescription *BusSession::Private::describe(const Participant &participant) const
@@ -72,6 +22,9 @@ RingRunner::Drivers BusSession::Private::makeDevices(BusSession &bus)
     sessions.clear();
     channels.clear();
     retired.clear();
+    retiredChannels.clear();
+    otherRing.reset();
+    readingIn = false;
     descriptions.clear();
     RingRunner::Drivers drivers(structure.size());
     sessions.resize(structure.size());
@@ -149,6 +102,7 @@ Result<void> BusSession::open(Start start)
     }
     d->structure = std::move(*structure);
     d->runner = std::make_unique<RingRunner>(*d->link, d->structure, d->makeDevices(*this), *out);
+    post(command::AskKeptConfiguration{.onConnecting = true});
     post(command::StartBus{});
     if (start == Start::operating)
         post(command::SetOperate{true});
@@ -160,6 +114,8 @@ Result<void> BusSession::open(Start start)
     expected->operate = start == Start::operating;
     for (const Word word : *out)
         expected->devices.push_back({.out = word, .reading = {}});
+    if (const MasterLink *master = d->link->master())
+        expected->master = std::make_shared<const MasterStatus>(master->status());
     d->latest = std::move(expected);
     showLatest();
     return {};
@@ -209,18 +165,26 @@ void BusSession::pump()
     if (d->pumping)
         return;
     d->retired.clear();
+    d->retiredChannels.clear();
     const QScopedValueRollback pumping(d->pumping, true);
     while (d->latestIsNew || !d->events.empty()) {
         const bool isNew = std::exchange(d->latestIsNew, false);
         if (isNew)
             showLatest();
-        while (!d->events.empty()) {
-            const RingEvent event = std::move(d->events.front());
-            d->events.pop_front();
-            dispatch(event);
-        }
+        dispatchAll();
         if (isNew)
             Q_EMIT updated();
+        if (d->otherRing && d->runner)
+            useOtherRing();
+    }
+}
+
+void BusSession::dispatchAll()
+{
+    while (!d->events.empty()) {
+        const RingEvent event = std::move(d->events.front());
+        d->events.pop_front();
+        dispatch(event);
     }
 }
 
@@ -249,6 +213,10 @@ void BusSession::dispatch(const RingEvent &event)
     if (const auto *ofDriver = std::get_if<Event>(&event.what)) {
         if (session)
             session->take(*ofDriver, event.at);
+        return;
+    }
+    if (const auto *ofMaster = std::get_if<MasterEvent>(&event.what)) {
+        takeOfMaster(*ofMaster);
         return;
     }
     auto message = std::get<Message>(event.what);

@@ -5,8 +5,10 @@
 #include "encoder/encoder_session.h"
 #include "encoder/message.h"
 #include "ring/command.h"
+#include "ring/master_link.h"
 #include "ring/participant.h"
 #include "ring/process_data_link.h"
+#include "ring/ring_event.h"
 #include "ring/snapshot.h"
 
 #include <QDateTime>
@@ -19,7 +21,6 @@
 namespace codewheel {
 
 class Catalog;
-struct RingEvent;
 class WordChannel;
 
 // A connected ring as the window and the command line see it: owns link, runner, thread, encoder sessions and
@@ -60,6 +61,8 @@ public:
     WordChannel *channel(DeviceNumber number) const;    // null: no such device
 
     const Snapshot &latest() const;
+    // What the ring's master says; null where the link reaches none.
+    const MasterStatus *master() const;
     bool isOperating() const;
     bool isRunning() const; // RUN
     // Devices whose OUT is not 00000000, to be named on stop, disconnect and quit.
@@ -72,6 +75,19 @@ public:
     // All OUT words of the whole ring to 0; jobs end as stopped. From every state, at once.
     void alarmStop();
     void zeroOut(DeviceNumber number);
+
+    // Services of the ring's master. Each ends in messages; a link that reaches no master refuses them.
+    //
+    // Reads in the ring: stops it, has the master find the devices (readInProgressed), and lets it run again.
+    // A ring that is another than before is taken over: structureChanged.
+    void readIn();
+    bool isReadingIn() const;
+    // Takes a segment out of the data cycles with all that hangs behind it, or puts it back.
+    void switchSegment(int segment, bool on);
+    void confirmDiagnostics();
+    // The master keeps this configuration from now on, and activates it when it is started the next time.
+    void keepConfiguration(const KeptConfiguration &configuration);
+    void askKeptConfiguration(); // answered by keptConfigurationTold
 
     // The user names the device: the key of a description with the device code of the place, or nothing to
     // have it "make not known" again. What the label tells of its resolution goes before the description; 0:
@@ -88,6 +104,14 @@ Q_SIGNALS:
     void stateChanged(); // master state or Watch / Operate
     void messaged(const codewheel::Message &message);
     void named(codewheel::DeviceNumber number); // its session is another one now
+    void readInProgressed(int devices);         // found so far
+    void readInEnded();                         // structure() is what was found
+    void readInFailed(const codewheel::Refusal &why);
+    // structure() is another ring now, with sessions and channels of its own. A device of the same number,
+    // device code and name has kept its session, its channel, and what is known of it; those of all others
+    // are gone at the next pump().
+    void structureChanged();
+    void keptConfigurationTold(const std::optional<codewheel::KeptConfiguration> &configuration);
 
 private:
     friend class WordChannel;
@@ -95,7 +119,11 @@ private:
     Result<void> write(std::size_t device, Word word);
     void post(Command command);
     void showLatest();
+    void dispatchAll();
     void dispatch(const RingEvent &event);
+    void takeOfMaster(const MasterEvent &event);
+    void useOtherRing();
+    void showNewRing(const Snapshot &before, const std::vector<Word> &out);
 
     struct Private;
     std::unique_ptr<Private> d;

@@ -4,6 +4,7 @@
 #include "drivers/cyclic_driver.h"
 #include "encoder/job.h"
 #include "encoder/known.h"
+#include "ring/master_link.h"
 
 #include <memory>
 #include <variant>
@@ -56,9 +57,30 @@ struct SetOperate
 };
 struct AlarmStop
 {};
+// Services of the master; refused with a message where the link reaches none.
+struct ReadIn
+{};
+struct SwitchSegment
+{
+    int segment;
+    bool on;
+};
+struct ConfirmDiagnostics
+{};
+struct KeepConfiguration
+{
+    KeptConfiguration configuration;
+};
+// It is told as an event. On connecting, the messages say which one was found.
+struct AskKeptConfiguration
+{
+    bool onConnecting;
+};
 } // namespace command
-using Command = std::variant<command::SetOut, command::StartJob, command::Proceed, command::Cancel,
-                             command::SetKnown, command::SetDriver, command::StartBus, command::StopBus,
-                             command::SetOperate, command::AlarmStop>;
+using Command =
+    std::variant<command::SetOut, command::StartJob, command::Proceed, command::Cancel, command::SetKnown,
+                 command::SetDriver, command::StartBus, command::StopBus, command::SetOperate,
+                 command::AlarmStop, command::ReadIn, command::SwitchSegment, command::ConfirmDiagnostics,
+                 command::KeepConfiguration, command::AskKeptConfiguration>;
 
 } // namespace codewheel

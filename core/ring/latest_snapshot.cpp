@@ -24,6 +24,7 @@ void replaceKeepingEdges(Snapshot &older, const Snapshot &newer)
     older.period = newer.period;
     older.droppedRows = newer.droppedRows;
     older.devices = std::move(devices);
+    older.master = newer.master;
 }
 
 } // namespace

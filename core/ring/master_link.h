@@ -26,8 +26,10 @@ class MasterLink
 public:
     virtual ~MasterLink() = default;
 
-    // How the ring stands after the last cycle.
+    // How the ring stands after the last cycle or service.
     virtual const MasterStatus &status() const = 0;
+    // Counts up whenever status() has become another.
+    virtual std::uint64_t statusChanges() const = 0;
     // Without data: lets the time of one bus cycle pass while the ring does not run, so that the master goes
     // on looking for a fault or notices that it is mended.
     virtual void idleCycle() = 0;
@@ -40,18 +42,21 @@ public:
         bool complete = false;
     };
     virtual Result<IdCycle> createConfiguration() = 0;
-    // 0711: activates the configuration it keeps. Refused (ringDiffers) where the ring is another.
-    virtual Result<void> activateConfiguration() = 0;
+    // 0711: activates the configuration that was created or loaded last, and tells it. Refused where the ring
+    // is another (ringDiffers), is faulty (busFault), or where there is none (noConfiguration).
+    virtual Result<RingStructure> activateConfiguration() = 0;
     virtual Result<void> deactivateConfiguration() = 0; // 0712
     virtual Result<void> startDataTransfer() = 0;       // 0701
     virtual Result<void> stopDataTransfer() = 0;        // 0702
-    virtual void alarmStop() = 0;                       // 1303: outputs to 0, from every state
-    // 0713: a segment is taken out of the data cycles, with all that branches off there.
+    virtual void alarmStop() = 0; // 1303: outputs to 0 and the bus stopped, from every state
+    // 0713: a segment is taken out of the data cycles, with all that hangs behind it. It stays so until it is
+    // switched on, or another configuration is created or loaded. Refused (notInRing) where there is none.
     virtual Result<void> switchSegment(int segment, bool on) = 0;
     virtual Result<void> confirmDiagnostics() = 0; // 0760
 
-    virtual Result<void> keepConfiguration(const KeptConfiguration &configuration) = 0; // downloads it
-    virtual Result<KeptConfiguration> keptConfiguration() = 0;                          // 030B
+    // Downloads it: the master keeps it, and activates it at the next 0711.
+    virtual Result<void> keepConfiguration(const KeptConfiguration &configuration) = 0;
+    virtual Result<KeptConfiguration> keptConfiguration() = 0; // 030B; refused (noConfiguration)
 };
 
 } // namespace codewheel

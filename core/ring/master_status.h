@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/device_number.h"
+#include "encoder/bus_fault.h"
 
 #include <QString>
 
@@ -34,24 +34,6 @@ inline constexpr std::uint16_t quality = 1U << 14;
 inline constexpr std::uint16_t sdsi = 1U << 15;
 } // namespace diagnostic
 
-// Error codes of the master with a known text; of any other only the number is shown.
-namespace bus_error {
-inline constexpr std::uint16_t peripheralFault = 0x0BB1;
-inline constexpr std::uint16_t lookingForFault = 0x0BDF;
-inline constexpr std::uint16_t nothingFound = 0x0BE1; // failed, and the check finds nothing: intermittent
-} // namespace bus_error
-
-// The diagnostic parameter register: where the fault is. High byte segment, low byte position.
-inline constexpr std::uint16_t notLocated = 0x0080;
-enum class FaultSpot : std::uint8_t { device, outgoingRemoteBus, outgoingLocalBus };
-struct FaultPlace
-{
-    DeviceNumber number;
-    FaultSpot spot = FaultSpot::device;
-
-    friend bool operator==(const FaultPlace &, const FaultPlace &) = default;
-};
-
 // What the master says of the ring.
 struct MasterStatus
 {
@@ -74,12 +56,18 @@ struct MasterStatus
 
     MasterState state = MasterState::ready;
     std::uint16_t statusBits = diagnostic::ready;
-    std::uint16_t parameter = 0; // the diagnostic parameter register as it is
-    std::uint16_t errorCode = 0; // 0: none
-    std::optional<FaultPlace> faultPlace;
+    std::uint16_t parameter = 0;              // the diagnostic parameter register as it is
+    std::uint16_t errorCode = 0;              // 0: none
     std::optional<QString> configurationName; // file name of what the master keeps; nothing: it keeps none
-    std::vector<Device> devices;              // in ring order
+    std::vector<Device> devices;              // of the active configuration, in ring order
     std::vector<Segment> segments;
+
+    bool isFaulty() const { return errorCode != 0; }
+    QString faultText() const { return busFaultText(errorCode, parameter); }
+    std::optional<FaultPlace> faultPlace() const
+    {
+        return isFaulty() ? faultPlaceOf(parameter) : std::nullopt;
+    }
 
     friend bool operator==(const MasterStatus &, const MasterStatus &) = default;
 };

@@ -5,7 +5,18 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace codewheel {
+
+bool isSameRing(const RingStructure &ring, const RingStructure &other)
+{
+    const auto asMasterSees = [](Participant participant) {
+        participant.deviceKey.clear();
+        return participant;
+    };
+    return std::ranges::equal(ring, other, {}, asMasterSees, asMasterSees);
+}
 
 QString participantName(const Participant &participant, const DeviceDescription *description)
 {

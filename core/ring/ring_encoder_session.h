@@ -51,6 +51,7 @@ private:
     void takeFault(const Message &fault);
     void report(Message message, Instant at);
     void postKnown();
+    void moveTo(std::size_t device) { m_place = device; } // the ring is another
     void countEepromWrites(int writes) { m_eepromWrites += writes; }
     Result<void> checkLink(const Job &job) const;
 

@@ -3,16 +3,34 @@
 
 #include "encoder/event.h"
 #include "encoder/message.h"
+#include "ring/master_link.h"
 
 #include <variant>
 
 namespace codewheel {
 
+// Creating the configuration from the ring goes on.
+struct ReadInProgress
+{
+    int devices = 0; // found so far
+};
+// It has ended: the ring the master has active now, or why not.
+struct ReadInEnded
+{
+    Result<RingStructure> found;
+};
+// What the master keeps; nothing: no configuration.
+struct KeptConfigurationTold
+{
+    std::optional<KeptConfiguration> configuration;
+};
+using MasterEvent = std::variant<ReadInProgress, ReadInEnded, KeptConfigurationTold>;
+
 // What the bus thread tells the window; a device is given by its place in the ring.
 struct RingEvent
 {
-    std::size_t device = 0; // meaningless for messages without a place
-    std::variant<Event, Exchange, Message> what;
+    std::size_t device = 0; // meaningless for what has no place
+    std::variant<Event, Exchange, Message, MasterEvent> what;
     Instant at{};
 };
 

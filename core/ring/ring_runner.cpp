@@ -1,70 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ring/ring_runner.h"
-
-#include "ring/command_queue.h"
-#include "ring/event_queue.h"
-#include "ring/exchange_trace.h"
-#include "ring/latest_snapshot.h"
-#include "ring/ring_watch.h"
+#include "ring/ring_runner_private.h"
 #include "ring/send_permission.h"
 
 #include <algorithm>
 
 namespace codewheel {
 
-struct RingRunner::Private
-{
-    Private(ProcessDataLink &usedLink, RingStructure ring, Drivers usedDrivers,
-            std::vector<Word> outAsReadBack);
-
-    void carryOutCommands();
-    void carryOut(const command::SetOut &c);
-    void carryOut(const command::StartJob &c);
-    void carryOut(const command::Proceed &c) { drivers[c.device]->proceed(); }
-    void carryOut(const command::Cancel &c);
-    void carryOut(const command::SetKnown &c) { drivers[c.device]->setKnown(c.known); }
-    void carryOut(command::SetDriver &c);
-    void carryOut(command::StartBus);
-    void carryOut(command::StopBus);
-    void carryOut(command::SetOperate c);
-    void carryOut(command::AlarmStop);
-
-    void exchange();
-    void fail(const Refusal &why);
-    void step(std::size_t device);
-    void tellWritten();
-    void showStandingWords();
-    void leaveRun(MasterState state);
-    void endJobs(RefusalId why);
-    void takeBackWhatMustNotStand();
-    void refuseWord(std::size_t device, Refusal why);
-    void takeDriverEvents(std::size_t device);
-
-    void tell(std::size_t device, decltype(RingEvent::what) what)
-    {
-        events.push({device, std::move(what), ring.at});
-    }
-    void tellOfRing(Message message);
-    void tellOfDevice(std::size_t device, Message message);
-
-    ProcessDataLink &link;
-    RingStructure structure;
-    Drivers drivers;
-    std::vector<Word> image; // OUT as it goes out next
-    std::vector<Word> received;
-    std::vector<std::size_t> written; // by SetOut, and not exchanged yet
-    Snapshot ring;                    // the last cycle; its OUT words are those that went out
-    ExchangeTrace trace;
-    FaultWatch faults;
-    LatenessWatch lateness;
-    CommandQueue commands;
-    EventQueue events;
-    LatestSnapshot latest;
-};
-
 RingRunner::Private::Private(ProcessDataLink &usedLink, RingStructure ringStructure, Drivers usedDrivers,
                              std::vector<Word> outAsReadBack)
     : link(usedLink)
+    , master(usedLink.master())
     , structure(std::move(ringStructure))
     , drivers(std::move(usedDrivers))
     , image(std::move(outAsReadBack))
@@ -80,13 +25,14 @@ RingRunner::Private::Private(ProcessDataLink &usedLink, RingStructure ringStruct
 }
 
 // What was posted after an ALARM STOP waits for the next cycle, so that the zeros go out.
-void RingRunner::Private::carryOutCommands()
+bool RingRunner::Private::carryOutCommands()
 {
     while (auto next = commands.next()) {
         std::visit([this](auto &c) { carryOut(c); }, *next);
         if (std::holds_alternative<command::AlarmStop>(*next))
-            return;
+            return false;
     }
+    return true;
 }
 
 void RingRunner::Private::carryOut(const command::SetOut &c)
@@ -147,16 +93,26 @@ void RingRunner::Private::carryOut(command::SetDriver &c)
 
 void RingRunner::Private::carryOut(command::StartBus)
 {
-    if (ring.state == MasterState::run)
+    if (ring.state == MasterState::run || readingIn || ringIsOther)
         return;
+    if (const auto started = startTransfer(); !started) {
+        refuseOfRing(started.error());
+        return;
+    }
+    if (ringIsOther)
+        return;
+    linkFailed = false;
     ring.state = MasterState::run;
     tellOfRing({.id = MessageId::busStarted});
 }
 
 void RingRunner::Private::carryOut(command::StopBus)
 {
-    if (ring.state == MasterState::active)
+    if (ring.state == MasterState::active || (master && ring.state != MasterState::run))
         return;
+    if (master)
+        if (const auto stopped = master->stopDataTransfer(); !stopped)
+            refuseOfRing(stopped.error());
     leaveRun(MasterState::active);
     tellOfRing({.id = MessageId::busStopped});
 }
@@ -192,10 +148,15 @@ void RingRunner::Private::takeBackWhatMustNotStand()
 
 void RingRunner::Private::carryOut(command::AlarmStop)
 {
+    if (master)
+        master->alarmStop();
     endJobs(RefusalId::alarmStop);
     std::ranges::fill(image, Word{0});
     written.clear();
     tellOfRing({.severity = Severity::attention, .id = MessageId::alarmStop});
+    if (readingIn)
+        endReadIn(refuse(RefusalKind::stopped, RefusalId::alarmStop));
+    lookAtMaster();
 }
 
 void RingRunner::Private::exchange()
@@ -214,7 +175,9 @@ void RingRunner::Private::exchange()
 // `stopped` is our own interrupt(): the cycle is skipped, nothing is wrong with the link.
 void RingRunner::Private::fail(const Refusal &why)
 {
-    if (why.kind != RefusalKind::stopped) {
+    const bool masterTellsIt = master && why.id == RefusalId::busFault;
+    if (why.kind != RefusalKind::stopped && !masterTellsIt) {
+        linkFailed = true;
         leaveRun(MasterState::busFail);
         Message message{.severity = Severity::fault};
         message.refusal = why;
@@ -227,6 +190,8 @@ void RingRunner::Private::fail(const Refusal &why)
 void RingRunner::Private::step(std::size_t i)
 {
     Snapshot::Device &device = ring.devices[i];
+    if (!device.inRing)
+        return;
     const Word out = image[i];
     const Word in = received[i];
     device.outEdges = device.out ^ out;
@@ -271,11 +236,17 @@ void RingRunner::Private::showStandingWords()
     }
 }
 
-// OUT stays as it was exchanged last, so that the same words go out when the bus runs again.
+// OUT stays as it was exchanged last, so that the same words go out when the bus runs again. A master whose
+// bus has failed, or that was not merely stopped, has set the outputs of the devices to 0: so they stay at 0.
 void RingRunner::Private::leaveRun(MasterState state)
 {
     ring.state = state;
     endJobs(RefusalId::busStopped);
+    if (master && !linkFailed && state != MasterState::active) {
+        std::ranges::fill(image, Word{0});
+        written.clear();
+        return;
+    }
     for (std::size_t i = 0; i < image.size(); ++i) {
         const Word last = ring.devices[i].out;
         image[i] = drivers[i] && !drivers[i]->mayStand(last) ? Word{0} : last;
@@ -306,6 +277,14 @@ void RingRunner::Private::tellOfRing(Message message)
     tell(0, std::move(message));
 }
 
+void RingRunner::Private::refuseOfRing(const Refusal &why)
+{
+    const bool isFault = why.kind == RefusalKind::link;
+    Message message{.severity = isFault ? Severity::fault : Severity::attention};
+    message.refusal = why;
+    tellOfRing(std::move(message));
+}
+
 void RingRunner::Private::tellOfDevice(std::size_t device, Message message)
 {
     message.at = ring.at;
@@ -324,14 +303,35 @@ void RingRunner::cycle(Instant now)
 {
     d->ring.at = now;
     d->carryOutCommands();
-    if (d->ring.state == MasterState::run)
+    if (d->readingIn)
+        d->readInStep();
+    else if (d->ring.state == MasterState::run)
         d->exchange();
     else
-        d->showStandingWords();
+        d->idle();
+    d->lookAtMaster();
     if (auto message = d->lateness.look(d->ring.lateCycles, now))
         d->tellOfRing(std::move(*message));
     d->ring.droppedRows = d->events.droppedRows();
     d->latest.publish(d->ring);
+}
+
+void RingRunner::finish(Instant now)
+{
+    d->ring.at = now;
+    while (!d->carryOutCommands()) {
+    }
+    d->endJobs(RefusalId::busStopped);
+}
+
+RingRunner::Drivers RingRunner::takeDrivers()
+{
+    return std::move(d->drivers);
+}
+
+void RingRunner::beginOperating()
+{
+    d->ring.operate = true;
 }
 
 void RingRunner::post(Command command)

@@ -20,6 +20,11 @@ namespace codewheel {
 // A word a driver answers in one cycle goes out in the next. The bus starts stopped and in Watch. While it is
 // stopped or has failed nothing is exchanged and jobs end; words that were not exchanged are not sent later
 // by themselves.
+//
+// Where the link reaches a master, its services start and stop the ring, and what it says of a fault decides
+// the state. When the bus has failed, or after ALARM STOP, all OUT words are 0. A device that is not in the
+// ring has no reading, and its driver waits. When the master has another ring active than the one the runner
+// was made for, nothing is exchanged: ReadInEnded tells it, and somebody makes another runner.
 class RingRunner
 {
 public:
@@ -30,6 +35,11 @@ public:
     ~RingRunner();
 
     void cycle(Instant now);
+    // Before the first cycle: writing was allowed already.
+    void beginOperating();
+    // Before another runner takes over, any number of times: carries out what was posted, and ends the jobs.
+    void finish(Instant now);
+    Drivers takeDrivers(); // by place; no call but takeEvents() afterwards
     void post(Command command);
     std::vector<RingEvent> takeEvents();
     // The newest snapshot with all edges since the last call; nothing if none came since.

@@ -10,6 +10,8 @@ Result<void> maySend(const Snapshot &ring, std::size_t device, DeviceNumber plac
         return notNow(RefusalId::notRunning);
     if (!ring.operate)
         return notNow(RefusalId::watchOnly);
+    if (!ring.devices[device].inRing)
+        return refuse(RefusalKind::link, RefusalId::notInRing, {place.toString()});
     if (ring.devices[device].heldByJob)
         return notNow(whenHeld);
     return {};

@@ -7,9 +7,9 @@
 
 namespace codewheel {
 
-// Whether anything may be sent to a device now: the bus runs, writing is allowed, and no job holds its OUT
-// word. The window asks it of the latest snapshot to answer at once; the runner asks it again when the
-// command arrives. `whenHeld` is jobRunning or wordHeldByJob.
+// Whether anything may be sent to a device now: the bus runs, writing is allowed, the device is in the ring,
+// and no job holds its OUT word. The window asks it of the latest snapshot to answer at once; the runner asks
+// it again when the command arrives. `whenHeld` is jobRunning or wordHeldByJob.
 Result<void> maySend(const Snapshot &ring, std::size_t device, DeviceNumber place, RefusalId whenHeld);
 
 } // namespace codewheel

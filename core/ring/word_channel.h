@@ -50,6 +50,7 @@ private:
     friend class BusSession;
     void show(const Snapshot::Device &device, Instant at);
     void wasWritten(Word word, Instant at);
+    void moveTo(std::size_t device) { m_device = device; } // the ring is another
 
     struct Written
     {

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ring/master_watch.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+constexpr std::chrono::minutes betweenCrcMessages{1};
+
+std::vector<RefusalArgument> faultArguments(std::uint16_t errorCode, std::uint16_t parameter)
+{
+    return {Word{errorCode}, Word{parameter}};
+}
+
+} // namespace
+
+std::vector<Message> MasterWatch::look(const MasterStatus &status, const std::vector<DeviceNumber> &ring,
+                                       Instant now)
+{
+    lookAtBus(status);
+    lookAtDevices(status, ring);
+    lookAtSegments(status, now);
+    m_before = status;
+    return std::exchange(m_messages, {});
+}
+
+void MasterWatch::lookAtBus(const MasterStatus &status)
+{
+    const bool failed = status.state == MasterState::busFail;
+    const bool failedBefore = m_before.state == MasterState::busFail;
+    const bool isOther = status.errorCode != m_before.errorCode || status.parameter != m_before.parameter;
+    if (failed && (!failedBefore || isOther)) {
+        Message message{.severity = Severity::fault,
+                        .id = MessageId::busFault,
+                        .arguments = faultArguments(status.errorCode, status.parameter)};
+        if (const auto place = status.faultPlace())
+            message.place = place->number;
+        m_messages.push_back(std::move(message));
+    }
+    if (failedBefore && status.state == MasterState::ready && !status.isFaulty())
+        m_messages.push_back({.id = MessageId::busFaultGone});
+}
+
+void MasterWatch::lookAtDevices(const MasterStatus &status, const std::vector<DeviceNumber> &ring)
+{
+    const std::size_t devices = std::min(ring.size(), status.devices.size());
+    for (std::size_t i = 0; i < devices; ++i) {
+        const bool before = i < m_before.devices.size() && m_before.devices[i].peripheralFault;
+        if (status.devices[i].peripheralFault == before)
+            continue;
+        Message message{.place = ring[i]};
+        if (before) {
+            message.id = MessageId::peripheralFaultConfirmed;
+        } else {
+            message.severity = Severity::fault;
+            message.id = MessageId::peripheralFault;
+            message.arguments =
+                faultArguments(bus_error::peripheralFault, diagnosticParameterOf({.number = ring[i]}));
+        }
+        m_messages.push_back(std::move(message));
+    }
+}
+
+void MasterWatch::lookAtSegments(const MasterStatus &status, Instant now)
+{
+    for (const MasterStatus::Segment &segment : status.segments) {
+        const auto before =
+            std::ranges::find(m_before.segments, segment.segment, &MasterStatus::Segment::segment);
+        const bool wasOff = before != m_before.segments.end() && before->switchedOff;
+        if (segment.switchedOff != wasOff)
+            m_messages.push_back({.severity = Severity::attention,
+                                  .id = wasOff ? MessageId::segmentOn : MessageId::segmentOff,
+                                  .arguments = {std::int64_t{segment.segment}}});
+        lookAtCrcErrors(segment, now);
+    }
+}
+
+void MasterWatch::lookAtCrcErrors(const MasterStatus::Segment &segment, Instant now)
+{
+    Told &told = m_told[segment.segment];
+    if (segment.crcErrors < told.crcErrors) // counted from the start of the ring
+        told.crcErrors = 0;
+    if (segment.crcErrors == told.crcErrors || (told.at && now - *told.at < betweenCrcMessages))
+        return;
+    m_messages.push_back({.place = DeviceNumber{segment.segment, 0},
+                          .severity = Severity::attention,
+                          .id = MessageId::crcErrors,
+                          .arguments = {std::int64_t{segment.segment},
+                                        std::int64_t{segment.crcErrors} - std::int64_t{told.crcErrors},
+                                        std::int64_t{segment.crcErrors}}});
+    told = {segment.crcErrors, now};
+}
+
+} // namespace codewheel

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/message.h"
+#include "ring/master_status.h"
+
+#include <map>
+#include <vector>
+
+namespace codewheel {
+
+// Turns what the master says into messages when a fault appears, is located or goes, when a segment is
+// switched, and, at most once a minute, when data cycles were faulty. Used by the runner after each cycle in
+// which the status changed, so that what lasts one cycle is told.
+class MasterWatch
+{
+public:
+    // In the order of what happened; without time. `ring` has the numbers of status.devices.
+    std::vector<Message> look(const MasterStatus &status, const std::vector<DeviceNumber> &ring, Instant now);
+
+private:
+    void lookAtBus(const MasterStatus &status);
+    void lookAtDevices(const MasterStatus &status, const std::vector<DeviceNumber> &ring);
+    void lookAtSegments(const MasterStatus &status, Instant now);
+    void lookAtCrcErrors(const MasterStatus::Segment &segment, Instant now);
+
+    struct Told
+    {
+        std::uint32_t crcErrors = 0;
+        std::optional<Instant> at;
+    };
+
+    MasterStatus m_before;
+    std::map<int, Told> m_told; // by segment
+    std::vector<Message> m_messages;
+};
+
+} // namespace codewheel

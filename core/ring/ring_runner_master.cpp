@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ring/ring_runner_private.h"
+
+#include <algorithm>
+
+namespace codewheel {
+
+bool RingRunner::Private::reaches(MasterService service)
+{
+    if (!master)
+        refuseOfRing(
+            {RefusalKind::notSupported, RefusalId::masterServiceNotSupported, {masterServiceName(service)}});
+    return master != nullptr;
+}
+
+// 0711 where no configuration is active, then 0701.
+Result<void> RingRunner::Private::startTransfer()
+{
+    if (!master || master->status().state == MasterState::run)
+        return {};
+    if (master->status().state != MasterState::active) {
+        auto active = master->activateConfiguration();
+        if (!active)
+            return tl::unexpected(active.error());
+        ringIsOther = !isSameRing(*active, structure);
+        if (ringIsOther) {
+            tell(0, MasterEvent(ReadInEnded{*std::move(active)}));
+            return {};
+        }
+    }
+    return master->startDataTransfer();
+}
+
+Result<void> RingRunner::Private::endActiveConfiguration()
+{
+    if (master->status().state == MasterState::run)
+        if (auto stopped = master->stopDataTransfer(); !stopped)
+            return stopped;
+    return master->status().state == MasterState::ready ? Result<void>() : master->deactivateConfiguration();
+}
+
+void RingRunner::Private::carryOut(command::ReadIn)
+{
+    if (readingIn || ringIsOther)
+        return;
+    if (!reaches(MasterService::createConfiguration)) {
+        endReadIn(refuse(RefusalKind::notSupported, RefusalId::masterServiceNotSupported,
+                         {masterServiceName(MasterService::createConfiguration)}));
+        return;
+    }
+    if (const auto ended = endActiveConfiguration(); !ended) {
+        refuseOfRing(ended.error());
+        endReadIn(tl::unexpected(ended.error()));
+        return;
+    }
+    leaveRun(MasterState::ready);
+    readingIn = true;
+}
+
+void RingRunner::Private::readInStep()
+{
+    auto cycle = master->createConfiguration();
+    if (!cycle) {
+        refuseOfRing(cycle.error());
+        endReadIn(tl::unexpected(cycle.error()));
+    } else {
+        tell(0, MasterEvent(ReadInProgress{static_cast<int>(cycle->found.size())}));
+        if (cycle->complete)
+            endReadIn(std::move(cycle->found));
+    }
+    showStandingWords();
+}
+
+// The same ring runs again at once; another one needs another runner.
+void RingRunner::Private::endReadIn(Result<RingStructure> found)
+{
+    readingIn = false;
+    if (found) {
+        tellOfRing({.id = MessageId::ringRead, .arguments = {static_cast<std::int64_t>(found->size())}});
+        ringIsOther = !isSameRing(*found, structure);
+        ring.state = MasterState::active;
+    }
+    const bool runsAgain = found && !ringIsOther;
+    tell(0, MasterEvent(ReadInEnded{std::move(found)}));
+    if (runsAgain)
+        carryOut(command::StartBus{});
+}
+
+void RingRunner::Private::carryOut(const command::SwitchSegment &c)
+{
+    if (!reaches(MasterService::switchSegment))
+        return;
+    if (const auto switched = master->switchSegment(c.segment, c.on); !switched)
+        refuseOfRing(switched.error());
+    lookAtMaster();
+}
+
+// What comes back at once is told again.
+void RingRunner::Private::carryOut(command::ConfirmDiagnostics)
+{
+    if (!reaches(MasterService::confirmDiagnostics))
+        return;
+    if (const auto confirmed = master->confirmDiagnostics(); confirmed)
+        tellOfRing({.id = MessageId::diagnosticsConfirmed});
+    else
+        refuseOfRing(confirmed.error());
+    lookAtMaster();
+}
+
+void RingRunner::Private::carryOut(const command::KeepConfiguration &c)
+{
+    if (!reaches(MasterService::loadConfiguration))
+        return;
+    if (const auto kept = master->keepConfiguration(c.configuration); !kept) {
+        refuseOfRing(kept.error());
+        return;
+    }
+    tellOfRing({.id = MessageId::configurationKept,
+                .arguments = {c.configuration.fileName,
+                              static_cast<std::int64_t>(c.configuration.structure.size())}});
+    carryOut(command::AskKeptConfiguration{.onConnecting = false});
+}
+
+void RingRunner::Private::carryOut(const command::AskKeptConfiguration &c)
+{
+    if (c.onConnecting && !master)
+        return;
+    if (!reaches(MasterService::readConfiguration))
+        return;
+    const auto kept = master->keptConfiguration();
+    if (!kept && kept.error().id != RefusalId::noConfiguration) {
+        refuseOfRing(kept.error());
+        return;
+    }
+    if (c.onConnecting && kept)
+        tellOfRing({.id = MessageId::configurationFound,
+                    .arguments = {kept->fileName, static_cast<std::int64_t>(kept->structure.size())}});
+    else if (c.onConnecting)
+        tellOfRing({.id = MessageId::configurationNone});
+    tell(0, MasterEvent(KeptConfigurationTold{kept ? std::optional(*kept) : std::nullopt}));
+}
+
+void RingRunner::Private::idle()
+{
+    if (master && !linkFailed)
+        master->idleCycle();
+    showStandingWords();
+}
+
+void RingRunner::Private::lookAtMaster()
+{
+    if (!master || master->statusChanges() == seenOfMaster)
+        return;
+    seenOfMaster = master->statusChanges();
+    const auto status = std::make_shared<const MasterStatus>(master->status());
+    ring.master = status;
+    std::vector<DeviceNumber> numbers;
+    for (const Participant &participant : structure)
+        numbers.push_back(participant.number);
+    for (Message &message : masterWatch.look(*status, numbers, ring.at))
+        tellOfRing(std::move(message));
+    if (ringIsOther)
+        return;
+    if (!linkFailed && ring.state == MasterState::run && status->state != MasterState::run)
+        leaveRun(status->state);
+    else if (!linkFailed)
+        ring.state = status->state;
+    showWhoIsInRing(*status);
+}
+
+void RingRunner::Private::showWhoIsInRing(const MasterStatus &status)
+{
+    const std::size_t devices = std::min(ring.devices.size(), status.devices.size());
+    for (std::size_t i = 0; i < devices; ++i) {
+        if (ring.devices[i].inRing && !status.devices[i].inRing)
+            leaveRing(i);
+        ring.devices[i].inRing = status.devices[i].inRing;
+    }
+}
+
+// What it showed last is no reading any more, and what stood in OUT is not sent again by itself.
+void RingRunner::Private::leaveRing(std::size_t i)
+{
+    if (drivers[i] && drivers[i]->busy()) {
+        drivers[i]->stop(RefusalId::busStopped, ring.at);
+        takeDriverEvents(i);
+    }
+    std::erase(written, i);
+    image[i] = 0;
+    Snapshot::Device &device = ring.devices[i];
+    const Word outEdges = device.out;
+    const Word inEdges = device.in;
+    device = {.outEdges = outEdges, .inEdges = inEdges, .reading = {}};
+}
+
+} // namespace codewheel
