@@ -139,11 +139,14 @@ Checked<k3::ExplainContext> contextOf(const Call &call, const DeviceDescription 
 QString whatMayHelp(const DeviceDescription &device, const k3::ExplainContext &context)
 {
     QStringList missing;
-    if (device.quirks.hasModes && !context.mode)
+    if (device.isGeneric())
+        missing << QStringLiteral("--device");
+    if (device.mayHaveModes() && !context.mode)
         missing << QStringLiteral("--mode");
-    if (!context.counterpart)
+    const bool isIn = context.direction == WordDirection::in;
+    if (isIn && !context.counterpart)
         missing << QStringLiteral("--other");
-    if (device.dialect != k3::Dialect::fraba && !context.coding)
+    if (isIn && device.dialect != k3::Dialect::fraba && !context.coding)
         missing << QStringLiteral("--coding");
     return missing.isEmpty() ? QString()
                              : sentence(CommandLine::tr("One of these. What may tell which: %1."),

@@ -20,27 +20,27 @@ class BitText
     Q_DECLARE_TR_FUNCTIONS(BitText)
 
 public:
-    static QString outText(k3::Dialect dialect, int bit);
+    static QString outText(const DeviceDescription &device, int bit);
     static QString inText(k3::Dialect dialect, int bit);
     static QString rodText(WordDirection direction, int bit);
     static QString positionText(const PositionWord &format, WordDirection direction, int bit);
 };
 
-QString BitText::outText(k3::Dialect dialect, int bit)
+QString BitText::outText(const DeviceDescription &device, int bit)
 {
-    const bool fraba = dialect == k3::Dialect::fraba;
+    const bool fraba = device.dialect == k3::Dialect::fraba;
     if (bit == startBit)
         return tr("D31: start (run), when it changes from 0 to 1");
     if (bit == presetBit)
-        return fraba ? tr("D30: initialise the preset; in cam mode: start or stop of a cam")
-                     : tr("D30: initialise the preset");
+        return device.mayHaveModes() ? tr("D30: initialise the preset; in cam mode: start or stop of a cam")
+                                     : tr("D30: initialise the preset");
     if (bit == manufacturerBit)
-        return fraba                            ? tr("D29: FRABA command")
-               : dialect == k3::Dialect::baumer ? tr("D29: ignored by this encoder")
-                                                : tr("D29: manufacturer specific");
+        return fraba                                   ? tr("D29: FRABA command")
+               : device.dialect == k3::Dialect::baumer ? tr("D29: ignored by this encoder")
+                                                       : tr("D29: manufacturer specific");
     if (bit >= lowestNumberBit)
-        return fraba ? tr("D28..D25: parameter number; in cam mode: number of the cam")
-                     : tr("D28..D25: parameter number");
+        return device.mayHaveModes() ? tr("D28..D25: parameter number; in cam mode: number of the cam")
+                                     : tr("D28..D25: parameter number");
     if (fraba && bit == readOutRequestBit)
         return tr("D24..D0: parameter data; D16 with D29 and D21: read out as long as it is 1");
     return tr("D24..D0: parameter data");
@@ -107,7 +107,7 @@ QString bitText(const DeviceDescription &device, WordDirection direction, int bi
         return BitText::rodText(direction, bit);
     if (onlyTellsPosition(device.profile))
         return BitText::positionText(positionFormat(device), direction, bit);
-    return direction == WordDirection::out ? BitText::outText(device.dialect, bit)
+    return direction == WordDirection::out ? BitText::outText(device, bit)
                                            : BitText::inText(device.dialect, bit);
 }
 

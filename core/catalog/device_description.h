@@ -111,6 +111,9 @@ struct DeviceDescription
     std::vector<Parameter> readableValues() const;
     const DeviceError *findError(unsigned number) const;
     bool isGeneric() const { return vendor.isEmpty(); }
+    // FRABA has velocity and cam mode, and a K3 whose make is not known may be a FRABA: then the mode is to
+    // be known before a word is sent that means something else in cam mode.
+    bool mayHaveModes() const { return quirks.hasModes || (isGeneric() && profile == Profile::k3); }
     // "FRABA OCD-IB K3"; "K3, make not known" for a generic description.
     QString fullName() const;
     QString notesText() const { return notes.toString(); }

@@ -26,7 +26,7 @@ Explanation explainWord(const DeviceDescription &device, Word word, k3::ExplainC
     if (onlyTellsPosition(device.profile))
         return position_word::explain(word, context.direction, positionFormat(device));
     context.dialect = device.dialect;
-    if (!device.quirks.hasModes)
+    if (!device.mayHaveModes())
         context.mode = Mode::position;
     // A FRABA has one coding; at a Baumer it is a parameter.
     if (device.dialect == k3::Dialect::fraba && !context.coding)

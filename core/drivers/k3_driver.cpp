@@ -40,7 +40,7 @@ K3Driver::K3Driver(const DeviceDescription &device, K3Timing timing)
     , m_knowledge(device)
     , m_plan(device, m_knowledge)
     , m_handshake(device.dialect, timing)
-    , m_view{device.dialect, device.quirks.hasModes, m_knowledge.mode(), m_knowledge.coding(), {}}
+    , m_view{device.dialect, device.mayHaveModes(), m_knowledge.mode(), m_knowledge.coding(), {}}
 {}
 
 void K3Driver::setKnown(const std::vector<Known> &known)
@@ -100,7 +100,7 @@ Result<void> K3Driver::prepare(Word in, Word out)
 Result<void> K3Driver::checkMode(const Job &job) const
 {
     const auto word = wordOfTwoMeanings(job);
-    if (!word || !m_device.quirks.hasModes)
+    if (!word || !m_device.mayHaveModes())
         return {};
     const auto mode = m_knowledge.mode();
     if (!mode)

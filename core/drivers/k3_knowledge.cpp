@@ -91,8 +91,10 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
 
 void K3Knowledge::observeMode(Word out, Instant now)
 {
-    if (!m_device.quirks.hasModes || !m_mode.observe(out))
+    if (!m_device.mayHaveModes() || !m_mode.observe(out))
         return;
+    if (!m_device.quirks.hasModes && mode() != Mode::position) // only a FRABA has gone there
+        m_mode.tell(std::nullopt);
     m_modeSince = now;
     if (m_cams.leave())
         countEepromWrite();
@@ -261,7 +263,7 @@ void K3Knowledge::reset(bool isProven, Instant now)
     forget(Parameter::presetFlag);
     m_presetArmed.reset();
     m_cams.forgetAll();
-    if (m_device.quirks.hasModes && mode() != Mode::position) { // position mode then (assumed)
+    if (m_device.mayHaveModes() && mode() != Mode::position) { // position mode then (assumed)
         m_mode.tell(std::nullopt);
         m_modeSince = now;
         forget(Parameter::startUpMode);

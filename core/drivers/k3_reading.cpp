@@ -9,7 +9,7 @@ namespace {
 
 bool positionCanBeRead(const K3View &view)
 {
-    return view.coding && (!view.hasModes || view.mode == Mode::position);
+    return view.coding && (!view.mayHaveModes || view.mode == Mode::position);
 }
 
 } // namespace
@@ -43,9 +43,9 @@ Reading decodeReading(Word in, Instant at, const K3View &view) noexcept
     reading.coding = view.coding;
     if (reading.state == EncoderState::error)
         reading.errorNumber = k3::number(in);
-    else if (reading.state == EncoderState::operation && view.hasModes && view.mode == Mode::velocity)
+    else if (reading.state == EncoderState::operation && view.mayHaveModes && view.mode == Mode::velocity)
         reading.velocity = k3::signedData(in);
-    else if (reading.state == EncoderState::operation && view.hasModes && view.mode == Mode::cam)
+    else if (reading.state == EncoderState::operation && view.mayHaveModes && view.mode == Mode::cam)
         reading.cams = {k3::camsOn(in), k3::camPositionPart(in)};
     else if (reading.state == EncoderState::operation && positionCanBeRead(view))
         reading.position = k3::decodePosition(in, *view.coding);

@@ -9,7 +9,7 @@ namespace codewheel {
 struct K3View
 {
     k3::Dialect dialect = k3::Dialect::generic;
-    bool hasModes = false; // then a position is one only in Mode::position
+    bool mayHaveModes = false; // then a position is one only in Mode::position
     std::optional<Mode> mode;
     std::optional<PositionCoding> coding; // nothing: the raw word is all there is
     std::optional<unsigned> camProgram{}; // in cam mode

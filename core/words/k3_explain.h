@@ -16,7 +16,8 @@ enum class PositionCoding : std::uint8_t { binary, signedBinary, gray };
 
 namespace k3 {
 
-// The makes differ in what D29, the errors and the manufacturer's words mean.
+// The makes differ in what D29, the errors and the manufacturer's words mean. Whose make is not known may be
+// FRABA, and be in any of its modes.
 enum class Dialect : std::uint8_t { generic, fraba, baumer };
 
 // What the reader of a word knows besides the word. What is not told widens the explanation to all
@@ -25,7 +26,7 @@ struct ExplainContext
 {
     WordDirection direction = WordDirection::in;
     Dialect dialect = Dialect::generic;
-    std::optional<Mode> mode;             // fraba
+    std::optional<Mode> mode;             // fraba, generic
     std::optional<PositionCoding> coding; // position words
     std::optional<Word> counterpart;      // the word the other way in the same cycle
 };

@@ -112,7 +112,7 @@ Explanation errorOf(Word word, const ExplainContext &context) noexcept
     Explanation possible;
     if (error != unknownNumberError || mayBeOutsideCamMode(context))
         possible.add({MeaningId::deviceError, {error, data(word)}});
-    if (fraba && error == unknownNumberError && mayBeIn(Mode::cam, context))
+    if (error == unknownNumberError && mayBeIn(Mode::cam, context))
         possible.add({MeaningId::wrongCamCommand, {data(word)}});
     return possible;
 }

@@ -80,6 +80,32 @@ Explanation explainFraba(Word word, const ExplainContext &context) noexcept
     return byMode(word, frabaCommand(word), context);
 }
 
+// D31 = 0 and D30 or D29 = 1, make not known: it may be FRABA, which alone has other modes than position.
+// What is read out only the make tells.
+Explanation explainGeneric(Word word, const ExplainContext &context) noexcept
+{
+    if (isReadOutRequest(word))
+        return Meaning{MeaningId::manufacturerSpecificOut, {word}};
+    const Explanation ofFraba = explainFraba(word, context);
+    const bool isOfFraba = ofFraba.first().id != MeaningId::undefinedOut;
+    const bool isFraba = context.mode.value_or(Mode::position) != Mode::position;
+    if ((word & manufacturerBit) == 0 || (isOfFraba && isFraba))
+        return ofFraba;
+    Explanation possible(Meaning{MeaningId::manufacturerSpecificOut, {word}});
+    if (isOfFraba)
+        for (const Meaning &meaning : ofFraba)
+            possible.add(meaning);
+    return possible;
+}
+
+// D31 = 0 and D30 or D29 = 1
+Explanation explainBaumer(Word word) noexcept
+{
+    if (word & manufacturerBit)
+        return Meaning{MeaningId::manufacturerBitIgnored, {word & ~manufacturerBit}};
+    return word == initialisePreset ? Meaning{MeaningId::initialisePreset} : undefined(word);
+}
+
 } // namespace
 
 Explanation explainOut(Word word, const ExplainContext &context) noexcept
@@ -90,13 +116,15 @@ Explanation explainOut(Word word, const ExplainContext &context) noexcept
         return Meaning{MeaningId::runIgnoresRest, {word & ~startBit}};
     if ((word & statusMask) == 0)
         return parameterOrNothing(word, context);
-    if (context.dialect == Dialect::fraba)
+    switch (context.dialect) {
+    case Dialect::fraba:
         return explainFraba(word, context);
-    if (word & manufacturerBit)
-        return context.dialect == Dialect::baumer
-                   ? Meaning{MeaningId::manufacturerBitIgnored, {word & ~manufacturerBit}}
-                   : Meaning{MeaningId::manufacturerSpecificOut, {word}};
-    return word == initialisePreset ? Meaning{MeaningId::initialisePreset} : undefined(word);
+    case Dialect::baumer:
+        return explainBaumer(word);
+    case Dialect::generic:
+        break;
+    }
+    return explainGeneric(word, context);
 }
 
 } // namespace codewheel::k3

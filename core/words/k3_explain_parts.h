@@ -21,7 +21,7 @@ Explanation camConfirmations(Word in, std::optional<Word> out) noexcept;
 // Whether the word may be one of this mode, as far as is known.
 constexpr bool mayBeIn(Mode mode, const ExplainContext &context) noexcept
 {
-    return context.dialect == Dialect::fraba ? context.mode.value_or(mode) == mode : mode == Mode::position;
+    return context.dialect == Dialect::baumer ? mode == Mode::position : context.mode.value_or(mode) == mode;
 }
 
 // Velocity mode understands the same OUT words as position mode.

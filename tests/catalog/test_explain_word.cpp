@@ -95,6 +95,30 @@ TEST_F(ExplainWord, WordsOfAnUnnamedK3)
     EXPECT_EQ(text(generic, 0x2021'0001, out), "Manufacturer specific (D29), and the make is not known");
 }
 
+// It may be a FRABA; one that is named has the modes of its description.
+TEST_F(ExplainWord, AnUnnamedK3MayHaveModes)
+{
+    const k3::ExplainContext untold{WordDirection::out, {}, {}, {}, {}};
+    for (const DeviceDescription *unnamed : {&generic, catalog.find(u"generic-k3-loop2")}) {
+        EXPECT_TRUE(unnamed->mayHaveModes());
+        EXPECT_EQ(text(*unnamed, 0x4000'0000, untold), "Initialise the preset, or: Start of cam 0 = 0");
+    }
+    EXPECT_EQ(text(generic, 0x6000'0000, untold),
+              "Manufacturer specific (D29), and the make is not known, or: FRABA preset: activate the preset "
+              "in every cycle, or: Stop of cam 0 = 0");
+    EXPECT_EQ(text(generic, 0x0000'0101, {WordDirection::in, {}, {}, {}, {}}),
+              "Running, position 00000101 in a coding that is not known, or: speed 257 rpm, or: cams on: 0, "
+              "position part 1");
+    EXPECT_EQ(text(generic, 0x4000'0000, out), "Initialise the preset");
+    for (const char *key : {"baumer-gxp6w", "twk-k3"}) {
+        const DeviceDescription &named = *catalog.find(QString::fromLatin1(key));
+        EXPECT_FALSE(named.mayHaveModes()) << key;
+        EXPECT_EQ(text(named, 0x4000'0000, untold), "Initialise the preset") << key;
+    }
+    for (const char *key : {"generic-k1", "generic-k2", "generic-k4"})
+        EXPECT_FALSE(catalog.find(QString::fromLatin1(key))->mayHaveModes()) << key;
+}
+
 TEST_F(ExplainWord, WordsOfARod)
 {
     EXPECT_EQ(text(rod, 0x4200'C350, out), "Service 2 measuring length in steps: write 50000, service bit 0");
@@ -149,6 +173,9 @@ TEST_F(ExplainWord, BitsAreNamedAsInTheManual)
     EXPECT_EQ(bit(baumer, WordDirection::out, 25), "D28..D25: parameter number");
     EXPECT_EQ(bit(baumer, WordDirection::out, 24), "D24..D0: parameter data");
     EXPECT_EQ(bit(baumer, WordDirection::out, 29), "D29: ignored by this encoder");
+    EXPECT_EQ(bit(baumer, WordDirection::out, 30), "D30: initialise the preset");
+    EXPECT_EQ(bit(generic, WordDirection::out, 30),
+              "D30: initialise the preset; in cam mode: start or stop of a cam");
     EXPECT_EQ(bit(generic, WordDirection::in, 29), "D29: manufacturer specific");
     EXPECT_EQ(bit(fraba, WordDirection::in, 28), "D28..D25: parameter number, or error number");
     EXPECT_EQ(bit(rod, WordDirection::out, 31), "D31: service bit, asks when it changes from 0 to 1");

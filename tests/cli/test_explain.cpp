@@ -60,13 +60,31 @@ TEST(CliExplain, WithoutTheModeAllMeaningsAreGiven)
                 HasSubstr("What may tell which: --mode"));
 }
 
+// It may be a FRABA in any mode.
+TEST(CliExplain, WithoutTheMakeTheMeaningsOfCamModeAreGiven)
+{
+    EXPECT_THAT(meanings("40000000 --device generic-k3 --direction out"),
+                ElementsAre("initialisePreset", "camStart"));
+    EXPECT_THAT(meanings("60000000 --device generic-k3 --direction out"),
+                ElementsAre("manufacturerSpecificOut", "frabaPreset", "camStop"));
+    EXPECT_THAT(meanings("20400001 --device generic-k3 --direction out"),
+                ElementsAre("manufacturerSpecificOut", "velocityOn", "camConfiguration"));
+    EXPECT_THAT(meanings("00003039 --device generic-k3 --direction in"),
+                ElementsAre("rawPosition", "velocity", "cams"));
+    EXPECT_THAT(meanings("40000000 --device generic-k3 --direction out --mode position"),
+                ElementsAre("initialisePreset"));
+    EXPECT_THAT(meanings("40000000 --device twk-k3 --direction out"), ElementsAre("initialisePreset"));
+    EXPECT_THAT(runLine(QStringLiteral("explain 40000000 --device generic-k3 --direction out")).out,
+                HasSubstr("What may tell which: --device, --mode"));
+}
+
 TEST(CliExplain, TheCodingDecidesWhatAPositionIs)
 {
     EXPECT_THAT(meanings("01FFFFFF --device baumer-gxp6w --direction in --coding 1"),
                 ElementsAre("signedPosition"));
     EXPECT_THAT(meanings("01FFFFFF --device baumer-gxp6w --direction in --coding unsigned-ccw"),
                 ElementsAre("position"));
-    EXPECT_THAT(meanings("01FFFFFF --device generic-k3 --direction in --coding 5"),
+    EXPECT_THAT(meanings("01FFFFFF --device generic-k3 --direction in --coding 5 --mode position"),
                 ElementsAre("grayPosition"));
 }
 

@@ -116,5 +116,19 @@ TEST(CliPreset, WhereTheModeIsNotKnownTheUserSaysIt)
     EXPECT_EQ(shared.runLine(QStringLiteral("preset 1.0 --in-position-mode")).exit, 0);
 }
 
+// It may be a FRABA in cam mode, where 40000000 sets the start of cam 0.
+TEST(CliPreset, AnUnnamedK3IsSetOnlyWhereTheUserSaysItsMode)
+{
+    const CliRun refused = runLine(QStringLiteral("preset 2.0 100 --device generic-k3"));
+    EXPECT_EQ(refused.exit, 1);
+    EXPECT_THAT(refused.err, HasSubstr("In cam mode the word 40000000 sets the start of cam 0 to 0"));
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("preset 2.0 --device generic-k3 --json"))), "modeNotKnown");
+    const CliRun set =
+        runLine(QStringLiteral("preset 2.0 100 --device generic-k3 --in-position-mode --trace --json"));
+    EXPECT_EQ(set.exit, 0) << set.err;
+    const std::vector<std::string> rows = rowsOf(set.json());
+    EXPECT_TRUE(std::ranges::any_of(rows, [](const auto &row) { return row.starts_with("40000000 "); }));
+}
+
 } // namespace
 } // namespace codewheel

@@ -133,5 +133,47 @@ TEST(K3ModesOfOthers, AreRefused)
     EXPECT_EQ(table.begin(SwitchMode{Mode::position}).error().id, RefusalId::velocityNotSupported);
 }
 
+class K3ModesOfAnUnnamedEncoder : public testing::Test
+{
+protected:
+    DriverTable m_table{u"generic-k3"};
+
+    void send(Word word)
+    {
+        ASSERT_TRUE(m_table.begin(SendWords{.words = {word, 0x0000'0000}}));
+        m_table.play({{0x0000'0000, pos}});
+        m_table.repeat(3, {word, pos});
+        m_table.repeat(4, {0x0000'0000, pos});
+        ASSERT_TRUE(m_table.outcome());
+    }
+    std::optional<Mode> mode() { return m_table.driver().reading().mode; }
+};
+
+// A FRABA is in cam or velocity mode then, another make is not.
+TEST_F(K3ModesOfAnUnnamedEncoder, AWordThatWouldSwitchAFrabaLeavesTheModeUnknown)
+{
+    for (const Word word : {0x2080'0001u, 0x2040'0001u}) {
+        m_table = DriverTable{u"generic-k3"};
+        m_table.tell(Parameter::startUpMode, 1);
+        m_table.repeat(2, {0x0000'0000, pos});
+        EXPECT_EQ(mode(), Mode::position);
+        send(word);
+        EXPECT_EQ(mode(), std::nullopt) << std::hex << word;
+        EXPECT_EQ(m_table.begin(SetPreset{}).error().id, RefusalId::modeNotKnown);
+    }
+}
+
+TEST_F(K3ModesOfAnUnnamedEncoder, TheWordThatEndsCamModeLeavesItInPositionMode)
+{
+    send(0x2080'0000);
+    EXPECT_EQ(mode(), Mode::position);
+    EXPECT_TRUE(m_table.begin(SetPreset{}));
+}
+
+TEST_F(K3ModesOfAnUnnamedEncoder, TheProgramDoesNotSwitchItOfItself)
+{
+    EXPECT_EQ(m_table.begin(SwitchMode{Mode::position}).error().id, RefusalId::velocityNotSupported);
+}
+
 } // namespace
 } // namespace codewheel

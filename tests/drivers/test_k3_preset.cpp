@@ -105,6 +105,43 @@ TEST(K3Preset, IsRefusedWhileTheModeIsNotKnown)
     table.repeat(5, {0x0000'0000, pos});
 }
 
+// It may be a FRABA in cam mode.
+TEST(K3Preset, AnUnnamedK3IsNotSetWhileItsModeIsNotKnown)
+{
+    DriverTable table(u"generic-k3");
+    for (const Job &job :
+         {Job(SetPreset{}), Job(SetPreset{100}),
+          Job(WriteParameters{
+              .values = {{Parameter::preset, 100}}, .previous = {}, .initialisePreset = true})}) {
+        const Result<void> taken = table.begin(job);
+        ASSERT_FALSE(taken);
+        EXPECT_EQ(taken.error(),
+                  (Refusal{RefusalKind::notSupported, RefusalId::modeNotKnown, {Word{0x4000'0000}}}));
+    }
+    table.repeat(5, {0x0000'0000, pos});
+}
+
+TEST(K3Preset, AnUnnamedK3IsSetOnceItsModeIsTold)
+{
+    DriverTable table(u"generic-k3");
+    table.tell(Parameter::startUpMode, 1);
+    ASSERT_TRUE(table.begin(
+        WriteParameters{.values = {{Parameter::preset, 100}}, .previous = {}, .initialisePreset = true}));
+    table.play({
+        {0x0000'0000, pos},
+        {0x0800'0064, 0xC800'0064},
+        {0x8000'0000, pos},
+        {0x0000'0000, pos},
+        {0x4000'0000, 0x0000'0064},
+        {0x0000'0000, 0x0000'0064},
+        {0x0000'0000, 0x0000'0064},
+    });
+    ASSERT_TRUE(table.outcome());
+    EXPECT_TRUE(table.outcome()->result);
+    EXPECT_EQ(table.driver().reading().mode, Mode::position);
+    EXPECT_EQ(table.driver().reading().position, std::nullopt) << "the coding is not known";
+}
+
 TEST(K3Preset, IsRefusedInCamMode)
 {
     DriverTable table = frabaInPositionMode();

@@ -69,7 +69,8 @@ TEST(K3Reading, PositionIsReadByItsCoding)
 
 TEST(K3Reading, OutsidePositionModeThereIsNoPosition)
 {
-    K3View view{.dialect = Dialect::fraba, .hasModes = true, .mode = {}, .coding = PositionCoding::binary};
+    K3View view{
+        .dialect = Dialect::fraba, .mayHaveModes = true, .mode = {}, .coding = PositionCoding::binary};
     EXPECT_EQ(decodeReading(100, {}, view).position, std::nullopt);
     view.mode = Mode::velocity;
     EXPECT_EQ(decodeReading(100, {}, view).position, std::nullopt);

@@ -90,8 +90,9 @@ TEST(Inverse, AnExplainedOutWordIsTheOneItsMeaningsAreBuiltTo)
             for (const Meaning &meaning : explain(word, {WordDirection::out, dialect, {}, {}, {}}))
                 ASSERT_EQ(outWord(meaning), word) << std::hex << word;
         for (const Mode mode : {Mode::position, Mode::velocity, Mode::cam})
-            for (const Meaning &meaning : explain(word, {WordDirection::out, Dialect::fraba, mode, {}, {}}))
-                ASSERT_EQ(outWord(meaning), word) << std::hex << word;
+            for (const Dialect dialect : {Dialect::generic, Dialect::fraba})
+                for (const Meaning &meaning : explain(word, {WordDirection::out, dialect, mode, {}, {}}))
+                    ASSERT_EQ(outWord(meaning), word) << std::hex << word;
     });
 }
 

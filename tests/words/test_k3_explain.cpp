@@ -178,13 +178,55 @@ TEST(K3Explain, BaumerIgnoresD29)
 
 TEST(K3Explain, GenericLeavesD29ToTheManufacturer)
 {
-    const ExplainContext out{WordDirection::out, Dialect::generic, {}, {}, {}};
-    for (const Word word : {0x2021'0001u, 0x6000'0000u, 0x2200'00FFu})
+    const ExplainContext out{WordDirection::out, Dialect::generic, Mode::position, {}, {}};
+    for (const Word word : {0x2021'0001u, 0x2200'00FFu, 0x2040'0002u})
         EXPECT_EQ(explain(word, out), (Meaning{manufacturerSpecificOut, {word}}));
-    const ExplainContext in{WordDirection::in, Dialect::generic, Mode::cam, {}, {}};
+    const ExplainContext in{WordDirection::in, Dialect::generic, Mode::position, {}, {}};
     EXPECT_EQ(explain(0xA000'2000, in), (Meaning{manufacturerSpecificIn, {0xA000'2000}}));
     EXPECT_EQ(explain(0x9800'0004, in), (Meaning{deviceError, {12, 4}}));
     EXPECT_EQ(explain(0x0000'0005, in), (Meaning{rawPosition, {5}}));
+}
+
+// Whose make is not known may be FRABA, in any mode.
+TEST(K3Explain, GenericOutWordsMayBeThoseOfFrabaInAnyMode)
+{
+    const auto both = [](Word word, std::initializer_list<Meaning> ofFraba) {
+        Explanation all(Meaning{manufacturerSpecificOut, {word}});
+        for (const Meaning &meaning : ofFraba)
+            all.add(meaning);
+        return all;
+    };
+    ExplainContext out{WordDirection::out, Dialect::generic, {}, {}, {}};
+    EXPECT_EQ(explain(0x4000'0000, out), meanings({{initialisePreset}, {camStart, {0, 0}}}));
+    EXPECT_EQ(explain(0x4600'0015, out), (Meaning{camStart, {3, 0x15}}));
+    EXPECT_EQ(explain(0x6000'0000, out), both(0x6000'0000, {{frabaPreset}, {camStop, {0, 0}}}));
+    EXPECT_EQ(explain(0x6600'0213, out), both(0x6600'0213, {{camStop, {3, 0x213}}}));
+    EXPECT_EQ(explain(0x2040'0000, out), both(0x2040'0000, {{velocityOff}, {camConfiguration, {0}}}));
+    EXPECT_EQ(explain(0x2040'0001, out), both(0x2040'0001, {{velocityOn}, {camConfiguration, {1}}}));
+    EXPECT_EQ(explain(0x2080'0001, out), both(0x2080'0001, {{camMode, {1}}}));
+    EXPECT_EQ(explain(0x0200'00FF, out), (Meaning{parameterRequest, {1, 255}}));
+
+    out.mode = Mode::position;
+    EXPECT_EQ(explain(0x4000'0000, out), (Meaning{initialisePreset}));
+    EXPECT_EQ(explain(0x6000'0000, out), both(0x6000'0000, {{frabaPreset}}));
+    out.mode = Mode::cam; // then it is a FRABA
+    EXPECT_EQ(explain(0x4000'0000, out), (Meaning{camStart, {0, 0}}));
+    EXPECT_EQ(explain(0x6000'0000, out), (Meaning{camStop, {0, 0}}));
+    EXPECT_EQ(explain(0x0200'00FF, out), (Meaning{parameterRequestInCamMode, {1, 255}}));
+}
+
+TEST(K3Explain, GenericInWordsMayBeThoseOfFrabaInAnyMode)
+{
+    ExplainContext in{WordDirection::in, Dialect::generic, {}, {}, {}};
+    EXPECT_EQ(explain(0x01FF'FFFF, in),
+              meanings({{rawPosition, {0x01FF'FFFF}}, {velocity, {-1}}, {cams, {0xFF, 0x1FFFF}}}));
+    EXPECT_EQ(explain(0x8400'0000, in), meanings({{deviceError, {2, 0}}, {wrongCamCommand, {0}}}));
+    in.counterpart = 0x0200'00FF;
+    EXPECT_EQ(explain(0xC200'00FF, in), (Meaning{confirmed, {1, 255}}));
+    in.counterpart = 0x4600'0015;
+    EXPECT_EQ(explain(0xC600'0015, in), (Meaning{camConfirmation, {0x4600'0015}}));
+    in = {WordDirection::in, Dialect::generic, Mode::cam, {}, {}};
+    EXPECT_EQ(explain(0x0001'2345, in), (Meaning{cams, {0x45, 0x123}}));
 }
 
 // Every dialect, direction and mode, with each coding and many words the other way, told and untold.
@@ -234,8 +276,9 @@ bool mayAcknowledgeTwoCamWords(const Explanation &explanation)
 TEST(K3Explain, WhoIsToldEverythingGetsOneMeaning)
 {
     forAllContexts(50'000, [](Word word, const ExplainContext &context) {
-        const bool modeTold = context.mode || context.dialect != Dialect::fraba;
-        if (!modeTold || !context.coding || !context.counterpart)
+        const bool modeTold = context.mode || context.dialect == Dialect::baumer;
+        const bool needsMake = context.dialect == Dialect::generic && (word & manufacturerBit) != 0;
+        if (!modeTold || needsMake || !context.coding || !context.counterpart)
             return;
         const Explanation explanation = explain(word, context);
         ASSERT_TRUE(explanation.isUnique() || mayAcknowledgeTwoCamWords(explanation)) << std::hex << word;

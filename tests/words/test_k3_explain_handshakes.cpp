@@ -45,7 +45,7 @@ TEST(K3Explain, Fraba53InitialisationOfThePreset)
     };
     expectHandshake(rows, Dialect::fraba, Mode::position, PositionCoding::binary);
     expectHandshake(rows, Dialect::baumer, {}, PositionCoding::binary);
-    expectHandshake(rows, Dialect::generic, {}, PositionCoding::binary);
+    expectHandshake(rows, Dialect::generic, Mode::position, PositionCoding::binary);
 }
 
 TEST(K3Explain, BaumerExample2)

@@ -145,6 +145,10 @@ DialState ShaftDial::turning(std::int64_t velocity) const
 QString ShaftDial::rawNote(const Reading &reading) const
 {
     const QString raw = hexWord(k3::data(reading.in));
+    if (m_encoder->device().isGeneric())
+        return tr("Raw word %1. The make of the encoder is not known, and so neither is its coding: name it "
+                  "in the bus structure.")
+            .arg(raw);
     if (m_encoder->device().quirks.hasModes && reading.mode != Mode::position) {
         if (!reading.mode)
             return tr("Raw word %1. The mode is not known: tell the start-up mode under Parameters.")

@@ -26,6 +26,7 @@ void describe(QAction &action, const char *name, const QString &what, const QKey
 EncoderFunctions::EncoderFunctions(QWidget *window)
     : QObject(window)
     , m_window(window)
+    , m_isInPositionMode(new QAction(tr("It &is in position mode"), this))
     , m_position(new QAction(tr("P&osition mode"), this))
     , m_velocity(new QAction(this))
     , m_frabaPreset(new QAction(lineIcon(Icon::preset), tr("FRABA &preset..."), this))
@@ -33,6 +34,10 @@ EncoderFunctions::EncoderFunctions(QWidget *window)
 {
     m_position->setCheckable(true);
     m_velocity->setCheckable(true);
+    describe(
+        *m_isInPositionMode, "isInPositionMode",
+        tr("Say so where you have made sure of it: in cam mode, the word that sets the position sets a cam. "
+           "Nothing is sent."));
     describe(*m_position, "positionMode", tr("The encoder sends its position; ends velocity and cam mode"),
              Qt::CTRL | Qt::SHIFT | Qt::Key_M);
     describe(*m_velocity, "velocityMode",
@@ -42,6 +47,7 @@ EncoderFunctions::EncoderFunctions(QWidget *window)
              tr("Sets the position to the programmed preset, as often as wanted; asks first"),
              Qt::CTRL | Qt::SHIFT | Qt::Key_P);
     describe(*m_reset, "resetToDefault", tr("Tells what is lost, and asks first"));
+    connect(m_isInPositionMode, &QAction::triggered, this, &EncoderFunctions::tellPositionMode);
     connect(m_position, &QAction::triggered, this, &EncoderFunctions::goToPositionMode);
     connect(m_velocity, &QAction::triggered, this, &EncoderFunctions::goToVelocityMode);
     connect(m_frabaPreset, &QAction::triggered, this, &EncoderFunctions::setToPreset);
@@ -71,6 +77,7 @@ void EncoderFunctions::show()
     const bool hasModes = m_encoder && m_encoder->device().quirks.hasModes;
     const auto mode = m_encoder ? m_encoder->latest().mode : std::nullopt;
     const bool isFree = m_encoder && !m_encoder->runningJob();
+    m_isInPositionMode->setVisible(m_encoder && m_encoder->device().mayHaveModes() && !mode);
     m_position->setVisible(hasModes);
     m_velocity->setVisible(can.velocity);
     m_frabaPreset->setVisible(can.manufacturerPreset);
@@ -80,6 +87,11 @@ void EncoderFunctions::show()
     m_position->setChecked(mode == Mode::position);
     m_velocity->setChecked(mode == Mode::velocity);
     m_velocity->setText(tr("&Velocity mode (now: %1)").arg(modeName(mode)));
+}
+
+void EncoderFunctions::tellPositionMode()
+{
+    m_encoder->tell(Parameter::startUpMode, startsUpAsK3);
 }
 
 void EncoderFunctions::goToPositionMode()
@@ -124,7 +136,7 @@ void EncoderFunctions::startInPositionMode(const Job &job, Word out)
     }
     switch (askForMode(m_window, *m_encoder, out)) {
     case ModeAnswer::isInPositionMode:
-        m_encoder->tell(Parameter::startUpMode, startsUpAsK3);
+        tellPositionMode();
         start(job);
         break;
     case ModeAnswer::switchFirst:

@@ -20,7 +20,10 @@ public:
     explicit EncoderFunctions(QWidget *window);
 
     void setEncoder(EncoderSession *encoder);
-    QList<QAction *> actions() const { return {m_position, m_velocity, m_frabaPreset, m_reset}; }
+    QList<QAction *> actions() const
+    {
+        return {m_isInPositionMode, m_position, m_velocity, m_frabaPreset, m_reset};
+    }
     // Whether this job is the reset that was started here.
     bool isReset(JobId job) const { return m_resetJob == job; }
 
@@ -29,6 +32,7 @@ Q_SIGNALS:
 
 private:
     void show();
+    void tellPositionMode();
     void goToPositionMode();
     void goToVelocityMode();
     void setToPreset();
@@ -39,6 +43,7 @@ private:
 
     QWidget *m_window;
     QPointer<EncoderSession> m_encoder;
+    QAction *m_isInPositionMode; // told by the user
     QAction *m_position;
     QAction *m_velocity;
     QAction *m_frabaPreset;

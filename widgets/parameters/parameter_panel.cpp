@@ -393,7 +393,7 @@ QString ParameterPanel::successText(const Outcome &outcome) const
         sentences << tr("EEPROM writes: %1.").arg(outcome.eepromWrites);
     if (outcome.positionAfter)
         sentences << tr("Position: %1.").arg(QLocale().toString(qlonglong{*outcome.positionAfter}));
-    if (m_encoder->device().quirks.hasModes && m_encoder->latest().mode != Mode::position)
+    if (m_encoder->device().mayHaveModes() && m_encoder->latest().mode != Mode::position)
         sentences << tr("Mode: %1.").arg(modeName(m_encoder->latest().mode));
     if (!outcome.alreadyThere.empty())
         sentences << tr("There already: %1.").arg(outcome.alreadyThere.size());

@@ -120,10 +120,10 @@ void KnownPage::showPermission()
 
 void KnownPage::showLatest()
 {
-    const bool hasModes = m_setup.encoder->device().quirks.hasModes;
+    const bool mayHaveModes = m_setup.encoder->device().mayHaveModes();
     const auto mode = m_setup.encoder->latest().mode;
-    m_mode->setVisible(hasModes);
-    m_isPositionMode->setVisible(hasModes && mode != Mode::position);
+    m_mode->setVisible(mayHaveModes);
+    m_isPositionMode->setVisible(mayHaveModes && mode != Mode::position);
     if (!mode)
         m_mode->setState(Role::attention, tr("Mode not known: position, velocity or cam"));
     else if (*mode == Mode::position)

@@ -117,7 +117,7 @@ void ReviewPage::plan()
                                 "Go back and change a value, or write all.")
                            : refusalText(steps.error()));
     }
-    const bool modeMissing = encoder.device().quirks.hasModes && m_setup.wish.initialisePreset &&
+    const bool modeMissing = encoder.device().mayHaveModes() && m_setup.wish.initialisePreset &&
                              encoder.latest().mode != Mode::position;
     if (modeMissing) {
         m_mayGoOn = false;

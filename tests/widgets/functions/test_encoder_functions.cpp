@@ -103,6 +103,21 @@ TEST_F(EncoderFunctionsTest, AModeThatIsNotKnownIsAskedFor)
     EXPECT_EQ(encoder().latest().mode, Mode::velocity);
 }
 
+TEST_F(EncoderFunctionsTest, AnUnnamedK3IsToldToBeInPositionMode)
+{
+    show(baumer);
+    EXPECT_FALSE(action("isInPositionMode").isVisible());
+    ASSERT_TRUE(m_ring.bus.name(baumer, {}));
+    show(baumer);
+    EXPECT_TRUE(action("isInPositionMode").isVisible());
+    EXPECT_FALSE(action("positionMode").isVisible()) << "which word switches it, only its make tells";
+    click("isInPositionMode");
+    finishJobs();
+    EXPECT_EQ(encoder().latest().mode, Mode::position);
+    EXPECT_FALSE(action("isInPositionMode").isVisible());
+    EXPECT_TRUE(std::ranges::all_of(m_sent, [](Word out) { return out == 0; }));
+}
+
 TEST_F(EncoderFunctionsTest, ItCanBePutIntoPositionModeFirst)
 {
     {

@@ -149,6 +149,43 @@ TEST_F(WizardPages, ThePositionIsNotSetWhileTheModeIsUnknown)
     EXPECT_FALSE(isEnabled("wizardNext"));
 }
 
+// It may be a FRABA in cam mode.
+TEST_F(WizardPages, TheModeOfAnUnnamedK3CanBeTold)
+{
+    ASSERT_TRUE(bus.name({2, 0}, {}));
+    bus.advance(5);
+    ASSERT_TRUE(baumer().device().isGeneric());
+    wizard.setEncoder(&baumer());
+    next();
+    EXPECT_TRUE(find<QWidget>("isPositionMode")->isVisible());
+    next();
+    next();
+    type("preset", "0");
+    next();
+    EXPECT_TRUE(sentence("reviewProblem").contains(QStringLiteral("cam mode")));
+    EXPECT_FALSE(isEnabled("wizardNext"));
+    for (int page = ParameterWizard::review; page > ParameterWizard::known; --page)
+        click("wizardBack");
+    click("isPositionMode");
+    bus.advance(5);
+    for (int page = ParameterWizard::known; page < ParameterWizard::review; ++page)
+        next();
+    EXPECT_TRUE(isEnabled("wizardNext"));
+    click("byItself");
+    next();
+    bus.advance(2000);
+    EXPECT_FALSE(wizard.isBusy());
+    EXPECT_EQ(out({2, 0}), 0u);
+    EXPECT_EQ(baumer().known(Parameter::preset)->value, 0);
+}
+
+TEST_F(WizardPages, NobodyAsksForTheModeOfAnEncoderThatHasNone)
+{
+    wizard.setEncoder(&baumer());
+    next();
+    EXPECT_FALSE(find<QWidget>("isPositionMode")->isVisible());
+}
+
 TEST_F(WizardPages, TheReportIsSavedAsTextAndAsHtml)
 {
     wizard.setEncoder(&baumer());
