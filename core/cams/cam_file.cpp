@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cams/cam_file.h"
 
+#include "cams/cam_program_json.h"
 #include "cams/check_cams.h"
+#include "catalog/json_writer.h"
 #include "catalog/strict_json.h"
 #include "encoder/sentence.h"
 
 #include <QStringList>
 
 #include <algorithm>
-#include <json/writer.h>
 
 namespace codewheel {
 namespace {
@@ -17,7 +18,7 @@ constexpr char formatName[] = "codewheel-cams";
 constexpr std::int64_t formatVersion = 1;
 constexpr std::int64_t largestTotalRange = largestCamPosition + 1;
 
-// The rules of the file, part by part. One object a file.
+// The rules of the file, part by part.
 class CamFileReader
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::CamFileReader)
@@ -29,12 +30,9 @@ public:
 
     // Before anything else: what is of another kind has other keys.
     static void checkFormat(const Json::Value &root, FaultKeeper &faults);
-    CamFile read(const JsonObject &json);
+    CamFile read(const JsonObject &json) const;
 
 private:
-    CamProgram readProgram(const JsonObject &json) const;
-    void readCam(const JsonObject &json, CamProgram &program, unsigned &seen) const;
-
     std::int64_t m_largestPosition;
 };
 
@@ -47,68 +45,22 @@ void CamFileReader::checkFormat(const Json::Value &root, FaultKeeper &faults)
         tr("This is no file of cam programs: the format is not \"%1\".").arg(QLatin1String(formatName)));
 }
 
-CamFile CamFileReader::read(const JsonObject &json)
+CamFile CamFileReader::read(const JsonObject &json) const
 {
     if (json.number("version") != formatVersion)
         json.report("version", tr("Only version %1 of the format can be read.").arg(formatVersion));
     CamFile file;
     file.device = json.text("device");
     file.totalRange = json.optionalNumber("totalRange", 1, largestTotalRange);
-    if (file.totalRange)
-        m_largestPosition = std::min(m_largestPosition, *file.totalRange - 1);
 
-    for (const JsonObject &row : json.array("programs", {"program", "shift", "cams"})) {
-        const CamProgram program = readProgram(row);
-        if (std::ranges::find(file.programs, program.number, &CamProgram::number) != file.programs.end())
-            row.report("program", tr("Cam program %1 stands above already.").arg(program.number));
-        file.programs.push_back(program);
-    }
+    CamProgramReader programs(file.totalRange ? std::min(m_largestPosition, *file.totalRange - 1)
+                                              : m_largestPosition);
+    for (const JsonObject &row : json.array("programs", {"program", "shift", "cams"}, CamProgram::programs))
+        file.programs.push_back(programs.read(row));
     if (file.programs.empty())
         json.report("programs", tr("At least one cam program is expected here."));
     std::ranges::sort(file.programs, {}, &CamProgram::number);
     return file;
-}
-
-CamProgram CamFileReader::readProgram(const JsonObject &json) const
-{
-    CamProgram program;
-    program.number = static_cast<unsigned>(json.number("program", 1, CamProgram::programs));
-    program.shift = static_cast<unsigned>(json.number("shift", 0, CamProgram::largestShift));
-    unsigned seen = 0;
-    for (const JsonObject &row : json.array("cams", {"cam", "start", "stop", "active"}))
-        readCam(row, program, seen);
-    return program;
-}
-
-void CamFileReader::readCam(const JsonObject &json, CamProgram &program, unsigned &seen) const
-{
-    const auto number = static_cast<std::size_t>(json.number("cam", 0, CamProgram::cams - 1));
-    const unsigned bit = 1U << number;
-    if ((seen & bit) != 0)
-        json.report("cam", tr("Cam %1 stands above already.").arg(number));
-    seen |= bit;
-    Cam &cam = program.cam[number];
-    cam.start = json.number("start", 0, m_largestPosition);
-    cam.stop = json.number("stop", 0, m_largestPosition);
-    cam.active = json.flag("active");
-}
-
-QByteArray camLine(std::size_t number, const Cam &cam)
-{
-    return QByteArrayLiteral("        {\"cam\": ") + QByteArray::number(static_cast<qulonglong>(number)) +
-           ", \"start\": " + QByteArray::number(static_cast<qlonglong>(cam.start)) +
-           ", \"stop\": " + QByteArray::number(static_cast<qlonglong>(cam.stop)) +
-           ", \"active\": " + (cam.active ? "true" : "false") + "}";
-}
-
-QByteArray programText(const CamProgram &program)
-{
-    QByteArrayList cams;
-    for (std::size_t n = 0; n < CamProgram::cams; ++n)
-        cams.append(camLine(n, program.cam[n]));
-    return QByteArrayLiteral("    {\n      \"program\": ") + QByteArray::number(program.number) +
-           ",\n      \"shift\": " + QByteArray::number(program.shift) + ",\n      \"cams\": [\n" +
-           cams.join(",\n") + "\n      ]\n    }";
 }
 
 } // namespace
@@ -116,16 +68,14 @@ QByteArray programText(const CamProgram &program)
 QByteArray camFileToJson(CamFile file)
 {
     std::ranges::sort(file.programs, {}, &CamProgram::number);
-    QByteArrayList programs;
-    for (const CamProgram &program : file.programs)
-        programs.append(programText(program));
-    QByteArray json = QByteArrayLiteral("{\n  \"format\": \"") + formatName +
-                      "\",\n  \"version\": " + QByteArray::number(formatVersion) + ",\n  \"device\": " +
-                      QByteArray::fromStdString(Json::valueToQuotedString(file.device.toUtf8().constData())) +
-                      ",\n";
+    JsonWriter json;
+    json.member("format", formatName);
+    json.member("version", formatVersion);
+    json.member("device", file.device);
     if (file.totalRange)
-        json += "  \"totalRange\": " + QByteArray::number(static_cast<qlonglong>(*file.totalRange)) + ",\n";
-    return json + "  \"programs\": [\n" + programs.join(",\n") + "\n  ]\n}\n";
+        json.member("totalRange", *file.totalRange);
+    json.list("programs", file.programs, [&](const CamProgram &program) { writeCamProgram(json, program); });
+    return json.finish();
 }
 
 Result<CamFile> camFileFromJson(const QByteArray &json, const QString &name,

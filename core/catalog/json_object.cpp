@@ -20,6 +20,8 @@ void FaultKeeper::report(int line, const QString &key, const QString &reason)
 
 void FaultKeeper::report(const Json::Value &where, const QString &key, const QString &reason)
 {
+    if (m_first) // counting the lines of a large file takes its time
+        return;
     const QByteArrayView before = QByteArrayView(m_json).first(where.getOffsetStart());
     report(static_cast<int>(std::ranges::count(before, '\n')) + 1, key, reason);
 }
@@ -38,15 +40,16 @@ JsonObject::JsonObject(const Json::Value &value, QString path, std::initializer_
 
 void JsonObject::refuseUnknownKeys(std::initializer_list<const char *> allowed) const
 {
-    QStringList known;
-    for (const char *key : allowed)
-        known << QString::fromLatin1(key);
     for (auto it = m_value->begin(); it != m_value->end(); ++it) {
-        const QString key = QString::fromStdString(it.name());
-        if (!known.contains(key))
-            m_faults->report(
-                *it, pathOf(key),
-                tr("This key is not known. Known are: %1.").arg(known.join(QStringLiteral(", "))));
+        const std::string key = it.name();
+        if (std::ranges::find(allowed, key) != allowed.end())
+            continue;
+        QStringList known;
+        for (const char *name : allowed)
+            known << QString::fromLatin1(name);
+        m_faults->report(*it, pathOf(QString::fromStdString(key)),
+                         tr("This key is not known. Known are: %1.").arg(known.join(QStringLiteral(", "))));
+        return;
     }
 }
 
@@ -92,6 +95,34 @@ QString JsonObject::text(const char *key) const
 QString JsonObject::textOr(const char *key, const QString &otherwise) const
 {
     return has(key) ? text(key) : otherwise;
+}
+
+QString JsonObject::freeText(const char *key) const
+{
+    if (!has(key))
+        return {};
+    const Json::Value &value = member(key);
+    if (!value.isString()) {
+        report(key, tr("A text in quotation marks is expected here."));
+        return {};
+    }
+    return QString::fromStdString(value.asString());
+}
+
+std::map<QString, QString> JsonObject::textsByKey(const char *key) const
+{
+    std::map<QString, QString> result;
+    if (!has(key))
+        return result;
+    const Json::Value &value = member(key);
+    bool sound = value.isObject();
+    for (auto it = value.begin(); sound && it != value.end(); ++it) {
+        sound = it->isString();
+        result[QString::fromStdString(it.name())] = QString::fromStdString(sound ? it->asString() : "");
+    }
+    if (!sound)
+        report(key, tr("An object of texts {\"...\": \"...\"} is expected here."));
+    return result;
 }
 
 QStringList JsonObject::texts(const char *key) const
@@ -165,6 +196,21 @@ std::optional<std::int64_t> JsonObject::optionalNumber(const char *key, std::int
     return has(key) ? std::optional(number(key, minimum, maximum)) : std::nullopt;
 }
 
+double JsonObject::decimalOr(const char *key, double otherwise, double minimum, double maximum) const
+{
+    if (!has(key))
+        return otherwise;
+    const Json::Value &value = member(key);
+    if (!value.isNumeric()) {
+        report(key, tr("A number is expected here."));
+        return otherwise;
+    }
+    const double result = value.asDouble();
+    if (result < minimum || result > maximum)
+        report(key, tr("%1 is not between %2 and %3.").arg(result).arg(minimum).arg(maximum));
+    return std::clamp(result, minimum, maximum);
+}
+
 unsigned JsonObject::hexNumber(const char *key) const
 {
     const QString written = text(key);
@@ -179,15 +225,40 @@ JsonObject JsonObject::object(const char *key, std::initializer_list<const char 
     return JsonObject(member(key), pathOf(QString::fromLatin1(key)), allowed, *m_faults);
 }
 
-std::vector<JsonObject> JsonObject::array(const char *key, std::initializer_list<const char *> allowed) const
+bool JsonObject::isListOfAtMost(const char *key, std::size_t most) const
 {
     const Json::Value &value = member(key);
-    if (!value.isArray()) {
+    if (!value.isArray())
         report(key, tr("A list [ ] is expected here."));
-        return {};
+    else if (value.size() > most)
+        report(key, tr("The list has %1 entries; at most %2 are allowed.").arg(value.size()).arg(most));
+    return value.isArray() && value.size() <= most;
+}
+
+std::vector<Word> JsonObject::words(const char *key, std::size_t most) const
+{
+    std::vector<Word> result;
+    if (!isListOfAtMost(key, most))
+        return result;
+    for (const Json::Value &value : member(key)) {
+        const auto word =
+            value.isString() ? parseHexWord(QString::fromStdString(value.asString())) : std::nullopt;
+        if (!word)
+            m_faults->report(value,
+                             pathOf(QStringLiteral("%1[%2]").arg(QLatin1String(key)).arg(result.size())),
+                             tr("A word is a text of up to 8 hexadecimal digits, such as \"020000FF\"."));
+        result.push_back(word.value_or(0));
     }
+    return result;
+}
+
+std::vector<JsonObject> JsonObject::array(const char *key, std::initializer_list<const char *> allowed,
+                                          std::size_t most) const
+{
     std::vector<JsonObject> rows;
-    for (const Json::Value &row : value) {
+    if (!isListOfAtMost(key, most))
+        return rows;
+    for (const Json::Value &row : member(key)) {
         const QString path = QStringLiteral("%1[%2]").arg(QLatin1String(key)).arg(rows.size());
         rows.emplace_back(row, pathOf(path), allowed, *m_faults);
     }

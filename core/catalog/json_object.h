@@ -3,12 +3,14 @@
 
 #include "catalog/catalog.h"
 #include "catalog/local_text.h"
+#include "words/k3_word.h"
 
 #include <QCoreApplication>
 
 #include <initializer_list>
 #include <json/value.h>
 #include <limits>
+#include <map>
 
 namespace codewheel {
 
@@ -51,6 +53,7 @@ public:
     bool has(const char *key) const;
     QString text(const char *key) const; // not empty
     QString textOr(const char *key, const QString &otherwise) const;
+    QString freeText(const char *key) const;  // any text; empty where the key is not there
     QStringList texts(const char *key) const; // a list of texts
     // "DO1", the same in every language, or {"en": "...", "de": "..."}, of which English must be there.
     LocalText localText(const char *key) const;
@@ -63,8 +66,14 @@ public:
     std::optional<std::int64_t>
     optionalNumber(const char *key, std::int64_t minimum = std::numeric_limits<std::int64_t>::min(),
                    std::int64_t maximum = std::numeric_limits<std::int64_t>::max()) const;
+    // Any number; `otherwise` where the key is not there.
+    double decimalOr(const char *key, double otherwise, double minimum, double maximum) const;
     // Text as the field writes it: "37h".
     unsigned hexNumber(const char *key) const;
+    // A list of process-data words: "020000FF".
+    std::vector<Word> words(const char *key, std::size_t most) const;
+    // An object with any keys, each with a text; empty where the key is not there.
+    std::map<QString, QString> textsByKey(const char *key) const;
 
     template <typename Enum, std::size_t size>
     Enum oneOf(const char *key, const NamedValue<Enum> (&names)[size]) const
@@ -81,7 +90,8 @@ public:
     }
 
     JsonObject object(const char *key, std::initializer_list<const char *> allowed) const;
-    std::vector<JsonObject> array(const char *key, std::initializer_list<const char *> allowed) const;
+    std::vector<JsonObject> array(const char *key, std::initializer_list<const char *> allowed,
+                                  std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
     // A fault of the member `key`, for rules that go beyond one value.
     void report(const char *key, const QString &reason) const;
@@ -89,6 +99,7 @@ public:
 
 private:
     const Json::Value &member(const char *key) const; // reports a missing one
+    bool isListOfAtMost(const char *key, std::size_t most) const;
     QString pathOf(const QString &key) const;
     void refuseUnknownKeys(std::initializer_list<const char *> allowed) const;
 

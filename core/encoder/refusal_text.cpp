@@ -79,12 +79,14 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 has %2 MB; the largest file that is read has %3 MB. Is it the right file?")},
     Row{RefusalId::projectFileBroken, "projectFileBroken",
-        QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 The project was not opened.")},
+        QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 The project was not opened."),
+        QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 The project was not opened.")},
     Row{RefusalId::projectFileNewer, "projectFileNewer",
         QT_TRANSLATE_NOOP("Refusal", "%1 was saved by a newer Codewheel (version %2 of the file; this one "
                                      "reads up to %3). Open it with that one. Nothing was changed.")},
     Row{RefusalId::faultPlanBroken, "faultPlanBroken",
-        QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 The fault plan was not loaded.")},
+        QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 The fault plan was not loaded."),
+        QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 The fault plan was not loaded.")},
     Row{RefusalId::structureBroken, "structureBroken",
         QT_TRANSLATE_NOOP("Refusal", "The bus cannot be built like this: %1")},
     Row{RefusalId::noSuchProjectDevice, "noSuchProjectDevice",
@@ -349,7 +351,7 @@ QString suspectsText(const Refusal &refusal)
 }
 
 // What is no JSON at all has no key.
-QString camFileText(const Refusal &refusal)
+QString brokenFileText(const Refusal &refusal)
 {
     const QStringList parts = argumentTexts(refusal.arguments);
     const Row &row = rowOf(refusal.id);
@@ -369,7 +371,9 @@ QString refusalText(const Refusal &refusal)
     case RefusalId::camWordRefused:
         return wordText(refusal);
     case RefusalId::camFileBroken:
-        return camFileText(refusal);
+    case RefusalId::projectFileBroken:
+    case RefusalId::faultPlanBroken:
+        return brokenFileText(refusal);
     case RefusalId::busFault:
         return sentence(pattern(rowOf(refusal.id).text), {busFaultText(refusal.arguments)});
     case RefusalId::labelKeyNotUnderstood:

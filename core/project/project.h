@@ -3,8 +3,8 @@
 
 #include "encoder/cam_program.h"
 #include "encoder/known.h"
+#include "project/word_list.h"
 #include "ring/participant.h"
-#include "words/k3_word.h"
 
 #include <QDateTime>
 #include <QString>
@@ -54,7 +54,7 @@ struct ProjectDevice
     DeviceLabel label;
     std::optional<int> inAddress; // given by hand, in bytes; nothing: automatic
     std::optional<int> outAddress;
-    ParameterValues wanted;
+    ParameterValues wanted;             // by parameter
     std::vector<CamProgram> wantedCams; // by number
     std::vector<StoredValue> stored;    // by parameter
     std::vector<StoredCams> storedCams; // by number
@@ -65,8 +65,7 @@ struct ProjectDevice
 struct ProjectSequence
 {
     QString name;
-    std::vector<Word> words;
-    int holdCycles = 3;
+    WordList list;
 
     friend bool operator==(const ProjectSequence &, const ProjectSequence &) = default;
 };

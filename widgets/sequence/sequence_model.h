@@ -2,8 +2,8 @@
 #pragma once
 
 #include "catalog/device_description.h"
+#include "project/word_list.h"
 #include "widgets/models/table_model_base.h"
-#include "widgets/sequence/word_list.h"
 
 namespace codewheel {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "project/word_list.h"
 #include "widgets/look/icons.h"
 #include "widgets/sequence/sequence_job.h"
-#include "widgets/sequence/word_list.h"
 
 #include <QPointer>
 #include <QWidget>

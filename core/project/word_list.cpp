@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/sequence/word_list.h"
+#include "project/word_list.h"
 
 #include "encoder/hex.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/sequence/word_list.h"
+#include "project/word_list.h"
 
 #include <gtest/gtest.h>
 
@@ -52,6 +52,18 @@ TEST(WordList, HoldCyclesMayBeLeftOut)
     EXPECT_EQ(*read, (WordList{.words = {0x80000000}, .holdCycles = 3}));
 }
 
+TEST(WordList, MoreWordsThanASequenceMayHaveAreRefused)
+{
+    WordList list;
+    list.words.resize(WordList::mostWords);
+    EXPECT_EQ(sequenceFromJson(sequenceToJson(list)), list);
+    list.words.push_back(0);
+    const auto read = sequenceFromJson(sequenceToJson(list));
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().toStdString(),
+              "Line 5, words: The list has 1001 entries; at most 1000 are allowed.");
+}
+
 struct BadFile
 {
     const char *json;
@@ -61,23 +73,25 @@ struct BadFile
 TEST(WordList, ABadFileIsRefusedWithItsLine)
 {
     const BadFile rows[] = {
-        {"", "Line 1: This is not valid JSON"},
+        {"", "Line 1: The file is empty."},
         {"[]", "Line 1: This is no sequence of words"},
         {"{\n\"format\": \"codewheel-plan\"}", "Line 1: This is no sequence of words"},
-        {"{\"format\": \"codewheel-sequence\",\n\"version\": 2, \"words\": []}", "Line 2: Only version 1"},
+        {"{\"format\": \"codewheel-sequence\",\n\"version\": 2, \"words\": []}",
+         "Line 2, version: Only version 1"},
         {"{\"format\": \"codewheel-sequence\",\n\"version\": 1,\n\"words\": [\"0\",\n\"020000FG\"]}",
-         "Line 4: A word is a text"},
+         "Line 4, words[1]: A word is a text"},
         {"{\"format\": \"codewheel-sequence\",\n\"version\": 1,\n\"words\": [5]}",
-         "Line 3: A word is a text"},
+         "Line 3, words[0]: A word is a text"},
         {"{\"format\": \"codewheel-sequence\", \"version\": 1,\n\"holdCycles\": 0, \"words\": []}",
-         "Line 2: \"holdCycles\" is a whole number"},
+         "Line 2, holdCycles: 0 is not between 1 and 10000."},
         {"{\"format\": \"codewheel-sequence\", \"version\": 1, \"words\": \"0\"}",
-         "Line 1: \"words\" is a list"},
+         "Line 1, words: A list [ ] is expected"},
+        {"{\"format\": \"codewheel-sequence\", \"version\": 1}", "Line 1, words: This key is missing."},
         {"{\"format\": \"codewheel-sequence\", \"version\": 1, \"words\": [],\n\"speed\": 1}",
-         "Line 2: The key \"speed\" is not known"},
+         "Line 2, speed: This key is not known."},
         {"{\"format\": \"codewheel-sequence\",\n\"version\": 1,\n\"words\": [\"0\"\n\"1\"]}",
          "Line 4: This is not valid JSON"},
-        {"{\"a\":[[[[[[[[[[[[1]]]]]]]]]]]]}", "Line 1: The file is nested too deeply."},
+        {"{\"a\":[[[[[[[[[[[[[[[[[[1]]]]]]]]]]]]]]]]]]}", "Line 1: The file is nested too deeply."},
     };
     for (const BadFile &row : rows) {
         const auto read = sequenceFromJson(row.json);

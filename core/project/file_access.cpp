@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "project/file_access.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace codewheel {
+namespace {
+
+constexpr qint64 megabyte = 1'000'000;
+
+QString asSentence(const QString &reason)
+{
+    return reason.endsWith(u'.') ? reason : reason + u'.';
+}
+
+tl::unexpected<Refusal> notReadable(const QString &path, const QString &reason)
+{
+    return refuse(RefusalKind::badInput, RefusalId::fileNotReadable, {path, asSentence(reason)});
+}
+
+tl::unexpected<Refusal> notWritten(const QString &path, const QString &reason)
+{
+    return refuse(RefusalKind::badInput, RefusalId::fileNotWritten, {path, asSentence(reason)});
+}
+
+QString systemReason()
+{
+    return qt_error_string(errno);
+}
+
+// A second name for what stands at `from`; where the file system knows none, a copy.
+bool linkOrCopy(const QString &from, const QString &to)
+{
+    return ::link(QFile::encodeName(from).constData(), QFile::encodeName(to).constData()) == 0 ||
+           QFile::copy(from, to);
+}
+
+bool rename(const QString &from, const QString &to)
+{
+    return std::rename(QFile::encodeName(from).constData(), QFile::encodeName(to).constData()) == 0;
+}
+
+// The old file stays under its name, and has another one beside it.
+bool keepBackup(const QString &path)
+{
+    const QString name = QStringLiteral("%1.%2~").arg(path).arg(::getpid());
+    QFile::remove(name); // of a program that was killed here
+    if (!linkOrCopy(path, name))
+        return false;
+    if (rename(name, backupPath(path)))
+        return true;
+    QFile::remove(name);
+    return false;
+}
+
+// That the new name is on the disk too. Some file systems cannot tell.
+void syncFolder(const QString &path)
+{
+    const int folder = ::open(QFile::encodeName(QFileInfo(path).absolutePath()).constData(),
+                              O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder < 0)
+        return;
+    ::fsync(folder);
+    ::close(folder);
+}
+
+} // namespace
+
+QString backupPath(const QString &path)
+{
+    return path + u'~';
+}
+
+tl::unexpected<Refusal> refuseTooLarge(const QString &path, qint64 size, qint64 largest)
+{
+    return refuse(RefusalKind::badInput, RefusalId::fileTooLarge,
+                  {path, std::int64_t{(size + megabyte - 1) / megabyte}, std::int64_t{largest / megabyte}});
+}
+
+Result<QByteArray> readWholeFile(const QString &path, qint64 largest)
+{
+    const QFileInfo info(path);
+    if (!info.exists())
+        return notReadable(path, qt_error_string(ENOENT));
+    if (!info.isFile()) // a pipe would never end
+        return notReadable(path, QCoreApplication::translate("codewheel::FileAccess", "It is no file."));
+    if (info.size() > largest)
+        return refuseTooLarge(path, info.size(), largest);
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return notReadable(path, file.errorString());
+    QByteArray bytes = file.read(largest + 1); // it may have grown
+    if (file.error() != QFileDevice::NoError)
+        return notReadable(path, file.errorString());
+    if (bytes.size() > largest)
+        return refuseTooLarge(path, bytes.size(), largest);
+    return bytes;
+}
+
+Result<void> replaceFile(const QString &path, const QByteArray &bytes, OldFile old)
+{
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.flush())
+        return notWritten(path, file.errorString());
+    if (::fsync(file.handle()) != 0) // QSaveFile would pass over what goes wrong here
+        return notWritten(path, systemReason());
+    if (old == OldFile::isKeptAsBackup && QFileInfo::exists(path) && !keepBackup(path))
+        return notWritten(backupPath(path), systemReason());
+    if (!file.commit())
+        return notWritten(path, file.errorString());
+    syncFolder(path);
+    return {};
+}
+
+} // namespace codewheel

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/refusal.h"
+
+#include <QByteArray>
+
+namespace codewheel {
+
+// All of a file of at most `largest` bytes: fileNotReadable, fileTooLarge. What is no file is not opened.
+Result<QByteArray> readWholeFile(const QString &path, qint64 largest);
+
+tl::unexpected<Refusal> refuseTooLarge(const QString &path, qint64 size, qint64 largest);
+
+// What becomes of the file that is replaced.
+enum class OldFile { goes, isKeptAsBackup };
+
+// Writes a file beside `path` to the disk and puts it in place of `path` in one step: fileNotWritten, with
+// `path` as it was.
+Result<void> replaceFile(const QString &path, const QByteArray &bytes, OldFile old);
+
+QString backupPath(const QString &path); // NAME~
+
+} // namespace codewheel

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/json_object.h"
+#include "project/project.h"
+
+namespace codewheel::project_keys {
+
+// The names a project file gives to values, in both directions.
+inline constexpr char formatName[] = "codewheel-project";
+
+inline constexpr NamedValue<Evidence> evidences[] = {
+    {"read", Evidence::read},
+    {"echoed", Evidence::echoed},
+    {"told", Evidence::told},
+};
+inline constexpr NamedValue<AddressRules::Unit> units[] = {
+    {"byte", AddressRules::Unit::byte},
+    {"word", AddressRules::Unit::word},
+};
+
+template <typename Enum, std::size_t size>
+const char *nameOf(const NamedValue<Enum> (&names)[size], Enum value)
+{
+    for (const NamedValue<Enum> &name : names)
+        if (name.value == value)
+            return name.name;
+    return names[0].name;
+}
+
+} // namespace codewheel::project_keys

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/json_object.h"
+#include "project/project.h"
+
+namespace codewheel {
+
+// The rules of a project file of the newest version, part by part. One object a file; what is wrong is
+// reported to the JsonObject's keeper, and reading goes on with harmless values.
+class ProjectReader
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::ProjectReader)
+
+public:
+    static Project read(const Json::Value &root, FaultKeeper &faults);
+
+private:
+    static ProjectLink readLink(const JsonObject &json);
+    static AddressRules readAddresses(const JsonObject &json);
+    ProjectDevice readDevice(const JsonObject &json);
+    Participant readParticipant(const JsonObject &json);
+    DeviceNumber readPlace(const JsonObject &json);
+    static DeviceLabel readLabel(const JsonObject &json);
+    static ParameterValues readWanted(const JsonObject &json);
+    static std::vector<StoredValue> readStored(const JsonObject &json);
+    static std::vector<CamProgram> readWantedCams(const JsonObject &json);
+    static std::vector<StoredCams> readStoredCams(const JsonObject &json);
+    static QDateTime readTime(const JsonObject &json);
+
+    DeviceNumber m_lastPlace;
+};
+
+} // namespace codewheel

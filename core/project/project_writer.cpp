@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// docs/project-files.md
+#include "cams/cam_program_json.h"
+#include "catalog/hex_code.h"
+#include "catalog/json_writer.h"
+#include "project/project_json.h"
+#include "project/project_keys.h"
+#include "project/word_list_json.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+using namespace project_keys;
+
+template <typename Rows, typename Key>
+Rows sorted(Rows rows, Key key)
+{
+    std::ranges::stable_sort(rows, {}, key);
+    return rows;
+}
+
+class ProjectWriter
+{
+public:
+    QByteArray write(const Project &project);
+
+private:
+    void writeText(const char *key, const QString &text);
+    void writeNumber(const char *key, std::optional<std::int64_t> number);
+    void writeLink(const ProjectLink &link);
+    void writeAddresses(const AddressRules &rules);
+    void writeDevice(const ProjectDevice &device);
+    void writeParticipant(const Participant &participant);
+    void writeLabel(const DeviceLabel &label);
+    void writeValues(const ProjectDevice &device);
+    void writeCams(const ProjectDevice &device);
+    void writeEvidence(Evidence evidence, const QDateTime &at);
+
+    JsonWriter m_json;
+};
+
+QByteArray ProjectWriter::write(const Project &project)
+{
+    m_json.member("format", formatName);
+    m_json.member("version", projectMigrations().size() + 1);
+    writeText("title", project.title);
+    writeText("note", project.note);
+    writeLink(project.link);
+    writeAddresses(project.addresses);
+    m_json.member("cableKilometres", project.cableKilometres);
+    m_json.list("devices", project.devices, [&](const ProjectDevice &device) { writeDevice(device); });
+    m_json.list("sequences", project.sequences, [&](const ProjectSequence &sequence) {
+        writeText("name", sequence.name);
+        writeWordList(m_json, sequence.list);
+    });
+    return m_json.finish();
+}
+
+// What is not there takes no line.
+void ProjectWriter::writeText(const char *key, const QString &text)
+{
+    if (!text.isEmpty())
+        m_json.member(key, text);
+}
+
+void ProjectWriter::writeNumber(const char *key, std::optional<std::int64_t> number)
+{
+    if (number)
+        m_json.member(key, *number);
+}
+
+void ProjectWriter::writeLink(const ProjectLink &link)
+{
+    m_json.object("link", [&] {
+        m_json.member("kind", link.kind);
+        if (!link.settings.empty())
+            m_json.object("settings", [&] {
+                for (const auto &[key, text] : link.settings)
+                    m_json.member(key, text);
+            });
+    });
+}
+
+void ProjectWriter::writeAddresses(const AddressRules &rules)
+{
+    m_json.object("addresses", [&] {
+        m_json.member("unit", nameOf(units, rules.unit));
+        m_json.member("first", rules.first);
+        m_json.flag("step5", rules.step5);
+    });
+}
+
+void ProjectWriter::writeDevice(const ProjectDevice &device)
+{
+    writeParticipant(device.participant);
+    writeText("station", device.station);
+    writeText("group", device.group);
+    writeText("note", device.note);
+    writeLabel(device.label);
+    writeNumber("inAddress", device.inAddress);
+    writeNumber("outAddress", device.outAddress);
+    writeValues(device);
+    writeCams(device);
+}
+
+void ProjectWriter::writeParticipant(const Participant &participant)
+{
+    m_json.member("place", participant.number.toString());
+    m_json.member("level", participant.level);
+    m_json.member("deviceCode", hexCode(participant.deviceCode, 4));
+    m_json.member("inWords", participant.inWords);
+    m_json.member("outWords", participant.outWords);
+    writeText("device", participant.deviceKey);
+}
+
+void ProjectWriter::writeLabel(const DeviceLabel &label)
+{
+    if (label == DeviceLabel())
+        return;
+    m_json.object("label", [&] {
+        if (label.turns != 0)
+            m_json.member("turns", label.turns);
+        if (label.stepsPerTurn != 0)
+            m_json.member("stepsPerTurn", label.stepsPerTurn);
+        writeText("serialNumber", label.serialNumber);
+    });
+}
+
+void ProjectWriter::writeValues(const ProjectDevice &device)
+{
+    if (!device.wanted.empty())
+        m_json.lines("wanted", sorted(device.wanted, &ParameterValue::parameter),
+                     [&](const ParameterValue &value) {
+                         m_json.member("parameter", parameterKey(value.parameter));
+                         m_json.member("value", value.value);
+                     });
+    if (!device.stored.empty())
+        m_json.lines("stored", sorted(device.stored, &StoredValue::parameter), [&](const StoredValue &value) {
+            m_json.member("parameter", parameterKey(value.parameter));
+            m_json.member("value", value.value);
+            writeEvidence(value.evidence, value.at);
+        });
+}
+
+void ProjectWriter::writeCams(const ProjectDevice &device)
+{
+    if (!device.wantedCams.empty())
+        m_json.list("wantedCams", sorted(device.wantedCams, &CamProgram::number),
+                    [&](const CamProgram &program) { writeCamProgram(m_json, program); });
+    if (!device.storedCams.empty())
+        m_json.list("storedCams",
+                    sorted(device.storedCams, [](const StoredCams &cams) { return cams.program.number; }),
+                    [&](const StoredCams &cams) {
+                        writeEvidence(cams.evidence, cams.at);
+                        writeCamProgram(m_json, cams.program);
+                    });
+}
+
+void ProjectWriter::writeEvidence(Evidence evidence, const QDateTime &at)
+{
+    m_json.member("evidence", nameOf(evidences, evidence));
+    if (at.isValid())
+        m_json.member("at", at.toUTC().toString(Qt::ISODateWithMs));
+}
+
+} // namespace
+
+QByteArray projectToJson(const Project &project)
+{
+    return ProjectWriter().write(project);
+}
+
+} // namespace codewheel

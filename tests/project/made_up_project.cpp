@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/project/made_up_project.h"
+
+#include "cams/check_cams.h"
+#include "project/process_addresses.h"
+#include "ring/numbering.h"
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+class Maker
+{
+public:
+    explicit Maker(std::mt19937 &random)
+        : m_random(random)
+    {}
+
+    Project project(std::size_t devices);
+
+private:
+    std::int64_t below(std::int64_t limit)
+    {
+        return std::uniform_int_distribution<std::int64_t>(0, limit - 1)(m_random);
+    }
+    bool maybe() { return below(2) == 1; }
+    QString text();
+    Evidence evidence() { return static_cast<Evidence>(below(3)); }
+    QDateTime time();
+    std::optional<int> address();
+    CamProgram cams(unsigned number);
+    ProjectDevice device(DeviceNumber before);
+    void addValues(ProjectDevice &device);
+    void addCams(ProjectDevice &device);
+
+    std::mt19937 &m_random;
+};
+
+QString Maker::text()
+{
+    const std::array texts{QString(),
+                           QStringLiteral("Crane 1, hoist"),
+                           QStringLiteral("Geber \"Hubwerk\" \\ 2"),
+                           QStringLiteral("two\nlines\twith\ra tab"),
+                           QStringLiteral("  spaces  "),
+                           QStringLiteral("Ä\u2028€\U0001D11E"),
+                           QString(u'\u0001') + QChar(u'\0') + u'\u007F'};
+    return texts[static_cast<std::size_t>(below(std::ssize(texts)))];
+}
+
+QDateTime Maker::time()
+{
+    return maybe() ? QDateTime::fromMSecsSinceEpoch(below(4'000'000'000'000), Qt::UTC) : QDateTime();
+}
+
+std::optional<int> Maker::address()
+{
+    return below(4) == 0 ? std::optional(static_cast<int>(below(largestAddress + 1))) : std::nullopt;
+}
+
+CamProgram Maker::cams(unsigned number)
+{
+    CamProgram program{.number = number, .cam = {}, .shift = static_cast<unsigned>(below(26))};
+    for (Cam &cam : program.cam)
+        cam = {below(largestCamPosition + 1), below(largestCamPosition + 1), maybe()};
+    return program;
+}
+
+ProjectDevice Maker::device(DeviceNumber before)
+{
+    const unsigned codes[] = {0x0237, 0x0236, 0x0136, 0x0233, 0x000C, 0x81BE};
+    ProjectDevice device;
+    Participant &participant = device.participant;
+    participant.number = nextNumber(before, before.segment > 0 && below(4) == 0);
+    participant.level = static_cast<int>(below(16));
+    participant.deviceCode = codes[static_cast<std::size_t>(below(std::ssize(codes)))];
+    participant.idCode = participant.deviceCode & 0xFF;
+    participant.inWords = static_cast<int>(below(3));
+    participant.outWords = static_cast<int>(below(3));
+    participant.deviceKey = maybe() ? QStringLiteral("fraba-ocd-ib") : QString();
+    device.station = text();
+    device.group = text();
+    device.note = text();
+    device.label = {maybe() ? 4096 : 0, maybe() ? 8192 : 0, text()};
+    device.inAddress = address();
+    device.outAddress = address();
+    addValues(device);
+    addCams(device);
+    return device;
+}
+
+void Maker::addValues(ProjectDevice &device)
+{
+    for (const Parameter parameter : allParameters()) {
+        if (below(6) == 0)
+            device.wanted.push_back({parameter, below(1 << 25)});
+        if (below(6) == 0)
+            device.stored.push_back({parameter, -below(1 << 25), evidence(), time()});
+    }
+}
+
+void Maker::addCams(ProjectDevice &device)
+{
+    for (unsigned number = 1; number <= CamProgram::programs; ++number) {
+        if (below(16) == 0)
+            device.wantedCams.push_back(cams(number));
+        if (below(16) == 0)
+            device.storedCams.push_back({cams(number), evidence(), time()});
+    }
+}
+
+Project Maker::project(std::size_t devices)
+{
+    Project project;
+    project.title = text();
+    project.note = text();
+    project.link.kind = maybe() ? QStringLiteral("training") : QStringLiteral("modbus-tcp");
+    for (std::int64_t n = below(3); n > 0; --n)
+        project.link.settings[text()] = text();
+    project.addresses = {maybe() ? AddressRules::Unit::byte : AddressRules::Unit::word,
+                         static_cast<int>(below(512)), maybe()};
+    project.cableKilometres = static_cast<double>(below(12'800)) / 1000;
+    DeviceNumber before;
+    for (std::size_t n = 0; n < devices; ++n) {
+        project.devices.push_back(device(before));
+        before = project.devices.back().participant.number;
+    }
+    for (std::int64_t n = below(4); n > 0; --n) {
+        WordList list{.words = {}, .holdCycles = static_cast<int>(1 + below(WordList::longestHold))};
+        for (std::int64_t word = below(20); word > 0; --word)
+            list.words.push_back(static_cast<Word>(m_random()));
+        project.sequences.push_back({text(), list});
+    }
+    return project;
+}
+
+} // namespace
+
+Project madeUpProject(std::mt19937 &random, std::size_t devices)
+{
+    return Maker(random).project(devices);
+}
+
+} // namespace codewheel

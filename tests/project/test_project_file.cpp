@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/refusal_text.h"
+#include "project/file_access.h"
+#include "project/project_file.h"
+#include "project/project_json.h"
+#include "tests/project/made_up_project.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+namespace codewheel {
+namespace {
+
+class ProjectFile : public testing::Test
+{
+protected:
+    QString path(const char *name = "crane.codewheel") const
+    {
+        return m_folder.filePath(QString::fromLatin1(name));
+    }
+    static void write(const QString &path, const QByteArray &bytes)
+    {
+        QFile file(path);
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+    }
+    static QByteArray bytesOf(const QString &path)
+    {
+        QFile file(path);
+        EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
+        return file.readAll();
+    }
+    QStringList files() const { return QDir(m_folder.path()).entryList(QDir::Files | QDir::Hidden); }
+
+    const Project m_old = madeUpProject(1, 5);
+    const Project m_new = madeUpProject(2, 5);
+
+private:
+    QTemporaryDir m_folder;
+};
+
+TEST_F(ProjectFile, WhatIsSavedIsLoaded)
+{
+    ASSERT_TRUE(saveProject(m_old, path()));
+    EXPECT_EQ(loadProject(path()), m_old);
+    EXPECT_EQ(files(), QStringList{QStringLiteral("crane.codewheel")});
+}
+
+TEST_F(ProjectFile, TheOneBeforeIsKept)
+{
+    ASSERT_TRUE(saveProject(m_old, path()));
+    ASSERT_TRUE(saveProject(m_new, path()));
+    EXPECT_EQ(loadProject(path()), m_new);
+    EXPECT_EQ(loadProject(backupPath(path())), m_old);
+    EXPECT_EQ(files(), (QStringList{QStringLiteral("crane.codewheel"), QStringLiteral("crane.codewheel~")}));
+}
+
+TEST_F(ProjectFile, SavingTheSameAgainKeepsTheOneBefore)
+{
+    ASSERT_TRUE(saveProject(m_old, path()));
+    ASSERT_TRUE(saveProject(m_new, path()));
+    ASSERT_TRUE(saveProject(m_new, path()));
+    EXPECT_EQ(loadProject(backupPath(path())), m_old);
+}
+
+TEST_F(ProjectFile, ABrokenFileDoesNotPushOutTheLastGoodOne)
+{
+    ASSERT_TRUE(saveProject(m_old, path()));
+    ASSERT_TRUE(saveProject(m_new, path()));
+    write(path(), "broken");
+    ASSERT_TRUE(saveProject(m_new, path()));
+    EXPECT_EQ(loadProject(path()), m_new);
+    EXPECT_EQ(loadProject(backupPath(path())), m_old);
+}
+
+TEST_F(ProjectFile, WhateverWasThereIsKeptIfNothingElseIs)
+{
+    write(path(), "a letter");
+    ASSERT_TRUE(saveProject(m_new, path()));
+    EXPECT_EQ(bytesOf(backupPath(path())), "a letter");
+}
+
+TEST_F(ProjectFile, ALinkIsFollowed)
+{
+    ASSERT_TRUE(saveProject(m_old, path()));
+    const QString link = path("link.codewheel");
+    ASSERT_TRUE(QFile::link(path(), link));
+    ASSERT_TRUE(saveProject(m_new, link));
+    EXPECT_TRUE(QFileInfo(link).isSymLink());
+    EXPECT_EQ(loadProject(path()), m_new);
+    EXPECT_EQ(loadProject(backupPath(path())), m_old);
+}
+
+TEST_F(ProjectFile, RightsOfTheFileStay)
+{
+    ASSERT_TRUE(saveProject(m_old, path()));
+    ASSERT_TRUE(QFile::setPermissions(path(), QFile::ReadOwner | QFile::WriteOwner));
+    ASSERT_TRUE(saveProject(m_new, path()));
+    EXPECT_EQ(QFileInfo(path()).permission(QFile::ReadGroup | QFile::ReadOther), false);
+}
+
+TEST_F(ProjectFile, CannotBeWrittenWhereThereIsNoFolder)
+{
+    const auto saved = saveProject(m_old, path("missing/crane.codewheel"));
+    ASSERT_FALSE(saved);
+    EXPECT_EQ(saved.error().id, RefusalId::fileNotWritten);
+    EXPECT_TRUE(refusalText(saved.error()).contains(QStringLiteral("cannot be written: No such file")))
+        << refusalText(saved.error()).toStdString();
+}
+
+TEST_F(ProjectFile, WithoutABackupIsNotReplaced)
+{
+    ASSERT_TRUE(saveProject(m_old, path()));
+    ASSERT_TRUE(QDir().mkpath(backupPath(path()) + QStringLiteral("/full")));
+    const auto saved = saveProject(m_new, path());
+    ASSERT_FALSE(saved);
+    EXPECT_EQ(saved.error().id, RefusalId::fileNotWritten);
+    EXPECT_EQ(loadProject(path()), m_old);
+    EXPECT_EQ(files(), QStringList{QStringLiteral("crane.codewheel")});
+}
+
+TEST_F(ProjectFile, WhatCouldNotBeOpenedAgainIsNotSaved)
+{
+    ASSERT_TRUE(saveProject(m_old, path()));
+    Project broken = m_new;
+    broken.devices[2].participant.number = {9, 9};
+    const auto saved = saveProject(broken, path());
+    ASSERT_FALSE(saved);
+    EXPECT_EQ(saved.error().id, RefusalId::projectFileBroken);
+    Project large = m_new;
+    large.note = QString(largestProjectFile, u'x');
+    EXPECT_EQ(saveProject(large, path()).error().id, RefusalId::fileTooLarge);
+    EXPECT_EQ(loadProject(path()), m_old);
+}
+
+TEST_F(ProjectFile, AMissingFileGetsASentence)
+{
+    const auto loaded = loadProject(path());
+    ASSERT_FALSE(loaded);
+    EXPECT_EQ(loaded.error().id, RefusalId::fileNotReadable);
+    EXPECT_TRUE(refusalText(loaded.error())
+                    .endsWith(QStringLiteral("crane.codewheel cannot be read: No such file or directory.")))
+        << refusalText(loaded.error()).toStdString();
+}
+
+TEST_F(ProjectFile, WhatIsNoFileIsNotRead)
+{
+    ASSERT_EQ(::mkfifo(path("pipe").toLocal8Bit().constData(), 0600), 0);
+    for (const QString &name : {path("pipe"), path("."), QStringLiteral("/dev/zero")}) {
+        const auto loaded = loadProject(name);
+        ASSERT_FALSE(loaded);
+        EXPECT_EQ(loaded.error().id, RefusalId::fileNotReadable) << name.toStdString();
+    }
+}
+
+TEST_F(ProjectFile, OfAGigabyteIsNotRead)
+{
+    QFile file(path());
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    ASSERT_TRUE(file.resize(qint64{1} << 30));
+    const auto loaded = loadProject(path());
+    ASSERT_FALSE(loaded);
+    EXPECT_EQ(loaded.error().id, RefusalId::fileTooLarge);
+    EXPECT_TRUE(refusalText(loaded.error()).contains(QStringLiteral("has 1,074 MB; the largest")) ||
+                refusalText(loaded.error()).contains(QStringLiteral("has 1074 MB; the largest")))
+        << refusalText(loaded.error()).toStdString();
+}
+
+} // namespace
+} // namespace codewheel

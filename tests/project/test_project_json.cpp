@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/refusal_text.h"
+#include "project/project_json.h"
+#include "ring/ring_rules.h"
+#include "tests/project/made_up_project.h"
+
+#include <QFile>
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <json/reader.h>
+#include <json/writer.h>
+
+namespace codewheel {
+namespace {
+
+const QString fileName = QStringLiteral("crane.codewheel");
+
+// The example of docs/project-files.md.
+QByteArray example()
+{
+    QFile page(QStringLiteral(CODEWHEEL_ROOT "/docs/project-files.md"));
+    EXPECT_TRUE(page.open(QIODevice::ReadOnly));
+    const QByteArray text = page.readAll();
+    const QByteArray begin = "```json\n";
+    const qsizetype from = text.indexOf(begin) + begin.size();
+    return text.mid(from, text.indexOf("```", from) - from);
+}
+
+TEST(ProjectJson, ReadsWhatThePageShows)
+{
+    const auto project = projectFromJson(example(), fileName);
+    ASSERT_TRUE(project) << refusalText(project.error()).toStdString();
+    EXPECT_EQ(project->title, QStringLiteral("Crane 1"));
+    EXPECT_EQ(project->cableKilometres, 0.4);
+    ASSERT_EQ(project->devices.size(), 3u);
+
+    ProjectDevice first;
+    first.participant = {{1, 0}, 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")};
+    first.station = QStringLiteral("Hoist");
+    first.group = QStringLiteral("Crane 1");
+    first.label = {4096, 8192, QStringLiteral("20417")};
+    first.inAddress = 128;
+    first.wanted = {{Parameter::steps, 8192}, {Parameter::revolutions, 16}};
+    first.stored = {{Parameter::steps, 8192, Evidence::read, QDateTime({2026, 3, 1}, QTime(14, 2), Qt::UTC)}};
+    CamProgram cams;
+    cams.cam[0] = {21, 531, true};
+    cams.cam[7] = {8000, 100, false};
+    first.wantedCams = {cams};
+    EXPECT_EQ(project->devices[0], first);
+    EXPECT_EQ(project->devices[2].participant.number, (DeviceNumber{2, 1}));
+    EXPECT_EQ(project->sequences,
+              (std::vector{ProjectSequence{QStringLiteral("Example of the manual"),
+                                           {.words = {0x020000FF, 0x80000000, 0}, .holdCycles = 3}}}));
+}
+
+TEST(ProjectJson, WritesWhatThePageShows)
+{
+    const auto project = projectFromJson(example(), fileName);
+    ASSERT_TRUE(project);
+    EXPECT_EQ(projectToJson(*project).toStdString(), example().toStdString());
+}
+
+TEST(ProjectJson, AnyProjectIsTheSameOnceSavedAndLoaded)
+{
+    std::mt19937 random(1);
+    for (int round = 0; round < 100; ++round) {
+        const Project project = madeUpProject(random, static_cast<std::size_t>(round) % 12);
+        const auto loaded = projectFromJson(projectToJson(project), fileName);
+        ASSERT_TRUE(loaded) << refusalText(loaded.error()).toStdString();
+        EXPECT_EQ(*loaded, project);
+    }
+}
+
+TEST(ProjectJson, TheOrderInWhichValuesCameToBeIsNotSeen)
+{
+    std::mt19937 random(2);
+    Project project = madeUpProject(random, 20);
+    const QByteArray json = projectToJson(project);
+    for (ProjectDevice &device : project.devices) {
+        std::ranges::shuffle(device.wanted, random);
+        std::ranges::shuffle(device.stored, random);
+        std::ranges::shuffle(device.wantedCams, random);
+        std::ranges::shuffle(device.storedCams, random);
+    }
+    EXPECT_EQ(projectToJson(project), json);
+}
+
+TEST(ProjectJson, AnEmptyProjectIsOne)
+{
+    const auto project =
+        projectFromJson(R"({"format": "codewheel-project", "version": 1, "devices": []})", fileName);
+    ASSERT_TRUE(project);
+    EXPECT_EQ(*project, Project());
+    EXPECT_EQ(projectFromJson(projectToJson(Project()), fileName), Project());
+}
+
+struct Breakage
+{
+    const char *from;
+    const char *to;
+    int line;
+    const char *key;
+    const char *reason; // a part of it
+};
+
+void PrintTo(const Breakage &breakage, std::ostream *out)
+{
+    *out << breakage.from << " -> " << breakage.to;
+}
+
+class BrokenProject : public testing::TestWithParam<Breakage>
+{};
+
+TEST_P(BrokenProject, IsRefusedWithLineKeyAndReason)
+{
+    QByteArray json = example();
+    const qsizetype at = json.indexOf(GetParam().from);
+    ASSERT_GE(at, 0) << GetParam().from;
+    json.replace(at, static_cast<qsizetype>(qstrlen(GetParam().from)), GetParam().to);
+    const auto project = projectFromJson(json, fileName);
+    ASSERT_FALSE(project);
+    const Refusal &refusal = project.error();
+    EXPECT_EQ(refusal.kind, RefusalKind::badInput);
+    EXPECT_EQ(refusal.id, RefusalId::projectFileBroken);
+    ASSERT_EQ(refusal.arguments.size(), 4u);
+    EXPECT_EQ(std::get<QString>(refusal.arguments[0]), fileName);
+    EXPECT_EQ(std::get<std::int64_t>(refusal.arguments[1]), GetParam().line);
+    EXPECT_EQ(std::get<QString>(refusal.arguments[2]).toStdString(), GetParam().key);
+    const QString &reason = std::get<QString>(refusal.arguments[3]);
+    EXPECT_TRUE(reason.contains(QLatin1String(GetParam().reason))) << reason.toStdString();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Rules, BrokenProject,
+    testing::Values(
+        Breakage{"\"version\": 1,", "\"version\": 1", 4, "", "not valid JSON"},
+        Breakage{"codewheel-project", "codewheel-cams", 2, "format", "This is no project"},
+        Breakage{"\"version\": 1,", "", 1, "version", "whole number from 1"},
+        Breakage{"\"version\": 1,", "\"version\": 0,", 3, "version", "whole number from 1"},
+        Breakage{"\"version\": 1,", "\"version\": 1.0,", 3, "version", "whole number from 1"},
+        Breakage{"\"version\": 1,", "\"version\": \"1\",", 3, "version", "whole number from 1"},
+        Breakage{"\"title\": \"Crane 1\"", "\"title\": 1", 4, "title", "text in quotation marks"},
+        Breakage{"\"title\"", "\"titel\"", 4, "titel", "not known"},
+        Breakage{"\"title\"", "\"link\"", 5, "link", "stands here twice"},
+        Breakage{"\"kind\": \"training\"", "", 5, "link.kind", "missing"},
+        Breakage{"\"kind\": \"training\"", "\"kind\": \"training\", \"settings\": {\"port\": 1}", 6,
+                 "link.settings", "object of texts"},
+        Breakage{"\"kind\": \"training\"", "\"kind\": \"training\", \"settings\": []", 6, "link.settings",
+                 "object of texts"},
+        Breakage{"\"unit\": \"byte\"", "\"unit\": \"bit\"", 9, "addresses.unit", "byte, word"},
+        Breakage{"\"first\": 0", "\"first\": 65536", 10, "addresses.first", "not between 0 and 65535"},
+        Breakage{"\"step5\": false", "\"step5\": 0", 11, "addresses.step5", "true or false"},
+        Breakage{"0.4", "-0.4", 13, "cableKilometres", "not between 0 and 1000"},
+        Breakage{"0.4", "\"0.4\"", 13, "cableKilometres", "number"},
+        Breakage{"\"place\": \"1.0\"", "\"place\": \"2.0\"", 16, "devices[0].place", "1.0 on the remote"},
+        Breakage{"\"place\": \"2.1\"", "\"place\": \"2.2\"", 62, "devices[2].place",
+                 "3.0 on the remote bus, or 2.1 on a local bus"},
+        Breakage{"\"place\": \"2.1\"", "\"place\": \"2.x\"", 62, "devices[2].place", "cannot stand here"},
+        Breakage{"\"place\": \"2.1\"", "\"place\": \"\"", 62, "devices[2].place", "text"},
+        Breakage{"\"place\": \"2.1\",", "", 61, "devices[2].place", "missing"},
+        Breakage{"\"level\": 0", "\"level\": 16", 17, "devices[0].level", "not between 0 and 15"},
+        Breakage{"\"level\": 0", "\"level\": 0.5", 17, "devices[0].level", "whole number"},
+        Breakage{"0237h", "0237", 18, "devices[0].deviceCode", "hexadecimal"},
+        Breakage{"0237h", "10237h", 18, "devices[0].deviceCode", "four digits"},
+        Breakage{"\"inWords\": 2", "\"inWords\": 257", 19, "devices[0].inWords", "not between 0 and 256"},
+        Breakage{"\"outWords\": 2,", "", 15, "devices[0].outWords", "missing"},
+        Breakage{"\"device\": \"fraba-ocd-ib\"", "\"device\": null", 21, "devices[0].device", "text"},
+        Breakage{"\"station\": \"Hoist\"", "\"station\": []", 22, "devices[0].station", "text"},
+        Breakage{"\"turns\": 4096", "\"turns\": -1", 25, "devices[0].label.turns", "not between"},
+        Breakage{"\"stepsPerTurn\": 8192", "\"stepsPerTurn\": 9999999999", 26,
+                 "devices[0].label.stepsPerTurn", "not between"},
+        Breakage{"\"20417\"", "20417", 27, "devices[0].label.serialNumber", "text"},
+        Breakage{"\"inAddress\": 128", "\"inAddress\": -1", 29, "devices[0].inAddress", "not between"},
+        Breakage{"\"revolutions\"", "\"turns\"", 32, "devices[0].wanted[1].parameter", "no parameter"},
+        Breakage{"\"revolutions\"", "\"steps\"", 32, "devices[0].wanted[1].parameter", "above already"},
+        Breakage{"\"value\": 16", "\"value\": 16.5", 32, "devices[0].wanted[1].value", "whole number"},
+        Breakage{"\"value\": 16", "\"value\": 9223372036854775808", 32, "devices[0].wanted[1].value",
+                 "whole number"},
+        Breakage{"\"read\"", "\"guessed\"", 35, "devices[0].stored[0].evidence", "read, echoed, told"},
+        Breakage{"14:02:00.000Z", "14:02:00Z", 35, "devices[0].stored[0].at", "A time such as"},
+        Breakage{"2026-03-01T", "2026-02-30T", 35, "devices[0].stored[0].at", "A time such as"},
+        Breakage{"\"2026-03-01T14:02:00.000Z\"", "\"\"", 35, "devices[0].stored[0].at", "A time such as"},
+        Breakage{"\"program\": 1", "\"program\": 9", 39, "devices[0].wantedCams[0].program",
+                 "not between 1 and 8"},
+        Breakage{"\"cam\": 7", "\"cam\": 0", 49, "devices[0].wantedCams[0].cams[7].cam", "above already"},
+        Breakage{"8000", "33554432", 49, "devices[0].wantedCams[0].cams[7].start", "not between"},
+        Breakage{"\"holdCycles\": 3", "\"holdCycles\": 0", 73, "sequences[0].holdCycles", "not between"},
+        Breakage{"\"020000FF\"", "\"020000FG\"", 75, "sequences[0].words[0]", "8 hexadecimal digits"},
+        Breakage{"\"words\"", "\"word\"", 74, "sequences[0].word", "not known"}));
+
+// Whatever key is taken away, or given a value of another kind: there is a sentence, or it may be left out.
+void breakEverywhere(Json::Value &part, const Json::Value &root, const std::vector<Json::Value> &others)
+{
+    if (!part.isObject() && !part.isArray()) {
+        const Json::Value before = part;
+        for (const Json::Value &other : others) {
+            part = other;
+            const auto project = projectFromJson(
+                QByteArray::fromStdString(Json::writeString(Json::StreamWriterBuilder(), root)), fileName);
+            EXPECT_TRUE(project || !refusalText(project.error()).isEmpty());
+        }
+        part = before;
+        return;
+    }
+    for (Json::Value &member : part)
+        breakEverywhere(member, root, others);
+}
+
+TEST(ProjectJson, EveryValueMayBeWrong)
+{
+    Json::Value root;
+    const std::string text = example().toStdString();
+    const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder().newCharReader());
+    ASSERT_TRUE(reader->parse(text.data(), text.data() + text.size(), &root, nullptr));
+    breakEverywhere(root, root,
+                    {Json::Value(), Json::Value(-1), Json::Value(1e300), Json::Value(true), Json::Value(""),
+                     Json::Value("x"), Json::Value(Json::arrayValue), Json::Value(Json::objectValue)});
+}
+
+TEST(ProjectJson, WhatIsNoProjectGetsASentence)
+{
+    const QByteArray json = example();
+    for (const QByteArray &nonsense :
+         {QByteArray(), QByteArray("\0\0\0\0", 4), QByteArray("PK\x03\x04"), QByteArray(100'000, '['),
+          QByteArray("[]"), QByteArray("null"),
+          QByteArray(R"({"format": "codewheel-project", "version": 1})"),
+          QByteArray(R"({"format": "codewheel-project", "version": 1, "devices": {}})"), json + "x",
+          json.chopped(3), QByteArray(json).replace(',', '\0')}) {
+        const auto project = projectFromJson(nonsense, fileName);
+        ASSERT_FALSE(project);
+        const QString text = refusalText(project.error());
+        EXPECT_TRUE(text.startsWith(QStringLiteral("crane.codewheel, line "))) << text.toStdString();
+        EXPECT_TRUE(text.endsWith(QStringLiteral("The project was not opened."))) << text.toStdString();
+        EXPECT_FALSE(text.contains(QStringLiteral(", :"))) << text.toStdString();
+    }
+}
+
+TEST(ProjectJson, CutShortAnywhereIsRefused)
+{
+    const QByteArray json = example().trimmed();
+    for (qsizetype length = 0; length < json.size(); ++length)
+        EXPECT_FALSE(projectFromJson(json.first(length), fileName)) << length;
+}
+
+TEST(ProjectJson, ANewerVersionIsRefusedWhateverItHolds)
+{
+    const auto project = projectFromJson(
+        R"({"format": "codewheel-project", "version": 2, "hyperspace": {"devices": 7}})", fileName);
+    ASSERT_FALSE(project);
+    EXPECT_EQ(refusalText(project.error()).toStdString(),
+              "crane.codewheel was saved by a newer Codewheel (version 2 of the file; this one reads up to "
+              "1). Open it with that one. Nothing was changed.");
+}
+
+// As a version 2 would have it whose titles were once called names, and a version 3 that took kilometres for
+// metres.
+const MigrationStep nameBecomesTitle = [](Json::Value &root) { root.removeMember("name", &root["title"]); };
+const MigrationStep metresBecomeKilometres = [](Json::Value &root) {
+    if (root.isMember("metres"))
+        root["cableKilometres"] = root["metres"].asDouble() / 1000;
+    root.removeMember("metres");
+};
+
+TEST(ProjectJson, AnOlderVersionIsMigratedStepByStep)
+{
+    const MigrationStep steps[] = {nameBecomesTitle, metresBecomeKilometres};
+    Project expected;
+    expected.title = QStringLiteral("Crane 1");
+    expected.cableKilometres = 1.5;
+    for (
+        const char *json :
+        {R"({"format": "codewheel-project", "version": 1, "name": "Crane 1", "metres": 1500, "devices": []})",
+         R"({"format": "codewheel-project", "version": 2, "title": "Crane 1", "metres": 1500, "devices": []})",
+         R"({"format": "codewheel-project", "version": 3, "title": "Crane 1", "cableKilometres": 1.5,
+              "devices": []})"}) {
+        const auto project = projectFromJson(json, fileName, steps);
+        ASSERT_TRUE(project) << refusalText(project.error()).toStdString();
+        EXPECT_EQ(*project, expected);
+    }
+    EXPECT_FALSE(
+        projectFromJson(R"({"format": "codewheel-project", "version": 4, "devices": []})", fileName, steps));
+}
+
+TEST(ProjectJson, AMigratedFileIsComplainedAboutAtItsOwnLines)
+{
+    const auto project =
+        projectFromJson("{\"format\": \"codewheel-project\", \"version\": 1, \"name\": \"Crane 1\",\n"
+                        "\"devices\": [],\n\"cableKilometres\": -1}",
+                        fileName, std::vector{nameBecomesTitle});
+    ASSERT_FALSE(project);
+    EXPECT_EQ(std::get<std::int64_t>(project.error().arguments[1]), 3);
+}
+
+TEST(ProjectJson, HoldsAsManyDevicesAsARingMayHave)
+{
+    Project project = madeUpProject(3, ring_limit::devices);
+    EXPECT_EQ(projectFromJson(projectToJson(project), fileName), project);
+    project = madeUpProject(3, ring_limit::devices + 1);
+    const auto loaded = projectFromJson(projectToJson(project), fileName);
+    ASSERT_FALSE(loaded);
+    EXPECT_TRUE(refusalText(loaded.error()).contains(QStringLiteral("513 entries; at most 512")));
+}
+
+} // namespace
+} // namespace codewheel
