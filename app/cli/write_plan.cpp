@@ -7,6 +7,7 @@
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "drivers/planned_words.h"
+#include "drivers/values_to_write.h"
 #include "encoder/hex.h"
 #include "encoder/sentence.h"
 
@@ -14,15 +15,6 @@
 
 namespace codewheel {
 namespace {
-
-std::vector<Known> allKnown(const EncoderSession &encoder)
-{
-    std::vector<Known> all;
-    for (const Parameter parameter : allParameters())
-        if (const auto known = encoder.known(parameter))
-            all.push_back(*known);
-    return all;
-}
 
 Word wordFor(Parameter parameter, const std::vector<Step> &steps)
 {

@@ -4,6 +4,7 @@
 #include "cams/check_cams.h"
 #include "catalog/device_description.h"
 #include "catalog/total_range.h"
+#include "drivers/values_to_write.h"
 #include "encoder/refusal_text.h"
 #include "widgets/cams/cam_board.h"
 #include "widgets/cams/cam_mode_bar.h"
@@ -15,7 +16,6 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/parameters/job_strip.h"
 #include "widgets/wizard/known_text.h"
-#include "widgets/wizard/values_to_write.h"
 
 #include <QScrollArea>
 #include <QStackedWidget>

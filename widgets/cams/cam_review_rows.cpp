@@ -4,8 +4,8 @@
 #include "cams/cam_states.h"
 #include "catalog/explain_word.h"
 #include "drivers/planned_words.h"
+#include "drivers/values_to_write.h"
 #include "widgets/cams/cam_texts.h"
-#include "widgets/wizard/values_to_write.h"
 
 #include <QCoreApplication>
 

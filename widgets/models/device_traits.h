@@ -2,8 +2,8 @@
 #pragma once
 
 #include "catalog/device_description.h"
+#include "drivers/values_to_write.h"
 #include "encoder/event.h"
-#include "words/la66_word.h"
 
 namespace codewheel {
 
@@ -19,12 +19,6 @@ inline bool isRod(const DeviceDescription &device)
 inline bool activatesByRun(const DeviceDescription &device)
 {
     return device.profile == Profile::k3;
-}
-
-// Whether the encoder takes a value with this step: it changes, and its EEPROM is written.
-inline bool takesValue(const Step &step)
-{
-    return step.kind == StepKind::parameter || (step.kind == StepKind::serviceBit && la66::isWrite(step.out));
 }
 
 // What brings an encoder back to operation that was left so.

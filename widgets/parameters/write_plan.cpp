@@ -3,8 +3,8 @@
 
 #include "catalog/device_description.h"
 #include "drivers/planned_words.h"
+#include "drivers/values_to_write.h"
 #include "widgets/models/device_traits.h"
-#include "widgets/wizard/values_to_write.h"
 
 namespace codewheel {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "drivers/values_to_write.h"
 #include "encoder/encoder_session.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/wizard/handshake_record.h"
-#include "widgets/wizard/values_to_write.h"
 
 #include <QPointer>
 

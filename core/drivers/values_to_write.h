@@ -27,6 +27,9 @@ Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std:
 // All that is known of an encoder.
 std::vector<Known> allKnown(const EncoderSession &encoder);
 
+// Whether the encoder takes a value with this step: it changes, and its EEPROM is written.
+bool takesValue(const Step &step);
+
 // EEPROM writes these steps will cost, at most: one per value, and the preset where it is stored.
 int eepromWritesOf(const std::vector<Step> &steps, const Capabilities &can);
 

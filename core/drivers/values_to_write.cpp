@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/wizard/values_to_write.h"
+#include "drivers/values_to_write.h"
 
 #include "catalog/device_description.h"
 #include "drivers/planned_words.h"
-#include "widgets/models/device_traits.h"
+#include "words/la66_word.h"
 
 #include <algorithm>
 
@@ -83,6 +83,11 @@ std::vector<Known> allKnown(const EncoderSession &encoder)
         if (const auto known = encoder.known(parameter))
             all.push_back(*known);
     return all;
+}
+
+bool takesValue(const Step &step)
+{
+    return step.kind == StepKind::parameter || (step.kind == StepKind::serviceBit && la66::isWrite(step.out));
 }
 
 int eepromWritesOf(const std::vector<Step> &steps, const Capabilities &can)
