@@ -18,13 +18,6 @@ bool mustBeRearmed(const EncoderSession &encoder, const WriteWish &wish)
     return !flag || flag->value == 0;
 }
 
-bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value)
-{
-    const auto known = encoder.known(value.parameter);
-    const bool isSure = known && (known->evidence != Evidence::told || !encoder.can().reads);
-    return isSure && known->value == value.value;
-}
-
 bool isRead(const EncoderSession &encoder, Parameter parameter)
 {
     const auto known = encoder.known(parameter);
@@ -32,6 +25,13 @@ bool isRead(const EncoderSession &encoder, Parameter parameter)
 }
 
 } // namespace
+
+bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value)
+{
+    const auto known = encoder.known(value.parameter);
+    const bool isSure = known && (known->evidence != Evidence::told || !encoder.can().reads);
+    return isSure && known->value == value.value;
+}
 
 WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
 {

@@ -14,6 +14,10 @@ struct WriteWish
     bool writeAll = false; // also what the encoder already has
 };
 
+// Whether the encoder is known to have the value, so that it need not be written. What is only told counts
+// where the encoder cannot be read.
+bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value);
+
 // The job for a wish: what is known and equal is left out, in the order of the description. Where the encoder
 // can be read and a value is not known from reading, the job reads it first and leaves it out if it is there
 // already. A used-up preset (FRABA) is programmed again, or it could not be initialised.

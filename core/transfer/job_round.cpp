@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transfer/job_round.h"
+
+#include "ring/bus_session.h"
+
+namespace codewheel {
+namespace {
+
+// Who stopped this one wants no other begun; without the link there is none.
+bool stopsAll(const Refusal &why)
+{
+    return why.kind == RefusalKind::stopped || why.id == RefusalId::linkFailed;
+}
+
+} // namespace
+
+JobRound::JobRound(BusSession &bus, QObject *parent)
+    : QObject(parent)
+    , m_bus(bus)
+{}
+
+void JobRound::start(std::vector<EncoderJobs> encoders, AfterRefusal afterRefusal)
+{
+    m_encoders = std::move(encoders);
+    m_afterRefusal = afterRefusal;
+    m_results.clear();
+    for (const EncoderJobs &one : m_encoders)
+        m_results.push_back({.place = one.place});
+    m_index = 0;
+    m_isRunning = true;
+    m_isCancelled = false;
+    beginEncoder();
+}
+
+void JobRound::cancel(OnCancel how)
+{
+    if (!m_isRunning)
+        return;
+    m_isCancelled = true;
+    if (m_encoder)
+        m_encoder->cancel(how);
+}
+
+RoundProgress JobRound::progress() const
+{
+    const std::size_t shown = std::min(m_index, m_encoders.empty() ? 0 : m_encoders.size() - 1);
+    return {.encoder = static_cast<int>(shown),
+            .encoders = static_cast<int>(m_encoders.size()),
+            .place = m_encoders.empty() ? DeviceNumber() : m_encoders[shown].place,
+            .step = m_jobProgress.index,
+            .steps = static_cast<int>(m_jobProgress.steps.size())};
+}
+
+QDateTime JobRound::now() const
+{
+    return m_bus.dateTime(m_bus.latest().at);
+}
+
+void JobRound::beginEncoder()
+{
+    if (m_index == m_encoders.size()) {
+        end();
+        return;
+    }
+    m_job = 0;
+    m_encoder = m_bus.encoder(m_encoders[m_index].place);
+    current().begun = now();
+    if (!m_encoder) {
+        endEncoder(Refusal{RefusalKind::link, RefusalId::notInRing, {m_encoders[m_index].place.toString()}});
+        return;
+    }
+    current().positionBefore = m_encoder->latest().position;
+    connect(m_encoder, &EncoderSession::finished, this, &JobRound::takeOutcome);
+    connect(m_encoder, &EncoderSession::progressed, this, [this](const Progress &progress) {
+        if (progress.job != m_id)
+            return;
+        m_jobProgress = progress;
+        Q_EMIT progressed();
+    });
+    connect(m_encoder, &QObject::destroyed, this, [this] {
+        endEncoder(Refusal{RefusalKind::link, RefusalId::notInRing, {m_encoders[m_index].place.toString()}});
+    });
+    beginJob();
+}
+
+void JobRound::beginJob()
+{
+    const std::vector<Job> &jobs = m_encoders[m_index].jobs;
+    if (m_job == jobs.size()) {
+        endEncoder(std::nullopt);
+        return;
+    }
+    m_jobProgress = {};
+    const auto started = m_encoder->start(jobs[m_job]);
+    if (!started) {
+        endEncoder(started.error());
+        return;
+    }
+    m_id = *started;
+    Q_EMIT progressed();
+}
+
+void JobRound::takeOutcome(const Outcome &outcome)
+{
+    if (outcome.job != m_id)
+        return;
+    m_id.reset();
+    current().outcomes.push_back(outcome);
+    if (!outcome.result)
+        endEncoder(outcome.result.error());
+    else if (m_isCancelled && m_job + 1 < m_encoders[m_index].jobs.size())
+        endEncoder(Refusal{RefusalKind::stopped, RefusalId::cancelled, {}}); // its job had ended meanwhile
+    else {
+        ++m_job;
+        beginJob();
+    }
+}
+
+void JobRound::endEncoder(std::optional<Refusal> why)
+{
+    EncoderResult &result = current();
+    m_id.reset();
+    if (m_encoder) {
+        m_encoder->disconnect(this);
+        result.leftIn = result.outcomes.empty() ? m_encoder->latest().state : result.outcomes.back().leftIn;
+        result.positionAfter = m_encoder->latest().position;
+    }
+    m_encoder = nullptr;
+    result.why = std::move(why);
+    result.ended = now();
+    ++m_index;
+    const bool stopsHere = result.why && (stopsAll(*result.why) || m_afterRefusal == AfterRefusal::stop);
+    if (m_isCancelled || stopsHere)
+        m_index = m_encoders.size();
+    beginEncoder();
+}
+
+void JobRound::end()
+{
+    m_isRunning = false;
+    Q_EMIT progressed();
+    Q_EMIT finished();
+}
+
+} // namespace codewheel

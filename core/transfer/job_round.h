@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+
+#include <QPointer>
+
+namespace codewheel {
+
+class BusSession;
+
+// The jobs of one encoder, one after the other.
+struct EncoderJobs
+{
+    DeviceNumber place;
+    std::vector<Job> jobs;
+};
+
+// How far the jobs of one encoder came.
+struct EncoderResult
+{
+    DeviceNumber place;
+    std::vector<Outcome> outcomes{}; // of the jobs that were taken
+    std::optional<Refusal> why{};    // why not all was done
+    EncoderState leftIn = EncoderState::notSeen;
+    std::optional<std::int64_t> positionBefore{}; // steps
+    std::optional<std::int64_t> positionAfter{};
+    QDateTime begun{}; // invalid: not begun
+    QDateTime ended{};
+
+    bool isBegun() const { return begun.isValid(); }
+};
+
+// Where a round stands.
+struct RoundProgress
+{
+    int encoder = 0; // from 0
+    int encoders = 0;
+    DeviceNumber place;
+    int step = 0; // of the running job, from 0
+    int steps = 0;
+};
+
+// Does the jobs of several encoders, one encoder after the other, and keeps what came of each. Transfers and
+// storing are made of it. Lives in the thread of the bus session, which must outlive it.
+class JobRound : public QObject
+{
+    Q_OBJECT
+
+public:
+    enum class AfterRefusal : std::uint8_t {
+        goOn, // with the next encoder
+        stop, // the rest is not begun
+    };
+
+    explicit JobRound(BusSession &bus, QObject *parent = nullptr);
+
+    // Ends with finished(), which may come before start() is back.
+    void start(std::vector<EncoderJobs> encoders, AfterRefusal afterRefusal);
+    // Cancels the running job; the rest is not begun.
+    void cancel(OnCancel how);
+
+    bool isRunning() const { return m_isRunning; }
+    // The encoder whose job is running; null between jobs.
+    EncoderSession *encoder() const { return m_encoder; }
+    // Of the running job: what the encoder has confirmed, and whether the values from before are known.
+    const Progress &jobProgress() const { return m_jobProgress; }
+    RoundProgress progress() const;
+    const std::vector<EncoderResult> &results() const { return m_results; }
+
+Q_SIGNALS:
+    void progressed();
+    void finished();
+
+private:
+    void beginEncoder();
+    void beginJob();
+    void takeOutcome(const Outcome &outcome);
+    void endEncoder(std::optional<Refusal> why);
+    void end();
+    EncoderResult &current() { return m_results[m_index]; }
+    QDateTime now() const;
+
+    BusSession &m_bus;
+    std::vector<EncoderJobs> m_encoders;
+    std::vector<EncoderResult> m_results; // one for each
+    AfterRefusal m_afterRefusal = AfterRefusal::goOn;
+    std::size_t m_index = 0;
+    std::size_t m_job = 0;
+    QPointer<EncoderSession> m_encoder;
+    std::optional<JobId> m_id;
+    Progress m_jobProgress;
+    bool m_isRunning = false;
+    bool m_isCancelled = false;
+};
+
+} // namespace codewheel

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transfer/transfer_account.h"
+
+#include "catalog/device_description.h"
+#include "ring/bus_session.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+// The jobs of one encoder, the later ones having the last word.
+Became becameOf(const TransferRow &row, const std::vector<Outcome> &outcomes)
+{
+    Became became = row.isThere ? Became::alreadyThere : Became::notDone;
+    for (const Outcome &outcome : outcomes) {
+        if (const auto written = valueOf(outcome.written, row.wanted.parameter)) {
+            if (*written == row.wanted.value)
+                became = Became::written;
+            else if (!outcome.result)
+                became = Became::restored;
+        } else if (valueOf(outcome.alreadyThere, row.wanted.parameter) == row.wanted.value) {
+            became = Became::alreadyThere;
+        }
+    }
+    return became;
+}
+
+// A job that was done has found, or written, all its programs.
+Became becameOf(const TransferCamRow &row, const std::vector<Outcome> &outcomes)
+{
+    if (row.isThere)
+        return Became::alreadyThere;
+    Became became = Became::notDone;
+    for (const Outcome &outcome : outcomes) {
+        if (std::ranges::find(outcome.camsWritten, row.wanted) != outcome.camsWritten.end())
+            became = Became::written;
+        else if (std::ranges::find(outcome.camsRead, row.wanted) != outcome.camsRead.end())
+            became = Became::alreadyThere;
+    }
+    return became;
+}
+
+bool setsPosition(const Job &job)
+{
+    return std::holds_alternative<SetPreset>(job);
+}
+
+bool wasPositionSet(const EncoderPlan &plan, const std::vector<Outcome> &outcomes)
+{
+    const auto job = std::ranges::find_if(plan.jobs, setsPosition);
+    const auto index = job - plan.jobs.begin();
+    return job != plan.jobs.end() && index < std::ssize(outcomes) &&
+           outcomes[static_cast<std::size_t>(index)].result.has_value();
+}
+
+void addResult(EncoderAccount &account, const EncoderResult &result)
+{
+    account.isBegun = !result.outcomes.empty();
+    account.why = result.why;
+    account.leftIn = result.leftIn;
+    account.positionBefore = result.positionBefore;
+    account.positionAfter = result.positionAfter;
+    account.begun = result.begun;
+    account.ended = result.ended;
+    for (const Outcome &outcome : result.outcomes) {
+        account.eepromWrites += outcome.eepromWrites;
+        account.onlyZeroSinceRun = account.onlyZeroSinceRun || outcome.onlyZeroSinceRun;
+    }
+}
+
+EncoderAccount accountOfEncoder(const BusSession &bus, const EncoderPlan &plan, const EncoderResult *result)
+{
+    const EncoderSession *encoder = bus.encoder(plan.place);
+    EncoderAccount account{.place = plan.place,
+                           .station = plan.station,
+                           .device = plan.device,
+                           .deviceKey = encoder ? encoder->device().key : QString(),
+                           .positionWanted = plan.position,
+                           .why = plan.hindrance};
+    if (result)
+        addResult(account, *result);
+    const std::vector<Outcome> outcomes = result ? result->outcomes : std::vector<Outcome>();
+    for (const TransferRow &row : plan.rows)
+        account.rows.push_back({.wanted = row.wanted,
+                                .before = row.known,
+                                .after = encoder ? encoder->known(row.wanted.parameter) : std::nullopt,
+                                .became = becameOf(row, outcomes)});
+    for (const TransferCamRow &row : plan.cams)
+        account.cams.push_back({row.wanted.number, becameOf(row, outcomes)});
+    account.positionSet = wasPositionSet(plan, outcomes);
+    return account;
+}
+
+bool isThere(Became became)
+{
+    return became == Became::written || became == Became::alreadyThere;
+}
+
+} // namespace
+
+bool EncoderAccount::isDone() const
+{
+    const auto done = [](const auto &row) { return isThere(row.became); };
+    return !why && std::ranges::all_of(rows, done) && std::ranges::all_of(cams, done) &&
+           (!positionWanted || positionSet);
+}
+
+int TransferAccount::count(Became became) const
+{
+    std::ptrdiff_t sum = 0;
+    for (const EncoderAccount &encoder : encoders)
+        sum += std::ranges::count(encoder.rows, became, &AccountRow::became) +
+               std::ranges::count(encoder.cams, became, &AccountCamRow::became);
+    return static_cast<int>(sum);
+}
+
+int TransferAccount::eepromWrites() const
+{
+    int sum = 0;
+    for (const EncoderAccount &encoder : encoders)
+        sum += encoder.eepromWrites;
+    return sum;
+}
+
+bool TransferAccount::isDone() const
+{
+    return std::ranges::all_of(encoders, &EncoderAccount::isDone);
+}
+
+TransferAccount accountOf(const BusSession &bus, TransferKind kind, const TransferPlan &plan,
+                          const std::vector<EncoderResult> &results)
+{
+    TransferAccount account{.kind = kind, .at = bus.dateTime(bus.latest().at)};
+    for (const EncoderPlan &one : plan) {
+        const auto result = std::ranges::find(results, one.place, &EncoderResult::place);
+        account.encoders.push_back(accountOfEncoder(bus, one, result == results.end() ? nullptr : &*result));
+    }
+    return account;
+}
+
+Message messageOf(const TransferAccount &account)
+{
+    const auto done = std::ranges::count_if(account.encoders, &EncoderAccount::isDone);
+    return {.severity = account.isDone() ? Severity::information : Severity::attention,
+            .id = MessageId::transferDone,
+            .arguments = {std::int64_t{done}, std::int64_t{account.count(Became::written)},
+                          std::int64_t{account.count(Became::alreadyThere)},
+                          std::int64_t{account.eepromWrites()}}};
+}
+
+std::vector<EncoderJobs> jobsOf(const TransferPlan &plan)
+{
+    std::vector<EncoderJobs> jobs;
+    for (const EncoderPlan &encoder : plan)
+        if (encoder.isWritten())
+            jobs.push_back({encoder.place, encoder.jobs});
+    return jobs;
+}
+
+} // namespace codewheel

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/message.h"
+#include "transfer/job_round.h"
+#include "transfer/transfer_plan.h"
+
+namespace codewheel {
+
+// What became of one wanted value.
+enum class Became : std::uint8_t {
+    written,      // and active
+    alreadyThere, // known, or found by reading first: not written
+    restored,     // written, and then the value from before again
+    notDone,
+};
+
+struct AccountRow
+{
+    ParameterValue wanted;
+    std::optional<Known> before{};
+    std::optional<Known> after{}; // of a written one, the evidence that it is there
+    Became became = Became::notDone;
+};
+
+struct AccountCamRow
+{
+    unsigned program = 1;
+    Became became = Became::notDone;
+};
+
+// What was done with one encoder.
+struct EncoderAccount
+{
+    DeviceNumber place;
+    QString station{};
+    QString device{};
+    QString deviceKey{};
+    std::vector<AccountRow> rows{};
+    std::vector<AccountCamRow> cams{};
+    std::optional<std::int64_t> positionWanted{};
+    bool positionSet = false;
+    std::optional<std::int64_t> positionBefore{};
+    std::optional<std::int64_t> positionAfter{};
+    bool isBegun = false;         // something was sent to it
+    std::optional<Refusal> why{}; // why not all was done
+    bool onlyZeroSinceRun = false;
+    EncoderState leftIn = EncoderState::notSeen;
+    int eepromWrites = 0;
+    QDateTime begun{};
+    QDateTime ended{};
+
+    // Whether the encoder has all that was wanted.
+    bool isDone() const;
+};
+
+enum class TransferKind : std::uint8_t { write, clone, restore, replace };
+
+// What was written where, exactly: made of a plan and of what came of its jobs.
+struct TransferAccount
+{
+    TransferKind kind = TransferKind::write;
+    QString source{}; // where the values are from, in the user's language; may be empty
+    QDateTime at{};
+    std::vector<EncoderAccount> encoders{};
+
+    int count(Became became) const; // values and cam programs
+    int eepromWrites() const;
+    bool isDone() const;
+};
+
+// `results` are those of the encoders of the plan that are written. What is known now is asked of the bus.
+TransferAccount accountOf(const BusSession &bus, TransferKind kind, const TransferPlan &plan,
+                          const std::vector<EncoderResult> &results);
+
+// "transferDone" for the message log.
+Message messageOf(const TransferAccount &account);
+
+// What a round has to do for a plan.
+std::vector<EncoderJobs> jobsOf(const TransferPlan &plan);
+
+} // namespace codewheel

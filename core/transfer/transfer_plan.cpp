@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transfer/transfer_plan.h"
+
+#include "catalog/catalog.h"
+#include "catalog/hex_code.h"
+#include "drivers/parameter_check.h"
+#include "drivers/planned_words.h"
+#include "drivers/values_to_write.h"
+#include "ring/bus_session.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace codewheel {
+namespace {
+
+// "FRABA OCD-IB K3", "device code 0237h"
+QString wantedName(const Catalog &catalog, const TransferWish &wish)
+{
+    const DeviceDescription *device =
+        wish.deviceKey.isEmpty() ? catalog.generic(wish.deviceCode) : catalog.find(wish.deviceKey);
+    return device ? device->fullName() : hexCode(wish.deviceCode, 4);
+}
+
+// What stands at the place: nothing, another device, or one that cannot be driven.
+std::optional<Refusal> hindranceOfPlace(const BusSession &bus, const TransferWish &wish)
+{
+    const RingStructure &ring = bus.structure();
+    const auto found = std::ranges::find(ring, wish.place, &Participant::number);
+    const QString place = wish.place.toString();
+    if (found == ring.end())
+        return Refusal{RefusalKind::link, RefusalId::notInRing, {place}};
+    const EncoderSession *encoder = bus.encoder(wish.place);
+    const DeviceDescription *device = encoder ? &encoder->device() : bus.catalog().find(found->deviceKey);
+    const QString name = participantName(*found, device);
+    const bool isOther = (wish.deviceCode != 0 && wish.deviceCode != found->deviceCode) ||
+                         (!wish.deviceKey.isEmpty() && device != nullptr && wish.deviceKey != device->key);
+    if (isOther)
+        return Refusal{
+            RefusalKind::link, RefusalId::ringDiffers, {place, wantedName(bus.catalog(), wish), name}};
+    if (!encoder || !encoder->can().writes)
+        return Refusal{RefusalKind::notSupported, RefusalId::writingNotSupported, {name}};
+    return std::nullopt;
+}
+
+// What the encoder, or the program, is doing.
+std::optional<Refusal> hindranceOfState(const BusSession &bus, const EncoderSession &encoder)
+{
+    const QString place = encoder.number().toString();
+    const Reading &reading = encoder.latest();
+    if (!bus.isOperating())
+        return Refusal{RefusalKind::busy, RefusalId::watchOnly, {place}};
+    if (!bus.isRunning())
+        return Refusal{RefusalKind::busy, RefusalId::notRunning, {place}};
+    if (encoder.runningJob())
+        return Refusal{RefusalKind::busy, RefusalId::jobRunning, {place}};
+    if (reading.state == EncoderState::parameterization)
+        return Refusal{RefusalKind::busy, RefusalId::inParameterization, {reading.in}};
+    return std::nullopt;
+}
+
+std::optional<Refusal> errorOf(const Result<void> &checked)
+{
+    return checked ? std::nullopt : std::optional(checked.error());
+}
+
+// The difference between a wish and an encoder, and the jobs that make an end of it.
+class EncoderComparison
+{
+public:
+    EncoderComparison(const EncoderSession &encoder, const TransferWish &wish, EncoderPlan &plan)
+        : m_encoder(encoder)
+        , m_device(encoder.device())
+        , m_wish(wish)
+        , m_plan(plan)
+    {}
+
+    void compare();
+    void plan();
+
+private:
+    void compareValue(const ParameterValue &value);
+    void compareCams(const CamProgram &program);
+    void addPositionMode();
+    void addValues(ParameterValues values);
+    void addCams();
+    void addPosition();
+    void takeSteps(const Job &job);
+    void setHindrance(const std::optional<Refusal> &hindrance);
+    ParameterValues valuesBefore() const;
+    SwitchMode modeAfterwards() const;
+
+    const EncoderSession &m_encoder;
+    const DeviceDescription &m_device;
+    const TransferWish &m_wish;
+    EncoderPlan &m_plan;
+};
+
+void EncoderComparison::setHindrance(const std::optional<Refusal> &hindrance)
+{
+    if (!m_plan.hindrance)
+        m_plan.hindrance = hindrance;
+}
+
+void EncoderComparison::compare()
+{
+    for (const ParameterDescription &parameter : m_device.parameters) // in the order they are written
+        if (const auto value = valueOf(m_wish.values, parameter.parameter))
+            compareValue({parameter.parameter, *value});
+    for (const ParameterValue &value : m_wish.values)
+        if (m_device.find(value.parameter) == nullptr)
+            compareValue(value);
+    if (!m_wish.cams.empty() && !m_encoder.can().cams)
+        setHindrance(Refusal{RefusalKind::notSupported, RefusalId::camsNotSupported, {m_device.fullName()}});
+    for (const CamProgram &program : m_wish.cams)
+        compareCams(program);
+    if (m_wish.position && !m_encoder.can().presets)
+        setHindrance(
+            Refusal{RefusalKind::notSupported, RefusalId::presetNotSupported, {m_device.fullName()}});
+}
+
+void EncoderComparison::compareValue(const ParameterValue &value)
+{
+    TransferRow row{.wanted = value, .known = m_encoder.known(value.parameter)};
+    row.hindrance = errorOf(checkValue(m_device, value));
+    row.isThere = !row.hindrance && isThereAlready(m_encoder, value);
+    setHindrance(row.hindrance);
+    m_plan.rows.push_back(std::move(row));
+}
+
+void EncoderComparison::compareCams(const CamProgram &program)
+{
+    const auto known = m_encoder.cams(program.number);
+    m_plan.cams.push_back({program, known, known && known->program == program});
+}
+
+void EncoderComparison::plan()
+{
+    addPositionMode();
+    ParameterValues values;
+    std::optional<ParameterValue> presetAtTheEnd;
+    for (const TransferRow &row : m_plan.rows) {
+        const bool isPreset = row.wanted.parameter == Parameter::preset;
+        if (m_wish.position && isPreset && row.wanted.value != *m_wish.position)
+            presetAtTheEnd = row.wanted; // setting the position takes the preset for itself
+        else if (!m_wish.position || !isPreset)
+            values.push_back(row.wanted);
+    }
+    addValues(values);
+    addCams();
+    addPosition();
+    if (presetAtTheEnd)
+        takeSteps(WriteParameters{.values = {*presetAtTheEnd}, .onlyWhatDiffers = true, .previous = {}});
+    m_plan.presetIsRearmed = m_wish.position && m_device.quirks.presetNeedsRearming;
+}
+
+void EncoderComparison::addPositionMode()
+{
+    const bool isElsewhere = m_device.quirks.hasModes && m_encoder.latest().mode != Mode::position;
+    if (m_wish.toPositionMode && isElsewhere)
+        takeSteps(SwitchMode{});
+    else if (m_encoder.latest().mode == Mode::cam && !m_plan.rows.empty())
+        setHindrance(Refusal{RefusalKind::notSupported,
+                             RefusalId::inCamMode,
+                             {m_plan.rows.front().word ? m_plan.rows.front().word : k3::initialisePreset}});
+    else if (m_wish.position && isElsewhere)
+        setHindrance(Refusal{RefusalKind::notSupported, RefusalId::modeNotKnown, {k3::initialisePreset}});
+}
+
+void EncoderComparison::addValues(ParameterValues values)
+{
+    WriteParameters job = jobForWish(m_encoder, {.wanted = std::move(values)});
+    if (job.values.empty())
+        return;
+    job.previous = valuesBefore();
+    m_plan.readsFirst = job.onlyWhatDiffers;
+    m_plan.stepsMayBeLess = m_device.quirks.mayCountStepsMinusOne && valueOf(job.values, Parameter::steps) &&
+                            !m_encoder.known(Parameter::multiTurnAndStepsMinusOne);
+    takeSteps(job);
+}
+
+// A program that is changed is stored when it is left (FRABA manual 5.4.4).
+void EncoderComparison::addCams()
+{
+    WriteCams job{.programs = {}, .afterwards = modeAfterwards()};
+    for (const TransferCamRow &row : m_plan.cams)
+        if (!row.isThere)
+            job.programs.push_back(row.wanted);
+    if (job.programs.empty())
+        return;
+    const int programs = static_cast<int>(job.programs.size());
+    takeSteps(job);
+    m_plan.eepromWrites += programs;
+}
+
+void EncoderComparison::addPosition()
+{
+    if (m_wish.position)
+        takeSteps(SetPreset{.value = *m_wish.position});
+}
+
+// The words are shown beside their values, and each value costs a write.
+void EncoderComparison::takeSteps(const Job &job)
+{
+    if (m_plan.hindrance)
+        return;
+    const auto steps = plannedSteps(m_device, allKnown(m_encoder), job);
+    if (!steps) {
+        setHindrance(steps.error());
+        return;
+    }
+    for (const Step &step : *steps)
+        for (TransferRow &row : m_plan.rows)
+            if (writesValue(step) && step.parameter == row.wanted.parameter && !row.isThere)
+                row.word = step.out;
+    m_plan.eepromWrites += eepromWritesOf(*steps, m_encoder.can());
+    m_plan.jobs.push_back(job);
+}
+
+ParameterValues EncoderComparison::valuesBefore() const
+{
+    ParameterValues values;
+    for (const Known &known : allKnown(m_encoder))
+        if (const ParameterDescription *parameter = m_device.find(known.parameter);
+            parameter != nullptr && parameter->number)
+            values.push_back({known.parameter, known.value});
+    return values;
+}
+
+// Back to where it was; position mode where nobody knows.
+SwitchMode EncoderComparison::modeAfterwards() const
+{
+    const Reading &reading = m_encoder.latest();
+    if (m_wish.toPositionMode || !reading.mode)
+        return {};
+    return {*reading.mode, reading.camProgram.value_or(0)};
+}
+
+EncoderPlan planFor(const BusSession &bus, const TransferWish &wish)
+{
+    EncoderPlan plan{.place = wish.place, .station = wish.station, .position = wish.position};
+    plan.hindrance = hindranceOfPlace(bus, wish);
+    const EncoderSession *encoder = bus.encoder(wish.place);
+    if (encoder == nullptr) {
+        for (const ParameterValue &value : wish.values)
+            plan.rows.push_back({.wanted = value});
+        return plan;
+    }
+    plan.device = encoder->device().fullName();
+    if (wish.hindrance)
+        plan.hindrance = wish.hindrance;
+    EncoderComparison comparison(*encoder, wish, plan);
+    comparison.compare();
+    if (!plan.hindrance)
+        comparison.plan();
+    if (!plan.hindrance)
+        plan.hindrance = hindranceOfState(bus, *encoder);
+    if (plan.hindrance) {
+        plan.jobs.clear();
+        plan.eepromWrites = 0;
+    }
+    return plan;
+}
+
+} // namespace
+
+TransferPlan planTransfer(const BusSession &bus, const std::vector<TransferWish> &wishes)
+{
+    TransferPlan plan;
+    for (const TransferWish &wish : wishes)
+        plan.push_back(planFor(bus, wish));
+    return plan;
+}
+
+int eepromWritesOf(const TransferPlan &plan)
+{
+    return std::accumulate(plan.begin(), plan.end(), 0,
+                           [](int sum, const EncoderPlan &one) { return sum + one.eepromWrites; });
+}
+
+} // namespace codewheel

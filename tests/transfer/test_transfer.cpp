@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/transfer/transfer_bus.h"
+
+namespace codewheel {
+namespace {
+
+using test::baumer;
+using test::fraba;
+using test::onLoop;
+using test::rod;
+
+using Transfer = test::TransferBus;
+
+// A position of the encoder, of 255 steps a turn.
+const ParameterValues setOf255 = {
+    {Parameter::steps, 255}, {Parameter::revolutions, 1}, {Parameter::direction, 4}, {Parameter::preset, 7}};
+
+TEST_F(Transfer, WritesOneEncoderAfterTheOtherAndTellsWhatBecameOfEachValue)
+{
+    const TransferPlan plan =
+        planTransfer(bus, {{.place = fraba, .values = setOf255},
+                           {.place = baumer, .values = {{Parameter::steps, 4096}, {Parameter::coding, 6}}}});
+    EXPECT_EQ(eepromWritesOf(plan), 6);
+    const TransferAccount account = carryOut(plan);
+
+    EXPECT_EQ(words(baumer), QStringLiteral("02001000 06000006 80000000"));
+    // Read first (2021000A: steps minus 1?), written in order, read back.
+    EXPECT_EQ(words(fraba), QStringLiteral("2021000A 20210001 20210002 20210003 20210004 "
+                                           "020000FF 06000004 08000007 80000000 "
+                                           "20210001 20210003 20210004"));
+    ASSERT_EQ(account.encoders.size(), 2u);
+    EXPECT_TRUE(account.isDone());
+    EXPECT_EQ(account.count(Became::written), 5);
+    EXPECT_EQ(account.count(Became::alreadyThere), 1); // FRABA: one revolution
+    EXPECT_EQ(account.eepromWrites(), 5);
+    EXPECT_EQ(account.encoders[0].rows[0].after->evidence, Evidence::read);
+    EXPECT_EQ(account.encoders[1].rows[0].after->evidence, Evidence::echoed);
+    EXPECT_EQ(account.encoders[1].leftIn, EncoderState::operation);
+    EXPECT_LT(account.encoders[0].ended, account.encoders[1].ended);
+    EXPECT_EQ(messageOf(account).arguments, (std::vector<RefusalArgument>{std::int64_t{2}, std::int64_t{5},
+                                                                          std::int64_t{1}, std::int64_t{5}}));
+}
+
+TEST_F(Transfer, NothingIsWrittenThatIsAlreadyThere)
+{
+    const std::vector<TransferWish> wishes = {
+        {.place = fraba, .values = setOf255},
+        {.place = baumer, .values = {{Parameter::steps, 4096}, {Parameter::coding, 6}}}};
+    carryOut(planTransfer(bus, wishes));
+    const QString sent = words(fraba) + words(baumer);
+
+    const TransferPlan again = planTransfer(bus, wishes);
+    EXPECT_EQ(eepromWritesOf(again), 0);
+    EXPECT_TRUE(jobsOf(again).empty());
+    const TransferAccount account = carryOut(again);
+    EXPECT_EQ(words(fraba) + words(baumer), sent);
+    EXPECT_TRUE(account.isDone());
+    EXPECT_EQ(account.count(Became::alreadyThere), 6);
+    EXPECT_FALSE(account.encoders[0].isBegun);
+}
+
+TEST_F(Transfer, WhatAnEncoderThatCanBeReadWasToldIsReadFirst)
+{
+    encoder(rod).tell(Parameter::measuringLength, 50'000); // as it is
+    const TransferPlan plan = planTransfer(
+        bus, {{.place = rod, .values = {{Parameter::measuringLength, 50'000}, {Parameter::direction, 1}}}});
+    EXPECT_TRUE(plan[0].readsFirst);
+    EXPECT_FALSE(plan[0].rows[0].isThere);
+    const TransferAccount account = carryOut(plan);
+    EXPECT_EQ(account.count(Became::alreadyThere), 1);
+    EXPECT_EQ(account.count(Became::written), 1);
+    EXPECT_EQ(account.eepromWrites(), 1);
+}
+
+TEST_F(Transfer, AnEncoderThatRefusesDoesNotKeepTheOthersFromTheirs)
+{
+    const ParameterValues tooMany = {{Parameter::steps, 8193}, {Parameter::revolutions, 1}};
+    const TransferPlan plan = planTransfer(
+        bus, {{.place = baumer, .values = tooMany}, {.place = onLoop, .values = {{Parameter::steps, 100}}}});
+    const TransferAccount account = carryOut(plan);
+    EXPECT_EQ(account.encoders[0].why->id, RefusalId::wrongParameterData);
+    EXPECT_EQ(account.encoders[0].leftIn, EncoderState::error);
+    EXPECT_EQ(account.encoders[0].rows[0].became, Became::notDone);
+    EXPECT_FALSE(account.encoders[0].isDone());
+    EXPECT_EQ(account.encoders[1].rows[0].became, Became::written);
+}
+
+TEST_F(Transfer, AfterARefusalTheRestIsNotBegunIfSoChosen)
+{
+    const TransferPlan plan = planTransfer(
+        bus, {{.place = baumer, .values = {{Parameter::steps, 8193}, {Parameter::revolutions, 1}}},
+              {.place = onLoop, .values = {{Parameter::steps, 100}}}});
+    const TransferAccount account = carryOut(plan, JobRound::AfterRefusal::stop);
+    EXPECT_TRUE(account.encoders[0].isBegun);
+    EXPECT_FALSE(account.encoders[1].isBegun);
+    EXPECT_EQ(account.encoders[1].rows[0].became, Became::notDone);
+    EXPECT_EQ(words(onLoop), QString());
+}
+
+TEST_F(Transfer, CancelInTheMiddleRestoresAndBeginsNoOther)
+{
+    encoder(baumer).tell(Parameter::steps, 8192);
+    encoder(baumer).tell(Parameter::coding, 3);
+    const TransferPlan plan =
+        planTransfer(bus, {{.place = baumer, .values = {{Parameter::steps, 4096}, {Parameter::coding, 6}}},
+                           {.place = onLoop, .values = {{Parameter::steps, 100}}}});
+    round.start(jobsOf(plan), JobRound::AfterRefusal::goOn);
+    for (int i = 0; i < 1000 && round.jobProgress().confirmed.empty(); ++i)
+        bus.advance(1);
+    ASSERT_TRUE(round.jobProgress().canRestore);
+    round.cancel(OnCancel::restorePrevious);
+    advance();
+    const TransferAccount account = accountOf(bus, TransferKind::write, plan, round.results());
+    EXPECT_EQ(words(baumer), QStringLiteral("02001000 06000006 80000000 02002000 80000000"));
+    EXPECT_EQ(account.encoders[0].why->id, RefusalId::cancelled);
+    EXPECT_EQ(account.encoders[0].rows[0].became, Became::restored);
+    EXPECT_EQ(account.encoders[0].rows[1].became, Became::notDone);
+    EXPECT_EQ(account.encoders[0].leftIn, EncoderState::operation);
+    EXPECT_FALSE(account.encoders[1].isBegun);
+    EXPECT_EQ(words(onLoop), QString());
+}
+
+TEST_F(Transfer, AnEncoderThatLosesPowerInTheMiddleIsNamedAndTheNextOneIsWritten)
+{
+    const TransferPlan plan =
+        planTransfer(bus, {{.place = baumer, .values = {{Parameter::steps, 4096}, {Parameter::coding, 6}}},
+                           {.place = onLoop, .values = {{Parameter::steps, 100}}}});
+    round.start(jobsOf(plan), JobRound::AfterRefusal::goOn);
+    for (int i = 0; i < 1000 && round.jobProgress().confirmed.empty(); ++i)
+        bus.advance(1);
+    training.controls->powerCycle(baumer);
+    advance();
+    const TransferAccount account = accountOf(bus, TransferKind::write, plan, round.results());
+    EXPECT_EQ(account.encoders[0].why->id, RefusalId::restarted);
+    EXPECT_EQ(account.encoders[0].rows[0].became, Became::notDone);
+    EXPECT_EQ(account.encoders[0].eepromWrites, 1); // it had confirmed one
+    EXPECT_EQ(account.encoders[1].rows[0].became, Became::written);
+}
+
+TEST_F(Transfer, AlarmStopEndsItAll)
+{
+    const TransferPlan plan = planTransfer(bus, {{.place = baumer, .values = {{Parameter::steps, 4096}}},
+                                                 {.place = onLoop, .values = {{Parameter::steps, 100}}}});
+    round.start(jobsOf(plan), JobRound::AfterRefusal::goOn);
+    bus.advance(3);
+    bus.alarmStop();
+    bus.advance(2);
+    EXPECT_FALSE(round.isRunning());
+    const TransferAccount account = accountOf(bus, TransferKind::write, plan, round.results());
+    EXPECT_EQ(account.encoders[0].why->id, RefusalId::alarmStop);
+    EXPECT_FALSE(account.encoders[1].isBegun);
+}
+
+TEST_F(Transfer, CamProgramsAreWrittenAndTheModeIsAsBefore)
+{
+    CamProgram program;
+    program.cam[3] = {0x15, 0x213, true};
+    const TransferPlan plan = planTransfer(bus, {{.place = fraba, .cams = {program}}});
+    EXPECT_EQ(plan[0].eepromWrites, 1);
+    const TransferAccount account = carryOut(plan);
+    EXPECT_EQ(account.encoders[0].cams[0].became, Became::written);
+    EXPECT_EQ(account.eepromWrites(), 1);
+    EXPECT_EQ(encoder(fraba).latest().mode, Mode::position);
+
+    const TransferPlan again = planTransfer(bus, {{.place = fraba, .cams = {program}}});
+    EXPECT_TRUE(again[0].cams[0].isThere);
+    EXPECT_TRUE(jobsOf(again).empty());
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/refusal_text.h"
+#include "tests/transfer/transfer_bus.h"
+
+namespace codewheel {
+namespace {
+
+using test::baumer;
+using test::fraba;
+using test::onLoop;
+using test::singleTurn;
+
+class TransferPlanning : public test::TransferBus
+{
+protected:
+    // Why nothing is written to the only encoder of the plan.
+    std::string hindrance(const TransferWish &wish)
+    {
+        const TransferPlan plan = planTransfer(bus, {wish});
+        EXPECT_TRUE(jobsOf(plan).empty() || !plan[0].hindrance);
+        return plan[0].hindrance ? refusalText(*plan[0].hindrance).toStdString() : std::string();
+    }
+};
+
+const ParameterValues steps100 = {{Parameter::steps, 100}};
+
+TEST_F(TransferPlanning, ShowsEachValueWithItsWordInTheOrderOfTheDevice)
+{
+    encoder(baumer).tell(Parameter::coding, 6);
+    const TransferPlan plan =
+        planTransfer(bus, {{.place = baumer, .values = {{Parameter::coding, 6}, {Parameter::steps, 4096}}}});
+    ASSERT_EQ(plan[0].rows.size(), 2u);
+    EXPECT_EQ(plan[0].device, QStringLiteral("Baumer GXP6W K3"));
+    EXPECT_EQ(plan[0].rows[0].wanted.parameter, Parameter::steps);
+    EXPECT_EQ(hexWord(plan[0].rows[0].word), QStringLiteral("02001000"));
+    EXPECT_FALSE(plan[0].rows[0].known);
+    EXPECT_TRUE(plan[0].rows[1].isThere); // nobody can ask it: what is told counts
+    EXPECT_EQ(plan[0].eepromWrites, 1);
+    EXPECT_FALSE(plan[0].readsFirst);
+}
+
+TEST_F(TransferPlanning, TellsWhyAnEncoderCannotBeWritten)
+{
+    EXPECT_EQ(hindrance({.place = {9, 0}, .values = steps100}),
+              "9.0 is not in the ring: its segment is switched off, or a fault lies before it.");
+    EXPECT_EQ(hindrance({.place = fraba, .deviceCode = 0x0236, .values = steps100}),
+              "1.0: configured is K2, make not known, found was FRABA OCD-IB K3. Compare, and take over what "
+              "is right.");
+    EXPECT_EQ(hindrance({.place = fraba,
+                         .deviceCode = 0x0237,
+                         .deviceKey = QStringLiteral("baumer-gxp6w"),
+                         .values = steps100}),
+              "1.0: configured is Baumer GXP6W K3, found was FRABA OCD-IB K3. Compare, and take over what is "
+              "right.");
+    EXPECT_EQ(hindrance({.place = singleTurn, .values = steps100}),
+              "The FRABA OCD-IB K1 cannot be parameterized over the bus.");
+    EXPECT_EQ(hindrance({.place = baumer, .values = {{Parameter::revolutions, 4097}}}),
+              "Revolutions = 4097 is out of range. Give a value from 1 to 4096.");
+    EXPECT_EQ(hindrance({.place = baumer, .values = {{Parameter::direction, 3}}}),
+              "The Baumer GXP6W K3 does not have the parameter \"Direction\". Leave it out, or check which "
+              "encoder it is.");
+    EXPECT_EQ(hindrance({.place = baumer, .values = steps100, .cams = {CamProgram{}}}),
+              "The Baumer GXP6W K3 has no cams.");
+    EXPECT_EQ(hindrance({.place = baumer}), ""); // nothing is wanted of it
+    EXPECT_EQ(hindrance({.place = baumer, .values = steps100}), "");
+    bus.setOperate(false);
+    bus.advance(2);
+    EXPECT_EQ(hindrance({.place = baumer, .values = steps100}),
+              "Nothing was sent to 2.0: the program only watches. Switch to Operate first.");
+}
+
+TEST_F(TransferPlanning, ACloneTakesTheValuesButNotTheZeroOffset)
+{
+    encoder(fraba).tell(Parameter::steps, 255);
+    encoder(fraba).tell(Parameter::zeroOffset, 12);
+    encoder(fraba).tell(Parameter::serialNumber, 20417);
+    const TransferWish wish = wishToClone(encoder(fraba), encoder(onLoop), true);
+    EXPECT_FALSE(wish.hindrance);
+    EXPECT_EQ(wish.values, (ParameterValues{{Parameter::steps, 255}}));
+    EXPECT_EQ(hindrance(wishToClone(encoder(fraba), encoder(baumer), true)),
+              "1.0 (FRABA OCD-IB K3) and 2.0 (Baumer GXP6W K3) are not the same kind of encoder. Choose "
+              "encoders of one kind.");
+}
+
+TEST_F(TransferPlanning, AnEncoderThatIsBusyIsLeftAlone)
+{
+    ASSERT_TRUE(encoder(fraba).start(ReadParameters{{Parameter::steps}}));
+    EXPECT_EQ(planTransfer(bus, {{.place = fraba, .values = steps100}})[0].hindrance->id,
+              RefusalId::jobRunning);
+}
+
+} // namespace
+} // namespace codewheel

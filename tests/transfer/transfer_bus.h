@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/catalog.h"
+#include "encoder/hex.h"
+#include "ring/bus_session.h"
+#include "simulator/training_bus.h"
+#include "transfer/transfer_account.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel::test {
+
+inline constexpr DeviceNumber fraba{1, 0};
+inline constexpr DeviceNumber baumer{2, 0};
+inline constexpr DeviceNumber singleTurn{3, 0};
+inline constexpr DeviceNumber rod{5, 0};
+inline constexpr DeviceNumber onLoop{6, 1};
+
+// The training bus in virtual time, and a round of jobs on it.
+class TransferBus : public testing::Test
+{
+protected:
+    explicit TransferBus(BusSession::Start start = BusSession::Start::operating);
+
+    EncoderSession &encoder(DeviceNumber number) { return *bus.encoder(number); }
+    // Until it is at its end, or `milliseconds` have passed.
+    void advance(int milliseconds = 20'000);
+    TransferAccount carryOut(const TransferPlan &plan,
+                             JobRound::AfterRefusal afterRefusal = JobRound::AfterRefusal::goOn);
+    // What was sent to the encoder so far: "02000FA0 80000000"; 00000000 left out.
+    QString words(DeviceNumber number) const;
+
+    const Catalog catalog = Catalog::builtIn();
+    TrainingBus training = makeTrainingBus(catalog);
+    BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
+    JobRound round{bus};
+
+private:
+    std::map<DeviceNumber, std::vector<Word>> m_words;
+};
+
+} // namespace codewheel::test
