@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+
+#include <map>
+
+namespace codewheel {
+
+class BusSession;
+
+// The position an encoder had last.
+struct SeenPosition
+{
+    std::int64_t position = 0; // steps
+    QDateTime at;
+    bool beforeItWent = false; // the encoder went away (or showed 00000000) after it, and may be another now
+
+    friend bool operator==(const SeenPosition &, const SeenPosition &) = default;
+};
+
+// Watches where the encoders of a ring stand, so that one that is replaced can be given the position of the
+// one before. Kept as long as the ring is connected; nothing is sent. An encoder without power shows
+// 00000000: after a second of that, or of a bus that stands, it is taken to have gone, and the position
+// before is kept until the next time.
+class LastPositions : public QObject
+{
+    Q_OBJECT
+
+public:
+    static constexpr std::chrono::milliseconds untilGone{1000};
+
+    explicit LastPositions(BusSession &bus, QObject *parent = nullptr);
+
+    std::optional<SeenPosition> at(DeviceNumber number) const;
+
+private:
+    struct Watched
+    {
+        std::optional<SeenPosition> last;       // not 00000000
+        std::optional<SeenPosition> beforeGone; // of the encoder that was there then
+        Instant lastAt{};
+    };
+
+    void look();
+
+    BusSession &m_bus;
+    std::map<DeviceNumber, Watched> m_watched;
+};
+
+} // namespace codewheel

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transfer/transfer_words.h"
+
+#include "catalog/device_description.h"
+#include "catalog/value_text.h"
+#include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+
+namespace codewheel::transfer_words {
+namespace {
+
+// The context of these texts.
+struct TransferWords
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::TransferWords)
+};
+
+QString number(std::int64_t number)
+{
+    return QLocale().toString(qlonglong{number});
+}
+
+QString evidence(Evidence evidence)
+{
+    switch (evidence) {
+    case Evidence::read:
+        return TransferWords::tr("read");
+    case Evidence::echoed:
+        return TransferWords::tr("echoed");
+    case Evidence::told:
+        break;
+    }
+    return TransferWords::tr("told");
+}
+
+QString text(Became became)
+{
+    switch (became) {
+    case Became::written:
+        return TransferWords::tr("Written");
+    case Became::alreadyThere:
+        return TransferWords::tr("Was there already");
+    case Became::restored:
+        return TransferWords::tr("Value from before restored");
+    case Became::notDone:
+        break;
+    }
+    return TransferWords::tr("Not done");
+}
+
+} // namespace
+
+QString became(const AccountRow &row)
+{
+    if (row.became != Became::written || !row.after)
+        return text(row.became);
+    return row.after->evidence == Evidence::read ? TransferWords::tr("Written, and read back")
+                                                 : TransferWords::tr("Written, confirmed by the handshake");
+}
+
+QString became(const AccountCamRow &row)
+{
+    return row.became == Became::written ? TransferWords::tr("Written, and read back") : text(row.became);
+}
+
+QString value(const DeviceDescription *device, const ParameterValue &value)
+{
+    const ParameterDescription *parameter = device ? device->find(value.parameter) : nullptr;
+    return parameter ? valueText(*parameter, value.value) : number(value.value);
+}
+
+QString known(const DeviceDescription *device, Parameter parameter, const std::optional<Known> &known)
+{
+    if (!known)
+        return TransferWords::tr("unknown");
+    return QStringLiteral("%1 (%2)").arg(value(device, {parameter, known->value}), evidence(known->evidence));
+}
+
+QString leftIn(EncoderState state)
+{
+    switch (state) {
+    case EncoderState::operation:
+        return TransferWords::tr("in operation");
+    case EncoderState::parameterization:
+        return TransferWords::tr("in parameterization: it gives no position until run is sent");
+    case EncoderState::error:
+        return TransferWords::tr("in the error state: it gives no valid position");
+    case EncoderState::readOut:
+        return TransferWords::tr("still showing a read-out value");
+    case EncoderState::service:
+        return TransferWords::tr("in service mode: it gives no position until the service bit is 0");
+    case EncoderState::notSeen:
+    case EncoderState::unknown:
+        break;
+    }
+    return TransferWords::tr("not known");
+}
+
+QStringList notes(const EncoderPlan &plan)
+{
+    QStringList notes;
+    if (!plan.isWritten())
+        return notes;
+    if (plan.readsFirst)
+        notes << TransferWords::tr("The encoder is read first; what it already has is not written again.");
+    if (plan.stepsMayBeLess)
+        notes << TransferWords::tr(
+            "If the encoder counts steps minus 1, the word for the steps is one less.");
+    if (std::ranges::any_of(plan.cams, [](const TransferCamRow &row) { return !row.isThere; }))
+        notes << TransferWords::tr("Cam programs are read, written where they differ, and stored when they "
+                                   "are left.");
+    if (plan.position)
+        notes << sentence(TransferWords::tr("The position is set to %1 at the end of it."),
+                          {number(*plan.position)});
+    if (plan.presetIsRearmed)
+        notes << TransferWords::tr("A preset acts once: it is programmed again where it is used up.");
+    return notes;
+}
+
+QString summary(const EncoderPlan &plan)
+{
+    if (plan.hindrance)
+        return refusalText(*plan.hindrance);
+    if (plan.rows.empty() && plan.cams.empty() && !plan.position)
+        return TransferWords::tr("Nothing is wanted of it.");
+    if (!plan.isWritten())
+        return TransferWords::tr("All of it is there: nothing is sent.");
+    const auto values = std::ranges::count(plan.rows, false, &TransferRow::isThere);
+    const auto cams = std::ranges::count(plan.cams, false, &TransferCamRow::isThere);
+    return sentence(TransferWords::tr("Values and cam programs to write: %1. EEPROM writes: at most %2."),
+                    {number(values + cams), number(plan.eepromWrites)});
+}
+
+QString outcome(const EncoderAccount &account)
+{
+    if (account.why)
+        return refusalText(*account.why);
+    if (!account.isDone())
+        return TransferWords::tr("Not begun.");
+    if (!account.isBegun)
+        return TransferWords::tr("All of it was there: nothing was sent.");
+    return account.onlyZeroSinceRun ? messageText({.id = MessageId::onlyZeroSinceRun})
+                                    : TransferWords::tr("Done.");
+}
+
+QStringList differences(const ReplacementDifferences &differences, const Replacement &now)
+{
+    QStringList lines;
+    if (!differences.makeBefore.isEmpty())
+        lines << sentence(TransferWords::tr("Planned was a %1; the new one is a %2."),
+                          {differences.makeBefore, now.device->fullName()});
+    if (differences.stepsPerTurn)
+        lines << sentence(
+            TransferWords::tr("It has %2 physical steps per turn, the one before had %1."),
+            {number(differences.stepsPerTurn->first), number(differences.stepsPerTurn->second)});
+    if (differences.turns)
+        lines << sentence(TransferWords::tr("It has %2 turns, the one before had %1."),
+                          {number(differences.turns->first), number(differences.turns->second)});
+    for (const ParameterValue &value : differences.notTaken)
+        lines << sentence(TransferWords::tr("It has no \"%1\": the value %2 is not written."),
+                          {parameterName(value.parameter), number(value.value)});
+    if (differences.camsNotTaken)
+        lines << TransferWords::tr("It has no cams: the cam programs are not written.");
+    return lines;
+}
+
+} // namespace codewheel::transfer_words

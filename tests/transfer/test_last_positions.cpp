@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/transfer/transfer_bus.h"
+#include "transfer/last_positions.h"
+
+namespace codewheel {
+namespace {
+
+using test::fraba;
+
+class LastPositionsOfTheRing : public test::TransferBus
+{
+protected:
+    void pass(int milliseconds)
+    {
+        for (int i = 0; i < milliseconds / 33 + 1; ++i)
+            bus.advance(33);
+    }
+    LastPositions positions{bus};
+};
+
+TEST_F(LastPositionsOfTheRing, AreThoseTheEncodersShow)
+{
+    pass(100);
+    ASSERT_TRUE(positions.at(fraba));
+    EXPECT_EQ(positions.at(fraba)->position, encoder(fraba).latest().position);
+    EXPECT_FALSE(positions.at(fraba)->beforeItWent);
+    EXPECT_FALSE(positions.at({9, 0}));
+}
+
+TEST_F(LastPositionsOfTheRing, ThePositionBeforeAnEncoderWentIsKeptWhenAnotherOneIsThere)
+{
+    pass(100);
+    const auto before = encoder(fraba).latest().position;
+    training.controls->setPower(fraba, false);
+    pass(3000);
+    ASSERT_TRUE(positions.at(fraba));
+    EXPECT_EQ(positions.at(fraba)->position, before);
+    EXPECT_TRUE(positions.at(fraba)->beforeItWent);
+
+    training.controls->turnBy(fraba, 100);
+    training.controls->setPower(fraba, true);
+    pass(3000);
+    EXPECT_NE(encoder(fraba).latest().position, before);
+    EXPECT_EQ(positions.at(fraba)->position, before);
+}
+
+TEST_F(LastPositionsOfTheRing, APositionThatIsZeroForAMomentIsNoEncoderThatWent)
+{
+    pass(100);
+    training.controls->setPower(fraba, false);
+    pass(300);
+    training.controls->setPower(fraba, true);
+    pass(100);
+    EXPECT_FALSE(positions.at(fraba)->beforeItWent);
+}
+
+} // namespace
+} // namespace codewheel

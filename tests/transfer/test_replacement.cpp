@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/refusal_text.h"
+#include "tests/transfer/transfer_bus.h"
+#include "transfer/replacement.h"
+#include "transfer/transfer_words.h"
+
+namespace codewheel {
+namespace {
+
+using test::baumer;
+using test::fraba;
+
+class Replacing : public test::TransferBus
+{
+protected:
+    ProjectDevice planned(DeviceNumber place, const char *key)
+    {
+        ProjectDevice device;
+        device.participant = *std::ranges::find(bus.structure(), place, &Participant::number);
+        device.participant.deviceKey = QString::fromLatin1(key);
+        device.label.serialNumber = QStringLiteral("20417");
+        device.wanted = {{Parameter::steps, 4096}, {Parameter::revolutions, 1}, {Parameter::preset, 100}};
+        device.stored = {{Parameter::steps, 8192, Evidence::read, {}},
+                         {Parameter::direction, 4, Evidence::read, {}},
+                         {Parameter::zeroOffset, 12, Evidence::read, {}}};
+        return device;
+    }
+    Replacement with(const char *key) const
+    {
+        return {catalog.find(QString::fromLatin1(key)), 0, 0, QStringLiteral("4711")};
+    }
+};
+
+TEST_F(Replacing, TheNewEncoderGetsTheValuesAndThePositionOfTheOneBefore)
+{
+    const ProjectDevice device = planned(fraba, "fraba-ocd-ib");
+    ASSERT_TRUE(bus.name(fraba, QStringLiteral("fraba-ocd-ib"))); // nothing is known of it
+    QString sent;
+    QObject::connect(&encoder(fraba), &EncoderSession::exchanged, &bus,
+                     [&](const Exchange &row) { sent += hexWord(row.out) + u' '; });
+    bus.advance(2);
+    const TransferPlan plan = planTransfer(bus, {wishToReplace(device, with("fraba-ocd-ib"), 3000)});
+    ASSERT_FALSE(plan[0].hindrance);
+    const TransferAccount account = carryOut(plan);
+    EXPECT_TRUE(account.isDone());
+    EXPECT_EQ(encoder(fraba).latest().position, 3000);
+    EXPECT_EQ(encoder(fraba).known(Parameter::preset)->value, 100); // as the project wants it
+    EXPECT_EQ(encoder(fraba).known(Parameter::direction)->value, 4);
+    EXPECT_EQ(encoder(fraba).known(Parameter::steps)->value, 4096);
+    EXPECT_TRUE(sent.contains(QStringLiteral("20800000 ")));          // position mode first
+    EXPECT_TRUE(sent.contains(QStringLiteral("08000BB8 ")));          // preset 3000,
+    EXPECT_TRUE(sent.contains(QStringLiteral("40000000 ")));          // acts,
+    EXPECT_LT(sent.indexOf(u"40000000"), sent.indexOf(u"08000064 ")); // and is 100 again
+    EXPECT_FALSE(sent.contains(QStringLiteral("0A00000C")));          // the old zero offset
+}
+
+TEST_F(Replacing, ABaumerTakesTheDirectionOfAFrabaAsItsCoding)
+{
+    const ProjectDevice device = planned(baumer, "fraba-ocd-ib");
+    const TransferWish wish = wishToReplace(device, with("baumer-gxp6w"), std::nullopt);
+    EXPECT_EQ(valueOf(wish.values, Parameter::coding), 4);
+    EXPECT_EQ(valueOf(wish.values, Parameter::zeroOffset), 12);
+    EXPECT_FALSE(valueOf(wish.values, Parameter::direction));
+    EXPECT_FALSE(planTransfer(bus, {wish})[0].hindrance);
+}
+
+TEST_F(Replacing, TellsHowTheNewOneDiffers)
+{
+    ProjectDevice device = planned(fraba, "baumer-gxp6w");
+    device.label.stepsPerTurn = 8192;
+    device.wanted.push_back({Parameter::offset, 5});
+    Replacement now = with("fraba-ocd-ib");
+    now.stepsPerTurn = 4096;
+    const auto differences = differencesOf(device, catalog.find(u"baumer-gxp6w"), now);
+    EXPECT_EQ(transfer_words::differences(differences, now),
+              (QStringList{QStringLiteral("Planned was a Baumer GXP6W K3; the new one is a FRABA OCD-IB K3."),
+                           QStringLiteral("It has 4096 physical steps per turn, the one before had 8192."),
+                           QStringLiteral("It has no \"Offset\": the value 5 is not written.")}));
+    EXPECT_TRUE(
+        differencesOf(planned(fraba, "fraba-ocd-ib"), with("fraba-ocd-ib").device, with("fraba-ocd-ib"))
+            .areNone());
+}
+
+TEST_F(Replacing, OnlyTheSameDeviceCodeFits)
+{
+    const TransferWish wish =
+        wishToReplace(planned(fraba, "fraba-ocd-ib"), with("fraba-ocd-ib-loop2"), std::nullopt);
+    EXPECT_EQ(planTransfer(bus, {wish})[0].hindrance->id, RefusalId::ringDiffers);
+}
+
+TEST_F(Replacing, TheProjectKnowsTheNewOneByItsLabel)
+{
+    const ProjectDevice before = planned(fraba, "fraba-ocd-ib");
+    const ProjectDevice after = replaced(before, with("baumer-gxp6w"));
+    EXPECT_EQ(after.participant.deviceKey, QStringLiteral("baumer-gxp6w"));
+    EXPECT_EQ(after.label.serialNumber, QStringLiteral("4711"));
+    EXPECT_TRUE(after.stored.empty());
+    EXPECT_EQ(after.wanted, before.wanted);
+    EXPECT_EQ(messageText(encoderReplacedMessage(before, with("baumer-gxp6w"))),
+              QStringLiteral("The encoder was replaced (serial number before: 20417, now: 4711)."));
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/html_report.h"
+#include "tests/transfer/transfer_bus.h"
+#include "transfer/transfer_report.h"
+#include "transfer/transfer_words.h"
+
+namespace codewheel {
+namespace {
+
+using test::baumer;
+using test::fraba;
+using test::singleTurn;
+
+using TransferReports = test::TransferBus;
+
+TEST_F(TransferReports, TellWhatBecameOfEachValueAndWhyNot)
+{
+    encoder(baumer).tell(Parameter::coding, 6);
+    const TransferPlan plan =
+        planTransfer(bus, {{.place = baumer,
+                            .station = QStringLiteral("Hoist"),
+                            .values = {{Parameter::steps, 4096}, {Parameter::coding, 6}}},
+                           {.place = singleTurn, .values = {{Parameter::steps, 100}}}});
+    TransferAccount account = carryOut(plan);
+    account.source = QStringLiteral("crane.codewheel");
+    const QString text = reportAsText(reportOf(account, catalog, QStringLiteral("1.2")));
+    EXPECT_EQ(text.toStdString(),
+              "Values written to encoders\n"
+              "==========================\n"
+              "\n"
+              "crane.codewheel\n"
+              "\n"
+              "Date:          1 Mar 2026 14:02:00\n"
+              "Encoders:      1 of 2 have all of it\n"
+              "Written:       1\n"
+              "Already there: 1\n"
+              "EEPROM writes: 1\n"
+              "Software:      Codewheel 1.2\n"
+              "\n"
+              "2.0 Hoist\n"
+              "---------\n"
+              "\n"
+              "Device:          Baumer GXP6W K3\n"
+              "Result:          Done.\n"
+              "Begun:           1 Mar 2026 14:02:00\n"
+              "Ended:           1 Mar 2026 14:02:00\n"
+              "EEPROM writes:   1\n"
+              "Position before: not known\n"
+              "Position after:  343674\n"
+              "Left:            in operation\n"
+              "\n"
+              "Parameter                Before         Wanted  What became of it\n"
+              "Steps                   unknown           4096  Written, confirmed by the handshake\n"
+              "Coding     6 (Gray, CCW) (told)  6 (Gray, CCW)  Was there already\n"
+              "\n"
+              "3.0\n"
+              "---\n"
+              "\n"
+              "Device: FRABA OCD-IB K1\n"
+              "Result: The FRABA OCD-IB K1 cannot be parameterized over the bus.\n"
+              "\n"
+              "Parameter   Before  Wanted  What became of it\n"
+              "Steps      unknown     100  Not done\n");
+    const QByteArray html = reportAsHtml(reportOf(account, catalog, QStringLiteral("1.2")));
+    EXPECT_TRUE(html.contains("crane.codewheel"));
+    EXPECT_TRUE(html.contains("Written, confirmed by the handshake"));
+}
+
+TEST_F(TransferReports, PlansSayWhatIsWorthKnowing)
+{
+    const TransferPlan plan = planTransfer(
+        bus, {{.place = fraba, .values = {{Parameter::steps, 255}}, .cams = {CamProgram{}}, .position = 100},
+              {.place = baumer}});
+    EXPECT_EQ(transfer_words::summary(plan[0]).toStdString(),
+              "Values and cam programs to write: 2. EEPROM writes: at most 4.");
+    EXPECT_EQ(transfer_words::notes(plan[0]).join(u'\n').toStdString(),
+              "The encoder is read first; what it already has is not written again.\n"
+              "If the encoder counts steps minus 1, the word for the steps is one less.\n"
+              "Cam programs are read, written where they differ, and stored when they are left.\n"
+              "The position is set to 100 at the end of it.\n"
+              "A preset acts once: it is programmed again where it is used up.");
+    EXPECT_EQ(transfer_words::summary(plan[1]).toStdString(), "Nothing is wanted of it.");
+}
+
+} // namespace
+} // namespace codewheel
