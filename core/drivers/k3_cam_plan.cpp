@@ -161,7 +161,8 @@ std::int64_t K3CamPlan::largestPosition() const
 std::vector<unsigned> K3CamPlan::currentFirst(std::vector<unsigned> programs) const
 {
     const auto current = m_knowledge.camProgram();
-    std::ranges::stable_partition(programs, [&](unsigned program) { return program == current; });
+    std::stable_partition(programs.begin(), programs.end(),
+                          [&](unsigned program) { return program == current; });
     return programs;
 }
 
