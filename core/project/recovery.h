@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/refusal.h"
+#include "project/file_lock.h"
+#include "project/project.h"
+
+namespace codewheel {
+
+// Keeps the edits nobody has saved, for the case that the program ends without asking. One object for the
+// document of each running program; they share a folder and do not see each other's. Used by the window.
+class Recovery
+{
+public:
+    // The folder need not exist; it is made when there is something to keep.
+    explicit Recovery(QString folder);
+
+    // Writes the project down, with the file it belongs to (empty: it was never saved) and the time. Nothing
+    // is written where nothing changed since the last time. Refused: fileNotWritten.
+    Result<void> keep(const Project &project, const QString &path, const QDateTime &at);
+    // There is nothing to recover: it was saved, or is not wanted.
+    void drop();
+
+private:
+    Result<void> begin();
+
+    QString m_folder;
+    QString m_file; // empty: nothing kept yet
+    FileLock m_lock;
+    QByteArray m_kept;
+    QString m_keptFor;
+};
+
+// What a program left behind that ended without asking. As long as the object lives, no other program offers
+// it; what is not dropped is there again at the next start.
+class LeftProject
+{
+public:
+    const QString &path() const { return m_path; }   // the file it belongs to; empty: none
+    const QDateTime &keptAt() const { return m_at; } // invalid where that cannot be read
+    // Refused as by loadProject().
+    Result<Project> load() const;
+    void drop();
+
+private:
+    friend std::vector<LeftProject> leftProjects(const QString &folder);
+    LeftProject(QString file, FileLock lock);
+
+    QString m_file;
+    FileLock m_lock;
+    QString m_path;
+    QDateTime m_at;
+};
+
+// To be asked at start, the newest first.
+std::vector<LeftProject> leftProjects(const QString &folder);
+
+} // namespace codewheel
