@@ -129,6 +129,41 @@
     </message>
 </context>
 <context>
+    <name>BusFault</name>
+    <message>
+        <source>peripheral fault</source>
+        <translation>Peripheriefehler</translation>
+    </message>
+    <message>
+        <source>the master is looking for the fault</source>
+        <translation>der Master sucht den Fehler</translation>
+    </message>
+    <message>
+        <source>the bus failed, but the check finds nothing: look at shielding, connectors and supply</source>
+        <translation>der Bus ist ausgefallen, aber die Prüfung findet nichts: Schirmung, Stecker und Versorgung ansehen</translation>
+    </message>
+    <message>
+        <source>outgoing remote bus of %1</source>
+        <translation>abgehender Fernbus von %1</translation>
+    </message>
+    <message>
+        <source>outgoing local bus of %1</source>
+        <translation>abgehender Lokalbus von %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2 (see IBS SYS FW G4 UM)</source>
+        <translation>%1 bei %2 (siehe IBS SYS FW G4 UM)</translation>
+    </message>
+    <message>
+        <source>%1 (see IBS SYS FW G4 UM)</source>
+        <translation>%1 (siehe IBS SYS FW G4 UM)</translation>
+    </message>
+    <message>
+        <source>%1 %2 at %3</source>
+        <translation>%1 %2 bei %3</translation>
+    </message>
+</context>
+<context>
     <name>CamFiles</name>
     <message>
         <source>%1 cannot be read: %2</source>
@@ -335,6 +370,21 @@
     </message>
 </context>
 <context>
+    <name>CheckProject</name>
+    <message>
+        <source>%1 at %2 overlaps that of %3.</source>
+        <translation>%1 bei %2 überschneidet sich mit %3.</translation>
+    </message>
+    <message>
+        <source>%1 begins at the odd byte %2, within a word.</source>
+        <translation>%1 beginnt beim ungeraden Byte %2, mitten in einem Wort.</translation>
+    </message>
+    <message>
+        <source>%1 is not above P127: with Step 5, the process image overwrites it.</source>
+        <translation>%1 liegt nicht über P127: bei Step 5 überschreibt es das Prozessabbild.</translation>
+    </message>
+</context>
+<context>
     <name>Choice</name>
     <message>
         <source>CW</source>
@@ -512,6 +562,65 @@
     </message>
 </context>
 <context>
+    <name>IdCode</name>
+    <message>
+        <source>digital output</source>
+        <translation>Digitalausgang</translation>
+    </message>
+    <message>
+        <source>digital input</source>
+        <translation>Digitaleingang</translation>
+    </message>
+    <message>
+        <source>digital input and output</source>
+        <translation>Digitalein- und -ausgang</translation>
+    </message>
+    <message>
+        <source>bus terminal</source>
+        <translation>Busklemme</translation>
+    </message>
+    <message>
+        <source>analog output</source>
+        <translation>Analogausgang</translation>
+    </message>
+    <message>
+        <source>analog input</source>
+        <translation>Analogeingang</translation>
+    </message>
+    <message>
+        <source>analog input and output</source>
+        <translation>Analogein- und -ausgang</translation>
+    </message>
+    <message>
+        <source>encoder K1 or K2</source>
+        <translation>Geber K1 oder K2</translation>
+    </message>
+    <message>
+        <source>encoder K3</source>
+        <translation>Geber K3</translation>
+    </message>
+    <message>
+        <source>encoder K1 or K2, Loop 2</source>
+        <translation>Geber K1 oder K2, Loop 2</translation>
+    </message>
+    <message>
+        <source>encoder K3, Loop 2</source>
+        <translation>Geber K3, Loop 2</translation>
+    </message>
+    <message>
+        <source>Inline digital input</source>
+        <translation>Inline-Digitaleingang</translation>
+    </message>
+    <message>
+        <source>drive with PCP</source>
+        <translation>Antrieb mit PCP</translation>
+    </message>
+    <message>
+        <source>encoder K4</source>
+        <translation>Geber K4</translation>
+    </message>
+</context>
+<context>
     <name>JobReport</name>
     <message>
         <source>position mode</source>
@@ -587,6 +696,129 @@
     <message>
         <source>The encoder is in the error state: it gives no valid position.</source>
         <translation>Der Geber ist im Fehlerzustand: Er gibt keine gültige Position aus.</translation>
+    </message>
+</context>
+<context>
+    <name>Master</name>
+    <message>
+        <source>A user error: a service was called wrongly.</source>
+        <translation>Anwenderfehler: Ein Dienst wurde falsch aufgerufen.</translation>
+    </message>
+    <message>
+        <source>A device reports a peripheral fault, until it is confirmed.</source>
+        <translation>Ein Teilnehmer meldet einen Peripheriefehler, bis er quittiert wird.</translation>
+    </message>
+    <message>
+        <source>The bus has failed: no data cycles run.</source>
+        <translation>Der Bus ist ausgefallen: Es laufen keine Datenzyklen.</translation>
+    </message>
+    <message>
+        <source>The master itself is faulty.</source>
+        <translation>Der Master selbst ist gestört.</translation>
+    </message>
+    <message>
+        <source>The master is looking for the place of a fault.</source>
+        <translation>Der Master sucht den Ort eines Fehlers.</translation>
+    </message>
+    <message>
+        <source>Data cycles run.</source>
+        <translation>Datenzyklen laufen.</translation>
+    </message>
+    <message>
+        <source>A configuration is active.</source>
+        <translation>Eine Konfiguration ist aktiv.</translation>
+    </message>
+    <message>
+        <source>The master is ready for services.</source>
+        <translation>Der Master ist bereit für Dienste.</translation>
+    </message>
+    <message>
+        <source>A segment is switched off.</source>
+        <translation>Ein Segment ist abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>The controller above the master has failed.</source>
+        <translation>Die Steuerung über dem Master ist ausgefallen.</translation>
+    </message>
+    <message>
+        <source>A service ended with a negative result.</source>
+        <translation>Ein Dienst endete mit negativem Ergebnis.</translation>
+    </message>
+    <message>
+        <source>Synchronizing ended with a negative result.</source>
+        <translation>Das Synchronisieren endete mit negativem Ergebnis.</translation>
+    </message>
+    <message>
+        <source>A data cycle was faulty.</source>
+        <translation>Ein Datenzyklus war fehlerhaft.</translation>
+    </message>
+    <message>
+        <source>A time that was waited for has passed.</source>
+        <translation>Eine überwachte Zeit ist abgelaufen.</translation>
+    </message>
+    <message>
+        <source>Too many data cycles are faulty.</source>
+        <translation>Zu viele Datenzyklen sind fehlerhaft.</translation>
+    </message>
+    <message>
+        <source>A message waits in the master.</source>
+        <translation>Im Master wartet eine Meldung.</translation>
+    </message>
+    <message>
+        <source>ACTIVE</source>
+        <translation>ACTIVE</translation>
+    </message>
+    <message>
+        <source>RUN</source>
+        <translation>RUN</translation>
+    </message>
+    <message>
+        <source>BUS FAIL</source>
+        <translation>BUS FAIL</translation>
+    </message>
+    <message>
+        <source>READY</source>
+        <translation>READY</translation>
+    </message>
+    <message>
+        <source>reading the configuration (030B)</source>
+        <translation>Konfiguration lesen (030B)</translation>
+    </message>
+    <message>
+        <source>starting data transfer (0701)</source>
+        <translation>Datenübertragung starten (0701)</translation>
+    </message>
+    <message>
+        <source>stopping data transfer (0702)</source>
+        <translation>Datenübertragung anhalten (0702)</translation>
+    </message>
+    <message>
+        <source>reading in the ring (0710)</source>
+        <translation>Ring einlesen (0710)</translation>
+    </message>
+    <message>
+        <source>activating the configuration (0711)</source>
+        <translation>Konfiguration aktivieren (0711)</translation>
+    </message>
+    <message>
+        <source>deactivating the configuration (0712)</source>
+        <translation>Konfiguration deaktivieren (0712)</translation>
+    </message>
+    <message>
+        <source>switching a segment (0713)</source>
+        <translation>Segment schalten (0713)</translation>
+    </message>
+    <message>
+        <source>confirming the diagnostics (0760)</source>
+        <translation>Diagnose quittieren (0760)</translation>
+    </message>
+    <message>
+        <source>alarm stop (1303)</source>
+        <translation>ALARM STOP (1303)</translation>
+    </message>
+    <message>
+        <source>downloading the configuration</source>
+        <translation>Konfiguration laden</translation>
     </message>
 </context>
 <context>
@@ -1001,6 +1233,126 @@
     <message>
         <source>The encoder was left in service mode: it shows no position. Set OUT to 0 to bring it back to normal mode.</source>
         <translation>Der Geber blieb im Dienstbetrieb: Er zeigt keine Position. OUT auf 0 setzen bringt ihn in den Normalbetrieb zurück.</translation>
+    </message>
+    <message>
+        <source>Connected: %1.</source>
+        <translation>Verbunden: %1.</translation>
+    </message>
+    <message>
+        <source>Disconnected.</source>
+        <translation>Getrennt.</translation>
+    </message>
+    <message>
+        <source>Bus fault: %1.</source>
+        <translation>Busfehler: %1.</translation>
+    </message>
+    <message>
+        <source>The bus fault is gone. Start the bus again.</source>
+        <translation>Der Busfehler ist behoben. Den Bus wieder starten.</translation>
+    </message>
+    <message>
+        <source>Fault: %1. Confirm it when its cause is gone.</source>
+        <translation>Fehler: %1. Quittieren, wenn die Ursache behoben ist.</translation>
+    </message>
+    <message>
+        <source>The peripheral fault was confirmed.</source>
+        <translation>Der Peripheriefehler wurde quittiert.</translation>
+    </message>
+    <message>
+        <source>Segment %1: %2 CRC errors since the last message, %3 since the start.</source>
+        <translation>Segment %1: %2 CRC-Fehler seit der letzten Meldung, %3 seit dem Start.</translation>
+    </message>
+    <message>
+        <source>Segment %1 was switched off.</source>
+        <translation>Segment %1 wurde abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Segment %1 was switched on.</source>
+        <translation>Segment %1 wurde zugeschaltet.</translation>
+    </message>
+    <message>
+        <source>The diagnostics were confirmed.</source>
+        <translation>Die Diagnose wurde quittiert.</translation>
+    </message>
+    <message>
+        <source>The ring was read in: %1 devices.</source>
+        <translation>Der Ring wurde eingelesen: %1 Teilnehmer.</translation>
+    </message>
+    <message>
+        <source>The master activated its configuration %1.</source>
+        <translation>Der Master hat seine Konfiguration %1 aktiviert.</translation>
+    </message>
+    <message>
+        <source>The master keeps the configuration %1 now (%2 devices).</source>
+        <translation>Der Master hat jetzt die Konfiguration %1 (%2 Teilnehmer).</translation>
+    </message>
+    <message>
+        <source>The master keeps the configuration %1 (%2 devices).</source>
+        <translation>Der Master hat die Konfiguration %1 (%2 Teilnehmer).</translation>
+    </message>
+    <message>
+        <source>The master keeps no configuration.</source>
+        <translation>Der Master hat keine Konfiguration.</translation>
+    </message>
+    <message>
+        <source>The ring is as the project says: %1 devices.</source>
+        <translation>Der Ring ist wie im Projekt: %1 Teilnehmer.</translation>
+    </message>
+    <message>
+        <source>The ring differs from the project at %1 places. Compare them.</source>
+        <translation>Der Ring weicht an %1 Stellen vom Projekt ab. Beide vergleichen.</translation>
+    </message>
+    <message>
+        <source>Fault plan: %1</source>
+        <translation>Fehlerplan: %1</translation>
+    </message>
+    <message>
+        <source>Project opened: %1.</source>
+        <translation>Projekt geöffnet: %1.</translation>
+    </message>
+    <message>
+        <source>Project saved: %1.</source>
+        <translation>Projekt gespeichert: %1.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes of %1 were brought back.</source>
+        <translation>Nicht gespeicherte Änderungen von %1 wurden zurückgeholt.</translation>
+    </message>
+    <message>
+        <source>This program has written %1 times to the EEPROM; its manual speaks of about %2.</source>
+        <translation>Dieses Programm hat %1-mal in das EEPROM geschrieben; das Handbuch spricht von etwa %2.</translation>
+    </message>
+    <message>
+        <source>This program has written %1 times to the EEPROM, as often as its manual speaks of (%2). Each further write is asked for.</source>
+        <translation>Dieses Programm hat %1-mal in das EEPROM geschrieben, so oft, wie das Handbuch angibt (%2). Ab jetzt wird vor jedem Schreiben gefragt.</translation>
+    </message>
+    <message>
+        <source>Stored in the project: %2 values of %1 encoders.</source>
+        <translation>Im Projekt abgelegt: %2 Werte von %1 Gebern.</translation>
+    </message>
+    <message>
+        <source>Transferred to %1 encoders: %2 values written, %3 already there, %4 EEPROM writes.</source>
+        <translation>An %1 Geber übertragen: %2 Werte geschrieben, %3 schon vorhanden, %4 EEPROM-Schreibvorgänge.</translation>
+    </message>
+    <message>
+        <source>The encoder was replaced (serial number before: %1, now: %2).</source>
+        <translation>Der Geber wurde ersetzt (Seriennummer vorher: %1, jetzt: %2).</translation>
+    </message>
+    <message>
+        <source>Values of %1 were restored: %2.</source>
+        <translation>Werte von %1 wurden wiederhergestellt: %2.</translation>
+    </message>
+    <message>
+        <source>Report saved: %1.</source>
+        <translation>Bericht gespeichert: %1.</translation>
+    </message>
+    <message>
+        <source>The message file had reached its size: the oldest %1 messages were dropped.</source>
+        <translation>Die Meldungsdatei hatte ihre Größe erreicht: Die ältesten %1 Meldungen wurden entfernt.</translation>
+    </message>
+    <message>
+        <source>Messages and EEPROM counts are not kept on disk: %1</source>
+        <translation>Meldungen und EEPROM-Zählung werden nicht auf der Platte gehalten: %1</translation>
     </message>
 </context>
 <context>
@@ -1570,12 +1922,166 @@
         <source>%1 has no OUT word: nothing can be sent to it.</source>
         <translation>%1 hat kein OUT-Wort: Dorthin kann nichts gesendet werden.</translation>
     </message>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation>%1 lässt sich nicht lesen: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2 The file there was left as it was.</source>
+        <translation>%1 lässt sich nicht schreiben: %2 Die Datei dort blieb, wie sie war.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 MB; the largest file that is read has %3 MB. Is it the right file?</source>
+        <translation>%1 hat %2 MB; gelesen werden Dateien bis %3 MB. Ist es die richtige Datei?</translation>
+    </message>
+    <message>
+        <source>%1, line %2, %3: %4 The project was not opened.</source>
+        <translation>%1, Zeile %2, %3: %4 Das Projekt wurde nicht geöffnet.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %4 The project was not opened.</source>
+        <translation>%1, Zeile %2: %4 Das Projekt wurde nicht geöffnet.</translation>
+    </message>
+    <message>
+        <source>%1 was saved by a newer Codewheel (version %2 of the file; this one reads up to %3). Open it with that one. Nothing was changed.</source>
+        <translation>%1 wurde von einem neueren Codewheel gespeichert (Dateiversion %2; dieses liest bis %3). Bitte mit jenem öffnen. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1, line %2, %3: %4 The fault plan was not loaded.</source>
+        <translation>%1, Zeile %2, %3: %4 Der Fehlerplan wurde nicht geladen.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %4 The fault plan was not loaded.</source>
+        <translation>%1, Zeile %2: %4 Der Fehlerplan wurde nicht geladen.</translation>
+    </message>
+    <message>
+        <source>The bus cannot be built like this: %1</source>
+        <translation>So lässt sich der Bus nicht aufbauen: %1</translation>
+    </message>
+    <message>
+        <source>The project has no device at %1. It has: %2.</source>
+        <translation>Das Projekt hat keinen Teilnehmer %1. Es hat: %2.</translation>
+    </message>
+    <message>
+        <source>The project has no devices. Insert one, or read in the ring.</source>
+        <translation>Das Projekt hat keine Teilnehmer. Einen einfügen oder den Ring einlesen.</translation>
+    </message>
+    <message>
+        <source>This link does not reach the master: %1 is not possible. It shows the process data only.</source>
+        <translation>Diese Verbindung erreicht den Master nicht: %1 ist nicht möglich. Sie zeigt nur die Prozessdaten.</translation>
+    </message>
+    <message>
+        <source>%1 (%2) and %3 (%4) are not the same kind of encoder. Choose encoders of one kind.</source>
+        <translation>%1 (%2) und %3 (%4) sind nicht von derselben Art. Geber einer Art wählen.</translation>
+    </message>
+    <message>
+        <source>%1 is not possible while the master is in the state %2.</source>
+        <translation>%1 ist nicht möglich, solange der Master im Zustand %2 ist.</translation>
+    </message>
+    <message>
+        <source>The master keeps no configuration. Read in the ring, or download one.</source>
+        <translation>Der Master hat keine Konfiguration. Den Ring einlesen oder eine Konfiguration laden.</translation>
+    </message>
+    <message>
+        <source>%1: this program has written %2 times to its EEPROM; its manual speaks of about %3. Say that you want to write.</source>
+        <translation>%1: Dieses Programm hat %2-mal in sein EEPROM geschrieben; das Handbuch spricht von etwa %3. Bitte sagen, dass geschrieben werden soll.</translation>
+    </message>
+    <message>
+        <source>%1: this program has written %2 times to its EEPROM; beyond %3 its manual guarantees nothing. Type the place to write nevertheless.</source>
+        <translation>%1: Dieses Programm hat %2-mal in sein EEPROM geschrieben; über %3 hinaus sichert das Handbuch nichts zu. Um trotzdem zu schreiben, den Platz eintippen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to restore at %1: no values from before a write are kept.</source>
+        <translation>Bei %1 gibt es nichts wiederherzustellen: Es sind keine Werte von vor einem Schreiben bekannt.</translation>
+    </message>
+    <message>
+        <source>%1: configured is %2, found was %3. Compare, and take over what is right.</source>
+        <translation>%1: projektiert ist %2, gefunden wurde %3. Vergleichen und das Richtige übernehmen.</translation>
+    </message>
+    <message>
+        <source>The bus does not run: %1.</source>
+        <translation>Der Bus läuft nicht: %1.</translation>
+    </message>
+    <message>
+        <source>%1 is not in the ring: its segment is switched off, or a fault lies before it.</source>
+        <translation>%1 ist nicht im Ring: Das Segment ist abgeschaltet, oder davor liegt ein Fehler.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: %2</source>
+        <translation>%1 ist nicht verwendbar: %2</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>
     <message>
         <source>%1 mm per step</source>
         <translation>%1 mm je Schritt</translation>
+    </message>
+</context>
+<context>
+    <name>RingEdits</name>
+    <message>
+        <source>A bus terminal belongs on the remote bus.</source>
+        <translation>Eine Busklemme gehört an den Fernbus.</translation>
+    </message>
+    <message>
+        <source>A local bus needs a bus terminal.</source>
+        <translation>Ein Lokalbus braucht eine Busklemme.</translation>
+    </message>
+    <message>
+        <source>Nothing can hang below %1: it is no bus terminal.</source>
+        <translation>Unter %1 kann nichts hängen: Es ist keine Busklemme.</translation>
+    </message>
+    <message>
+        <source>%1 cannot hang below itself.</source>
+        <translation>%1 kann nicht unter sich selbst hängen.</translation>
+    </message>
+    <message>
+        <source>Devices hang below %1, so it has to stay a bus terminal.</source>
+        <translation>Unter %1 hängen Teilnehmer, also muss es eine Busklemme bleiben.</translation>
+    </message>
+</context>
+<context>
+    <name>RingRules</name>
+    <message>
+        <source>A ring has at most %1 devices; these are %2.</source>
+        <translation>Ein Ring hat höchstens %1 Teilnehmer; hier sind es %2.</translation>
+    </message>
+    <message>
+        <source>The remote bus has at most %1 devices; these are %2.</source>
+        <translation>Der Fernbus hat höchstens %1 Teilnehmer; hier sind es %2.</translation>
+    </message>
+    <message>
+        <source>The remote bus has at most %1 levels; these are %2.</source>
+        <translation>Der Fernbus hat höchstens %1 Ebenen; hier sind es %2.</translation>
+    </message>
+    <message>
+        <source>A ring has at most %1 inputs; these are %2.</source>
+        <translation>Ein Ring hat höchstens %1 Eingänge; hier sind es %2.</translation>
+    </message>
+    <message>
+        <source>A ring has at most %1 outputs; these are %2.</source>
+        <translation>Ein Ring hat höchstens %1 Ausgänge; hier sind es %2.</translation>
+    </message>
+    <message>
+        <source>A ring has at most %1 PCP devices; these are %2.</source>
+        <translation>Ein Ring hat höchstens %1 PCP-Teilnehmer; hier sind es %2.</translation>
+    </message>
+    <message>
+        <source>A local bus has at most %1 devices; that of segment %3 has %2.</source>
+        <translation>Ein Lokalbus hat höchstens %1 Teilnehmer; der von Segment %3 hat %2.</translation>
+    </message>
+    <message>
+        <source>%1 is on a local bus, which needs a bus terminal.</source>
+        <translation>%1 ist an einem Lokalbus; der braucht eine Busklemme.</translation>
+    </message>
+    <message>
+        <source>%1 is in a branch, which needs a bus terminal.</source>
+        <translation>%1 ist in einem Abzweig; der braucht eine Busklemme.</translation>
+    </message>
+    <message>
+        <source>%1 is a bus terminal; it belongs on the remote bus.</source>
+        <translation>%1 ist eine Busklemme; sie gehört an den Fernbus.</translation>
     </message>
 </context>
 <context>
@@ -1650,14 +2156,6 @@
         <translation>Zeile %1: %2</translation>
     </message>
     <message>
-        <source>The file is nested too deeply.</source>
-        <translation>Die Datei ist zu tief verschachtelt.</translation>
-    </message>
-    <message>
-        <source>This is not valid JSON: %1</source>
-        <translation>Das ist kein gültiges JSON: %1</translation>
-    </message>
-    <message>
         <source>This is no sequence of words: &quot;format&quot; is not &quot;%1&quot;.</source>
         <translation>Das ist keine Folge von Worten: „format“ ist nicht „%1“.</translation>
     </message>
@@ -1666,20 +2164,8 @@
         <translation>Nur Version %1 des Formats ist lesbar.</translation>
     </message>
     <message>
-        <source>The key &quot;%1&quot; is not known.</source>
-        <translation>Der Schlüssel „%1“ ist unbekannt.</translation>
-    </message>
-    <message>
-        <source>&quot;holdCycles&quot; is a whole number from 1 to %1.</source>
-        <translation>„holdCycles“ ist eine ganze Zahl von 1 bis %1.</translation>
-    </message>
-    <message>
-        <source>&quot;words&quot; is a list of at most %1 words.</source>
-        <translation>„words“ ist eine Liste von höchstens %1 Worten.</translation>
-    </message>
-    <message>
-        <source>A word is a text of up to 8 hexadecimal digits, such as &quot;020000FF&quot;.</source>
-        <translation>Ein Wort ist ein Text aus bis zu 8 hexadezimalen Ziffern, etwa „020000FF“.</translation>
+        <source>Line %1, %2: %3</source>
+        <translation>Zeile %1, %2: %3</translation>
     </message>
 </context>
 <context>
@@ -3531,6 +4017,61 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     </message>
 </context>
 <context>
+    <name>codewheel::Comparison</name>
+    <message>
+        <source>device code %1, words: %2 IN, %3 OUT</source>
+        <translation>Gerätecode %1, Worte: %2 IN, %3 OUT</translation>
+    </message>
+    <message>
+        <source>%1: configured %2, found %3</source>
+        <translation>%1: projektiert %2, gefunden %3</translation>
+    </message>
+    <message>
+        <source>%1: %2, as configured</source>
+        <translation>%1: %2, wie projektiert</translation>
+    </message>
+    <message>
+        <source>%1: %2, as configured; its number is %3 now</source>
+        <translation>%1: %2, wie projektiert; die Nummer ist jetzt %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 moved, configured on level %3, found on level %4</source>
+        <translation>%1: %2 versetzt, projektiert auf Ebene %3, gefunden auf Ebene %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 moved, found at %3</source>
+        <translation>%1: %2 versetzt, gefunden bei %3</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>anders</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>additional</source>
+        <translation>zusätzlich</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>versetzt</translation>
+    </message>
+    <message>
+        <source>same</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>%1: %2 is additional: it is not configured</source>
+        <translation>%1: %2 ist zusätzlich da: nicht projektiert</translation>
+    </message>
+    <message>
+        <source>%1: configured %2 is missing</source>
+        <translation>%1: projektiert %2, fehlt</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::DescriptionReader</name>
     <message>
         <source>A key consists of the letters a to z, digits and hyphens.</source>
@@ -4133,6 +4674,21 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
         <source>Sends 0E000000, then run. This cannot be taken back.</source>
         <translation>Sendet 0E000000, dann Run. Das ist nicht rückgängig zu machen.</translation>
     </message>
+    <message>
+        <source>It &amp;is in position mode</source>
+        <translation>Er &amp;ist im Positionsbetrieb</translation>
+    </message>
+    <message>
+        <source>Say so where you have made sure of it: in cam mode, the word that sets the position sets a cam. Nothing is sent.</source>
+        <translation>Nur angeben, wenn es sicher ist: Im Nockenbetrieb setzt das Wort, das die Position setzt, einen Nocken. Es wird nichts gesendet.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::FileAccess</name>
+    <message>
+        <source>It is no file.</source>
+        <translation>Es ist keine Datei.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::GearPanel</name>
@@ -4483,6 +5039,22 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>A text in quotation marks or an object {&quot;en&quot;: &quot;...&quot;, &quot;de&quot;: &quot;...&quot;} is expected here.</source>
         <translation>Hier wird ein Text in Anführungszeichen oder ein Objekt {&quot;en&quot;: &quot;...&quot;, &quot;de&quot;: &quot;...&quot;} erwartet.</translation>
+    </message>
+    <message>
+        <source>An object of texts {&quot;...&quot;: &quot;...&quot;} is expected here.</source>
+        <translation>Hier wird ein Objekt aus Texten {&quot;...&quot;: &quot;...&quot;} erwartet.</translation>
+    </message>
+    <message>
+        <source>A number is expected here.</source>
+        <translation>Hier wird eine Zahl erwartet.</translation>
+    </message>
+    <message>
+        <source>The list has %1 entries; at most %2 are allowed.</source>
+        <translation>Die Liste hat %1 Einträge; erlaubt sind höchstens %2.</translation>
+    </message>
+    <message>
+        <source>A word is a text of up to 8 hexadecimal digits, such as &quot;020000FF&quot;.</source>
+        <translation>Ein Wort ist ein Text aus bis zu 8 Hexadezimalziffern, etwa &quot;020000FF&quot;.</translation>
     </message>
 </context>
 <context>
@@ -5407,6 +5979,37 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     </message>
 </context>
 <context>
+    <name>codewheel::ProjectReader</name>
+    <message>
+        <source>This is no project: the format is not &quot;%1&quot;.</source>
+        <translation>Das ist kein Projekt: Das Format ist nicht &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>A whole number from 1 is expected here.</source>
+        <translation>Hier wird eine ganze Zahl ab 1 erwartet.</translation>
+    </message>
+    <message>
+        <source>A device code has at most four digits, such as &quot;0237h&quot;.</source>
+        <translation>Ein Gerätecode hat höchstens vier Ziffern, etwa &quot;0237h&quot;.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot stand here: by its place in the list this device is %2 on the remote bus, or %3 on a local bus.</source>
+        <translation>&quot;%1&quot; kann hier nicht stehen: Nach seinem Platz in der Liste ist dieser Teilnehmer %2 am Fernbus oder %3 an einem Lokalbus.</translation>
+    </message>
+    <message>
+        <source>A time such as &quot;2026-03-01T14:02:00.000Z&quot; is expected here (UTC).</source>
+        <translation>Hier wird eine Zeit wie &quot;2026-03-01T14:02:00.000Z&quot; erwartet (UTC).</translation>
+    </message>
+    <message>
+        <source>There is no parameter &quot;%1&quot;.</source>
+        <translation>Es gibt keinen Parameter &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>The parameter &quot;%1&quot; stands above already.</source>
+        <translation>Der Parameter &quot;%1&quot; steht schon weiter oben.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::ReportPage</name>
     <message>
         <source>Report</source>
@@ -5439,6 +6042,432 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>&amp;Close</source>
         <translation>S&amp;chließen</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ReportTexts</name>
+    <message>
+        <source>not set</source>
+        <translation>nicht gesetzt</translation>
+    </message>
+    <message>
+        <source>%1 to %2, active</source>
+        <translation>%1 bis %2, aktiv</translation>
+    </message>
+    <message>
+        <source>%1 to %2, inactive</source>
+        <translation>%1 bis %2, nicht aktiv</translation>
+    </message>
+    <message>
+        <source>as wanted</source>
+        <translation>wie gewünscht</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>anders</translation>
+    </message>
+    <message>
+        <source>Cam</source>
+        <translation>Nocken</translation>
+    </message>
+    <message>
+        <source>Wanted</source>
+        <translation>Gewünscht</translation>
+    </message>
+    <message>
+        <source>Known</source>
+        <translation>Bekannt</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>%1, the largest position of a cam; the total range is unknown</source>
+        <translation>%1, die größte Position eines Nockens; der Gesamtbereich ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Cam program %1, wanted</source>
+        <translation>Nockenprogramm %1, gewünscht</translation>
+    </message>
+    <message>
+        <source>Cam program %1, as wanted, known: %2, %3</source>
+        <translation>Nockenprogramm %1, wie gewünscht, bekannt: %2, %3</translation>
+    </message>
+    <message>
+        <source>Cam program %1, known: %2, %3</source>
+        <translation>Nockenprogramm %1, bekannt: %2, %3</translation>
+    </message>
+    <message>
+        <source>Cam programs in which nothing is set: %1.</source>
+        <translation>Nockenprogramme, in denen nichts gesetzt ist: %1.</translation>
+    </message>
+    <message>
+        <source>serial number %1, read from it</source>
+        <translation>Seriennummer %1, ausgelesen</translation>
+    </message>
+    <message>
+        <source>serial number %1, from its label</source>
+        <translation>Seriennummer %1, vom Typenschild</translation>
+    </message>
+    <message>
+        <source>project and place; another encoder at this place counts on</source>
+        <translation>Projekt und Platz; ein anderer Geber an diesem Platz zählt weiter</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>about %1; nothing is guaranteed beyond %2</source>
+        <translation>etwa %1; über %2 hinaus wird nichts zugesichert</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>EEPROM writes by this program</source>
+        <translation>EEPROM-Schreibvorgänge durch dieses Programm</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <comment>device number</comment>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Station</translation>
+    </message>
+    <message>
+        <source>Writes</source>
+        <translation>Schreibvorgänge</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Seit</translation>
+    </message>
+    <message>
+        <source>Encoder told by</source>
+        <translation>Geber erkannt an</translation>
+    </message>
+    <message>
+        <source>Writes the manual states</source>
+        <translation>Schreibvorgänge laut Handbuch</translation>
+    </message>
+    <message>
+        <source>The project has no encoder that can be written.</source>
+        <translation>Das Projekt hat keinen Geber, der beschrieben werden kann.</translation>
+    </message>
+    <message>
+        <source>What other programs and controllers wrote is not known and not counted.</source>
+        <translation>Was andere Programme und Steuerungen geschrieben haben, ist nicht bekannt und nicht gezählt.</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Signatures</source>
+        <translation>Unterschriften</translation>
+    </message>
+    <message>
+        <source>Commissioned by</source>
+        <translation>In Betrieb genommen von</translation>
+    </message>
+    <message>
+        <source>Accepted by</source>
+        <translation>Abgenommen von</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Signature</source>
+        <translation>Unterschrift</translation>
+    </message>
+    <message>
+        <source>Cam program %1: start of cam %2</source>
+        <translation>Nockenprogramm %1: Anfang von Nocken %2</translation>
+    </message>
+    <message>
+        <source>Cam program %1: stop of cam %2</source>
+        <translation>Nockenprogramm %1: Ende von Nocken %2</translation>
+    </message>
+    <message>
+        <source>Cam program %1: active cams 7 to 0</source>
+        <translation>Nockenprogramm %1: aktive Nocken 7 bis 0</translation>
+    </message>
+    <message>
+        <source>Cam program %1: shift</source>
+        <translation>Nockenprogramm %1: Verschiebung</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>Herkunft</translation>
+    </message>
+    <message>
+        <source>No encoder is known to have anything else than what is wanted.</source>
+        <translation>Von keinem Geber ist bekannt, dass er etwas anderes hat als gewünscht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n wanted value(s) or cam program(s) could not be compared: what the encoders have there is unknown.</source>
+        <translation>
+            <numerusform>%n gewünschter Wert oder Nockenprogramm ließ sich nicht vergleichen: Was die Geber dort haben, ist nicht bekannt.</numerusform>
+            <numerusform>%n gewünschte Werte oder Nockenprogramme ließen sich nicht vergleichen: Was die Geber dort haben, ist nicht bekannt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The configured bus was not compared with a connected one.</source>
+        <translation>Der projektierte Bus wurde mit keinem angeschlossenen verglichen.</translation>
+    </message>
+    <message>
+        <source>The connected bus is as configured.</source>
+        <translation>Der angeschlossene Bus ist wie projektiert.</translation>
+    </message>
+    <message>
+        <source>Configured and connected bus</source>
+        <translation>Projektierter und angeschlossener Bus</translation>
+    </message>
+    <message>
+        <source>Rules of the bus</source>
+        <translation>Regeln des Busses</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Abweichungen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>place, device</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <comment>place, device, station</comment>
+        <translation>%1: %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 (from the label)</source>
+        <translation>%1 (vom Typenschild)</translation>
+    </message>
+    <message>
+        <source>%1 revolutions, %2 steps per revolution</source>
+        <translation>%1 Umdrehungen, %2 Schritte pro Umdrehung</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Typenschild</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Total range</source>
+        <translation>Gesamtbereich</translation>
+    </message>
+    <message>
+        <source>%1 positions</source>
+        <translation>%1 Positionen</translation>
+    </message>
+    <message>
+        <source>Known values</source>
+        <translation>Bekannte Werte</translation>
+    </message>
+    <message>
+        <source>of the connected encoder</source>
+        <translation>vom angeschlossenen Geber</translation>
+    </message>
+    <message>
+        <source>as stored in the project; the encoder was not asked</source>
+        <translation>wie im Projekt abgelegt; der Geber wurde nicht gefragt</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>nicht verglichen</translation>
+    </message>
+    <message>
+        <source>It has no parameters: it only tells its position.</source>
+        <translation>Er hat keine Parameter: Er meldet nur seine Position.</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Date, time</source>
+        <translation>Datum, Uhrzeit</translation>
+    </message>
+    <message>
+        <source>Encoders</source>
+        <translation>Geber</translation>
+    </message>
+    <message>
+        <source>Known values are: read, the encoder told it when it was read; echoed, the encoder confirmed it in a handshake and went into operation with it; told, somebody said so and the encoder was not asked; unknown, nobody knows what the encoder has.</source>
+        <translation>Bekannte Werte sind: gelesen, der Geber hat ihn beim Auslesen gemeldet; bestätigt, der Geber hat ihn in einem Handshake bestätigt und ist damit in Betrieb gegangen; angegeben, jemand hat es gesagt und der Geber wurde nicht gefragt; unbekannt, niemand weiß, was der Geber hat.</translation>
+    </message>
+    <message>
+        <source>The project has no encoders.</source>
+        <translation>Das Projekt hat keine Geber.</translation>
+    </message>
+    <message>
+        <source>training bus (simulated)</source>
+        <translation>Übungsbus (simuliert)</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>without a title</source>
+        <translation>ohne Titel</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Teilnehmer</translation>
+    </message>
+    <message>
+        <source>%1, encoders among them: %2</source>
+        <translation>%1, davon Geber: %2</translation>
+    </message>
+    <message>
+        <source>Commissioning report</source>
+        <translation>Inbetriebnahmebericht</translation>
+    </message>
+    <message>
+        <source>%1 (no description of it is known)</source>
+        <translation>%1 (keine Beschreibung dazu bekannt)</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>gelesen</translation>
+    </message>
+    <message>
+        <source>echoed</source>
+        <translation>bestätigt</translation>
+    </message>
+    <message>
+        <source>told</source>
+        <translation>angegeben</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 by hand</source>
+        <comment>address</comment>
+        <translation>%1 von Hand</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>ID code</source>
+        <translation>ID-Code</translation>
+    </message>
+    <message>
+        <source>Words IN / OUT</source>
+        <translation>Worte IN / OUT</translation>
+    </message>
+    <message>
+        <source>IN from word</source>
+        <translation>IN ab Wort</translation>
+    </message>
+    <message>
+        <source>IN from byte</source>
+        <translation>IN ab Byte</translation>
+    </message>
+    <message>
+        <source>OUT from word</source>
+        <translation>OUT ab Wort</translation>
+    </message>
+    <message>
+        <source>OUT from byte</source>
+        <translation>OUT ab Byte</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>about %1 ms</source>
+        <translation>etwa %1 ms</translation>
+    </message>
+    <message>
+        <source>Bus structure</source>
+        <translation>Busaufbau</translation>
+    </message>
+    <message>
+        <source>The project has no devices.</source>
+        <translation>Das Projekt hat keine Teilnehmer.</translation>
+    </message>
+    <message>
+        <source>Transmission speed</source>
+        <translation>Übertragungsrate</translation>
+    </message>
+    <message>
+        <source>Formula of G3 masters</source>
+        <translation>Formel der G3-Master</translation>
+    </message>
+    <message>
+        <source>Formula of G4 masters</source>
+        <translation>Formel der G4-Master</translation>
+    </message>
+    <message>
+        <source>500 kBd</source>
+        <translation>500 kBd</translation>
+    </message>
+    <message>
+        <source>2 MBd</source>
+        <translation>2 MBd</translation>
+    </message>
+    <message>
+        <source>For %1 bytes of process data, %2 remote bus devices and %3 km of cable.</source>
+        <translation>Für %1 Byte Prozessdaten, %2 Fernbusteilnehmer und %3 km Kabel.</translation>
+    </message>
+    <message>
+        <source>Approximate cycle time</source>
+        <translation>Ungefähre Zykluszeit</translation>
     </message>
 </context>
 <context>
@@ -6113,6 +7142,10 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>The position is signed.</source>
         <translation>Die Position hat ein Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>Raw word %1. The make of the encoder is not known, and so neither is its coding: name it in the bus structure.</source>
+        <translation>Rohwort %1. Der Hersteller des Gebers ist nicht bekannt und damit auch nicht die Codierung: Den Geber im Busaufbau benennen.</translation>
     </message>
 </context>
 <context>

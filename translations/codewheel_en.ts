@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>codewheel::ReportTexts</name>
+    <message numerus="yes">
+        <source>%n wanted value(s) or cam program(s) could not be compared: what the encoders have there is unknown.</source>
+        <translation>
+            <numerusform>%n wanted value or cam program could not be compared: what the encoder has there is unknown.</numerusform>
+            <numerusform>%n wanted values or cam programs could not be compared: what the encoders have there is unknown.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::SequenceView</name>
     <message numerus="yes">
         <source>All %n words were sent.</source>
