@@ -7,9 +7,10 @@
 namespace codewheel {
 namespace {
 
-constexpr std::array commands{&devicesCommand, &scanCommand,  &explainCommand, &wordsCommand,
-                              &readCommand,    &writeCommand, &presetCommand,  &velocityCommand,
-                              &resetCommand,   &camsCommand,  &monitorCommand};
+constexpr std::array commands{&devicesCommand, &scanCommand,   &explainCommand, &wordsCommand,
+                              &readCommand,    &writeCommand,  &presetCommand,  &velocityCommand,
+                              &resetCommand,   &camsCommand,   &storeCommand,   &transferCommand,
+                              &cloneCommand,   &monitorCommand};
 
 constexpr std::array common{
     Option{"--json", nullptr,

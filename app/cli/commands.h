@@ -16,6 +16,9 @@ extern const Subcommand presetCommand;
 extern const Subcommand velocityCommand;
 extern const Subcommand resetCommand;
 extern const Subcommand camsCommand;
+extern const Subcommand storeCommand;
+extern const Subcommand transferCommand;
+extern const Subcommand cloneCommand;
 extern const Subcommand monitorCommand;
 
 // In the order of the help.

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bus_access.h"
+#include "cli/commands.h"
+#include "cli/texts.h"
+#include "cli/transfer_call.h"
+#include "encoder/sentence.h"
+#include "ring/bus_session.h"
+#include "transfer/value_store.h"
+
+#include <array>
+#include <limits>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *examples[] = {"clone 1.0 6.1 --dry-run", "clone 1.0 6.1 --yes --trace"};
+
+constexpr std::array options{
+    Option{"--cams", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "cam programs as well")},
+    transferDryRun,
+    transferStop,
+    transferReport,
+    transferTrace,
+    transferYes,
+};
+
+// All that it tells, where it can be read.
+Checked<void> readFirst(const Call &call, const EncoderSession &from)
+{
+    const EncoderJobs jobs = jobsToStore(from, call.arguments.has("--cams"));
+    if (jobs.jobs.empty())
+        return {};
+    const FinishedRound round = runToEnd(*call.bus, {jobs}, JobRound::AfterRefusal::stop);
+    if (round.results.front().why)
+        return tl::unexpected(complaintAbout(*round.results.front().why));
+    return {};
+}
+
+Checked<Answer> run(const Call &call)
+{
+    const auto from = encoderAt(*call.bus, call.arguments.rest.front());
+    if (!from)
+        return tl::unexpected(from.error());
+    std::vector<EncoderSession *> targets;
+    for (const QString &place : call.arguments.rest.sliced(1)) {
+        const auto to = encoderAt(*call.bus, place);
+        if (!to)
+            return tl::unexpected(to.error());
+        targets.push_back(*to);
+    }
+    if (const auto read = readFirst(call, **from); !read)
+        return tl::unexpected(read.error());
+    std::vector<TransferWish> wishes;
+    for (const EncoderSession *to : targets)
+        wishes.push_back(wishToClone(**from, *to, call.arguments.has("--cams")));
+    if (wishes.front().values.empty())
+        return badInput(QStringLiteral("nothingKnown"),
+                        CommandLine::tr("Nothing is known of %1: it cannot be read, and nothing was written "
+                                        "to it from here."),
+                        {call.arguments.rest.front()});
+    return transfer(call, TransferKind::clone, (*from)->number().toString(), planTransfer(*call.bus, wishes));
+}
+
+} // namespace
+
+const Subcommand cloneCommand{
+    .name = "clone",
+    .usage = "FROM TO... [--cams] [--dry-run] [--stop] [--report FILE] [--yes] [--trace]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "give other encoders the values of one"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Reads the encoder at FROM, which takes its position away for some cycles, and writes its values to\n"
+        "encoders of the same kind, as \"transfer\" does. The zero offset is not taken along: it belongs to\n"
+        "the way an encoder is mounted. With --cams each cam program of FROM is read in the cam mode of its\n"
+        "own; leaving one that was changed before costs an EEPROM write."),
+    .examples = examples,
+    .options = options,
+    .minimumArguments = 2,
+    .maximumArguments = std::numeric_limits<int>::max(),
+    .needsBus = true,
+    .run = run,
+};
+
+} // namespace codewheel

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands.h"
+#include "cli/json.h"
+#include "cli/parameter_text.h"
+#include "cli/text_table.h"
+#include "cli/texts.h"
+#include "cli/transfer_call.h"
+#include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
+#include "project/project_file.h"
+#include "ring/bus_session.h"
+#include "transfer/value_store.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *examples[] = {"store crane.codewheel", "store crane.codewheel 1.0 --cams"};
+
+constexpr std::array options{
+    Option{"--cams", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "read the cam programs as well")},
+    transferTrace,
+};
+
+// The encoders that stand where the project has them.
+std::vector<EncoderJobs> jobsFor(const Call &call, const std::vector<ProjectDevice> &devices)
+{
+    std::vector<EncoderJobs> all;
+    for (const ProjectDevice &device : devices)
+        if (const EncoderSession *encoder = call.bus->encoder(device.participant.number)) {
+            EncoderJobs jobs = jobsToStore(*encoder, call.arguments.has("--cams"));
+            if (!jobs.jobs.empty())
+                all.push_back(std::move(jobs));
+        }
+    return all;
+}
+
+QString valueLine(const DeviceDescription &device, const StoredValue &stored)
+{
+    const ParameterDescription *parameter = device.find(stored.parameter);
+    return parameter ? typedValue(*parameter, stored.value) : QString::number(stored.value);
+}
+
+void show(const EncoderSession &encoder, const ProjectDevice &device, Answer &answer, QJsonArray &json)
+{
+    TextTable table;
+    QJsonArray values;
+    for (const StoredValue &stored : device.stored) {
+        table.add({parameterKey(stored.parameter),
+                   QStringLiteral("= %1").arg(valueLine(encoder.device(), stored)),
+                   evidenceText(stored.evidence)});
+        values.append(QJsonObject{{QStringLiteral("parameter"), parameterKey(stored.parameter)},
+                                  {QStringLiteral("value"), numberJson(stored.value)},
+                                  {QStringLiteral("evidence"), evidenceKey(stored.evidence)},
+                                  {QStringLiteral("at"), stored.at.toString(Qt::ISODate)}});
+    }
+    answer.text +=
+        device.participant.number.toString() + QStringLiteral("  ") + encoder.device().fullName() + u'\n' +
+        (device.stored.empty() ? QStringLiteral("  ") + CommandLine::tr("Nothing is known of it.") + u'\n'
+                               : table.toString(2));
+    json.append(QJsonObject{{QStringLiteral("place"), device.participant.number.toString()},
+                            {QStringLiteral("stored"), values},
+                            {QStringLiteral("camPrograms"), static_cast<int>(device.storedCams.size())}});
+}
+
+// What could not be read keeps what was known of it.
+void complain(const std::vector<EncoderResult> &results, Answer &answer)
+{
+    const auto failed =
+        std::ranges::find_if(results, [](const EncoderResult &result) { return result.why.has_value(); });
+    if (failed != results.end()) {
+        answer.complaint = complaintAbout(*failed->why);
+        answer.complaint->text.prepend(failed->place.toString() + QStringLiteral(": "));
+    }
+}
+
+Checked<Answer> run(const Call &call)
+{
+    const QString &file = call.arguments.rest.front();
+    auto project = loadProject(file);
+    if (!project)
+        return tl::unexpected(complaintAbout(project.error()));
+    const auto devices = devicesMeant(call, *project);
+    if (!devices)
+        return tl::unexpected(devices.error());
+    nameByProject(*call.bus, *devices);
+    call.bus->advance(1);
+    const FinishedRound round = runToEnd(*call.bus, jobsFor(call, *devices), JobRound::AfterRefusal::goOn);
+    Answer answer;
+    QJsonArray encoders;
+    addTrace(call, round, answer);
+    for (const ProjectDevice &meant : *devices) {
+        const EncoderSession *encoder = call.bus->encoder(meant.participant.number);
+        if (encoder == nullptr)
+            continue;
+        const auto kept = std::ranges::find(project->devices, meant);
+        *kept = withStored(*kept, *encoder);
+        show(*encoder, *kept, answer, encoders);
+    }
+    answer.json.insert(QStringLiteral("encoders"), encoders);
+    complain(round.results, answer);
+    if (const auto saved = saveProject(*project, file); !saved)
+        answer.complaint = complaintAbout(saved.error());
+    else
+        answer.text += sentence(CommandLine::tr("Saved in %1."), {file}) + u'\n';
+    return answer;
+}
+
+} // namespace
+
+const Subcommand storeCommand{
+    .name = "store",
+    .usage = "PROJECT [PLACE...] [--cams] [--trace]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "keep what encoders have in a project"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Reads all that can be read of the encoders named, or of all, and keeps it in the project, with its\n"
+        "evidence and time. While an encoder is read, it shows no position. Of an encoder that cannot be\n"
+        "read what is known is kept; what nobody knows stays unknown. With --cams each cam program is read\n"
+        "in the cam mode of its own; leaving one that was changed before costs an EEPROM write.\n"
+        "The file that was there is kept as PROJECT~."),
+    .examples = examples,
+    .options = options,
+    .minimumArguments = 1,
+    .maximumArguments = std::numeric_limits<int>::max(),
+    .needsBus = true,
+    .run = run,
+};
+
+} // namespace codewheel

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands.h"
+#include "cli/transfer_call.h"
+#include "project/project_file.h"
+#include "ring/bus_session.h"
+
+#include <array>
+#include <limits>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *examples[] = {"transfer crane.codewheel --dry-run", "transfer crane.codewheel 1.0 2.0",
+                                    "transfer crane.codewheel --stored --yes --report account.html"};
+
+constexpr std::array options{
+    Option{"--stored", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "write what was stored of the encoders, not what is wanted")},
+    transferDryRun,
+    transferStop,
+    transferReport,
+    transferTrace,
+    transferYes,
+};
+
+Checked<Answer> run(const Call &call)
+{
+    const QString &file = call.arguments.rest.front();
+    const auto project = loadProject(file);
+    if (!project)
+        return tl::unexpected(complaintAbout(project.error()));
+    const auto devices = devicesMeant(call, *project);
+    if (!devices)
+        return tl::unexpected(devices.error());
+    const bool all = call.arguments.rest.size() == 1;
+    nameByProject(*call.bus, *devices);
+    call.bus->advance(1);
+    std::vector<TransferWish> wishes;
+    for (const ProjectDevice &device : *devices) {
+        TransferWish wish =
+            wishOf(device, call.arguments.has("--stored") ? TransferSource::stored : TransferSource::wanted);
+        const bool isEmpty = wish.values.empty() && wish.cams.empty();
+        if (!all || !isEmpty)
+            wishes.push_back(std::move(wish));
+    }
+    return transfer(call, TransferKind::write, file, planTransfer(*call.bus, wishes));
+}
+
+} // namespace
+
+const Subcommand transferCommand{
+    .name = "transfer",
+    .usage = "PROJECT [PLACE...] [--stored] [--dry-run] [--stop] [--report FILE] [--yes] [--trace]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "write the values of a project to its encoders"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Shows what the encoders named, or all, are known to have beside what the project wants, with the\n"
+        "words; asks; writes to one after the other, and tells what became of each value. What is already\n"
+        "there is not written: an encoder that can be read is read first. An encoder of which one value\n"
+        "cannot be written is not written at all. Exit code 1 if an encoder has not got all of it."),
+    .examples = examples,
+    .options = options,
+    .minimumArguments = 1,
+    .maximumArguments = std::numeric_limits<int>::max(),
+    .needsBus = true,
+    .run = run,
+};
+
+} // namespace codewheel

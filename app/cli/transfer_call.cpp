@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/transfer_call.h"
+
+#include "catalog/catalog.h"
+#include "cli/bus_access.h"
+#include "cli/consent.h"
+#include "cli/texts.h"
+#include "cli/trace.h"
+#include "cli/transfer_text.h"
+#include "encoder/sentence.h"
+#include "report/html_report.h"
+#include "ring/bus_session.h"
+#include "transfer/transfer_report.h"
+
+#include <QCoreApplication>
+#include <QSaveFile>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+QString placesOf(const Project &project)
+{
+    QStringList places;
+    for (const ProjectDevice &device : project.devices)
+        places << device.participant.number.toString();
+    return places.join(QStringLiteral(", "));
+}
+
+void saveReport(const Call &call, const TransferAccount &account, Answer &answer)
+{
+    const auto path = call.arguments.value("--report");
+    if (!path)
+        return;
+    const Report report = reportOf(account, call.catalog, QCoreApplication::applicationVersion());
+    const bool asHtml = path->endsWith(QStringLiteral(".html"), Qt::CaseInsensitive);
+    const QByteArray bytes = asHtml ? reportAsHtml(report) : reportAsText(report).toUtf8();
+    QSaveFile file(*path);
+    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit())
+        answer.text += sentence(CommandLine::tr("Saved in %1."), {*path}) + u'\n';
+    else
+        answer.complaint =
+            complaintAbout({RefusalKind::badInput, RefusalId::fileNotWritten, {*path, file.errorString()}});
+}
+
+// The first encoder that has not got all of it says why.
+std::optional<Complaint> complaintAboutAccount(const TransferAccount &account)
+{
+    const auto failed = std::ranges::find_if_not(account.encoders, &EncoderAccount::isDone);
+    if (failed == account.encoders.end())
+        return std::nullopt;
+    Complaint complaint{ExitCode::refused, QStringLiteral("notAllDone"),
+                        sentence(CommandLine::tr("Not all of it was written, first of all to %1."),
+                                 {failed->place.toString()})};
+    if (failed->why) {
+        const Complaint why = complaintAbout(*failed->why);
+        complaint.key = why.key;
+        complaint.text += u' ' + why.text;
+        complaint.arguments = why.arguments;
+    }
+    return complaint;
+}
+
+} // namespace
+
+Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project &project)
+{
+    if (project.devices.empty())
+        return tl::unexpected(complaintAbout({RefusalKind::badInput, RefusalId::projectEmpty, {}}));
+    if (call.arguments.rest.size() == 1)
+        return project.devices;
+    std::vector<ProjectDevice> devices;
+    for (const QString &place : call.arguments.rest.sliced(1)) {
+        const auto found = std::ranges::find_if(project.devices, [&](const ProjectDevice &device) {
+            return device.participant.number.toString() == place;
+        });
+        if (found == project.devices.end())
+            return tl::unexpected(complaintAbout(
+                {RefusalKind::badInput, RefusalId::noSuchProjectDevice, {place, placesOf(project)}}));
+        devices.push_back(*found);
+    }
+    return devices;
+}
+
+void nameByProject(BusSession &bus, const std::vector<ProjectDevice> &devices)
+{
+    for (const ProjectDevice &device : devices) {
+        const Participant &planned = device.participant;
+        const auto found = std::ranges::find(bus.structure(), planned.number, &Participant::number);
+        const bool isOpen = found != bus.structure().end() && found->deviceKey.isEmpty();
+        if (isOpen && !planned.deviceKey.isEmpty())
+            (void)bus.name(planned.number, planned.deviceKey, device.label.turns, device.label.stepsPerTurn);
+    }
+}
+
+FinishedRound runToEnd(BusSession &bus, std::vector<EncoderJobs> jobs, JobRound::AfterRefusal afterRefusal)
+{
+    FinishedRound finished;
+    JobRound round(bus);
+    QObject scope;
+    for (const EncoderJobs &one : jobs)
+        if (EncoderSession *encoder = bus.encoder(one.place))
+            QObject::connect(
+                encoder, &EncoderSession::exchanged, &scope,
+                [&rows = finished.rows[one.place]](const Exchange &row) { rows.push_back(row); });
+    round.start(std::move(jobs), afterRefusal);
+    while (round.isRunning())
+        bus.advance(1);
+    finished.results = round.results();
+    return finished;
+}
+
+void addTrace(const Call &call, const FinishedRound &round, Answer &answer)
+{
+    if (!call.arguments.has("--trace"))
+        return;
+    QJsonObject json;
+    for (const auto &[place, rows] : round.rows) {
+        const DeviceDescription &device = call.bus->encoder(place)->device();
+        answer.text += u'\n' + place.toString() + u'\n' + traceText(device, rows);
+        json.insert(place.toString(), traceJson(device, rows));
+    }
+    answer.text += u'\n';
+    answer.json.insert(QStringLiteral("trace"), json);
+}
+
+Answer transfer(const Call &call, TransferKind kind, const QString &source, const TransferPlan &plan)
+{
+    Answer answer;
+    answer.json.insert(QStringLiteral("plan"), planJson(*call.bus, plan));
+    if (!call.arguments.has("--json"))
+        call.terminal.print(planText(*call.bus, plan));
+    const std::vector<EncoderJobs> jobs = jobsOf(plan);
+    if (call.arguments.has("--dry-run"))
+        return answer;
+    if (!jobs.empty()) {
+        const auto agreed =
+            consent(call,
+                    sentence(CommandLine::tr("Write this to encoders: %1, with at most so many EEPROM "
+                                             "writes: %2?"),
+                             {QString::number(jobs.size()), QString::number(eepromWritesOf(plan))}),
+                    CommandLine::tr("Nothing was written: there is nobody to ask. Add --yes to write, or "
+                                    "--dry-run to look only."));
+        if (!agreed) {
+            answer.complaint = agreed.error();
+            return answer;
+        }
+    }
+    const FinishedRound round =
+        runToEnd(*call.bus, jobs,
+                 call.arguments.has("--stop") ? JobRound::AfterRefusal::stop : JobRound::AfterRefusal::goOn);
+    addTrace(call, round, answer);
+    TransferAccount account = accountOf(*call.bus, kind, plan, round.results);
+    account.source = source;
+    answer.text += u'\n' + accountText(*call.bus, account);
+    answer.json.insert(QStringLiteral("encoders"), accountJson(*call.bus, account));
+    answer.json.insert(QStringLiteral("eepromWrites"), account.eepromWrites());
+    answer.complaint = complaintAboutAccount(account);
+    saveReport(call, account, answer);
+    return answer;
+}
+
+} // namespace codewheel

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/subcommand.h"
+#include "encoder/exchange.h"
+#include "project/project.h"
+#include "transfer/transfer_account.h"
+
+#include <map>
+
+namespace codewheel {
+
+// What the commands about several encoders have in common.
+
+// The devices of the project named in the call, from its second argument on; without any, all. Refuses a
+// place that the project does not have.
+Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project &project);
+
+// A make that the project knows and the bus does not tell is named; what does not fit is left as it is, and
+// told by the plan.
+void nameByProject(BusSession &bus, const std::vector<ProjectDevice> &devices);
+
+// A round of jobs in virtual time.
+struct FinishedRound
+{
+    std::vector<EncoderResult> results;
+    std::map<DeviceNumber, std::vector<Exchange>> rows; // the words that went over the bus
+};
+FinishedRound runToEnd(BusSession &bus, std::vector<EncoderJobs> jobs, JobRound::AfterRefusal afterRefusal);
+void addTrace(const Call &call, const FinishedRound &round, Answer &answer); // with --trace
+
+// Shows the plan, asks, writes, accounts. With --dry-run the plan only; with --stop the rest is not begun
+// after a refusal; with --report FILE the account is saved.
+Answer transfer(const Call &call, TransferKind kind, const QString &source, const TransferPlan &plan);
+
+// The options of all of them but deviceOption.
+inline constexpr Option transferYes{"--yes", nullptr,
+                                    QT_TRANSLATE_NOOP("codewheel::CommandLine", "write without asking")};
+inline constexpr Option transferDryRun{
+    "--dry-run", nullptr,
+    QT_TRANSLATE_NOOP("codewheel::CommandLine", "show what would be written, and write nothing")};
+inline constexpr Option transferStop{
+    "--stop", nullptr,
+    QT_TRANSLATE_NOOP("codewheel::CommandLine", "begin no other encoder after one has refused")};
+inline constexpr Option transferReport{
+    "--report", "FILE",
+    QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                      "save what was written where: HTML where the name ends in .html, else text")};
+inline constexpr Option transferTrace{
+    "--trace", nullptr,
+    QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")};
+
+} // namespace codewheel

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/transfer_text.h"
+
+#include "cli/cam_text.h"
+#include "cli/json.h"
+#include "cli/parameter_text.h"
+#include "cli/text_table.h"
+#include "cli/texts.h"
+#include "encoder/hex.h"
+#include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
+#include "ring/bus_session.h"
+#include "transfer/transfer_words.h"
+
+namespace codewheel {
+namespace {
+
+const DeviceDescription *deviceAt(const BusSession &bus, DeviceNumber place)
+{
+    const EncoderSession *encoder = bus.encoder(place);
+    return encoder ? &encoder->device() : nullptr;
+}
+
+QString typed(const DeviceDescription *device, const ParameterValue &value)
+{
+    const ParameterDescription *parameter = device ? device->find(value.parameter) : nullptr;
+    return parameter ? typedValue(*parameter, value.value) : QString::number(value.value);
+}
+
+QString known(const DeviceDescription *device, Parameter parameter, const std::optional<Known> &known)
+{
+    return known ? QStringLiteral("%1 (%2)").arg(typed(device, {parameter, known->value}),
+                                                 evidenceKey(known->evidence))
+                 : CommandLine::tr("unknown");
+}
+
+QString programName(unsigned program)
+{
+    return sentence(CommandLine::tr("cam program %1"), {QString::number(program)});
+}
+
+// "1.0  FRABA OCD-IB K3  Crane 1, hoist"
+template <typename Encoder>
+QString heading(const Encoder &encoder)
+{
+    QStringList parts{encoder.place.toString()};
+    for (const QString &part : {encoder.device, encoder.station})
+        if (!part.isEmpty())
+            parts << part;
+    return parts.join(QStringLiteral("  ")) + u'\n';
+}
+
+QString tableOf(const BusSession &bus, const EncoderPlan &plan)
+{
+    const DeviceDescription *device = deviceAt(bus, plan.place);
+    TextTable table;
+    for (const TransferRow &row : plan.rows)
+        table.add({parameterKey(row.wanted.parameter), known(device, row.wanted.parameter, row.known),
+                   typed(device, row.wanted),
+                   row.isThere     ? CommandLine::tr("left out: already there")
+                   : row.word != 0 ? hexWord(row.word)
+                                   : QString()});
+    for (const TransferCamRow &row : plan.cams)
+        table.add({programName(row.wanted.number),
+                   {},
+                   {},
+                   row.isThere ? CommandLine::tr("left out: already there") : QString()});
+    return table.toString(2);
+}
+
+QJsonValue refusalJson(const std::optional<Refusal> &refusal)
+{
+    return refusal ? QJsonValue(QJsonObject{{QStringLiteral("key"), refusalKey(refusal->id)},
+                                            {QStringLiteral("text"), refusalText(*refusal)}})
+                   : QJsonValue();
+}
+
+QJsonObject valueJsonOf(const DeviceDescription *device, const ParameterValue &value)
+{
+    const ParameterDescription *parameter = device ? device->find(value.parameter) : nullptr;
+    if (parameter)
+        return valueJson(*parameter, value.value);
+    return {{QStringLiteral("parameter"), parameterKey(value.parameter)},
+            {QStringLiteral("value"), numberJson(value.value)}};
+}
+
+void addKnown(QJsonObject &json, const std::optional<Known> &known)
+{
+    json.insert(QStringLiteral("known"), known ? numberJson(known->value) : QJsonValue());
+    json.insert(QStringLiteral("evidence"), known ? QJsonValue(evidenceKey(known->evidence)) : QJsonValue());
+}
+
+QString becameKey(Became became)
+{
+    switch (became) {
+    case Became::written:
+        return QStringLiteral("written");
+    case Became::alreadyThere:
+        return QStringLiteral("alreadyThere");
+    case Became::restored:
+        return QStringLiteral("restored");
+    case Became::notDone:
+        break;
+    }
+    return QStringLiteral("notDone");
+}
+
+} // namespace
+
+QString planText(const BusSession &bus, const TransferPlan &plan)
+{
+    QString text;
+    for (const EncoderPlan &encoder : plan) {
+        text += heading(encoder) + tableOf(bus, encoder);
+        for (const QString &note : transfer_words::notes(encoder))
+            text += QStringLiteral("  ") + note + u'\n';
+        text += QStringLiteral("  ") + transfer_words::summary(encoder) + u'\n';
+    }
+    return text;
+}
+
+QJsonArray planJson(const BusSession &bus, const TransferPlan &plan)
+{
+    QJsonArray encoders;
+    for (const EncoderPlan &encoder : plan) {
+        const DeviceDescription *device = deviceAt(bus, encoder.place);
+        QJsonArray rows;
+        for (const TransferRow &row : encoder.rows) {
+            QJsonObject json = valueJsonOf(device, row.wanted);
+            addKnown(json, row.known);
+            json.insert(QStringLiteral("word"), row.word != 0 ? wordJson(row.word) : QJsonValue());
+            json.insert(QStringLiteral("leftOut"), row.isThere);
+            rows.append(json);
+        }
+        QJsonArray cams;
+        for (const TransferCamRow &row : encoder.cams)
+            cams.append(QJsonObject{{QStringLiteral("program"), static_cast<int>(row.wanted.number)},
+                                    {QStringLiteral("leftOut"), row.isThere}});
+        encoders.append(
+            QJsonObject{{QStringLiteral("place"), encoder.place.toString()},
+                        {QStringLiteral("device"), device ? QJsonValue(device->key) : QJsonValue()},
+                        {QStringLiteral("hindrance"), refusalJson(encoder.hindrance)},
+                        {QStringLiteral("values"), rows},
+                        {QStringLiteral("cams"), cams},
+                        {QStringLiteral("eepromWritesAtMost"), encoder.eepromWrites}});
+    }
+    return encoders;
+}
+
+QString accountText(const BusSession &bus, const TransferAccount &account)
+{
+    QString text;
+    for (const EncoderAccount &encoder : account.encoders) {
+        const DeviceDescription *device = deviceAt(bus, encoder.place);
+        TextTable table;
+        for (const AccountRow &row : encoder.rows)
+            table.add({parameterKey(row.wanted.parameter),
+                       QStringLiteral("= %1").arg(typed(device, row.wanted)), transfer_words::became(row)});
+        for (const AccountCamRow &row : encoder.cams)
+            table.add({programName(row.program), {}, transfer_words::became(row)});
+        text += heading(encoder) + table.toString(2) + QStringLiteral("  ") +
+                transfer_words::outcome(encoder) + u'\n';
+        if (encoder.isBegun)
+            text +=
+                QStringLiteral("  ") +
+                sentence(CommandLine::tr("EEPROM writes: %1. Left %2."),
+                         {QString::number(encoder.eepromWrites), transfer_words::leftIn(encoder.leftIn)}) +
+                u'\n';
+    }
+    return text +
+           sentence(CommandLine::tr("Written: %1. Already there: %2. EEPROM writes: %3."),
+                    {QString::number(account.count(Became::written)),
+                     QString::number(account.count(Became::alreadyThere)),
+                     QString::number(account.eepromWrites())}) +
+           u'\n';
+}
+
+QJsonArray accountJson(const BusSession &bus, const TransferAccount &account)
+{
+    QJsonArray encoders;
+    for (const EncoderAccount &encoder : account.encoders) {
+        const DeviceDescription *device = deviceAt(bus, encoder.place);
+        QJsonArray rows;
+        for (const AccountRow &row : encoder.rows) {
+            QJsonObject json = valueJsonOf(device, row.wanted);
+            addKnown(json, row.after);
+            json.insert(QStringLiteral("became"), becameKey(row.became));
+            rows.append(json);
+        }
+        QJsonArray cams;
+        for (const AccountCamRow &row : encoder.cams)
+            cams.append(QJsonObject{{QStringLiteral("program"), static_cast<int>(row.program)},
+                                    {QStringLiteral("became"), becameKey(row.became)}});
+        encoders.append(QJsonObject{{QStringLiteral("place"), encoder.place.toString()},
+                                    {QStringLiteral("begun"), encoder.isBegun},
+                                    {QStringLiteral("why"), refusalJson(encoder.why)},
+                                    {QStringLiteral("values"), rows},
+                                    {QStringLiteral("cams"), cams},
+                                    {QStringLiteral("eepromWrites"), encoder.eepromWrites},
+                                    {QStringLiteral("positionBefore"), numberJson(encoder.positionBefore)},
+                                    {QStringLiteral("positionAfter"), numberJson(encoder.positionAfter)},
+                                    {QStringLiteral("leftIn"), stateKey(encoder.leftIn)}});
+    }
+    return encoders;
+}
+
+} // namespace codewheel

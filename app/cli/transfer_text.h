@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "transfer/transfer_account.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+
+namespace codewheel {
+
+class Catalog;
+
+// What `transfer` and `clone` are about to do, and what became of it: encoder by encoder, for people and for
+// programs (docs/command-line.md).
+QString planText(const BusSession &bus, const TransferPlan &plan);
+QJsonArray planJson(const BusSession &bus, const TransferPlan &plan);
+QString accountText(const BusSession &bus, const TransferAccount &account);
+QJsonArray accountJson(const BusSession &bus, const TransferAccount &account);
+
+} // namespace codewheel

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "project/project_file.h"
+#include "ring/bus_session.h"
+#include "tests/cli/cli_run.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+// The training bus as a project that wants something of two of its encoders.
+class CliTransfer : public testing::Test
+{
+protected:
+    CliTransfer()
+    {
+        for (const Participant &participant : shared.bus().structure()) {
+            ProjectDevice device;
+            device.participant = participant;
+            if (participant.number == DeviceNumber{1, 0})
+                device.wanted = {{Parameter::steps, 255}, {Parameter::revolutions, 1}};
+            if (participant.number == DeviceNumber{2, 0})
+                device.wanted = {{Parameter::steps, 4096}};
+            project.devices.push_back(device);
+        }
+        save();
+    }
+    void save() { EXPECT_TRUE(saveProject(project, file)); }
+    CliRun runIt(const char *what, const Person &person = {})
+    {
+        return shared.runLine(QString::fromLatin1(what).replace(u'@', file), person);
+    }
+
+    SharedBus shared;
+    QTemporaryDir folder;
+    QString file = folder.filePath(QStringLiteral("crane.codewheel"));
+    Project project;
+};
+
+TEST_F(CliTransfer, ADryRunShowsTheDifferenceAndSendsNothing)
+{
+    const CliRun run = runIt("transfer @ --dry-run");
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_EQ(run.out, "1.0  FRABA OCD-IB K3\n"
+                       "  steps        unknown  255  020000FF\n"
+                       "  revolutions  unknown  1    04000001\n"
+                       "  The encoder is read first; what it already has is not written again.\n"
+                       "  If the encoder counts steps minus 1, the word for the steps is one less.\n"
+                       "  Values and cam programs to write: 2. EEPROM writes: at most 2.\n"
+                       "2.0  Baumer GXP6W K3\n"
+                       "  steps  unknown  4096  02001000\n"
+                       "  Values and cam programs to write: 1. EEPROM writes: at most 1.\n");
+    EXPECT_EQ(shared.eepromWrites(), 0);
+    EXPECT_EQ(shared.bus().devicesWithOut().size(), 0u);
+}
+
+TEST_F(CliTransfer, WritesToAllAndASecondTimeToNone)
+{
+    const CliRun run = runIt("transfer @ --yes");
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("  steps        = 255  Written, and read back\n"
+                                   "  revolutions  = 1    Was there already\n"));
+    EXPECT_THAT(run.out, HasSubstr("Written: 2. Already there: 1. EEPROM writes: 2.\n"));
+    EXPECT_EQ(shared.eepromWrites(), 2);
+    const CliRun again = runIt("transfer @");
+    EXPECT_EQ(again.exit, 0) << again.err;
+    EXPECT_THAT(again.out, HasSubstr("  All of it is there: nothing is sent.\n"));
+    EXPECT_EQ(shared.eepromWrites(), 2);
+}
+
+TEST_F(CliTransfer, NothingIsWrittenWithoutConsent)
+{
+    EXPECT_EQ(runIt("transfer @").exit, 2);
+    EXPECT_EQ(runIt("transfer @", {.isThere = true, .types = "no\n"}).exit, 2);
+    EXPECT_EQ(shared.eepromWrites(), 0);
+    EXPECT_EQ(runIt("transfer @ 2.0", {.isThere = true, .types = "yes\n"}).exit, 0);
+    EXPECT_EQ(shared.eepromWrites(), 1);
+}
+
+TEST_F(CliTransfer, TheAccountIsToldToProgramsAndSaved)
+{
+    const QString account = folder.filePath(QStringLiteral("account.txt"));
+    const CliRun run =
+        shared.runLine(QStringLiteral("transfer %1 2.0 --yes --json --trace --report %2").arg(file, account));
+    EXPECT_EQ(run.exit, 0) << run.err;
+    const QJsonObject encoder = run.json()[u"encoders"].toArray()[0].toObject();
+    EXPECT_EQ(encoder[u"place"].toString(), QStringLiteral("2.0"));
+    const QJsonObject value = encoder[u"values"].toArray()[0].toObject();
+    EXPECT_EQ(value[u"became"].toString(), QStringLiteral("written"));
+    EXPECT_EQ(value[u"evidence"].toString(), QStringLiteral("echoed"));
+    EXPECT_EQ(encoder[u"leftIn"].toString(), QStringLiteral("operation"));
+    EXPECT_EQ(run.json()[u"eepromWrites"].toInt(), 1);
+    EXPECT_FALSE(run.json()[u"trace"].toObject()[u"2.0"].toArray().isEmpty());
+    QFile saved(account);
+    ASSERT_TRUE(saved.open(QIODevice::ReadOnly));
+    EXPECT_THAT(saved.readAll().toStdString(), HasSubstr("Values written to encoders\n"));
+}
+
+TEST_F(CliTransfer, AnEncoderThatRefusesIsNamedAndTheExitCodeTellsIt)
+{
+    project.devices[1].wanted = {{Parameter::steps, 8193}, {Parameter::revolutions, 1}}; // 2.0
+    save();
+    const CliRun run = runIt("transfer @ --yes");
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("Not all of it was written, first of all to 2.0. Error 1:"));
+    EXPECT_THAT(run.out, HasSubstr("  steps        = 255  Written, and read back"));
+}
+
+TEST_F(CliTransfer, APlaceOrAFileThatIsNotThereIsRefused)
+{
+    EXPECT_EQ(errorKey(runIt("transfer @ 9.0 --json")), "noSuchProjectDevice");
+    EXPECT_EQ(errorKey(runIt("transfer nowhere.codewheel --json")), "fileNotReadable");
+    project.devices.clear();
+    save();
+    EXPECT_EQ(errorKey(runIt("store @ --json")), "projectEmpty");
+}
+
+TEST_F(CliTransfer, StoreKeepsWhatWasReadInTheProject)
+{
+    const CliRun run = runIt("store @ 1.0 2.0");
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("  serial-number             = 20417           read from the encoder\n"));
+    EXPECT_THAT(run.out, HasSubstr("2.0  Baumer GXP6W K3\n  Nothing is known of it.\n"));
+    EXPECT_EQ(shared.eepromWrites(), 0);
+    const auto stored = loadProject(file);
+    ASSERT_TRUE(stored);
+    EXPECT_FALSE(stored->devices[0].stored.empty());
+    EXPECT_TRUE(stored->devices[1].stored.empty());
+    EXPECT_EQ(stored->devices[0].wanted, project.devices[0].wanted);
+    EXPECT_EQ(runIt("transfer @ 1.0 --stored").exit, 0); // it has it
+}
+
+TEST_F(CliTransfer, CloneGivesTheValuesOfOneToAnother)
+{
+    ASSERT_EQ(runIt("transfer @ 1.0 --yes").exit, 0);
+    const CliRun run = runIt("clone 1.0 6.1 --yes");
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("  steps        = 255     Written, and read back\n"));
+    EXPECT_THAT(run.out, Not(HasSubstr("zero-offset")));
+    EXPECT_EQ(runIt("clone 1.0 2.0 --yes").exit, 1);
+    EXPECT_EQ(errorKey(runIt("clone 2.0 1.0 --json")), "nothingKnown");
+}
+
+} // namespace
+} // namespace codewheel
