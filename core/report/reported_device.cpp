@@ -46,6 +46,8 @@ std::vector<Parameter> ReportedDevice::parameters() const
 {
     std::vector<Parameter> listed;
     for (const Parameter parameter : allParameters()) {
+        if (parameter == Parameter::serialNumber)
+            continue; // no setting: it tells which encoder this is
         const ParameterDescription *described = description ? description->find(parameter) : nullptr;
         const bool isSetting = described && (described->number || described->onLabel);
         if (isSetting || known(parameter) || valueOf(planned->wanted, parameter))

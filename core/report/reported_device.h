@@ -21,7 +21,7 @@ struct ReportedDevice
     const StoredCams *knownCams(unsigned program) const;
     const CamProgram *wantedCams(unsigned program) const;
     ParameterValues knownValues() const;
-    // Wanted or known; registers and the like only where they are.
+    // Its settings, and whatever else is wanted or known; without the serial number.
     std::vector<Parameter> parameters() const;
     std::vector<unsigned> camPrograms() const; // wanted or known, 1..8
 };

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pdf/report_sheets.h"
+#include "pdf/save_report.h"
+#include "report/html_report.h"
+#include "tests/report/report_example.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+QByteArray contentOf(const QString &path)
+{
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    return file.readAll();
+}
+
+TEST(SaveReport, TheEndingTellsTheFormat)
+{
+    EXPECT_EQ(reportFormat(QStringLiteral("a.html")), ReportFormat::html);
+    EXPECT_EQ(reportFormat(QStringLiteral("a.b.PDF")), ReportFormat::pdf);
+    EXPECT_EQ(reportFormat(QStringLiteral("a.doc")), std::nullopt);
+    EXPECT_EQ(reportFormat(QStringLiteral("pdf")), std::nullopt);
+}
+
+TEST(SaveReport, WritesAPdfOfAllSheets)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("report.pdf"));
+    const Report report = reportOf(exampleInput());
+    const auto sheets = saveReport(report, path, ReportFormat::pdf);
+    ASSERT_TRUE(sheets);
+    EXPECT_EQ(static_cast<std::size_t>(*sheets), reportSheets(report).size());
+    const QByteArray pdf = contentOf(path);
+    EXPECT_TRUE(pdf.startsWith("%PDF-1."));
+    EXPECT_TRUE(pdf.contains("/Count " + QByteArray::number(*sheets) + '\n'));
+    EXPECT_TRUE(pdf.trimmed().endsWith("%%EOF"));
+}
+
+TEST(SaveReport, WritesTheWebPage)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("report.html"));
+    ASSERT_TRUE(saveReport(reportOf(exampleInput()), path, ReportFormat::html));
+    EXPECT_EQ(contentOf(path), reportAsHtml(reportOf(exampleInput())));
+}
+
+TEST(SaveReport, SaysWhichFileCouldNotBeWritten)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("nowhere/report.pdf"));
+    const auto saved = saveReport(reportOf(exampleInput()), path, ReportFormat::pdf);
+    ASSERT_FALSE(saved);
+    EXPECT_EQ(saved.error().id, RefusalId::fileNotWritten);
+    EXPECT_EQ(saved.error().arguments.front(), RefusalArgument(path));
+}
+
+} // namespace
+} // namespace codewheel
