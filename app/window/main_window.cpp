@@ -15,6 +15,7 @@
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/wanted_values.h"
+#include "widgets/project/project_document.h"
 #include "widgets/sequence/sequence_view.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/trace/trace_view.h"
@@ -40,14 +41,15 @@ constexpr QSize firstSize(1280, 800);
 
 } // namespace
 
-MainWindow::MainWindow(WindowSettings &settings, QWidget *parent)
+MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidget *parent)
     : QMainWindow(parent)
     , m_settings(settings)
-    , m_actions(*this)
+    , m_project(project)
+    , m_actions(*this, project.undoStack())
     , m_alarmStop(new AlarmStopEverywhere(*m_actions.alarmStop, this))
     , m_leaving(new Leaving(*this))
     , m_status(new StatusLine(*statusBar(), this))
-    , m_wanted(new WantedValues(this))
+    , m_wanted(new WantedValues(project, this))
     , m_pages(new QStackedWidget(this))
 {
     setObjectName(QStringLiteral("mainWindow"));
@@ -75,7 +77,7 @@ void MainWindow::attach(BusSession &bus, std::shared_ptr<TrainingControls> train
     m_monitors = new MonitorArea(bus, this);
     m_wizard = new ParameterWizard(bus, *m_wanted, this);
     m_pages->addWidget(m_monitors);
-    m_cams = new CamEditor(bus.catalog(), this);
+    m_cams = new CamEditor(bus.catalog(), m_project, this);
     m_pages->addWidget(m_wizard);
     m_pages->addWidget(m_cams);
     makeDocks(messages);
@@ -354,10 +356,6 @@ void MainWindow::closeEvent(QCloseEvent *event)
 {
     if (m_bus != nullptr && !m_mayClose) {
         event->ignore();
-        if (!m_cams->mayClose()) {
-            showCams();
-            return;
-        }
         m_leaving->ask(Leaving::Why::quit, [this] {
             m_mayClose = true;
             QTimer::singleShot(0, this, &QWidget::close);

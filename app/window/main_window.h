@@ -28,6 +28,7 @@ class MessagesView;
 class MonitorArea;
 class ParameterPanel;
 class ParameterWizard;
+class ProjectDocument;
 class SequenceView;
 class StatusLine;
 class StructureView;
@@ -44,7 +45,8 @@ class MainWindow : public QMainWindow
     Q_OBJECT
 
 public:
-    explicit MainWindow(WindowSettings &settings, QWidget *parent = nullptr);
+    // The project outlives it: it is kept when the window is made anew in another language.
+    MainWindow(WindowSettings &settings, ProjectDocument &project, QWidget *parent = nullptr);
     ~MainWindow() override;
 
     // The bus must outlive the window, or the window be closed first. link: its name in the status line.
@@ -86,6 +88,7 @@ private:
     std::optional<DeviceNumber> currentNumber() const;
 
     WindowSettings &m_settings;
+    ProjectDocument &m_project;
     BusSession *m_bus = nullptr;
     std::shared_ptr<TrainingControls> m_training;
     WindowActions m_actions;

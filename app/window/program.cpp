@@ -4,6 +4,7 @@
 #include "app/user_devices.h"
 #include "app/window/main_window.h"
 #include "app/window/start_probe.h"
+#include "project/project_take_over.h"
 #include "widgets/messages/message_model.h"
 
 #include <QApplication>
@@ -45,7 +46,7 @@ int Program::run()
 // Nothing but the window is made before it is seen; the bus comes after.
 void Program::openWindow()
 {
-    m_window = std::make_unique<MainWindow>(m_settings);
+    m_window = std::make_unique<MainWindow>(m_settings, m_project);
     connect(m_window.get(), &MainWindow::languageChosen, this, &Program::useLanguage, Qt::QueuedConnection);
     if (m_training.bus)
         attach();
@@ -61,6 +62,7 @@ void Program::startBus()
     m_messages = std::make_unique<MessageModel>();
     m_training = openTrainingSession(*m_catalog, QDateTime::currentDateTime());
     m_messages->setBus(*m_training.bus);
+    m_project.setProject(projectOf(m_training.bus->structure()), {}); // nothing differs at first
     for (const Catalog::Fault &fault : faults)
         m_messages->addNow(
             {.severity = Severity::attention,

@@ -5,6 +5,7 @@
 #include "app/training_session.h"
 #include "app/window/window_settings.h"
 #include "catalog/catalog.h"
+#include "widgets/project/project_document.h"
 
 #include <QObject>
 #include <QTimer>
@@ -46,6 +47,7 @@ private:
     std::unique_ptr<Catalog> m_catalog;
     std::unique_ptr<MessageModel> m_messages;
     TrainingSession m_training;
+    ProjectDocument m_project;
     std::unique_ptr<MainWindow> m_window;
     QTimer m_pictures;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/training_window.h"
 
+#include "project/project_take_over.h"
 #include "ring/bus_session.h"
 
 #include <QCoreApplication>
@@ -19,7 +20,8 @@ TrainingWindow::TrainingWindow(const QString &settingsFile)
     , m_training(openTrainingSession(m_catalog, begin()))
 {
     m_messages.setBus(*m_training.bus);
-    m_window = std::make_unique<MainWindow>(m_settings);
+    m_project.setProject(projectOf(m_training.bus->structure()), {});
+    m_window = std::make_unique<MainWindow>(m_settings, m_project);
     m_window->attach(*m_training.bus, m_training.controls, MainWindow::tr("training bus"), m_messages);
     advance(picturePeriod);
 }

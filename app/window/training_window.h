@@ -5,6 +5,7 @@
 #include "app/window/main_window.h"
 #include "catalog/catalog.h"
 #include "widgets/messages/message_model.h"
+#include "widgets/project/project_document.h"
 
 namespace codewheel {
 
@@ -21,6 +22,7 @@ public:
     BusSession &bus() { return *m_training.bus; }
     TrainingControls &controls() { return *m_training.controls; }
     MessageModel &messages() { return m_messages; }
+    ProjectDocument &project() { return m_project; } // of the plant, at first
     // So many milliseconds pass on the bus; a picture is taken every 33.
     void advance(int milliseconds);
 
@@ -31,6 +33,7 @@ private:
     WindowSettings m_settings;
     MessageModel m_messages;
     TrainingSession m_training;
+    ProjectDocument m_project;
     std::unique_ptr<MainWindow> m_window;
 };
 

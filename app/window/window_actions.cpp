@@ -15,6 +15,7 @@
 #include <QMenuBar>
 #include <QToolBar>
 #include <QToolButton>
+#include <QUndoStack>
 
 namespace codewheel {
 namespace {
@@ -44,11 +45,12 @@ QAction *described(QAction *action, const QKeySequence &key, const QString &what
 
 } // namespace
 
-WindowActions::WindowActions(QMainWindow &window)
+WindowActions::WindowActions(QMainWindow &window, QUndoStack &undoStack)
     : QObject(&window)
     , m_window(window)
 {
     makeFileMenu();
+    makeEditMenu(undoStack);
     makeBusMenu();
     makeDeviceMenu();
     makeViewMenu();
@@ -65,6 +67,18 @@ void WindowActions::makeFileMenu()
                                tr("Saves the messages as a CSV file"));
     menu->addSeparator();
     quit = described(menu->addAction(tr("&Quit")), QKeySequence::Quit, tr("Ends the program"));
+}
+
+// What the next step would be stands behind the word.
+void WindowActions::makeEditMenu(QUndoStack &undoStack)
+{
+    QMenu *menu = m_window.menuBar()->addMenu(tr("&Edit"));
+    undo = undoStack.createUndoAction(this, tr("&Undo"));
+    redo = undoStack.createRedoAction(this, tr("&Redo"));
+    menu->addAction(described(undo, QKeySequence::Undo, tr("Takes back the last change of the project")));
+    menu->addAction(described(redo, QKeySequence::Redo, tr("Does again what was taken back")));
+    undo->setIcon(lineIcon(Icon::turnLeft));
+    redo->setIcon(lineIcon(Icon::turnRight));
 }
 
 void WindowActions::makeBusMenu()

@@ -9,6 +9,7 @@ class QAction;
 class QActionGroup;
 class QMainWindow;
 class QMenu;
+class QUndoStack;
 
 namespace codewheel {
 
@@ -21,7 +22,8 @@ class WindowActions : public QObject
     Q_OBJECT
 
 public:
-    explicit WindowActions(QMainWindow &window);
+    // The steps of undo are those of the project.
+    WindowActions(QMainWindow &window, QUndoStack &undoStack);
 
     // Says of the device that is chosen why it cannot be set up, has no cams, or cannot be sent
     // anything. Null: no encoder.
@@ -31,6 +33,9 @@ public:
     QAction *exportTrace;
     QAction *exportMessages;
     QAction *quit;
+    // Edit
+    QAction *undo;
+    QAction *redo;
     // Bus
     QAction *watch;
     QAction *operate;
@@ -60,6 +65,7 @@ public:
 
 private:
     void makeFileMenu();
+    void makeEditMenu(QUndoStack &undoStack);
     void makeBusMenu();
     void makeDeviceMenu();
     void makeViewMenu();

@@ -28,6 +28,17 @@ RingStructure structureOf(const Project &project)
     return structure;
 }
 
+Project projectOf(const RingStructure &ring)
+{
+    Project project;
+    for (const Participant &participant : ring) {
+        ProjectDevice device;
+        device.participant = participant;
+        project.devices.push_back(std::move(device));
+    }
+    return project;
+}
+
 Project takenOver(Project project, const RingStructure &connected, const Comparison &comparison,
                   std::span<const std::size_t> lines)
 {

@@ -9,6 +9,9 @@ namespace codewheel {
 // The planned ring of a project, to be compared with a connected one.
 RingStructure structureOf(const Project &project);
 
+// A project of this ring and nothing else.
+Project projectOf(const RingStructure &ring);
+
 // The project with these lines of the comparison taken over from the connected ring. A device that stayed or
 // moved keeps all that is planned and known of it. Where another device stands in its place, station, group,
 // note and addresses stay, since they belong to the place; values, cams and label go with the device. Devices

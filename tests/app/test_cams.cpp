@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cam editor as a page of the window.
-#include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "widgets/cams/cam_editor.h"
 #include "widgets/structure/structure_view.h"
@@ -43,22 +42,17 @@ TEST_F(CamsInTheWindow, AnEncoderWithoutCamsSaysSo)
     EXPECT_TRUE(actions().cams->isEnabled());
 }
 
-TEST_F(CamsInTheWindow, ClosingAsksForWhatIsKeptNowhere)
+TEST_F(CamsInTheWindow, ArePartOfTheProject)
 {
     choose(fraba);
-    sheet().setCam(3, {0x15, 0x213, true}, {});
-    {
-        const auto question = test::Question::answeredBy(QStringLiteral("Stay"));
-        window().close();
-        advance(5);
-        EXPECT_TRUE(question.text().contains(QStringLiteral("1.0"))) << question.text().toStdString();
-    }
-    EXPECT_TRUE(window().isVisible());
-    EXPECT_TRUE(editor().isVisible());
-    ASSERT_TRUE(editor().save(folder.filePath(QStringLiteral("cams.json"))));
-    window().close(); // nothing to ask
-    advance(5);
-    EXPECT_FALSE(window().isVisible());
+    sheet().setCam(3, {0x15, 0x213, true}, QStringLiteral("move"));
+    ASSERT_EQ(shown->project().device(fraba).wantedCams.size(), 1u);
+    EXPECT_EQ(shown->project().device(fraba).wantedCams.front().cam.at(3), (Cam{0x15, 0x213, true}));
+    EXPECT_FALSE(shown->project().isSaved());
+    QTest::keyClick(&window(), Qt::Key_F8);
+    QTest::keyClick(&editor(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_TRUE(shown->project().device(fraba).wantedCams.empty());
+    EXPECT_EQ(sheet().cam(3), Cam());
 }
 
 } // namespace

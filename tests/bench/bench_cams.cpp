@@ -49,7 +49,8 @@ int main(int argc, char **argv)
 {
     QApplication application(argc, argv);
     applyAppearance(application, {});
-    CamSheet sheet;
+    ProjectDocument project;
+    CamSheet sheet(project);
     sheet.setLargest(largest);
     setAllCams(sheet.document());
     CamBoard board(sheet);

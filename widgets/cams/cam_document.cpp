@@ -1,49 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/cams/cam_document.h"
 
-#include <QUndoCommand>
+#include <algorithm>
 
 namespace codewheel {
+namespace {
 
-// The one step of undo there is: program N becomes V.
-class SetCamProgram final : public QUndoCommand
+// The project keeps those that are set, by number.
+void keep(std::vector<CamProgram> &kept, const CamProgram &program)
 {
-public:
-    SetCamProgram(CamDocument &document, const CamProgram &after, const QString &what,
-                  CamDocument::Gesture gesture)
-        : QUndoCommand(what)
-        , m_document(document)
-        , m_before(document.program(after.number))
-        , m_after(after)
-        , m_gesture(gesture)
-    {}
+    const auto at = std::ranges::lower_bound(kept, program.number, {}, &CamProgram::number);
+    const bool isThere = at != kept.end() && at->number == program.number;
+    const bool isSet = program != CamProgram{.number = program.number};
+    if (isThere && isSet)
+        *at = program;
+    else if (isThere)
+        kept.erase(at);
+    else if (isSet)
+        kept.insert(at, program);
+}
 
-    void undo() override { m_document.replace(m_before); }
-    void redo() override { m_document.replace(m_after); }
-    int id() const override { return m_gesture == CamDocument::noGesture ? -1 : 1; }
+} // namespace
 
-    bool mergeWith(const QUndoCommand *next) override
-    {
-        const auto &later = static_cast<const SetCamProgram &>(*next);
-        if (later.m_gesture != m_gesture || later.m_after.number != m_after.number)
-            return false;
-        m_after = later.m_after;
-        setObsolete(m_after == m_before);
-        return true;
-    }
-
-private:
-    CamDocument &m_document;
-    CamProgram m_before;
-    CamProgram m_after;
-    CamDocument::Gesture m_gesture;
-};
-
-CamDocument::CamDocument(QObject *parent)
+CamDocument::CamDocument(ProjectDocument &project, DeviceNumber number, QObject *parent)
     : QObject(parent)
+    , m_project(project)
+    , m_number(number)
 {
-    for (unsigned number = 1; number <= CamProgram::programs; ++number)
-        m_programs[number - 1].number = number;
+    take();
+    connect(&m_project, &ProjectDocument::changed, this, &CamDocument::take);
 }
 
 const CamProgram &CamDocument::program(unsigned number) const
@@ -53,24 +38,33 @@ const CamProgram &CamDocument::program(unsigned number) const
 
 void CamDocument::setProgram(const CamProgram &program, const QString &what, Gesture gesture)
 {
-    if (program != this->program(program.number))
-        m_undo.push(new SetCamProgram(*this, program, what, gesture));
+    setPrograms({program}, tr("Program %1: %2").arg(program.number).arg(what), gesture);
 }
 
-void CamDocument::setPrograms(const std::vector<CamProgram> &programs, const QString &what)
+void CamDocument::setPrograms(const std::vector<CamProgram> &programs, const QString &what, Gesture gesture)
 {
-    if (std::ranges::all_of(programs, [this](const CamProgram &p) { return p == program(p.number); }))
-        return;
-    m_undo.beginMacro(what);
-    for (const CamProgram &each : programs)
-        setProgram(each, what);
-    m_undo.endMacro();
+    const QString step = tr("%1, %2", "what was done, at which encoder").arg(what, m_number.toString());
+    m_project.editDevice(
+        m_number, step,
+        [&](ProjectDevice &device) {
+            for (const CamProgram &program : programs)
+                keep(device.wantedCams, program);
+        },
+        gesture);
 }
 
-void CamDocument::replace(const CamProgram &program)
+void CamDocument::take()
 {
-    m_programs.at(program.number - 1) = program;
-    Q_EMIT programChanged(program.number);
+    std::array<CamProgram, CamProgram::programs> programs;
+    for (unsigned number = 1; number <= CamProgram::programs; ++number)
+        programs.at(number - 1).number = number;
+    for (const CamProgram &program : m_project.device(m_number).wantedCams)
+        if (program.number >= 1 && program.number <= CamProgram::programs)
+            programs.at(program.number - 1) = program;
+    const auto before = std::exchange(m_programs, programs);
+    for (unsigned number = 1; number <= CamProgram::programs; ++number)
+        if (before.at(number - 1) != programs.at(number - 1))
+            Q_EMIT programChanged(number);
 }
 
 } // namespace codewheel

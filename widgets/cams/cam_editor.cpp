@@ -28,10 +28,8 @@ namespace codewheel {
 CamEditor::Work &CamEditor::workOf(DeviceNumber number)
 {
     auto &work = m_works[number];
-    if (!work) {
-        work = std::make_unique<Work>();
-        m_undo.addStack(&work->document.undoStack());
-    }
+    if (!work)
+        work = std::make_unique<Work>(m_project, number);
     return *work;
 }
 
@@ -49,7 +47,6 @@ void CamEditor::setEncoder(EncoderSession *encoder)
     for (QAction *action : m_fileActions)
         action->setEnabled(hasCams);
     if (!hasCams) {
-        m_undo.setActiveStack(nullptr);
         m_empty->setTexts(
             encoder == nullptr ? tr("No encoder is chosen")
                                : refusalText({RefusalKind::notSupported,
@@ -61,8 +58,6 @@ void CamEditor::setEncoder(EncoderSession *encoder)
         return;
     }
     Work &work = workOf(encoder->number());
-    work.encoder = encoder;
-    m_undo.setActiveStack(&work.document.undoStack());
     m_sheet->setDocument(work.document);
     m_sheet->setNumber(work.program);
     m_pages->setCurrentWidget(m_scroll);

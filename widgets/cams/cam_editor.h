@@ -7,7 +7,7 @@
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
 
-#include <QUndoGroup>
+#include <QPointer>
 #include <QWidget>
 
 #include <functional>
@@ -30,16 +30,17 @@ class EmptyState;
 class InlineMessage;
 class JobStrip;
 
-// The cams of the encoder that is chosen in the bus structure: edit, read, write, compare, keep in files.
-// What was edited for an encoder stays while another one is chosen. Sends nothing unless asked, and shows
-// what will be written before.
+// The cams of the encoder that is chosen in the bus structure: edit, read, write, compare, keep in files of
+// their own. What is edited is part of the project. Sends nothing unless asked, and shows what will be
+// written before.
 class CamEditor : public QWidget
 {
     Q_OBJECT
 
 public:
     // The catalog tells for what a file was made, and must outlive the editor.
-    explicit CamEditor(const Catalog &catalog, QWidget *parent = nullptr);
+    // The programs are kept in the project.
+    CamEditor(const Catalog &catalog, ProjectDocument &project, QWidget *parent = nullptr);
 
     void setEncoder(codewheel::EncoderSession *encoder); // null: none is chosen
 
@@ -49,9 +50,6 @@ public:
     bool save(const QString &path);
     bool saveProgram(const QString &path);
 
-    // Asks where programs were edited that are neither in a file nor in their encoder. False: the user stays.
-    bool mayClose();
-
 protected:
     void showEvent(QShowEvent *event) override;
 
@@ -59,7 +57,9 @@ private:
     // What is kept for an encoder while the program runs.
     struct Work
     {
-        QPointer<EncoderSession> encoder;
+        Work(ProjectDocument &project, DeviceNumber number)
+            : document(project, number)
+        {}
         CamDocument document;
         unsigned program = 1;
         std::optional<std::int64_t> toldLargest;
@@ -74,7 +74,6 @@ private:
     void connectParts();
     void connectEncoder();
     Work &workOf(DeviceNumber number);
-    static bool isUnsaved(const Work &work);
 
     void chooseProgram(unsigned number);
     void showKnown();
@@ -111,11 +110,11 @@ private:
     void withdraw(Cause cause); // its message, if that is the one which is shown
 
     const Catalog &m_catalog;
+    ProjectDocument &m_project;
     QPointer<EncoderSession> m_encoder;
     std::map<DeviceNumber, std::unique_ptr<Work>> m_works;
     CamSheet *m_sheet;
     CamJobs *m_jobs;
-    QUndoGroup m_undo;
     std::function<void(const SwitchMode &)> m_whenAnswered;
     std::optional<Cause> m_cause; // of the message that is shown
 

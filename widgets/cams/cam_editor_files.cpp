@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files of the cam editor, and what is asked before it is closed.
+// The files of the cam editor.
 #include "catalog/catalog.h"
 #include "encoder/refusal_text.h"
 #include "widgets/cams/cam_board.h"
@@ -9,8 +9,6 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
-#include <QPushButton>
 
 namespace codewheel {
 
@@ -115,46 +113,8 @@ bool CamEditor::keep(const QString &path, const std::vector<CamProgram> &program
         say(Cause::file, Role::fault, saved.error());
         return false;
     }
-    if (programs.size() == CamProgram::programs)
-        m_sheet->document().undoStack().setClean();
     withdraw(Cause::file);
     return true;
-}
-
-bool CamEditor::isUnsaved(const Work &work)
-{
-    const auto isKept = [&](unsigned number) {
-        const auto known = work.encoder ? work.encoder->cams(number) : std::nullopt;
-        return work.document.program(number) == (known ? known->program : CamProgram{.number = number});
-    };
-    if (work.document.undoStack().isClean())
-        return false;
-    for (unsigned number = 1; number <= CamProgram::programs; ++number)
-        if (!isKept(number))
-            return true;
-    return false;
-}
-
-bool CamEditor::mayClose()
-{
-    QStringList places;
-    for (const auto &[number, work] : m_works)
-        if (isUnsaved(*work))
-            places << number.toString();
-    if (places.isEmpty())
-        return true;
-    QMessageBox box(QMessageBox::Question, tr("Cams"), tr("Cam programs were edited and not kept."),
-                    QMessageBox::NoButton, this);
-    box.setInformativeText(
-        tr("The cam programs for %1 are neither in a file nor in the encoder.").arg(places.join(tr(", "))));
-    QPushButton *stay = box.addButton(tr("&Stay"), QMessageBox::RejectRole);
-    QPushButton *close = box.addButton(tr("&Close without them"), QMessageBox::DestructiveRole);
-    stay->setToolTip(tr("Goes on; Save keeps them in a file"));
-    close->setToolTip(tr("What was edited is lost"));
-    box.setDefaultButton(stay);
-    box.setEscapeButton(stay);
-    box.exec();
-    return box.clickedButton() == close;
 }
 
 } // namespace codewheel

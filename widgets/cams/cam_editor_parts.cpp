@@ -19,10 +19,11 @@
 
 namespace codewheel {
 
-CamEditor::CamEditor(const Catalog &catalog, QWidget *parent)
+CamEditor::CamEditor(const Catalog &catalog, ProjectDocument &project, QWidget *parent)
     : QWidget(parent)
     , m_catalog(catalog)
-    , m_sheet(new CamSheet(this))
+    , m_project(project)
+    , m_sheet(new CamSheet(project, this))
     , m_jobs(new CamJobs(this))
     , m_tools(new QToolBar(this))
     , m_menu(new QMenu(this))
@@ -93,21 +94,17 @@ void CamEditor::makeTools()
                 tr("Read this program and say what differs; nothing is changed"), &CamEditor::compare),
     };
     m_tools->addSeparator();
-    QAction *undo = m_undo.createUndoAction(this, tr("Undo"));
-    QAction *redo = m_undo.createRedoAction(this, tr("Redo"));
+    // Their keys are those of the window: what is undone is the last step of the project.
+    QAction *undo = m_project.undoStack().createUndoAction(this, tr("Undo"));
+    QAction *redo = m_project.undoStack().createRedoAction(this, tr("Redo"));
     undo->setIcon(lineIcon(Icon::turnLeft));
     redo->setIcon(lineIcon(Icon::turnRight));
-    undo->setShortcut(QKeySequence::Undo);
-    redo->setShortcut(QKeySequence::Redo);
     QAction *open = addTool(Icon::open, tr("Open"), Qt::CTRL | Qt::SHIFT | Qt::Key_O,
                             tr("Take the cam programs of a file"), &CamEditor::askLoad);
-    QAction *save = addTool(Icon::save, tr("Save"), QKeySequence::Save,
-                            tr("Keep all eight programs in a file"), &CamEditor::askSave);
-    for (QAction *action : {undo, redo}) {
-        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-        addAction(action);
+    QAction *save = addTool(Icon::save, tr("Save"), Qt::CTRL | Qt::SHIFT | Qt::Key_E,
+                            tr("Keep all eight programs in a file of their own"), &CamEditor::askSave);
+    for (QAction *action : {undo, redo})
         m_tools->insertAction(open, action);
-    }
     for (QAction *action : {undo, redo, open, save})
         static_cast<QToolButton *>(m_tools->widgetForAction(action))
             ->setToolButtonStyle(Qt::ToolButtonIconOnly);

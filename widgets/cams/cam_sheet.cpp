@@ -5,10 +5,10 @@
 
 namespace codewheel {
 
-CamSheet::CamSheet(QObject *parent)
+CamSheet::CamSheet(ProjectDocument &project, QObject *parent)
     : QObject(parent)
 {
-    setDocument(*new CamDocument(this));
+    setDocument(*new CamDocument(project, {}, this));
 }
 
 void CamSheet::setDocument(CamDocument &document)

@@ -19,7 +19,8 @@ public:
     using Gesture = CamDocument::Gesture;
     using KnownPrograms = std::array<std::optional<CamProgram>, CamProgram::programs>;
 
-    explicit CamSheet(QObject *parent = nullptr);
+    // Of no encoder of the project, until setDocument().
+    explicit CamSheet(ProjectDocument &project, QObject *parent = nullptr);
 
     void setDocument(CamDocument &document); // must outlive its use here
     CamDocument &document() const { return *m_document; }

@@ -1,7 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/wanted_values.h"
 
+#include "widgets/project/project_document.h"
+
+#include <algorithm>
+#include <set>
+
 namespace codewheel {
+
+WantedValues::WantedValues(ProjectDocument &project, QObject *parent)
+    : QObject(parent)
+    , m_project(project)
+{
+    tellChanges();
+    connect(&m_project, &ProjectDocument::changed, this, &WantedValues::tellChanges);
+}
 
 std::optional<std::int64_t> WantedValues::value(DeviceNumber number, Parameter parameter) const
 {
@@ -10,27 +23,49 @@ std::optional<std::int64_t> WantedValues::value(DeviceNumber number, Parameter p
 
 ParameterValues WantedValues::values(DeviceNumber number) const
 {
-    ParameterValues wanted;
-    if (const auto device = m_values.find(number); device != m_values.end())
-        for (const auto &[parameter, value] : device->second)
-            wanted.push_back({parameter, value});
-    return wanted;
+    return m_project.device(number).wanted;
 }
 
 void WantedValues::set(DeviceNumber number, Parameter parameter, std::optional<std::int64_t> value)
 {
     if (this->value(number, parameter) == value)
         return;
-    if (value)
-        m_values[number][parameter] = *value;
-    else
-        m_values[number].erase(parameter);
-    Q_EMIT changed(number);
+    const QString what = tr("%1 wanted for %2").arg(parameterName(parameter), number.toString());
+    m_project.editDevice(number, what, [&](ProjectDevice &device) {
+        if (value)
+            replaceValue(device.wanted, {parameter, *value});
+        else
+            std::erase_if(device.wanted,
+                          [&](const ParameterValue &each) { return each.parameter == parameter; });
+        std::ranges::sort(device.wanted, {}, &ParameterValue::parameter);
+    });
 }
 
 void WantedValues::clear(DeviceNumber number)
 {
-    if (m_values.erase(number) != 0)
+    if (!values(number).empty())
+        m_project.editDevice(number, tr("Nothing wanted for %1").arg(number.toString()),
+                             [](ProjectDevice &device) { device.wanted.clear(); });
+}
+
+void WantedValues::tellChanges()
+{
+    std::map<DeviceNumber, ParameterValues> now;
+    m_project.forEachDevice([&](DeviceNumber number, const ProjectDevice &device) {
+        if (!device.wanted.empty())
+            now[number] = device.wanted;
+    });
+    if (now == m_told)
+        return;
+    std::set<DeviceNumber> others;
+    for (const auto &[number, values] : now)
+        if (const auto told = m_told.find(number); told == m_told.end() || told->second != values)
+            others.insert(number);
+    for (const auto &[number, values] : m_told)
+        if (!now.contains(number))
+            others.insert(number);
+    m_told = std::move(now);
+    for (const DeviceNumber number : others)
         Q_EMIT changed(number);
 }
 

@@ -11,13 +11,16 @@
 
 namespace codewheel {
 
-// What the user wants each encoder to have: typed, not sent. Parameter panel and wizard share it.
+class ProjectDocument;
+
+// What the user wants each encoder to have: typed, not sent. A face of the project, shared by parameter panel
+// and wizard; each change is a step of undo.
 class WantedValues : public QObject
 {
     Q_OBJECT
 
 public:
-    using QObject::QObject;
+    explicit WantedValues(ProjectDocument &project, QObject *parent = nullptr);
 
     std::optional<std::int64_t> value(DeviceNumber number, Parameter parameter) const;
     ParameterValues values(DeviceNumber number) const; // in the order of the parameters
@@ -29,7 +32,10 @@ Q_SIGNALS:
     void changed(codewheel::DeviceNumber number);
 
 private:
-    std::map<DeviceNumber, std::map<Parameter, std::int64_t>> m_values;
+    void tellChanges();
+
+    ProjectDocument &m_project;
+    std::map<DeviceNumber, ParameterValues> m_told; // of those that have any
 };
 
 } // namespace codewheel

@@ -82,7 +82,8 @@ protected:
     }
 
     TrainingBusSession ring;
-    CamEditor editor{ring.catalog};
+    ProjectDocument project;
+    CamEditor editor{ring.catalog, project};
 };
 
 } // namespace codewheel::test

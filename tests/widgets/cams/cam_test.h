@@ -26,7 +26,8 @@ protected:
     void redo() { sheet.document().undoStack().redo(); }
     int steps() const { return sheet.document().undoStack().index(); }
 
-    CamSheet sheet;
+    ProjectDocument project;
+    CamSheet sheet{project};
 };
 
 } // namespace codewheel::test

@@ -10,6 +10,8 @@ namespace {
 using test::manualCam;
 using test::manualValue;
 
+constexpr DeviceNumber fraba{1, 0};
+
 CamProgram programWith(unsigned number, std::size_t cam, const Cam &value)
 {
     CamProgram program;
@@ -20,14 +22,16 @@ CamProgram programWith(unsigned number, std::size_t cam, const Cam &value)
 
 TEST(CamDocumentTest, NobodyHasSetAnythingAtFirst)
 {
-    const CamDocument document;
+    ProjectDocument project;
+    CamDocument document(project, fraba);
     for (unsigned number = 1; number <= CamProgram::programs; ++number)
         EXPECT_EQ(document.program(number), (CamProgram{.number = number}));
 }
 
 TEST(CamDocumentTest, AGestureIsOneStepHoweverManyPicturesItHas)
 {
-    CamDocument document;
+    ProjectDocument project;
+    CamDocument document(project, fraba);
     const CamDocument::Gesture drag = document.newGesture();
     for (std::int64_t stop = 22; stop <= 0x213; ++stop)
         document.setProgram(programWith(1, manualCam, {0x15, stop, true}), QStringLiteral("drag"), drag);
@@ -39,19 +43,21 @@ TEST(CamDocumentTest, AGestureIsOneStepHoweverManyPicturesItHas)
     EXPECT_EQ(document.program(1).cam.at(manualCam), manualValue);
 }
 
-TEST(CamDocumentTest, TwoGesturesAreTwoStepsAndSoAreTwoPrograms)
+TEST(CamDocumentTest, TwoGesturesAreTwoSteps)
 {
-    CamDocument document;
+    ProjectDocument project;
+    CamDocument document(project, fraba);
     const CamDocument::Gesture first = document.newGesture();
     document.setProgram(programWith(1, 0, {1, 2, true}), {}, first);
-    document.setProgram(programWith(2, 0, {1, 2, true}), {}, first);
+    document.setProgram(programWith(1, 0, {1, 3, true}), {}, first);
     document.setProgram(programWith(2, 0, {1, 3, true}), {}, document.newGesture());
-    EXPECT_EQ(document.undoStack().count(), 3);
+    EXPECT_EQ(document.undoStack().count(), 2);
 }
 
 TEST(CamDocumentTest, AGestureThatEndsWhereItBeganLeavesNoStep)
 {
-    CamDocument document;
+    ProjectDocument project;
+    CamDocument document(project, fraba);
     const CamDocument::Gesture drag = document.newGesture();
     document.setProgram(programWith(1, 0, {1, 2, true}), {}, drag);
     document.setProgram(CamProgram{.number = 1}, {}, drag);
@@ -60,7 +66,8 @@ TEST(CamDocumentTest, AGestureThatEndsWhereItBeganLeavesNoStep)
 
 TEST(CamDocumentTest, SettingWhatIsThereIsNoStep)
 {
-    CamDocument document;
+    ProjectDocument project;
+    CamDocument document(project, fraba);
     QSignalSpy changes(&document, &CamDocument::programChanged);
     document.setProgram(CamProgram{.number = 3}, {});
     document.setPrograms({CamProgram{.number = 1}, CamProgram{.number = 2}}, {});
@@ -70,7 +77,8 @@ TEST(CamDocumentTest, SettingWhatIsThereIsNoStep)
 
 TEST(CamDocumentTest, AFileOfAllProgramsIsTakenBackInOneStep)
 {
-    CamDocument document;
+    ProjectDocument project;
+    CamDocument document(project, fraba);
     document.setProgram(programWith(2, 7, {5, 6, true}), {});
     document.setPrograms({programWith(1, 0, {1, 2, true}), programWith(2, 0, {3, 4, true})},
                          QStringLiteral("open"));

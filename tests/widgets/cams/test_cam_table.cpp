@@ -149,7 +149,7 @@ TEST_F(CamTableTest, AnotherProgramAndAnotherDocumentAreShownAtOnce)
     EXPECT_EQ(text(manualCam, CamTableModel::stopColumn), QStringLiteral("0"));
     sheet.setNumber(1);
     EXPECT_EQ(text(manualCam, CamTableModel::stopColumn), QStringLiteral("531"));
-    CamDocument other;
+    CamDocument other(project, DeviceNumber{9, 0});
     sheet.setDocument(other);
     EXPECT_EQ(text(manualCam, CamTableModel::stopColumn), QStringLiteral("0"));
 }

@@ -5,6 +5,7 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/wanted_values.h"
+#include "widgets/project/project_document.h"
 
 #include <gmock/gmock.h>
 
@@ -64,7 +65,8 @@ protected:
     QString message() { return m_panel.findChild<InlineMessage *>()->sentence(); }
 
     test::TrainingBusSession m_ring;
-    WantedValues m_wanted;
+    ProjectDocument m_project;
+    WantedValues m_wanted{m_project};
     ParameterPanel m_panel{m_wanted};
     DeviceNumber m_number;
     std::vector<Word> m_sent;

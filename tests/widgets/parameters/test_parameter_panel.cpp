@@ -11,6 +11,7 @@
 #include "widgets/parameters/parameter_table.h"
 #include "widgets/parameters/value_input.h"
 #include "widgets/parameters/write_review.h"
+#include "widgets/project/project_document.h"
 
 namespace codewheel {
 namespace {
@@ -91,7 +92,8 @@ protected:
     const Catalog catalog = Catalog::builtIn();
     TrainingBus training = makeTrainingBus(catalog);
     BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 2), QTime(14, 2))};
-    WantedValues wanted;
+    ProjectDocument project;
+    WantedValues wanted{project};
     ParameterPanel panel{wanted};
 };
 

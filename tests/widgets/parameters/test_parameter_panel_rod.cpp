@@ -9,6 +9,7 @@
 #include "widgets/parameters/value_input.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/parameters/write_review.h"
+#include "widgets/project/project_document.h"
 
 namespace codewheel {
 namespace {
@@ -71,7 +72,8 @@ protected:
     }
 
     test::TrainingBusSession ring{BusSession::Start::operating, test::makeRodBus};
-    WantedValues wanted;
+    ProjectDocument project;
+    WantedValues wanted{project};
     ParameterPanel panel{wanted};
 };
 

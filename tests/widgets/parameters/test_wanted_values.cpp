@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/wanted_values.h"
+#include "widgets/project/project_document.h"
 
 namespace codewheel {
 namespace {
@@ -9,7 +10,8 @@ constexpr DeviceNumber baumer{2, 0};
 
 TEST(WantedValues, AreKeptForEachDevice)
 {
-    WantedValues wanted;
+    ProjectDocument project;
+    WantedValues wanted(project);
     wanted.set(fraba, Parameter::steps, 255);
     EXPECT_EQ(wanted.value(fraba, Parameter::steps), 255);
     EXPECT_EQ(wanted.value(fraba, Parameter::preset), std::nullopt);
@@ -20,7 +22,8 @@ TEST(WantedValues, AreKeptForEachDevice)
 
 TEST(WantedValues, TellOnlyOfARealChange)
 {
-    WantedValues wanted;
+    ProjectDocument project;
+    WantedValues wanted(project);
     std::vector<DeviceNumber> told;
     QObject::connect(&wanted, &WantedValues::changed, [&](DeviceNumber number) { told.push_back(number); });
     wanted.set(fraba, Parameter::steps, 255);
@@ -32,9 +35,28 @@ TEST(WantedValues, TellOnlyOfARealChange)
     EXPECT_TRUE(wanted.values(fraba).empty());
 }
 
+TEST(WantedValues, EachChangeIsTakenBackByUndo)
+{
+    ProjectDocument project;
+    WantedValues wanted(project);
+    wanted.set(fraba, Parameter::steps, 255);
+    wanted.set(fraba, Parameter::steps, 256);
+    wanted.clear(fraba);
+    std::vector<DeviceNumber> told;
+    QObject::connect(&wanted, &WantedValues::changed, [&](DeviceNumber number) { told.push_back(number); });
+    project.undoStack().undo();
+    EXPECT_EQ(wanted.value(fraba, Parameter::steps), 256);
+    project.undoStack().undo();
+    EXPECT_EQ(wanted.value(fraba, Parameter::steps), 255);
+    project.undoStack().redo();
+    EXPECT_EQ(wanted.value(fraba, Parameter::steps), 256);
+    EXPECT_EQ(told, (std::vector{fraba, fraba, fraba}));
+}
+
 TEST(WantedValues, ComeInTheOrderOfTheParameters)
 {
-    WantedValues wanted;
+    ProjectDocument project;
+    WantedValues wanted(project);
     wanted.set(fraba, Parameter::preset, 0);
     wanted.set(fraba, Parameter::steps, 255);
     EXPECT_EQ(wanted.values(fraba), (ParameterValues{{Parameter::steps, 255}, {Parameter::preset, 0}}));

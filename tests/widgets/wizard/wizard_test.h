@@ -7,6 +7,7 @@
 #include "simulator/training_bus.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/parameters/wanted_values.h"
+#include "widgets/project/project_document.h"
 #include "widgets/wizard/parameter_wizard.h"
 
 #include <QAbstractButton>
@@ -106,7 +107,8 @@ protected:
     TrainingBus training;
     std::shared_ptr<TrainingControls> controls = training.controls;
     BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC)};
-    WantedValues wanted;
+    ProjectDocument project;
+    WantedValues wanted{project};
     ParameterWizard wizard{bus, wanted};
 };
 

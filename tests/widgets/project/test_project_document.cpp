@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "project/project_take_over.h"
+#include "ring/ring_edit.h"
+#include "widgets/project/project_document.h"
+
+#include <QSignalSpy>
+
+#include <gtest/gtest.h>
+#include <random>
+
+namespace codewheel {
+namespace {
+
+Participant encoder(int segment)
+{
+    return {{segment, 0}, 0x37, 0x0237, 2, 2, {}};
+}
+
+Project plant(int devices)
+{
+    Project project;
+    for (int segment = 1; segment <= devices; ++segment) {
+        ProjectDevice device;
+        device.participant = encoder(segment);
+        project.devices.push_back(device);
+    }
+    return project;
+}
+
+class Document : public testing::Test
+{
+protected:
+    Document() { document.setProject(plant(4), {}); }
+
+    void setStation(std::size_t place, const QString &station, ProjectDocument::Gesture gesture = {})
+    {
+        Project after = document.project();
+        after.devices[place].station = station;
+        document.edit(after, QStringLiteral("station"), gesture);
+    }
+    // The devices after an edit of the ring.
+    void apply(const EditedRing &edited)
+    {
+        Project after = document.project();
+        after.devices.clear();
+        for (std::size_t i = 0; i < edited.structure.size(); ++i) {
+            ProjectDevice device =
+                edited.from[i] ? document.project().devices[*edited.from[i]] : ProjectDevice();
+            device.participant = edited.structure[i];
+            after.devices.push_back(device);
+        }
+        document.edit(after, edited.from, QStringLiteral("ring"));
+    }
+
+    ProjectDocument document;
+    QUndoStack &undo = document.undoStack();
+};
+
+TEST_F(Document, AnotherProjectIsSavedAndHasNothingToUndo)
+{
+    setStation(0, QStringLiteral("hoist"));
+    EXPECT_FALSE(document.isSaved());
+    QSignalSpy replaced(&document, &ProjectDocument::replaced);
+    document.setProject(plant(2), QStringLiteral("a.codewheel"));
+    EXPECT_TRUE(document.isSaved());
+    EXPECT_FALSE(undo.canUndo());
+    EXPECT_EQ(document.file(), QStringLiteral("a.codewheel"));
+    EXPECT_EQ(replaced.count(), 1);
+}
+
+TEST_F(Document, IsSavedWhereItStandsInItsHistory)
+{
+    QSignalSpy saved(&document, &ProjectDocument::savedChanged);
+    setStation(0, QStringLiteral("hoist"));
+    EXPECT_FALSE(document.isSaved());
+    document.setFile(QStringLiteral("a.codewheel"));
+    EXPECT_TRUE(document.isSaved());
+    undo.undo();
+    EXPECT_FALSE(document.isSaved());
+    undo.redo();
+    EXPECT_TRUE(document.isSaved());
+    EXPECT_GE(saved.count(), 4);
+}
+
+TEST_F(Document, ARecoveredProjectIsNotSaved)
+{
+    document.setRecovered();
+    EXPECT_FALSE(document.isSaved());
+    document.setFile(QStringLiteral("a.codewheel"));
+    EXPECT_TRUE(document.isSaved());
+}
+
+TEST_F(Document, WhatChangesNothingIsNoStep)
+{
+    setStation(0, {});
+    EXPECT_EQ(undo.count(), 0);
+    EXPECT_TRUE(document.isSaved());
+}
+
+TEST_F(Document, TypingInOneFieldIsOneStep)
+{
+    const ProjectDocument::Gesture typing = document.newGesture();
+    for (const char *text : {"h", "ho", "hoi", "hoist"})
+        setStation(0, QString::fromLatin1(text), typing);
+    setStation(1, QStringLiteral("x"), typing);
+    setStation(0, QStringLiteral("crane"), document.newGesture());
+    EXPECT_EQ(undo.count(), 3);
+    undo.undo();
+    EXPECT_EQ(document.project().devices[0].station, QStringLiteral("hoist"));
+    undo.undo();
+    undo.undo();
+    EXPECT_EQ(document.project(), plant(4));
+}
+
+TEST_F(Document, TypingBackToWhatItWasLeavesNoStep)
+{
+    const ProjectDocument::Gesture typing = document.newGesture();
+    setStation(2, QStringLiteral("a"), typing);
+    setStation(2, {}, typing);
+    EXPECT_EQ(undo.count(), 0);
+}
+
+TEST_F(Document, ADeviceKeepsItsIdWhereverItGoes)
+{
+    const std::vector<ProjectDocument::DeviceId> before = document.ids();
+    apply(*moveDevices(structureOf(document.project()), std::vector<std::size_t>{0}, {{}, false, 4}));
+    EXPECT_EQ(document.ids(), (std::vector{before[1], before[2], before[3], before[0]}));
+    apply(*insertDevice(structureOf(document.project()), encoder(1), {{}, false, 0}));
+    EXPECT_EQ(document.placeOf(before[0]), 4u);
+    undo.undo();
+    undo.undo();
+    EXPECT_EQ(document.ids(), before);
+}
+
+TEST_F(Document, DevicesThatAreNotTheProjectsAreKeptBesideIt)
+{
+    constexpr DeviceNumber stranger{9, 0};
+    document.editDevice(stranger, QStringLiteral("want"), [](ProjectDevice &device) {
+        device.wanted = {{Parameter::steps, 255}};
+    });
+    EXPECT_EQ(valueOf(document.device(stranger).wanted, Parameter::steps), 255);
+    EXPECT_EQ(document.project(), plant(4)) << "no file gets it";
+    undo.undo();
+    EXPECT_TRUE(document.device(stranger).wanted.empty());
+    undo.redo();
+    document.setProject(plant(1), {});
+    EXPECT_TRUE(document.device(stranger).wanted.empty());
+}
+
+// Whatever is done is taken back, step by step, and done again.
+TEST_F(Document, RandomEditsAreTakenBackToTheSameProject)
+{
+    std::mt19937 random(17);
+    const auto below = [&](std::size_t end) {
+        return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
+    };
+    std::vector<Project> history{document.project()};
+    std::vector<std::vector<ProjectDocument::DeviceId>> ids{document.ids()};
+    while (history.size() < 300) {
+        const RingStructure ring = structureOf(document.project());
+        const RingPlace place{.terminal = {}, .onLocalBus = false, .row = below(8)};
+        switch (ring.size() < 3 ? 0 : below(4)) {
+        case 0:
+            apply(*insertDevice(ring, encoder(1), place));
+            break;
+        case 1:
+            apply(*moveDevices(ring, std::vector{below(ring.size())}, place));
+            break;
+        case 2:
+            apply(*removeDevices(ring, std::vector{below(ring.size())}));
+            break;
+        default:
+            setStation(below(ring.size()), QString::number(random()));
+        }
+        if (document.project() != history.back() || document.ids() != ids.back()) {
+            history.push_back(document.project());
+            ids.push_back(document.ids());
+        }
+    }
+    ASSERT_EQ(undo.count() + 1, std::ssize(history));
+    for (std::size_t i = history.size(); i-- > 1;) {
+        ASSERT_EQ(document.project(), history[i]) << i;
+        ASSERT_EQ(document.ids(), ids[i]) << i;
+        undo.undo();
+    }
+    ASSERT_EQ(document.project(), history.front());
+    while (undo.canRedo())
+        undo.redo();
+    EXPECT_EQ(document.project(), history.back());
+}
+
+} // namespace
+} // namespace codewheel

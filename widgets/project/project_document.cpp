@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/project/project_document.h"
+
+#include "widgets/project/project_step.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace codewheel {
+
+ProjectDocument::ProjectDocument(QObject *parent)
+    : QObject(parent)
+{
+    connect(&m_undo, &QUndoStack::cleanChanged, this, [this] { Q_EMIT savedChanged(isSaved()); });
+}
+
+ProjectDocument::~ProjectDocument()
+{
+    m_undo.disconnect(this); // it tells of its end
+}
+
+std::optional<std::size_t> ProjectDocument::placeOf(DeviceId id) const
+{
+    const auto found = std::ranges::find(m_ids, id);
+    return found == m_ids.end() ? std::nullopt
+                                : std::optional(static_cast<std::size_t>(found - m_ids.begin()));
+}
+
+std::optional<std::size_t> ProjectDocument::placeOf(DeviceNumber number) const
+{
+    const auto found = std::ranges::find_if(m_project.devices, [number](const ProjectDevice &device) {
+        return device.participant.number == number;
+    });
+    return found == m_project.devices.end()
+               ? std::nullopt
+               : std::optional(static_cast<std::size_t>(found - m_project.devices.begin()));
+}
+
+const ProjectDevice &ProjectDocument::device(DeviceNumber number) const
+{
+    static const ProjectDevice nothingPlanned;
+    if (const auto place = placeOf(number))
+        return m_project.devices[*place];
+    const auto other = m_others.find(number);
+    return other == m_others.end() ? nothingPlanned : other->second;
+}
+
+void ProjectDocument::forEachDevice(
+    const std::function<void(DeviceNumber, const ProjectDevice &)> &visit) const
+{
+    for (const ProjectDevice &device : m_project.devices)
+        visit(device.participant.number, device);
+    for (const auto &[number, device] : m_others)
+        if (!placeOf(number))
+            visit(number, device);
+}
+
+void ProjectDocument::setProject(Project project, const QString &file)
+{
+    m_project = std::move(project);
+    m_others.clear();
+    m_ids.clear();
+    for (std::size_t i = 0; i < m_project.devices.size(); ++i)
+        m_ids.push_back(++m_lastId);
+    m_isRecovered = false;
+    m_undo.clear();
+    m_file = file;
+    Q_EMIT replaced();
+    Q_EMIT changed();
+    Q_EMIT fileChanged();
+    Q_EMIT savedChanged(isSaved());
+}
+
+void ProjectDocument::setFile(const QString &file)
+{
+    m_file = file;
+    m_isRecovered = false;
+    m_undo.setClean();
+    Q_EMIT fileChanged();
+    Q_EMIT savedChanged(isSaved());
+}
+
+void ProjectDocument::setRecovered()
+{
+    m_isRecovered = true;
+    Q_EMIT savedChanged(isSaved());
+}
+
+// Of devices that are as they were, from both ends; the others keep theirs by place, if there are as many.
+std::vector<ProjectDocument::DeviceId> ProjectDocument::keptIds(const Project &after)
+{
+    if (after.devices.size() == m_ids.size())
+        return m_ids;
+    const std::vector<ProjectDevice> &before = m_project.devices;
+    const std::size_t shorter = std::min(before.size(), after.devices.size());
+    std::size_t head = 0;
+    while (head < shorter && before[head] == after.devices[head])
+        ++head;
+    std::size_t tail = 0;
+    while (tail < shorter - head &&
+           before[before.size() - 1 - tail] == after.devices[after.devices.size() - 1 - tail])
+        ++tail;
+    std::vector<DeviceId> ids(m_ids.begin(), m_ids.begin() + static_cast<std::ptrdiff_t>(head));
+    while (ids.size() < after.devices.size() - tail)
+        ids.push_back(++m_lastId);
+    ids.insert(ids.end(), m_ids.end() - static_cast<std::ptrdiff_t>(tail), m_ids.end());
+    return ids;
+}
+
+void ProjectDocument::edit(Project after, const QString &what, Gesture gesture)
+{
+    std::vector<DeviceId> ids = keptIds(after);
+    push(std::move(after), std::move(ids), m_others, what, gesture);
+}
+
+void ProjectDocument::edit(Project after, const Origins &origins, const QString &what)
+{
+    std::vector<DeviceId> ids;
+    for (const auto &from : origins)
+        ids.push_back(from ? m_ids.at(*from) : ++m_lastId);
+    push(std::move(after), std::move(ids), m_others, what, noGesture);
+}
+
+void ProjectDocument::editDevice(DeviceNumber number, const QString &what,
+                                 const std::function<void(ProjectDevice &)> &edit, Gesture gesture)
+{
+    if (const auto place = placeOf(number)) {
+        Project after = m_project;
+        edit(after.devices[*place]);
+        push(std::move(after), m_ids, m_others, what, gesture);
+        return;
+    }
+    auto others = m_others;
+    edit(others[number]);
+    if (others[number] == ProjectDevice())
+        others.erase(number);
+    push(m_project, m_ids, std::move(others), what, gesture);
+}
+
+void ProjectDocument::push(Project after, std::vector<DeviceId> ids,
+                           std::map<DeviceNumber, ProjectDevice> others, const QString &what, Gesture gesture)
+{
+    auto step = std::make_unique<ProjectStep>(*this, std::move(after), std::move(ids), std::move(others),
+                                              what, gesture);
+    if (!step->changesNothing())
+        m_undo.push(step.release());
+}
+
+ProjectDocument::Content ProjectDocument::content() const
+{
+    Project header = m_project;
+    header.devices.clear();
+    return {.header = std::move(header), .others = m_others};
+}
+
+void ProjectDocument::apply(const Content &content, std::size_t first, std::size_t count,
+                            const std::vector<ProjectDevice> &devices, const std::vector<DeviceId> &ids)
+{
+    const auto replace = [&](auto &all, const auto &by) {
+        const auto at = all.erase(all.begin() + static_cast<std::ptrdiff_t>(first),
+                                  all.begin() + static_cast<std::ptrdiff_t>(first + count));
+        all.insert(at, by.begin(), by.end());
+    };
+    std::vector<ProjectDevice> all = std::move(m_project.devices);
+    replace(all, devices);
+    replace(m_ids, ids);
+    m_project = content.header;
+    m_project.devices = std::move(all);
+    m_others = content.others;
+    Q_EMIT changed();
+}
+
+} // namespace codewheel

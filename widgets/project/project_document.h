@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "project/project.h"
+
+#include <QObject>
+#include <QUndoStack>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace codewheel {
+
+class ProjectStep;
+
+// The project that is open, and all that can be undone in it. What views show and change of it goes through
+// here: structure editor, wanted values, cams, sequences. Outlives the window, which is made anew in another
+// language.
+//
+// A device has an id besides its number: the number follows from its place, the id stays.
+class ProjectDocument : public QObject
+{
+    Q_OBJECT
+
+public:
+    using DeviceId = unsigned;
+    // Changes of one gesture, such as typing in one field or a drag of the mouse, are one step of undo.
+    using Gesture = int;
+    static constexpr Gesture noGesture = 0;
+    // Where each device stood before an edit; nothing: it is new.
+    using Origins = std::vector<std::optional<std::size_t>>;
+
+    explicit ProjectDocument(QObject *parent = nullptr);
+    ~ProjectDocument() override;
+
+    const Project &project() const { return m_project; }
+    const std::vector<DeviceId> &ids() const { return m_ids; } // as the devices
+    std::optional<std::size_t> placeOf(DeviceId id) const;
+    std::optional<std::size_t> placeOf(DeviceNumber number) const;
+    // What is planned for the device of this number. One that the project does not have (a connected ring may
+    // have others) can be given values as well: they are kept until the program ends or another project is
+    // opened, but in no file.
+    const ProjectDevice &device(DeviceNumber number) const;
+    void forEachDevice(const std::function<void(DeviceNumber, const ProjectDevice &)> &visit) const;
+
+    // Another project, or the same read from its file again. There is nothing to undo then.
+    void setProject(Project project, const QString &file);
+    QString file() const { return m_file; } // empty: it has none yet
+    void setFile(const QString &file);      // it was saved there, as it is now
+    bool isSaved() const { return m_undo.isClean() && !m_isRecovered; }
+    // It was found after a crash: its file has something else.
+    void setRecovered();
+
+    // A step of undo; none where nothing changes. what: its name, "Move 3.0". No origins: each device stands
+    // where it stood; where there are more or less of them, those between what is the same are new.
+    void edit(Project after, const QString &what, Gesture gesture = noGesture);
+    void edit(Project after, const Origins &origins, const QString &what);
+    void editDevice(DeviceNumber number, const QString &what,
+                    const std::function<void(ProjectDevice &)> &edit, Gesture gesture = noGesture);
+    Gesture newGesture() { return ++m_lastGesture; }
+
+    QUndoStack &undoStack() { return m_undo; }
+
+Q_SIGNALS:
+    void changed();     // anything of the project or of its devices
+    void replaced();    // by another one; changed() comes as well
+    void fileChanged(); // its name
+    void savedChanged(bool isSaved);
+
+private:
+    friend class ProjectStep;
+    struct Content; // all that a step changes but the devices
+    Content content() const;
+    void apply(const Content &content, std::size_t first, std::size_t count,
+               const std::vector<ProjectDevice> &devices, const std::vector<DeviceId> &ids);
+    void push(Project after, std::vector<DeviceId> ids, std::map<DeviceNumber, ProjectDevice> others,
+              const QString &what, Gesture gesture);
+    std::vector<DeviceId> keptIds(const Project &after);
+
+    Project m_project;
+    std::vector<DeviceId> m_ids;
+    std::map<DeviceNumber, ProjectDevice> m_others; // of devices that the project does not have
+    QString m_file;
+    QUndoStack m_undo;
+    bool m_isRecovered = false;
+    DeviceId m_lastId = 0;
+    Gesture m_lastGesture = noGesture;
+};
+
+} // namespace codewheel

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/project/project_document.h"
+
+#include <QUndoCommand>
+
+namespace codewheel {
+
+// What a step changes of a document besides its devices.
+struct ProjectDocument::Content
+{
+    Project header; // without devices
+    std::map<DeviceNumber, ProjectDevice> others;
+
+    friend bool operator==(const Content &, const Content &) = default;
+};
+
+// The one kind of step there is: the project before and after. Of the devices only those are kept between the
+// first and the last that changed.
+class ProjectStep final : public QUndoCommand
+{
+public:
+    using Devices = std::vector<ProjectDevice>;
+    using Ids = std::vector<ProjectDocument::DeviceId>;
+
+    ProjectStep(ProjectDocument &document, Project after, Ids ids,
+                std::map<DeviceNumber, ProjectDevice> others, const QString &what,
+                ProjectDocument::Gesture gesture);
+
+    bool changesNothing() const { return m_before == m_after; }
+
+    void undo() override;
+    void redo() override;
+    int id() const override { return m_gesture == ProjectDocument::noGesture ? -1 : 1; }
+    bool mergeWith(const QUndoCommand *next) override;
+
+private:
+    struct State
+    {
+        ProjectDocument::Content content;
+        Devices devices;
+        Ids ids;
+
+        friend bool operator==(const State &, const State &) = default;
+    };
+
+    ProjectDocument &m_document;
+    std::size_t m_first = 0; // place of the first device that changes
+    State m_before;
+    State m_after;
+    ProjectDocument::Gesture m_gesture;
+};
+
+} // namespace codewheel
