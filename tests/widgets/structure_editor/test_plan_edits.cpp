@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/refusal_text.h"
+#include "ring/id_code.h"
+#include "tests/widgets/structure_editor/plan_test.h"
+#include "widgets/structure_editor/plan_edits.h"
+
+namespace codewheel {
+namespace {
+
+class PlanEditsTest : public test::PlanTest
+{
+protected:
+    PlanEdits edits{document, catalog};
+};
+
+TEST_F(PlanEditsTest, AnInsertedDeviceIsAStepThatNamesIt)
+{
+    const auto id = edits.insert(deviceOf(0x81BE), {.terminal = 1, .onLocalBus = true, .row = 0});
+    ASSERT_TRUE(id);
+    EXPECT_EQ(at(QStringLiteral("2.1")).deviceCode, 0x81BEU);
+    EXPECT_EQ(document.placeOf(*id), 2u);
+    EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("Insert Inline digital input"));
+    document.undoStack().undo();
+    EXPECT_EQ(document.project().devices.size(), 9u);
+}
+
+TEST_F(PlanEditsTest, WhatBelongsToADeviceGoesWithIt)
+{
+    document.editDevice({1, 0}, {}, [](ProjectDevice &device) { device.station = QStringLiteral("hoist"); });
+    ASSERT_TRUE(edits.move({id(QStringLiteral("1.0"))}, {.terminal = {}, .onLocalBus = false, .row = 99}));
+    EXPECT_EQ(document.project().devices.back().station, QStringLiteral("hoist"));
+    EXPECT_EQ(document.project().devices.back().participant.number, (DeviceNumber{7, 0}));
+    EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("Move 1.0"));
+}
+
+TEST_F(PlanEditsTest, KeysMoveADeviceAmongItsNeighbours)
+{
+    const QString before = order();
+    ASSERT_TRUE(edits.moveBy(id(QStringLiteral("1.0")), -1));
+    EXPECT_EQ(order(), before) << "it is the first";
+    ASSERT_TRUE(edits.moveBy(id(QStringLiteral("1.0")), 1));
+    EXPECT_EQ(order(), QStringLiteral("1.0=2 1.1=3 1.2=4 2.0=5 3.0=6 4.0=1 5.0=7 6.0=8 7.0=9"));
+    ASSERT_TRUE(edits.moveBy(id(QStringLiteral("4.0")), -1));
+    EXPECT_EQ(order(), before);
+    ASSERT_TRUE(edits.moveBy(id(QStringLiteral("7.0")), 1));
+    EXPECT_EQ(order(), before) << "it is the last";
+}
+
+TEST_F(PlanEditsTest, KeysHangADeviceBelowATerminalAndTakeItOut)
+{
+    const QString before = order();
+    const auto k2 = id(QStringLiteral("5.0"));
+    ASSERT_TRUE(edits.moveIn(k2));
+    EXPECT_EQ(document.project().devices.at(6).participant.level, 1);
+    ASSERT_TRUE(edits.changeBus(k2));
+    EXPECT_EQ(at(QStringLiteral("2.3")).deviceCode, 0x0236U);
+    ASSERT_TRUE(edits.changeBus(k2));
+    EXPECT_EQ(at(QStringLiteral("3.0")).deviceCode, 0x0236U) << "the first of the branch";
+    ASSERT_TRUE(edits.moveOut(k2));
+    EXPECT_EQ(order(), before);
+    ASSERT_TRUE(edits.moveOut(k2));
+    EXPECT_EQ(order(), before) << "it is on the main line";
+}
+
+TEST_F(PlanEditsTest, WhatCannotBeIsRefusedAndIsNoStep)
+{
+    const auto into = edits.moveIn(id(QStringLiteral("2.0"))); // behind 1.0, no terminal
+    ASSERT_FALSE(into);
+    EXPECT_EQ(refusalText(into.error()),
+              QStringLiteral("The bus cannot be built like this: Nothing can hang below 1.0: it is no bus "
+                             "terminal."));
+    EXPECT_FALSE(edits.insert(deviceOf(busTerminalIdCode), {.terminal = 1, .onLocalBus = true, .row = 0}));
+    EXPECT_FALSE(edits.change(id(QStringLiteral("2.0")), deviceOf(0x0237)));
+    EXPECT_EQ(document.undoStack().count(), 0);
+}
+
+TEST_F(PlanEditsTest, AnotherKindOfDeviceKeepsThePlaceAndNotTheValues)
+{
+    document.editDevice({1, 0}, {}, [](ProjectDevice &device) {
+        device.station = QStringLiteral("hoist");
+        device.inAddress = 128;
+        device.wanted = {{Parameter::steps, 255}};
+        device.label.turns = 4096;
+    });
+    ASSERT_TRUE(edits.change(id(QStringLiteral("1.0")), deviceOf(0x0236)));
+    const ProjectDevice &changed = document.device({1, 0});
+    EXPECT_EQ(changed.participant.deviceCode, 0x0236U);
+    EXPECT_EQ(changed.station, QStringLiteral("hoist"));
+    EXPECT_EQ(changed.inAddress, 128);
+    EXPECT_TRUE(changed.wanted.empty());
+    EXPECT_EQ(changed.label, DeviceLabel());
+}
+
+TEST_F(PlanEditsTest, SeveralAreRemovedInOneStep)
+{
+    ASSERT_TRUE(edits.remove({id(QStringLiteral("1.0")), id(QStringLiteral("2.0"))}));
+    EXPECT_EQ(order(), QStringLiteral("1.0=7 2.0=8 3.0=9"));
+    EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("Remove 2 devices"));
+    EXPECT_EQ(document.undoStack().count(), 1);
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/comparison/comparison_page.h"
+
+#include "project/project_take_over.h"
+#include "ring/bus_session.h"
+#include "ring/take_over.h"
+#include "widgets/comparison/comparison_model.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/inline_message.h"
+
+#include <QCheckBox>
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include <numeric>
+
+namespace codewheel {
+
+ComparisonPage::ComparisonPage(ProjectDocument &document, BusSession &bus, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_bus(bus)
+    , m_model(new ComparisonModel(this))
+    , m_table(new QTableView(this))
+    , m_summary(new QLabel(this))
+    , m_onlyDifferences(new QCheckBox(tr("Only &differences"), this))
+    , m_readIn(new QPushButton(lineIcon(Icon::read), tr("&Read in the ring"), this))
+    , m_lineIntoProject(new QPushButton(tr("Chosen lines into the &project"), this))
+    , m_allIntoProject(new QPushButton(tr("&All into the project"), this))
+    , m_lineIntoMaster(new QPushButton(tr("Chosen lines into the &master"), this))
+    , m_allIntoMaster(new QPushButton(tr("Project into the mas&ter"), this))
+    , m_message(new InlineMessage(this))
+    , m_empty(new EmptyState(Icon::compare, tr("No ring is connected."),
+                             tr("Connect to compare it with the project."), this))
+{
+    m_summary->setObjectName(QStringLiteral("comparisonSummary"));
+    m_summary->setWordWrap(true);
+    m_onlyDifferences->setObjectName(QStringLiteral("onlyDifferences"));
+    m_onlyDifferences->setToolTip(tr("Hides the lines that are the same"));
+    m_readIn->setObjectName(QStringLiteral("readIn"));
+    m_readIn->setToolTip(tr("The master finds the devices of the ring anew; data cycles stop meanwhile"));
+    m_lineIntoProject->setObjectName(QStringLiteral("linesIntoProject"));
+    m_lineIntoProject->setToolTip(tr("Plans the chosen lines as they are connected; can be undone"));
+    m_allIntoProject->setObjectName(QStringLiteral("allIntoProject"));
+    m_allIntoProject->setToolTip(tr("Plans the whole ring as it is connected; can be undone"));
+    m_lineIntoMaster->setObjectName(QStringLiteral("linesIntoMaster"));
+    m_lineIntoMaster->setToolTip(
+        tr("Downloads the connected ring with the chosen lines as they are planned; the master keeps it"));
+    m_allIntoMaster->setObjectName(QStringLiteral("allIntoMaster"));
+    m_allIntoMaster->setToolTip(tr("Downloads the planned ring, which the master keeps, and loads it back"));
+    m_message->setObjectName(QStringLiteral("comparisonMessage"));
+    m_table->setObjectName(QStringLiteral("comparison"));
+    m_table->setAccessibleName(tr("Configured and connected ring"));
+    m_table->setToolTip(tr("Choose the lines that are to be taken over."));
+    m_table->setModel(m_model);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setTabKeyNavigation(false);
+    m_table->setIconSize({grid::smallIcon, grid::smallIcon});
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    setFocusProxy(m_table);
+    arrange();
+    connect(m_onlyDifferences, &QCheckBox::toggled, this, &ComparisonPage::compare);
+    connect(m_readIn, &QPushButton::clicked, this, &ComparisonPage::readInRequested);
+    connect(m_lineIntoProject, &QPushButton::clicked, this, [this] { takeIntoProject(selectedLines()); });
+    connect(m_allIntoProject, &QPushButton::clicked, this, [this] { takeIntoProject(allLines()); });
+    connect(m_lineIntoMaster, &QPushButton::clicked, this, [this] { takeIntoMaster(selectedLines()); });
+    connect(m_allIntoMaster, &QPushButton::clicked, this, [this] {
+        keep({QFileInfo(m_document.file()).fileName(), structureOf(m_document.project())});
+    });
+    connect(m_message, &InlineMessage::actionTriggered, this, [this] {
+        if (m_before)
+            keep(*m_before);
+    });
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &ComparisonPage::showWhatIsPossible);
+    connect(&document, &ProjectDocument::changed, this, &ComparisonPage::compare);
+    connect(&bus, &BusSession::structureChanged, this, &ComparisonPage::compare);
+    connect(&bus, &BusSession::readInEnded, this, &ComparisonPage::compare);
+    connect(&bus, &BusSession::named, this, &ComparisonPage::compare);
+    connect(&bus, &BusSession::keptConfigurationTold, this, &ComparisonPage::showKept);
+    setConnected(false);
+}
+
+void ComparisonPage::arrange()
+{
+    auto *top = new QHBoxLayout;
+    top->setSpacing(grid::groupGap);
+    top->addWidget(m_summary, 1);
+    top->addWidget(m_onlyDifferences);
+    top->addWidget(m_readIn);
+    auto *buttons = new QGridLayout;
+    buttons->setSpacing(grid::unit);
+    buttons->addWidget(m_lineIntoProject, 0, 0);
+    buttons->addWidget(m_allIntoProject, 0, 1);
+    buttons->addWidget(m_lineIntoMaster, 1, 0);
+    buttons->addWidget(m_allIntoMaster, 1, 1);
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins(grid::margin, grid::margin, grid::margin, grid::margin);
+    rows->setSpacing(grid::unit);
+    rows->addLayout(top);
+    rows->addWidget(m_message);
+    rows->addWidget(m_empty, 1);
+    rows->addWidget(m_table, 1);
+    rows->addLayout(buttons);
+}
+
+void ComparisonPage::setConnected(bool isConnected)
+{
+    m_isConnected = isConnected;
+    m_empty->setVisible(!isConnected);
+    m_table->setVisible(isConnected);
+    m_message->withdraw();
+    m_kept.reset();
+    m_before.reset();
+    compare();
+    if (isConnected && m_bus.master() != nullptr)
+        m_bus.askKeptConfiguration();
+}
+
+int ComparisonPage::differences() const
+{
+    return m_model->differences();
+}
+
+void ComparisonPage::compare()
+{
+    if (!m_isConnected) {
+        m_summary->clear();
+        showWhatIsPossible();
+        return;
+    }
+    m_model->compare(structureOf(m_document.project()), m_bus.structure(), m_bus.catalog(),
+                     m_onlyDifferences->isChecked());
+    const int differences = m_model->differences();
+    m_summary->setText(differences == 0 ? tr("The ring is as it is configured.")
+                                        : tr("%n lines differ.", nullptr, differences));
+    showWhatIsPossible();
+}
+
+std::vector<std::size_t> ComparisonPage::allLines() const
+{
+    std::vector<std::size_t> lines(m_model->comparison().size());
+    std::iota(lines.begin(), lines.end(), 0U);
+    return lines;
+}
+
+std::vector<std::size_t> ComparisonPage::selectedLines() const
+{
+    std::vector<std::size_t> lines;
+    for (const QModelIndex &index : m_table->selectionModel()->selectedRows())
+        lines.push_back(m_model->rowAt(index.row()).line);
+    return lines;
+}
+
+void ComparisonPage::takeIntoProject(const std::vector<std::size_t> &lines)
+{
+    const RingStructure connected = m_bus.structure();
+    const Comparison comparison = m_model->comparison();
+    ProjectDocument::Origins origins;
+    for (const TakenDevice &device : takeOver(comparison, lines))
+        origins.push_back(device.own);
+    m_document.edit(takenOver(m_document.project(), connected, comparison, lines), origins,
+                    tr("Take over from the ring"));
+}
+
+void ComparisonPage::takeIntoMaster(const std::vector<std::size_t> &lines)
+{
+    const RingStructure configured = structureOf(m_document.project());
+    keep({QFileInfo(m_document.file()).fileName(),
+          takenOver(m_bus.structure(), configured, mirrored(m_model->comparison()), lines)});
+}
+
+// Downloads it, and loads back what the master keeps then.
+void ComparisonPage::keep(const KeptConfiguration &configuration)
+{
+    m_before = m_kept;
+    m_isDownloading = true;
+    m_message->withdraw();
+    m_bus.keepConfiguration(configuration);
+    m_bus.askKeptConfiguration();
+}
+
+void ComparisonPage::showKept(const std::optional<KeptConfiguration> &configuration)
+{
+    m_kept = configuration;
+    if (!std::exchange(m_isDownloading, false) || !m_kept)
+        return;
+    const int others =
+        codewheel::differences(compareRings(structureOf(m_document.project()), m_kept->structure));
+    const QString kept =
+        tr("The master keeps %1 with %n devices.", nullptr, static_cast<int>(m_kept->structure.size()))
+            .arg(m_kept->fileName.isEmpty() ? tr("a configuration without a name") : m_kept->fileName);
+    const QString loaded = others == 0
+                               ? tr("Loaded back, it is the project's.")
+                               : tr("Loaded back, %n lines differ from the project.", nullptr, others);
+    m_message->showMessage(others == 0 ? Role::running : Role::attention, kept + QLatin1Char(' ') + loaded,
+                           m_before ? tr("Take back") : QString());
+}
+
+void ComparisonPage::showWhatIsPossible()
+{
+    const bool hasMaster = m_isConnected && m_bus.master() != nullptr;
+    const bool isSelected = m_isConnected && m_table->selectionModel()->hasSelection();
+    m_readIn->setEnabled(hasMaster);
+    m_lineIntoProject->setEnabled(isSelected);
+    m_allIntoProject->setEnabled(m_isConnected && m_model->differences() > 0);
+    m_lineIntoMaster->setEnabled(isSelected && hasMaster);
+    m_allIntoMaster->setEnabled(hasMaster && !m_document.project().devices.empty());
+}
+
+} // namespace codewheel

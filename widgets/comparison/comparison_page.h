@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ring/master_link.h"
+#include "widgets/project/project_document.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QTableView;
+
+namespace codewheel {
+
+class BusSession;
+class ComparisonModel;
+class EmptyState;
+class InlineMessage;
+
+// The configured ring beside the connected one. Lines are taken over into the project, or into the
+// configuration that the master keeps; either can be taken back.
+class ComparisonPage : public QWidget
+{
+    Q_OBJECT
+
+public:
+    // Both must outlive it.
+    ComparisonPage(ProjectDocument &document, BusSession &bus, QWidget *parent = nullptr);
+
+    void setConnected(bool isConnected);
+    int differences() const;
+
+Q_SIGNALS:
+    void readInRequested();
+
+private:
+    void arrange();
+    void compare();
+    void takeIntoProject(const std::vector<std::size_t> &lines);
+    void takeIntoMaster(const std::vector<std::size_t> &lines);
+    void keep(const KeptConfiguration &configuration);
+    void showKept(const std::optional<KeptConfiguration> &configuration);
+    std::vector<std::size_t> allLines() const;
+    std::vector<std::size_t> selectedLines() const;
+    void showWhatIsPossible();
+
+    ProjectDocument &m_document;
+    BusSession &m_bus;
+    bool m_isConnected = false;
+    ComparisonModel *m_model;
+    QTableView *m_table;
+    QLabel *m_summary;
+    QCheckBox *m_onlyDifferences;
+    QPushButton *m_readIn;
+    QPushButton *m_lineIntoProject;
+    QPushButton *m_allIntoProject;
+    QPushButton *m_lineIntoMaster;
+    QPushButton *m_allIntoMaster;
+    InlineMessage *m_message;
+    EmptyState *m_empty;
+    std::optional<KeptConfiguration> m_kept;   // by the master, as it told
+    std::optional<KeptConfiguration> m_before; // what a download replaced
+    bool m_isDownloading = false;
+};
+
+} // namespace codewheel

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/project/device_names.h"
+
+#include "catalog/catalog.h"
+#include "encoder/encoder_session.h"
+#include "ring/bus_session.h"
+#include "widgets/project/project_document.h"
+
+#include <QScopedValueRollback>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+// What a device is taken for: its make, and what its label tells of the resolution; 0: as described.
+struct Name
+{
+    QString key;
+    int turns = 0;
+    int stepsPerTurn = 0;
+
+    friend bool operator==(const Name &, const Name &) = default;
+};
+
+Name nameOnTheBus(const BusSession &bus, const Participant &participant)
+{
+    Name name{.key = participant.deviceKey};
+    const EncoderSession *encoder = bus.encoder(participant.number);
+    const DeviceDescription *described = bus.catalog().find(participant.deviceKey);
+    if (encoder == nullptr || described == nullptr)
+        return name;
+    const auto ifOther = [](int is, int usual) { return is == usual ? 0 : is; };
+    name.turns = ifOther(encoder->device().physicalTurns, described->physicalTurns);
+    name.stepsPerTurn = ifOther(encoder->device().physicalStepsPerTurn, described->physicalStepsPerTurn);
+    return name;
+}
+
+Name nameInTheProject(const Catalog &catalog, const ProjectDevice &device)
+{
+    Name name{.key = device.participant.deviceKey};
+    if (const DeviceDescription *described = catalog.find(name.key)) {
+        const auto ifOther = [](int is, int usual) { return is == usual ? 0 : is; };
+        name.turns = ifOther(device.label.turns, described->physicalTurns);
+        name.stepsPerTurn = ifOther(device.label.stepsPerTurn, described->physicalStepsPerTurn);
+    }
+    return name;
+}
+
+} // namespace
+
+DeviceNames::DeviceNames(ProjectDocument &document, BusSession &bus, QObject *parent)
+    : QObject(parent)
+    , m_document(document)
+    , m_bus(bus)
+{
+    connect(&document, &ProjectDocument::changed, this, &DeviceNames::nameRing);
+    connect(&bus, &BusSession::named, this, &DeviceNames::takeName);
+    connect(&bus, &BusSession::structureChanged, this, &DeviceNames::nameRing);
+    nameRing();
+}
+
+void DeviceNames::nameRing()
+{
+    if (m_isNaming)
+        return;
+    const QScopedValueRollback naming(m_isNaming, true);
+    const RingStructure ring = m_bus.structure();
+    for (const Participant &participant : ring) {
+        const auto place = m_document.placeOf(participant.number);
+        if (!place)
+            continue;
+        const ProjectDevice &planned = m_document.project().devices[*place];
+        if (planned.participant.deviceCode != participant.deviceCode)
+            continue;
+        const Name wanted = nameInTheProject(m_bus.catalog(), planned);
+        // While a job runs it is refused, and done with the next change.
+        if (wanted != nameOnTheBus(m_bus, participant))
+            (void)m_bus.name(participant.number, wanted.key, wanted.turns, wanted.stepsPerTurn);
+    }
+}
+
+void DeviceNames::takeName(DeviceNumber number)
+{
+    const RingStructure &ring = m_bus.structure();
+    const auto participant = std::ranges::find(ring, number, &Participant::number);
+    const auto place = m_document.placeOf(number);
+    if (m_isNaming || !place || participant == ring.end() ||
+        m_document.project().devices[*place].participant.deviceCode != participant->deviceCode)
+        return;
+    const QScopedValueRollback naming(m_isNaming, true);
+    const Name name = nameOnTheBus(m_bus, *participant);
+    m_document.editDevice(number, tr("Name %1").arg(number.toString()), [&](ProjectDevice &device) {
+        device.participant.deviceKey = name.key;
+        device.label.turns = name.turns;
+        device.label.stepsPerTurn = name.stepsPerTurn;
+    });
+}
+
+} // namespace codewheel

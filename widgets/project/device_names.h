@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+namespace codewheel {
+
+class BusSession;
+class ProjectDocument;
+struct DeviceNumber;
+
+// What the bus does not tell, the project does: it names the devices of a connected ring that fit, by number
+// and device code. A device named in the window is named in the project, which can be undone.
+class DeviceNames : public QObject
+{
+    Q_OBJECT
+
+public:
+    // Both must outlive it.
+    DeviceNames(ProjectDocument &document, BusSession &bus, QObject *parent = nullptr);
+
+    // Names all that fit; again after another ring was read in.
+    void nameRing();
+
+private:
+    void takeName(DeviceNumber number);
+
+    ProjectDocument &m_document;
+    BusSession &m_bus;
+    bool m_isNaming = false;
+};
+
+} // namespace codewheel

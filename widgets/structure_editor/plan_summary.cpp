@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/structure_editor/plan_summary.h"
+
+#include "project/project_take_over.h"
+#include "ring/cycle_time.h"
+#include "ring/ring_rules.h"
+#include "widgets/look/grid.h"
+#include "widgets/project/project_document.h"
+
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+namespace codewheel {
+namespace {
+
+constexpr double longestCable = 12.8; // km of remote bus
+
+QString milliseconds(MicrosecondsOnTheWire time)
+{
+    return QLocale().toString(time.count() / 1000, 'f', 2);
+}
+
+} // namespace
+
+PlanSummary::PlanSummary(ProjectDocument &document, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_counts(new QLabel(this))
+    , m_times(new QLabel(this))
+    , m_cable(new QDoubleSpinBox(this))
+{
+    m_counts->setObjectName(QStringLiteral("planCounts"));
+    m_counts->setWordWrap(true);
+    m_times->setObjectName(QStringLiteral("planTimes"));
+    m_times->setWordWrap(true);
+    m_times->setToolTip(
+        tr("About how long one bus cycle takes on the wire, by the formulas of G3 and of G4 masters"));
+    m_cable->setObjectName(QStringLiteral("cableKilometres"));
+    m_cable->setRange(0, longestCable);
+    m_cable->setDecimals(2);
+    m_cable->setSingleStep(0.1);
+    m_cable->setAccessibleName(tr("Length of cable in km"));
+    m_cable->setToolTip(tr("Length of all remote bus cables: each km takes 0.016 ms"));
+    auto *cableLabel = new QLabel(tr("Cable in k&m"), this);
+    cableLabel->setBuddy(m_cable);
+
+    auto *times = new QHBoxLayout;
+    times->setSpacing(grid::groupGap);
+    times->addWidget(m_times, 1);
+    times->addWidget(cableLabel, 0, Qt::AlignTop);
+    times->addWidget(m_cable, 0, Qt::AlignTop);
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins({});
+    rows->setSpacing(grid::unit);
+    rows->addWidget(m_counts);
+    rows->addLayout(times);
+    connect(m_cable, &QDoubleSpinBox::valueChanged, this, [this](double kilometres) {
+        Project after = m_document.project();
+        after.cableKilometres = kilometres;
+        m_document.edit(std::move(after), tr("Length of cable"));
+    });
+    connect(&m_document, &ProjectDocument::changed, this, &PlanSummary::show);
+    show();
+}
+
+void PlanSummary::show()
+{
+    m_counts->setText(countsText());
+    m_times->setText(timesText());
+    const QSignalBlocker blocker(m_cable);
+    m_cable->setValue(m_document.project().cableKilometres);
+}
+
+QString PlanSummary::countsText() const
+{
+    const RingCounts counts = countRing(structureOf(m_document.project()));
+    const auto part = [](const QString &what, int count, int limit) {
+        return QStringLiteral("%1 %2 / %3").arg(what, QLocale().toString(count), QLocale().toString(limit));
+    };
+    return QStringList{part(tr("Devices"), counts.devices, ring_limit::devices),
+                       part(tr("remote bus"), counts.remoteDevices, ring_limit::remoteDevices),
+                       part(tr("levels"), counts.levels, ring_limit::levels),
+                       part(tr("longest local bus"), counts.longestLocalBus, ring_limit::localDevices),
+                       part(tr("PCP"), counts.pcpDevices, ring_limit::pcpDevices),
+                       part(tr("inputs"), counts.inPoints, ring_limit::points),
+                       part(tr("outputs"), counts.outPoints, ring_limit::points)}
+        .join(QStringLiteral(", "));
+}
+
+QString PlanSummary::timesText() const
+{
+    const RingLoad load = ringLoad(structureOf(m_document.project()), m_document.project().cableKilometres);
+    const auto both = [&](MicrosecondsOnTheWire bit) {
+        return QStringLiteral("%1 / %2").arg(milliseconds(cycleTime(load, bit, CycleTimeForm::g3)),
+                                             milliseconds(cycleTime(load, bit, CycleTimeForm::g4)));
+    };
+    return tr("Cycle about %1 ms at 500 kBd, %2 ms at 2 MBd (G3 / G4)")
+        .arg(both(bitAt500kBd), both(bitAt2MBd));
+}
+
+} // namespace codewheel

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QDoubleSpinBox;
+class QLabel;
+
+namespace codewheel {
+
+class ProjectDocument;
+
+// The line below the structure editor: how much of what a ring may have is used, and about how long a cycle
+// takes, by both formulas at both speeds.
+class PlanSummary : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit PlanSummary(ProjectDocument &document, QWidget *parent = nullptr);
+
+    QString countsText() const;
+    QString timesText() const;
+
+private:
+    void show();
+
+    ProjectDocument &m_document;
+    QLabel *m_counts;
+    QLabel *m_times;
+    QDoubleSpinBox *m_cable;
+};
+
+} // namespace codewheel

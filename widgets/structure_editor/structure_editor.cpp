@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/structure_editor/structure_editor.h"
+
+#include "encoder/refusal_text.h"
+#include "project/project_take_over.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/structure_editor/insert_panel.h"
+#include "widgets/structure_editor/plan_model.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QTreeView>
+
+#include <algorithm>
+
+namespace codewheel {
+
+std::optional<PlanEdits::Id> StructureEditor::current() const
+{
+    return m_model->idAt(m_tree->currentIndex());
+}
+
+PlanEdits::Ids StructureEditor::selected() const
+{
+    PlanEdits::Ids ids;
+    for (const QModelIndex &index : m_tree->selectionModel()->selectedRows())
+        if (const auto id = m_model->idAt(index))
+            ids.push_back(*id);
+    return ids;
+}
+
+void StructureEditor::makeCurrent(PlanEdits::Id id)
+{
+    const QModelIndex index = m_model->indexOf(id);
+    m_tree->setCurrentIndex(index);
+    m_tree->scrollTo(index);
+}
+
+void StructureEditor::choose(DeviceNumber number)
+{
+    if (const auto place = m_document.placeOf(number))
+        makeCurrent(m_document.ids()[*place]);
+}
+
+void StructureEditor::openInsertPanel()
+{
+    m_insert->show();
+    m_insert->focusSearch();
+}
+
+void StructureEditor::remove()
+{
+    say(m_edits.remove(selected()));
+}
+
+void StructureEditor::moveUp()
+{
+    if (const auto id = current())
+        say(m_edits.moveBy(*id, -1));
+}
+
+void StructureEditor::moveDown()
+{
+    if (const auto id = current())
+        say(m_edits.moveBy(*id, 1));
+}
+
+void StructureEditor::moveIn()
+{
+    if (const auto id = current())
+        say(m_edits.moveIn(*id));
+}
+
+void StructureEditor::moveOut()
+{
+    if (const auto id = current())
+        say(m_edits.moveOut(*id));
+}
+
+void StructureEditor::changeBus()
+{
+    if (const auto id = current())
+        say(m_edits.changeBus(*id));
+}
+
+void StructureEditor::insert(const Participant &device, const RingPlace &place)
+{
+    const auto inserted = m_edits.insert(device, place);
+    if (inserted)
+        makeCurrent(*inserted);
+    say(inserted.map([](PlanEdits::Id) {}));
+}
+
+void StructureEditor::changeTo(const Participant &device)
+{
+    if (const auto id = current())
+        say(m_edits.change(*id, device));
+}
+
+void StructureEditor::search()
+{
+    m_matches = m_model->find(m_search->text());
+    goToFound(0);
+}
+
+// From the chosen device on, round and round.
+void StructureEditor::goToFound(int by)
+{
+    if (by != 0) // it may have been edited meanwhile
+        m_matches = m_model->find(m_search->text());
+    const bool isAsked = !m_search->text().trimmed().isEmpty();
+    if (m_matches.empty()) {
+        m_found->setText(isAsked ? tr("not found") : QString());
+        return;
+    }
+    const auto count = std::ssize(m_matches);
+    const auto here = current() ? std::ranges::find(m_matches, *current()) : m_matches.end();
+    auto at = here - m_matches.begin();
+    at = here == m_matches.end() ? (by < 0 ? count - 1 : 0) : (at + by + count) % count;
+    makeCurrent(m_matches[static_cast<std::size_t>(at)]);
+    m_found->setText(tr("%1 of %2", "hits of a search").arg(at + 1).arg(count));
+}
+
+void StructureEditor::setAddressing()
+{
+    Project after = m_document.project();
+    after.addresses = {.unit = static_cast<AddressRules::Unit>(m_unit->currentIndex()),
+                       .first = m_first->value(),
+                       .step5 = m_step5->isChecked()};
+    m_document.edit(std::move(after), tr("Addresses"));
+}
+
+void StructureEditor::showCurrent()
+{
+    const auto id = current();
+    for (QAction *action : m_deviceActions)
+        action->setEnabled(id.has_value());
+    m_insert->setPlace(structureOf(m_document.project()), id ? m_document.placeOf(*id) : std::nullopt);
+    if (id)
+        Q_EMIT chosen(m_model->rowAt(m_tree->currentIndex()).participant.number);
+}
+
+void StructureEditor::showProject()
+{
+    const AddressRules &rules = m_document.project().addresses;
+    const QSignalBlocker first(m_first);
+    m_unit->setCurrentIndex(static_cast<int>(rules.unit));
+    m_first->setValue(rules.first);
+    m_step5->setChecked(rules.step5);
+    const bool isEmpty = m_document.project().devices.empty();
+    m_empty->setVisible(isEmpty);
+    m_empty->setAction(tr("Insert a device"));
+    m_tree->setVisible(!isEmpty);
+    m_message->withdraw();
+    const auto id = current();
+    m_insert->setPlace(structureOf(m_document.project()), id ? m_document.placeOf(*id) : std::nullopt);
+}
+
+void StructureEditor::say(const Result<void> &done)
+{
+    if (done)
+        m_message->withdraw();
+    else
+        m_message->showMessage(Role::attention, refusalText(done.error()));
+}
+
+} // namespace codewheel

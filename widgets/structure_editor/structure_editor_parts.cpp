@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the structure editor is made of, and how its parts are connected.
+#include "project/process_addresses.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/structure_editor/insert_panel.h"
+#include "widgets/structure_editor/plan_model.h"
+#include "widgets/structure_editor/plan_summary.h"
+#include "widgets/structure_editor/structure_editor.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QShortcut>
+#include <QSpinBox>
+#include <QToolBar>
+#include <QToolButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr int wideColumn = 40 * grid::unit;
+constexpr std::array columnWidths{22 * grid::unit, 32 * grid::unit, 22 * grid::unit, 48 * grid::unit,
+                                  16 * grid::unit, 24 * grid::unit, 26 * grid::unit, 18 * grid::unit,
+                                  18 * grid::unit, 60 * grid::unit};
+static_assert(columnWidths.size() == PlanModel::columns);
+
+} // namespace
+
+StructureEditor::StructureEditor(ProjectDocument &document, const Catalog &catalog, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_catalog(catalog)
+    , m_edits(document, catalog)
+    , m_model(new PlanModel(document, catalog, this))
+    , m_tools(new QToolBar(this))
+    , m_search(new QLineEdit(this))
+    , m_found(new QLabel(this))
+    , m_tree(new QTreeView(this))
+    , m_empty(new EmptyState(Icon::ring, tr("The project has no devices."),
+                             tr("Insert the first one, or read in the ring and take it over."), this))
+    , m_insert(new InsertPanel(catalog, this))
+    , m_message(new InlineMessage(this))
+    , m_summary(new PlanSummary(document, this))
+    , m_unit(new QComboBox(this))
+    , m_first(new QSpinBox(this))
+    , m_step5(new QCheckBox(tr("Step &5"), this))
+{
+    makeTools();
+    makeSearch();
+    makeAddressing();
+    makeTree();
+    arrange();
+    connectParts();
+    m_insert->hide();
+    showProject();
+    showCurrent();
+}
+
+QAction *StructureEditor::addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip,
+                                  Slot slot)
+{
+    auto *action = new QAction(lineIcon(icon), text, this);
+    action->setShortcut(key);
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    action->setToolTip(tr("%1 (%2)", "what it does, key").arg(tip, key.toString(QKeySequence::NativeText)));
+    addAction(action);
+    m_tools->addAction(action);
+    static_cast<QToolButton *>(m_tools->widgetForAction(action))->setFocusPolicy(Qt::TabFocus);
+    connect(action, &QAction::triggered, this, slot);
+    return action;
+}
+
+void StructureEditor::makeTools()
+{
+    m_tools->setIconSize({grid::smallIcon, grid::smallIcon});
+    addTool(Icon::add, tr("Insert..."), Qt::Key_Insert, tr("Insert a device from the catalog or by ID code"),
+            &StructureEditor::openInsertPanel);
+    static_cast<QToolButton *>(m_tools->widgetForAction(m_tools->actions().first()))
+        ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_deviceActions = {
+        addTool(Icon::remove, tr("Remove"), Qt::CTRL | Qt::Key_Delete,
+                tr("Remove the chosen devices with all that hangs below"), &StructureEditor::remove),
+        addTool(Icon::up, tr("Up"), Qt::ALT | Qt::Key_Up, tr("Move before its neighbour"),
+                &StructureEditor::moveUp),
+        addTool(Icon::down, tr("Down"), Qt::ALT | Qt::Key_Down, tr("Move behind its neighbour"),
+                &StructureEditor::moveDown),
+        addTool(Icon::next, tr("In"), Qt::ALT | Qt::Key_Right, tr("Hang it below the bus terminal before it"),
+                &StructureEditor::moveIn),
+        addTool(Icon::back, tr("Out"), Qt::ALT | Qt::Key_Left, tr("Take it out, behind its bus terminal"),
+                &StructureEditor::moveOut),
+        addTool(Icon::refresh, tr("Local bus or branch"), Qt::CTRL | Qt::Key_B,
+                tr("From the local bus of its bus terminal into the branch, and back"),
+                &StructureEditor::changeBus),
+    };
+    m_tools->addSeparator();
+}
+
+void StructureEditor::makeSearch()
+{
+    m_search->setObjectName(QStringLiteral("structureSearch"));
+    m_search->setPlaceholderText(tr("Number, name, ID code, station"));
+    m_search->setClearButtonEnabled(true);
+    m_search->setAccessibleName(tr("Search the structure"));
+    m_search->setToolTip(
+        tr("Goes to the devices with this text; Enter and Shift+Enter to the next and to the one "
+           "before (Ctrl+F)"));
+    m_found->setObjectName(QStringLiteral("structureFound"));
+    m_tools->addWidget(m_search);
+    m_tools->addWidget(m_found);
+    auto *find = new QShortcut(QKeySequence::Find, this);
+    find->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(find, &QShortcut::activated, this, [this] {
+        m_search->setFocus();
+        m_search->selectAll();
+    });
+    auto *previous = new QShortcut(Qt::SHIFT | Qt::Key_Return, m_search);
+    previous->setContext(Qt::WidgetShortcut);
+    connect(previous, &QShortcut::activated, this, &StructureEditor::findPrevious);
+}
+
+void StructureEditor::makeAddressing()
+{
+    m_unit->setObjectName(QStringLiteral("addressUnit"));
+    m_unit->addItems({tr("bytes"), tr("words")});
+    m_unit->setAccessibleName(tr("Addresses in"));
+    m_unit->setToolTip(tr("How addresses in the process image are shown and typed"));
+    m_first->setObjectName(QStringLiteral("firstAddress"));
+    m_first->setRange(0, largestAddress);
+    m_first->setAccessibleName(tr("First address"));
+    m_first->setToolTip(tr("Where the automatic addresses begin, in bytes"));
+    m_step5->setObjectName(QStringLiteral("step5"));
+    m_step5->setToolTip(tr("With a Step 5 PLC encoders must stand above P127: checks that"));
+}
+
+void StructureEditor::makeTree()
+{
+    m_tree->setObjectName(QStringLiteral("plan"));
+    m_tree->setAccessibleName(tr("Planned bus structure"));
+    m_tree->setToolTip(
+        tr("Drag devices to move them. F2 or a double click edits station, group and addresses."));
+    m_tree->setModel(m_model);
+    m_tree->setIconSize({grid::smallIcon, grid::smallIcon});
+    m_tree->setUniformRowHeights(true);
+    m_tree->setAllColumnsShowFocus(true);
+    m_tree->setAlternatingRowColors(true);
+    m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_tree->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    m_tree->setExpandsOnDoubleClick(false);
+    m_tree->setDragDropMode(QAbstractItemView::DragDrop);
+    m_tree->setDefaultDropAction(Qt::MoveAction);
+    m_tree->setAutoExpandDelay(500);
+    m_tree->setMinimumHeight(wideColumn);
+    m_tree->header()->setStretchLastSection(true);
+    for (int column = 0; column < PlanModel::columns; ++column)
+        m_tree->setColumnWidth(column, columnWidths.at(static_cast<std::size_t>(column)));
+    m_tree->expandAll();
+    setFocusProxy(m_tree);
+}
+
+void StructureEditor::arrange()
+{
+    const auto label = [this](const QString &text, QWidget *buddy) {
+        auto *made = new QLabel(text, this);
+        made->setBuddy(buddy);
+        return made;
+    };
+    auto *addressing = new QHBoxLayout;
+    addressing->setSpacing(grid::groupGap);
+    addressing->addWidget(label(tr("Addresses i&n"), m_unit));
+    addressing->addWidget(m_unit);
+    addressing->addWidget(label(tr("&from byte"), m_first));
+    addressing->addWidget(m_first);
+    addressing->addWidget(m_step5);
+    addressing->addStretch();
+    auto *column = new QVBoxLayout;
+    column->setContentsMargins(grid::margin, 0, grid::margin, grid::margin);
+    column->setSpacing(grid::unit);
+    column->addWidget(m_message);
+    column->addWidget(m_empty, 1);
+    column->addWidget(m_tree, 1);
+    column->addWidget(m_insert);
+    column->addLayout(addressing);
+    column->addWidget(m_summary);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins({});
+    layout->setSpacing(grid::unit);
+    layout->addWidget(m_tools);
+    layout->addLayout(column);
+}
+
+void StructureEditor::connectParts()
+{
+    connect(m_tree->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            &StructureEditor::showCurrent);
+    connect(m_search, &QLineEdit::textChanged, this, &StructureEditor::search);
+    connect(m_search, &QLineEdit::returnPressed, this, &StructureEditor::findNext);
+    connect(m_insert, &InsertPanel::insertRequested, this, &StructureEditor::insert);
+    connect(m_insert, &InsertPanel::changeRequested, this, &StructureEditor::changeTo);
+    connect(m_model, &PlanModel::refused, this, [this](const Refusal &why) { say(tl::unexpected(why)); });
+    connect(m_model, &PlanModel::badInput, this,
+            [this](const QString &sentence) { m_message->showMessage(Role::attention, sentence); });
+    connect(m_model, &QAbstractItemModel::rowsInserted, m_tree, &QTreeView::expand);
+    connect(m_unit, &QComboBox::activated, this, &StructureEditor::setAddressing);
+    connect(m_first, &QSpinBox::valueChanged, this, &StructureEditor::setAddressing);
+    connect(m_step5, &QCheckBox::clicked, this, &StructureEditor::setAddressing);
+    connect(m_empty, &EmptyState::actionTriggered, this, &StructureEditor::openInsertPanel);
+    connect(&m_document, &ProjectDocument::changed, this, &StructureEditor::showProject);
+    connect(&m_document, &ProjectDocument::replaced, m_tree, &QTreeView::expandAll, Qt::QueuedConnection);
+}
+
+} // namespace codewheel
