@@ -13,5 +13,5 @@ int main(int argc, char **argv)
     QApplication::setDesktopFileName(QStringLiteral("codewheel"));
 
     codewheel::Program program(application);
-    return program.run();
+    return program.run(QCoreApplication::arguments().value(1));
 }

@@ -134,9 +134,11 @@ bool Leaving::askForOut(const std::vector<DeviceNumber> &devices)
     QStringList words;
     for (const DeviceNumber number : devices)
         words.append(tr("OUT %1 is %2").arg(number.toString(), hexWord(m_bus->channel(number)->out())));
-    const bool quits = m_why == Why::quit;
-    QMessageBox box(QMessageBox::Question, quits ? tr("Quit Codewheel") : tr("Stop the bus"),
-                    tr("Not all OUT words are 00000000."), QMessageBox::NoButton, &m_window);
+    const QString title = m_why == Why::quit         ? tr("Quit Codewheel")
+                          : m_why == Why::disconnect ? tr("Disconnect")
+                                                     : tr("Stop the bus");
+    QMessageBox box(QMessageBox::Question, title, tr("Not all OUT words are 00000000."),
+                    QMessageBox::NoButton, &m_window);
     box.setInformativeText(words.join(u'\n') + QStringLiteral("\n\n") +
                            tr("Shall they be set to 00000000 (normal running) first?"));
     const bool canSend = m_bus->isRunning() && m_bus->isOperating();

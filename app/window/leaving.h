@@ -15,14 +15,14 @@ namespace codewheel {
 
 class BusSession;
 
-// What has to be asked before the bus is stopped or the window is closed: how to end a handshake that is on
-// its way, and whether OUT words that are not 0 shall be set to 0. Nothing is lost by saying "no".
+// What has to be asked before the bus is stopped, left, or the window is closed: how to end a handshake that
+// is on its way, and whether OUT words that are not 0 shall be set to 0. Nothing is lost by saying "no".
 class Leaving : public QObject
 {
     Q_OBJECT
 
 public:
-    enum class Why { stop, quit };
+    enum class Why { stop, disconnect, quit };
 
     explicit Leaving(QWidget &window);
 

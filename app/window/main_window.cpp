@@ -3,21 +3,27 @@
 
 #include "app/window/alarm_stop.h"
 #include "app/window/leaving.h"
+#include "app/window/project_files.h"
+#include "app/window/ring_connection.h"
 #include "app/window/status_line.h"
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
 #include "simulator/training_controls.h"
 #include "widgets/cams/cam_editor.h"
+#include "widgets/comparison/comparison_page.h"
 #include "widgets/device/device_panel.h"
 #include "widgets/dial/dial_panel.h"
+#include "widgets/look/inline_message.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/messages/messages_view.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/wanted_values.h"
+#include "widgets/project/device_names.h"
 #include "widgets/project/project_document.h"
 #include "widgets/sequence/sequence_view.h"
 #include "widgets/structure/structure_view.h"
+#include "widgets/structure_editor/structure_editor.h"
 #include "widgets/trace/trace_view.h"
 #include "widgets/training/training_panel.h"
 #include "widgets/wizard/parameter_wizard.h"
@@ -32,6 +38,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTimer>
+#include <QVBoxLayout>
 
 namespace codewheel {
 namespace {
@@ -50,11 +57,19 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
     , m_leaving(new Leaving(*this))
     , m_status(new StatusLine(*statusBar(), this))
     , m_wanted(new WantedValues(project, this))
+    , m_notice(new InlineMessage(this))
     , m_pages(new QStackedWidget(this))
+    , m_files(new ProjectFiles(*this, project, settings, m_actions, *m_notice))
 {
     setObjectName(QStringLiteral("mainWindow"));
-    setWindowTitle(tr("Training bus"));
-    setCentralWidget(m_pages);
+    auto *center = new QWidget(this);
+    auto *rows = new QVBoxLayout(center);
+    rows->setContentsMargins({});
+    rows->setSpacing(0);
+    rows->addWidget(m_notice);
+    rows->addWidget(m_pages, 1);
+    setCentralWidget(center);
+    m_notice->setObjectName(QStringLiteral("notice"));
     setDockNestingEnabled(true);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
@@ -74,21 +89,80 @@ void MainWindow::attach(BusSession &bus, std::shared_ptr<TrainingControls> train
     m_bus = &bus;
     m_training = std::move(training);
     m_messageModel = &messages;
-    m_monitors = new MonitorArea(bus, this);
-    m_wizard = new ParameterWizard(bus, *m_wanted, this);
-    m_pages->addWidget(m_monitors);
-    m_cams = new CamEditor(bus.catalog(), m_project, this);
-    m_pages->addWidget(m_wizard);
-    m_pages->addWidget(m_cams);
+    m_link = link;
+    new DeviceNames(m_project, bus, this);
+    makePages();
     makeDocks(messages);
-    m_leaving->setBus(&bus);
-    m_status->setBus(&bus, link);
     connectViews();
-    m_structure->setBus(&bus);
+    connectProject();
+    m_structure->setProject(m_project, bus.catalog());
+    showOnline();
     openFirstMonitors();
     connect(&bus, &BusSession::stateChanged, this, &MainWindow::showBusState);
     showBusState();
     m_structure->setFocus();
+}
+
+void MainWindow::makePages()
+{
+    m_monitors = new MonitorArea(*m_bus, this);
+    m_wizard = new ParameterWizard(*m_bus, *m_wanted, this);
+    m_cams = new CamEditor(m_bus->catalog(), m_project, this);
+    m_editor = new StructureEditor(m_project, m_bus->catalog(), this);
+    m_comparison = new ComparisonPage(m_project, *m_bus, this);
+    for (QWidget *page : {static_cast<QWidget *>(m_monitors), static_cast<QWidget *>(m_wizard),
+                          static_cast<QWidget *>(m_cams), static_cast<QWidget *>(m_editor),
+                          static_cast<QWidget *>(m_comparison)})
+        m_pages->addWidget(page);
+}
+
+void MainWindow::connectProject()
+{
+    m_connection = new RingConnection(*m_bus, m_project, *m_leaving, m_actions, *m_notice, this);
+    connect(m_connection, &RingConnection::onlineChanged, this, &MainWindow::showOnline);
+    connect(m_connection, &RingConnection::ringChanged, this, &MainWindow::showOtherRing);
+    connect(m_connection, &RingConnection::told, this, &MainWindow::tell);
+    connect(m_files, &ProjectFiles::told, this, &MainWindow::tell);
+    connect(m_editor, &StructureEditor::chosen, this, [this](DeviceNumber number) {
+        if (m_editor->isVisible())
+            m_structure->choose(number);
+    });
+    connect(m_comparison, &ComparisonPage::readInRequested, m_connection, &RingConnection::readIn);
+}
+
+void MainWindow::tell(const Message &message)
+{
+    m_messageModel->addNow(message);
+}
+
+// Offline nothing is looked at: what the ring will have when it is connected again is not known.
+void MainWindow::showOnline()
+{
+    BusSession *online = m_bus->isOpen() ? m_bus : nullptr;
+    if (online == nullptr) {
+        m_openMonitors = m_monitors->state();
+        m_monitors->closeAll();
+    } else if (!m_openMonitors.isEmpty()) {
+        m_monitors->restoreState(std::exchange(m_openMonitors, {}));
+    }
+    m_leaving->setBus(online);
+    m_status->setBus(online, m_link);
+    m_structure->setBus(online);
+    if (online == nullptr)
+        choose({});
+    m_comparison->setConnected(online != nullptr);
+    showBusState();
+}
+
+// Devices that stayed have kept their sessions; monitors of others are closed.
+void MainWindow::showOtherRing()
+{
+    const auto chosen = currentNumber();
+    m_monitors->restoreState(m_monitors->state());
+    m_leaving->setBus(m_bus);
+    m_structure->setBus(m_bus);
+    if (chosen)
+        m_structure->choose(*chosen);
 }
 
 void MainWindow::makeDocks(MessageModel &messages)
@@ -169,6 +243,8 @@ void MainWindow::connectActions()
     connect(m_actions.wizard, &QAction::triggered, this, &MainWindow::showWizard);
     connect(m_actions.monitors, &QAction::triggered, this, &MainWindow::showMonitors);
     connect(m_actions.cams, &QAction::triggered, this, &MainWindow::showCams);
+    connect(m_actions.structureEditor, &QAction::triggered, this, &MainWindow::showStructureEditor);
+    connect(m_actions.compare, &QAction::triggered, this, &MainWindow::showComparison);
     const auto open = [this](MonitorKind kind) {
         return [this, kind] {
             if (const auto number = currentNumber()) {
@@ -254,7 +330,7 @@ void MainWindow::connectViews()
 
 void MainWindow::choose(DeviceNumber number)
 {
-    EncoderSession *encoder = m_bus->encoder(number);
+    EncoderSession *encoder = m_bus->isOpen() ? m_bus->encoder(number) : nullptr;
     m_parameters->setEncoder(encoder);
     m_dial->setEncoder(encoder);
     m_trace->setEncoder(encoder);
@@ -306,9 +382,32 @@ void MainWindow::showCams()
     m_cams->setFocus();
 }
 
+void MainWindow::showStructureEditor()
+{
+    if (m_editor == nullptr)
+        return;
+    m_pages->setCurrentWidget(m_editor);
+    m_editor->setFocus();
+    if (const auto number = currentNumber())
+        m_editor->choose(*number);
+}
+
+void MainWindow::showComparison()
+{
+    if (m_comparison == nullptr)
+        return;
+    m_pages->setCurrentWidget(m_comparison);
+    m_comparison->setFocus();
+}
+
 void MainWindow::showBusState()
 {
-    const bool connected = m_bus != nullptr;
+    const bool connected = m_bus != nullptr && m_bus->isOpen();
+    for (QAction *page : {m_actions.structureEditor, m_actions.compare})
+        page->setEnabled(m_bus != nullptr);
+    for (QAction *action : {m_actions.connectBus, m_actions.disconnectBus, m_actions.readIn})
+        if (m_bus == nullptr)
+            action->setEnabled(false);
     const bool running = connected && m_bus->isRunning();
     const bool operating = connected && m_bus->isOperating();
     m_actions.watch->setEnabled(connected);
@@ -319,8 +418,8 @@ void MainWindow::showBusState()
     m_actions.stop->setEnabled(running);
     m_actions.alarmStop->setEnabled(connected);
     m_actions.deviceMenu->setEnabled(connected);
-    m_actions.exportTrace->setEnabled(connected);
-    m_actions.exportMessages->setEnabled(connected);
+    m_actions.exportTrace->setEnabled(m_bus != nullptr);
+    m_actions.exportMessages->setEnabled(m_bus != nullptr);
 }
 
 std::optional<DeviceNumber> MainWindow::currentNumber() const
@@ -356,6 +455,8 @@ void MainWindow::closeEvent(QCloseEvent *event)
 {
     if (m_bus != nullptr && !m_mayClose) {
         event->ignore();
+        if (!m_files->mayClose())
+            return;
         m_leaving->ask(Leaving::Why::quit, [this] {
             m_mayClose = true;
             QTimer::singleShot(0, this, &QWidget::close);
@@ -371,7 +472,7 @@ void MainWindow::saveWindow()
     if (m_monitors == nullptr)
         return; // never filled: there is nothing worth keeping
     m_settings.setWindow(saveGeometry(), saveState(layoutVersion));
-    m_settings.setMonitors(m_monitors->state());
+    m_settings.setMonitors(m_openMonitors.isEmpty() ? m_monitors->state() : m_openMonitors);
 }
 
 bool MainWindow::event(QEvent *event)

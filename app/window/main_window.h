@@ -5,6 +5,7 @@
 #include "app/window/window_settings.h"
 #include "encoder/device_number.h"
 
+#include <QJsonObject>
 #include <QMainWindow>
 
 #include <memory>
@@ -19,25 +20,32 @@ namespace codewheel {
 class AlarmStopEverywhere;
 class BusSession;
 class CamEditor;
+class ComparisonPage;
 class DevicePanel;
 class DialPanel;
 class EncoderSession;
+class InlineMessage;
 class Leaving;
 class MessageModel;
+struct Message;
 class MessagesView;
 class MonitorArea;
 class ParameterPanel;
 class ParameterWizard;
 class ProjectDocument;
+class ProjectFiles;
+class RingConnection;
 class SequenceView;
 class StatusLine;
+class StructureEditor;
 class StructureView;
 class TraceView;
 class TrainingControls;
 class TrainingPanel;
 class WantedValues;
 
-// The window: menus, tool bar, panels around the monitors, the wizard or the cam editor, status line. Wires
+// The window: menus, tool bar, panels around the page that is open (monitors, wizard, cams, structure editor,
+// comparison), status line. Wires
 // views to the bus session and to each other; does nothing of its own with a word. Made empty, so that it is
 // seen at once; attach() fills it.
 class MainWindow : public QMainWindow
@@ -61,6 +69,10 @@ public:
     void showWizard();
     void showMonitors();
     void showCams();
+    void showStructureEditor();
+    void showComparison();
+    ProjectFiles &files() { return *m_files; }
+    RingConnection *connection() { return m_connection; } // null before attach()
     // Size, layout and monitors, for the next start.
     void saveWindow();
 
@@ -82,6 +94,11 @@ private:
     void connectViews();
     void choose(DeviceNumber number);
     void openFirstMonitors();
+    void makePages();
+    void connectProject();
+    void showOnline();
+    void showOtherRing();
+    void tell(const Message &message);
     void showBusState();
     void showKeys();
     void showAbout();
@@ -96,7 +113,14 @@ private:
     Leaving *m_leaving;
     StatusLine *m_status;
     WantedValues *m_wanted;
+    InlineMessage *m_notice;
     QStackedWidget *m_pages;
+    ProjectFiles *m_files;
+    RingConnection *m_connection = nullptr;
+    QString m_link;
+    QJsonObject m_openMonitors; // while offline
+    StructureEditor *m_editor = nullptr;
+    ComparisonPage *m_comparison = nullptr;
     std::vector<QDockWidget *> m_docks;
     StructureView *m_structure = nullptr;
     MonitorArea *m_monitors = nullptr;

@@ -3,6 +3,8 @@
 
 #include "app/user_devices.h"
 #include "app/window/main_window.h"
+#include "app/window/project_files.h"
+#include "app/window/ring_connection.h"
 #include "app/window/start_probe.h"
 #include "project/project_take_over.h"
 #include "widgets/messages/message_model.h"
@@ -36,8 +38,9 @@ Program::~Program()
     m_window.reset(); // before the sessions it looks at
 }
 
-int Program::run()
+int Program::run(const QString &file)
 {
+    m_file = file;
     openWindow();
     m_window->show();
     return QApplication::exec();
@@ -69,6 +72,7 @@ void Program::startBus()
              .refusal =
                  Refusal{RefusalKind::badInput, RefusalId::deviceFileBroken, {fault.place(), fault.reason}}});
     attach();
+    openProject();
     m_training.bus->startThread(busPeriod);
     m_pictures.start(picturePeriod);
     if (measured)
@@ -76,6 +80,13 @@ void Program::startBus()
             reportMemory();
             QCoreApplication::exit();
         });
+}
+
+void Program::openProject()
+{
+    if (!m_file.isEmpty())
+        m_window->files().open(m_file);
+    m_window->connection()->tellComparison();
 }
 
 void Program::attach()

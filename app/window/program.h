@@ -30,13 +30,15 @@ public:
     explicit Program(QApplication &application, const QString &settingsFile = {});
     ~Program() override;
 
-    int run();
+    // file: a project to open; empty: none, but the training plant.
+    int run(const QString &file = {});
     void openWindow();
     MainWindow *window() const { return m_window.get(); }
     const TrainingSession &training() const { return m_training; } // empty before the first paint
 
 private:
     void startBus();
+    void openProject();
     void attach();
     void showPicture();
     void useLanguage(const QString &language);
@@ -48,6 +50,7 @@ private:
     std::unique_ptr<MessageModel> m_messages;
     TrainingSession m_training;
     ProjectDocument m_project;
+    QString m_file; // to be opened once the bus is there
     std::unique_ptr<MainWindow> m_window;
     QTimer m_pictures;
 };

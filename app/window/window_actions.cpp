@@ -61,6 +61,16 @@ WindowActions::WindowActions(QMainWindow &window, QUndoStack &undoStack)
 void WindowActions::makeFileMenu()
 {
     QMenu *menu = m_window.menuBar()->addMenu(tr("&File"));
+    newProject = described(menu->addAction(tr("&New")), QKeySequence::New, tr("Begins an empty project"));
+    openProject = described(menu->addAction(lineIcon(Icon::open), tr("&Open...")), QKeySequence::Open,
+                            tr("Opens a project"));
+    recentFiles = menu->addMenu(tr("&Recent files"));
+    recentFiles->setToolTipsVisible(true);
+    saveProject = described(menu->addAction(lineIcon(Icon::save), tr("&Save")), QKeySequence::Save,
+                            tr("Saves the project"));
+    saveProjectAs = described(menu->addAction(tr("Save &as...")), Qt::CTRL | Qt::SHIFT | Qt::Key_S,
+                              tr("Saves the project in another file"));
+    menu->addSeparator();
     exportTrace = described(menu->addAction(lineIcon(Icon::exportData), tr("Export handshake &trace...")), {},
                             tr("Saves the handshake trace as a CSV file"));
     exportMessages = described(menu->addAction(lineIcon(Icon::exportData), tr("Export &messages...")), {},
@@ -79,15 +89,28 @@ void WindowActions::makeEditMenu(QUndoStack &undoStack)
     menu->addAction(described(redo, QKeySequence::Redo, tr("Does again what was taken back")));
     undo->setIcon(lineIcon(Icon::turnLeft));
     redo->setIcon(lineIcon(Icon::turnRight));
+    menu->addSeparator();
+    structureEditor = described(menu->addAction(lineIcon(Icon::ring), tr("&Bus structure")), Qt::Key_F4,
+                                tr("Edits the planned bus"));
+    compare = described(menu->addAction(lineIcon(Icon::compare), tr("&Compare with the ring")), Qt::Key_F9,
+                        tr("Shows the configured ring beside the connected one"));
 }
 
 void WindowActions::makeBusMenu()
 {
     QMenu *menu = m_window.menuBar()->addMenu(tr("&Bus"));
+    connectBus = described(menu->addAction(lineIcon(Icon::ring), tr("&Connect")), Qt::CTRL | Qt::Key_F5,
+                           tr("Connects to the ring; nothing is sent"));
+    disconnectBus = described(menu->addAction(lineIcon(Icon::cancel), tr("&Disconnect")),
+                              Qt::CTRL | Qt::SHIFT | Qt::Key_F5, tr("Leaves the ring: work goes on offline"));
+    readIn = described(menu->addAction(lineIcon(Icon::read), tr("&Read in the ring")),
+                       Qt::CTRL | Qt::SHIFT | Qt::Key_R,
+                       tr("The master finds the devices of the ring anew; data cycles stop meanwhile"));
+    menu->addSeparator();
     auto *mode = new QActionGroup(this);
     watch = described(choice(mode, tr("&Watch"), {}, {}), Qt::CTRL | Qt::Key_W, tr("Watch: nothing is sent"));
     watch->setIcon(lineIcon(Icon::watch));
-    operate = described(choice(mode, tr("&Operate"), {}, {}), Qt::CTRL | Qt::Key_O,
+    operate = described(choice(mode, tr("&Operate"), {}, {}), Qt::CTRL | Qt::SHIFT | Qt::Key_W,
                         tr("Operate: writing is allowed"));
     operate->setIcon(lineIcon(Icon::operate));
     menu->addActions(mode->actions());

@@ -30,13 +30,23 @@ public:
     void showChosen(const EncoderSession *encoder);
 
     // File
+    QAction *newProject;
+    QAction *openProject;
+    QMenu *recentFiles;
+    QAction *saveProject;
+    QAction *saveProjectAs;
     QAction *exportTrace;
     QAction *exportMessages;
     QAction *quit;
     // Edit
     QAction *undo;
     QAction *redo;
+    QAction *structureEditor;
+    QAction *compare;
     // Bus
+    QAction *connectBus;
+    QAction *disconnectBus;
+    QAction *readIn;
     QAction *watch;
     QAction *operate;
     QAction *start;

@@ -28,6 +28,7 @@ const QString languageKey = QStringLiteral("language");
 const QString schemeKey = QStringLiteral("appearance/scheme");
 const QString largeControlsKey = QStringLiteral("appearance/largeControls");
 const QString lessMotionKey = QStringLiteral("appearance/lessMotion");
+const QString recentFilesKey = QStringLiteral("project/recentFiles");
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString layoutKey = QStringLiteral("window/layout");
 const QString monitorsKey = QStringLiteral("window/monitors");
@@ -65,6 +66,16 @@ void WindowSettings::setAppearance(const Appearance &appearance)
     m_settings->setValue(schemeKey, nameOf(appearance.scheme));
     m_settings->setValue(largeControlsKey, appearance.largeControls);
     m_settings->setValue(lessMotionKey, appearance.lessMotion);
+}
+
+QStringList WindowSettings::recentFiles() const
+{
+    return m_settings->value(recentFilesKey).toStringList();
+}
+
+void WindowSettings::setRecentFiles(const QStringList &files)
+{
+    m_settings->setValue(recentFilesKey, files);
 }
 
 QByteArray WindowSettings::geometry() const

@@ -6,6 +6,7 @@
 #include <QByteArray>
 #include <QJsonObject>
 #include <QString>
+#include <QStringList>
 
 #include <memory>
 #include <optional>
@@ -26,6 +27,9 @@ public:
     void setLanguage(const QString &language);
     Appearance appearance() const;
     void setAppearance(const Appearance &appearance);
+
+    QStringList recentFiles() const; // the last one first
+    void setRecentFiles(const QStringList &files);
 
     QByteArray geometry() const;
     QByteArray layout() const; // of docks and tool bar

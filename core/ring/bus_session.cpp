@@ -304,6 +304,11 @@ void BusSession::post(Command command)
         d->runner->post(std::move(command));
 }
 
+bool BusSession::isOpen() const
+{
+    return d->runner != nullptr;
+}
+
 const RingStructure &BusSession::structure() const
 {
     return d->structure;

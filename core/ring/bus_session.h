@@ -55,6 +55,7 @@ public:
     // Takes what came from the bus since the last call and emits it. The window calls this 30 times a second.
     void pump();
 
+    bool isOpen() const; // connected
     const RingStructure &structure() const;
     std::vector<DeviceNumber> numbers() const;
     EncoderSession *encoder(DeviceNumber number) const; // null: no driver for it, or no such device

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/structure/structure_model.h"
 
+#include "catalog/catalog.h"
 #include "catalog/device_description.h"
 #include "catalog/hex_code.h"
 #include "encoder/device_error_name.h"
+#include "project/project_take_over.h"
 #include "ring/bus_session.h"
+#include "ring/ring_tree.h"
 #include "ring/word_channel.h"
 #include "widgets/models/device_traits.h"
+#include "widgets/project/project_document.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace codewheel {
 namespace {
@@ -43,45 +48,98 @@ StructureModel::StructureModel(QObject *parent)
 
 void StructureModel::setBus(BusSession *bus)
 {
-    beginResetModel();
     if (m_bus != nullptr)
         m_bus->disconnect(this);
     m_bus = bus;
-    m_nodes.clear();
-    m_remote.clear();
-    if (bus != nullptr) {
-        for (const Participant &participant : bus->structure()) {
-            Node node = nodeOf(*bus, participant);
-            const int self = static_cast<int>(m_nodes.size());
-            const auto head = std::ranges::find_if(m_nodes, [&](const Node &other) {
-                return participant.number.position != 0 && other.participant.number.position == 0 &&
-                       other.participant.number.segment == participant.number.segment;
-            });
-            if (head != m_nodes.end()) {
-                node.parent = static_cast<int>(head - m_nodes.begin());
-                head->children.push_back(self);
-            } else {
-                m_remote.push_back(self);
-            }
-            m_nodes.push_back(std::move(node));
-        }
-        connect(bus, &BusSession::updated, this, &StructureModel::refresh);
-        connect(bus, &BusSession::stateChanged, this, &StructureModel::refresh);
-        connect(bus, &BusSession::named, this, &StructureModel::showName);
-        for (const DeviceNumber number : bus->numbers())
-            if (WordChannel *channel = bus->channel(number))
-                connect(channel, &WordChannel::stagedChanged, this, &StructureModel::refresh);
-    }
-    endResetModel();
-    refresh();
+    rebuild();
+    if (bus != nullptr)
+        followBus();
 }
 
-StructureModel::Node StructureModel::nodeOf(const BusSession &bus, const Participant &participant)
+void StructureModel::setProject(const ProjectDocument &project, const Catalog &catalog)
 {
-    const EncoderSession *encoder = bus.encoder(participant.number);
+    m_project = &project;
+    m_catalog = &catalog;
+    connect(&project, &ProjectDocument::changed, this, &StructureModel::followProject);
+    rebuild();
+}
+
+void StructureModel::followBus()
+{
+    connect(m_bus, &BusSession::updated, this, &StructureModel::refresh);
+    connect(m_bus, &BusSession::stateChanged, this, &StructureModel::refresh);
+    connect(m_bus, &BusSession::named, this, &StructureModel::showName);
+    for (const DeviceNumber number : m_bus->numbers())
+        if (WordChannel *channel = m_bus->channel(number))
+            connect(channel, &WordChannel::stagedChanged, this, &StructureModel::refresh);
+}
+
+RingStructure StructureModel::ring() const
+{
+    if (m_bus != nullptr)
+        return m_bus->structure();
+    return m_project == nullptr ? RingStructure() : structureOf(m_project->project());
+}
+
+void StructureModel::rebuild()
+{
+    beginResetModel();
+    m_nodes.clear();
+    const RingStructure participants = ring();
+    const RingTree tree = ringTree(participants);
+    const auto indices = [](const std::vector<std::size_t> &places) {
+        return std::vector<int>(places.begin(), places.end());
+    };
+    m_remote = indices(tree.mainLine);
+    for (std::size_t place = 0; place < participants.size(); ++place) {
+        Node node = nodeOf(participants[place]);
+        const RingTree::Node &hangs = tree.nodes[place];
+        node.parent = hangs.parent ? static_cast<int>(*hangs.parent) : -1;
+        node.children = indices(hangs.localBus);
+        std::ranges::copy(indices(hangs.branch), std::back_inserter(node.children));
+        m_nodes.push_back(std::move(node));
+    }
+    m_master = shownOfMaster();
+    for (std::size_t place = 0; place < m_nodes.size(); ++place)
+        m_nodes[place].shown = shownOf(m_nodes[place], place);
+    endResetModel();
+}
+
+// Offline the rows are the project's; connected it has but the stations.
+void StructureModel::followProject()
+{
+    const RingStructure participants = ring();
+    const bool isSameRing = std::ranges::equal(participants, m_nodes, {}, {}, &Node::participant);
+    if (!isSameRing) {
+        rebuild();
+        return;
+    }
+    for (Node &node : m_nodes)
+        if (QString station = stationOf(node.participant); station != node.station) {
+            node.station = std::move(station);
+            emitState(indexOf(node.participant.number));
+        }
+}
+
+QString StructureModel::stationOf(const Participant &participant) const
+{
+    if (m_project == nullptr)
+        return {};
+    const ProjectDevice &planned = m_project->device(participant.number);
+    return planned.participant.deviceCode == participant.deviceCode ? planned.station : QString();
+}
+
+StructureModel::Node StructureModel::nodeOf(const Participant &participant) const
+{
+    const EncoderSession *encoder = m_bus == nullptr ? nullptr : m_bus->encoder(participant.number);
     const DeviceDescription *device = encoder == nullptr ? nullptr : &encoder->device();
+    if (m_bus == nullptr && m_catalog != nullptr) {
+        const DeviceDescription *named = m_catalog->find(participant.deviceKey);
+        device = named ? named : m_catalog->generic(participant.deviceCode);
+    }
     return {.participant = participant,
             .name = participantName(participant, device),
+            .station = stationOf(participant),
             .profile = profileText(device),
             .children = {},
             .shown = {}};
@@ -93,7 +151,7 @@ void StructureModel::showName(DeviceNumber number)
     if (!row.isValid())
         return;
     const auto place = static_cast<std::size_t>(nodeOf(row));
-    const Node named = nodeOf(*m_bus, m_bus->structure()[place]);
+    const Node named = nodeOf(m_bus->structure()[place]);
     m_nodes[place].participant = named.participant;
     m_nodes[place].name = named.name;
     m_nodes[place].profile = named.profile;
@@ -103,7 +161,7 @@ void StructureModel::showName(DeviceNumber number)
 // Only what changed is told to the views: most pictures change no state at all.
 void StructureModel::refresh()
 {
-    if (m_bus == nullptr)
+    if (m_nodes.empty() && m_bus == nullptr)
         return;
     const Shown master = shownOfMaster();
     if (master != m_master) {
@@ -126,6 +184,8 @@ void StructureModel::emitState(const QModelIndex &row)
 
 StructureModel::Shown StructureModel::shownOfMaster() const
 {
+    if (m_bus == nullptr)
+        return {Role::inactive, tr("offline")};
     switch (m_bus->latest().state) {
     case MasterState::ready:
         return {Role::inactive, tr("READY")};
@@ -141,6 +201,8 @@ StructureModel::Shown StructureModel::shownOfMaster() const
 
 StructureModel::Shown StructureModel::shownOf(const Node &node, std::size_t place) const
 {
+    if (m_bus == nullptr)
+        return {Role::inactive, tr("planned")};
     if (place >= m_bus->latest().devices.size())
         return {Role::inactive, tr("not seen yet")};
     const Snapshot::Device &device = m_bus->latest().devices[place];
@@ -230,7 +292,7 @@ QModelIndex StructureModel::parent(const QModelIndex &index) const
 
 int StructureModel::rowCount(const QModelIndex &parent) const
 {
-    if (m_bus == nullptr || parent.column() > 0)
+    if ((m_bus == nullptr && m_nodes.empty()) || parent.column() > 0)
         return 0;
     return parent.isValid() ? static_cast<int>(childrenOf(parent).size()) : 1;
 }
@@ -303,7 +365,7 @@ QVariant StructureModel::deviceCell(const Node &node, int column, int role) cons
         return {};
     switch (column) {
     case deviceColumn:
-        return QStringLiteral("%1  %2").arg(node.participant.number.toString(), node.name);
+        return QStringLiteral("%1  %2").arg(node.participant.number.toString(), calledText(node));
     case stateColumn:
         return node.shown.word;
     case profileColumn:
@@ -317,10 +379,16 @@ QVariant StructureModel::deviceCell(const Node &node, int column, int role) cons
     }
 }
 
+// Its station comes first: that is how people at the plant call it.
+QString StructureModel::calledText(const Node &node)
+{
+    return node.station.isEmpty() ? node.name : tr("%1: %2", "station, device").arg(node.station, node.name);
+}
+
 // How the position stands in IN, where it is not plain binary.
 QString StructureModel::codingText(const Node &node) const
 {
-    const EncoderSession *encoder = m_bus->encoder(node.participant.number);
+    const EncoderSession *encoder = m_bus == nullptr ? nullptr : m_bus->encoder(node.participant.number);
     const auto coding = encoder == nullptr ? std::nullopt : encoder->latest().coding;
     if (coding == PositionCoding::gray)
         return tr("Position: Gray code");
@@ -334,7 +402,7 @@ QString StructureModel::toolTip(const Node &node) const
     const QString coding = codingText(node);
     const QString text =
         tr("%1  %2\nID code %3, device code %4\n%5 words IN, %6 words OUT\nState: %7")
-            .arg(node.participant.number.toString(), node.name, idCodeText(node.participant.idCode),
+            .arg(node.participant.number.toString(), calledText(node), idCodeText(node.participant.idCode),
                  hexCode(node.participant.deviceCode, 4))
             .arg(node.participant.inWords)
             .arg(node.participant.outWords)

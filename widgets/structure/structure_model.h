@@ -12,9 +12,12 @@
 namespace codewheel {
 
 class BusSession;
+class Catalog;
+class ProjectDocument;
 
-// The ring as a tree: the master, below it the remote-bus devices, below those their local bus. States follow
-// the bus; rows stay. Used by StructureView.
+// The ring as a tree: the master, below it the remote bus, below a bus terminal its local bus and its branch.
+// Connected, states follow the bus and rows stay; offline it is the ring that the project plans. Stations are
+// those of the project. Used by StructureView.
 class StructureModel : public QAbstractItemModel
 {
     Q_OBJECT
@@ -24,8 +27,10 @@ public:
 
     explicit StructureModel(QObject *parent = nullptr);
 
-    // Null: no ring. The session must outlive the model, or be taken away first.
+    // Null: offline. The session must outlive the model, or be taken away first.
     void setBus(BusSession *bus);
+    // Both must outlive the model.
+    void setProject(const ProjectDocument &project, const Catalog &catalog);
 
     // Nothing for the master's row.
     std::optional<DeviceNumber> numberAt(const QModelIndex &index) const;
@@ -51,6 +56,7 @@ private:
     {
         Participant participant;
         QString name;
+        QString station;
         QString profile;
         int parent = -1; // index into m_nodes; -1: below the master
         std::vector<int> children;
@@ -58,12 +64,18 @@ private:
     };
 
     void refresh();
-    static Node nodeOf(const BusSession &bus, const Participant &participant);
+    void rebuild();
+    void followBus();
+    void followProject();
+    RingStructure ring() const;
+    QString stationOf(const Participant &participant) const;
+    Node nodeOf(const Participant &participant) const;
     void showName(DeviceNumber number);
     Shown shownOf(const Node &node, std::size_t place) const;
     Shown shownOfMaster() const;
     QVariant masterCell(int column, int role) const;
     QVariant deviceCell(const Node &node, int column, int role) const;
+    static QString calledText(const Node &node);
     QString codingText(const Node &node) const;
     QString toolTip(const Node &node) const;
     int nodeOf(const QModelIndex &index) const;
@@ -72,6 +84,8 @@ private:
     void emitState(const QModelIndex &device);
 
     BusSession *m_bus = nullptr;
+    const ProjectDocument *m_project = nullptr;
+    const Catalog *m_catalog = nullptr;
     std::vector<Node> m_nodes; // in ring order
     std::vector<int> m_remote; // children of the master
     Shown m_master;

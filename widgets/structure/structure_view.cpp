@@ -37,8 +37,8 @@ StructureView::StructureView(QWidget *parent)
     : QWidget(parent)
     , m_model(new StructureModel(this))
     , m_tree(new QTreeView(this))
-    , m_empty(new EmptyState(Icon::ring, tr("No ring is connected."),
-                             tr("The training bus starts with the program."), this))
+    , m_empty(new EmptyState(Icon::ring, tr("No ring is connected."), tr("The project has no devices yet."),
+                             this))
     , m_question(new InlineMessage(this))
 {
     auto *layout = new QVBoxLayout(this);
@@ -82,6 +82,7 @@ StructureView::StructureView(QWidget *parent)
         if (const auto number = current())
             Q_EMIT namingRequested(*number);
     });
+    connect(m_model, &QAbstractItemModel::modelReset, this, &StructureView::showWhetherEmpty);
     // Afterwards: the header is still resizing when it tells.
     connect(
         m_tree->header(), &QHeaderView::sectionResized, this,
@@ -116,12 +117,24 @@ void StructureView::setBus(BusSession *bus)
     m_model->setBus(bus);
     if (bus != nullptr)
         connect(bus, &BusSession::named, this, &StructureView::askForMake);
-    m_tree->expandAll();
-    m_tree->setVisible(bus != nullptr);
-    m_empty->setVisible(bus == nullptr);
-    fitColumns();
     if (bus != nullptr && !bus->structure().empty())
         choose(bus->structure().front().number);
+    else
+        askForMake();
+}
+
+void StructureView::setProject(const ProjectDocument &project, const Catalog &catalog)
+{
+    m_model->setProject(project, catalog);
+}
+
+void StructureView::showWhetherEmpty()
+{
+    const bool isEmpty = m_model->rowCount() == 0;
+    m_tree->expandAll();
+    m_tree->setVisible(!isEmpty);
+    m_empty->setVisible(isEmpty);
+    fitColumns();
 }
 
 // The ID code tells the profile, never the make. A device that nobody named is asked for where the catalog

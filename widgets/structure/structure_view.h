@@ -12,8 +12,10 @@ class QTreeView;
 namespace codewheel {
 
 class BusSession;
+class Catalog;
 class EmptyState;
 class InlineMessage;
+class ProjectDocument;
 class StructureModel;
 
 // The bus structure as a tree. The chosen device is what the panels beside it show; Enter or a double click
@@ -25,8 +27,10 @@ class StructureView : public QWidget
 public:
     explicit StructureView(QWidget *parent = nullptr);
 
-    // Chooses the first encoder. Null: no ring.
+    // Chooses the first encoder. Null: offline, the ring that the project plans.
     void setBus(BusSession *bus);
+    // Both must outlive the view.
+    void setProject(const ProjectDocument &project, const Catalog &catalog);
     std::optional<DeviceNumber> current() const;
     void choose(DeviceNumber number);
 
@@ -42,6 +46,7 @@ protected:
 
 private:
     void fitColumns();
+    void showWhetherEmpty();
     void askForMake();
 
     BusSession *m_bus = nullptr;

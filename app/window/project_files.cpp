@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/project_files.h"
+
+#include "app/window/window_actions.h"
+#include "app/window/window_settings.h"
+#include "encoder/refusal_text.h"
+#include "project/project_file.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/project/project_document.h"
+
+#include <QAction>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+
+namespace codewheel {
+namespace {
+
+const QString extension = QStringLiteral("codewheel");
+
+// The project among what is dragged; empty: there is none.
+QString droppedProject(const QMimeData &data)
+{
+    for (const QUrl &url : data.urls())
+        if (url.isLocalFile() && QFileInfo(url.toLocalFile()).suffix() == extension)
+            return url.toLocalFile();
+    return {};
+}
+
+} // namespace
+
+ProjectFiles::ProjectFiles(QMainWindow &window, ProjectDocument &document, WindowSettings &settings,
+                           const WindowActions &actions, InlineMessage &notice)
+    : QObject(&window)
+    , m_window(window)
+    , m_document(document)
+    , m_settings(settings)
+    , m_notice(notice)
+    , m_recent(*actions.recentFiles)
+{
+    connect(actions.newProject, &QAction::triggered, this, &ProjectFiles::makeNew);
+    connect(actions.openProject, &QAction::triggered, this, &ProjectFiles::askOpen);
+    connect(actions.saveProject, &QAction::triggered, this, &ProjectFiles::save);
+    connect(actions.saveProjectAs, &QAction::triggered, this, &ProjectFiles::saveAs);
+    connect(&m_recent, &QMenu::aboutToShow, this, &ProjectFiles::fillRecent);
+    connect(&document, &ProjectDocument::fileChanged, this, &ProjectFiles::showTitle);
+    connect(&document, &ProjectDocument::savedChanged, this, &ProjectFiles::showTitle);
+    connect(&document, &ProjectDocument::changed, this, &ProjectFiles::showTitle);
+    window.setAcceptDrops(true);
+    window.installEventFilter(this);
+    fillRecent();
+    showTitle();
+}
+
+void ProjectFiles::showTitle()
+{
+    const QString name =
+        m_document.file().isEmpty() ? tr("Untitled") : QFileInfo(m_document.file()).fileName();
+    m_window.setWindowTitle(name + QStringLiteral("[*]"));
+    m_window.setWindowModified(!m_document.isSaved());
+}
+
+bool ProjectFiles::open(const QString &path)
+{
+    if (!mayClose())
+        return false;
+    auto project = loadProject(path);
+    if (!project) {
+        forget(path);
+        refuse(project.error());
+        return false;
+    }
+    m_notice.withdraw();
+    m_document.setProject(std::move(*project), path);
+    remember(path);
+    Q_EMIT told({.severity = Severity::information, .id = MessageId::projectOpened, .arguments = {path}});
+    return true;
+}
+
+void ProjectFiles::makeNew()
+{
+    if (!mayClose())
+        return;
+    m_notice.withdraw();
+    m_document.setProject({}, {});
+}
+
+void ProjectFiles::askOpen()
+{
+    const QString path =
+        QFileDialog::getOpenFileName(&m_window, tr("Open a project"), QFileInfo(m_document.file()).path(),
+                                     tr("Codewheel projects (*.codewheel)"));
+    if (!path.isEmpty())
+        open(path);
+}
+
+bool ProjectFiles::save()
+{
+    return m_document.file().isEmpty() ? saveAs() : keep(m_document.file());
+}
+
+bool ProjectFiles::saveAs()
+{
+    const QString proposed =
+        m_document.file().isEmpty() ? tr("untitled.codewheel", "file name") : m_document.file();
+    QString path = QFileDialog::getSaveFileName(&m_window, tr("Save the project"), proposed,
+                                                tr("Codewheel projects (*.codewheel)"));
+    if (path.isEmpty())
+        return false;
+    if (QFileInfo(path).suffix().isEmpty())
+        path += u'.' + extension;
+    return keep(path);
+}
+
+bool ProjectFiles::keep(const QString &path)
+{
+    if (const auto saved = saveProject(m_document.project(), path); !saved) {
+        refuse(saved.error());
+        return false;
+    }
+    m_notice.withdraw();
+    m_document.setFile(path);
+    remember(path);
+    Q_EMIT told({.severity = Severity::information, .id = MessageId::projectSaved, .arguments = {path}});
+    return true;
+}
+
+bool ProjectFiles::mayClose()
+{
+    if (m_document.isSaved())
+        return true;
+    QMessageBox box(QMessageBox::Question, tr("Project"), tr("The project has changes that are not saved."),
+                    QMessageBox::NoButton, &m_window);
+    box.setObjectName(QStringLiteral("unsavedQuestion"));
+    const QString next = m_document.undoStack().undoText();
+    if (!next.isEmpty())
+        box.setInformativeText(tr("The last one: %1.").arg(next));
+    QPushButton *keepIt = box.addButton(tr("&Save"), QMessageBox::AcceptRole);
+    keepIt->setToolTip(tr("Saves the project, then goes on"));
+    QPushButton *discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+    discard->setToolTip(tr("Goes on; what was changed is lost"));
+    QPushButton *stay = box.addButton(QMessageBox::Cancel);
+    box.setDefaultButton(keepIt);
+    box.setEscapeButton(stay);
+    box.exec();
+    if (box.clickedButton() == keepIt)
+        return save();
+    return box.clickedButton() == discard;
+}
+
+void ProjectFiles::refuse(const Refusal &why)
+{
+    m_notice.showMessage(Role::fault, refusalText(why));
+}
+
+void ProjectFiles::remember(const QString &path)
+{
+    constexpr qsizetype mostFiles = 10;
+    QStringList files = m_settings.recentFiles();
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    m_settings.setRecentFiles(files.first(std::min(mostFiles, files.size())));
+    fillRecent();
+}
+
+void ProjectFiles::forget(const QString &path)
+{
+    QStringList files = m_settings.recentFiles();
+    if (files.removeAll(QFileInfo(path).absoluteFilePath()) > 0)
+        m_settings.setRecentFiles(files);
+}
+
+void ProjectFiles::fillRecent()
+{
+    m_recent.clear();
+    int number = 0;
+    for (const QString &path : m_settings.recentFiles()) {
+        const QString name = QFileInfo(path).fileName().replace(u'&', QStringLiteral("&&"));
+        QAction *action = m_recent.addAction(QStringLiteral("&%1  %2").arg(++number % 10).arg(name));
+        action->setToolTip(path);
+        action->setStatusTip(path);
+        connect(
+            action, &QAction::triggered, this, [this, path] { open(path); }, Qt::QueuedConnection);
+    }
+    m_recent.menuAction()->setEnabled(number > 0);
+}
+
+bool ProjectFiles::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::DragEnter || event->type() == QEvent::Drop) {
+        auto *drop = static_cast<QDropEvent *>(event);
+        const QString path = droppedProject(*drop->mimeData());
+        if (!path.isEmpty()) {
+            drop->setDropAction(Qt::CopyAction); // the file stays where it is
+            drop->accept();
+            if (event->type() == QEvent::Drop)
+                QMetaObject::invokeMethod(
+                    this, [this, path] { open(path); }, Qt::QueuedConnection);
+            return true;
+        }
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace codewheel

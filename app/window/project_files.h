@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/message.h"
+
+#include <QObject>
+
+class QMainWindow;
+class QMenu;
+
+namespace codewheel {
+
+class InlineMessage;
+class ProjectDocument;
+class WindowActions;
+class WindowSettings;
+
+// The project as a file of the window: new, open, save, recent files, files dropped onto the window, the mark
+// of what is not saved; asks before anything is lost. What goes wrong is told inline.
+class ProjectFiles : public QObject
+{
+    Q_OBJECT
+
+public:
+    // All must outlive it; notice stands in the window.
+    ProjectFiles(QMainWindow &window, ProjectDocument &document, WindowSettings &settings,
+                 const WindowActions &actions, InlineMessage &notice);
+
+    // Each asks first what shall become of changes that are not saved. False: nothing was opened.
+    bool open(const QString &path);
+    void makeNew();
+    // False: it was not saved, and says why; or the user gave up.
+    bool save();
+    bool saveAs();
+    // False: the user stays.
+    bool mayClose();
+
+Q_SIGNALS:
+    void told(const codewheel::Message &message);
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void askOpen();
+    bool keep(const QString &path);
+    void refuse(const Refusal &why);
+    void remember(const QString &path);
+    void forget(const QString &path);
+    void fillRecent();
+    void showTitle();
+
+    QMainWindow &m_window;
+    ProjectDocument &m_document;
+    WindowSettings &m_settings;
+    InlineMessage &m_notice;
+    QMenu &m_recent;
+};
+
+} // namespace codewheel

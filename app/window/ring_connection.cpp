@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/ring_connection.h"
+
+#include "app/window/leaving.h"
+#include "app/window/window_actions.h"
+#include "encoder/refusal_text.h"
+#include "project/project_take_over.h"
+#include "ring/bus_session.h"
+#include "ring/comparison.h"
+#include "widgets/comparison/comparison_model.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/project/project_document.h"
+
+#include <QAction>
+
+namespace codewheel {
+
+RingConnection::RingConnection(BusSession &bus, ProjectDocument &project, Leaving &leaving,
+                               const WindowActions &actions, InlineMessage &notice, QObject *parent)
+    : QObject(parent)
+    , m_bus(bus)
+    , m_project(project)
+    , m_leaving(leaving)
+    , m_actions(actions)
+    , m_notice(notice)
+{
+    connect(actions.connectBus, &QAction::triggered, this, &RingConnection::connectRing);
+    connect(actions.disconnectBus, &QAction::triggered, this, &RingConnection::disconnectRing);
+    connect(actions.readIn, &QAction::triggered, this, &RingConnection::readIn);
+    connect(&bus, &BusSession::stateChanged, this, &RingConnection::showActions);
+    connect(&bus, &BusSession::readInProgressed, this, [this](int devices) {
+        m_notice.showMessage(Role::attention, tr("Reading in the ring: %n devices found.", nullptr, devices));
+    });
+    connect(&bus, &BusSession::readInEnded, this, [this] {
+        m_notice.withdraw();
+        showActions();
+        tellComparison();
+    });
+    connect(&bus, &BusSession::readInFailed, this, [this](const Refusal &why) {
+        m_notice.showMessage(Role::fault, refusalText(why));
+        showActions();
+    });
+    connect(&bus, &BusSession::structureChanged, this, &RingConnection::ringChanged);
+    showActions();
+}
+
+bool RingConnection::isOnline() const
+{
+    return m_bus.isOpen();
+}
+
+void RingConnection::showActions()
+{
+    const bool isOnline = m_bus.isOpen();
+    m_actions.connectBus->setEnabled(!isOnline);
+    m_actions.disconnectBus->setEnabled(isOnline);
+    m_actions.readIn->setEnabled(isOnline && m_bus.master() != nullptr && !m_bus.isReadingIn());
+}
+
+void RingConnection::connectRing()
+{
+    if (m_bus.isOpen())
+        return;
+    Q_EMIT aboutToConnect();
+    const auto opened = m_bus.open(BusSession::Start::operating); // the training bus alone begins in Operate
+    if (!opened) {
+        m_notice.showMessage(Role::fault, refusalText(opened.error()));
+        return;
+    }
+    m_notice.withdraw();
+    tellAgain();
+    if (m_period.count() > 0)
+        m_bus.startThread(m_period);
+    showActions();
+    Q_EMIT onlineChanged();
+    tellComparison();
+}
+
+void RingConnection::disconnectRing()
+{
+    m_leaving.ask(Leaving::Why::disconnect, [this] {
+        m_period = m_bus.latest().period;
+        rememberTold();
+        m_bus.close();
+        m_notice.withdraw();
+        showActions();
+        Q_EMIT told({.severity = Severity::information, .id = MessageId::disconnected});
+        Q_EMIT onlineChanged();
+    });
+}
+
+void RingConnection::readIn()
+{
+    m_leaving.ask(Leaving::Why::stop, [this] {
+        m_bus.readIn();
+        showActions();
+    });
+}
+
+// The user need not tell again what the same encoder has.
+void RingConnection::rememberTold()
+{
+    m_told.clear();
+    for (const Participant &participant : m_bus.structure())
+        if (const EncoderSession *encoder = m_bus.encoder(participant.number)) {
+            Told &told = m_told[participant.number];
+            told.deviceKey = participant.deviceKey;
+            for (const Parameter parameter : allParameters())
+                if (const auto known = encoder->known(parameter); known && known->evidence == Evidence::told)
+                    told.values.push_back({parameter, known->value});
+        }
+}
+
+void RingConnection::tellAgain()
+{
+    for (const Participant &participant : m_bus.structure()) {
+        const auto told = m_told.find(participant.number);
+        EncoderSession *encoder = m_bus.encoder(participant.number);
+        if (encoder == nullptr || told == m_told.end() || told->second.deviceKey != participant.deviceKey)
+            continue;
+        for (const ParameterValue &value : told->second.values)
+            encoder->tell(value.parameter, value.value);
+    }
+}
+
+void RingConnection::tellComparison()
+{
+    const int devices = static_cast<int>(m_bus.structure().size());
+    const int others = differences(compareRings(structureOf(m_project.project()), m_bus.structure()));
+    if (others == 0)
+        Q_EMIT told({.severity = Severity::information,
+                     .id = MessageId::ringAsConfigured,
+                     .arguments = {std::int64_t{devices}}});
+    else
+        Q_EMIT told({.severity = Severity::attention,
+                     .id = MessageId::ringDiffers,
+                     .arguments = {std::int64_t{others}}});
+}
+
+} // namespace codewheel

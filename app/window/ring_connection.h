@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/message.h"
+
+#include <QObject>
+
+#include <chrono>
+#include <map>
+
+namespace codewheel {
+
+class BusSession;
+class InlineMessage;
+class Leaving;
+class ProjectDocument;
+class WindowActions;
+
+// Offline and online: connects to the ring and leaves it, has it read in, and says whether it is as the
+// project has it. What it does to the views is up to the window.
+class RingConnection : public QObject
+{
+    Q_OBJECT
+
+public:
+    // All must outlive it. The notice stands in the window.
+    RingConnection(BusSession &bus, ProjectDocument &project, Leaving &leaving, const WindowActions &actions,
+                   InlineMessage &notice, QObject *parent = nullptr);
+
+    bool isOnline() const;
+    void connectRing();
+    void disconnectRing(); // asks first for handshakes on their way and OUT words that are not 0
+    void readIn();         // likewise: the data cycles stop meanwhile
+    // Says whether the ring is as it is configured.
+    void tellComparison();
+
+Q_SIGNALS:
+    void aboutToConnect(); // sessions and channels of the ring before are gone after this
+    void onlineChanged();
+    void ringChanged(); // another one was read in
+    void told(const codewheel::Message &message);
+
+private:
+    void rememberTold();
+    void tellAgain();
+    void showActions();
+
+    BusSession &m_bus;
+    ProjectDocument &m_project;
+    Leaving &m_leaving;
+    const WindowActions &m_actions;
+    InlineMessage &m_notice;
+    std::chrono::nanoseconds m_period{}; // of the bus thread; 0: cycles by hand
+    // What the user told of each device, with the make it was taken for.
+    struct Told
+    {
+        QString deviceKey;
+        ParameterValues values;
+    };
+    std::map<DeviceNumber, Told> m_told;
+};
+
+} // namespace codewheel
