@@ -4,6 +4,7 @@
 #include "app/window/alarm_stop.h"
 #include "app/window/leaving.h"
 #include "app/window/project_files.h"
+#include "app/window/project_recovery.h"
 #include "app/window/ring_connection.h"
 #include "app/window/status_line.h"
 #include "ring/bus_session.h"
@@ -128,6 +129,15 @@ void MainWindow::connectProject()
             m_structure->choose(number);
     });
     connect(m_comparison, &ComparisonPage::readInRequested, m_connection, &RingConnection::readIn);
+}
+
+// A notice of its own: the question stands until it is answered.
+void MainWindow::askForRecovery(ProjectRecovery &recovery)
+{
+    auto *question = new InlineMessage(this);
+    question->setObjectName(QStringLiteral("recoveryQuestion"));
+    static_cast<QVBoxLayout *>(centralWidget()->layout())->insertWidget(0, question);
+    recovery.ask(*question, *m_files);
 }
 
 void MainWindow::tell(const Message &message)
@@ -386,10 +396,11 @@ void MainWindow::showStructureEditor()
 {
     if (m_editor == nullptr)
         return;
+    const auto chosen = currentNumber(); // the page chooses its first device when it gets the focus
     m_pages->setCurrentWidget(m_editor);
     m_editor->setFocus();
-    if (const auto number = currentNumber())
-        m_editor->choose(*number);
+    if (chosen)
+        m_editor->choose(*chosen);
 }
 
 void MainWindow::showComparison()

@@ -34,6 +34,7 @@ class ParameterPanel;
 class ParameterWizard;
 class ProjectDocument;
 class ProjectFiles;
+class ProjectRecovery;
 class RingConnection;
 class SequenceView;
 class StatusLine;
@@ -72,6 +73,7 @@ public:
     void showStructureEditor();
     void showComparison();
     ProjectFiles &files() { return *m_files; }
+    void askForRecovery(ProjectRecovery &recovery);
     RingConnection *connection() { return m_connection; } // null before attach()
     // Size, layout and monitors, for the next start.
     void saveWindow();

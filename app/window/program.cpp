@@ -4,12 +4,15 @@
 #include "app/user_devices.h"
 #include "app/window/main_window.h"
 #include "app/window/project_files.h"
+#include "app/window/project_recovery.h"
 #include "app/window/ring_connection.h"
 #include "app/window/start_probe.h"
 #include "project/project_take_over.h"
 #include "widgets/messages/message_model.h"
 
 #include <QApplication>
+#include <QFileInfo>
+#include <QStandardPaths>
 
 namespace codewheel {
 namespace {
@@ -25,6 +28,10 @@ constexpr auto measuredRun = 2s;     // then a measured start ends
 Program::Program(QApplication &application, const QString &settingsFile)
     : m_application(application)
     , m_settings(settingsFile)
+    , m_recoveryFolder((settingsFile.isEmpty()
+                            ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)
+                            : QFileInfo(settingsFile).path()) +
+                       QStringLiteral("/recovery"))
 {
     applyAppearance(application, m_settings.appearance());
     m_language.use(m_settings.language());
@@ -51,9 +58,10 @@ void Program::openWindow()
 {
     m_window = std::make_unique<MainWindow>(m_settings, m_project);
     connect(m_window.get(), &MainWindow::languageChosen, this, &Program::useLanguage, Qt::QueuedConnection);
-    if (m_training.bus)
+    if (m_training.bus) {
         attach();
-    else
+        m_window->askForRecovery(*m_recovery);
+    } else
         connect(m_window.get(), &MainWindow::firstPainted, this, &Program::startBus);
 }
 
@@ -87,6 +95,9 @@ void Program::openProject()
     if (!m_file.isEmpty())
         m_window->files().open(m_file);
     m_window->connection()->tellComparison();
+    m_recovery = std::make_unique<ProjectRecovery>(m_project, m_recoveryFolder);
+    connect(m_recovery.get(), &ProjectRecovery::told, m_messages.get(), &MessageModel::addNow);
+    m_window->askForRecovery(*m_recovery);
 }
 
 void Program::attach()

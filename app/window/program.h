@@ -18,6 +18,7 @@ namespace codewheel {
 
 class MainWindow;
 class MessageModel;
+class ProjectRecovery;
 
 // The program with a window, from start to end: language, appearance, the window, and after its first paint
 // the training bus with a thread of its own. The language can be chosen at any time: the window is made anew,
@@ -27,6 +28,7 @@ class Program : public QObject
     Q_OBJECT
 
 public:
+    // settingsFile: empty: the user's own. Changes that are not saved are kept beside one that is given.
     explicit Program(QApplication &application, const QString &settingsFile = {});
     ~Program() override;
 
@@ -50,6 +52,8 @@ private:
     std::unique_ptr<MessageModel> m_messages;
     TrainingSession m_training;
     ProjectDocument m_project;
+    std::unique_ptr<ProjectRecovery> m_recovery;
+    QString m_recoveryFolder;
     QString m_file; // to be opened once the bus is there
     std::unique_ptr<MainWindow> m_window;
     QTimer m_pictures;

@@ -19,8 +19,11 @@ const DeviceDescription *BusSession::Private::describe(const Participant &partic
 RingRunner::Drivers BusSession::Private::makeDevices(BusSession &bus)
 {
     events.clear();
-    sessions.clear();
-    channels.clear();
+    {
+        // Who is told that one of them ends finds none any more.
+        const auto endedSessions = std::exchange(sessions, {});
+        const auto endedChannels = std::exchange(channels, {});
+    }
     retired.clear();
     retiredChannels.clear();
     otherRing.reset();

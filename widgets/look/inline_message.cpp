@@ -18,6 +18,7 @@ InlineMessage::InlineMessage(QWidget *parent)
     , m_icon(new QLabel(this))
     , m_sentence(new QLabel(this))
     , m_action(new QPushButton(this))
+    , m_otherAction(new QPushButton(this))
     , m_close(new QToolButton(this))
 {
     m_sentence->setWordWrap(true);
@@ -33,24 +34,31 @@ InlineMessage::InlineMessage(QWidget *parent)
     layout->addWidget(m_icon);
     layout->addWidget(m_sentence, 1);
     layout->addWidget(m_action);
+    layout->addWidget(m_otherAction);
     layout->addWidget(m_close);
 
     connect(m_action, &QPushButton::clicked, this, &InlineMessage::actionTriggered);
+    connect(m_otherAction, &QPushButton::clicked, this, &InlineMessage::otherActionTriggered);
     connect(m_close, &QToolButton::clicked, this, [this] {
         withdraw();
         Q_EMIT closed();
     });
     m_action->hide();
+    m_otherAction->hide();
     hide();
 }
 
-void InlineMessage::showMessage(Role role, const QString &sentence, const QString &actionText)
+void InlineMessage::showMessage(Role role, const QString &sentence, const QString &actionText,
+                                const QString &otherActionText)
 {
     m_role = role;
     m_sentence->setText(sentence);
     m_action->setText(actionText);
     m_action->setToolTip(sentence);
     m_action->setVisible(!actionText.isEmpty());
+    m_otherAction->setText(otherActionText);
+    m_otherAction->setToolTip(sentence);
+    m_otherAction->setVisible(!otherActionText.isEmpty());
     setAccessibleName(tr("%1: %2", "role: sentence").arg(roleWord(role), sentence));
     drawIcon();
     show();

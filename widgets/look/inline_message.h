@@ -21,13 +21,16 @@ class InlineMessage : public QFrame
 public:
     explicit InlineMessage(QWidget *parent = nullptr);
 
-    // actionText: on the button, none without. Role: attention or fault, or running for good news.
-    void showMessage(Role role, const QString &sentence, const QString &actionText = {});
+    // actionText, otherActionText: on the buttons, none without. Role: attention or fault, or running for
+    // good news.
+    void showMessage(Role role, const QString &sentence, const QString &actionText = {},
+                     const QString &otherActionText = {});
     void withdraw(); // the cause is gone
     QString sentence() const;
 
 Q_SIGNALS:
     void actionTriggered();
+    void otherActionTriggered();
     void closed(); // by the user
 
 protected:
@@ -41,6 +44,7 @@ private:
     QLabel *m_icon;
     QLabel *m_sentence;
     QPushButton *m_action;
+    QPushButton *m_otherAction;
     QToolButton *m_close;
 };
 

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Projects as files of the window: open, save, recent files, dropped files, what is asked before changes are
+// lost, what is left after a crash.
+#include "app/window/project_files.h"
+#include "app/window/project_recovery.h"
+#include "project/project_file.h"
+#include "tests/app/question.h"
+#include "tests/app/window_test.h"
+#include "widgets/look/inline_message.h"
+
+#include <QAction>
+#include <QFile>
+#include <QMenu>
+#include <QMimeData>
+#include <QPushButton>
+
+namespace codewheel {
+namespace {
+
+using test::fraba;
+using test::Question;
+
+class ProjectFilesTest : public test::WindowTest
+{
+protected:
+    QString path(const char *name) const { return folder.filePath(QString::fromLatin1(name)); }
+    ProjectDocument &document() { return shown->project(); }
+    void nameStation(const QString &station)
+    {
+        document().editDevice(fraba, QStringLiteral("Station of 1.0"),
+                              [&](ProjectDevice &device) { device.station = station; });
+    }
+    QString saved(const char *name, const QString &station)
+    {
+        Project project = document().project();
+        project.devices.front().station = station;
+        EXPECT_TRUE(saveProject(project, path(name)));
+        return path(name);
+    }
+    QString station() { return document().device(fraba).station; }
+    QString notice(const char *name = "notice")
+    {
+        const auto *shownNotice = window().findChild<InlineMessage *>(QLatin1String(name));
+        return shownNotice && shownNotice->isVisible() ? shownNotice->sentence() : QString();
+    }
+    void drop(const QString &file)
+    {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(file)});
+        QDragEnterEvent enter(QPoint(5, 5), Qt::CopyAction, &data, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&window(), &enter);
+        if (!enter.isAccepted())
+            return;
+        QDropEvent event(QPointF(5, 5), Qt::CopyAction, &data, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&window(), &event);
+        advance(5);
+    }
+};
+
+TEST_F(ProjectFilesTest, TheFirstProjectIsThePlantAndIsSaved)
+{
+    EXPECT_EQ(document().project().devices.size(), bus().structure().size());
+    EXPECT_EQ(window().windowTitle(), QStringLiteral("Untitled[*]"));
+    EXPECT_FALSE(window().isWindowModified());
+}
+
+TEST_F(ProjectFilesTest, AChangeIsMarkedAndUndoneByAKey)
+{
+    nameStation(QStringLiteral("hoist"));
+    EXPECT_TRUE(window().isWindowModified());
+    QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(station(), QString());
+    EXPECT_FALSE(window().isWindowModified());
+    QTest::keySequence(&window(), QKeySequence::Redo);
+    EXPECT_EQ(station(), QStringLiteral("hoist"));
+}
+
+TEST_F(ProjectFilesTest, AProjectIsOpenedSavedAndNamedInTheTitle)
+{
+    ASSERT_TRUE(window().files().open(saved("crane.codewheel", QStringLiteral("hoist"))));
+    EXPECT_EQ(station(), QStringLiteral("hoist"));
+    EXPECT_EQ(window().windowTitle(), QStringLiteral("crane.codewheel[*]"));
+    nameStation(QStringLiteral("trolley"));
+    actions().saveProject->trigger();
+    EXPECT_FALSE(window().isWindowModified());
+    EXPECT_EQ(loadProject(path("crane.codewheel"))->devices.front().station, QStringLiteral("trolley"));
+}
+
+TEST_F(ProjectFilesTest, WhatCannotBeOpenedIsSaidAndChangesNothing)
+{
+    QFile file(path("broken.codewheel"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("{");
+    file.close();
+    const Project before = document().project();
+    EXPECT_FALSE(window().files().open(file.fileName()));
+    EXPECT_TRUE(notice().contains(QStringLiteral("broken.codewheel"))) << notice().toStdString();
+    EXPECT_EQ(document().project(), before);
+    EXPECT_FALSE(window().files().open(path("nowhere.codewheel")));
+    EXPECT_TRUE(notice().contains(QStringLiteral("nowhere.codewheel")));
+    ASSERT_TRUE(window().files().open(saved("good.codewheel", {})));
+    EXPECT_EQ(notice(), QString()) << "the cause is gone";
+}
+
+TEST_F(ProjectFilesTest, ChangesAreNotLostWithoutAQuestion)
+{
+    const QString other = saved("other.codewheel", QStringLiteral("other"));
+    ASSERT_TRUE(window().files().open(saved("crane.codewheel", QStringLiteral("hoist"))));
+    nameStation(QStringLiteral("trolley"));
+    {
+        const Question question = Question::answeredBy(QStringLiteral("Cancel"));
+        EXPECT_FALSE(window().files().open(other));
+        EXPECT_TRUE(question.text().contains(QStringLiteral("Station of 1.0")))
+            << question.text().toStdString();
+    }
+    EXPECT_EQ(station(), QStringLiteral("trolley"));
+    {
+        const Question question = Question::answeredBy(QStringLiteral("Save"));
+        EXPECT_TRUE(window().files().open(other));
+    }
+    EXPECT_EQ(loadProject(path("crane.codewheel"))->devices.front().station, QStringLiteral("trolley"));
+    nameStation(QStringLiteral("lost"));
+    const Question question = Question::answeredBy(QStringLiteral("Discard"));
+    actions().newProject->trigger();
+    EXPECT_TRUE(document().project().devices.empty());
+    EXPECT_EQ(loadProject(other)->devices.front().station, QStringLiteral("other"));
+}
+
+TEST_F(ProjectFilesTest, ClosingAsksWithAlarmStopWithinReach)
+{
+    nameStation(QStringLiteral("hoist"));
+    {
+        bool hasAlarmStop = false;
+        const Question question([&](QWidget &dialog) {
+            hasAlarmStop = dialog.findChild<QWidget *>(QStringLiteral("alarmStop")) != nullptr;
+            QTest::keyClick(&dialog, Qt::Key_Escape);
+        });
+        window().close();
+        EXPECT_TRUE(hasAlarmStop);
+    }
+    advance(5);
+    EXPECT_TRUE(window().isVisible());
+    {
+        const Question question = Question::answeredBy(QStringLiteral("Discard"));
+        window().close();
+    }
+    advance(5);
+    EXPECT_FALSE(window().isVisible());
+}
+
+TEST_F(ProjectFilesTest, RecentFilesAreKeptForTheNextStart)
+{
+    window().files().open(saved("a.codewheel", QStringLiteral("a")));
+    window().files().open(saved("b.codewheel", QStringLiteral("b")));
+    open(); // the window anew
+    const QList<QAction *> recent = actions().recentFiles->actions();
+    ASSERT_EQ(recent.size(), 2);
+    EXPECT_TRUE(recent.first()->text().contains(QStringLiteral("b.codewheel")));
+    recent.last()->trigger();
+    advance(5);
+    EXPECT_EQ(station(), QStringLiteral("a"));
+    EXPECT_TRUE(actions().recentFiles->actions().first()->text().contains(QStringLiteral("a.codewheel")));
+    QFile::remove(path("b.codewheel"));
+    EXPECT_FALSE(window().files().open(path("b.codewheel")));
+    Q_EMIT actions().recentFiles->aboutToShow();
+    EXPECT_EQ(actions().recentFiles->actions().size(), 1) << "it is gone";
+}
+
+TEST_F(ProjectFilesTest, AFileDroppedOntoTheWindowIsOpened)
+{
+    drop(saved("crane.codewheel", QStringLiteral("hoist")));
+    EXPECT_EQ(station(), QStringLiteral("hoist"));
+    drop(path("picture.png"));
+    EXPECT_EQ(document().file(), path("crane.codewheel"));
+}
+
+TEST_F(ProjectFilesTest, TheProjectNamesTheDevicesOfTheRing)
+{
+    ASSERT_FALSE(bus().structure().front().deviceKey.isEmpty());
+    Project project = document().project();
+    project.devices.front().participant.deviceKey.clear();
+    ASSERT_TRUE(saveProject(project, path("unnamed.codewheel")));
+    window().files().open(path("unnamed.codewheel"));
+    EXPECT_EQ(bus().structure().front().deviceKey, QString());
+    ASSERT_TRUE(bus().name(fraba, QStringLiteral("baumer-gxp6w"), 4096, 0));
+    EXPECT_EQ(document().device(fraba).participant.deviceKey, QStringLiteral("baumer-gxp6w"));
+    EXPECT_TRUE(window().isWindowModified());
+    document().undoStack().undo();
+    EXPECT_EQ(bus().structure().front().deviceKey, QString());
+}
+
+class RecoveryTest : public ProjectFilesTest
+{
+protected:
+    QString recoveryFolder() const { return path("recovery"); }
+    // As a program that was killed leaves it: kept, and nobody holds it.
+    void leaveBehind(const QString &station)
+    {
+        Project project = document().project();
+        project.devices.front().station = station;
+        QFile file;
+        {
+            Recovery crashed(recoveryFolder());
+            ASSERT_TRUE(crashed.keep(project, path("crane.codewheel"), QDateTime::currentDateTimeUtc()));
+        }
+    }
+    void click(int button)
+    {
+        const auto buttons = window()
+                                 .findChild<InlineMessage *>(QStringLiteral("recoveryQuestion"))
+                                 ->findChildren<QPushButton *>();
+        QTest::mouseClick(buttons.at(button), Qt::LeftButton);
+    }
+};
+
+TEST_F(RecoveryTest, WhatACrashLeftIsOfferedAndTaken)
+{
+    leaveBehind(QStringLiteral("hoist"));
+    {
+        ProjectRecovery recovery(document(), recoveryFolder());
+        window().askForRecovery(recovery);
+        EXPECT_TRUE(notice("recoveryQuestion").contains(QStringLiteral("crane.codewheel")));
+        click(0);
+        EXPECT_EQ(station(), QStringLiteral("hoist"));
+        EXPECT_EQ(document().file(), path("crane.codewheel"));
+        EXPECT_FALSE(document().isSaved());
+        EXPECT_EQ(notice("recoveryQuestion"), QString());
+    }
+    EXPECT_TRUE(leftProjects(recoveryFolder()).empty());
+}
+
+TEST_F(RecoveryTest, WhatIsDiscardedIsNotOfferedAgain)
+{
+    leaveBehind(QStringLiteral("hoist"));
+    ProjectRecovery recovery(document(), recoveryFolder());
+    window().askForRecovery(recovery);
+    click(1);
+    EXPECT_EQ(notice("recoveryQuestion"), QString());
+    EXPECT_TRUE(document().isSaved());
+    EXPECT_TRUE(leftProjects(recoveryFolder()).empty());
+}
+
+TEST_F(RecoveryTest, ChangesAreKeptUntilTheyAreSaved)
+{
+    ProjectRecovery recovery(document(), recoveryFolder());
+    nameStation(QStringLiteral("hoist"));
+    recovery.keep();
+    EXPECT_FALSE(QDir(recoveryFolder()).isEmpty());
+    document().setFile(path("crane.codewheel"));
+    EXPECT_TRUE(leftProjects(recoveryFolder()).empty());
+}
+
+} // namespace
+} // namespace codewheel
