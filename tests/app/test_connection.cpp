@@ -79,7 +79,7 @@ TEST_F(ConnectionTest, ConnectingAgainBringsAllBack)
     EXPECT_EQ(monitors().monitors().size(), open);
     EXPECT_EQ(row(1, 1), QStringLiteral("ok"));
     EXPECT_EQ(bus().encoder(fraba)->known(Parameter::startUpMode)->value, 1) << "as it was told before";
-    EXPECT_TRUE(messages().join(u'|').contains(QStringLiteral("configured")))
+    EXPECT_TRUE(messages().join(u'|').contains(QStringLiteral("as the project says")))
         << messages().join(u'|').toStdString();
     window().showPicture();
 }
