@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/screenshots/manual_pictures.h"
 
+#include "app/screenshots/project_pictures.h"
 #include "app/window/training_window.h"
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
@@ -219,6 +220,10 @@ std::vector<Picture> pictures()
              return dock(shown, QStringLiteral("dialDock"));
          }},
         {QStringLiteral("cams"), low, camsAtWork},
+        {QStringLiteral("structure-editor"), usual, structureEditorAtWork},
+        {QStringLiteral("structure-insert"), usual, insertionAtWork},
+        {QStringLiteral("structure-small"), smallest, offlineWindow},
+        {QStringLiteral("comparison"), usual, comparisonAtWork},
         {QStringLiteral("dial-rod"), usual, rodAtWork},
         {QStringLiteral("device"), tall,
          [](TrainingWindow &shown) {

@@ -22,6 +22,7 @@
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/project/device_names.h"
 #include "widgets/project/project_document.h"
+#include "widgets/sequence/project_sequences.h"
 #include "widgets/sequence/sequence_view.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/structure_editor.h"
@@ -184,6 +185,12 @@ void MainWindow::makeDocks(MessageModel &messages)
     m_device = new DevicePanel(*m_bus, this);
     m_trace = new TraceView(*m_bus, this);
     m_sequence = new SequenceView(this);
+    auto *sequences = new QWidget(this);
+    auto *rows = new QVBoxLayout(sequences);
+    rows->setContentsMargins({});
+    rows->setSpacing(0);
+    rows->addWidget(new ProjectSequences(m_project, *m_sequence, sequences));
+    rows->addWidget(m_sequence, 1);
     m_messages = new MessagesView(messages, this);
     m_actions.deviceMenu->insertActions(m_actions.zeroOut, m_parameters->functionActions());
     m_actions.deviceMenu->insertSeparator(m_actions.zeroOut);
@@ -193,7 +200,7 @@ void MainWindow::makeDocks(MessageModel &messages)
     addDock(QStringLiteral("dialDock"), tr("Encoder"), m_dial, Qt::RightDockWidgetArea);
     addDock(QStringLiteral("messagesDock"), tr("Messages"), m_messages, Qt::BottomDockWidgetArea);
     addDock(QStringLiteral("traceDock"), tr("Handshake trace"), m_trace, Qt::BottomDockWidgetArea);
-    addDock(QStringLiteral("sequenceDock"), tr("Sequence"), m_sequence, Qt::BottomDockWidgetArea);
+    addDock(QStringLiteral("sequenceDock"), tr("Sequence"), sequences, Qt::BottomDockWidgetArea);
     addDock(QStringLiteral("deviceDock"), tr("Device"), m_device, Qt::RightDockWidgetArea);
     arrangeDocks();
     m_defaultLayout = saveState(layoutVersion);

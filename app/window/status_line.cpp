@@ -83,8 +83,11 @@ void StatusLine::setEncoder(EncoderSession *encoder)
 void StatusLine::refresh()
 {
     showState();
-    if (m_bus == nullptr)
+    if (m_bus == nullptr) {
+        for (QLabel *label : {m_cycle, m_late, m_linkLabel, m_writes})
+            setTextOf(label, {});
         return;
+    }
     const Snapshot &snapshot = m_bus->latest();
     const QLocale locale;
     const double period = std::chrono::duration<double, std::milli>(snapshot.period).count();

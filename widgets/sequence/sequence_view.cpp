@@ -91,6 +91,11 @@ void SequenceView::makeTable()
     for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
         connect(m_model, signal, this, &SequenceView::showWhatIsPossible);
     connect(m_model, &QAbstractItemModel::modelReset, this, &SequenceView::showWhatIsPossible);
+    connect(m_model, &QAbstractItemModel::modelReset, this, &SequenceView::listChanged);
+    connect(m_model, &QAbstractItemModel::dataChanged, this, &SequenceView::listChanged);
+    for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+        connect(m_model, signal, this, &SequenceView::listChanged);
+    connect(m_model, &QAbstractItemModel::rowsMoved, this, &SequenceView::listChanged);
 }
 
 QAction *SequenceView::addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip,
@@ -145,6 +150,7 @@ void SequenceView::makeSending()
     menu->addAction(tr("&Leave the encoder as it is, OUT back to 0"), this,
                     [this] { stop(OnCancel::leaveAsIs); });
     m_stop->setMenu(menu);
+    connect(m_hold, &QSpinBox::valueChanged, this, &SequenceView::listChanged);
     connect(m_send, &QPushButton::clicked, this, &SequenceView::send);
     connect(m_job, &SequenceJob::reached, this, [this](int row) {
         m_model->setSendingRow(row);
@@ -315,6 +321,7 @@ void SequenceView::showEnd(const Outcome &outcome, int words)
     if (!m_encoder)
         m_pages->setCurrentIndex(0);
     showWhatIsPossible();
+    Q_EMIT sendingEnded();
 }
 
 void SequenceView::showWhatIsPossible()

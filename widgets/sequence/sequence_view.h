@@ -22,7 +22,7 @@ class InlineMessage;
 class SequenceModel;
 
 // A list of words that are sent one after the other to the selected encoder, as a manual tells them. The list
-// stays when another encoder is selected.
+// stays when another encoder is selected; ProjectSequences keeps it in the project.
 class SequenceView : public QWidget
 {
     Q_OBJECT
@@ -34,9 +34,14 @@ public:
 
     WordList list() const;
     void setList(const WordList &list);
+    bool isSending() const { return m_job->isRunning(); }
     // Says on the spot what went wrong.
     bool load(const QString &path);
     bool save(const QString &path);
+
+Q_SIGNALS:
+    void listChanged(); // perhaps: also when a word was sent
+    void sendingEnded();
 
 private:
     void makeTable();

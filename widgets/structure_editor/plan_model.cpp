@@ -3,6 +3,9 @@
 
 #include "catalog/hex_code.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace codewheel {
 
 PlanModel::PlanModel(ProjectDocument &document, const Catalog &catalog, QObject *parent)
@@ -57,6 +60,14 @@ std::vector<PlanModel::Id> PlanModel::find(const QString &text) const
         if (number.startsWith(wanted) || std::ranges::any_of(places, has))
             found.push_back(id);
     }
+    return found;
+}
+
+std::vector<PlanModel::Id> PlanModel::withFindings() const
+{
+    std::vector<Id> found;
+    std::ranges::copy_if(m_document.ids(), std::back_inserter(found),
+                         [this](Id id) { return !m_nodes.at(id)->shown.findings.empty(); });
     return found;
 }
 

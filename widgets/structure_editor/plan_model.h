@@ -45,6 +45,7 @@ public:
     const PlanRow &rowAt(const QModelIndex &index) const;
     // Devices whose number, station, group, name or ID code have this text, in ring order.
     std::vector<Id> find(const QString &text) const;
+    std::vector<Id> withFindings() const; // in ring order
 
     QModelIndex index(int row, int column, const QModelIndex &parent = {}) const override;
     QModelIndex parent(const QModelIndex &index) const override;

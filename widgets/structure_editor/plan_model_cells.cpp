@@ -122,10 +122,11 @@ QVariant PlanModel::display(const PlanRow &row, int column) const
 
 QVariant PlanModel::decoration(const PlanRow &row, int column)
 {
+    // A finding is seen before its column is scrolled into view.
+    if (!row.findings.empty() && (column == numberColumn || column == findingsColumn))
+        return lineIcon(roleIcon(worst(row.findings)), worst(row.findings));
     if (column == numberColumn)
         return lineIcon(row.participant.idCode == busTerminalIdCode ? Icon::ring : Icon::encoder);
-    if (column == findingsColumn && !row.findings.empty())
-        return lineIcon(roleIcon(worst(row.findings)), worst(row.findings));
     return {};
 }
 
@@ -143,12 +144,15 @@ QString PlanModel::toolTip(const PlanRow &row, int column)
     };
     if (isAddress(column))
         return how(column == inColumn ? row.addresses.in : row.addresses.out);
-    return tr("%1  %2\nID code %3, device code %4\n%5 words IN, %6 words OUT")
-        .arg(row.participant.number.toString(), row.name,
-             QStringLiteral("%1 = %2").arg(hexCode(row.participant.idCode, 2)).arg(row.participant.idCode),
-             hexCode(row.participant.deviceCode, 4))
-        .arg(row.participant.inWords)
-        .arg(row.participant.outWords);
+    const QString device =
+        tr("%1  %2\nID code %3, device code %4\n%5 words IN, %6 words OUT")
+            .arg(
+                row.participant.number.toString(), row.name,
+                QStringLiteral("%1 = %2").arg(hexCode(row.participant.idCode, 2)).arg(row.participant.idCode),
+                hexCode(row.participant.deviceCode, 4))
+            .arg(row.participant.inWords)
+            .arg(row.participant.outWords);
+    return row.findings.empty() ? device : device + u'\n' + joined(row.findings, QStringLiteral("\n"));
 }
 
 bool PlanModel::setData(const QModelIndex &index, const QVariant &value, int role)

@@ -51,8 +51,8 @@ PlanSummary::PlanSummary(ProjectDocument &document, QWidget *parent)
     auto *times = new QHBoxLayout;
     times->setSpacing(grid::groupGap);
     times->addWidget(m_times, 1);
-    times->addWidget(cableLabel, 0, Qt::AlignTop);
-    times->addWidget(m_cable, 0, Qt::AlignTop);
+    times->addWidget(cableLabel);
+    times->addWidget(m_cable);
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins({});
     rows->setSpacing(grid::unit);

@@ -15,6 +15,7 @@
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QToolButton>
 #include <QTreeView>
 
 #include <algorithm>
@@ -136,6 +137,30 @@ void StructureEditor::setAddressing()
     m_document.edit(std::move(after), tr("Addresses"));
 }
 
+// From the chosen device on, round and round.
+void StructureEditor::goToFinding()
+{
+    const std::vector<PlanEdits::Id> found = m_model->withFindings();
+    if (found.empty())
+        return;
+    const std::size_t here = current() ? m_document.placeOf(*current()).value_or(0) : 0;
+    const auto next = std::ranges::find_if(
+        found, [&](PlanEdits::Id id) { return m_document.placeOf(id).value_or(0) > here; });
+    makeCurrent(next == found.end() ? found.front() : *next);
+    m_tree->setFocus();
+}
+
+void StructureEditor::showFindings()
+{
+    const std::vector<PlanEdits::Id> found = m_model->withFindings();
+    const Role role = found.empty() ? Role::running : Role::attention;
+    m_findings->setIcon(lineIcon(roleIcon(role), role));
+    m_findings->setText(found.empty()
+                            ? tr("Nothing found")
+                            : tr("%n devices with findings", nullptr, static_cast<int>(found.size())));
+    m_findings->setEnabled(!found.empty());
+}
+
 void StructureEditor::showCurrent()
 {
     const auto id = current();
@@ -158,6 +183,7 @@ void StructureEditor::showProject()
     m_empty->setAction(tr("Insert a device"));
     m_tree->setVisible(!isEmpty);
     m_message->withdraw();
+    showFindings();
     const auto id = current();
     m_insert->setPlace(structureOf(m_document.project()), id ? m_document.placeOf(*id) : std::nullopt);
 }

@@ -14,6 +14,7 @@ class QLabel;
 class QLineEdit;
 class QSpinBox;
 class QToolBar;
+class QToolButton;
 class QTreeView;
 
 namespace codewheel {
@@ -64,6 +65,9 @@ private:
     void findPrevious() { goToFound(-1); }
     void goToFound(int by);
     void setAddressing();
+    void goToFinding();
+    void showFindings();
+    void fitColumns();
 
     void showCurrent();
     void showProject();
@@ -89,6 +93,7 @@ private:
     QComboBox *m_unit;
     QSpinBox *m_first;
     QCheckBox *m_step5;
+    QToolButton *m_findings;
 };
 
 } // namespace codewheel

@@ -22,16 +22,14 @@
 #include <QTreeView>
 #include <QVBoxLayout>
 
-#include <array>
+#include <algorithm>
 
 namespace codewheel {
 namespace {
 
-constexpr int wideColumn = 40 * grid::unit;
-constexpr std::array columnWidths{22 * grid::unit, 32 * grid::unit, 22 * grid::unit, 48 * grid::unit,
-                                  16 * grid::unit, 24 * grid::unit, 26 * grid::unit, 18 * grid::unit,
-                                  18 * grid::unit, 60 * grid::unit};
-static_assert(columnWidths.size() == PlanModel::columns);
+constexpr int widestColumn = 44 * grid::unit;
+constexpr int narrowestStation = 28 * grid::unit;
+constexpr int lowestTree = 40 * grid::unit;
 
 } // namespace
 
@@ -53,6 +51,7 @@ StructureEditor::StructureEditor(ProjectDocument &document, const Catalog &catal
     , m_unit(new QComboBox(this))
     , m_first(new QSpinBox(this))
     , m_step5(new QCheckBox(tr("Step &5"), this))
+    , m_findings(new QToolButton(this))
 {
     makeTools();
     makeSearch();
@@ -158,16 +157,32 @@ void StructureEditor::makeTree()
     m_tree->setDragDropMode(QAbstractItemView::DragDrop);
     m_tree->setDefaultDropAction(Qt::MoveAction);
     m_tree->setAutoExpandDelay(500);
-    m_tree->setMinimumHeight(wideColumn);
+    m_tree->setMinimumHeight(lowestTree);
+    m_tree->header()->setResizeContentsPrecision(0); // what is seen
     m_tree->header()->setStretchLastSection(true);
-    for (int column = 0; column < PlanModel::columns; ++column)
-        m_tree->setColumnWidth(column, columnWidths.at(static_cast<std::size_t>(column)));
     m_tree->expandAll();
     setFocusProxy(m_tree);
 }
 
+// As wide as what stands in them, a little at least to type into; nothing jumps while one edits.
+void StructureEditor::fitColumns()
+{
+    m_tree->expandAll();
+    for (int column = 0; column < PlanModel::findingsColumn; ++column) {
+        m_tree->resizeColumnToContents(column);
+        const int least = column == PlanModel::stationColumn ? narrowestStation : 0;
+        m_tree->setColumnWidth(column,
+                               std::clamp(m_tree->columnWidth(column) + grid::unit, least, widestColumn));
+    }
+}
+
 void StructureEditor::arrange()
 {
+    m_findings->setObjectName(QStringLiteral("findings"));
+    m_findings->setAutoRaise(true);
+    m_findings->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_findings->setShortcut(Qt::Key_F3);
+    m_findings->setToolTip(tr("Goes to the next device with a finding (F3)"));
     const auto label = [this](const QString &text, QWidget *buddy) {
         auto *made = new QLabel(text, this);
         made->setBuddy(buddy);
@@ -188,6 +203,7 @@ void StructureEditor::arrange()
     column->addWidget(m_empty, 1);
     column->addWidget(m_tree, 1);
     column->addWidget(m_insert);
+    column->addWidget(m_findings, 0, Qt::AlignLeft);
     column->addLayout(addressing);
     column->addWidget(m_summary);
     auto *layout = new QVBoxLayout(this);
@@ -214,7 +230,10 @@ void StructureEditor::connectParts()
     connect(m_step5, &QCheckBox::clicked, this, &StructureEditor::setAddressing);
     connect(m_empty, &EmptyState::actionTriggered, this, &StructureEditor::openInsertPanel);
     connect(&m_document, &ProjectDocument::changed, this, &StructureEditor::showProject);
-    connect(&m_document, &ProjectDocument::replaced, m_tree, &QTreeView::expandAll, Qt::QueuedConnection);
+    connect(m_findings, &QToolButton::clicked, this, &StructureEditor::goToFinding);
+    connect(&m_document, &ProjectDocument::replaced, this, &StructureEditor::fitColumns,
+            Qt::QueuedConnection);
+    fitColumns();
 }
 
 } // namespace codewheel

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/screenshots/project_pictures.h"
+
+#include "app/window/training_window.h"
+#include "ring/id_code.h"
+#include "widgets/comparison/comparison_page.h"
+#include "widgets/structure_editor/plan_edits.h"
+#include "widgets/structure_editor/structure_editor.h"
+
+#include <QAction>
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr DeviceNumber terminal{6, 0};
+
+// A crane with its names and addresses; one address was typed wrong.
+void planCrane(TrainingWindow &shown)
+{
+    struct Named
+    {
+        DeviceNumber number;
+        const char16_t *station;
+        const char16_t *group;
+    };
+    static constexpr std::array named{Named{{1, 0}, u"Crane 1, hoist", u"A"},
+                                      Named{{2, 0}, u"Crane 1, trolley", u"A"}, Named{{3, 0}, u"Gate", u"B"},
+                                      Named{{5, 0}, u"Press", u"B"}, Named{{6, 1}, u"Turntable", u"C"}};
+    ProjectDocument &project = shown.project();
+    for (const Named &each : named)
+        project.editDevice(each.number, {}, [&](ProjectDevice &device) {
+            device.station = QString::fromUtf16(each.station);
+            device.group = QString::fromUtf16(each.group);
+        });
+    const Catalog catalog = Catalog::builtIn();
+    PlanEdits edits(project, catalog);
+    (void)edits.insert(deviceOf(0x81BE),
+                       {.terminal = project.placeOf(terminal), .onLocalBus = true, .row = 1});
+    project.editDevice({4, 0}, {}, [](ProjectDevice &device) { device.inAddress = 128; });
+    project.editDevice({5, 0}, {}, [](ProjectDevice &device) { device.inAddress = 130; });
+    shown.advance(40);
+}
+
+} // namespace
+
+QWidget *structureEditorAtWork(TrainingWindow &shown)
+{
+    planCrane(shown);
+    shown.window().showStructureEditor();
+    shown.advance(40);
+    return &shown.window();
+}
+
+QWidget *insertionAtWork(TrainingWindow &shown)
+{
+    structureEditorAtWork(shown);
+    auto *editor = shown.window().findChild<StructureEditor *>();
+    editor->choose(terminal);
+    editor->openInsertPanel();
+    shown.advance(40);
+    return editor;
+}
+
+QWidget *comparisonAtWork(TrainingWindow &shown)
+{
+    planCrane(shown);
+    const Catalog catalog = Catalog::builtIn();
+    ProjectDocument &project = shown.project();
+    PlanEdits edits(project, catalog);
+    (void)edits.change(project.ids()[1], deviceOf(0x0236));
+    (void)edits.remove({project.ids()[2]});
+    shown.window().showComparison();
+    shown.advance(40);
+    return shown.window().findChild<ComparisonPage *>();
+}
+
+QWidget *offlineWindow(TrainingWindow &shown)
+{
+    structureEditorAtWork(shown);
+    shown.window().actions().disconnectBus->trigger();
+    shown.advance(40);
+    return &shown.window();
+}
+
+} // namespace codewheel

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The structure editor with a project of 512 devices: how long it takes to open it, and from each edit, undo
+// and step of the wheel until it is painted. 60 pictures a second leave 16 ms.
+#include "catalog/catalog.h"
+#include "project/project_take_over.h"
+#include "ring/id_code.h"
+#include "widgets/look/appearance.h"
+#include "widgets/structure_editor/plan_model.h"
+#include "widgets/structure_editor/structure_editor.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QScrollBar>
+#include <QTreeView>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace {
+
+using namespace codewheel;
+
+constexpr int terminals = 8;
+constexpr int localDevices = 63;
+constexpr double picture = 16; // ms
+constexpr int repetitions = 60;
+
+// As many as a ring may have: full local buses, inputs and outputs in turn.
+Project largestProject()
+{
+    RingStructure ring;
+    for (int segment = 1; segment <= terminals; ++segment) {
+        Participant terminal = deviceOf(busTerminalIdCode);
+        terminal.number = {segment, 0};
+        ring.push_back(terminal);
+        for (int position = 1; position <= localDevices; ++position) {
+            Participant device = deviceOf(position % 2 == 0 ? 0x81BE : 0x81BD);
+            device.number = {segment, position};
+            ring.push_back(device);
+        }
+    }
+    Project project = projectOf(ring);
+    for (ProjectDevice &device : project.devices)
+        device.station = QStringLiteral("station ") + device.participant.number.toString();
+    return project;
+}
+
+template <typename What>
+void measure(const char *name, QWidget &seen, What what)
+{
+    std::vector<double> times;
+    for (int i = 0; i < repetitions; ++i) {
+        QElapsedTimer timer;
+        timer.start();
+        what(i);
+        QCoreApplication::sendPostedEvents();
+        QCoreApplication::processEvents();
+        seen.repaint();
+        times.push_back(static_cast<double>(timer.nsecsElapsed()) / 1e6);
+    }
+    std::ranges::sort(times);
+    std::printf("%-28s median %6.2f ms, worst %6.2f ms of %.0f ms\n", name, times[times.size() / 2],
+                times.back(), picture);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    QApplication application(argc, argv);
+    applyAppearance(application, {});
+    const Catalog catalog = Catalog::builtIn();
+    ProjectDocument document;
+    StructureEditor editor(document, catalog);
+    editor.resize(1200, 800);
+    editor.show();
+    QApplication::processEvents();
+    const Project project = largestProject();
+
+    QElapsedTimer timer;
+    timer.start();
+    document.setProject(project, {});
+    QApplication::processEvents();
+    editor.repaint();
+    std::printf("%zu devices opened and painted: %.1f ms of 100 ms\n", project.devices.size(),
+                static_cast<double>(timer.nsecsElapsed()) / 1e6);
+
+    PlanEdits edits(document, catalog);
+    auto *tree = editor.findChild<QTreeView *>();
+    QScrollBar *bar = tree->verticalScrollBar();
+    measure("scroll by a page", editor,
+            [&](int i) { bar->setValue((i * bar->pageStep()) % std::max(1, bar->maximum())); });
+    measure("edit a station", editor, [&](int i) {
+        document.editDevice({4, 7}, {}, [&](ProjectDevice &device) { device.station = QString::number(i); });
+    });
+    measure("move first to last and back", editor, [&](int i) {
+        const RingPlace place{.terminal = {}, .onLocalBus = false, .row = i % 2 == 0 ? 99U : 0U};
+        (void)edits.move({document.ids()[i % 2 == 0 ? 0 : 512 - localDevices - 1]}, place);
+    });
+    measure("remove a local bus and undo", editor, [&](int i) {
+        if (i % 2 == 0)
+            (void)edits.remove({document.ids().front()});
+        else
+            document.undoStack().undo();
+    });
+    measure("insert at the front and undo", editor, [&](int i) {
+        if (i == 0)
+            (void)edits.remove({document.ids()[1], document.ids()[2]});
+        if (i % 2 == 0)
+            (void)edits.insert(deviceOf(0x0237), {.terminal = {}, .onLocalBus = false, .row = 0});
+        else
+            document.undoStack().undo();
+    });
+    measure("addresses in words, in bytes", editor, [&](int i) {
+        Project after = document.project();
+        after.addresses.unit = i % 2 == 0 ? AddressRules::Unit::word : AddressRules::Unit::byte;
+        document.edit(after, {});
+    });
+    return 0;
+}

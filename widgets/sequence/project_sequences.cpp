@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/sequence/project_sequences.h"
+
+#include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+#include "widgets/sequence/sequence_view.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScopedValueRollback>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace codewheel {
+
+ProjectSequences::ProjectSequences(ProjectDocument &document, SequenceView &view, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_view(view)
+    , m_names(new QComboBox(this))
+    , m_add(new QToolButton(this))
+    , m_remove(new QToolButton(this))
+{
+    m_names->setObjectName(QStringLiteral("sequenceName"));
+    m_names->setEditable(true);
+    m_names->setInsertPolicy(QComboBox::NoInsert);
+    m_names->setAccessibleName(tr("Sequence of the project"));
+    m_names->setToolTip(tr("Chooses a sequence of the project; type to give it another name"));
+    m_add->setObjectName(QStringLiteral("addSequence"));
+    m_add->setIcon(lineIcon(Icon::add));
+    m_add->setAccessibleName(tr("New sequence"));
+    m_add->setToolTip(tr("Begins another sequence"));
+    m_remove->setObjectName(QStringLiteral("removeSequence"));
+    m_remove->setIcon(lineIcon(Icon::remove));
+    m_remove->setAccessibleName(tr("Remove the sequence"));
+    m_remove->setToolTip(tr("Removes this sequence from the project; can be undone"));
+    for (QToolButton *button : {m_add, m_remove}) {
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::TabFocus);
+    }
+    auto *label = new QLabel(tr("Se&quence"), this);
+    label->setBuddy(m_names);
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(grid::unit, grid::unit, grid::unit, 0);
+    row->setSpacing(grid::unit);
+    row->addWidget(label);
+    row->addWidget(m_names, 1);
+    row->addWidget(m_add);
+    row->addWidget(m_remove);
+
+    connect(m_names, &QComboBox::activated, this, &ProjectSequences::open);
+    connect(m_names->lineEdit(), &QLineEdit::editingFinished, this, &ProjectSequences::rename);
+    connect(m_add, &QToolButton::clicked, this, &ProjectSequences::add);
+    connect(m_remove, &QToolButton::clicked, this, &ProjectSequences::remove);
+    connect(&document, &ProjectDocument::changed, this, &ProjectSequences::take);
+    connect(&view, &SequenceView::sendingEnded, this, &ProjectSequences::take);
+    connect(&view, &SequenceView::listChanged, this, [this] {
+        if (m_isTaking || std::exchange(m_isPending, true))
+            return;
+        QMetaObject::invokeMethod(this, &ProjectSequences::keep, Qt::QueuedConnection);
+    });
+    take();
+}
+
+void ProjectSequences::take()
+{
+    if (m_isTaking || m_view.isSending()) // what is sent stays in sight
+        return;
+    const QScopedValueRollback taking(m_isTaking, true);
+    const std::vector<ProjectSequence> &sequences = m_document.project().sequences;
+    m_open = sequences.empty() ? 0 : std::min(m_open, sequences.size() - 1);
+    QStringList names;
+    for (const ProjectSequence &sequence : sequences)
+        names << sequence.name;
+    QStringList shown;
+    for (int i = 0; i < m_names->count(); ++i)
+        shown << m_names->itemText(i);
+    if (names != shown) {
+        m_names->clear();
+        m_names->addItems(names);
+    }
+    m_names->setCurrentIndex(sequences.empty() ? -1 : static_cast<int>(m_open));
+    m_names->setEnabled(!sequences.empty());
+    m_remove->setEnabled(!sequences.empty());
+    const WordList list = sequences.empty() ? WordList() : sequences[m_open].list;
+    if (list != m_view.list())
+        m_view.setList(list);
+}
+
+// What was edited in the view. The first words make the first sequence.
+void ProjectSequences::keep()
+{
+    m_isPending = false;
+    const WordList list = m_view.list();
+    const std::vector<ProjectSequence> &sequences = m_document.project().sequences;
+    if (sequences.empty() ? list == WordList() : sequences[m_open].list == list)
+        return;
+    edit(tr("Edit the sequence"), [&](std::vector<ProjectSequence> &changed) {
+        if (changed.empty())
+            changed.push_back({.name = freshName(), .list = {}});
+        changed[m_open].list = list;
+    });
+}
+
+void ProjectSequences::open(int sequence)
+{
+    m_open = static_cast<std::size_t>(std::max(sequence, 0));
+    take();
+}
+
+void ProjectSequences::add()
+{
+    const QString name = freshName();
+    m_open = m_document.project().sequences.size();
+    edit(tr("New sequence"),
+         [&](std::vector<ProjectSequence> &sequences) { sequences.push_back({.name = name, .list = {}}); });
+}
+
+void ProjectSequences::remove()
+{
+    edit(tr("Remove the sequence"), [this](std::vector<ProjectSequence> &sequences) {
+        if (m_open < sequences.size())
+            sequences.erase(sequences.begin() + static_cast<std::ptrdiff_t>(m_open));
+    });
+}
+
+void ProjectSequences::rename()
+{
+    const QString name = m_names->lineEdit()->text().trimmed();
+    if (name.isEmpty() || m_document.project().sequences.empty())
+        return;
+    edit(tr("Name the sequence"),
+         [&](std::vector<ProjectSequence> &sequences) { sequences.at(m_open).name = name; });
+}
+
+void ProjectSequences::edit(const QString &what,
+                            const std::function<void(std::vector<ProjectSequence> &)> &change)
+{
+    Project after = m_document.project();
+    change(after.sequences);
+    m_document.edit(std::move(after), what);
+}
+
+QString ProjectSequences::freshName() const
+{
+    const std::vector<ProjectSequence> &sequences = m_document.project().sequences;
+    for (int number = 1;; ++number) {
+        QString name = tr("Sequence %1").arg(number);
+        if (std::ranges::find(sequences, name, &ProjectSequence::name) == sequences.end())
+            return name;
+    }
+}
+
+} // namespace codewheel

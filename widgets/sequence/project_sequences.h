@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/project/project_document.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QToolButton;
+
+namespace codewheel {
+
+class SequenceView;
+
+// The sequences of the project, above the sequence view: one of them is open there, and what is edited of it
+// is a step of undo of the project.
+class ProjectSequences : public QWidget
+{
+    Q_OBJECT
+
+public:
+    // Both must outlive it.
+    ProjectSequences(ProjectDocument &document, SequenceView &view, QWidget *parent = nullptr);
+
+private:
+    void take();
+    void keep();
+    void open(int sequence);
+    void add();
+    void remove();
+    void rename();
+    void edit(const QString &what, const std::function<void(std::vector<ProjectSequence> &)> &change);
+    QString freshName() const;
+
+    ProjectDocument &m_document;
+    SequenceView &m_view;
+    std::size_t m_open = 0; // of the project's
+    QComboBox *m_names;
+    QToolButton *m_add;
+    QToolButton *m_remove;
+    bool m_isTaking = false;
+    bool m_isPending = false; // edits of one event are one step
+};
+
+} // namespace codewheel
