@@ -27,8 +27,10 @@ ProjectSequences::ProjectSequences(ProjectDocument &document, SequenceView &view
     m_names->setObjectName(QStringLiteral("sequenceName"));
     m_names->setEditable(true);
     m_names->setInsertPolicy(QComboBox::NoInsert);
-    m_names->setAccessibleName(tr("Sequence of the project"));
-    m_names->setToolTip(tr("Chooses a sequence of the project; type to give it another name"));
+    for (QWidget *field : {static_cast<QWidget *>(m_names), static_cast<QWidget *>(m_names->lineEdit())}) {
+        field->setAccessibleName(tr("Sequence of the project"));
+        field->setToolTip(tr("Chooses a sequence of the project; type to give it another name"));
+    }
     m_add->setObjectName(QStringLiteral("addSequence"));
     m_add->setIcon(lineIcon(Icon::add));
     m_add->setAccessibleName(tr("New sequence"));
