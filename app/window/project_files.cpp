@@ -76,7 +76,7 @@ bool ProjectFiles::open(const QString &path)
         return false;
     }
     m_notice.withdraw();
-    m_document.setProject(std::move(*project), path);
+    m_document.setProject(std::move(*project), QFileInfo(path).absoluteFilePath());
     remember(path);
     Q_EMIT told({.severity = Severity::information, .id = MessageId::projectOpened, .arguments = {path}});
     return true;

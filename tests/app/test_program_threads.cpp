@@ -89,12 +89,18 @@ TEST_F(RunningProgram, AnotherLanguageMakesTheWindowAnewWhileTheBusGoesOn)
     const QLocale before;
     const BusSession *session = program.training().bus.get();
     const std::uint64_t cycle = bus().latest().cycle;
+    auto *wanted = program.window()->findChild<WantedValues *>();
+    wanted->set(fraba, Parameter::steps, 255);
     Q_EMIT program.window()->languageChosen(QStringLiteral("de"));
     ASSERT_TRUE(waitFor([this] {
         return program.window()->findChild<MonitorArea *>() != nullptr &&
                QLocale().language() == QLocale::German;
     }));
     EXPECT_EQ(program.training().bus.get(), session);
+    wanted = program.window()->findChild<WantedValues *>();
+    EXPECT_EQ(wanted->value(fraba, Parameter::steps), 255);
+    program.window()->actions().undo->trigger();
+    EXPECT_EQ(wanted->value(fraba, Parameter::steps), std::nullopt) << "undo goes on as well";
     EXPECT_TRUE(waitFor([&] { return bus().latest().cycle > cycle; }));
     EXPECT_EQ(program.window()->findChild<MonitorArea *>()->monitors().size(), 2u);
     Q_EMIT program.window()->languageChosen(QStringLiteral("en"));

@@ -189,6 +189,18 @@ TEST_F(ProjectFilesTest, TheProjectNamesTheDevicesOfTheRing)
     EXPECT_EQ(bus().structure().front().deviceKey, QString());
 }
 
+TEST_F(ProjectFilesTest, APlanThatIsEditedDoesNotShiftTheNamesOfTheRing)
+{
+    const RingStructure before = bus().structure();
+    Project project = document().project();
+    project.devices.insert(project.devices.begin(), project.devices.front());
+    for (std::size_t i = 0; i < project.devices.size(); ++i)
+        project.devices[i].participant.number.segment += i > 0 ? 1 : 0;
+    ASSERT_TRUE(saveProject(project, path("shifted.codewheel")));
+    window().files().open(path("shifted.codewheel"));
+    EXPECT_EQ(bus().structure(), before) << "2.0 is a FRABA in the plan, and has the code of the Baumer";
+}
+
 class RecoveryTest : public ProjectFilesTest
 {
 protected:

@@ -3,6 +3,7 @@
 
 #include "catalog/catalog.h"
 #include "encoder/encoder_session.h"
+#include "project/project_take_over.h"
 #include "ring/bus_session.h"
 #include "widgets/project/project_document.h"
 
@@ -47,6 +48,41 @@ Name nameInTheProject(const Catalog &catalog, const ProjectDevice &device)
     return name;
 }
 
+bool hasCode(const ComparisonLine &line, unsigned code, const RingStructure &plan, const RingStructure &ring)
+{
+    return (line.configured && plan[*line.configured].deviceCode == code) ||
+           (line.connected && ring[*line.connected].deviceCode == code);
+}
+
+// Lines that are the same, and would be however the rings are laid beside each other: no line next to them,
+// or next to neighbours of the same code, has this code and differs.
+std::vector<ComparisonLine> certainLines(const Comparison &comparison, const RingStructure &plan,
+                                         const RingStructure &ring)
+{
+    std::vector<ComparisonLine> certain;
+    const auto differsBeside = [&](std::size_t line, std::ptrdiff_t step, unsigned code) {
+        auto at = static_cast<std::ptrdiff_t>(line) + step;
+        while (at >= 0 && at < std::ssize(comparison)) {
+            const ComparisonLine &beside = comparison[static_cast<std::size_t>(at)];
+            if (!hasCode(beside, code, plan, ring))
+                return false;
+            if (beside.kind != ComparisonKind::same)
+                return true;
+            at += step;
+        }
+        return false;
+    };
+    for (std::size_t i = 0; i < comparison.size(); ++i) {
+        const ComparisonLine &line = comparison[i];
+        if (line.kind != ComparisonKind::same)
+            continue;
+        const unsigned code = ring[*line.connected].deviceCode;
+        if (!differsBeside(i, -1, code) && !differsBeside(i, 1, code))
+            certain.push_back(line);
+    }
+    return certain;
+}
+
 } // namespace
 
 DeviceNames::DeviceNames(ProjectDocument &document, BusSession &bus, QObject *parent)
@@ -66,12 +102,11 @@ void DeviceNames::nameRing()
         return;
     const QScopedValueRollback naming(m_isNaming, true);
     const RingStructure ring = m_bus.structure();
-    for (const Participant &participant : ring) {
-        const auto place = m_document.placeOf(participant.number);
-        if (!place)
-            continue;
-        const ProjectDevice &planned = m_document.project().devices[*place];
-        if (planned.participant.deviceCode != participant.deviceCode)
+    const RingStructure plan = structureOf(m_document.project());
+    for (const ComparisonLine &line : certainLines(compareRings(plan, ring), plan, ring)) {
+        const Participant &participant = ring[*line.connected];
+        const ProjectDevice &planned = m_document.project().devices[*line.configured];
+        if (planned.participant.number != participant.number)
             continue;
         const Name wanted = nameInTheProject(m_bus.catalog(), planned);
         // While a job runs it is refused, and done with the next change.

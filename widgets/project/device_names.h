@@ -10,7 +10,9 @@ class ProjectDocument;
 struct DeviceNumber;
 
 // What the bus does not tell, the project does: it names the devices of a connected ring that fit, by number
-// and device code. A device named in the window is named in the project, which can be undone.
+// and device code. Among neighbours of the same code that differ in the plan nobody can say which is which,
+// so none takes the name of another. A device named in the window is named in the project, which can be
+// undone.
 class DeviceNames : public QObject
 {
     Q_OBJECT
