@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "project/project_take_over.h"
 #include "tests/support/model_tester.h"
 #include "tests/widgets/training_bus_session.h"
+#include "widgets/project/project_document.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
 
@@ -93,6 +95,40 @@ TEST_F(StructureTest, WithoutARingThereIsNothing)
     model.setBus(&ring.bus);
     model.setBus(nullptr);
     EXPECT_EQ(model.rowCount(), 0);
+}
+
+TEST_F(StructureTest, OfflineItShowsWhatTheProjectPlans)
+{
+    ProjectDocument project;
+    project.setProject(projectOf(ring.bus.structure()), {});
+    model.setProject(project, ring.catalog);
+    EXPECT_EQ(model.index(0, StructureModel::stateColumn).data().toString(), QStringLiteral("offline"));
+    EXPECT_EQ(text(baumer, StructureModel::deviceColumn), QStringLiteral("2.0  Baumer GXP6W K3"));
+    EXPECT_EQ(text(baumer, StructureModel::stateColumn), QStringLiteral("planned"));
+    Project after = project.project();
+    after.devices.pop_back();
+    project.edit(after, {});
+    EXPECT_FALSE(model.indexOf(test::onLoop).isValid());
+    project.setProject({}, {});
+    EXPECT_EQ(model.rowCount(), 0);
+    model.setBus(&ring.bus);
+    EXPECT_EQ(text(baumer, StructureModel::stateColumn), QStringLiteral("ok"));
+}
+
+TEST_F(StructureTest, StationsOfDevicesThatFitStandBesideTheNumber)
+{
+    ProjectDocument project;
+    project.setProject(projectOf(ring.bus.structure()), {});
+    model.setBus(&ring.bus);
+    model.setProject(project, ring.catalog);
+    const auto name = [](ProjectDevice &device) { device.station = QStringLiteral("hoist"); };
+    project.editDevice(baumer, {}, name);
+    EXPECT_EQ(text(baumer, StructureModel::deviceColumn), QStringLiteral("2.0  hoist: Baumer GXP6W K3"));
+    Project after = project.project();
+    after.devices[1].participant.deviceCode = 0x0136;
+    project.edit(after, {});
+    EXPECT_EQ(text(baumer, StructureModel::deviceColumn), QStringLiteral("2.0  Baumer GXP6W K3"))
+        << "another device is planned there";
 }
 
 TEST_F(StructureTest, ArrowsChooseAndEnterOpens)
