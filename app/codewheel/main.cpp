@@ -13,5 +13,6 @@ int main(int argc, char **argv)
     QApplication::setDesktopFileName(QStringLiteral("codewheel"));
 
     codewheel::Program program(application);
-    return program.run(QCoreApplication::arguments().value(1));
+    program.openAtStart(QCoreApplication::arguments().value(1));
+    return program.run();
 }

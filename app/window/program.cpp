@@ -45,9 +45,8 @@ Program::~Program()
     m_window.reset(); // before the sessions it looks at
 }
 
-int Program::run(const QString &file)
+int Program::run()
 {
-    m_file = file;
     openWindow();
     m_window->show();
     return QApplication::exec();

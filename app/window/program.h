@@ -32,8 +32,9 @@ public:
     explicit Program(QApplication &application, const QString &settingsFile = {});
     ~Program() override;
 
-    // file: a project to open; empty: none, but the training plant.
-    int run(const QString &file = {});
+    // A project, to be opened as soon as the bus is there. Without one it is the training plant.
+    void openAtStart(const QString &file) { m_file = file; }
+    int run();
     void openWindow();
     MainWindow *window() const { return m_window.get(); }
     const TrainingSession &training() const { return m_training; } // empty before the first paint

@@ -3,6 +3,7 @@
 // stops. Meant for ThreadSanitizer; every wait is for something that happens.
 #include "app/window/main_window.h"
 #include "app/window/program.h"
+#include "project/project_file.h"
 #include "ring/bus_session.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/parameters/wanted_values.h"
@@ -106,6 +107,21 @@ TEST_F(RunningProgram, AnotherLanguageMakesTheWindowAnewWhileTheBusGoesOn)
     Q_EMIT program.window()->languageChosen(QStringLiteral("en"));
     ASSERT_TRUE(waitFor([] { return QLocale().language() == QLocale::English; }));
     QLocale::setDefault(before);
+}
+
+TEST(ProgramStart, OpensTheFileItIsGiven)
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("crane.codewheel"));
+    Project project;
+    project.title = QStringLiteral("Crane");
+    ASSERT_TRUE(saveProject(project, file));
+    Program program(*qApp, folder.filePath(QStringLiteral("program.ini")));
+    program.openAtStart(file);
+    program.openWindow();
+    program.window()->show();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return program.training().bus != nullptr; }, generous));
+    EXPECT_EQ(program.window()->windowTitle(), QStringLiteral("crane.codewheel[*]"));
 }
 
 } // namespace
