@@ -3,6 +3,7 @@
 
 #include "catalog/label_key.h"
 #include "cli/device_text.h"
+#include "cli/project_access.h"
 #include "cli/subcommand.h"
 #include "cli/texts.h"
 #include "ring/bus_session.h"
@@ -67,13 +68,15 @@ Checked<void> nameDevice(const Call &call, DeviceNumber number, const QString &t
 
 Checked<EncoderSession *> encoderAt(const Call &call)
 {
-    const QString &place = call.arguments.rest.front();
-    const auto number = DeviceNumber::parse(place);
+    const auto place = placeMeant(call, call.arguments.rest.front());
+    if (!place)
+        return tl::unexpected(place.error());
+    const auto number = DeviceNumber::parse(*place);
     const auto device = call.arguments.value("--device");
     if (number && device)
         if (const auto named = nameDevice(call, *number, *device); !named)
             return tl::unexpected(named.error());
-    return encoderAt(*call.bus, place);
+    return encoderAt(*call.bus, *place);
 }
 
 Checked<EncoderSession *> encoderAt(BusSession &bus, const QString &place)

@@ -5,12 +5,15 @@
 #include "cli/commands.h"
 #include "cli/help.h"
 #include "cli/json.h"
+#include "cli/project_access.h"
 #include "cli/texts.h"
 #include "encoder/refusal_text.h"
 #include "training_session.h"
 #include "user_devices.h"
 
 #include <QJsonDocument>
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {
@@ -86,6 +89,13 @@ Checked<void> checkLink(const Arguments &arguments)
     return {};
 }
 
+bool takesNextWord(const QString &option)
+{
+    return std::ranges::any_of(commonOptions(), [&](const Option &common) {
+        return common.value != nullptr && option == QLatin1String(common.name);
+    });
+}
+
 bool asksForHelp(const Arguments &arguments)
 {
     return arguments.has("--help") || arguments.has("-h");
@@ -128,7 +138,12 @@ int runCommand(const Subcommand &command, const Arguments &arguments, const Cata
 {
     const QString name = QString::fromLatin1(command.name);
     const bool asJson = arguments.has("--json");
-    const auto answer = command.run({arguments, catalog, bus, terminal});
+    const auto project = projectNamed(arguments);
+    if (!project)
+        return fail(project.error(), name, asJson, {}, terminal);
+    const Call call{arguments, catalog, bus, terminal, *project ? &**project : nullptr};
+    nameEncoders(call);
+    const auto answer = command.run(call);
     if (!answer)
         return fail(answer.error(), name, asJson, {}, terminal);
     if (!asJson)
@@ -149,7 +164,7 @@ int runCommandLine(const QStringList &words, const Terminal &terminal)
 {
     qsizetype place = 0;
     while (place < words.size() && words[place].startsWith(u'-'))
-        place += words[place] == QStringLiteral("--link") ? 2 : 1;
+        place += takesNextWord(words[place]) ? 2 : 1;
     if (place >= words.size())
         return withoutCommand(words, terminal);
 

@@ -6,12 +6,26 @@
 #include "cli/json.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
+#include "encoder/sentence.h"
+#include "project/file_access.h"
+#include "project/project_file.h"
+#include "project/project_take_over.h"
 #include "ring/bus_session.h"
+
+#include <QFileInfo>
+
+#include <array>
+#include <numeric>
 
 namespace codewheel {
 namespace {
 
 constexpr const char *examples[] = {"scan", "scan --json"};
+
+constexpr std::array options{
+    Option{"--save", "FILE", QT_TRANSLATE_NOOP("codewheel::CommandLine", "save what was found as a project")},
+    Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "replace FILE if it is there")},
+};
 
 // The ID code tells the profile, never the make of an encoder; that is the plan's to name.
 QString makeOf(const Participant &participant, const DeviceDescription *named)
@@ -20,8 +34,46 @@ QString makeOf(const Participant &participant, const DeviceDescription *named)
                                                             : CommandLine::tr("make not known");
 }
 
+// What is in a file is not lost by a scan.
+Checked<void> checkFileIsFree(const Arguments &arguments)
+{
+    const auto file = arguments.value("--save");
+    if (!file || arguments.has("--yes") || !QFileInfo::exists(*file))
+        return {};
+    return badInput(QStringLiteral("fileExists"),
+                    CommandLine::tr("%1 is there already. Nothing was saved. Name another file, or add --yes "
+                                    "to replace it; the old one is kept as %2."),
+                    {*file, backupPath(*file)});
+}
+
+// What the project of the call knows stays with the devices that are the same or moved.
+Project foundProject(const Call &call)
+{
+    const RingStructure &found = call.bus->structure();
+    const Project before = call.project ? *call.project : Project();
+    const Comparison comparison = compareRings(structureOf(before), found);
+    std::vector<std::size_t> lines(comparison.size());
+    std::iota(lines.begin(), lines.end(), std::size_t{0});
+    return takenOver(before, found, comparison, lines);
+}
+
+void save(const Call &call, Answer &answer)
+{
+    const auto file = call.arguments.value("--save");
+    if (!file)
+        return;
+    if (const auto saved = saveProject(foundProject(call), *file); !saved) {
+        answer.complaint = complaintAbout(saved.error());
+        return;
+    }
+    answer.text += sentence(CommandLine::tr("Saved in %1."), {*file}) + u'\n';
+    answer.json.insert(QStringLiteral("saved"), *file);
+}
+
 Checked<Answer> run(const Call &call)
 {
+    if (const auto isFree = checkFileIsFree(call.arguments); !isFree)
+        return tl::unexpected(isFree.error());
     using enum TextTable::Align;
     TextTable table({left, left, left, right, right});
     table.add({CommandLine::tr("place"), CommandLine::tr("ID code"), CommandLine::tr("device code"),
@@ -36,30 +88,29 @@ Checked<Answer> run(const Call &call)
                    QStringLiteral("%1 (%2)").arg(hexCode(participant.idCode, 2)).arg(participant.idCode),
                    hexCode(participant.deviceCode, 4), QString::number(participant.inWords),
                    QString::number(participant.outWords), profile, makeOf(participant, named)});
-        devices.append(
-            QJsonObject{{QStringLiteral("place"), participant.number.toString()},
-                        {QStringLiteral("idCode"), static_cast<int>(participant.idCode)},
-                        {QStringLiteral("deviceCode"), static_cast<int>(participant.deviceCode)},
-                        {QStringLiteral("inWords"), participant.inWords},
-                        {QStringLiteral("outWords"), participant.outWords},
-                        {QStringLiteral("profile"), known ? QJsonValue(profile) : QJsonValue()},
-                        {QStringLiteral("device"), named ? QJsonValue(named->key) : QJsonValue()}});
+        QJsonObject json = participantJson(&participant).toObject();
+        json.insert(QStringLiteral("profile"), known ? QJsonValue(profile) : QJsonValue());
+        devices.append(json);
     }
-    return Answer{table.toString(), {{QStringLiteral("participants"), devices}}};
+    Answer answer{table.toString(), {{QStringLiteral("participants"), devices}}};
+    save(call, answer);
+    return answer;
 }
 
 } // namespace
 
 const Subcommand scanCommand{
     .name = "scan",
-    .usage = "",
+    .usage = "[--save FILE] [--yes]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "list the participants of the bus"),
     .details = QT_TRANSLATE_NOOP("codewheel::CommandLine",
                                  "Lists the participants of the bus in ring order, with their ID codes and "
                                  "words (16 bit each).\nThe ID code tells the profile but not the make: that "
-                                 "is named where the plan of the bus tells it.\nSends nothing."),
+                                 "is named where the plan of the bus tells it.\nSends nothing.\n\n"
+                                 "--save makes a project of it. With --project as well, what that project "
+                                 "knows of devices\nthat are still there is taken along."),
     .examples = examples,
-    .options = {},
+    .options = options,
     .minimumArguments = 0,
     .maximumArguments = 0,
     .needsBus = true,

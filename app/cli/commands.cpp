@@ -7,10 +7,10 @@
 namespace codewheel {
 namespace {
 
-constexpr std::array commands{&devicesCommand, &scanCommand,   &explainCommand, &wordsCommand,
-                              &readCommand,    &writeCommand,  &presetCommand,  &velocityCommand,
-                              &resetCommand,   &camsCommand,   &storeCommand,   &transferCommand,
-                              &cloneCommand,   &monitorCommand};
+constexpr std::array commands{&devicesCommand,  &scanCommand,  &compareCommand, &explainCommand,
+                              &wordsCommand,    &readCommand,  &writeCommand,   &presetCommand,
+                              &velocityCommand, &resetCommand, &camsCommand,    &storeCommand,
+                              &transferCommand, &cloneCommand, &monitorCommand};
 
 constexpr std::array common{
     Option{"--json", nullptr,
@@ -18,6 +18,9 @@ constexpr std::array common{
     Option{"--link", "LINK",
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
                              "the way to the bus; \"training\" (the default) is the simulated one")},
+    Option{"--project", "FILE",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "name encoders as this project does; PLACE may be the name of a station")},
     Option{"--help", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "explain this and stop; also -h")},
     Option{"-h", nullptr, nullptr},
     Option{"--version", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the version and stop")},

@@ -8,6 +8,7 @@ namespace codewheel {
 // One file each: command_devices.cpp, ...
 extern const Subcommand devicesCommand;
 extern const Subcommand scanCommand;
+extern const Subcommand compareCommand;
 extern const Subcommand explainCommand;
 extern const Subcommand wordsCommand;
 extern const Subcommand readCommand;

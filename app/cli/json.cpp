@@ -46,6 +46,20 @@ QJsonArray meaningsJson(const Explanation &explanation)
     return meanings;
 }
 
+QJsonValue participantJson(const Participant *participant)
+{
+    if (participant == nullptr)
+        return {};
+    const QString &key = participant->deviceKey;
+    return QJsonObject{{QStringLiteral("place"), participant->number.toString()},
+                       {QStringLiteral("idCode"), static_cast<int>(participant->idCode)},
+                       {QStringLiteral("deviceCode"), static_cast<int>(participant->deviceCode)},
+                       {QStringLiteral("inWords"), participant->inWords},
+                       {QStringLiteral("outWords"), participant->outWords},
+                       {QStringLiteral("level"), participant->level},
+                       {QStringLiteral("device"), key.isEmpty() ? QJsonValue() : QJsonValue(key)}};
+}
+
 QJsonObject errorJson(const Complaint &complaint)
 {
     QJsonArray arguments;

@@ -6,6 +6,7 @@
 #include "encoder/known.h"
 #include "encoder/reading.h"
 #include "encoder/rod_scale.h"
+#include "ring/participant.h"
 #include "words/meaning.h"
 
 #include <QJsonArray>
@@ -21,6 +22,8 @@ QJsonValue numberJson(std::optional<std::int64_t> number); // null where there i
 QJsonValue millimetresJson(std::optional<std::int64_t> position, const std::optional<RodScale> &scale);
 QJsonArray meaningsJson(const Explanation &explanation);
 QJsonObject errorJson(const Complaint &complaint);
+// What the bus tells of a device, and the key of its description (null: not known); null without one.
+QJsonValue participantJson(const Participant *participant);
 // {"parameter", "value", "choice", "unit"}; choice only where the value has a name.
 QJsonObject valueJson(const ParameterDescription &parameter, std::int64_t value);
 

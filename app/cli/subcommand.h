@@ -11,6 +11,7 @@ namespace codewheel {
 
 class BusSession;
 class Catalog;
+struct Project;
 
 // What a command works with.
 struct Call
@@ -19,6 +20,7 @@ struct Call
     const Catalog &catalog;
     BusSession *bus; // null for commands that need none
     const Terminal &terminal;
+    const Project *project; // of --project; null without it
 };
 
 // One command of the command line: how it is called, how it is explained, and what it does. Texts are

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/cli_run.h"
 
+#include <QDir>
 #include <QJsonArray>
 
 #include <gmock/gmock.h>
@@ -29,7 +30,7 @@ TEST(CliCommandLine, HelpTellsCommandsOptionsExamplesAndExitCodes)
 TEST(CliCommandLine, EachCommandExplainsItself)
 {
     for (const char *command :
-         {"devices", "scan", "explain", "words", "read", "write", "preset", "monitor"}) {
+         {"devices", "scan", "compare", "explain", "words", "read", "write", "preset", "monitor"}) {
         const CliRun run = runLine(QStringLiteral("%1 --help").arg(QString::fromLatin1(command)));
         EXPECT_EQ(run.exit, 0);
         EXPECT_THAT(run.out, StartsWith(std::string("Usage: codewheel-cli ") + command));
@@ -40,6 +41,7 @@ TEST(CliCommandLine, EachCommandExplainsItself)
 // The examples are what a user types first.
 TEST(CliCommandLine, TheExamplesOfTheHelpWork)
 {
+    QDir::setCurrent(QStringLiteral(CODEWHEEL_ROOT)); // examples name files of docs/examples
     const QString prefix = QStringLiteral("  codewheel-cli ");
     for (const char *command :
          {"devices", "scan", "explain", "words", "read", "write", "preset", "monitor"}) {
@@ -65,6 +67,8 @@ TEST(CliCommandLine, CommonOptionsMayStandBeforeTheCommand)
     EXPECT_EQ(runLine(QStringLiteral("--json scan")).json()[u"command"], QStringLiteral("scan"));
     EXPECT_EQ(runLine(QStringLiteral("--link training --json scan")).exit, 0);
     EXPECT_EQ(runLine(QStringLiteral("--link=training scan --json")).exit, 0);
+    EXPECT_EQ(runLine(QStringLiteral("--project missing.codewheel scan --json")).json()[u"command"],
+              QStringLiteral("scan"));
 }
 
 TEST(CliCommandLine, EachCallHasANewBusThatStartsTheSame)
@@ -113,9 +117,10 @@ TEST_P(CliCommandLineBadInput, SaysWhatWouldBeRightAndExits2)
 
 INSTANTIATE_TEST_SUITE_P(
     Calls, CliCommandLineBadInput,
-    testing::Values(BadCall{"", "missingCommand", "devices, scan, explain, words, read, write"},
+    testing::Values(BadCall{"", "missingCommand", "devices, scan, compare, explain, words, read, write"},
                     BadCall{"--quiet", "unknownOption", "--json"},
-                    BadCall{"rad 1.0", "unknownCommand", "devices, scan, explain, words, read, write"},
+                    BadCall{"rad 1.0", "unknownCommand",
+                            "devices, scan, compare, explain, words, read, write"},
                     BadCall{"scan --all", "unknownOption", "--json"},
                     BadCall{"write 1.0 steps=1 --force", "unknownOption", "--dry-run"},
                     BadCall{"scan 1.0", "tooManyArguments", "codewheel-cli scan"},

@@ -39,6 +39,7 @@ TEST(CliScan, TellsProgramsTheSame)
                            {QStringLiteral("deviceCode"), 0x237},
                            {QStringLiteral("inWords"), 2},
                            {QStringLiteral("outWords"), 2},
+                           {QStringLiteral("level"), 0},
                            {QStringLiteral("profile"), QStringLiteral("K3")},
                            {QStringLiteral("device"), QStringLiteral("baumer-gxp6w")}}));
     EXPECT_EQ(participants[5].toObject(), (QJsonObject{{QStringLiteral("place"), QStringLiteral("6.0")},
@@ -46,6 +47,7 @@ TEST(CliScan, TellsProgramsTheSame)
                                                        {QStringLiteral("deviceCode"), 0x0C},
                                                        {QStringLiteral("inWords"), 0},
                                                        {QStringLiteral("outWords"), 0},
+                                                       {QStringLiteral("level"), 0},
                                                        {QStringLiteral("profile"), QJsonValue()},
                                                        {QStringLiteral("device"), QJsonValue()}}));
 }

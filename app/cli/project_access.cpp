@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/project_access.h"
+
+#include "catalog/catalog.h"
+#include "catalog/hex_code.h"
+#include "cli/texts.h"
+#include "encoder/sentence.h"
+#include "project/project_file.h"
+#include "project/project_take_over.h"
+#include "ring/bus_session.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+Comparison comparisonWith(const Call &call)
+{
+    return compareRings(structureOf(*call.project), call.bus->structure());
+}
+
+// A name given anew would forget what is known of the encoder.
+bool isNamedSo(const Participant &connected, const DeviceDescription &device, const DeviceLabel &label)
+{
+    return connected.deviceKey == device.key && (label.turns == 0 || label.turns == device.physicalTurns) &&
+           (label.stepsPerTurn == 0 || label.stepsPerTurn == device.physicalStepsPerTurn);
+}
+
+void nameDevice(const Call &call, const ProjectDevice &planned, const Participant &connected)
+{
+    const QString &key = planned.participant.deviceKey;
+    const DeviceDescription *device = call.catalog.find(key);
+    if (device != nullptr && isNamedSo(connected, *device, planned.label))
+        return;
+    if (device != nullptr && device->deviceCode == connected.deviceCode &&
+        call.bus->name(connected.number, key, planned.label.turns, planned.label.stepsPerTurn))
+        return;
+    call.terminal.complain(
+        sentence(CommandLine::tr("%1 is not taken for \"%2\" of the project: there is no such description, "
+                                 "or it is of another device code."),
+                 {connected.number.toString(), key}));
+}
+
+const ProjectDevice *deviceAt(const Project &project, DeviceNumber number)
+{
+    const auto found = std::ranges::find_if(
+        project.devices, [&](const ProjectDevice &device) { return device.participant.number == number; });
+    return found == project.devices.end() ? nullptr : &*found;
+}
+
+Checked<void> checkSameDevice(const Call &call, DeviceNumber number)
+{
+    const ProjectDevice *planned = deviceAt(*call.project, number);
+    const auto &ring = call.bus->structure();
+    const auto connected = std::ranges::find(ring, number, &Participant::number);
+    if (!planned || connected == ring.end() || isSameKind(planned->participant, *connected))
+        return {};
+    return tl::unexpected(complaintAbout({RefusalKind::link,
+                                          RefusalId::ringDiffers,
+                                          {number.toString(), hexCode(planned->participant.deviceCode, 4),
+                                           hexCode(connected->deviceCode, 4)}}));
+}
+
+Checked<DeviceNumber> placeOfStation(const Call &call, const QString &station)
+{
+    std::vector<DeviceNumber> places;
+    QStringList texts;
+    for (const ProjectDevice &device : call.project->devices)
+        if (device.station == station) {
+            places.push_back(device.participant.number);
+            texts << device.participant.number.toString();
+        }
+    if (places.empty())
+        return badInput(QStringLiteral("unknownStation"),
+                        CommandLine::tr("\"%1\" is neither a device number nor a station of the project."),
+                        {station});
+    if (places.size() > 1)
+        return badInput(QStringLiteral("stationNotUnique"),
+                        CommandLine::tr("The project has several devices at the station \"%1\": %2. Give the "
+                                        "device number."),
+                        {station, texts.join(QStringLiteral(", "))});
+    if (!areSame(comparisonWith(call)))
+        return tl::unexpected(Complaint{
+            ExitCode::refused,
+            QStringLiteral("busDiffers"),
+            sentence(CommandLine::tr("The bus differs from the project, so \"%1\" may stand elsewhere. See "
+                                     "codewheel-cli compare, or give the device number."),
+                     {station}),
+            {station}});
+    return places.front();
+}
+
+} // namespace
+
+Checked<std::optional<Project>> projectNamed(const Arguments &arguments)
+{
+    const auto file = arguments.value("--project");
+    if (!file)
+        return std::nullopt;
+    auto project = loadProject(*file);
+    if (!project)
+        return tl::unexpected(complaintAbout(project.error()));
+    return *std::move(project);
+}
+
+void nameEncoders(const Call &call)
+{
+    if (call.project == nullptr || call.bus == nullptr)
+        return;
+    const RingStructure connected = call.bus->structure();
+    const Comparison comparison = comparisonWith(call);
+    for (const ComparisonLine &line : comparison) {
+        if (line.kind != ComparisonKind::same)
+            continue;
+        const ProjectDevice &planned = call.project->devices[*line.configured];
+        const Participant &found = connected[*line.connected];
+        if (planned.participant.number == found.number && !planned.participant.deviceKey.isEmpty())
+            nameDevice(call, planned, found);
+    }
+    if (!areSame(comparison))
+        call.terminal.complain(
+            CommandLine::tr("The bus differs from the project. See codewheel-cli compare."));
+}
+
+Checked<QString> placeMeant(const Call &call, const QString &typed)
+{
+    if (call.project == nullptr)
+        return typed;
+    auto number = DeviceNumber::parse(typed);
+    if (!number) {
+        const auto station = placeOfStation(call, typed);
+        if (!station)
+            return tl::unexpected(station.error());
+        number = *station;
+    }
+    return checkSameDevice(call, *number).map([&] { return number->toString(); });
+}
+
+} // namespace codewheel

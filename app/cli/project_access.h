@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/subcommand.h"
+#include "encoder/device_number.h"
+#include "project/project.h"
+
+#include <optional>
+
+namespace codewheel {
+
+// The project that --project names; nothing where it names none.
+Checked<std::optional<Project>> projectNamed(const Arguments &arguments);
+
+// Names the encoders of the bus as the call's project does, where the bus has the same device at the same
+// place, for this call. Tells where it has not.
+void nameEncoders(const Call &call);
+
+// The place of the bus that PLACE means: a device number, or the station name of a device of the project.
+// Refused where the project has another device at that place; a station name also where the bus differs from
+// the project at all, since a device may stand elsewhere then.
+Checked<QString> placeMeant(const Call &call, const QString &typed);
+
+} // namespace codewheel
