@@ -7,7 +7,7 @@
 namespace codewheel {
 
 // Far more than any project of 512 devices; a file of this size is read within a second.
-inline constexpr qint64 largestProjectFile = 16 << 20; // bytes
+inline constexpr qint64 largestProjectFile = 8 << 20; // bytes
 
 // Reads a project file: fileNotReadable, fileTooLarge (nothing of it is read), projectFileBroken,
 // projectFileNewer.
