@@ -2180,6 +2180,39 @@
     </message>
 </context>
 <context>
+    <name>StructureSteps</name>
+    <message>
+        <source>Insert %1</source>
+        <translation>%1 einfügen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n devices</source>
+        <translation>
+            <numerusform>%n Teilnehmer entfernen</numerusform>
+            <numerusform>%n Teilnehmer entfernen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 verschieben</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n devices</source>
+        <translation>
+            <numerusform>%n Teilnehmer verschieben</numerusform>
+            <numerusform>%n Teilnehmer verschieben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change %1 to %2</source>
+        <translation>%1 in %2 ändern</translation>
+    </message>
+</context>
+<context>
     <name>Trace</name>
     <message>
         <source>%1 – %2</source>
@@ -2426,6 +2459,18 @@
     </message>
 </context>
 <context>
+    <name>codewheel::CamDocument</name>
+    <message>
+        <source>Program %1: %2</source>
+        <translation>Programm %1: %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>what was done, at which encoder</comment>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::CamEditor</name>
     <message>
         <source>No encoder is chosen</source>
@@ -2533,38 +2578,6 @@
         <translation>Aus %1 übernommen: Programm %2.</translation>
     </message>
     <message>
-        <source>Cams</source>
-        <translation>Nocken</translation>
-    </message>
-    <message>
-        <source>Cam programs were edited and not kept.</source>
-        <translation>Nockenprogramme wurden bearbeitet und nicht gesichert.</translation>
-    </message>
-    <message>
-        <source>The cam programs for %1 are neither in a file nor in the encoder.</source>
-        <translation>Die Nockenprogramme für %1 stehen weder in einer Datei noch im Geber.</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
-        <source>&amp;Stay</source>
-        <translation>&amp;Bleiben</translation>
-    </message>
-    <message>
-        <source>&amp;Close without them</source>
-        <translation>&amp;Ohne sie schließen</translation>
-    </message>
-    <message>
-        <source>Goes on; Save keeps them in a file</source>
-        <translation>Geht weiter; Sichern legt sie in einer Datei ab</translation>
-    </message>
-    <message>
-        <source>What was edited is lost</source>
-        <translation>Das Bearbeitete geht verloren</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <comment>what it does, key</comment>
         <translation>%1 (%2)</translation>
@@ -2612,10 +2625,6 @@
     <message>
         <source>Save</source>
         <translation>Sichern</translation>
-    </message>
-    <message>
-        <source>Keep all eight programs in a file</source>
-        <translation>Alle acht Programme in einer Datei sichern</translation>
     </message>
     <message>
         <source>&amp;Run this program in the encoder</source>
@@ -2688,6 +2697,10 @@
     <message>
         <source>Clear program %1</source>
         <translation>Programm %1 leeren</translation>
+    </message>
+    <message>
+        <source>Keep all eight programs in a file of their own</source>
+        <translation>Alle acht Programme in einer eigenen Datei ablegen</translation>
     </message>
 </context>
 <context>
@@ -4015,6 +4028,107 @@ Ohne --program werden alle acht gelesen, oder alle aus der Datei. Der Geber ist 
 Danach ist er wieder in der Betriebsart von vorher, wo sie bekannt ist; sonst, und mit --stay, bleibt er
 im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: ein EEPROM-Schreibvorgang.</translation>
     </message>
+    <message>
+        <source>cam programs as well</source>
+        <translation>auch die Nockenprogramme</translation>
+    </message>
+    <message>
+        <source>Nothing is known of %1: it cannot be read, and nothing was written to it from here.</source>
+        <translation>Von %1 ist nichts bekannt: Er lässt sich nicht auslesen, und von hier aus wurde nichts in ihn geschrieben.</translation>
+    </message>
+    <message>
+        <source>give other encoders the values of one</source>
+        <translation>anderen Gebern die Werte eines Gebers geben</translation>
+    </message>
+    <message>
+        <source>Reads the encoder at FROM, which takes its position away for some cycles, and writes its values to
+encoders of the same kind, as &quot;transfer&quot; does. The zero offset is not taken along: it belongs to
+the way an encoder is mounted. With --cams each cam program of FROM is read in the cam mode of its
+own; leaving one that was changed before costs an EEPROM write.</source>
+        <translation>Liest den Geber bei FROM, was ihm für einige Zyklen die Position nimmt, und schreibt seine Werte wie
+&quot;transfer&quot; in Geber derselben Art. Die Nullpunktverschiebung wird nicht mitgenommen: Sie gehört dazu,
+wie ein Geber angebaut ist. Mit --cams wird jedes Nockenprogramm von FROM in seinem eigenen
+Nockenbetrieb gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-Schreibvorgang.</translation>
+    </message>
+    <message>
+        <source>read the cam programs as well</source>
+        <translation>auch die Nockenprogramme lesen</translation>
+    </message>
+    <message>
+        <source>Nothing is known of it.</source>
+        <translation>Von ihm ist nichts bekannt.</translation>
+    </message>
+    <message>
+        <source>keep what encoders have in a project</source>
+        <translation>in einem Projekt ablegen, was die Geber haben</translation>
+    </message>
+    <message>
+        <source>Reads all that can be read of the encoders named, or of all, and keeps it in the project, with its
+evidence and time. While an encoder is read, it shows no position. Of an encoder that cannot be
+read what is known is kept; what nobody knows stays unknown. With --cams each cam program is read
+in the cam mode of its own; leaving one that was changed before costs an EEPROM write.
+The file that was there is kept as PROJECT~.</source>
+        <translation>Liest alles, was sich von den genannten oder von allen Gebern lesen lässt, und legt es mit Herkunft
+und Zeit im Projekt ab. Solange ein Geber gelesen wird, zeigt er keine Position. Von einem Geber, der
+sich nicht auslesen lässt, wird abgelegt, was bekannt ist; was niemand weiß, bleibt unbekannt. Mit
+--cams wird jedes Nockenprogramm in seinem eigenen Nockenbetrieb gelesen; ein vorher geändertes zu
+verlassen kostet einen EEPROM-Schreibvorgang. Die Datei, die da war, bleibt als PROJECT~ erhalten.</translation>
+    </message>
+    <message>
+        <source>write what was stored of the encoders, not what is wanted</source>
+        <translation>schreiben, was von den Gebern abgelegt ist, nicht was gewünscht ist</translation>
+    </message>
+    <message>
+        <source>write the values of a project to its encoders</source>
+        <translation>die Werte eines Projekts in seine Geber schreiben</translation>
+    </message>
+    <message>
+        <source>Shows what the encoders named, or all, are known to have beside what the project wants, with the
+words; asks; writes to one after the other, and tells what became of each value. What is already
+there is not written: an encoder that can be read is read first. An encoder of which one value
+cannot be written is not written at all. Exit code 1 if an encoder has not got all of it.</source>
+        <translation>Zeigt, was die genannten oder alle Geber bekanntermaßen haben, neben dem, was das Projekt will, mit
+den Worten; fragt; schreibt in einen nach dem anderen und sagt, was aus jedem Wert wurde. Was schon
+da ist, wird nicht geschrieben: Ein Geber, der sich auslesen lässt, wird zuerst gelesen. Ein Geber,
+in den sich ein Wert nicht schreiben lässt, wird gar nicht beschrieben. Exit-Code 1, wenn ein Geber
+nicht alles bekommen hat.</translation>
+    </message>
+    <message>
+        <source>Not all of it was written, first of all to %1.</source>
+        <translation>Nicht alles wurde geschrieben, zuerst bei %1.</translation>
+    </message>
+    <message>
+        <source>Write this to encoders: %1, with at most so many EEPROM writes: %2?</source>
+        <translation>Dies in so viele Geber schreiben: %1, mit höchstens so vielen EEPROM-Schreibvorgängen: %2?</translation>
+    </message>
+    <message>
+        <source>Nothing was written: there is nobody to ask. Add --yes to write, or --dry-run to look only.</source>
+        <translation>Nichts wurde geschrieben: Es ist niemand da, der gefragt werden könnte. Mit --yes wird geschrieben, mit --dry-run nur angesehen.</translation>
+    </message>
+    <message>
+        <source>show what would be written, and write nothing</source>
+        <translation>zeigen, was geschrieben würde, und nichts schreiben</translation>
+    </message>
+    <message>
+        <source>begin no other encoder after one has refused</source>
+        <translation>keinen weiteren Geber beginnen, wenn einer abgelehnt hat</translation>
+    </message>
+    <message>
+        <source>save what was written where: HTML where the name ends in .html, else text</source>
+        <translation>sichern, was wohin geschrieben wurde: als HTML, wenn der Name auf .html endet, sonst als Text</translation>
+    </message>
+    <message>
+        <source>cam program %1</source>
+        <translation>Nockenprogramm %1</translation>
+    </message>
+    <message>
+        <source>EEPROM writes: %1. Left %2.</source>
+        <translation>EEPROM-Schreibvorgänge: %1. Verlassen: %2.</translation>
+    </message>
+    <message>
+        <source>Written: %1. Already there: %2. EEPROM writes: %3.</source>
+        <translation>Geschrieben: %1. Schon vorhanden: %2. EEPROM-Schreibvorgänge: %3.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Comparison</name>
@@ -4069,6 +4183,129 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>%1: configured %2 is missing</source>
         <translation>%1: projektiert %2, fehlt</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ComparisonModel</name>
+    <message>
+        <source>Configured (project)</source>
+        <translation>Projektiert (Projekt)</translation>
+    </message>
+    <message>
+        <source>Connected (ring)</source>
+        <translation>Angeschlossen (Ring)</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ComparisonPage</name>
+    <message>
+        <source>Only &amp;differences</source>
+        <translation>Nur &amp;Unterschiede</translation>
+    </message>
+    <message>
+        <source>&amp;Read in the ring</source>
+        <translation>&amp;Ring einlesen</translation>
+    </message>
+    <message>
+        <source>Chosen lines into the &amp;project</source>
+        <translation>Gewählte Zeilen ins &amp;Projekt</translation>
+    </message>
+    <message>
+        <source>&amp;All into the project</source>
+        <translation>&amp;Alle ins Projekt</translation>
+    </message>
+    <message>
+        <source>Chosen lines into the &amp;master</source>
+        <translation>Gewählte Zeilen in den &amp;Master</translation>
+    </message>
+    <message>
+        <source>Project into the mas&amp;ter</source>
+        <translation>Projekt in den Mas&amp;ter</translation>
+    </message>
+    <message>
+        <source>No ring is connected.</source>
+        <translation>Es ist kein Ring verbunden.</translation>
+    </message>
+    <message>
+        <source>Connect to compare it with the project.</source>
+        <translation>Verbinden, um ihn mit dem Projekt zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>Hides the lines that are the same</source>
+        <translation>Blendet die gleichen Zeilen aus</translation>
+    </message>
+    <message>
+        <source>The master finds the devices of the ring anew; data cycles stop meanwhile</source>
+        <translation>Der Master sucht die Teilnehmer des Rings neu; die Datenzyklen stehen so lange</translation>
+    </message>
+    <message>
+        <source>Plans the chosen lines as they are connected; can be undone</source>
+        <translation>Plant die gewählten Zeilen so, wie sie angeschlossen sind; lässt sich zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Plans the whole ring as it is connected; can be undone</source>
+        <translation>Plant den ganzen Ring so, wie er angeschlossen ist; lässt sich zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Downloads the connected ring with the chosen lines as they are planned; the master keeps it</source>
+        <translation>Lädt den angeschlossenen Ring mit den gewählten Zeilen wie geplant in den Master, der ihn behält</translation>
+    </message>
+    <message>
+        <source>Downloads the planned ring, which the master keeps, and loads it back</source>
+        <translation>Lädt den geplanten Ring in den Master, der ihn behält, und liest ihn zurück</translation>
+    </message>
+    <message>
+        <source>Configured and connected ring</source>
+        <translation>Projektierter und angeschlossener Ring</translation>
+    </message>
+    <message>
+        <source>Choose the lines that are to be taken over.</source>
+        <translation>Die Zeilen wählen, die übernommen werden sollen.</translation>
+    </message>
+    <message>
+        <source>The ring is as it is configured.</source>
+        <translation>Der Ring ist so, wie er projektiert ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines differ.</source>
+        <translation>
+            <numerusform>%n Zeile ist anders.</numerusform>
+            <numerusform>%n Zeilen sind anders.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take over from the ring</source>
+        <translation>Vom Ring übernehmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>The master keeps %1 with %n devices.</source>
+        <translation>
+            <numerusform>Der Master hat %1 mit %n Teilnehmer.</numerusform>
+            <numerusform>Der Master hat %1 mit %n Teilnehmern.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a configuration without a name</source>
+        <translation>eine Konfiguration ohne Namen</translation>
+    </message>
+    <message>
+        <source>Loaded back, it is the project&apos;s.</source>
+        <translation>Zurückgelesen ist sie die des Projekts.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Loaded back, %n lines differ from the project.</source>
+        <translation>
+            <numerusform>Zurückgelesen ist %n Zeile anders als im Projekt.</numerusform>
+            <numerusform>Zurückgelesen sind %n Zeilen anders als im Projekt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
     </message>
 </context>
 <context>
@@ -4323,6 +4560,13 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>Errors</source>
         <translation>Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::DeviceNames</name>
+    <message>
+        <source>Name %1</source>
+        <translation>%1 benennen</translation>
     </message>
 </context>
 <context>
@@ -4924,6 +5168,113 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     </message>
 </context>
 <context>
+    <name>codewheel::InsertPanel</name>
+    <message>
+        <source>&amp;Insert device</source>
+        <translation>Gerät &amp;einfügen</translation>
+    </message>
+    <message>
+        <source>Chan&amp;ge to it</source>
+        <translation>In dieses ä&amp;ndern</translation>
+    </message>
+    <message>
+        <source>Search the catalog: maker, name, profile or ID code</source>
+        <translation>Katalog durchsuchen: Hersteller, Name, Profil oder ID-Code</translation>
+    </message>
+    <message>
+        <source>Search the catalog</source>
+        <translation>Katalog durchsuchen</translation>
+    </message>
+    <message>
+        <source>Shows the devices of the catalog that have this text</source>
+        <translation>Zeigt die Geräte des Katalogs, die diesen Text enthalten</translation>
+    </message>
+    <message>
+        <source>Devices of the catalog</source>
+        <translation>Geräte des Katalogs</translation>
+    </message>
+    <message>
+        <source>Enter or a double click inserts the device</source>
+        <translation>Eingabetaste oder Doppelklick fügt das Gerät ein</translation>
+    </message>
+    <message>
+        <source>ID code</source>
+        <translation>ID-Code</translation>
+    </message>
+    <message>
+        <source>The low byte of the device code, hexadecimal: kind and direction</source>
+        <translation>Das niedrige Byte des Gerätecodes, hexadezimal: Art und Richtung</translation>
+    </message>
+    <message>
+        <source>Length code</source>
+        <translation>Längencode</translation>
+    </message>
+    <message>
+        <source>The high byte of the device code, hexadecimal: data width</source>
+        <translation>Das hohe Byte des Gerätecodes, hexadezimal: Datenbreite</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>Where the device is inserted, seen from the chosen one</source>
+        <translation>Wo das Gerät eingefügt wird, vom gewählten aus gesehen</translation>
+    </message>
+    <message>
+        <source>Inserts the device at this place</source>
+        <translation>Fügt das Gerät an diesem Platz ein</translation>
+    </message>
+    <message>
+        <source>Makes the chosen device of the bus one of these; station, group and addresses stay</source>
+        <translation>Macht aus dem gewählten Teilnehmer ein solches Gerät; Station, Gruppe und Adressen bleiben</translation>
+    </message>
+    <message>
+        <source>&amp;Length code</source>
+        <translation>&amp;Längencode</translation>
+    </message>
+    <message>
+        <source>C&amp;atalog</source>
+        <translation>K&amp;atalog</translation>
+    </message>
+    <message>
+        <source>I&amp;D code</source>
+        <translation>I&amp;D-Code</translation>
+    </message>
+    <message>
+        <source>&amp;Place</source>
+        <translation>&amp;Platz</translation>
+    </message>
+    <message>
+        <source>Codes are two hexadecimal digits, such as BEh and 81h.</source>
+        <translation>Codes haben zwei Hexadezimalziffern, etwa BEh und 81h.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 words IN, %4 words OUT</source>
+        <translation>%1: %2, %3 Worte IN, %4 Worte OUT</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>Am Ende</translation>
+    </message>
+    <message>
+        <source>Behind %1</source>
+        <translation>Hinter %1</translation>
+    </message>
+    <message>
+        <source>Before %1</source>
+        <translation>Vor %1</translation>
+    </message>
+    <message>
+        <source>On the local bus of %1</source>
+        <translation>Am Lokalbus von %1</translation>
+    </message>
+    <message>
+        <source>In the branch of %1</source>
+        <translation>Im Abzweig von %1</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::JobStrip</name>
     <message>
         <source>&amp;Cancel</source>
@@ -5200,13 +5551,13 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
         <source>Goes on without sending anything</source>
         <translation>Macht weiter, ohne etwas zu senden</translation>
     </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::MainWindow</name>
-    <message>
-        <source>Training bus</source>
-        <translation>Übungsbus</translation>
-    </message>
     <message>
         <source>Bus structure</source>
         <translation>Busaufbau</translation>
@@ -5965,6 +6316,156 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     </message>
 </context>
 <context>
+    <name>codewheel::PlanModel</name>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Station</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>ID code</source>
+        <translation>ID-Code</translation>
+    </message>
+    <message>
+        <source>Words IN / OUT</source>
+        <translation>Worte IN / OUT</translation>
+    </message>
+    <message>
+        <source>IN byte</source>
+        <translation>IN-Byte</translation>
+    </message>
+    <message>
+        <source>IN word</source>
+        <translation>IN-Wort</translation>
+    </message>
+    <message>
+        <source>OUT byte</source>
+        <translation>OUT-Byte</translation>
+    </message>
+    <message>
+        <source>OUT word</source>
+        <translation>OUT-Wort</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>It has no such words.</source>
+        <translation>Solche Worte hat es nicht.</translation>
+    </message>
+    <message>
+        <source>Bytes %1 to %2</source>
+        <translation>Bytes %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Given by hand. Delete the number to have it counted again.</source>
+        <translation>Von Hand vergeben. Die Zahl löschen, damit wieder gezählt wird.</translation>
+    </message>
+    <message>
+        <source>Counted in ring order. Type a number to give it by hand.</source>
+        <translation>In Ringreihenfolge gezählt. Eine Zahl tippen, um sie von Hand zu vergeben.</translation>
+    </message>
+    <message>
+        <source>%1  %2
+ID code %3, device code %4
+%5 words IN, %6 words OUT</source>
+        <translation>%1  %2
+ID-Code %3, Gerätecode %4
+%5 Worte IN, %6 Worte OUT</translation>
+    </message>
+    <message>
+        <source>Station of %1</source>
+        <translation>Station von %1</translation>
+    </message>
+    <message>
+        <source>Group of %1</source>
+        <translation>Gruppe von %1</translation>
+    </message>
+    <message>
+        <source>%1 is no address. Give a number from 0 to %2, or nothing to have it counted.</source>
+        <translation>%1 ist keine Adresse. Eine Zahl von 0 bis %2 eingeben oder nichts, damit gezählt wird.</translation>
+    </message>
+    <message>
+        <source>IN address of %1</source>
+        <translation>IN-Adresse von %1</translation>
+    </message>
+    <message>
+        <source>OUT address of %1</source>
+        <translation>OUT-Adresse von %1</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::PlanSummary</name>
+    <message>
+        <source>About how long one bus cycle takes on the wire, by the formulas of G3 and of G4 masters</source>
+        <translation>Wie lange ein Buszyklus auf der Leitung etwa dauert, nach den Formeln der G3- und der G4-Master</translation>
+    </message>
+    <message>
+        <source>Length of cable in km</source>
+        <translation>Kabellänge in km</translation>
+    </message>
+    <message>
+        <source>Length of all remote bus cables: each km takes 0.016 ms</source>
+        <translation>Länge aller Fernbuskabel: Jeder km kostet 0,016 ms</translation>
+    </message>
+    <message>
+        <source>Cable in k&amp;m</source>
+        <translation>Kabel in k&amp;m</translation>
+    </message>
+    <message>
+        <source>Length of cable</source>
+        <translation>Kabellänge</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Teilnehmer</translation>
+    </message>
+    <message>
+        <source>remote bus</source>
+        <translation>Fernbus</translation>
+    </message>
+    <message>
+        <source>levels</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>longest local bus</source>
+        <translation>längster Lokalbus</translation>
+    </message>
+    <message>
+        <source>PCP</source>
+        <translation>PCP</translation>
+    </message>
+    <message>
+        <source>inputs</source>
+        <translation>Eingänge</translation>
+    </message>
+    <message>
+        <source>outputs</source>
+        <translation>Ausgänge</translation>
+    </message>
+    <message>
+        <source>Cycle about %1 ms at 500 kBd, %2 ms at 2 MBd (G3 / G4)</source>
+        <translation>Zyklus etwa %1 ms bei 500 kBd, %2 ms bei 2 MBd (G3 / G4)</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::PositionInput</name>
     <message>
         <source>nothing</source>
@@ -5976,6 +6477,58 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>training bus</source>
         <translation>Übungsbus</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ProjectFiles</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Unbenannt</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Codewheel projects (*.codewheel)</source>
+        <translation>Codewheel-Projekte (*.codewheel)</translation>
+    </message>
+    <message>
+        <source>untitled.codewheel</source>
+        <comment>file name</comment>
+        <translation>unbenannt.codewheel</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>The project has changes that are not saved.</source>
+        <translation>Das Projekt hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>The last one: %1.</source>
+        <translation>Die letzte: %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Saves the project, then goes on</source>
+        <translation>Speichert das Projekt und macht dann weiter</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>Goes on; what was changed is lost</source>
+        <translation>Macht weiter; die Änderungen gehen verloren</translation>
     </message>
 </context>
 <context>
@@ -6007,6 +6560,68 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>The parameter &quot;%1&quot; stands above already.</source>
         <translation>Der Parameter &quot;%1&quot; steht schon weiter oben.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ProjectRecovery</name>
+    <message>
+        <source>a project that was never saved</source>
+        <translation>einem nie gespeicherten Projekt</translation>
+    </message>
+    <message>
+        <source>Codewheel ended without asking. Changes of %1 are kept as they were at %2.</source>
+        <translation>Codewheel endete, ohne zu fragen. Änderungen an %1 sind erhalten, wie sie um %2 waren.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Zurückholen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ProjectSequences</name>
+    <message>
+        <source>Sequence of the project</source>
+        <translation>Sequenz des Projekts</translation>
+    </message>
+    <message>
+        <source>Chooses a sequence of the project; type to give it another name</source>
+        <translation>Wählt eine Sequenz des Projekts; tippen, um sie umzubenennen</translation>
+    </message>
+    <message>
+        <source>New sequence</source>
+        <translation>Neue Sequenz</translation>
+    </message>
+    <message>
+        <source>Begins another sequence</source>
+        <translation>Beginnt eine weitere Sequenz</translation>
+    </message>
+    <message>
+        <source>Remove the sequence</source>
+        <translation>Sequenz entfernen</translation>
+    </message>
+    <message>
+        <source>Removes this sequence from the project; can be undone</source>
+        <translation>Entfernt diese Sequenz aus dem Projekt; lässt sich zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Se&amp;quence</source>
+        <translation>Se&amp;quenz</translation>
+    </message>
+    <message>
+        <source>Edit the sequence</source>
+        <translation>Sequenz ändern</translation>
+    </message>
+    <message>
+        <source>Name the sequence</source>
+        <translation>Sequenz benennen</translation>
+    </message>
+    <message>
+        <source>Sequence %1</source>
+        <translation>Sequenz %1</translation>
     </message>
 </context>
 <context>
@@ -6042,6 +6657,13 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>&amp;Close</source>
         <translation>S&amp;chließen</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ReportSheets</name>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -6562,6 +7184,16 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     </message>
 </context>
 <context>
+    <name>codewheel::RingConnection</name>
+    <message numerus="yes">
+        <source>Reading in the ring: %n devices found.</source>
+        <translation>
+            <numerusform>Ring wird eingelesen: %n Teilnehmer gefunden.</numerusform>
+            <numerusform>Ring wird eingelesen: %n Teilnehmer gefunden.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::RodConsequences</name>
     <message>
         <source>The resolution can be told once the measuring length is known or wanted.</source>
@@ -6805,6 +7437,13 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     <message>
         <source>measuring length %1 steps</source>
         <translation>Messlänge %1 Schritte</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::SavedReport</name>
+    <message>
+        <source>no font is installed</source>
+        <translation>keine Schrift ist installiert</translation>
     </message>
 </context>
 <context>
@@ -7324,6 +7963,170 @@ im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: e
     </message>
 </context>
 <context>
+    <name>codewheel::StructureEditor</name>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>hits of a search</comment>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Addresses</source>
+        <translation>Adressen</translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Nichts gefunden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n devices with findings</source>
+        <translation>
+            <numerusform>%n Teilnehmer mit Befund</numerusform>
+            <numerusform>%n Teilnehmer mit Befunden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Insert a device</source>
+        <translation>Gerät einfügen</translation>
+    </message>
+    <message>
+        <source>The project has no devices.</source>
+        <translation>Das Projekt hat keine Teilnehmer.</translation>
+    </message>
+    <message>
+        <source>Insert the first one, or read in the ring and take it over.</source>
+        <translation>Den ersten einfügen, oder den Ring einlesen und übernehmen.</translation>
+    </message>
+    <message>
+        <source>Step &amp;5</source>
+        <translation>Step &amp;5</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>what it does, key</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Insert...</source>
+        <translation>Einfügen...</translation>
+    </message>
+    <message>
+        <source>Insert a device from the catalog or by ID code</source>
+        <translation>Gerät aus dem Katalog oder nach ID-Code einfügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen devices with all that hangs below</source>
+        <translation>Die gewählten Teilnehmer mit allem darunter entfernen</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Hoch</translation>
+    </message>
+    <message>
+        <source>Move before its neighbour</source>
+        <translation>Vor den Nachbarn schieben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Runter</translation>
+    </message>
+    <message>
+        <source>Move behind its neighbour</source>
+        <translation>Hinter den Nachbarn schieben</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>Hinein</translation>
+    </message>
+    <message>
+        <source>Hang it below the bus terminal before it</source>
+        <translation>Unter die Busklemme davor hängen</translation>
+    </message>
+    <message>
+        <source>Out</source>
+        <translation>Heraus</translation>
+    </message>
+    <message>
+        <source>Take it out, behind its bus terminal</source>
+        <translation>Herausnehmen, hinter seine Busklemme</translation>
+    </message>
+    <message>
+        <source>Local bus or branch</source>
+        <translation>Lokalbus oder Abzweig</translation>
+    </message>
+    <message>
+        <source>From the local bus of its bus terminal into the branch, and back</source>
+        <translation>Vom Lokalbus seiner Busklemme in den Abzweig und zurück</translation>
+    </message>
+    <message>
+        <source>Number, name, ID code, station</source>
+        <translation>Nummer, Name, ID-Code, Station</translation>
+    </message>
+    <message>
+        <source>Search the structure</source>
+        <translation>Aufbau durchsuchen</translation>
+    </message>
+    <message>
+        <source>Goes to the devices with this text; Enter and Shift+Enter to the next and to the one before (Ctrl+F)</source>
+        <translation>Geht zu den Teilnehmern mit diesem Text; Eingabe und Umschalt+Eingabe zum nächsten und zum vorigen (Strg+F)</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <source>words</source>
+        <translation>Worten</translation>
+    </message>
+    <message>
+        <source>Addresses in</source>
+        <translation>Adressen in</translation>
+    </message>
+    <message>
+        <source>How addresses in the process image are shown and typed</source>
+        <translation>Wie Adressen im Prozessabbild gezeigt und getippt werden</translation>
+    </message>
+    <message>
+        <source>First address</source>
+        <translation>Erste Adresse</translation>
+    </message>
+    <message>
+        <source>Where the automatic addresses begin, in bytes</source>
+        <translation>Wo die automatischen Adressen beginnen, in Bytes</translation>
+    </message>
+    <message>
+        <source>With a Step 5 PLC encoders must stand above P127: checks that</source>
+        <translation>Bei einer Step-5-Steuerung müssen Geber über P127 liegen: prüft das</translation>
+    </message>
+    <message>
+        <source>Planned bus structure</source>
+        <translation>Geplanter Busaufbau</translation>
+    </message>
+    <message>
+        <source>Drag devices to move them. F2 or a double click edits station, group and addresses.</source>
+        <translation>Teilnehmer ziehen, um sie zu verschieben. F2 oder Doppelklick ändert Station, Gruppe und Adressen.</translation>
+    </message>
+    <message>
+        <source>Goes to the next device with a finding (F3)</source>
+        <translation>Geht zum nächsten Teilnehmer mit einem Befund (F3)</translation>
+    </message>
+    <message>
+        <source>Addresses i&amp;n</source>
+        <translation>Adressen i&amp;n</translation>
+    </message>
+    <message>
+        <source>&amp;from byte</source>
+        <translation>a&amp;b Byte</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::StructureModel</name>
     <message>
         <source>READY</source>
@@ -7427,16 +8230,25 @@ Zustand: %7</translation>
         <source>Position: signed</source>
         <translation>Position: mit Vorzeichen</translation>
     </message>
+    <message>
+        <source>offline</source>
+        <translation>offline</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>geplant</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>station, device</comment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::StructureView</name>
     <message>
         <source>No ring is connected.</source>
         <translation>Kein Ring ist verbunden.</translation>
-    </message>
-    <message>
-        <source>The training bus starts with the program.</source>
-        <translation>Der Übungsbus startet mit dem Programm.</translation>
     </message>
     <message>
         <source>Bus structure</source>
@@ -7453,6 +8265,10 @@ Zustand: %7</translation>
     <message>
         <source>Name it</source>
         <translation>Benennen</translation>
+    </message>
+    <message>
+        <source>The project has no devices yet.</source>
+        <translation>Das Projekt hat noch keine Teilnehmer.</translation>
     </message>
 </context>
 <context>
@@ -7759,6 +8575,240 @@ Zustand: %7</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::TransferReport</name>
+    <message>
+        <source>Values written to encoders</source>
+        <translation>In Geber geschriebene Werte</translation>
+    </message>
+    <message>
+        <source>Values of one encoder given to others</source>
+        <translation>Werte eines Gebers an andere gegeben</translation>
+    </message>
+    <message>
+        <source>Values from before restored</source>
+        <translation>Werte von vorher wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Encoder replaced</source>
+        <translation>Geber ersetzt</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Begun</source>
+        <translation>Begonnen</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Beendet</translation>
+    </message>
+    <message>
+        <source>EEPROM writes</source>
+        <translation>EEPROM-Schreibvorgänge</translation>
+    </message>
+    <message>
+        <source>Position to be set</source>
+        <translation>Zu setzende Position</translation>
+    </message>
+    <message>
+        <source>Position before</source>
+        <translation>Position vorher</translation>
+    </message>
+    <message>
+        <source>Position after</source>
+        <translation>Position nachher</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Wanted</source>
+        <translation>Gewünscht</translation>
+    </message>
+    <message>
+        <source>What became of it</source>
+        <translation>Was daraus wurde</translation>
+    </message>
+    <message>
+        <source>Cam program %1</source>
+        <translation>Nockenprogramm %1</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Encoders</source>
+        <translation>Geber</translation>
+    </message>
+    <message>
+        <source>%1 of %2 have all of it</source>
+        <translation>%1 von %2 haben alles</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>Geschrieben</translation>
+    </message>
+    <message>
+        <source>Already there</source>
+        <translation>Schon vorhanden</translation>
+    </message>
+    <message>
+        <source>Software</source>
+        <translation>Software</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TransferWords</name>
+    <message>
+        <source>read</source>
+        <translation>gelesen</translation>
+    </message>
+    <message>
+        <source>echoed</source>
+        <translation>bestätigt</translation>
+    </message>
+    <message>
+        <source>told</source>
+        <translation>angegeben</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>Geschrieben</translation>
+    </message>
+    <message>
+        <source>Was there already</source>
+        <translation>War schon da</translation>
+    </message>
+    <message>
+        <source>Value from before restored</source>
+        <translation>Wert von vorher wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Not done</source>
+        <translation>Nicht ausgeführt</translation>
+    </message>
+    <message>
+        <source>Written, and read back</source>
+        <translation>Geschrieben und zurückgelesen</translation>
+    </message>
+    <message>
+        <source>Written, confirmed by the handshake</source>
+        <translation>Geschrieben, im Handshake bestätigt</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>in operation</source>
+        <translation>in Betrieb</translation>
+    </message>
+    <message>
+        <source>in parameterization: it gives no position until run is sent</source>
+        <translation>in Parametrierung: Er liefert keine Position, bis Run gesendet wird</translation>
+    </message>
+    <message>
+        <source>in the error state: it gives no valid position</source>
+        <translation>im Fehlerzustand: Er liefert keine gültige Position</translation>
+    </message>
+    <message>
+        <source>still showing a read-out value</source>
+        <translation>noch mit einem Auslesewert</translation>
+    </message>
+    <message>
+        <source>in service mode: it gives no position until the service bit is 0</source>
+        <translation>im Servicebetrieb: Er liefert keine Position, bis das Servicebit 0 ist</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>The encoder is read first; what it already has is not written again.</source>
+        <translation>Der Geber wird zuerst gelesen; was er schon hat, wird nicht noch einmal geschrieben.</translation>
+    </message>
+    <message>
+        <source>If the encoder counts steps minus 1, the word for the steps is one less.</source>
+        <translation>Zählt der Geber Schritte minus 1, ist das Wort für die Schritte um eins kleiner.</translation>
+    </message>
+    <message>
+        <source>Cam programs are read, written where they differ, and stored when they are left.</source>
+        <translation>Nockenprogramme werden gelesen, geschrieben, wo sie anders sind, und beim Verlassen gespeichert.</translation>
+    </message>
+    <message>
+        <source>The position is set to %1 at the end of it.</source>
+        <translation>Am Ende wird die Position auf %1 gesetzt.</translation>
+    </message>
+    <message>
+        <source>A preset acts once: it is programmed again where it is used up.</source>
+        <translation>Ein Preset wirkt einmal: Ist er verbraucht, wird er neu programmiert.</translation>
+    </message>
+    <message>
+        <source>Nothing is wanted of it.</source>
+        <translation>Von ihm wird nichts gewünscht.</translation>
+    </message>
+    <message>
+        <source>All of it is there: nothing is sent.</source>
+        <translation>Alles ist da: Es wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>Values and cam programs to write: %1. EEPROM writes: at most %2.</source>
+        <translation>Zu schreibende Werte und Nockenprogramme: %1. EEPROM-Schreibvorgänge: höchstens %2.</translation>
+    </message>
+    <message>
+        <source>Not begun.</source>
+        <translation>Nicht begonnen.</translation>
+    </message>
+    <message>
+        <source>All of it was there: nothing was sent.</source>
+        <translation>Alles war da: Es wurde nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>Done.</source>
+        <translation>Erledigt.</translation>
+    </message>
+    <message>
+        <source>Planned was a %1; the new one is a %2.</source>
+        <translation>Geplant war ein %1; der neue ist ein %2.</translation>
+    </message>
+    <message>
+        <source>It has %2 physical steps per turn, the one before had %1.</source>
+        <translation>Er hat %2 physikalische Schritte pro Umdrehung, der vorige hatte %1.</translation>
+    </message>
+    <message>
+        <source>It has %2 turns, the one before had %1.</source>
+        <translation>Er hat %2 Umdrehungen, der vorige hatte %1.</translation>
+    </message>
+    <message>
+        <source>It has no &quot;%1&quot;: the value %2 is not written.</source>
+        <translation>Er hat kein &quot;%1&quot;: Der Wert %2 wird nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>It has no cams: the cam programs are not written.</source>
+        <translation>Er hat keine Nocken: Die Nockenprogramme werden nicht geschrieben.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::UserDevices</name>
     <message>
         <source>There is no such file.</source>
@@ -7840,6 +8890,17 @@ Zustand: %7</translation>
     <message>
         <source>After the values, service 6 makes the place where the magnet stands this position.</source>
         <translation>Nach den Werten macht Dienst 6 den Ort des Magneten zu dieser Position.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::WantedValues</name>
+    <message>
+        <source>%1 wanted for %2</source>
+        <translation>%1 gewünscht für %2</translation>
+    </message>
+    <message>
+        <source>Nothing wanted for %1</source>
+        <translation>Nichts gewünscht für %1</translation>
     </message>
 </context>
 <context>
@@ -8075,6 +9136,102 @@ Zustand: %7</translation>
     <message>
         <source>No encoder is chosen.</source>
         <translation>Kein Geber gewählt.</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>Begins an empty project</source>
+        <translation>Beginnt ein leeres Projekt</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>Ö&amp;ffnen...</translation>
+    </message>
+    <message>
+        <source>Opens a project</source>
+        <translation>Öffnet ein Projekt</translation>
+    </message>
+    <message>
+        <source>&amp;Recent files</source>
+        <translation>&amp;Zuletzt benutzt</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Saves the project</source>
+        <translation>Speichert das Projekt</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>Speichern &amp;unter...</translation>
+    </message>
+    <message>
+        <source>Saves the project in another file</source>
+        <translation>Speichert das Projekt in einer anderen Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Takes back the last change of the project</source>
+        <translation>Nimmt die letzte Änderung des Projekts zurück</translation>
+    </message>
+    <message>
+        <source>Does again what was taken back</source>
+        <translation>Macht Zurückgenommenes wieder</translation>
+    </message>
+    <message>
+        <source>&amp;Bus structure</source>
+        <translation>&amp;Busaufbau</translation>
+    </message>
+    <message>
+        <source>Edits the planned bus</source>
+        <translation>Bearbeitet den geplanten Bus</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with the ring</source>
+        <translation>Mit dem Ring &amp;vergleichen</translation>
+    </message>
+    <message>
+        <source>Shows the configured ring beside the connected one</source>
+        <translation>Zeigt den projektierten Ring neben dem angeschlossenen</translation>
+    </message>
+    <message>
+        <source>&amp;Connect</source>
+        <translation>&amp;Verbinden</translation>
+    </message>
+    <message>
+        <source>Connects to the ring; nothing is sent</source>
+        <translation>Verbindet mit dem Ring; es wird nichts gesendet</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>&amp;Trennen</translation>
+    </message>
+    <message>
+        <source>Leaves the ring: work goes on offline</source>
+        <translation>Verlässt den Ring: Weiter geht es offline</translation>
+    </message>
+    <message>
+        <source>&amp;Read in the ring</source>
+        <translation>&amp;Ring einlesen</translation>
+    </message>
+    <message>
+        <source>The master finds the devices of the ring anew; data cycles stop meanwhile</source>
+        <translation>Der Master sucht die Teilnehmer des Rings neu; die Datenzyklen stehen so lange</translation>
     </message>
 </context>
 <context>

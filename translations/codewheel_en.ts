@@ -2,12 +2,63 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>StructureSteps</name>
+    <message numerus="yes">
+        <source>Remove %n devices</source>
+        <translation>
+            <numerusform>Remove %n device</numerusform>
+            <numerusform>Remove %n devices</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n devices</source>
+        <translation>
+            <numerusform>Move %n device</numerusform>
+            <numerusform>Move %n devices</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ComparisonPage</name>
+    <message numerus="yes">
+        <source>%n lines differ.</source>
+        <translation>
+            <numerusform>%n line differs.</numerusform>
+            <numerusform>%n lines differ.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The master keeps %1 with %n devices.</source>
+        <translation>
+            <numerusform>The master keeps %1 with %n device.</numerusform>
+            <numerusform>The master keeps %1 with %n devices.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Loaded back, %n lines differ from the project.</source>
+        <translation>
+            <numerusform>Loaded back, %n line differs from the project.</numerusform>
+            <numerusform>Loaded back, %n lines differ from the project.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::ReportTexts</name>
     <message numerus="yes">
         <source>%n wanted value(s) or cam program(s) could not be compared: what the encoders have there is unknown.</source>
         <translation>
             <numerusform>%n wanted value or cam program could not be compared: what the encoder has there is unknown.</numerusform>
             <numerusform>%n wanted values or cam programs could not be compared: what the encoders have there is unknown.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RingConnection</name>
+    <message numerus="yes">
+        <source>Reading in the ring: %n devices found.</source>
+        <translation>
+            <numerusform>Reading in the ring: %n device found.</numerusform>
+            <numerusform>Reading in the ring: %n devices found.</numerusform>
         </translation>
     </message>
 </context>
@@ -42,6 +93,16 @@
         <translation>
             <numerusform>%1 %2: %n write from here</numerusform>
             <numerusform>%1 %2: %n writes from here</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::StructureEditor</name>
+    <message numerus="yes">
+        <source>%n devices with findings</source>
+        <translation>
+            <numerusform>%n device with findings</numerusform>
+            <numerusform>%n devices with findings</numerusform>
         </translation>
     </message>
 </context>
