@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
@@ -34,6 +35,17 @@ tl::unexpected<Refusal> notWritten(const QString &path, const QString &reason)
 QString systemReason()
 {
     return qt_error_string(errno);
+}
+
+bool writeAll(int file, QByteArrayView bytes)
+{
+    while (!bytes.isEmpty()) {
+        const ssize_t written = ::write(file, bytes.data(), static_cast<std::size_t>(bytes.size()));
+        if (written < 0 && errno != EINTR)
+            return false;
+        bytes = bytes.sliced(std::max<ssize_t>(written, 0));
+    }
+    return true;
 }
 
 // A second name for what stands at `from`; where the file system knows none, a copy.
@@ -108,9 +120,10 @@ Result<QByteArray> readWholeFile(const QString &path, qint64 largest)
 Result<void> replaceFile(const QString &path, const QByteArray &bytes, OldFile old)
 {
     QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.flush())
+    if (!file.open(QIODevice::WriteOnly))
         return notWritten(path, file.errorString());
-    if (::fsync(file.handle()) != 0) // QSaveFile would pass over what goes wrong here
+    // QSaveFile would not tell that the disk is full, nor what goes wrong when the file is brought there.
+    if (!writeAll(file.handle(), bytes) || ::fsync(file.handle()) != 0)
         return notWritten(path, systemReason());
     if (old == OldFile::isKeptAsBackup && QFileInfo::exists(path) && !keepBackup(path))
         return notWritten(backupPath(path), systemReason());

@@ -9,8 +9,11 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+#include <csignal>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace codewheel {
 namespace {
@@ -110,6 +113,93 @@ TEST_F(ProjectFile, CannotBeWrittenWhereThereIsNoFolder)
     EXPECT_EQ(saved.error().id, RefusalId::fileNotWritten);
     EXPECT_TRUE(refusalText(saved.error()).contains(QStringLiteral("cannot be written: No such file")))
         << refusalText(saved.error()).toStdString();
+}
+
+// As on a full disk: no file may grow beyond so many bytes.
+class NoRoom
+{
+public:
+    explicit NoRoom(rlim_t bytes)
+        : m_handlerBefore(std::signal(SIGXFSZ, SIG_IGN))
+    {
+        ::getrlimit(RLIMIT_FSIZE, &m_before);
+        const rlimit little{bytes, m_before.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &little);
+    }
+    ~NoRoom()
+    {
+        ::setrlimit(RLIMIT_FSIZE, &m_before);
+        std::signal(SIGXFSZ, m_handlerBefore);
+    }
+    Q_DISABLE_COPY(NoRoom)
+
+private:
+    void (*m_handlerBefore)(int);
+    rlimit m_before{};
+};
+
+TEST_F(ProjectFile, StaysAsItIsWhereThereIsNoRoom)
+{
+    ASSERT_TRUE(saveProject(m_old, path()));
+    ASSERT_TRUE(saveProject(m_new, path()));
+    for (const std::size_t devices : {1u, 5u, 100u}) { // buffered, and written at once
+        const Project project = madeUpProject(3, devices);
+        const auto saved = [&] {
+            const NoRoom disk(100);
+            return saveProject(project, path());
+        }();
+        ASSERT_FALSE(saved) << devices;
+        EXPECT_EQ(saved.error().id, RefusalId::fileNotWritten);
+        EXPECT_TRUE(refusalText(saved.error()).contains(QStringLiteral("cannot be written: File too large.")))
+            << refusalText(saved.error()).toStdString();
+    }
+    EXPECT_EQ(loadProject(path()), m_new);
+    EXPECT_EQ(loadProject(backupPath(path())), m_old);
+    EXPECT_EQ(files(), (QStringList{QStringLiteral("crane.codewheel"), QStringLiteral("crane.codewheel~")}));
+}
+
+// Nobody may write there; root may, and becomes somebody else for it.
+class NoRight
+{
+public:
+    explicit NoRight(const QString &folder)
+        : m_folder(QFile::encodeName(folder))
+    {
+        EXPECT_EQ(::chmod(m_folder.constData(), 0555), 0);
+        if (::geteuid() == 0) {
+            EXPECT_EQ(::seteuid(nobody), 0);
+        }
+    }
+    ~NoRight()
+    {
+        if (::getuid() == 0) {
+            EXPECT_EQ(::seteuid(0), 0);
+        }
+        EXPECT_EQ(::chmod(m_folder.constData(), 0755), 0);
+    }
+    Q_DISABLE_COPY(NoRight)
+
+private:
+    static constexpr uid_t nobody = 65534;
+    QByteArray m_folder;
+};
+
+TEST_F(ProjectFile, StaysAsItIsWhereThereIsNoRight)
+{
+    ASSERT_TRUE(saveProject(m_old, path()));
+    for (const QString &name : {path(), path("other.codewheel")}) {
+        const auto saved = [&] {
+            const NoRight here(path("."));
+            return saveProject(m_new, name);
+        }();
+        ASSERT_FALSE(saved);
+        EXPECT_EQ(saved.error().id, RefusalId::fileNotWritten);
+        EXPECT_TRUE(
+            refusalText(saved.error()).contains(QStringLiteral("cannot be written: Permission denied.")))
+            << refusalText(saved.error()).toStdString();
+    }
+    EXPECT_EQ(loadProject(path()), m_old);
+    EXPECT_EQ(files(), QStringList{QStringLiteral("crane.codewheel")});
 }
 
 TEST_F(ProjectFile, WithoutABackupIsNotReplaced)
