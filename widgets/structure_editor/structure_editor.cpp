@@ -156,7 +156,7 @@ void StructureEditor::showFindings()
     const Role role = found.empty() ? Role::running : Role::attention;
     m_findings->setIcon(lineIcon(roleIcon(role), role));
     m_findings->setText(found.empty()
-                            ? tr("Nothing found")
+                            ? tr("No findings")
                             : tr("%n devices with findings", nullptr, static_cast<int>(found.size())));
     m_findings->setEnabled(!found.empty());
 }
