@@ -54,7 +54,11 @@ std::vector<PlanModel::Id> PlanModel::find(const QString &text) const
     for (const Id id : m_document.ids()) {
         const PlanRow &row = m_nodes.at(id)->shown;
         const QString number = row.participant.number.toString();
-        const QStringList places{row.station, row.group, row.name, hexCode(row.participant.idCode, 2),
+        const QStringList places{row.station,
+                                 row.group,
+                                 row.note,
+                                 row.name,
+                                 hexCode(row.participant.idCode, 2),
                                  hexCode(row.participant.deviceCode, 4)};
         const auto has = [&](const QString &place) { return place.contains(wanted, Qt::CaseInsensitive); };
         if (number.startsWith(wanted) || std::ranges::any_of(places, has))

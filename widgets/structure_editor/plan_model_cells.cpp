@@ -62,6 +62,8 @@ QVariant PlanModel::headerData(int section, Qt::Orientation orientation, int rol
         return inBytes ? tr("IN byte") : tr("IN word");
     case outColumn:
         return inBytes ? tr("OUT byte") : tr("OUT word");
+    case noteColumn:
+        return tr("Note");
     case findingsColumn:
         return tr("Findings");
     default:
@@ -113,6 +115,8 @@ QVariant PlanModel::display(const PlanRow &row, int column) const
         return addressCell(row.addresses.in, row.unit);
     case outColumn:
         return addressCell(row.addresses.out, row.unit);
+    case noteColumn:
+        return row.note;
     case findingsColumn:
         return joined(row.findings, QStringLiteral(" "));
     default:
@@ -166,11 +170,21 @@ bool PlanModel::setData(const QModelIndex &index, const QVariant &value, int rol
         return true;
     }
     const DeviceNumber number = rowAt(index).participant.number;
-    const bool isStation = index.column() == stationColumn;
-    m_document.editDevice(number,
-                          (isStation ? tr("Station of %1") : tr("Group of %1")).arg(number.toString()),
-                          [&](ProjectDevice &device) { (isStation ? device.station : device.group) = text; });
-    return true;
+    const auto edit = [&](const QString &what, QString ProjectDevice::*field) {
+        m_document.editDevice(number, what.arg(number.toString()),
+                              [&](ProjectDevice &device) { device.*field = text; });
+        return true;
+    };
+    switch (index.column()) {
+    case stationColumn:
+        return edit(tr("Station of %1"), &ProjectDevice::station);
+    case groupColumn:
+        return edit(tr("Group of %1"), &ProjectDevice::group);
+    case noteColumn:
+        return edit(tr("Note on %1"), &ProjectDevice::note);
+    default:
+        return false;
+    }
 }
 
 void PlanModel::setAddress(Id id, bool isIn, const QString &text)
@@ -209,7 +223,7 @@ Qt::ItemFlags PlanModel::flags(const QModelIndex &index) const
     const int column = index.column();
     const bool hasAddress =
         (column == inColumn && row.addresses.in) || (column == outColumn && row.addresses.out);
-    if (column == stationColumn || column == groupColumn || hasAddress)
+    if (column == stationColumn || column == groupColumn || column == noteColumn || hasAddress)
         flags |= Qt::ItemIsEditable;
     return flags;
 }

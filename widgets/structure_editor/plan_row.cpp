@@ -40,6 +40,7 @@ std::vector<PlanRow> planRows(const Project &project, const Catalog &catalog)
         rows.push_back({.participant = device.participant,
                         .station = device.station,
                         .group = device.group,
+                        .note = device.note,
                         .name = planName(device.participant, catalog),
                         .profile = described ? profileName(described->profile) : QString(),
                         .addresses = addresses[place],

@@ -15,6 +15,7 @@ struct PlanRow
     Participant participant;
     QString station;
     QString group;
+    QString note;
     QString name;
     QString profile;
     DeviceAddresses addresses;

@@ -102,6 +102,9 @@ TEST_F(PlanModelTest, StationGroupAndAddressesAreEditedInPlace)
     EXPECT_EQ(device.group, QStringLiteral("A"));
     EXPECT_EQ(device.inAddress, 128);
     EXPECT_EQ(document.undoStack().count(), 3);
+    EXPECT_TRUE(edit(QStringLiteral("2.0"), PlanModel::noteColumn, QStringLiteral("behind the door")));
+    EXPECT_EQ(document.device({2, 0}).note, QStringLiteral("behind the door"));
+    EXPECT_EQ(model.find(QStringLiteral("door")), std::vector{id(QStringLiteral("2.0"))});
     EXPECT_TRUE(edit(QStringLiteral("1.0"), PlanModel::inColumn, {}));
     EXPECT_EQ(document.device({1, 0}).inAddress, std::nullopt) << "counted again";
     EXPECT_TRUE(edit(QStringLiteral("1.0"), PlanModel::outColumn, QStringLiteral("0")));
