@@ -3,6 +3,7 @@
 
 #include "encoder/capabilities.h"
 #include "encoder/device_number.h"
+#include "encoder/eeprom_count.h"
 #include "encoder/event.h"
 
 #include <QDateTime>
@@ -43,6 +44,15 @@ public:
 
     // EEPROM writes by this program since this session began.
     virtual int eepromWrites() const = 0;
+    // The same over all sessions, where a ledger is kept (journal/ledger_keeper.h, which sets it).
+    EepromCount eepromCount() const { return m_count.value_or(EepromCount{.writes = eepromWrites()}); }
+    void setEepromCount(const EepromCount &count)
+    {
+        if (m_count == count)
+            return;
+        m_count = count;
+        Q_EMIT eepromCountChanged();
+    }
 
     // The date and time of a reading or a known value.
     virtual QDateTime dateTime(Instant at) const = 0;
@@ -52,11 +62,16 @@ Q_SIGNALS:
     void knownChanged();
     // The encoder stored to its EEPROM because of what this program sent, so many times.
     void eepromWritten(int writes);
+    void eepromCountChanged();
     void permissionChanged(); // Watch or Operate, started or stopped: what start() refused may be taken now
+    void jobAboutToStart(const codewheel::Job &job); // it was taken, and nothing of it has been sent
     void jobStarted(codewheel::JobId job);
     void progressed(const codewheel::Progress &progress);
     void finished(const codewheel::Outcome &outcome);
     void exchanged(const codewheel::Exchange &row);
+
+private:
+    std::optional<EepromCount> m_count;
 };
 
 } // namespace codewheel

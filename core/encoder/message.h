@@ -68,7 +68,8 @@ enum class MessageId : std::uint8_t {
     valuesRestored,     // time they were from, values
     reportSaved,        // file
     oldMessagesDropped, // messages
-    notKept,            // reason
+    notKept,            // file, reason
+    databasePutAside,   // file, its new name
     training,           // text of what the trainer did (QString)
 };
 inline constexpr std::size_t messageCount = static_cast<std::size_t>(MessageId::training) + 1;

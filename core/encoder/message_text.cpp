@@ -122,7 +122,11 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Message",
                           "The message file had reached its size: the oldest %1 messages were dropped.")},
     Row{MessageId::notKept, "notKept",
-        QT_TRANSLATE_NOOP("Message", "Messages and EEPROM counts are not kept on disk: %1")},
+        QT_TRANSLATE_NOOP("Message",
+                          "%1 cannot be used: %2 What belongs there is kept only until the program "
+                          "ends.")},
+    Row{MessageId::databasePutAside, "databasePutAside",
+        QT_TRANSLATE_NOOP("Message", "%1 was damaged. It was put aside as %2, and a new one was begun.")},
     Row{MessageId::training, "training", "%1"},
 };
 

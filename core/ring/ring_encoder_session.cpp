@@ -69,6 +69,7 @@ Result<JobId> RingEncoderSession::start(const Job &job, Pace pace)
     const JobId id = ++m_lastJob;
     m_runningJob = id;
     m_job = job;
+    Q_EMIT jobAboutToStart(job);
     m_bus.post(command::StartJob{m_place, id, job, pace});
     Q_EMIT jobStarted(id);
     return id;

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QSqlDatabase>
+#include <QString>
+#include <QStringList>
+
+#include <tl/expected.hpp>
+
+class QSqlError;
+class QSqlQuery;
+
+namespace codewheel {
+
+// Why a database cannot be used. The reason is a sentence in the user's language.
+struct DatabaseError
+{
+    enum class Kind : std::uint8_t {
+        broken,  // damaged, or no database at all
+        newer,   // made by a newer version of this program
+        foreign, // a sound database of another program
+        other,   // not writable, disk full, ...
+    };
+
+    Kind kind = Kind::other;
+    QString reason;
+};
+template <typename T>
+using Stored = tl::expected<T, DatabaseError>;
+
+// Where a database is: a file, or the memory of this program for as long as somebody has it open.
+struct DatabasePlace
+{
+    QString name;
+    bool inMemory = false;
+
+    static DatabasePlace file(const QString &path) { return {path, false}; }
+    static DatabasePlace memory(); // another one with each call
+
+    friend bool operator==(const DatabasePlace &, const DatabasePlace &) = default;
+};
+
+// What a database of ours holds. The statements are compared with those in the file, letter by letter.
+struct DatabaseSchema
+{
+    int applicationId = 0; // in the header of the file: what kind of file it is
+    int version = 1;
+    QStringList statements; // CREATE ...
+    // After a loss of power, too, nothing is missing that was committed. After the end of the program, by
+    // whatever it came, nothing is missing in any case.
+    bool survivesPowerLoss = false;
+};
+
+// One connection to a SQLite database; only the thread that opened it uses it. Several programs may have the
+// same file open.
+class Database
+{
+public:
+    // Makes the file and its folders where there are none.
+    static Stored<Database> open(const DatabasePlace &place, const DatabaseSchema &schema);
+
+    Database(Database &&other) noexcept;
+    Database &operator=(Database &&other) noexcept;
+    ~Database();
+
+    // Ready to be executed and read, row by row, once.
+    QSqlQuery query(const QString &sql) const;
+    Stored<void> execute(const QString &sql) const;
+    // The first value of the first row; 0 where there is none.
+    Stored<qint64> number(const QString &sql) const;
+
+    // BEGIN IMMEDIATE ... COMMIT around `what`; ROLLBACK where it fails.
+    template <typename What>
+    Stored<void> inTransaction(What what) const
+    {
+        if (auto begun = execute(QStringLiteral("BEGIN IMMEDIATE")); !begun)
+            return begun;
+        Stored<void> done = what();
+        if (done)
+            done = execute(QStringLiteral("COMMIT"));
+        if (!done)
+            (void)execute(QStringLiteral("ROLLBACK"));
+        return done;
+    }
+
+    static DatabaseError errorOf(const QSqlError &error);
+
+private:
+    explicit Database(QSqlDatabase connection)
+        : m_connection(std::move(connection))
+    {}
+    Stored<void> prepare(const DatabaseSchema &schema) const;
+    Stored<void> make(const DatabaseSchema &schema) const;
+    Stored<void> check(const DatabaseSchema &schema) const;
+    void close();
+
+    QSqlDatabase m_connection;
+};
+
+// Puts a damaged file (and what belongs to it) aside under another name, which is returned; empty: it could
+// not be renamed.
+QString putAside(const QString &path);
+
+} // namespace codewheel

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+
+namespace codewheel {
+
+// How often a job writes to the encoder's EEPROM at most; 0: not at all. What is found to be there already,
+// or is refused, costs less (docs/protocols/k3.md, "EEPROM").
+int mostEepromWrites(const EncoderSession &encoder, const Job &job);
+
+// What has to be said or asked before so many writes are added to those there were, by what the manual of the
+// encoder states.
+enum class EepromConcern : std::uint8_t {
+    none,     // also where the manual is silent
+    warning,  // three quarters of the budget are used
+    question, // the budget is used: each write is asked for
+    typed,    // the manual guarantees nothing any more: the place has to be typed
+};
+EepromConcern eepromConcern(int writesSoFar, int planned, const Capabilities &can);
+EepromConcern eepromConcern(const EncoderSession &encoder, int planned);
+
+// "12 writes by this program since 1 Mar 2026, by serial number 4711."
+QString eepromCountText(const EepromCount &count);
+// "12 writes from here since 1 Mar 2026": where there is little room.
+QString eepromCountBrief(const EepromCount &count);
+// What is said at a concern; empty: none. `planned` is what is added.
+QString eepromConcernText(const EncoderSession &encoder, int planned);
+
+} // namespace codewheel

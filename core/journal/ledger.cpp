@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "journal/ledger.h"
+
+#include "journal/argument_json.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSqlError>
+#include <QSqlQuery>
+#include <QVariant>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+constexpr int applicationId = 0x43574545; // "CWEE"
+
+const DatabaseSchema &schema()
+{
+    static const DatabaseSchema ledger{
+        .applicationId = applicationId,
+        .version = 1,
+        .statements = {QStringLiteral(
+                           "CREATE TABLE entry (id INTEGER PRIMARY KEY AUTOINCREMENT, at INTEGER NOT NULL, "
+                           "identity TEXT NOT NULL, counted_by TEXT NOT NULL, place TEXT NOT NULL, "
+                           "device TEXT NOT NULL, planned INTEGER NOT NULL, writes INTEGER NOT NULL, "
+                           "settled INTEGER NOT NULL, before TEXT NOT NULL, written TEXT NOT NULL)"),
+                       QStringLiteral("CREATE INDEX entry_identity ON entry (identity)")},
+        .survivesPowerLoss = true};
+    return ledger;
+}
+
+constexpr QLatin1String
+    columns("id, at, identity, counted_by, place, device, planned, writes, settled, before, "
+            "written");
+constexpr QLatin1String parameterName("parameter");
+constexpr QLatin1String valueName("value");
+constexpr QLatin1String evidenceName("evidence");
+constexpr QLatin1String atName("at");
+
+constexpr std::array kinds{std::pair{CountedBy::serialNumber, QLatin1String("serial-number")},
+                           std::pair{CountedBy::labelSerialNumber, QLatin1String("label")},
+                           std::pair{CountedBy::place, QLatin1String("place")}};
+constexpr std::array evidences{std::pair{Evidence::read, QLatin1String("read")},
+                               std::pair{Evidence::echoed, QLatin1String("echoed")},
+                               std::pair{Evidence::told, QLatin1String("told")}};
+
+template <typename Pairs, typename Id>
+QString nameIn(const Pairs &pairs, Id id)
+{
+    const auto found = std::ranges::find(pairs, id, [](const auto &pair) { return pair.first; });
+    return found == pairs.end() ? QString() : found->second;
+}
+
+template <typename Id, typename Pairs>
+Id idIn(const Pairs &pairs, const QString &name, Id otherwise)
+{
+    const auto found = std::ranges::find_if(pairs, [&](const auto &pair) { return pair.second == name; });
+    return found == pairs.end() ? otherwise : found->first;
+}
+
+QString toJson(const std::vector<Ledger::Value> &values)
+{
+    QJsonArray json;
+    for (const Ledger::Value &value : values)
+        json.append(QJsonObject{{parameterName, parameterKey(value.parameter)},
+                                {valueName, qint64{value.value}},
+                                {evidenceName, nameIn(evidences, value.evidence)},
+                                {atName, value.at.toUTC().toString(Qt::ISODateWithMs)}});
+    return jsonLine(json);
+}
+
+QString toJson(const ParameterValues &values)
+{
+    QJsonArray json;
+    for (const ParameterValue &value : values)
+        json.append(
+            QJsonObject{{parameterName, parameterKey(value.parameter)}, {valueName, qint64{value.value}}});
+    return jsonLine(json);
+}
+
+// What another version wrote, or somebody else, is left out.
+std::vector<Ledger::Value> valuesFrom(const QString &text)
+{
+    std::vector<Ledger::Value> values;
+    for (const QJsonValue &element : QJsonDocument::fromJson(text.toUtf8()).array()) {
+        const QJsonObject json = element.toObject();
+        if (const auto parameter = parameterFromKey(json.value(parameterName).toString()))
+            values.push_back({*parameter, json.value(valueName).toInteger(),
+                              idIn(evidences, json.value(evidenceName).toString(), Evidence::told),
+                              QDateTime::fromString(json.value(atName).toString(), Qt::ISODateWithMs)});
+    }
+    return values;
+}
+
+Ledger::Entry entryOf(const QSqlQuery &row)
+{
+    Ledger::Entry entry{.id = row.value(0).toLongLong(),
+                        .at = QDateTime::fromMSecsSinceEpoch(row.value(1).toLongLong(), Qt::UTC),
+                        .identity = row.value(2).toString(),
+                        .by = idIn(kinds, row.value(3).toString(), CountedBy::place),
+                        .place = DeviceNumber::parse(row.value(4).toString()).value_or(DeviceNumber()),
+                        .device = row.value(5).toString(),
+                        .planned = row.value(6).toInt(),
+                        .writes = row.value(7).toInt(),
+                        .settled = row.value(8).toBool(),
+                        .before = valuesFrom(row.value(9).toString())};
+    for (const Ledger::Value &value : valuesFrom(row.value(10).toString()))
+        entry.written.push_back({value.parameter, value.value});
+    return entry;
+}
+
+Stored<void> done(QSqlQuery &query)
+{
+    if (!query.exec())
+        return tl::unexpected(Database::errorOf(query.lastError()));
+    return {};
+}
+
+// Sums over entries. Whatever a file says, nothing is counted below 0.
+constexpr QLatin1String sums("ifnull(sum(max(writes, 0)), 0), "
+                             "ifnull(sum(CASE settled WHEN 0 THEN max(planned - writes, 0) ELSE 0 END), 0), "
+                             "min(at)");
+
+EepromCount countOf(const QSqlQuery &row, int column)
+{
+    EepromCount count{.writes = row.value(column).toInt(), .perhaps = row.value(column + 1).toInt()};
+    if (!row.value(column + 2).isNull())
+        count.since = QDateTime::fromMSecsSinceEpoch(row.value(column + 2).toLongLong(), Qt::UTC);
+    return count;
+}
+
+constexpr QLatin1String serialPrefix("serial/");
+
+} // namespace
+
+QString EncoderIdentity::key() const
+{
+    return by == CountedBy::place ? QStringLiteral("place/%1/%2").arg(project, place.toString())
+                                  : serialPrefix + vendor + u'/' + serialNumber;
+}
+
+Stored<Ledger> Ledger::open(const DatabasePlace &place)
+{
+    auto database = Database::open(place, schema());
+    if (!database)
+        return tl::unexpected(database.error());
+    return Ledger(std::move(*database));
+}
+
+Stored<qint64> Ledger::begin(const Entry &entry)
+{
+    QSqlQuery query =
+        m_database.query(QStringLiteral("INSERT INTO entry (%1) VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, "
+                                        "?, ?, ?)")
+                             .arg(columns));
+    for (const QVariant &value : std::initializer_list<QVariant>{
+             entry.at.toMSecsSinceEpoch(), entry.identity, nameIn(kinds, entry.by), entry.place.toString(),
+             entry.device.isNull() ? QStringLiteral("") : entry.device, entry.planned, entry.writes,
+             entry.settled ? 1 : 0, toJson(entry.before), toJson(entry.written)})
+        query.addBindValue(value);
+    if (auto inserted = done(query); !inserted)
+        return tl::unexpected(inserted.error());
+    return query.lastInsertId().toLongLong();
+}
+
+Stored<void> Ledger::count(qint64 id, int writes)
+{
+    QSqlQuery query = m_database.query(QStringLiteral("UPDATE entry SET writes = writes + ? WHERE id = ?"));
+    query.addBindValue(writes);
+    query.addBindValue(id);
+    return done(query);
+}
+
+Stored<void> Ledger::settle(qint64 id, const ParameterValues &written)
+{
+    return m_database.inTransaction([&]() -> Stored<void> {
+        QSqlQuery query =
+            m_database.query(QStringLiteral("UPDATE entry SET settled = 1, written = ? WHERE id = ?"));
+        query.addBindValue(toJson(written));
+        query.addBindValue(id);
+        if (auto settled = done(query); !settled)
+            return settled;
+        return m_database.execute(
+            QStringLiteral("DELETE FROM entry WHERE id = %1 AND settled AND writes = 0").arg(id));
+    });
+}
+
+Stored<void> Ledger::attribute(const std::vector<qint64> &ids, const EncoderIdentity &identity)
+{
+    return m_database.inTransaction([&]() -> Stored<void> {
+        for (const qint64 id : ids) {
+            QSqlQuery query = m_database.query(
+                QStringLiteral("UPDATE entry SET identity = ?, counted_by = ? WHERE id = ?"));
+            query.addBindValue(identity.key());
+            query.addBindValue(nameIn(kinds, identity.by));
+            query.addBindValue(id);
+            if (auto updated = done(query); !updated)
+                return updated;
+        }
+        return {};
+    });
+}
+
+EepromCount Ledger::writes(const EncoderIdentity &identity, std::optional<qint64> running) const
+{
+    QSqlQuery query = m_database.query(QStringLiteral("SELECT %1 FROM entry WHERE identity = ?").arg(sums));
+    query.addBindValue(identity.key());
+    EepromCount count;
+    if (query.exec() && query.next())
+        count = countOf(query, 0);
+    if (running)
+        count.perhaps -= static_cast<int>(
+            m_database
+                .number(
+                    QStringLiteral("SELECT max(planned - writes, 0) FROM entry WHERE id = %1").arg(*running))
+                .value_or(0));
+    count.by = identity.by;
+    count.serialNumber = identity.by == CountedBy::place ? QString() : identity.serialNumber;
+    return count;
+}
+
+QDateTime Ledger::since(const EncoderIdentity &identity) const
+{
+    return writes(identity).since;
+}
+
+std::vector<Ledger::Entry> Ledger::valuesBefore(const EncoderIdentity &identity) const
+{
+    QSqlQuery query = m_database.query(
+        QStringLiteral("SELECT %1 FROM entry WHERE identity = ? AND before <> '[]' ORDER BY id DESC")
+            .arg(columns));
+    query.addBindValue(identity.key());
+    std::vector<Entry> entries;
+    query.exec();
+    while (query.next())
+        entries.push_back(entryOf(query));
+    return entries;
+}
+
+std::vector<Ledger::Account> Ledger::accounts() const
+{
+    QSqlQuery query = m_database.query(
+        QStringLiteral(
+            "SELECT entry.identity, counted_by, place, device, account.* FROM (SELECT max(id) AS newest, "
+            "%1 FROM entry GROUP BY identity) AS account JOIN entry ON id = newest ORDER BY 1")
+            .arg(sums));
+    std::vector<Account> accounts;
+    query.exec();
+    while (query.next()) {
+        Account account{.identity = query.value(0).toString(),
+                        .place = DeviceNumber::parse(query.value(2).toString()).value_or(DeviceNumber()),
+                        .device = query.value(3).toString(),
+                        .count = countOf(query, 5)};
+        account.count.by = idIn(kinds, query.value(1).toString(), CountedBy::place);
+        if (account.identity.startsWith(serialPrefix))
+            account.count.serialNumber = account.identity.section(u'/', 2);
+        accounts.push_back(std::move(account));
+    }
+    return accounts;
+}
+
+} // namespace codewheel

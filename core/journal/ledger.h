@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/device_number.h"
+#include "encoder/eeprom_count.h"
+#include "encoder/known.h"
+#include "journal/database.h"
+
+#include <vector>
+
+namespace codewheel {
+
+// Which encoder was written to, as well as it is known: by its serial number, else by its place in a project.
+struct EncoderIdentity
+{
+    CountedBy by = CountedBy::place;
+    QString vendor;       // serial numbers are a make's own; empty: not known
+    QString serialNumber; // by it, read or typed: the same number is the same encoder
+    QString project;      // file, of a place; empty: none
+    DeviceNumber place;
+
+    QString key() const; // as the ledger keeps it (docs/journal.md)
+};
+
+// The account of what this program wrote to the EEPROMs of encoders (docs/journal.md): a database of the
+// user, or of the training bus in memory. Everything is on disk when a call returns. Used by LedgerKeeper,
+// the restoring of values and the report.
+class Ledger
+{
+public:
+    struct Value
+    {
+        Parameter parameter = Parameter::steps;
+        std::int64_t value = 0;
+        Evidence evidence = Evidence::told;
+        QDateTime at; // when it was known so, UTC
+
+        friend bool operator==(const Value &, const Value &) = default;
+    };
+    // One job, or a word written by hand.
+    struct Entry
+    {
+        qint64 id = 0;
+        QDateTime at; // UTC
+        QString identity{};
+        CountedBy by = CountedBy::place;
+        DeviceNumber place{};
+        QString device{};     // key of its description
+        int planned = 0;      // writes, at most
+        int writes = 0;       // seen
+        bool settled = false; // its end was seen: there were no more
+        std::vector<Value> before{};
+        ParameterValues written{};
+
+        friend bool operator==(const Entry &, const Entry &) = default;
+    };
+    struct Account
+    {
+        QString identity;
+        DeviceNumber place; // where it was last
+        QString device;
+        EepromCount count;
+    };
+
+    static Stored<Ledger> open(const DatabasePlace &place);
+
+    // Before a job sends its first word, and for words by hand. Returns the id.
+    Stored<qint64> begin(const Entry &entry);
+    Stored<void> count(qint64 id, int writes);
+    // The job has ended. An entry of which nothing was written is dropped.
+    Stored<void> settle(qint64 id, const ParameterValues &written);
+    // It became known which encoder that was.
+    Stored<void> attribute(const std::vector<qint64> &ids, const EncoderIdentity &identity);
+
+    // `running`: a job on its way, which is no doubt of the past.
+    EepromCount writes(const EncoderIdentity &identity, std::optional<qint64> running = {}) const;
+    QDateTime since(const EncoderIdentity &identity) const; // null: never written
+    // With what the encoder had before each, the newest first; those of which nothing is known are left out.
+    std::vector<Entry> valuesBefore(const EncoderIdentity &identity) const;
+    std::vector<Account> accounts() const; // by identity
+
+private:
+    explicit Ledger(Database database)
+        : m_database(std::move(database))
+    {}
+
+    Database m_database;
+};
+
+} // namespace codewheel

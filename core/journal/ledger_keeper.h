@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+#include "encoder/message.h"
+#include "journal/ledger.h"
+
+#include <QObject>
+#include <QPointer>
+
+#include <map>
+
+namespace codewheel {
+
+class BusSession;
+
+// Keeps the ledger of one ring: notes each job that may write to an EEPROM before it sends anything, what was
+// written as it is seen, and its end; and tells each encoder session its count. Window and command line
+// alike, in the thread of their sessions.
+//
+// Which encoder it was: by the serial number the encoder told, else by that of its label, else by place. What
+// was noted at a place before a serial number was told belongs to the encoder that tells it, as long as
+// nothing speaks against it: from the moment on at which the number was forgotten or the ring became another
+// one.
+class LedgerKeeper : public QObject
+{
+    Q_OBJECT
+
+public:
+    // The ring outlives the keeper, or is closed before. A file that cannot be used is replaced by memory,
+    // and messaged() says so once the event loop runs.
+    LedgerKeeper(BusSession &bus, const DatabasePlace &place, QObject *parent = nullptr);
+    ~LedgerKeeper() override;
+
+    // What places count for: the file of the project; empty: none.
+    void setProject(const QString &file);
+    // The serial number typed from the label of the encoder there; empty: none.
+    void setLabel(DeviceNumber place, const QString &serialNumber);
+
+    // What is to be said of the file: damaged and put aside, or not usable.
+    const std::optional<Message> &problem() const { return m_problem; }
+
+    // Null where Qt's driver for SQLite is missing.
+    const Ledger *ledger() const { return m_ledger ? &*m_ledger : nullptr; }
+    EncoderIdentity identity(DeviceNumber place) const;
+
+Q_SIGNALS:
+    // A mark of the budget was passed, or the file failed.
+    void messaged(const codewheel::Message &message);
+
+private:
+    struct Watched
+    {
+        QPointer<EncoderSession> encoder;
+        EncoderIdentity identity;
+        std::optional<qint64> job;      // its entry, while it runs
+        std::vector<qint64> unassigned; // entries of an encoder whose serial number was not told
+    };
+
+    void open(const DatabasePlace &place);
+    void watchAll();
+    void watch(DeviceNumber place);
+    void begin(DeviceNumber place, const Job &job);
+    void count(DeviceNumber place, int writes);
+    void settle(DeviceNumber place, const Outcome &outcome);
+    void identify(DeviceNumber place);
+    void showCount(DeviceNumber place);
+    Ledger::Entry entryAt(const Watched &watched) const;
+    void note(Watched &watched, qint64 id);
+    void warn(DeviceNumber place, int before);
+    void failed(const DatabaseError &error);
+
+    BusSession &m_bus;
+    DatabasePlace m_place;
+    std::optional<Ledger> m_ledger;
+    std::optional<Message> m_problem;
+    QString m_project;
+    std::map<DeviceNumber, QString> m_labels;
+    std::map<DeviceNumber, Watched> m_watched;
+};
+
+} // namespace codewheel

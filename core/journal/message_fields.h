@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/message.h"
+
+#include <QDateTime>
+
+namespace codewheel {
+
+// The fields of a message beside its text, in the user's language.
+QString severityName(Severity severity);                     // "Information", "Attention", "Fault"
+QString placeName(const std::optional<DeviceNumber> &place); // "1.0"; "Bus"
+QString messageTime(const QDateTime &at);                    // local date, and time to the millisecond
+QString messageTime(qint64 at);                              // ms since 1970, UTC
+
+// In every language the same: "information", "attention", "fault".
+QString severityKey(Severity severity);
+std::optional<Severity> severityFromKey(QStringView key);
+
+} // namespace codewheel

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "journal/stored_message.h"
+
+#include <functional>
+
+namespace codewheel {
+
+// Which messages are wanted: of this severity or worse, of one place, of a time, with this text somewhere in
+// the row as it is shown.
+struct MessageFilter
+{
+    struct Place
+    {
+        bool all = true;
+        std::optional<DeviceNumber> number = {}; // nothing: the bus itself
+
+        friend bool operator==(const Place &, const Place &) = default;
+    };
+
+    Severity least = Severity::information;
+    Place place{};
+    std::optional<qint64> from{};  // ms since 1970, UTC; included
+    std::optional<qint64> until{}; // not included
+    QString text{};                // case does not matter
+
+    bool isEmpty() const { return *this == MessageFilter(); }
+
+    friend bool operator==(const MessageFilter &, const MessageFilter &) = default;
+};
+
+// Whether a message fits a text, in the language of the time it is made. Remembers what it was asked, since
+// most messages come again and again; used by one thread.
+class MessageTextMatcher
+{
+public:
+    explicit MessageTextMatcher(QString text);
+
+    bool fits(const StoredMessage &message);
+
+private:
+    bool fitsTime(qint64 at);
+    bool fitsText(const StoredMessage &message);
+
+    QString m_text;
+    QHash<QString, bool> m_texts; // by code and arguments
+    qint64 m_quarter = -1;        // of an hour, of m_date
+    QString m_date;               // as shown in that quarter
+    qint64 m_offset = 0;          // of local time from UTC in that quarter, ms
+};
+
+} // namespace codewheel

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "journal/message_table.h"
+
+#include <QSqlError>
+#include <QSqlQuery>
+#include <QVariant>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+constexpr int applicationId = 0x43574D53; // "CWMS"
+
+const DatabaseSchema &schema()
+{
+    static const DatabaseSchema messages{
+        .applicationId = applicationId,
+        .version = 1,
+        .statements = {QStringLiteral("CREATE TABLE message (id INTEGER PRIMARY KEY AUTOINCREMENT, "
+                                      "at INTEGER NOT NULL, severity INTEGER NOT NULL, place TEXT, "
+                                      "code TEXT NOT NULL, arguments TEXT NOT NULL, refusal TEXT)"),
+                       QStringLiteral("CREATE TABLE place (number TEXT PRIMARY KEY) WITHOUT ROWID")}};
+    return messages;
+}
+
+const QString columns = QStringLiteral("id, at, severity, place, code, arguments, refusal");
+
+// What a file holds may be anything.
+Severity severityOf(int number)
+{
+    return number <= 0 ? Severity::information : number == 1 ? Severity::attention : Severity::fault;
+}
+
+StoredMessage rowOf(const QSqlQuery &query)
+{
+    return {.id = query.value(0).toLongLong(),
+            .at = query.value(1).toLongLong(),
+            .severity = severityOf(query.value(2).toInt()),
+            .place = DeviceNumber::parse(query.value(3).toString()),
+            .code = query.value(4).toString(),
+            .arguments = query.value(5).toString(),
+            .refusal = query.value(6).toString()};
+}
+
+QString conditions(const MessageFilter &filter)
+{
+    QString text = QStringLiteral(" WHERE id BETWEEN ? AND ?");
+    if (filter.least != Severity::information)
+        text += QStringLiteral(" AND severity >= %1").arg(static_cast<int>(filter.least));
+    if (!filter.place.all)
+        text += filter.place.number ? QStringLiteral(" AND place = '%1'").arg(filter.place.number->toString())
+                                    : QStringLiteral(" AND place IS NULL");
+    if (filter.from)
+        text += QStringLiteral(" AND at >= %1").arg(*filter.from);
+    if (filter.until)
+        text += QStringLiteral(" AND at < %1").arg(*filter.until);
+    return text + QStringLiteral(" ORDER BY id");
+}
+
+template <typename Row>
+Stored<std::vector<Row>> all(QSqlQuery query, Row (*rowAt)(const QSqlQuery &))
+{
+    if (!query.exec())
+        return tl::unexpected(Database::errorOf(query.lastError()));
+    std::vector<Row> rows;
+    while (query.next())
+        rows.push_back(rowAt(query));
+    if (query.lastError().isValid()) // in the midst of the file
+        return tl::unexpected(Database::errorOf(query.lastError()));
+    return rows;
+}
+
+QVariant orNull(const QString &text)
+{
+    return text.isEmpty() ? QVariant() : QVariant(text);
+}
+
+} // namespace
+
+Stored<MessageTable> MessageTable::open(const DatabasePlace &place)
+{
+    auto database = Database::open(place, schema());
+    if (!database)
+        return tl::unexpected(database.error());
+    return MessageTable(std::move(*database));
+}
+
+Stored<MessageTable::Span> MessageTable::span() const
+{
+    const auto first = m_database.number(QStringLiteral("SELECT min(id) FROM message"));
+    const auto last = m_database.number(QStringLiteral("SELECT max(id) FROM message"));
+    if (!first || !last)
+        return tl::unexpected(first ? last.error() : first.error());
+    return Span{std::max<qint64>(*first, 0), std::max<qint64>(*last, 0)};
+}
+
+qint64 MessageTable::changes() const
+{
+    return m_database.number(QStringLiteral("PRAGMA data_version")).value_or(0);
+}
+
+Stored<void> MessageTable::append(const std::vector<StoredMessage> &messages)
+{
+    return insert(messages, false);
+}
+
+Stored<void> MessageTable::copy(const std::vector<StoredMessage> &messages)
+{
+    return insert(messages, true);
+}
+
+Stored<void> MessageTable::insert(const std::vector<StoredMessage> &messages, bool withIds)
+{
+    return m_database.inTransaction([&]() -> Stored<void> {
+        QSqlQuery row = m_database.query(
+            QStringLiteral("INSERT INTO message (%1) VALUES (?, ?, ?, ?, ?, ?, ?)").arg(columns));
+        QSqlQuery place = m_database.query(QStringLiteral("INSERT OR IGNORE INTO place VALUES (?)"));
+        std::optional<DeviceNumber> noted;
+        for (const StoredMessage &message : messages) {
+            const QString number = message.place ? message.place->toString() : QString();
+            const QVariant values[] = {withIds ? QVariant(message.id) : QVariant(),
+                                       message.at,
+                                       static_cast<int>(message.severity),
+                                       orNull(number),
+                                       message.code,
+                                       message.arguments,
+                                       orNull(message.refusal)};
+            for (int i = 0; i < 7; ++i)
+                row.bindValue(i, values[i]);
+            if (!row.exec())
+                return tl::unexpected(Database::errorOf(row.lastError()));
+            if (!message.place || noted == message.place)
+                continue;
+            noted = message.place;
+            place.bindValue(0, number);
+            if (!place.exec())
+                return tl::unexpected(Database::errorOf(place.lastError()));
+        }
+        return {};
+    });
+}
+
+Stored<std::vector<StoredMessage>> MessageTable::read(const std::vector<qint64> &ids) const
+{
+    const auto count = static_cast<qint64>(ids.size());
+    if (count > 1 && ids.back() - ids.front() == count - 1 && std::ranges::is_sorted(ids))
+        if (auto run = read(ids.front(), ids.back()); !run || std::ssize(*run) == count)
+            return run;
+    QSqlQuery query = m_database.query(QStringLiteral("SELECT %1 FROM message WHERE id = ?").arg(columns));
+    std::vector<StoredMessage> messages;
+    for (const qint64 id : ids) {
+        query.bindValue(0, id);
+        if (!query.exec())
+            return tl::unexpected(Database::errorOf(query.lastError()));
+        messages.push_back(query.next() ? rowOf(query) : StoredMessage());
+    }
+    return messages;
+}
+
+Stored<std::vector<StoredMessage>> MessageTable::read(qint64 first, qint64 last,
+                                                      const MessageFilter &filter) const
+{
+    QSqlQuery query =
+        m_database.query(QStringLiteral("SELECT %1 FROM message").arg(columns) + conditions(filter));
+    query.bindValue(0, first);
+    query.bindValue(1, last);
+    return all<StoredMessage>(std::move(query), rowOf);
+}
+
+Stored<std::vector<qint64>> MessageTable::ids(qint64 first, qint64 last, const MessageFilter &filter) const
+{
+    QSqlQuery query = m_database.query(QStringLiteral("SELECT id FROM message") + conditions(filter));
+    query.bindValue(0, first);
+    query.bindValue(1, last);
+    return all<qint64>(std::move(query), [](const QSqlQuery &row) { return row.value(0).toLongLong(); });
+}
+
+std::vector<DeviceNumber> MessageTable::places() const
+{
+    QSqlQuery query = m_database.query(QStringLiteral("SELECT number FROM place"));
+    std::vector<DeviceNumber> places;
+    query.exec();
+    while (query.next())
+        if (const auto number = DeviceNumber::parse(query.value(0).toString()))
+            places.push_back(*number);
+    std::ranges::sort(places);
+    return places;
+}
+
+qint64 MessageTable::size() const
+{
+    return m_database.number(QStringLiteral("PRAGMA page_count")).value_or(0) *
+           m_database.number(QStringLiteral("PRAGMA page_size")).value_or(0);
+}
+
+Stored<void> MessageTable::dropUpTo(qint64 last)
+{
+    return m_database.inTransaction([&]() -> Stored<void> {
+        if (auto dropped = m_database.execute(QStringLiteral("DELETE FROM message WHERE id <= %1").arg(last));
+            !dropped)
+            return dropped;
+        const auto pages = m_database.number(QStringLiteral("PRAGMA freelist_count"));
+        QSqlQuery vacuum = m_database.query(QStringLiteral("PRAGMA incremental_vacuum"));
+        for (qint64 page = 0; page < pages.value_or(0);
+             ++page) // Qt takes one step each, which frees one page
+            if (!vacuum.exec())
+                return tl::unexpected(Database::errorOf(vacuum.lastError()));
+        return {};
+    });
+}
+
+} // namespace codewheel

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "journal/message_writer.h"
+
+#include "journal/message_fields.h"
+
+#include <QCoreApplication>
+#include <QIODevice>
+#include <QLocale>
+
+namespace codewheel {
+namespace {
+
+struct Export
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::MessageWriter)
+};
+
+QString quoted(QString field)
+{
+    field.replace(QLatin1Char('"'), QStringLiteral("\"\""));
+    return QLatin1Char('"') + field + QLatin1Char('"');
+}
+
+QString csvLine(const StoredMessage &message)
+{
+    const auto local = QDateTime::fromMSecsSinceEpoch(message.at);
+    const QStringList fields{local.toOffsetFromUtc(local.offsetFromUtc()).toString(Qt::ISODateWithMs),
+                             severityKey(message.severity),
+                             message.place ? message.place->toString() : QString(), codeOf(message),
+                             quoted(messageText(message))};
+    return fields.join(u',') + QStringLiteral("\r\n");
+}
+
+QString cells(const char *tag, const QStringList &texts)
+{
+    QString row;
+    for (const QString &text : texts)
+        row += QStringLiteral("<%1>%2</%1>").arg(QLatin1String(tag), text.toHtmlEscaped());
+    return row;
+}
+
+QString htmlBegin()
+{
+    const QString title = Export::tr("Messages of Codewheel");
+    const QString made =
+        Export::tr("Written on %1.")
+            .arg(QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat).toHtmlEscaped());
+    return QStringLiteral("<!DOCTYPE html>\n<html lang=\"%1\">\n<head>\n<meta charset=\"utf-8\">\n"
+                          "<title>%2</title>\n<style>\n"
+                          "body { font-family: sans-serif; margin: 1.5em }\n"
+                          "table { border-collapse: collapse }\n"
+                          "th, td { text-align: left; vertical-align: top; padding: 0.1em 0.8em 0.1em 0 }\n"
+                          "td:first-child { white-space: nowrap; font-variant-numeric: tabular-nums }\n"
+                          "tr.attention td:nth-child(2), tr.fault td:nth-child(2) { font-weight: bold }\n"
+                          "tr.attention { background: #fdf1d8 }\ntr.fault { background: #f9ded2 }\n"
+                          "thead { border-bottom: 1px solid }\n"
+                          "</style>\n</head>\n<body>\n<h1>%2</h1>\n<p>%3</p>\n<table>\n<thead><tr>%4</tr>"
+                          "</thead>\n<tbody>\n")
+        .arg(QLocale().bcp47Name(), title.toHtmlEscaped(), made,
+             cells("th", {Export::tr("Date and time"), Export::tr("Severity"), Export::tr("Place"),
+                          Export::tr("Message")}));
+}
+
+QString htmlRow(const StoredMessage &message)
+{
+    return QStringLiteral("<tr class=\"%1\">%2</tr>\n")
+        .arg(severityKey(message.severity),
+             cells("td", {messageTime(message.at), severityName(message.severity), placeName(message.place),
+                          messageText(message)}));
+}
+
+} // namespace
+
+std::optional<MessageWriter::Format> MessageWriter::formatOf(const QString &fileName)
+{
+    if (fileName.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive))
+        return Format::csv;
+    if (fileName.endsWith(QStringLiteral(".html"), Qt::CaseInsensitive) ||
+        fileName.endsWith(QStringLiteral(".htm"), Qt::CaseInsensitive))
+        return Format::html;
+    return std::nullopt;
+}
+
+bool MessageWriter::begin()
+{
+    return put(m_format == Format::html ? htmlBegin() : QStringLiteral("time,severity,place,code,text\r\n"));
+}
+
+bool MessageWriter::write(const std::vector<StoredMessage> &messages)
+{
+    QString text;
+    for (const StoredMessage &message : messages)
+        text += m_format == Format::html ? htmlRow(message) : csvLine(message);
+    return put(text);
+}
+
+bool MessageWriter::end()
+{
+    return m_format == Format::csv || put(QStringLiteral("</tbody>\n</table>\n</body>\n</html>\n"));
+}
+
+bool MessageWriter::put(const QString &text)
+{
+    const QByteArray bytes = text.toUtf8();
+    return m_device.write(bytes) == bytes.size();
+}
+
+} // namespace codewheel

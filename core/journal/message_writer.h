@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "journal/stored_message.h"
+
+#include <vector>
+
+class QIODevice;
+
+namespace codewheel {
+
+// Writes messages to a file, piece by piece, so that a million of them need no memory. The device tells
+// errors (QIODevice::errorString). Window and command line.
+class MessageWriter
+{
+public:
+    enum class Format {
+        csv,  // RFC 4180, UTF-8: time (ISO 8601 with offset from UTC), severity, place, code, text; all but
+              // the text is the same in every language
+        html, // one page, in the user's language
+    };
+
+    MessageWriter(QIODevice &device, Format format)
+        : m_device(device)
+        , m_format(format)
+    {}
+
+    // "csv" or "html", by the end of a file's name; nothing for another one.
+    static std::optional<Format> formatOf(const QString &fileName);
+
+    bool begin();
+    bool write(const std::vector<StoredMessage> &messages);
+    bool end();
+
+private:
+    bool put(const QString &text);
+
+    QIODevice &m_device;
+    Format m_format;
+};
+
+} // namespace codewheel

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
+#include "journal/eeprom_cost.h"
+#include "journal/ledger_keeper.h"
+#include "ring/bus_session.h"
+#include "ring/word_channel.h"
+#include "simulator/training_bus.h"
+#include "tests/journal/journal_file.h"
+
+namespace codewheel {
+namespace {
+
+using test::JournalFile;
+
+constexpr DeviceNumber fraba{1, 0};
+constexpr DeviceNumber baumer{2, 0};
+
+class LedgerKeeperTest : public testing::Test
+{
+protected:
+    LedgerKeeperTest()
+    {
+        EXPECT_TRUE(bus.open(BusSession::Start::operating));
+        bus.advance(10);
+        bus.encoder(fraba)->tell(Parameter::startUpMode, 1); // position mode
+    }
+
+    void run(DeviceNumber place, const Job &job)
+    {
+        EncoderSession &encoder = *bus.encoder(place);
+        ASSERT_TRUE(encoder.start(job));
+        for (int i = 0; i < 1'000 && encoder.runningJob(); ++i)
+            bus.advance(10);
+        ASSERT_FALSE(encoder.runningJob());
+    }
+    void write(DeviceNumber place, std::int64_t steps)
+    {
+        run(place, WriteParameters{.values = {{Parameter::steps, steps}}, .previous = {}});
+    }
+    void readSerialNumber() { run(fraba, ReadParameters{{Parameter::serialNumber}}); }
+    EepromCount countAt(DeviceNumber place) { return bus.encoder(place)->eepromCount(); }
+    void keep(const DatabasePlace &place)
+    {
+        keeper = std::make_unique<LedgerKeeper>(bus, place);
+        QObject::connect(keeper.get(), &LedgerKeeper::messaged, keeper.get(),
+                         [this](const Message &message) { messages.push_back(message); });
+    }
+
+    const Catalog catalog = Catalog::builtIn();
+    TrainingBus training = makeTrainingBus(catalog);
+    BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
+    const JournalFile file;
+    std::vector<Message> messages;
+    std::unique_ptr<LedgerKeeper> keeper;
+};
+
+TEST_F(LedgerKeeperTest, CountsWhatAJobWrites)
+{
+    keep(DatabasePlace::memory());
+    EXPECT_EQ(countAt(fraba).writes, 0);
+    write(fraba, 255);
+    EXPECT_EQ(countAt(fraba).writes, 1);
+    EXPECT_EQ(countAt(fraba).perhaps, 0);
+    EXPECT_EQ(countAt(fraba).by, CountedBy::place);
+    EXPECT_EQ(countAt(fraba).since.toLocalTime().date(), QDate(2026, 3, 1));
+    EXPECT_EQ(countAt(baumer).writes, 0);
+}
+
+TEST_F(LedgerKeeperTest, CountsWordsByHand)
+{
+    keep(DatabasePlace::memory());
+    for (const Word word : {0x020000FFU, 0x80000000U, 0U}) {
+        bus.channel(fraba)->stage(word);
+        ASSERT_TRUE(bus.channel(fraba)->write());
+        bus.advance(50);
+    }
+    EXPECT_EQ(countAt(fraba).writes, 1);
+    EXPECT_EQ(countAt(fraba).perhaps, 0);
+}
+
+TEST_F(LedgerKeeperTest, NotesAJobBeforeItSendsAnything)
+{
+    keep(file.place());
+    ASSERT_TRUE(bus.encoder(fraba)->start(
+        WriteParameters{.values = {{Parameter::steps, 255}, {Parameter::revolutions, 1}}, .previous = {}}));
+    const auto other = Ledger::open(file.place()); // as after a crash
+    ASSERT_TRUE(other);
+    EXPECT_EQ(other->writes(keeper->identity(fraba)).perhaps, 2);
+    EXPECT_EQ(countAt(fraba).perhaps, 0); // it may still end well
+    EXPECT_EQ(bus.channel(fraba)->out(), 0U);
+}
+
+TEST_F(LedgerKeeperTest, GivesWhatWasWrittenToTheEncoderThatTellsItsSerialNumber)
+{
+    keep(file.place());
+    write(fraba, 255);
+    readSerialNumber();
+    EXPECT_EQ(countAt(fraba).by, CountedBy::serialNumber);
+    EXPECT_EQ(countAt(fraba).writes, 1);
+    EXPECT_EQ(keeper->ledger()->accounts().size(), 1U);
+    write(fraba, 256);
+    EXPECT_EQ(countAt(fraba).writes, 2);
+}
+
+TEST_F(LedgerKeeperTest, RemembersTheEncoderFromBefore)
+{
+    keep(file.place());
+    write(fraba, 255);
+    readSerialNumber();
+    keeper.reset();
+    bus.encoder(fraba)->setEepromCount({});
+    keep(file.place());
+    EXPECT_EQ(countAt(fraba).writes, 1);
+}
+
+TEST_F(LedgerKeeperTest, CountsByTheLabelWhereNothingWasRead)
+{
+    keep(DatabasePlace::memory());
+    write(baumer, 4'096);
+    keeper->setLabel(baumer, QStringLiteral(" 0815 "));
+    EXPECT_EQ(countAt(baumer).by, CountedBy::labelSerialNumber);
+    EXPECT_EQ(countAt(baumer).serialNumber, QStringLiteral("0815"));
+    EXPECT_EQ(countAt(baumer).writes, 1);
+    keeper->setLabel(baumer, {});
+    EXPECT_EQ(countAt(baumer).by, CountedBy::place);
+}
+
+TEST_F(LedgerKeeperTest, CountsPlacesOfAProjectForThemselves)
+{
+    keep(DatabasePlace::memory());
+    keeper->setProject(QStringLiteral("/plant.codewheel"));
+    write(baumer, 4'096);
+    EXPECT_EQ(countAt(baumer).writes, 1);
+    keeper->setProject(QStringLiteral("/other.codewheel"));
+    EXPECT_EQ(countAt(baumer).writes, 0);
+    keeper->setProject(QStringLiteral("/plant.codewheel"));
+    EXPECT_EQ(countAt(baumer).writes, 1);
+}
+
+TEST_F(LedgerKeeperTest, GoesOnWithTheSessionOfADeviceThatIsNamed)
+{
+    keep(DatabasePlace::memory());
+    write(fraba, 255);
+    ASSERT_TRUE(bus.name(fraba, QStringLiteral("generic-k3")));
+    bus.advance(10);
+    EXPECT_EQ(countAt(fraba).writes, 1);
+    write(fraba, 256);
+    EXPECT_EQ(countAt(fraba).writes, 2);
+}
+
+TEST_F(LedgerKeeperTest, GoesOnWithTheSessionsOfANewConnection)
+{
+    keep(DatabasePlace::memory());
+    write(fraba, 255);
+    bus.close();
+    ASSERT_TRUE(bus.open(BusSession::Start::operating));
+    bus.advance(10);
+    EXPECT_EQ(countAt(fraba).writes, 1);
+    write(fraba, 256);
+    EXPECT_EQ(countAt(fraba).writes, 2);
+}
+
+TEST_F(LedgerKeeperTest, KeepsTheValuesFromBefore)
+{
+    keep(DatabasePlace::memory());
+    run(fraba, ReadParameters{{Parameter::steps}});
+    const std::int64_t before = bus.encoder(fraba)->known(Parameter::steps)->value;
+    write(fraba, 255);
+    const auto entries = keeper->ledger()->valuesBefore(keeper->identity(fraba));
+    ASSERT_EQ(entries.size(), 1U);
+    ASSERT_EQ(entries[0].before.size(), 1U);
+    EXPECT_EQ(entries[0].before[0].value, before);
+    EXPECT_EQ(entries[0].before[0].evidence, Evidence::read);
+    EXPECT_EQ(entries[0].written, (ParameterValues{{Parameter::steps, 255}}));
+}
+
+TEST_F(LedgerKeeperTest, WarnsAsTheBudgetIsUsed)
+{
+    {
+        auto ledger = Ledger::open(file.place());
+        ASSERT_TRUE(ledger);
+        EncoderIdentity identity{
+            .by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = {}, .place = fraba};
+        ASSERT_TRUE(ledger->begin({.at = QDateTime(QDate(2025, 1, 1), QTime(0, 0), Qt::UTC),
+                                   .identity = identity.key(),
+                                   .writes = 149,
+                                   .settled = true}));
+    }
+    keep(file.place());
+    EXPECT_EQ(eepromConcern(*bus.encoder(fraba), 1), EepromConcern::warning);
+    write(fraba, 255);
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_EQ(messages[0].id, MessageId::eepromThreeQuarters);
+    EXPECT_EQ(messages[0].arguments, (std::vector<RefusalArgument>{std::int64_t{150}, std::int64_t{200}}));
+    EXPECT_EQ(countAt(fraba).since, QDateTime(QDate(2025, 1, 1), QTime(0, 0), Qt::UTC));
+    write(fraba, 256);
+    EXPECT_EQ(messages.size(), 1U);
+}
+
+TEST_F(LedgerKeeperTest, GoesOnInMemoryAndSaysSoWhereTheFileCannotBeUsed)
+{
+    EXPECT_TRUE(MessageTable::open(file.place())); // another kind of database
+    keep(file.place());
+    ASSERT_TRUE(keeper->problem());
+    EXPECT_EQ(keeper->problem()->id, MessageId::notKept);
+    write(fraba, 255);
+    EXPECT_EQ(countAt(fraba).writes, 1);
+}
+
+TEST_F(LedgerKeeperTest, PutsADamagedFileAside)
+{
+    file.fill(QByteArray(5'000, 'x'));
+    keep(file.place());
+    ASSERT_TRUE(keeper->problem());
+    EXPECT_EQ(keeper->problem()->id, MessageId::databasePutAside);
+    write(fraba, 255);
+    EXPECT_EQ(Ledger::open(file.place())->writes(keeper->identity(fraba)).writes, 1);
+}
+
+} // namespace
+} // namespace codewheel

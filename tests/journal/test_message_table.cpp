@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/journal/journal_file.h"
+
+namespace codewheel {
+namespace {
+
+using test::JournalFile;
+using test::messageAt;
+
+DatabaseError errorOf(const JournalFile &file)
+{
+    const auto table = MessageTable::open(file.place());
+    EXPECT_FALSE(table);
+    return table ? DatabaseError() : table.error();
+}
+
+TEST(MessageTable, GivesBackWhatWasAppended)
+{
+    const JournalFile file;
+    auto table = MessageTable::open(file.place());
+    ASSERT_TRUE(table);
+    EXPECT_EQ(table->span(), MessageTable::Span());
+    std::vector<StoredMessage> messages{messageAt(1, "one"),
+                                        messageAt(2, "two", DeviceNumber{6, 1}, Severity::fault)};
+    ASSERT_TRUE(table->append(messages));
+    const auto again = MessageTable::open(file.place());
+    ASSERT_TRUE(again);
+    const auto read = again->read(1, 2);
+    messages[0].id = 1;
+    messages[1].id = 2;
+    ASSERT_TRUE(read);
+    EXPECT_EQ(*read, messages);
+    EXPECT_EQ(again->span(), (MessageTable::Span{1, 2}));
+    EXPECT_EQ(again->places(), (std::vector<DeviceNumber>{{6, 1}}));
+}
+
+TEST(MessageTable, ReadsSingleMessagesInTheOrderWanted)
+{
+    auto table = MessageTable::open(DatabasePlace::memory());
+    ASSERT_TRUE(table && table->append({messageAt(1, "a"), messageAt(2, "b"), messageAt(3, "c")}));
+    const auto read = table->read(std::vector<qint64>{3, 17, 1});
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->at(0).at, 3);
+    EXPECT_EQ(read->at(1).id, 0);
+    EXPECT_EQ(read->at(2).at, 1);
+}
+
+TEST(MessageTable, FiltersBySeverityPlaceAndTime)
+{
+    auto table = MessageTable::open(DatabasePlace::memory());
+    ASSERT_TRUE(table && table->append({messageAt(10, "a"), messageAt(20, "b", DeviceNumber{1, 0}),
+                                        messageAt(30, "c", DeviceNumber{2, 0}, Severity::fault),
+                                        messageAt(40, "d", {}, Severity::attention)}));
+    using Ids = std::vector<qint64>;
+    const auto ids = [&](const MessageFilter &filter) { return table->ids(1, 4, filter).value_or(Ids()); };
+    EXPECT_EQ(ids({}), (Ids{1, 2, 3, 4}));
+    EXPECT_EQ(ids({.least = Severity::attention}), (Ids{3, 4}));
+    EXPECT_EQ(ids({.least = Severity::fault}), (Ids{3}));
+    EXPECT_EQ(ids({.place = {.all = false}}), (Ids{1, 4}));
+    EXPECT_EQ(ids({.place = {.all = false, .number = DeviceNumber{1, 0}}}), (Ids{2}));
+    EXPECT_EQ(ids({.from = 20, .until = 40}), (Ids{2, 3}));
+}
+
+TEST(MessageTable, IsSeenByOthers)
+{
+    const JournalFile file;
+    auto writer = MessageTable::open(file.place());
+    const auto reader = MessageTable::open(file.place());
+    ASSERT_TRUE(writer && reader);
+    const qint64 before = reader->changes();
+    ASSERT_TRUE(writer->append({messageAt(1, "one")}));
+    EXPECT_NE(reader->changes(), before);
+    EXPECT_EQ(reader->span()->last, 1);
+}
+
+TEST(MessageTable, DropsTheOldestAndGivesTheRoomBack)
+{
+    const JournalFile file;
+    auto table = MessageTable::open(file.place());
+    ASSERT_TRUE(table);
+    ASSERT_TRUE(table->append(std::vector<StoredMessage>(2'000, messageAt(1, "something that takes room"))));
+    const qint64 before = table->size();
+    ASSERT_TRUE(table->dropUpTo(1'500));
+    EXPECT_EQ(table->span(), (MessageTable::Span{1'501, 2'000}));
+    EXPECT_LT(table->size(), before / 2);
+    ASSERT_TRUE(table->dropUpTo(2'000));
+    ASSERT_TRUE(table->append({messageAt(1, "next")}));
+    EXPECT_EQ(table->span()->first, 2'001); // an id never comes again
+}
+
+TEST(MessageTable, RefusesTheFileOfANewerVersion)
+{
+    const JournalFile file;
+    ASSERT_TRUE(MessageTable::open(file.place()));
+    file.execute(QStringLiteral("PRAGMA user_version = 2"));
+    EXPECT_EQ(errorOf(file).kind, DatabaseError::Kind::newer);
+    EXPECT_TRUE(errorOf(file).reason.contains(QStringLiteral("newer Codewheel (version 2")))
+        << errorOf(file).reason.toStdString();
+}
+
+TEST(MessageTable, LeavesADatabaseOfAnotherProgramAlone)
+{
+    const JournalFile file;
+    file.execute(QStringLiteral("CREATE TABLE song (title TEXT)"));
+    const auto bytes = [&] {
+        QFile read(file.path);
+        EXPECT_TRUE(read.open(QIODevice::ReadOnly));
+        return read.readAll();
+    };
+    const QByteArray before = bytes();
+    EXPECT_EQ(errorOf(file).kind, DatabaseError::Kind::foreign);
+    EXPECT_EQ(bytes(), before);
+}
+
+TEST(MessageTable, TakesNoFileWithTriggersOrOtherColumns)
+{
+    for (const char *sql :
+         {"CREATE TRIGGER t AFTER INSERT ON message BEGIN DELETE FROM message; END",
+          "ALTER TABLE message ADD COLUMN more TEXT", "DROP TABLE place", "CREATE VIEW v AS SELECT 1"}) {
+        const JournalFile file;
+        ASSERT_TRUE(MessageTable::open(file.place()));
+        file.execute(QString::fromLatin1(sql));
+        EXPECT_EQ(errorOf(file).kind, DatabaseError::Kind::broken) << sql;
+    }
+}
+
+TEST(MessageTable, SaysThatAFileIsDamaged)
+{
+    for (const QByteArray &bytes :
+         {QByteArray("time,severity,place\r\n"), QByteArray(100'000, 'x'), QByteArray(4096, '\0'),
+          QByteArray("SQLite format 3\0 and no more", 30)}) {
+        const JournalFile file;
+        file.fill(bytes);
+        EXPECT_EQ(errorOf(file).kind, DatabaseError::Kind::broken) << bytes.size();
+        EXPECT_FALSE(errorOf(file).reason.isEmpty());
+    }
+}
+
+TEST(MessageTable, TakesAnEmptyFileForANewOne)
+{
+    const JournalFile file;
+    file.fill({});
+    EXPECT_TRUE(MessageTable::open(file.place()));
+}
+
+TEST(MessageTable, SaysThatAGigabyteOfNothingIsDamaged)
+{
+    const JournalFile file;
+    file.fill({});
+    ASSERT_TRUE(QFile::resize(file.path, 1'000'000'000));
+    EXPECT_EQ(errorOf(file).kind, DatabaseError::Kind::broken);
+}
+
+// Cut off at any length, a file is taken or told to be damaged, and reading comes to an end.
+TEST(MessageTable, SurvivesATruncatedFile)
+{
+    const JournalFile whole;
+    {
+        auto table = MessageTable::open(whole.place());
+        ASSERT_TRUE(table && table->append(std::vector<StoredMessage>(500, messageAt(1, "something"))));
+    }
+    QFile file(whole.path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QByteArray bytes = file.readAll();
+    for (qsizetype length = 0; length < bytes.size(); length += 1'021) {
+        const JournalFile cut;
+        cut.fill(bytes.first(length));
+        const auto table = MessageTable::open(cut.place());
+        if (!table)
+            continue;
+        const auto read = table->read(1, 500);
+        EXPECT_TRUE(!read || read->size() <= 500U) << length;
+    }
+}
+
+TEST(MessageTable, ShowsWhateverValuesAFileHolds)
+{
+    const JournalFile file;
+    ASSERT_TRUE(MessageTable::open(file.place()));
+    file.execute(
+        QStringLiteral("INSERT INTO message VALUES (-5, 'noon', 77, 'everywhere', x'00FF', '[[[[', '{')"));
+    const auto table = MessageTable::open(file.place());
+    ASSERT_TRUE(table);
+    const auto read = table->read(-10, 10);
+    ASSERT_TRUE(read && read->size() == 1U);
+    EXPECT_EQ(read->front().severity, Severity::fault);
+    EXPECT_EQ(read->front().place, std::nullopt);
+    EXPECT_FALSE(messageText(read->front()).isEmpty());
+}
+
+} // namespace
+} // namespace codewheel
