@@ -175,7 +175,7 @@ void RingRunner::Private::exchange()
 // `stopped` is our own interrupt(): the cycle is skipped, nothing is wrong with the link.
 void RingRunner::Private::fail(const Refusal &why)
 {
-    const bool masterTellsIt = master && why.id == RefusalId::busFault;
+    const bool masterTellsIt = master && master->status().state != MasterState::run;
     if (why.kind != RefusalKind::stopped && !masterTellsIt) {
         linkFailed = true;
         leaveRun(MasterState::busFail);

@@ -52,9 +52,10 @@ std::optional<unsigned> BaumerK3::startUpError() const
     return m_batteryLow ? std::optional(error_number::batteryLow) : std::nullopt;
 }
 
-std::optional<unsigned> BaumerK3::fault() const
+std::optional<Word> BaumerK3::fault() const
 {
-    return m_codeDiscFaulty ? std::optional(error_number::codeDiscFaulty) : std::nullopt;
+    constexpr Word shown = k3::error | k3::withNumber(error_number::codeDiscFaulty);
+    return m_codeDiscFaulty ? std::optional(shown) : std::nullopt;
 }
 
 void BaumerK3::setCodeDiscFaulty(bool faulty)

@@ -18,6 +18,7 @@ public:
     bool hasBattery() const override { return true; }
     bool isBatteryLow() const override { return m_batteryLow; }
     bool reportsFaults() const override { return true; }
+    bool isCodeDiscFaulty() const override { return m_codeDiscFaulty; }
     void setBatteryLow(bool low) override { m_batteryLow = low; }
     void setEepromWornOut(bool wornOut) override { memory().setWornOut(wornOut); }
     void setCodeDiscFaulty(bool faulty) override;
@@ -27,7 +28,7 @@ private:
     bool confirm(unsigned number, Word data) override;
     Word operationWord() const override;
     std::optional<unsigned> startUpError() const override;
-    std::optional<unsigned> fault() const override;
+    std::optional<Word> fault() const override;
 
     void takeParameter(Word out);
 

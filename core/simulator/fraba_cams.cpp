@@ -19,7 +19,6 @@ constexpr Word readShift = 0x40;
 
 constexpr Word wrongData = 0x8200'0000;
 constexpr Word wrongCommand = 0x8400'0000;
-constexpr Word aboveLargestPosition = 0x9800'0004;
 
 constexpr Word camsMask = 0xFF;
 constexpr int positionBit = 8;
@@ -70,7 +69,7 @@ std::optional<Word> FrabaCams::take(Word out, std::int64_t totalRange)
         if (number >= cams)
             return wrongCommand;
         if (position >= totalRange)
-            return aboveLargestPosition;
+            return camAboveLargestPosition;
         Cam &cam = changed.cam[number];
         ((out & k3::statusMask) == stopOfCam ? cam.stop : cam.start) = position;
     } else {

@@ -9,6 +9,9 @@
 
 namespace codewheel {
 
+// Manufacturer error "cam start or stop above the largest position" (FRABA manual 10.4).
+inline constexpr Word camAboveLargestPosition = 0x9800'0004;
+
 // The cam unit of a FRABA encoder (FRABA manual 5.4.4, 10.5, 10.6): 8 programs of 8 cams, of which the
 // entered one is worked with. It is saved when it is left and lost at power-off before.
 class FrabaCams

@@ -50,6 +50,18 @@ bool FrabaK3::holdsReadOut(Word out) const
     return isCamReadOut(out) || (m_readsByD16 && (out & k3::readOutRequestBit) != 0);
 }
 
+// In every mode (assumed: the manual only tells how a cam word is refused).
+std::optional<Word> FrabaK3::fault() const
+{
+    return m_camOutOfRange ? std::optional(camAboveLargestPosition) : std::nullopt;
+}
+
+void FrabaK3::setCamOutOfRange(bool outOfRange)
+{
+    m_camOutOfRange = outOfRange;
+    faultChanged();
+}
+
 // The FRABA preset acts in every cycle in which it is seen.
 void FrabaK3::seen(Word out)
 {

@@ -30,6 +30,10 @@ public:
 
     FrabaK3(PhysicalResolution resolution, std::int64_t raw, FrabaPlate plate, EncoderTiming timing = {});
 
+    bool hasCams() const override { return true; }
+    bool isCamOutOfRange() const override { return m_camOutOfRange; }
+    void setCamOutOfRange(bool outOfRange) override;
+
 private:
     enum class Mode : std::uint8_t { position, velocity, cam };
 
@@ -38,6 +42,7 @@ private:
     bool confirm(unsigned number, Word data) override;
     Word answerTo(Word processed) override;
     Word operationWord() const override;
+    std::optional<Word> fault() const override;
     void poweredUp() override;
     void wentToDefault() override;
 
@@ -62,6 +67,7 @@ private:
     FrabaCams m_cams;
     Mode m_mode = Mode::position; // kept over power-off
     bool m_readsByD16 = false;
+    bool m_camOutOfRange = false;
 };
 
 } // namespace codewheel

@@ -42,6 +42,7 @@ public:
     virtual void setBatteryLow(bool /*low*/) {}
     virtual void setEepromWornOut(bool /*wornOut*/) {}
     virtual void setCodeDiscFaulty(bool /*faulty*/) {}
+    virtual void setCamOutOfRange(bool /*outOfRange*/) {}
 };
 
 } // namespace codewheel

@@ -31,7 +31,9 @@ std::optional<TrainingControls::Shaft> SimulatedK3::shaftState() const
     state.batteryLow = isBatteryLow();
     state.reportsFaults = reportsFaults();
     state.eepromWornOut = m_memory.isWornOut();
-    state.codeDiscFaulty = fault() == error_number::codeDiscFaulty;
+    state.codeDiscFaulty = isCodeDiscFaulty();
+    state.hasCams = hasCams();
+    state.camOutOfRange = isCamOutOfRange();
     state.eepromWrites = eepromWrites();
     return state;
 }
@@ -115,7 +117,7 @@ void SimulatedK3::runWhenDue()
 void SimulatedK3::run()
 {
     if (const auto standing = fault()) {
-        fail(*standing);
+        failWith(*standing);
         return;
     }
     const bool toDefault = m_memory.isGoingToDefault();
@@ -180,7 +182,7 @@ void SimulatedK3::switchOn()
 void SimulatedK3::finishStartUp()
 {
     if (const auto standing = fault())
-        fail(*standing);
+        failWith(*standing);
     else if (const auto error = startUpError())
         fail(*error);
     else if (m_memory.isLost())
@@ -206,7 +208,7 @@ void SimulatedK3::faultChanged()
     const auto standing = fault();
     if (standing && m_phase != Phase::off && m_phase != Phase::startingUp) {
         m_runIn = noRun;
-        fail(*standing);
+        failWith(*standing);
     }
     refresh();
 }

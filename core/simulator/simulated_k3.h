@@ -37,6 +37,9 @@ public:
     virtual bool hasBattery() const { return false; }
     virtual bool isBatteryLow() const { return false; }
     virtual bool reportsFaults() const { return false; }
+    virtual bool isCodeDiscFaulty() const { return false; }
+    virtual bool hasCams() const { return false; }
+    virtual bool isCamOutOfRange() const { return false; }
 
     void turnTo(std::int64_t raw) final;
     void turnBy(std::int64_t rawSteps) final;
@@ -65,8 +68,8 @@ protected:
     virtual Word operationWord() const = 0;
     // An error found at power-up, before that of lost parameters.
     virtual std::optional<unsigned> startUpError() const { return std::nullopt; }
-    // What shows by itself, and at every run as long as its cause is there.
-    virtual std::optional<unsigned> fault() const { return std::nullopt; }
+    // What stands in IN by itself, and at every run as long as its cause is there.
+    virtual std::optional<Word> fault() const { return std::nullopt; }
     virtual void poweredUp() {}
     virtual void wentToDefault() {}
 

@@ -10,23 +10,114 @@ namespace codewheel {
 
 void SimulatedRing::add(Participant participant, std::unique_ptr<SimulatedDevice> device)
 {
-    m_structure.push_back(std::move(participant));
+    m_wiring.add(std::move(participant));
     m_devices.push_back(std::move(device));
+    m_wrongDevices.emplace_back();
     m_lastOut.push_back(0);
+    m_lastIn.push_back(0);
+    m_master.powerUp();
+}
+
+void SimulatedRing::keepConfiguration(const QString &fileName)
+{
+    m_master.keep(fileName);
+}
+
+RingStructure SimulatedRing::structure() const
+{
+    const std::scoped_lock lock(m_mutex);
+    return m_master.configuration();
 }
 
 std::vector<Word> SimulatedRing::lastOut() const
 {
     const std::scoped_lock lock(m_mutex);
-    return m_lastOut;
+    std::vector<Word> out;
+    for (const std::size_t place : m_master.places())
+        out.push_back(m_lastOut[place]);
+    return out;
 }
 
-void SimulatedRing::exchange(std::span<const Word> out, std::span<Word> in)
+// The plan first, so that a fault strikes in the cycle of its time.
+void SimulatedRing::passTime()
+{
+    if (m_plan.isRunning()) {
+        m_plan.passCycle();
+        while (m_plan.isRunning()) {
+            const FaultStep *step = m_plan.due();
+            if (step == nullptr)
+                break;
+            const auto place = std::ranges::find(m_wiring.planned(), step->place, &Participant::number);
+            befall(step->fault, static_cast<std::size_t>(place - m_wiring.planned().begin()), step->value);
+        }
+    }
+    m_master.cycle();
+}
+
+Result<void> SimulatedRing::exchange(std::span<const Word> out, std::span<Word> in)
 {
     const std::scoped_lock lock(m_mutex);
+    if (out.size() != m_master.places().size() || in.size() != out.size())
+        return refuse(RefusalKind::link, RefusalId::linkFailed,
+                      {QCoreApplication::translate(
+                          "SimulatedRing", "The words do not match the devices of the training bus.")});
+    passTime();
+    if (!m_master.runs()) {
+        idle();
+        const MasterStatus &status = m_master.status();
+        if (status.state != MasterState::busFail)
+            return refuse(RefusalKind::link, RefusalId::notRunning);
+        return refuse(RefusalKind::link, RefusalId::busFault,
+                      {Word{status.errorCode}, Word{status.parameter}});
+    }
+    if (!m_master.isWhole() || m_wiring.hasCrcErrors())
+        return exchangeSome(out, in);
     for (std::size_t i = 0; i < m_devices.size(); ++i)
         in[i] = m_devices[i]->cycle(out[i]);
     std::copy(out.begin(), out.end(), m_lastOut.begin());
+    return {};
+}
+
+// The words of a faulty cycle are thrown away at both ends: all stays as it was.
+Result<void> SimulatedRing::exchangeSome(std::span<const Word> out, std::span<Word> in)
+{
+    const bool isFaulty = m_master.isCycleFaulty();
+    std::vector<std::size_t> words(m_wiring.size(), m_wiring.size());
+    for (std::size_t i = 0; i < out.size(); ++i)
+        words[m_master.places()[i]] = i;
+    m_lastIn.resize(out.size());
+    for (std::size_t place = 0; place < m_devices.size(); ++place) {
+        const std::size_t i = words[place];
+        const bool takesPart = i < out.size() && m_master.takesPart(i);
+        if (!isFaulty)
+            m_lastOut[place] = takesPart ? out[i] : 0;
+        const Word given = deviceAt(place).cycle(m_lastOut[place]);
+        if (i < out.size() && !isFaulty)
+            m_lastIn[i] = takesPart ? given : 0;
+    }
+    std::ranges::copy(m_lastIn, in.begin());
+    return {};
+}
+
+void SimulatedRing::idleCycle()
+{
+    const std::scoped_lock lock(m_mutex);
+    passTime();
+    idle();
+}
+
+// Shafts go on turning, and the devices see what they hold.
+void SimulatedRing::idle()
+{
+    if (!m_master.holdsOutputs())
+        std::ranges::fill(m_lastOut, Word{0});
+    for (std::size_t place = 0; place < m_devices.size(); ++place)
+        deviceAt(place).cycle(m_lastOut[place]);
+}
+
+SimulatedDevice &SimulatedRing::deviceAt(std::size_t place) const
+{
+    return m_wrongDevices[place] ? *m_wrongDevices[place] : *m_devices[place];
 }
 
 template <typename State>
@@ -36,7 +127,7 @@ std::vector<State> SimulatedRing::states(std::optional<State> (SimulatedDevice::
     std::vector<State> states;
     for (std::size_t i = 0; i < m_devices.size(); ++i) {
         if (auto state = ((*m_devices[i]).*stateOf)()) {
-            state->number = m_structure[i].number;
+            state->number = m_wiring.planned()[i].number;
             states.push_back(*state);
         }
     }
@@ -58,7 +149,7 @@ void SimulatedRing::with(DeviceNumber number, Act act)
 {
     const std::scoped_lock lock(m_mutex);
     for (std::size_t i = 0; i < m_devices.size(); ++i) {
-        if (m_structure[i].number == number)
+        if (m_wiring.planned()[i].number == number)
             act(*m_devices[i]);
     }
 }
@@ -129,46 +220,9 @@ void SimulatedRing::setCodeDiscFaulty(DeviceNumber number, bool faulty)
     with(number, [faulty](SimulatedDevice &device) { device.setCodeDiscFaulty(faulty); });
 }
 
-namespace {
-tl::unexpected<Refusal> linkFailed(const char *text)
+void SimulatedRing::setCamOutOfRange(DeviceNumber number, bool outOfRange)
 {
-    return refuse(RefusalKind::link, RefusalId::linkFailed,
-                  {QCoreApplication::translate("SimulatedRing", text)});
-}
-} // namespace
-
-SimulatedRingLink::SimulatedRingLink(std::shared_ptr<SimulatedRing> ring)
-    : m_ring(std::move(ring))
-    , m_devices(m_ring->structure().size())
-{}
-
-Result<RingStructure> SimulatedRingLink::open()
-{
-    m_open = true;
-    return m_ring->structure();
-}
-
-void SimulatedRingLink::close()
-{
-    m_open = false;
-}
-
-Result<std::vector<Word>> SimulatedRingLink::readBackOut()
-{
-    if (!m_open)
-        return linkFailed(QT_TRANSLATE_NOOP("SimulatedRing", "The training bus is not connected."));
-    return m_ring->lastOut();
-}
-
-Result<void> SimulatedRingLink::exchange(std::span<const Word> out, std::span<Word> in)
-{
-    if (!m_open)
-        return linkFailed(QT_TRANSLATE_NOOP("SimulatedRing", "The training bus is not connected."));
-    if (out.size() != m_devices || in.size() != m_devices)
-        return linkFailed(
-            QT_TRANSLATE_NOOP("SimulatedRing", "The words do not match the devices of the training bus."));
-    m_ring->exchange(out, in);
-    return {};
+    with(number, [outOfRange](SimulatedDevice &device) { device.setCamOutOfRange(outOfRange); });
 }
 
 } // namespace codewheel

@@ -1,27 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ring/process_data_link.h"
+#include "encoder/refusal.h"
+#include "simulator/fault_plan_run.h"
 #include "simulator/simulated_device.h"
+#include "simulator/simulated_master.h"
 
 #include <memory>
 #include <mutex>
+#include <span>
 #include <vector>
 
 namespace codewheel {
 
-// A ring of simulated devices and the trainer's hand on them. Its clock is the exchange: one is 1 ms. Shared
-// by the link (bus thread) and the training panel (any thread); one uncontended lock per cycle.
+// A ring of simulated devices with its master, and the trainer's hand on them. Its clock is the bus cycle:
+// one is 1 ms, whether the ring runs or not. Shared by the link (bus thread) and the training panel (any
+// thread); one uncontended lock per cycle.
 class SimulatedRing final : public TrainingControls
 {
 public:
     // Before the ring is used.
     void add(Participant participant, std::unique_ptr<SimulatedDevice> device);
 
-    RingStructure structure() const { return m_structure; }
+    // The file name of the configuration its master keeps from the beginning. Without it: none.
+    void keepConfiguration(const QString &fileName);
+
+    // What the master has configured, and its words.
+    RingStructure structure() const;
     std::vector<Word> lastOut() const;
-    // Both of the size of the ring.
-    void exchange(std::span<const Word> out, std::span<Word> in);
+    // A data cycle, refused for words that are not one per device configured, and while the ring does not
+    // run.
+    Result<void> exchange(std::span<const Word> out, std::span<Word> in);
+    // A cycle without data.
+    void idleCycle();
+    // Services of the master, and what it says. Bus thread only.
+    template <typename Service>
+    auto withMaster(Service service)
+    {
+        const std::scoped_lock lock(m_mutex);
+        return service(m_master);
+    }
+    const SimulatedMaster &master() const { return m_master; }
 
     std::vector<Shaft> shafts() const override;
     std::vector<Rod> rods() const override;
@@ -38,6 +57,13 @@ public:
     void setBatteryLow(DeviceNumber number, bool low) override;
     void setEepromWornOut(DeviceNumber number, bool wornOut) override;
     void setCodeDiscFaulty(DeviceNumber number, bool faulty) override;
+    void setCamOutOfRange(DeviceNumber number, bool outOfRange) override;
+
+    std::vector<TrainingPlace> places() const override;
+    void setFault(TrainingFault fault, DeviceNumber number, int value) override;
+    void startFaultPlan(FaultPlan plan) override;
+    void stopFaultPlan() override;
+    PlanProgress planProgress() const override;
 
 private:
     template <typename State>
@@ -45,30 +71,24 @@ private:
     template <typename Act>
     void with(DeviceNumber number, Act act);
 
-    RingStructure m_structure;
+    void passTime();
+    Result<void> exchangeSome(std::span<const Word> out, std::span<Word> in);
+    SimulatedDevice &deviceAt(std::size_t place) const;
+    void idle();
+    void befall(TrainingFault fault, std::size_t place, int value);
+    void befallRing(TrainingFault fault, std::size_t place, int value);
+    void putDevice(std::size_t place, bool wrong);
+    std::optional<int> standing(TrainingFault fault, std::size_t place) const;
+    std::optional<int> standingOfRing(TrainingFault fault, std::size_t place) const;
+
     mutable std::mutex m_mutex; // guards all below
+    RingWiring m_wiring;
+    SimulatedMaster m_master{m_wiring};
     std::vector<std::unique_ptr<SimulatedDevice>> m_devices;
-    std::vector<Word> m_lastOut;
-};
-
-// The link to a simulated ring. Never blocks, so there is nothing to interrupt.
-class SimulatedRingLink final : public ProcessDataLink
-{
-public:
-    explicit SimulatedRingLink(std::shared_ptr<SimulatedRing> ring);
-
-    Result<RingStructure> open() override;
-    void close() override;
-    Result<std::vector<Word>> readBackOut() override;
-    // Refused (linkFailed) while it is not open, and for words that are not one per device.
-    Result<void> exchange(std::span<const Word> out, std::span<Word> in) override;
-    bool boundsWordsToCycles() const override { return true; }
-    void interrupt() override {}
-
-private:
-    std::shared_ptr<SimulatedRing> m_ring;
-    std::size_t m_devices;
-    bool m_open = false;
+    std::vector<std::unique_ptr<SimulatedDevice>> m_wrongDevices; // in place of them; null: none
+    std::vector<Word> m_lastOut;                                  // by place, as the devices hold it
+    std::vector<Word> m_lastIn;                                   // by device configured
+    FaultPlanRun m_plan;
 };
 
 } // namespace codewheel

@@ -7,7 +7,7 @@
 #include "simulator/simulated_bus_terminal.h"
 #include "simulator/simulated_la66.h"
 #include "simulator/simulated_position_encoder.h"
-#include "simulator/simulated_ring.h"
+#include "simulator/simulated_ring_link.h"
 
 #include <QFile>
 
@@ -107,6 +107,7 @@ TrainingBus makeTrainingBus(const TrainingPlan &plan)
     auto ring = std::make_shared<SimulatedRing>();
     for (const TrainingParticipant &planned : plan)
         ring->add(participantOf(planned), deviceOf(planned));
+    ring->keepConfiguration(QStringLiteral("training.json"));
     return busOf(std::move(ring));
 }
 

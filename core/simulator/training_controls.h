@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/device_number.h"
+#include "simulator/fault_plan.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace codewheel {
@@ -31,6 +32,8 @@ public:
         bool reportsFaults = false; // has error numbers for its EEPROM and its code disc
         bool eepromWornOut = false;
         bool codeDiscFaulty = false;
+        bool hasCams = false;
+        bool camOutOfRange = false;
         int eepromWrites = 0; // since the ring began
     };
 
@@ -67,8 +70,27 @@ public:
     virtual void setSlow(DeviceNumber number, bool slow) = 0;      // confirmations take 50 times as long
     virtual void loseParameters(DeviceNumber number) = 0;          // error 3
     virtual void setBatteryLow(DeviceNumber number, bool low) = 0; // shows at the next power-up
-    virtual void setEepromWornOut(DeviceNumber number, bool wornOut) = 0; // error 13 when run is to store
-    virtual void setCodeDiscFaulty(DeviceNumber number, bool faulty) = 0; // error 15, by itself
+    virtual void setEepromWornOut(DeviceNumber number, bool wornOut) = 0;    // error 13 when run is to store
+    virtual void setCodeDiscFaulty(DeviceNumber number, bool faulty) = 0;    // error 15, by itself
+    virtual void setCamOutOfRange(DeviceNumber number, bool outOfRange) = 0; // 98000004, by itself
+
+    // Each place of the ring, in ring order, with the faults that fit it and how they stand.
+    virtual std::vector<TrainingPlace> places() const = 0;
+    // Any fault; the value as in a fault plan. One that does not fit the place is passed over.
+    virtual void setFault(TrainingFault fault, DeviceNumber number, int value) = 0;
+
+    // A fault plan on its way, by the ring's clock.
+    struct PlanProgress
+    {
+        std::shared_ptr<const FaultPlan> plan; // null: none was started
+        std::size_t next = 0;                  // step to come
+        std::chrono::milliseconds elapsed{};   // since its start
+        bool isRunning = false;                // not stopped, and not at its end
+    };
+    // In place of another one. Its times count from the next cycle.
+    virtual void startFaultPlan(FaultPlan plan) = 0;
+    virtual void stopFaultPlan() = 0; // what it has caused stays
+    virtual PlanProgress planProgress() const = 0;
 };
 
 } // namespace codewheel

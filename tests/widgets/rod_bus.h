@@ -3,7 +3,7 @@
 
 #include "simulator/fraba_k3.h"
 #include "simulator/simulated_la66.h"
-#include "simulator/simulated_ring.h"
+#include "simulator/simulated_ring_link.h"
 #include "tests/widgets/training_bus_session.h"
 
 namespace codewheel::test {

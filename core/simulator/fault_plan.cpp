@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/fault_plan.h"
+
+#include "catalog/strict_json.h"
+#include "encoder/enumeration_rows.h"
+#include "encoder/sentence.h"
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr char formatName[] = "codewheel-faults";
+constexpr std::int64_t formatVersion = 1;
+constexpr std::int64_t latest = 24LL * 3'600 * 1'000; // a day
+
+struct Row
+{
+    TrainingFault fault;
+    const char *key;
+    const char *text;
+};
+constexpr std::array rows{
+    Row{TrainingFault::wireBreak, "wireBreak",
+        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wire break before the device")},
+    Row{TrainingFault::crcErrors, "crcErrors",
+        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "CRC errors in the segment")},
+    Row{TrainingFault::noSupply, "noSupply",
+        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Device without supply")},
+    Row{TrainingFault::wrongDevice, "wrongDevice",
+        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wrong device in its place")},
+    Row{TrainingFault::peripheralFault, "peripheralFault",
+        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Peripheral fault")},
+    Row{TrainingFault::powerOff, "powerOff",
+        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Encoder switched off")},
+    Row{TrainingFault::slowConfirmation, "slowConfirmation",
+        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Slow confirmation")},
+    Row{TrainingFault::eepromWornOut, "eepromWornOut",
+        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "EEPROM worn out")},
+    Row{TrainingFault::parametersLost, "parametersLost",
+        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Parameters lost")},
+    Row{TrainingFault::batteryLow, "batteryLow", QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Battery low")},
+    Row{TrainingFault::codeDiscFault, "codeDiscFault",
+        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Code disc faulty")},
+    Row{TrainingFault::camOutOfRange, "camOutOfRange",
+        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Cam out of range")},
+    Row{TrainingFault::magnetLost, "magnetLost", QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Magnet lost")},
+};
+static_assert(areInOrder(rows, &Row::fault) && rows.size() == trainingFaults);
+
+const Row &rowOf(TrainingFault fault)
+{
+    return rows.at(static_cast<std::size_t>(fault));
+}
+
+QString translated(const char *text)
+{
+    return QCoreApplication::translate("codewheel::FaultPlan", text);
+}
+
+// The rules of the file, part by part. One object a file.
+class FaultPlanReader
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::FaultPlanReader)
+
+public:
+    explicit FaultPlanReader(const std::vector<TrainingPlace> &ring)
+        : m_ring(ring)
+    {}
+
+    static void checkFormat(const Json::Value &root, FaultKeeper &faults);
+    FaultPlan read(const JsonObject &json);
+
+private:
+    void readStep(const JsonObject &json);
+    static TrainingFault readFault(const JsonObject &json);
+    const TrainingPlace *readPlace(const JsonObject &json) const;
+    static int readValue(const JsonObject &json, TrainingFault fault);
+
+    const std::vector<TrainingPlace> &m_ring;
+    FaultPlan m_plan;
+};
+
+// Before anything else: what is of another kind has other keys.
+void FaultPlanReader::checkFormat(const Json::Value &root, FaultKeeper &faults)
+{
+    if (!root.isObject() || root["format"] == Json::Value(formatName))
+        return;
+    faults.report(root.isMember("format") ? root["format"] : root, QStringLiteral("format"),
+                  tr("This is no fault plan: the format is not \"%1\".").arg(QLatin1String(formatName)));
+}
+
+FaultPlan FaultPlanReader::read(const JsonObject &json)
+{
+    if (json.number("version") != formatVersion)
+        json.report("version", tr("Only version %1 of the format can be read.").arg(formatVersion));
+    m_plan.title = json.textOr("title", {});
+    for (const JsonObject &row : json.array("steps", {"at", "fault", "place", "on", "perThousand"}))
+        readStep(row);
+    if (m_plan.steps.empty())
+        json.report("steps", tr("At least one step is expected here."));
+    return m_plan;
+}
+
+void FaultPlanReader::readStep(const JsonObject &json)
+{
+    FaultStep step;
+    step.at = std::chrono::milliseconds(json.number("at", 0, latest));
+    if (!m_plan.steps.empty() && step.at < m_plan.steps.back().at)
+        json.report("at", tr("The step above comes later: the steps stand in the order of their times."));
+    step.fault = readFault(json);
+    step.value = readValue(json, step.fault);
+    if (const TrainingPlace *place = readPlace(json)) {
+        step.place = place->number;
+        if (std::ranges::find(place->faults, step.fault, &TrainingPlace::Standing::fault) ==
+            place->faults.end())
+            json.report("fault",
+                        tr("The device at %1 cannot have this fault.").arg(place->number.toString()));
+    }
+    m_plan.steps.push_back(step);
+}
+
+TrainingFault FaultPlanReader::readFault(const JsonObject &json)
+{
+    const QString name = json.text("fault");
+    const auto found =
+        std::ranges::find_if(rows, [&](const Row &row) { return name == QLatin1String(row.key); });
+    if (found != rows.end())
+        return found->fault;
+    QStringList known;
+    for (const Row &row : rows)
+        known << QString::fromLatin1(row.key);
+    json.reportUnknownName("fault", name, known);
+    return {};
+}
+
+const TrainingPlace *FaultPlanReader::readPlace(const JsonObject &json) const
+{
+    const QString text = json.text("place");
+    const auto number = DeviceNumber::parse(text);
+    const auto found = std::ranges::find_if(
+        m_ring, [&](const TrainingPlace &place) { return number && place.number == *number; });
+    if (found != m_ring.end())
+        return &*found;
+    json.report("place", tr("There is no device at \"%1\".").arg(text));
+    return nullptr;
+}
+
+int FaultPlanReader::readValue(const JsonObject &json, TrainingFault fault)
+{
+    const bool hasRate = fault == TrainingFault::crcErrors;
+    const char *other = hasRate ? "on" : "perThousand";
+    if (json.has(other))
+        json.report(other, hasRate ? tr("CRC errors have \"perThousand\" in place of it.")
+                                   : tr("Only CRC errors have a rate."));
+    if (hasRate)
+        return static_cast<int>(json.number("perThousand", 0, mostCrcErrors));
+    const bool isOn = json.flagOr("on", true);
+    if (!isOn && fault == TrainingFault::parametersLost)
+        json.report("on", tr("Lost parameters come back by parameterizing the encoder only."));
+    return isOn ? 1 : 0;
+}
+
+} // namespace
+
+QString trainingFaultName(TrainingFault fault)
+{
+    return translated(rowOf(fault).text);
+}
+
+QString trainingFaultKey(TrainingFault fault)
+{
+    return QString::fromLatin1(rowOf(fault).key);
+}
+
+QString trainingFaultText(TrainingFault fault, DeviceNumber place, int value)
+{
+    const char *pattern = fault == TrainingFault::crcErrors && value > 0
+                              ? QT_TRANSLATE_NOOP("codewheel::FaultPlan", "%1: %2, %3 of 1000 cycles")
+                          : value > 0 ? QT_TRANSLATE_NOOP("codewheel::FaultPlan", "%1: %2")
+                                      : QT_TRANSLATE_NOOP("codewheel::FaultPlan", "%1: %2 is over");
+    return sentence(translated(pattern),
+                    {place.toString(), trainingFaultName(fault), QString::number(value)});
+}
+
+Result<FaultPlan> faultPlanFromJson(const QByteArray &json, const QString &name,
+                                    const std::vector<TrainingPlace> &ring)
+{
+    FaultKeeper faults(json, name);
+    const Json::Value root = parseStrictly(json, faults);
+    FaultPlan plan;
+    if (!faults.first())
+        FaultPlanReader::checkFormat(root, faults);
+    if (!faults.first())
+        plan = FaultPlanReader(ring).read(
+            JsonObject(root, QString(), {"format", "version", "title", "steps"}, faults));
+    if (const auto &fault = faults.first())
+        return refuse(RefusalKind::badInput, RefusalId::faultPlanBroken,
+                      {fault->file, std::int64_t{fault->line}, fault->key, fault->reason});
+    return plan;
+}
+
+} // namespace codewheel

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/device_number.h"
+#include "encoder/refusal.h"
+
+#include <QString>
+
+#include <chrono>
+#include <vector>
+
+namespace codewheel {
+
+// What can befall a simulated ring and its devices.
+enum class TrainingFault : std::uint8_t {
+    wireBreak, // before the device
+    crcErrors, // in its segment: faulty data cycles of 1000
+    noSupply,
+    wrongDevice,
+    peripheralFault,
+    powerOff, // of the encoder; the ring goes on
+    slowConfirmation,
+    eepromWornOut,
+    parametersLost,
+    batteryLow,
+    codeDiscFault,
+    camOutOfRange,
+    magnetLost,
+};
+inline constexpr int trainingFaults = static_cast<int>(TrainingFault::magnetLost) + 1;
+inline constexpr int mostCrcErrors = 100; // of 1000
+
+// "Wire break before the device", in the user's language; and as the file has it: "wireBreak".
+QString trainingFaultName(TrainingFault fault);
+QString trainingFaultKey(TrainingFault fault);
+// "3.0: wire break before the device: on"
+QString trainingFaultText(TrainingFault fault, DeviceNumber place, int value);
+
+struct FaultStep
+{
+    std::chrono::milliseconds at{}; // since the plan was started, by the clock of the ring
+    TrainingFault fault = TrainingFault::wireBreak;
+    DeviceNumber place;
+    int value = 1; // 0: off, 1: on; CRC errors: of 1000 data cycles
+
+    friend bool operator==(const FaultStep &, const FaultStep &) = default;
+};
+
+// A lesson or a test that goes the same each time.
+struct FaultPlan
+{
+    QString title;
+    std::vector<FaultStep> steps; // by time; at least one
+
+    friend bool operator==(const FaultPlan &, const FaultPlan &) = default;
+};
+
+// A place of the ring, and the faults that fit it.
+struct TrainingPlace
+{
+    struct Standing
+    {
+        TrainingFault fault = TrainingFault::wireBreak;
+        int value = 0; // as of FaultStep
+
+        friend bool operator==(const Standing &, const Standing &) = default;
+    };
+
+    DeviceNumber number;
+    std::vector<Standing> faults; // in the order of TrainingFault
+};
+
+// The plan in `json` for a ring of these places, or the first thing that is wrong with it: faultPlanBroken.
+// Its form is documented in docs/fault-plans.md. `name` is the file's, for the sentence.
+Result<FaultPlan> faultPlanFromJson(const QByteArray &json, const QString &name,
+                                    const std::vector<TrainingPlace> &ring);
+
+} // namespace codewheel

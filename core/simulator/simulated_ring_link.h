@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ring/master_link.h"
+#include "ring/process_data_link.h"
+#include "simulator/simulated_ring.h"
+
+#include <memory>
+
+namespace codewheel {
+
+// The link to a simulated ring and to its master. Never blocks, so there is nothing to interrupt. Ring and
+// master go on as they are when the link is closed.
+class SimulatedRingLink final : public ProcessDataLink, private MasterLink
+{
+public:
+    explicit SimulatedRingLink(std::shared_ptr<SimulatedRing> ring);
+
+    Result<RingStructure> open() override;
+    void close() override;
+    Result<std::vector<Word>> readBackOut() override;
+    // Refused (linkFailed) while it is not open, and for words that are not one per device.
+    Result<void> exchange(std::span<const Word> out, std::span<Word> in) override;
+    bool boundsWordsToCycles() const override { return true; }
+    void interrupt() override {}
+    MasterLink *master() override { return this; }
+
+private:
+    const MasterStatus &status() const override { return m_ring->master().status(); }
+    std::uint64_t statusChanges() const override { return m_ring->master().statusChanges(); }
+    void idleCycle() override;
+    Result<IdCycle> createConfiguration() override;
+    Result<RingStructure> activateConfiguration() override;
+    Result<void> deactivateConfiguration() override;
+    Result<void> startDataTransfer() override;
+    Result<void> stopDataTransfer() override;
+    void alarmStop() override;
+    Result<void> switchSegment(int segment, bool on) override;
+    Result<void> confirmDiagnostics() override;
+    Result<void> keepConfiguration(const KeptConfiguration &configuration) override;
+    Result<KeptConfiguration> keptConfiguration() override;
+
+    std::shared_ptr<SimulatedRing> m_ring;
+    bool m_open = false;
+};
+
+} // namespace codewheel
