@@ -28,6 +28,7 @@ RingRunner::Drivers BusSession::Private::makeDevices(BusSession &bus)
     retiredChannels.clear();
     otherRing.reset();
     readingIn = false;
+    crcHistory.clear();
     descriptions.clear();
     RingRunner::Drivers drivers(structure.size());
     sessions.resize(structure.size());
@@ -194,6 +195,8 @@ void BusSession::dispatchAll()
 void BusSession::showLatest()
 {
     const auto shown = d->latest;
+    if (shown->master)
+        d->crcHistory.note(*shown->master, shown->at);
     for (std::size_t i = 0; i < shown->devices.size(); ++i) {
         d->channels[i]->show(shown->devices[i], shown->at);
         if (d->sessions[i] && !d->isStale(i))

@@ -21,6 +21,7 @@
 namespace codewheel {
 
 class Catalog;
+class CrcHistory;
 class WordChannel;
 
 // A connected ring as the window and the command line see it: owns link, runner, thread, encoder sessions and
@@ -64,6 +65,7 @@ public:
     const Snapshot &latest() const;
     // What the ring's master says; null where the link reaches none.
     const MasterStatus *master() const;
+    const CrcHistory &crcHistory() const;
     bool isOperating() const;
     bool isRunning() const; // RUN
     // Devices whose OUT is not 00000000, to be named on stop, disconnect and quit.

@@ -4,6 +4,7 @@
 #include "catalog/catalog.h"
 #include "drivers/make_driver.h"
 #include "ring/bus_session.h"
+#include "ring/crc_history.h"
 #include "ring/paced_thread.h"
 #include "ring/ring_encoder_session.h"
 #include "ring/ring_runner.h"
@@ -57,6 +58,7 @@ struct BusSession::Private
     std::deque<RingEvent> events; // fetched, not told yet
     bool pumping = false;
     bool readingIn = false;
+    CrcHistory crcHistory;
     std::optional<RingStructure> otherRing; // that the master has active now
     MasterState toldState = MasterState::ready;
     bool toldOperate = false;

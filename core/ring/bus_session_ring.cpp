@@ -98,6 +98,7 @@ void BusSession::useOtherRing()
         post(command::StartBus{});
     showNewRing(*before, out);
     d->readingIn = false;
+    d->crcHistory.clear();
     Q_EMIT structureChanged();
     Q_EMIT readInEnded();
     if (hasThread)
@@ -121,6 +122,11 @@ void BusSession::showNewRing(const Snapshot &before, const std::vector<Word> &ou
 const MasterStatus *BusSession::master() const
 {
     return d->latest->master.get();
+}
+
+const CrcHistory &BusSession::crcHistory() const
+{
+    return d->crcHistory;
 }
 
 void BusSession::readIn()

@@ -183,6 +183,7 @@ void RingRunner::Private::fail(const Refusal &why)
         message.refusal = why;
         tellOfRing(std::move(message));
     }
+    lookAtMaster();
     showStandingWords();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/simulated_master.h"
 
+#include "ring/comparison.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -117,7 +119,8 @@ std::optional<SimulatedMaster::Defect> SimulatedMaster::defect() const
 {
     for (std::size_t i = 0; i < m_places.size(); ++i) {
         const PlaceTrouble &trouble = m_wiring.trouble(m_places[i]);
-        if ((!trouble.wireBroken && trouble.supplied && !trouble.wrongDevice) || isSwitchedOff(i))
+        const bool isRight = isSameKind(m_wiring.present(m_places[i]), m_configuration[i]);
+        if ((!trouble.wireBroken && trouble.supplied && isRight) || isSwitchedOff(i))
             continue;
         if (trouble.wireBroken)
             return brokenBefore(i);

@@ -11,6 +11,7 @@ namespace codewheel {
 void SimulatedRing::add(Participant participant, std::unique_ptr<SimulatedDevice> device)
 {
     m_wiring.add(std::move(participant));
+    m_present.push_back(device.get());
     m_devices.push_back(std::move(device));
     m_wrongDevices.emplace_back();
     m_lastOut.push_back(0);
@@ -72,8 +73,8 @@ Result<void> SimulatedRing::exchange(std::span<const Word> out, std::span<Word> 
     }
     if (!m_master.isWhole() || m_wiring.hasCrcErrors())
         return exchangeSome(out, in);
-    for (std::size_t i = 0; i < m_devices.size(); ++i)
-        in[i] = m_devices[i]->cycle(out[i]);
+    for (std::size_t i = 0; i < m_present.size(); ++i)
+        in[i] = m_present[i]->cycle(out[i]);
     std::copy(out.begin(), out.end(), m_lastOut.begin());
     return {};
 }
@@ -91,7 +92,7 @@ Result<void> SimulatedRing::exchangeSome(std::span<const Word> out, std::span<Wo
         const bool takesPart = i < out.size() && m_master.takesPart(i);
         if (!isFaulty)
             m_lastOut[place] = takesPart ? out[i] : 0;
-        const Word given = deviceAt(place).cycle(m_lastOut[place]);
+        const Word given = m_present[place]->cycle(m_lastOut[place]);
         if (i < out.size() && !isFaulty)
             m_lastIn[i] = takesPart ? given : 0;
     }
@@ -112,12 +113,7 @@ void SimulatedRing::idle()
     if (!m_master.holdsOutputs())
         std::ranges::fill(m_lastOut, Word{0});
     for (std::size_t place = 0; place < m_devices.size(); ++place)
-        deviceAt(place).cycle(m_lastOut[place]);
-}
-
-SimulatedDevice &SimulatedRing::deviceAt(std::size_t place) const
-{
-    return m_wrongDevices[place] ? *m_wrongDevices[place] : *m_devices[place];
+        m_present[place]->cycle(m_lastOut[place]);
 }
 
 template <typename State>

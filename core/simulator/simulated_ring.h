@@ -73,7 +73,6 @@ private:
 
     void passTime();
     Result<void> exchangeSome(std::span<const Word> out, std::span<Word> in);
-    SimulatedDevice &deviceAt(std::size_t place) const;
     void idle();
     void befall(TrainingFault fault, std::size_t place, int value);
     void befallRing(TrainingFault fault, std::size_t place, int value);
@@ -86,6 +85,7 @@ private:
     SimulatedMaster m_master{m_wiring};
     std::vector<std::unique_ptr<SimulatedDevice>> m_devices;
     std::vector<std::unique_ptr<SimulatedDevice>> m_wrongDevices; // in place of them; null: none
+    std::vector<SimulatedDevice *> m_present;                     // the one or the other
     std::vector<Word> m_lastOut;                                  // by place, as the devices hold it
     std::vector<Word> m_lastIn;                                   // by device configured
     FaultPlanRun m_plan;

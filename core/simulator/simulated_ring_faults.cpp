@@ -105,6 +105,7 @@ void SimulatedRing::putDevice(std::size_t place, bool wrong)
         m_wrongDevices[place] = std::make_unique<SimulatedPositionEncoder>(wrongResolution, wrongPosition);
     else
         m_wrongDevices[place].reset();
+    m_present[place] = wrong ? m_wrongDevices[place].get() : m_devices[place].get();
 }
 
 std::vector<TrainingPlace> SimulatedRing::places() const

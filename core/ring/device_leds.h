@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ring/snapshot.h"
+
+#include <QString>
+
+#include <array>
+
+namespace codewheel {
+
+// The LEDs on the housing of a device, as they have to be by what the master says: UL supply, RC remote bus
+// check, BA bus active, RBDA remote bus disabled (FRABA manual 3.3).
+enum class LedState : std::uint8_t { off, on, blinking };
+struct DeviceLeds
+{
+    LedState ul = LedState::on;
+    LedState rc = LedState::off;
+    LedState ba = LedState::off;
+    LedState rbda = LedState::off;
+
+    friend bool operator==(const DeviceLeds &, const DeviceLeds &) = default;
+};
+
+// `inRing` false: behind a fault, or switched off with its segment. Whether a device there has its supply, no
+// master can tell; UL is taken to be on.
+constexpr DeviceLeds ledsOf(MasterState state, bool inRing)
+{
+    if (!inRing || state == MasterState::busFail)
+        return {.rbda = LedState::on};
+    DeviceLeds leds{.rc = LedState::on};
+    if (state == MasterState::active)
+        leds.ba = LedState::blinking;
+    else if (state == MasterState::run)
+        leds.ba = LedState::on;
+    return leds;
+}
+
+// "UL on, RC on, BA blinking, RBDA off", in the user's language.
+QString ledText(const DeviceLeds &leds);
+QString ledStateName(LedState state);
+
+} // namespace codewheel

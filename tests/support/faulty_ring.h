@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simulator/fraba_k3.h"
+#include "simulator/simulated_bus_terminal.h"
+#include "simulator/simulated_ring_link.h"
+
+#include <memory>
+
+namespace codewheel {
+
+// A ring of FRABA K3 with a branch and a local bus, for what befalls rings:
+// 1.0, 2.0 on the main line; terminal 3.0 with 3.1 and 3.2 on its local bus and the branch 4.0, 5.0; 6.0.
+struct FaultyRing
+{
+    FaultyRing()
+    {
+        add({1, 0}, 0);
+        add({2, 0}, 0);
+        ring->add({.number = {3, 0}, .idCode = 0x0C, .deviceCode = 0x000C, .deviceKey = {}},
+                  std::make_unique<SimulatedBusTerminal>());
+        add({3, 1}, 0);
+        add({3, 2}, 0);
+        add({4, 0}, 1);
+        add({5, 0}, 1);
+        add({6, 0}, 0);
+        ring->keepConfiguration(QStringLiteral("plant.codewheel"));
+    }
+    void add(DeviceNumber number, int level)
+    {
+        const bool isLocal = number.position > 0;
+        const unsigned idCode = isLocal ? 0xB3 : 0x37;
+        ring->add(
+            {.number = number,
+             .idCode = idCode,
+             .deviceCode = 0x0200 | idCode,
+             .inWords = 2,
+             .outWords = 2,
+             .deviceKey = isLocal ? QStringLiteral("fraba-ocd-ib-loop2") : QStringLiteral("fraba-ocd-ib"),
+             .level = level},
+            std::make_unique<FrabaK3>(PhysicalResolution{}, 1'000 * number.segment + number.position,
+                                      FrabaPlate{}));
+    }
+    static constexpr std::size_t devices = 8;
+
+    std::shared_ptr<SimulatedRing> ring = std::make_shared<SimulatedRing>();
+    std::unique_ptr<ProcessDataLink> link = std::make_unique<SimulatedRingLink>(ring);
+};
+
+} // namespace codewheel
