@@ -15,6 +15,7 @@
 #include "widgets/device/device_panel.h"
 #include "widgets/dial/dial_panel.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/master/master_panel.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/messages/messages_view.h"
 #include "widgets/monitor/monitor_area.h"
@@ -45,7 +46,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int layoutVersion = 1; // of docks and tool bar: another one is not restored
+constexpr int layoutVersion = 2; // of docks and tool bar: another one is not restored
 constexpr QSize firstSize(1280, 800);
 
 } // namespace
@@ -169,10 +170,9 @@ void MainWindow::showOnline()
 void MainWindow::showOtherRing()
 {
     const auto chosen = currentNumber();
-    m_monitors->restoreState(m_monitors->state());
     m_leaving->setBus(m_bus);
     m_structure->setBus(m_bus);
-    if (chosen)
+    if (chosen && m_bus->channel(*chosen) != nullptr)
         m_structure->choose(*chosen);
 }
 
@@ -192,6 +192,7 @@ void MainWindow::makeDocks(MessageModel &messages)
     rows->addWidget(new ProjectSequences(m_project, *m_sequence, sequences));
     rows->addWidget(m_sequence, 1);
     m_messages = new MessagesView(messages, this);
+    m_master = new MasterPanel(*m_bus, this);
     m_actions.deviceMenu->insertActions(m_actions.zeroOut, m_parameters->functionActions());
     m_actions.deviceMenu->insertSeparator(m_actions.zeroOut);
     addDock(QStringLiteral("structureDock"), tr("Bus structure"), m_structure, Qt::LeftDockWidgetArea);
@@ -202,6 +203,7 @@ void MainWindow::makeDocks(MessageModel &messages)
     addDock(QStringLiteral("traceDock"), tr("Handshake trace"), m_trace, Qt::BottomDockWidgetArea);
     addDock(QStringLiteral("sequenceDock"), tr("Sequence"), sequences, Qt::BottomDockWidgetArea);
     addDock(QStringLiteral("deviceDock"), tr("Device"), m_device, Qt::RightDockWidgetArea);
+    addDock(QStringLiteral("masterDock"), tr("Master"), m_master, Qt::LeftDockWidgetArea);
     arrangeDocks();
     m_defaultLayout = saveState(layoutVersion);
     if (!restoreState(m_settings.layout(), layoutVersion)) // a tab can be raised once its tab bar is there
@@ -232,6 +234,8 @@ void MainWindow::arrangeDocks()
     tabifyDockWidget(dock("messagesDock"), dock("traceDock"));
     tabifyDockWidget(dock("traceDock"), dock("sequenceDock"));
     tabifyDockWidget(dock("parametersDock"), dock("deviceDock"));
+    tabifyDockWidget(dock("trainingDock"), dock("masterDock"));
+    dock("trainingDock")->raise();
     dock("parametersDock")->raise();
     dock("traceDock")->raise();
     resizeDocks({dock("structureDock"), dock("parametersDock")}, {280, 310}, Qt::Horizontal);
@@ -257,6 +261,12 @@ void MainWindow::connectActions()
             withBus([](BusSession &bus) { bus.alarmStop(); }));
     connect(m_actions.stop, &QAction::triggered, this,
             [this] { m_leaving->ask(Leaving::Why::stop, [this] { m_bus->stopBus(); }); });
+    connect(m_actions.confirmDiagnostics, &QAction::triggered, this,
+            withBus([](BusSession &bus) { bus.confirmDiagnostics(); }));
+    connect(m_actions.switchSegment, &QAction::triggered, this, [this] {
+        if (const auto number = currentNumber())
+            m_master->toggleSegment(number->segment);
+    });
     connect(m_actions.wizard, &QAction::triggered, this, &MainWindow::showWizard);
     connect(m_actions.monitors, &QAction::triggered, this, &MainWindow::showMonitors);
     connect(m_actions.cams, &QAction::triggered, this, &MainWindow::showCams);
@@ -330,6 +340,9 @@ void MainWindow::connectViews()
         if (currentNumber() == number)
             choose(number);
     });
+    connect(m_master, &MasterPanel::startRequested, m_actions.start, &QAction::trigger);
+    connect(m_master, &MasterPanel::stopRequested, m_actions.stop, &QAction::trigger);
+    connect(m_master, &MasterPanel::readInRequested, m_actions.readIn, &QAction::trigger);
     connect(m_parameters, &ParameterPanel::wizardRequested, this, &MainWindow::showWizard);
     connect(m_parameters, &ParameterPanel::refusalShown, this, [this] {
         auto *dock = findChild<QDockWidget *>(QStringLiteral("parametersDock"));
@@ -341,6 +354,12 @@ void MainWindow::connectViews()
         m_messageModel->addNow({.place = number,
                                 .severity = Severity::information,
                                 .id = MessageId::training,
+                                .arguments = {what}});
+    });
+    connect(m_trainingPanel, &TrainingPanel::planned, this, [this](DeviceNumber number, const QString &what) {
+        m_messageModel->addNow({.place = number,
+                                .severity = Severity::information,
+                                .id = MessageId::faultPlan,
                                 .arguments = {what}});
     });
 }
@@ -434,6 +453,9 @@ void MainWindow::showBusState()
     m_actions.operate->setChecked(operating);
     m_actions.start->setEnabled(connected && !running);
     m_actions.stop->setEnabled(running);
+    const bool hasMaster = connected && m_bus->master() != nullptr;
+    m_actions.confirmDiagnostics->setEnabled(hasMaster);
+    m_actions.switchSegment->setEnabled(hasMaster);
     m_actions.alarmStop->setEnabled(connected);
     m_actions.deviceMenu->setEnabled(connected);
     m_actions.exportTrace->setEnabled(m_bus != nullptr);

@@ -26,6 +26,7 @@ class DialPanel;
 class EncoderSession;
 class InlineMessage;
 class Leaving;
+class MasterPanel;
 class MessageModel;
 struct Message;
 class MessagesView;
@@ -95,11 +96,11 @@ private:
     void connectViewActions();
     void connectViews();
     void choose(DeviceNumber number);
+    void showOtherRing();
     void openFirstMonitors();
     void makePages();
     void connectProject();
     void showOnline();
-    void showOtherRing();
     void tell(const Message &message);
     void showBusState();
     void showKeys();
@@ -135,6 +136,7 @@ private:
     SequenceView *m_sequence = nullptr;
     MessageModel *m_messageModel = nullptr;
     MessagesView *m_messages = nullptr;
+    MasterPanel *m_master = nullptr;
     TrainingPanel *m_trainingPanel = nullptr;
     QByteArray m_defaultLayout;
     bool m_painted = false;

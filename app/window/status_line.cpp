@@ -6,6 +6,7 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/role_label.h"
+#include "widgets/master/master_look.h"
 
 #include <QLabel>
 #include <QLocale>
@@ -30,6 +31,14 @@ void setTextOf(QLabel *label, const QString &text)
         label->setText(text);
 }
 
+int crcErrorsOf(const MasterStatus &master)
+{
+    int errors = 0;
+    for (const MasterStatus::Segment &segment : master.segments)
+        errors += static_cast<int>(segment.crcErrors);
+    return errors;
+}
+
 } // namespace
 
 StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
@@ -39,6 +48,7 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     , m_cycle(addLabel(bar, tr("Cycle time"), tr("The time from one exchange of all words to the next")))
     , m_late(
           addLabel(bar, tr("Late cycles"), tr("Cycles that began too late; they are counted, not caught up")))
+    , m_crc(addLabel(bar, tr("CRC errors"), tr("Faulty data cycles since the ring was started")))
     , m_linkLabel(addLabel(bar, tr("Link"), tr("How the program is connected to the ring")))
     , m_hint(addLabel(bar, QString(), QString()))
     , m_writes(
@@ -53,6 +63,7 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     bar.addPermanentWidget(m_mode);
     bar.addPermanentWidget(m_cycle);
     bar.addPermanentWidget(m_late);
+    bar.addPermanentWidget(m_crc);
     bar.addPermanentWidget(m_linkLabel);
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_hint->setIndent(grid::margin);
@@ -94,6 +105,9 @@ void StatusLine::refresh()
     setTextOf(m_cycle,
               period > 0 ? tr("cycle %1 ms").arg(locale.toString(period, 'f', 1)) : tr("virtual time"));
     setTextOf(m_late, tr("%n late cycles", nullptr, static_cast<int>(snapshot.lateCycles)));
+    m_crc->setVisible(snapshot.master != nullptr);
+    if (snapshot.master)
+        setTextOf(m_crc, tr("%n CRC errors", nullptr, crcErrorsOf(*snapshot.master)));
     setTextOf(m_linkLabel, tr("link: %1").arg(m_link));
     setTextOf(m_writes, m_encoder == nullptr || !m_encoder->can().writes
                             ? QString()
@@ -108,20 +122,7 @@ void StatusLine::showState()
         m_mode->setState(Role::inactive, tr("Watch"));
         return;
     }
-    switch (m_bus->latest().state) {
-    case MasterState::run:
-        m_state->setState(Role::running, tr("RUN"));
-        break;
-    case MasterState::busFail:
-        m_state->setState(Role::fault, tr("BUS FAIL"));
-        break;
-    case MasterState::ready:
-        m_state->setState(Role::inactive, tr("READY"));
-        break;
-    case MasterState::active:
-        m_state->setState(Role::inactive, tr("ACTIVE"));
-        break;
-    }
+    m_state->setState(masterRole(m_bus->latest()), masterText(m_bus->latest()));
     if (m_bus->isOperating())
         m_mode->setState(Role::running, tr("Operate"));
     else

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "encoder/device_number.h"
+#include "encoder/encoder_session.h"
 
+#include <QPointer>
 #include <QWidget>
 
 #include <optional>
@@ -13,7 +15,6 @@ class QStatusBar;
 namespace codewheel {
 
 class BusSession;
-class EncoderSession;
 class RoleLabel;
 
 // The line at the foot of the window: state of the bus, cycle, link, and what the chosen encoder's memory has
@@ -33,12 +34,13 @@ private:
     void showState();
 
     BusSession *m_bus = nullptr;
-    EncoderSession *m_encoder = nullptr;
+    QPointer<EncoderSession> m_encoder;
     QString m_link;
     RoleLabel *m_state;
     RoleLabel *m_mode;
     QLabel *m_cycle;
     QLabel *m_late;
+    QLabel *m_crc;
     QLabel *m_linkLabel;
     QLabel *m_hint; // what the mouse or the focus is on
     QLabel *m_writes;

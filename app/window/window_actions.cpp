@@ -120,6 +120,14 @@ void WindowActions::makeBusMenu()
     stop = described(menu->addAction(lineIcon(Icon::stop), tr("S&top")), Qt::SHIFT | Qt::Key_F5,
                      tr("Stops the bus: no more data cycles"));
     menu->addSeparator();
+    confirmDiagnostics =
+        described(menu->addAction(lineIcon(Icon::ok), tr("&Confirm diagnostics")), Qt::CTRL | Qt::Key_F9,
+                  tr("Confirms peripheral faults; one whose cause is still there comes back"));
+    switchSegment = described(
+        menu->addAction(lineIcon(Icon::power), tr("Switch se&gment off or on")), Qt::SHIFT | Qt::Key_F9,
+        tr("Takes the segment of the chosen device, and what is behind it, out of the data "
+           "cycles, or puts it back"));
+    menu->addSeparator();
     alarmStop = described(menu->addAction(lineIcon(Icon::alarmStop), tr("&ALARM STOP whole ring")),
                           alarmStopKey(), tr("Sets all OUT words of the whole ring to 0, at once"));
 }

@@ -51,6 +51,8 @@ public:
     QAction *operate;
     QAction *start;
     QAction *stop;
+    QAction *confirmDiagnostics;
+    QAction *switchSegment; // of the chosen device
     QAction *alarmStop;
     // Device
     QAction *openIn32;

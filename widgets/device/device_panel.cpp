@@ -8,9 +8,12 @@
 #include "widgets/device/naming_bar.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
+#include "widgets/master/led_row.h"
 
 #include <QTextBrowser>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace codewheel {
 
@@ -18,6 +21,7 @@ DevicePanel::DevicePanel(BusSession &bus, QWidget *parent)
     : QWidget(parent)
     , m_bus(bus)
     , m_naming(new NamingBar(bus, this))
+    , m_leds(new LedRow(this))
     , m_page(new QTextBrowser(this))
     , m_empty(new EmptyState(Icon::encoder, tr("No description"), QString(), this))
 {
@@ -31,6 +35,7 @@ DevicePanel::DevicePanel(BusSession &bus, QWidget *parent)
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(grid::margin, grid::margin, grid::margin, grid::margin);
     rows->setSpacing(grid::margin);
+    rows->addWidget(m_leds);
     rows->addWidget(m_naming);
     rows->addWidget(m_page, 1);
     rows->addWidget(m_empty, 1);
@@ -40,6 +45,9 @@ DevicePanel::DevicePanel(BusSession &bus, QWidget *parent)
         if (m_number == number)
             setPlace(number);
     });
+    connect(&bus, &BusSession::updated, this, &DevicePanel::showLeds);
+    connect(&bus, &BusSession::stateChanged, this, &DevicePanel::showLeds);
+    connect(&bus, &BusSession::structureChanged, this, [this] { setPlace(m_number); });
     showDevice();
 }
 
@@ -48,6 +56,20 @@ void DevicePanel::setPlace(std::optional<DeviceNumber> number)
     m_number = number;
     m_naming->setPlace(number);
     showDevice();
+    showLeds();
+}
+
+// As they have to be; a look at the housing tells whether they are.
+void DevicePanel::showLeds()
+{
+    const RingStructure &ring = m_bus.structure();
+    const auto found = std::ranges::find_if(
+        ring, [this](const Participant &other) { return m_number && other.number == *m_number; });
+    const auto place = static_cast<std::size_t>(found - ring.begin());
+    const bool isThere = place < m_bus.latest().devices.size();
+    m_leds->setVisible(isThere);
+    if (isThere)
+        m_leds->showLeds(ledsOf(m_bus.latest().state, m_bus.latest().devices[place].inRing));
 }
 
 void DevicePanel::focusNaming()

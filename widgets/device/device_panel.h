@@ -13,6 +13,7 @@ namespace codewheel {
 
 class BusSession;
 class EmptyState;
+class LedRow;
 class NamingBar;
 struct DeviceDescription;
 
@@ -32,11 +33,13 @@ public:
 
 private:
     void showDevice();
+    void showLeds();
     const DeviceDescription *shown() const;
 
     BusSession &m_bus;
     std::optional<DeviceNumber> m_number;
     NamingBar *m_naming;
+    LedRow *m_leds;
     QTextBrowser *m_page;
     EmptyState *m_empty;
 };

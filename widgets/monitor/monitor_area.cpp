@@ -71,6 +71,7 @@ MonitorArea::MonitorArea(BusSession &bus, QWidget *parent)
             monitor->busStateChanged();
     });
     connect(&bus, &BusSession::named, this, &MonitorArea::openAgain);
+    connect(&bus, &BusSession::structureChanged, this, &MonitorArea::followStructure);
     showWhetherEmpty();
 }
 
@@ -91,6 +92,22 @@ void MonitorArea::openAgain(DeviceNumber number)
         m_column->insertWidget(row, fresh);
         remove(monitor);
     }
+}
+
+// Monitors of devices that are gone are closed, those of other devices in their places made anew.
+void MonitorArea::followStructure()
+{
+    const auto before = m_monitors;
+    for (WordMonitor *monitor : before) {
+        if (std::ranges::find(m_monitors, monitor) == m_monitors.end())
+            continue; // made anew with another of its device
+        const DeviceNumber number = monitor->number();
+        if (!hasWord(number, monitor->kind()))
+            remove(monitor);
+        else if (monitor->channel() != m_bus.channel(number))
+            openAgain(number);
+    }
+    showWhetherEmpty();
 }
 
 void MonitorArea::makeBar()

@@ -46,6 +46,7 @@ public:
 private:
     void makeBar();
     void openAgain(DeviceNumber number);
+    void followStructure();
     void fillAddMenu();
     WordMonitor *addMonitor(DeviceNumber number, MonitorKind kind);
     void remove(WordMonitor *monitor);

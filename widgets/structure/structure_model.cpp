@@ -7,8 +7,10 @@
 #include "encoder/device_error_name.h"
 #include "project/project_take_over.h"
 #include "ring/bus_session.h"
+#include "ring/device_leds.h"
 #include "ring/ring_tree.h"
 #include "ring/word_channel.h"
+#include "widgets/master/master_look.h"
 #include "widgets/models/device_traits.h"
 #include "widgets/project/project_document.h"
 
@@ -186,17 +188,7 @@ StructureModel::Shown StructureModel::shownOfMaster() const
 {
     if (m_bus == nullptr)
         return {Role::inactive, tr("offline")};
-    switch (m_bus->latest().state) {
-    case MasterState::ready:
-        return {Role::inactive, tr("READY")};
-    case MasterState::active:
-        return {Role::inactive, tr("ACTIVE")};
-    case MasterState::run:
-        return {Role::running, tr("RUN")};
-    case MasterState::busFail:
-        return {Role::fault, tr("BUS FAIL")};
-    }
-    return {};
+    return {masterRole(m_bus->latest()), masterText(m_bus->latest())};
 }
 
 StructureModel::Shown StructureModel::shownOf(const Node &node, std::size_t place) const
@@ -207,6 +199,10 @@ StructureModel::Shown StructureModel::shownOf(const Node &node, std::size_t plac
         return {Role::inactive, tr("not seen yet")};
     const Snapshot::Device &device = m_bus->latest().devices[place];
     const WordChannel *channel = m_bus->channel(node.participant.number);
+    if (auto fault = faultOf(node, place))
+        return *fault;
+    if (!device.inRing)
+        return {Role::inactive, tr("not in the ring")};
     if (!m_bus->isRunning())
         return {Role::inactive, tr("stopped")};
     const bool exchanged = m_bus->latest().cycle > 0;
@@ -234,6 +230,21 @@ StructureModel::Shown StructureModel::shownOf(const Node &node, std::size_t plac
         break;
     }
     return {Role::running, tr("ok")};
+}
+
+// What the master says of this very device.
+std::optional<StructureModel::Shown> StructureModel::faultOf(const Node &node, std::size_t place) const
+{
+    const MasterStatus *master = m_bus->master();
+    if (master == nullptr)
+        return std::nullopt;
+    const auto at = master->faultPlace();
+    if (at && at->number == node.participant.number)
+        return Shown{Role::fault, master->faultText()};
+    if (place < master->devices.size() && master->devices[place].peripheralFault)
+        return Shown{Role::fault, busFaultText(bus_error::peripheralFault,
+                                               diagnosticParameterOf({.number = node.participant.number}))};
+    return std::nullopt;
 }
 
 std::optional<DeviceNumber> StructureModel::numberAt(const QModelIndex &index) const
@@ -385,6 +396,11 @@ QString StructureModel::calledText(const Node &node)
     return node.station.isEmpty() ? node.name : tr("%1: %2", "station, device").arg(node.station, node.name);
 }
 
+std::size_t StructureModel::placeOf(const Node &node) const
+{
+    return static_cast<std::size_t>(&node - m_nodes.data());
+}
+
 // How the position stands in IN, where it is not plain binary.
 QString StructureModel::codingText(const Node &node) const
 {
@@ -397,9 +413,20 @@ QString StructureModel::codingText(const Node &node) const
     return {};
 }
 
+// On the housing, as they have to be.
+QString StructureModel::ledsText(const Node &node) const
+{
+    const std::size_t place = placeOf(node);
+    if (m_bus == nullptr || place >= m_bus->latest().devices.size())
+        return {};
+    const Snapshot &ring = m_bus->latest();
+    return tr("LEDs: %1").arg(ledText(ledsOf(ring.state, ring.devices[place].inRing)));
+}
+
 QString StructureModel::toolTip(const Node &node) const
 {
-    const QString coding = codingText(node);
+    QStringList more{codingText(node), ledsText(node)};
+    more.removeAll(QString());
     const QString text =
         tr("%1  %2\nID code %3, device code %4\n%5 words IN, %6 words OUT\nState: %7")
             .arg(node.participant.number.toString(), calledText(node), idCodeText(node.participant.idCode),
@@ -407,7 +434,7 @@ QString StructureModel::toolTip(const Node &node) const
             .arg(node.participant.inWords)
             .arg(node.participant.outWords)
             .arg(node.shown.word);
-    return coding.isEmpty() ? text : text + u'\n' + coding;
+    return (QStringList{text} + more).join(u'\n');
 }
 
 } // namespace codewheel

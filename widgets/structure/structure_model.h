@@ -73,6 +73,9 @@ private:
     void showName(DeviceNumber number);
     Shown shownOf(const Node &node, std::size_t place) const;
     Shown shownOfMaster() const;
+    std::optional<Shown> faultOf(const Node &node, std::size_t place) const;
+    std::size_t placeOf(const Node &node) const;
+    QString ledsText(const Node &node) const;
     QVariant masterCell(int column, int role) const;
     QVariant deviceCell(const Node &node, int column, int role) const;
     static QString calledText(const Node &node);

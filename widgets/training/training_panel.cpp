@@ -3,6 +3,8 @@
 
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
+#include "widgets/training/fault_plan_bar.h"
+#include "widgets/training/ring_faults.h"
 #include "widgets/training/rod_controls.h"
 #include "widgets/training/shaft_controls.h"
 #include "widgets/training/training_fields.h"
@@ -35,6 +37,8 @@ TrainingPanel::TrainingPanel(TrainingControls &controls, QWidget *parent)
     , m_device(new QComboBox(m_content))
     , m_shaft(new ShaftControls(controls, m_content))
     , m_rod(new RodControls(controls, m_content))
+    , m_ringFaults(new RingFaults(controls, m_content))
+    , m_plan(new FaultPlanBar(controls, m_content))
     , m_writesCaption(new QLabel(tr("EEPROM writes"), m_content))
     , m_writes(numberLabel(tr("EEPROM writes"), m_content))
 {
@@ -46,6 +50,8 @@ TrainingPanel::TrainingPanel(TrainingControls &controls, QWidget *parent)
     column->setSpacing(grid::unit);
     makeTop(column);
     makeTroubles(column);
+    column->addWidget(m_ringFaults);
+    column->addWidget(m_plan);
     column->addStretch(1);
     setWidget(m_content);
 
@@ -53,17 +59,19 @@ TrainingPanel::TrainingPanel(TrainingControls &controls, QWidget *parent)
     connect(m_device, &QComboBox::currentIndexChanged, this, &TrainingPanel::choose);
     connect(m_shaft, &ShaftControls::acted, this, &TrainingPanel::act);
     connect(m_rod, &RodControls::acted, this, &TrainingPanel::act);
+    connect(m_ringFaults, &RingFaults::acted, this, &TrainingPanel::act);
+    connect(m_plan, &FaultPlanBar::carriedOut, this, &TrainingPanel::planned);
     choose();
 }
 
 void TrainingPanel::makeTop(QVBoxLayout *column)
 {
-    m_device->setAccessibleName(tr("Encoder to train with"));
-    m_device->setToolTip(tr("The simulated encoder that is moved, switched and disturbed here"));
+    m_device->setAccessibleName(tr("Device to train with"));
+    m_device->setToolTip(tr("The simulated device that is moved, switched and disturbed here"));
     auto *device = new QGridLayout;
     device->setHorizontalSpacing(grid::groupGap);
     device->setColumnStretch(1, 1);
-    addCaption(device, 0, tr("Encoder"), m_device);
+    addCaption(device, 0, tr("Device"), m_device);
     device->addWidget(m_device, 0, 1);
     auto *writes = new QGridLayout;
     writes->setColumnStretch(1, 1);
@@ -95,8 +103,8 @@ void TrainingPanel::makeTroubles(QVBoxLayout *column)
     m_battery = addBox(column, tr("Battery low"), tr("The encoder tests its battery when it is switched on"));
     m_eeprom = addBox(column, tr("EEPROM worn out"), tr("Error 13 when run is to store parameters"));
     m_codeDisc = addBox(column, tr("Code disc faulty"), tr("Error 15, by itself"));
-    auto *cycle = addCommand(column, Icon::power, tr("Power off and on"),
-                             tr("Switch the encoder off and on again after 50 ms"));
+    m_cycle = addCommand(column, Icon::power, tr("Power off and on"),
+                         tr("Switch the encoder off and on again after 50 ms"));
     m_lose = addCommand(column, Icon::fault, tr("Lose parameters"),
                         tr("The EEPROM content is destroyed: error 3, until it is parameterized again"));
     connect(m_power, &QCheckBox::clicked, this, &TrainingPanel::setPower);
@@ -104,7 +112,7 @@ void TrainingPanel::makeTroubles(QVBoxLayout *column)
     connect(m_battery, &QCheckBox::clicked, this, &TrainingPanel::setBatteryLow);
     connect(m_eeprom, &QCheckBox::clicked, this, &TrainingPanel::setEepromWornOut);
     connect(m_codeDisc, &QCheckBox::clicked, this, &TrainingPanel::setCodeDiscFaulty);
-    connect(cycle, &QPushButton::clicked, this, [this] {
+    connect(m_cycle, &QPushButton::clicked, this, [this] {
         m_controls.powerCycle(*m_number);
         act(tr("Power off and on."));
     });
@@ -116,11 +124,8 @@ void TrainingPanel::makeTroubles(QVBoxLayout *column)
 
 void TrainingPanel::listDevices()
 {
-    for (const TrainingControls::Shaft &shaft : m_controls.shafts())
-        m_devices.push_back(shaft.number);
-    for (const TrainingControls::Rod &rod : m_controls.rods())
-        m_devices.push_back(rod.number);
-    std::ranges::sort(m_devices);
+    for (const TrainingPlace &place : m_controls.places())
+        m_devices.push_back(place.number);
     for (const DeviceNumber number : m_devices)
         m_device->addItem(number.toString());
     m_content->setEnabled(!m_devices.empty());
@@ -165,6 +170,13 @@ void TrainingPanel::refresh()
         showCommon({.powered = rod->powered, .eepromWrites = rod->eepromWrites});
         m_rod->showRod(*rod);
     }
+    if (shaft == shafts.end() && rod == rods.end())
+        hideCommon();
+    const std::vector<TrainingPlace> places = m_controls.places();
+    if (const auto place = std::ranges::find(places, *m_number, &TrainingPlace::number);
+        place != places.end())
+        m_ringFaults->showPlace(*place);
+    m_plan->refresh();
 }
 
 // A field is changed only when the encoder changed: what the user has just ticked is not undone before the
@@ -174,6 +186,8 @@ void TrainingPanel::showCommon(const Common &common)
     const bool isNew = !m_shown;
     const Common before = std::exchange(m_shown, common).value_or(Common{});
     if (isNew) {
+        m_power->setVisible(true);
+        m_cycle->setVisible(true);
         m_writesCaption->setVisible(common.hasParameters);
         m_writes->setVisible(common.hasParameters);
         m_slow->setVisible(common.hasConfirmations);
@@ -194,6 +208,18 @@ void TrainingPanel::showCommon(const Common &common)
         m_eeprom->setChecked(common.eepromWornOut);
     if (isNew || common.codeDiscFaulty != before.codeDiscFaulty)
         m_codeDisc->setChecked(common.codeDiscFaulty);
+}
+
+// A bus terminal: nothing but what befalls the ring.
+void TrainingPanel::hideCommon()
+{
+    m_shown.reset();
+    for (QWidget *widget :
+         {static_cast<QWidget *>(m_writesCaption), static_cast<QWidget *>(m_writes),
+          static_cast<QWidget *>(m_power), static_cast<QWidget *>(m_slow), static_cast<QWidget *>(m_battery),
+          static_cast<QWidget *>(m_eeprom), static_cast<QWidget *>(m_codeDisc),
+          static_cast<QWidget *>(m_cycle), static_cast<QWidget *>(m_lose)})
+        widget->hide();
 }
 
 void TrainingPanel::setPower(bool on)

@@ -18,6 +18,8 @@ class QVBoxLayout;
 
 namespace codewheel {
 
+class FaultPlanBar;
+class RingFaults;
 class RodControls;
 class ShaftControls;
 
@@ -40,6 +42,7 @@ public:
 
 Q_SIGNALS:
     void acted(codewheel::DeviceNumber number, const QString &what);
+    void planned(codewheel::DeviceNumber number, const QString &what); // by the fault plan
 
 private:
     // What a shaft and a rod have in common.
@@ -63,6 +66,7 @@ private:
     void listDevices();
     void choose();
     void showCommon(const Common &common);
+    void hideCommon();
     void setPower(bool on);
     void setSlow(bool slow);
     void setBatteryLow(bool low);
@@ -79,9 +83,12 @@ private:
     QComboBox *m_device;
     ShaftControls *m_shaft;
     RodControls *m_rod;
+    RingFaults *m_ringFaults;
+    FaultPlanBar *m_plan;
     QLabel *m_writesCaption;
     QLabel *m_writes;
     QCheckBox *m_power = nullptr;
+    QPushButton *m_cycle = nullptr;
     QCheckBox *m_slow = nullptr;
     QCheckBox *m_battery = nullptr;
     QCheckBox *m_eeprom = nullptr;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/master/crc_bars.h"
+
+#include "ring/crc_history.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/roles.h"
+#include "widgets/master/segment_model.h"
+
+#include <QPainter>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+constexpr int barWidth = 3;
+constexpr int barGap = 1;
+
+} // namespace
+
+void CrcBars::paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const
+{
+    QStyledItemDelegate::paint(painter, option, index);
+    const QVariantList counts = index.data(SegmentModel::countsRole).toList();
+    int tallest = 1;
+    for (const QVariant &count : counts)
+        tallest = std::max(tallest, count.toInt());
+    const QRect room = option.rect.adjusted(grid::unit, grid::unit / 2, -grid::unit, -grid::unit / 2);
+    painter->save();
+    painter->setPen(option.palette.color(QPalette::Mid));
+    painter->drawLine(room.bottomLeft(), room.bottomRight());
+    const QColor color = roleColor(Role::fault, option.palette);
+    int x = room.left();
+    for (const QVariant &count : counts) {
+        if (const int errors = count.toInt(); errors > 0) {
+            const int height = std::max(2, room.height() * errors / tallest);
+            painter->fillRect(x, room.bottom() - height + 1, barWidth, height, color);
+        }
+        x += barWidth + barGap;
+    }
+    painter->restore();
+}
+
+QSize CrcBars::sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const
+{
+    const QSize text = QStyledItemDelegate::sizeHint(option, index);
+    return {static_cast<int>(CrcHistory::intervals) * (barWidth + barGap) + 2 * grid::unit, text.height()};
+}
+
+} // namespace codewheel

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ring/master_text.h"
+#include "ring/snapshot.h"
+#include "widgets/look/roles.h"
+
+namespace codewheel {
+
+// How the state of the master is marked wherever it is shown.
+inline Role masterRole(const Snapshot &ring)
+{
+    if (ring.state == MasterState::busFail)
+        return Role::fault;
+    if (ring.master && ring.master->isFaulty())
+        return Role::attention;
+    return ring.state == MasterState::run ? Role::running : Role::inactive;
+}
+
+// "RUN", and the name of the fault where there is one: "BUS FAIL: 0D10 at ...".
+inline QString masterText(const Snapshot &ring)
+{
+    const QString state = masterStateName(ring.state);
+    return ring.master && ring.master->isFaulty()
+               ? QStringLiteral("%1: %2").arg(state, ring.master->faultText())
+               : state;
+}
+
+} // namespace codewheel

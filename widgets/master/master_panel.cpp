@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/master/master_panel.h"
+
+#include "catalog/hex_code.h"
+#include "ring/bus_session.h"
+#include "ring/master_text.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/role_label.h"
+#include "widgets/master/crc_bars.h"
+#include "widgets/master/master_look.h"
+#include "widgets/master/segment_model.h"
+#include "widgets/master/status_bits.h"
+
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+constexpr int usualHeight = 260; // the rest is scrolled to
+constexpr int segmentsInSight = 6;
+
+void setTextOf(QLabel *label, const QString &text)
+{
+    if (label->text() != text)
+        label->setText(text);
+}
+
+} // namespace
+
+MasterPanel::MasterPanel(BusSession &bus, QWidget *parent)
+    : QScrollArea(parent)
+    , m_bus(bus)
+    , m_content(new QWidget(this))
+    , m_state(new RoleLabel(m_content))
+    , m_bits(new StatusBits(m_content))
+    , m_progress(new QProgressBar(m_content))
+    , m_segments(new SegmentModel(this))
+    , m_table(new QTableView(m_content))
+{
+    setAccessibleName(tr("Master"));
+    setFrameShape(QFrame::NoFrame);
+    setWidgetResizable(true);
+    auto *column = new QVBoxLayout(m_content);
+    column->setContentsMargins(grid::unit, grid::unit, grid::unit, grid::unit);
+    column->setSpacing(grid::margin);
+    makeState(column);
+    makeButtons(column);
+    column->addWidget(m_bits);
+    makeSegments(column);
+    column->addStretch(1);
+    setWidget(m_content);
+
+    connect(&bus, &BusSession::updated, this, &MasterPanel::refresh);
+    connect(&bus, &BusSession::stateChanged, this, &MasterPanel::refresh);
+    connect(&bus, &BusSession::structureChanged, this, &MasterPanel::refresh);
+    connect(&bus, &BusSession::readInProgressed, this, [this](int devices) {
+        m_progress->setMaximum(std::max(m_progress->maximum(), devices));
+        m_progress->setValue(devices);
+        m_progress->setFormat(tr("%n devices found", nullptr, devices));
+    });
+    connect(&bus, &BusSession::readInEnded, this, &MasterPanel::refresh);
+    connect(&bus, &BusSession::readInFailed, this, &MasterPanel::refresh);
+    refresh();
+}
+
+MasterPanel::~MasterPanel()
+{
+    m_table->setModel(nullptr);
+}
+
+QLabel *MasterPanel::addLine(QFormLayout *form, const QString &caption, const QString &toolTip)
+{
+    auto *value = new QLabel(m_content);
+    value->setWordWrap(true);
+    value->setTextFormat(Qt::PlainText);
+    value->setAccessibleName(caption);
+    value->setToolTip(toolTip);
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    form->addRow(caption, value);
+    return value;
+}
+
+void MasterPanel::makeState(QVBoxLayout *column)
+{
+    column->addWidget(m_state);
+    auto *form = new QFormLayout;
+    form->setHorizontalSpacing(grid::groupGap);
+    form->setVerticalSpacing(grid::unit);
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    m_fault = addLine(form, tr("Fault"), tr("What is wrong, and where"));
+    m_errorCode = addLine(form, tr("Error code"), tr("As the firmware's manual lists it"));
+    m_parameter = addLine(form, tr("Diagnostic parameter"),
+                          tr("Segment and position of the fault; 0080h: not located"));
+    m_configuration = addLine(form, tr("Keeps"), tr("The configuration the master keeps, by its file"));
+    m_errorCode->setFont(numberFont());
+    column->addLayout(form);
+}
+
+QPushButton *MasterPanel::addButton(Icon icon, const QString &text, const QString &toolTip)
+{
+    auto *button = new QPushButton(lineIcon(icon), text, m_content);
+    button->setAutoDefault(false);
+    button->setToolTip(toolTip);
+    button->setAccessibleDescription(toolTip);
+    return button;
+}
+
+void MasterPanel::makeButtons(QVBoxLayout *column)
+{
+    m_start =
+        addButton(Icon::start, tr("Start"), tr("Activates the configuration, and starts data transfer"));
+    m_stop = addButton(Icon::stop, tr("Stop"), tr("Stops data transfer"));
+    m_readIn = addButton(Icon::refresh, tr("Read in ring"),
+                         tr("Stops the ring, finds its devices one by one, and starts it again"));
+    m_confirm = addButton(Icon::ok, tr("Confirm diagnostics"),
+                          tr("Confirms peripheral faults; one whose cause is still there comes back"));
+    auto *grid = new QGridLayout;
+    grid->setSpacing(grid::unit);
+    grid->addWidget(m_start, 0, 0);
+    grid->addWidget(m_stop, 0, 1);
+    grid->addWidget(m_readIn, 1, 0);
+    grid->addWidget(m_confirm, 1, 1);
+    column->addLayout(grid);
+    m_progress->setAccessibleName(tr("Reading in the ring"));
+    m_progress->hide();
+    column->addWidget(m_progress);
+    connect(m_start, &QPushButton::clicked, this, &MasterPanel::startRequested);
+    connect(m_stop, &QPushButton::clicked, this, &MasterPanel::stopRequested);
+    connect(m_readIn, &QPushButton::clicked, this, &MasterPanel::readInRequested);
+    connect(m_confirm, &QPushButton::clicked, this, [this] { m_bus.confirmDiagnostics(); });
+}
+
+void MasterPanel::makeSegments(QVBoxLayout *column)
+{
+    m_table->setAccessibleName(tr("Segments"));
+    m_table->setToolTip(tr("A segment is a remote-bus device and the cable before it"));
+    m_table->setModel(m_segments);
+    m_table->setItemDelegateForColumn(SegmentModel::historyColumn, new CrcBars(m_table));
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setTabKeyNavigation(false);
+    m_table->setIconSize({grid::smallIcon, grid::smallIcon});
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    const int rowHeight = m_table->fontMetrics().height() + grid::unit;
+    m_table->verticalHeader()->setDefaultSectionSize(rowHeight);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->setMinimumHeight((segmentsInSight + 2) * rowHeight);
+    column->addWidget(m_table);
+    m_switch = addButton(Icon::power, {}, {});
+    column->addWidget(m_switch);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            &MasterPanel::showSegmentButton);
+    connect(m_switch, &QPushButton::clicked, this, [this] { toggleSegment(chosenSegment()); });
+}
+
+void MasterPanel::toggleSegment(int segment)
+{
+    const auto found = std::ranges::find(m_segments->rows(), segment, &SegmentRow::segment);
+    if (found != m_segments->rows().end())
+        m_bus.switchSegment(segment, found->switchedOff);
+}
+
+int MasterPanel::chosenSegment() const
+{
+    const QModelIndex current = m_table->currentIndex();
+    return current.isValid() ? m_segments->rowAt(current.row()).segment : 0;
+}
+
+void MasterPanel::refresh()
+{
+    const MasterState state = m_bus.latest().state;
+    m_state->setState(masterRole(m_bus.latest()), tr("Master %1").arg(masterStateName(state)));
+    const bool isReading = m_bus.isReadingIn();
+    const bool isOpen = m_bus.isOpen();
+    const bool hasMaster = isOpen && m_bus.master() != nullptr;
+    m_start->setEnabled(isOpen && state != MasterState::run && !isReading);
+    m_stop->setEnabled(isOpen && state == MasterState::run);
+    m_readIn->setEnabled(hasMaster && !isReading);
+    m_confirm->setEnabled(hasMaster && !isReading);
+    m_bits->setVisible(m_bus.master() != nullptr);
+    m_table->setVisible(m_bus.master() != nullptr);
+    showFault();
+    showReadIn();
+    m_segments->show(m_bus);
+    if (!m_table->currentIndex().isValid() && m_segments->rowCount() > 0)
+        m_table->setCurrentIndex(m_segments->index(0, 0));
+    showSegmentButton();
+}
+
+void MasterPanel::showFault()
+{
+    const MasterStatus *master = m_bus.master();
+    if (!master) {
+        setTextOf(m_fault, tr("This link does not reach the master."));
+        for (QLabel *label : {m_errorCode, m_parameter, m_configuration})
+            setTextOf(label, QStringLiteral("-"));
+        return;
+    }
+    m_bits->showBits(master->statusBits);
+    setTextOf(m_fault, master->isFaulty() ? master->faultText() : tr("none"));
+    setTextOf(m_errorCode, hexCode(master->errorCode, 4));
+    const QString hex = hexCode(master->parameter, 4);
+    const auto place = master->faultPlace();
+    setTextOf(m_parameter, place                ? QStringLiteral("%1: %2").arg(hex, faultPlaceText(*place))
+                           : master->isFaulty() ? tr("%1: not located").arg(hex)
+                                                : hex);
+    setTextOf(m_configuration, master->configurationName.value_or(tr("no configuration")));
+}
+
+void MasterPanel::showReadIn()
+{
+    if (m_bus.isReadingIn() == !m_progress->isHidden())
+        return;
+    m_progress->setRange(0, static_cast<int>(m_bus.structure().size()));
+    m_progress->setValue(0);
+    m_progress->setVisible(m_bus.isReadingIn());
+}
+
+void MasterPanel::showSegmentButton()
+{
+    const int segment = chosenSegment();
+    m_switch->setVisible(m_bus.master() != nullptr);
+    m_switch->setEnabled(m_bus.isOpen() && segment > 0 && m_bus.latest().state != MasterState::ready);
+    const auto found = std::ranges::find(m_segments->rows(), segment, &SegmentRow::segment);
+    const bool isOff = found != m_segments->rows().end() && found->switchedOff;
+    const QString text =
+        isOff ? tr("Switch segment %1 on").arg(segment) : tr("Switch segment %1 off").arg(segment);
+    if (m_switch->text() == text)
+        return;
+    m_switch->setText(text);
+    m_switch->setToolTip(isOff ? tr("Its devices, and those behind them, take part in the data cycles again")
+                               : tr("Its devices, and those behind them, take no part in the data cycles; "
+                                    "their outputs go to 0"));
+    m_switch->setAccessibleDescription(m_switch->toolTip());
+}
+
+QSize MasterPanel::sizeHint() const
+{
+    const QSize content = m_content->sizeHint();
+    return {content.width() + verticalScrollBar()->sizeHint().width(),
+            std::min(content.height(), usualHeight)};
+}
+
+} // namespace codewheel

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simulator/training_controls.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QLabel;
+class QPushButton;
+
+namespace codewheel {
+
+class InlineMessage;
+
+// Loads a fault plan, starts and stops it, and tells what comes next. Used by the training panel.
+class FaultPlanBar : public QWidget
+{
+    Q_OBJECT
+
+public:
+    // The controls outlive it.
+    explicit FaultPlanBar(TrainingControls &controls, QWidget *parent = nullptr);
+
+    // Says on the spot what is wrong with it.
+    bool load(const QString &path);
+    // With every picture. Steps carried out since the last one are told.
+    void refresh();
+
+Q_SIGNALS:
+    void carriedOut(codewheel::DeviceNumber number, const QString &what);
+
+private:
+    QPushButton *addButton(const QString &text, const QString &toolTip);
+    void chooseFile();
+    void start();
+    void show(const TrainingControls::PlanProgress &progress);
+
+    TrainingControls &m_controls;
+    std::optional<FaultPlan> m_loaded;
+    std::shared_ptr<const FaultPlan> m_told; // whose steps were told
+    std::size_t m_toldSteps = 0;
+    QString m_file;
+    QPushButton *m_load;
+    QPushButton *m_start;
+    QPushButton *m_stop;
+    QLabel *m_next;
+    InlineMessage *m_message;
+};
+
+} // namespace codewheel
