@@ -8,6 +8,7 @@
 #include "cli/project_access.h"
 #include "cli/texts.h"
 #include "encoder/refusal_text.h"
+#include "simulator/fault_plan_file.h"
 #include "training_session.h"
 #include "user_devices.h"
 
@@ -110,6 +111,13 @@ int runOnTrainingBus(const Subcommand &command, const Arguments &arguments, cons
     if (!command.needsBus)
         return runCommand(command, arguments, catalog, nullptr, terminal);
     const TrainingSession training = openTrainingSession(catalog, QDateTime::currentDateTime());
+    if (const auto path = arguments.value("--fault-plan")) {
+        auto plan = loadFaultPlan(*path, training.controls->places());
+        if (!plan)
+            return fail(complaintAbout(plan.error()), QString::fromLatin1(command.name),
+                        arguments.has("--json"), {}, terminal);
+        training.controls->startFaultPlan(*std::move(plan));
+    }
     return runCommand(command, arguments, catalog, training.bus.get(), terminal);
 }
 

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/device_text.h"
 #include "cli/json.h"
+#include "cli/master_text.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
@@ -92,7 +93,9 @@ Checked<Answer> run(const Call &call)
         json.insert(QStringLiteral("profile"), known ? QJsonValue(profile) : QJsonValue());
         devices.append(json);
     }
-    Answer answer{table.toString(), {{QStringLiteral("participants"), devices}}};
+    Answer answer{
+        table.toString() + u'\n' + masterLines(*call.bus),
+        {{QStringLiteral("participants"), devices}, {QStringLiteral("master"), masterJson(*call.bus)}}};
     save(call, answer);
     return answer;
 }
@@ -105,7 +108,8 @@ const Subcommand scanCommand{
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "list the participants of the bus"),
     .details = QT_TRANSLATE_NOOP("codewheel::CommandLine",
                                  "Lists the participants of the bus in ring order, with their ID codes and "
-                                 "words (16 bit each).\nThe ID code tells the profile but not the make: that "
+                                 "words (16 bit each), and tells how the master stands.\nThe ID code tells "
+                                 "the profile but not the make: that "
                                  "is named where the plan of the bus tells it.\nSends nothing.\n\n"
                                  "--save makes a project of it. With --project as well, what that project "
                                  "knows of devices\nthat are still there is taken along."),

@@ -10,7 +10,7 @@ namespace {
 constexpr std::array commands{&devicesCommand,  &scanCommand,  &compareCommand, &explainCommand,
                               &wordsCommand,    &readCommand,  &writeCommand,   &presetCommand,
                               &velocityCommand, &resetCommand, &camsCommand,    &storeCommand,
-                              &transferCommand, &cloneCommand, &monitorCommand};
+                              &transferCommand, &cloneCommand, &monitorCommand, &masterCommand};
 
 constexpr std::array common{
     Option{"--json", nullptr,
@@ -21,6 +21,9 @@ constexpr std::array common{
     Option{"--project", "FILE",
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
                              "name encoders as this project does; PLACE may be the name of a station")},
+    Option{"--fault-plan", "FILE",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "faults that befall the training bus, with their times and places")},
     Option{"--help", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "explain this and stop; also -h")},
     Option{"-h", nullptr, nullptr},
     Option{"--version", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the version and stop")},

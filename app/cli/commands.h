@@ -21,6 +21,7 @@ extern const Subcommand storeCommand;
 extern const Subcommand transferCommand;
 extern const Subcommand cloneCommand;
 extern const Subcommand monitorCommand;
+extern const Subcommand masterCommand;
 
 // In the order of the help.
 std::span<const Subcommand *const> allCommands();

@@ -17,15 +17,19 @@ TEST(CliScan, NamesEachParticipant)
     SharedBus shared;
     const CliRun run = shared.runLine(QStringLiteral("scan"));
     EXPECT_EQ(run.exit, 0);
-    EXPECT_EQ(run.out,
-              "place  ID code    device code  IN words  OUT words  profile  device\n"
-              "1.0    37h (55)   0237h               2          2  K3       FRABA OCD-IB K3\n"
-              "2.0    37h (55)   0237h               2          2  K3       Baumer GXP6W K3\n"
-              "3.0    36h (54)   0136h               1          0  K1       FRABA OCD-IB K1\n"
-              "4.0    36h (54)   0236h               2          0  K2       FRABA OCD-IB K2\n"
-              "5.0    33h (51)   0233h               2          2  LA-66    TR LA-66\n"
-              "6.0    0Ch (12)   000Ch               0          0  -        bus terminal\n"
-              "6.1    B3h (179)  02B3h               2          2  K3       FRABA OCD-IB K3 Loop 2\n");
+    EXPECT_EQ(run.out, "place  ID code    device code  IN words  OUT words  profile  device\n"
+                       "1.0    37h (55)   0237h               2          2  K3       FRABA OCD-IB K3\n"
+                       "2.0    37h (55)   0237h               2          2  K3       Baumer GXP6W K3\n"
+                       "3.0    36h (54)   0136h               1          0  K1       FRABA OCD-IB K1\n"
+                       "4.0    36h (54)   0236h               2          0  K2       FRABA OCD-IB K2\n"
+                       "5.0    33h (51)   0233h               2          2  LA-66    TR LA-66\n"
+                       "6.0    0Ch (12)   000Ch               0          0  -        bus terminal\n"
+                       "6.1    B3h (179)  02B3h               2          2  K3       FRABA OCD-IB K3 Loop 2\n"
+                       "\n"
+                       "Master:         RUN\n"
+                       "Status:         00E0h (READY, ACTIVE, RUN)\n"
+                       "Fault:          none\n"
+                       "Configuration:  training.json\n");
     EXPECT_EQ(shared.bus().latest().cycle, 0u);
 }
 

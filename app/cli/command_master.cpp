@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands.h"
+#include "cli/json.h"
+#include "cli/master_text.h"
+#include "cli/text_table.h"
+#include "cli/texts.h"
+#include "encoder/refusal_text.h"
+#include "ring/bus_session.h"
+
+#include <QJsonArray>
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *examples[] = {"master", "master segment 6 off",
+                                    "master --after 31000 --fault-plan resources/examples/faults.json"};
+
+constexpr int longestTime = 86'400'000; // ms
+constexpr int afterwards = 10;          // cycles, for what comes back at once
+
+constexpr std::array options{
+    Option{"--after", "MS",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "let so many milliseconds pass on the bus first")},
+};
+
+constexpr const char *actions = "status, start, stop, alarm-stop, read-in, confirm, segment N on|off";
+
+using Action = std::function<void(BusSession &)>;
+
+tl::unexpected<Complaint> unknownAction(const QString &text)
+{
+    return badInput(QStringLiteral("unknownAction"),
+                    CommandLine::tr("\"%1\" is no action of the master. There are: %2."),
+                    {text, QString::fromLatin1(actions)});
+}
+
+Checked<Action> segmentAction(const QStringList &words)
+{
+    bool isNumber = false;
+    const int segment = words.value(1).toInt(&isNumber);
+    const QString how = words.value(2);
+    if (words.size() != 3 || !isNumber || (how != QStringLiteral("on") && how != QStringLiteral("off")))
+        return unknownAction(words.join(u' '));
+    return Action(
+        [segment, on = how == QStringLiteral("on")](BusSession &bus) { bus.switchSegment(segment, on); });
+}
+
+Checked<Action> actionOf(const QStringList &words)
+{
+    const QString name = words.value(0, QStringLiteral("status"));
+    if (name == QStringLiteral("segment"))
+        return segmentAction(words);
+    if (words.size() > 1)
+        return unknownAction(words.join(u' '));
+    if (name == QStringLiteral("status"))
+        return Action([](BusSession &) {});
+    if (name == QStringLiteral("start"))
+        return Action(&BusSession::startBus);
+    if (name == QStringLiteral("stop"))
+        return Action(&BusSession::stopBus);
+    if (name == QStringLiteral("alarm-stop"))
+        return Action(&BusSession::alarmStop);
+    if (name == QStringLiteral("read-in"))
+        return Action(&BusSession::readIn);
+    if (name == QStringLiteral("confirm"))
+        return Action(&BusSession::confirmDiagnostics);
+    return unknownAction(name);
+}
+
+// What the bus told since, with its time in ms.
+struct Told
+{
+    std::vector<Message> messages;
+    std::optional<Refusal> refusal; // of the action
+};
+
+std::int64_t milliseconds(const Message &message)
+{
+    return std::chrono::duration_cast<std::chrono::milliseconds>(message.at).count();
+}
+
+QString messageLines(const std::vector<Message> &messages)
+{
+    using enum TextTable::Align;
+    TextTable table({right, left, left});
+    for (const Message &message : messages)
+        table.add({CommandLine::tr("%1 ms").arg(milliseconds(message)),
+                   message.place ? message.place->toString() : QStringLiteral("-"), messageText(message)});
+    return table.toString();
+}
+
+QJsonArray messagesJson(const std::vector<Message> &messages)
+{
+    QJsonArray rows;
+    for (const Message &message : messages) {
+        const QJsonObject what =
+            errorJson({.key = messageKey(message.id), .text = {}, .arguments = message.arguments});
+        rows.append(QJsonObject{
+            {QStringLiteral("milliseconds"), static_cast<qint64>(milliseconds(message))},
+            {QStringLiteral("place"), message.place ? QJsonValue(message.place->toString()) : QJsonValue()},
+            {QStringLiteral("key"), what[QStringLiteral("key")]},
+            {QStringLiteral("arguments"), what[QStringLiteral("arguments")]}});
+    }
+    return rows;
+}
+
+Told carryOut(BusSession &bus, int after, const Action &action)
+{
+    Told told;
+    QObject scope;
+    QObject::connect(&bus, &BusSession::messaged, &scope,
+                     [&](const Message &message) { told.messages.push_back(message); });
+    bus.advance(std::max(after, 1));
+    const std::size_t before = told.messages.size();
+    action(bus);
+    do
+        bus.advance(afterwards);
+    while (bus.isReadingIn());
+    for (std::size_t i = before; i < told.messages.size() && !told.refusal; ++i)
+        if (told.messages[i].id == MessageId::refused)
+            told.refusal = told.messages[i].refusal;
+    return told;
+}
+
+Checked<Answer> run(const Call &call)
+{
+    const auto action = actionOf(call.arguments.rest);
+    if (!action)
+        return tl::unexpected(action.error());
+    const auto after = call.arguments.number("--after", 0, 0, longestTime);
+    if (!after)
+        return tl::unexpected(after.error());
+    const Told told = carryOut(*call.bus, *after, *action);
+    Answer answer{messageLines(told.messages) + u'\n' + masterLines(*call.bus),
+                  {{QStringLiteral("master"), masterJson(*call.bus)},
+                   {QStringLiteral("messages"), messagesJson(told.messages)}}};
+    if (told.refusal)
+        answer.complaint = complaintAbout(*told.refusal);
+    return answer;
+}
+
+} // namespace
+
+const Subcommand masterCommand{
+    .name = "master",
+    .usage = "[status|start|stop|alarm-stop|read-in|confirm|segment N on|off] [--after MS]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "what the master says, and its services"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Lets time pass, does what is asked for, and prints what the bus told meanwhile and how the "
+        "master stands\nthen. As each call has a new training bus, this makes most sense with a fault "
+        "plan."),
+    .examples = examples,
+    .options = options,
+    .minimumArguments = 0,
+    .maximumArguments = 3,
+    .needsBus = true,
+    .run = run,
+};
+
+} // namespace codewheel

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QJsonValue>
+#include <QString>
+
+namespace codewheel {
+
+class BusSession;
+
+// What the ring's master says, line by line; and for programs (docs/command-line.md), null where the link
+// reaches no master.
+QString masterLines(const BusSession &bus);
+QJsonValue masterJson(const BusSession &bus);
+
+} // namespace codewheel
