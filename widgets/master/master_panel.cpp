@@ -121,7 +121,7 @@ void MasterPanel::makeButtons(QVBoxLayout *column)
     m_start =
         addButton(Icon::start, tr("Start"), tr("Activates the configuration, and starts data transfer"));
     m_stop = addButton(Icon::stop, tr("Stop"), tr("Stops data transfer"));
-    m_readIn = addButton(Icon::refresh, tr("Read in ring"),
+    m_readIn = addButton(Icon::refresh, tr("Read in the ring"),
                          tr("Stops the ring, finds its devices one by one, and starts it again"));
     m_confirm = addButton(Icon::ok, tr("Confirm diagnostics"),
                           tr("Confirms peripheral faults; one whose cause is still there comes back"));
