@@ -6,14 +6,14 @@
 
 namespace codewheel {
 
-QString ledStateName(LedState state)
+QString ledLightName(LedLight state)
 {
     switch (state) {
-    case LedState::on:
+    case LedLight::on:
         return QCoreApplication::translate("Leds", "on");
-    case LedState::blinking:
+    case LedLight::blinking:
         return QCoreApplication::translate("Leds", "blinking");
-    case LedState::off:
+    case LedLight::off:
         break;
     }
     return QCoreApplication::translate("Leds", "off");
@@ -21,8 +21,8 @@ QString ledStateName(LedState state)
 
 QString ledText(const DeviceLeds &leds)
 {
-    const auto text = [](const char *name, LedState state) {
-        return QString::fromLatin1(name) + u' ' + ledStateName(state);
+    const auto text = [](const char *name, LedLight state) {
+        return QString::fromLatin1(name) + u' ' + ledLightName(state);
     };
     return QStringList{text("UL", leds.ul), text("RC", leds.rc), text("BA", leds.ba), text("RBDA", leds.rbda)}
         .join(QStringLiteral(", "));

@@ -11,13 +11,13 @@ namespace codewheel {
 
 // The LEDs on the housing of a device, as they have to be by what the master says: UL supply, RC remote bus
 // check, BA bus active, RBDA remote bus disabled (FRABA manual 3.3).
-enum class LedState : std::uint8_t { off, on, blinking };
+enum class LedLight : std::uint8_t { off, on, blinking };
 struct DeviceLeds
 {
-    LedState ul = LedState::on;
-    LedState rc = LedState::off;
-    LedState ba = LedState::off;
-    LedState rbda = LedState::off;
+    LedLight ul = LedLight::on;
+    LedLight rc = LedLight::off;
+    LedLight ba = LedLight::off;
+    LedLight rbda = LedLight::off;
 
     friend bool operator==(const DeviceLeds &, const DeviceLeds &) = default;
 };
@@ -27,17 +27,17 @@ struct DeviceLeds
 constexpr DeviceLeds ledsOf(MasterState state, bool inRing)
 {
     if (!inRing || state == MasterState::busFail)
-        return {.rbda = LedState::on};
-    DeviceLeds leds{.rc = LedState::on};
+        return {.rbda = LedLight::on};
+    DeviceLeds leds{.rc = LedLight::on};
     if (state == MasterState::active)
-        leds.ba = LedState::blinking;
+        leds.ba = LedLight::blinking;
     else if (state == MasterState::run)
-        leds.ba = LedState::on;
+        leds.ba = LedLight::on;
     return leds;
 }
 
 // "UL on, RC on, BA blinking, RBDA off", in the user's language.
 QString ledText(const DeviceLeds &leds);
-QString ledStateName(LedState state);
+QString ledLightName(LedLight state);
 
 } // namespace codewheel

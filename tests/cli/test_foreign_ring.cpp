@@ -49,7 +49,9 @@ TEST_F(CliForeignRing, ScanDoesNotGuessTheMake)
     EXPECT_EQ(run(scanCommand, {}).out,
               "place  ID code    device code  IN words  OUT words  profile  device\n"
               "1.0    37h (55)   0237h               2          2  K3       make not known\n"
-              "2.0    BEh (190)  81BEh               1          0  -        make not known\n");
+              "2.0    BEh (190)  81BEh               1          0  -        make not known\n"
+              "\n"
+              "Master:         not reached by this link\n");
 }
 
 TEST_F(CliForeignRing, ADeviceThatIsNoEncoderIsNotDriven)

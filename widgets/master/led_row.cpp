@@ -38,10 +38,10 @@ void LedRow::showLeds(const DeviceLeds &leds)
     for (std::size_t i = 0; i < m_leds.size(); ++i) {
         const bool isFault = i == 3;
         const Role lit = isFault ? Role::fault : Role::running;
-        const Role role = states[i] == LedState::off        ? Role::inactive
-                          : states[i] == LedState::blinking ? Role::attention
+        const Role role = states[i] == LedLight::off        ? Role::inactive
+                          : states[i] == LedLight::blinking ? Role::attention
                                                             : lit;
-        m_leds[i]->setState(role, names[i] + u' ' + ledStateName(states[i]));
+        m_leds[i]->setState(role, names[i] + u' ' + ledLightName(states[i]));
     }
     setAccessibleName(tr("LEDs: %1").arg(ledText(leds)));
 }

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/window_test.h"
+#include "widgets/structure/structure_view.h"
+
+#include <QAction>
+
+namespace codewheel {
+namespace {
+
+using test::baumer;
+using test::fraba;
+
+class OtherRingTest : public test::WindowTest
+{
+protected:
+    void befall(TrainingFault fault, DeviceNumber place, int value = 1)
+    {
+        shown->controls().setFault(fault, place, value);
+        advance(60);
+    }
+};
+
+TEST_F(OtherRingTest, TheWindowFollowsTheRingThatWasReadIn)
+{
+    monitors().closeAll();
+    monitors().openMonitor(fraba, MonitorKind::in32);
+    monitors().openMonitor({6, 1}, MonitorKind::in32);
+    window().findChild<StructureView *>()->choose({6, 1});
+    befall(TrainingFault::wireBreak, {6, 0});
+    actions().readIn->trigger();
+    advance(100);
+    EXPECT_TRUE(bus().isRunning());
+    EXPECT_EQ(bus().structure().size(), 5U);
+    ASSERT_EQ(monitors().monitors().size(), 1U);
+    EXPECT_EQ(monitors().monitors().front()->number(), fraba);
+    EXPECT_EQ(window().findChild<StructureView *>()->current(), fraba);
+    advance(200);
+
+    befall(TrainingFault::wireBreak, {6, 0}, 0);
+    actions().readIn->trigger();
+    advance(100);
+    EXPECT_EQ(bus().structure().size(), 7U);
+    EXPECT_TRUE(bus().isRunning());
+}
+
+TEST_F(OtherRingTest, TheChosenEncoderAndItsMonitorsStay)
+{
+    WordMonitor *monitor = monitors().monitors().front();
+    befall(TrainingFault::wrongDevice, baumer);
+    actions().readIn->trigger();
+    advance(100);
+    EXPECT_EQ(monitors().monitors().front(), monitor);
+    EXPECT_EQ(window().findChild<StructureView *>()->current(), fraba);
+    EXPECT_EQ(bus().encoder(baumer)->device().profile, Profile::k2);
+    window().findChild<StructureView *>()->choose(baumer);
+    advance(100);
+}
+
+TEST_F(OtherRingTest, ASegmentIsSwitchedByItsAction)
+{
+    window().findChild<StructureView *>()->choose({6, 1});
+    actions().switchSegment->trigger();
+    advance(10);
+    EXPECT_FALSE(bus().latest().devices[6].inRing);
+    actions().switchSegment->trigger();
+    advance(10);
+    EXPECT_TRUE(bus().latest().devices[6].inRing);
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/cli_run.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::HasSubstr;
+
+// A plan in a file of its own; how to give it.
+class CliMaster : public testing::Test
+{
+protected:
+    QString plan(const char *steps)
+    {
+        const QString path = m_folder.filePath(QStringLiteral("plan.json"));
+        QFile file(path);
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray("{\"format\": \"codewheel-faults\", \"version\": 1, \"steps\": [") + steps +
+                   "]}");
+        return QStringLiteral(" --fault-plan ") + path;
+    }
+
+    QTemporaryDir m_folder;
+};
+
+TEST_F(CliMaster, TellsHowItStands)
+{
+    const CliRun run = runLine(QStringLiteral("master"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_THAT(run.out, HasSubstr("The master keeps the configuration training.json (7 devices)."));
+    EXPECT_THAT(run.out, HasSubstr("Master:         RUN\n"
+                                   "Status:         00E0h (READY, ACTIVE, RUN)\n"
+                                   "Fault:          none\n"
+                                   "Configuration:  training.json\n"));
+}
+
+TEST_F(CliMaster, FindsTheFaultOfAPlan)
+{
+    const QString broken = plan(R"({"at": 100, "fault": "wireBreak", "place": "4.0"})");
+    const CliRun run = runLine(QStringLiteral("master --json --after 200") + broken);
+    EXPECT_EQ(run.exit, 0);
+    const QJsonObject master = run.json()[u"master"].toObject();
+    EXPECT_EQ(master[u"state"].toString(), QStringLiteral("busFail"));
+    EXPECT_EQ(master[u"status"].toString(), QStringLiteral("0084"));
+    EXPECT_EQ(master[u"parameter"].toString(), QStringLiteral("0380"));
+    EXPECT_EQ(master[u"fault"].toObject(),
+              (QJsonObject{{QStringLiteral("place"), QStringLiteral("3.0")},
+                           {QStringLiteral("spot"), QStringLiteral("outgoingRemoteBus")}}));
+    EXPECT_EQ(master[u"devices"].toArray()[2].toObject()[u"inRing"].toBool(), true);
+    EXPECT_EQ(master[u"devices"].toArray()[3].toObject()[u"inRing"].toBool(), false);
+    const QJsonObject last = run.json()[u"messages"].toArray().last().toObject();
+    EXPECT_EQ(last[u"key"].toString(), QStringLiteral("busFault"));
+    EXPECT_EQ(last[u"milliseconds"].toInt(), 121);
+}
+
+TEST_F(CliMaster, CannotBeStartedWhileTheFaultIsThere)
+{
+    const QString broken = plan(R"({"at": 100, "fault": "wireBreak", "place": "4.0"})");
+    const CliRun run = runLine(QStringLiteral("master start --after 200") + broken);
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("The bus does not run: 0D10 at outgoing remote bus of 3.0"));
+}
+
+TEST_F(CliMaster, ReadsInTheRingAsItIs)
+{
+    const QString broken = plan(R"({"at": 100, "fault": "wireBreak", "place": "4.0"})");
+    const CliRun run = runLine(QStringLiteral("master read-in --after 200") + broken);
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("The ring was read in: 3 devices."));
+    EXPECT_THAT(run.out, HasSubstr("Master:         RUN"));
+}
+
+TEST_F(CliMaster, SwitchesASegmentOff)
+{
+    const CliRun run = runLine(QStringLiteral("master segment 6 off"));
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("01E0h"));
+    EXPECT_THAT(run.out, HasSubstr("Segment 6:      switched off"));
+    EXPECT_EQ(runLine(QStringLiteral("master segment 9 off")).exit, 2);
+}
+
+TEST_F(CliMaster, TakesNoOtherAction)
+{
+    for (const char *line : {"master dance", "master segment", "master segment x on", "master start now"}) {
+        const CliRun run = runLine(QString::fromLatin1(line));
+        EXPECT_EQ(run.exit, 2) << line;
+        EXPECT_THAT(run.err, HasSubstr("no action of the master")) << line;
+    }
+}
+
+TEST_F(CliMaster, APlanThatIsBrokenOrNotThereIsTold)
+{
+    const CliRun broken =
+        runLine(QStringLiteral("scan") + plan(R"({"at": 1, "fault": "fire", "place": "1.0"})"));
+    EXPECT_EQ(broken.exit, 2);
+    EXPECT_THAT(broken.err, HasSubstr("line 1, steps[0].fault:"));
+    const CliRun missing = runLine(QStringLiteral("scan --json --fault-plan nowhere.json"));
+    EXPECT_EQ(missing.exit, 2);
+    EXPECT_EQ(errorKey(missing), "fileNotReadable");
+}
+
+// A job that a bus fault ends is told as such.
+TEST_F(CliMaster, AJobThatTheFaultEndsIsRefused)
+{
+    const QString broken = plan(R"({"at": 5, "fault": "noSupply", "place": "2.0"})");
+    const CliRun run = runLine(QStringLiteral("read 1.0") + broken);
+    EXPECT_EQ(run.exit, 1);
+}
+
+} // namespace
+} // namespace codewheel

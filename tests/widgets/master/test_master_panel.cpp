@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/model_tester.h"
+#include "tests/widgets/training_bus_session.h"
+#include "widgets/device/device_panel.h"
+#include "widgets/look/role_label.h"
+#include "widgets/master/led_row.h"
+#include "widgets/master/master_panel.h"
+#include "widgets/master/segment_model.h"
+#include "widgets/structure/structure_model.h"
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTableView>
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using test::fraba;
+const DeviceNumber fourth{4, 0};
+
+class MasterPanelTest : public testing::Test
+{
+protected:
+    MasterPanelTest()
+    {
+        panel.resize(320, 900);
+        panel.show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    }
+    QString value(const char *name) const
+    {
+        for (const QLabel *label : panel.findChildren<QLabel *>())
+            if (label->accessibleName() == QLatin1String(name))
+                return label->text();
+        ADD_FAILURE() << "no " << name;
+        return {};
+    }
+    QPushButton &button(const QString &text) const
+    {
+        for (QPushButton *each : panel.findChildren<QPushButton *>())
+            if (each->text() == text)
+                return *each;
+        ADD_FAILURE() << "no button " << text.toStdString();
+        std::abort();
+    }
+    void befall(TrainingFault fault, DeviceNumber place, int value = 1)
+    {
+        ring.controls->setFault(fault, place, value);
+        ring.bus.advance(40);
+    }
+    QTableView &table() const { return *panel.findChild<QTableView *>(); }
+
+    test::TrainingBusSession ring;
+    MasterPanel panel{ring.bus};
+};
+
+TEST_F(MasterPanelTest, ShowsAHealthyMaster)
+{
+    EXPECT_EQ(panel.findChild<RoleLabel *>()->word(), QStringLiteral("Master RUN"));
+    EXPECT_EQ(value("Fault"), QStringLiteral("none"));
+    EXPECT_EQ(value("Keeps"), QStringLiteral("training.json"));
+    EXPECT_EQ(value("Diagnostic status register"), QStringLiteral("00E0h"));
+    EXPECT_FALSE(value("RUN is set").isEmpty());
+    EXPECT_FALSE(value("BUS is not set").isEmpty());
+    EXPECT_EQ(table().model()->rowCount(), 6);
+}
+
+TEST_F(MasterPanelTest, NamesAFaultAsTreeAndMessagesDo)
+{
+    QString told;
+    QObject::connect(&ring.bus, &BusSession::messaged, &panel, [&](const Message &message) {
+        if (message.id == MessageId::busFault)
+            told = messageText(message);
+    });
+    StructureModel model;
+    const test::ModelTester tester(model);
+    model.setBus(&ring.bus);
+    befall(TrainingFault::wireBreak, fourth);
+    const QString name = QStringLiteral("0D10 at outgoing remote bus of 3.0 (see IBS SYS FW G4 UM)");
+    EXPECT_EQ(value("Fault"), name);
+    EXPECT_EQ(value("Error code"), QStringLiteral("0D10h"));
+    EXPECT_EQ(value("Diagnostic parameter"), QStringLiteral("0380h: outgoing remote bus of 3.0"));
+    EXPECT_EQ(told, QStringLiteral("Bus fault: %1.").arg(name));
+    const auto state = [&](const QModelIndex &row) {
+        return row.siblingAtColumn(StructureModel::stateColumn).data().toString();
+    };
+    EXPECT_EQ(state(model.index(0, 0)), QStringLiteral("BUS FAIL: %1").arg(name));
+    EXPECT_EQ(state(model.indexOf({3, 0})), name);
+    EXPECT_EQ(state(model.indexOf(fourth)), QStringLiteral("not in the ring"));
+    EXPECT_EQ(state(model.indexOf(fraba)), QStringLiteral("stopped"));
+}
+
+TEST_F(MasterPanelTest, SwitchesTheChosenSegmentByKey)
+{
+    table().setCurrentIndex(table().model()->index(5, 0));
+    QPushButton &off = button(QStringLiteral("Switch segment 6 off"));
+    off.setFocus();
+    QTest::keyClick(&off, Qt::Key_Space);
+    ring.bus.advance(5);
+    EXPECT_FALSE(ring.bus.latest().devices[6].inRing);
+    EXPECT_EQ(table().model()->index(5, SegmentModel::stateColumn).data().toString(),
+              QStringLiteral("switched off"));
+    QTest::mouseClick(&button(QStringLiteral("Switch segment 6 on")), Qt::LeftButton);
+    ring.bus.advance(5);
+    EXPECT_TRUE(ring.bus.latest().devices[6].inRing);
+}
+
+TEST_F(MasterPanelTest, ConfirmsPeripheralFaults)
+{
+    befall(TrainingFault::peripheralFault, fraba);
+    EXPECT_EQ(value("Fault"), QStringLiteral("0BB1 peripheral fault at 1.0"));
+    befall(TrainingFault::peripheralFault, fraba, 0);
+    EXPECT_EQ(value("Fault"), QStringLiteral("0BB1 peripheral fault at 1.0"));
+    QTest::mouseClick(&button(QStringLiteral("Confirm diagnostics")), Qt::LeftButton);
+    ring.bus.advance(5);
+    EXPECT_EQ(value("Fault"), QStringLiteral("none"));
+}
+
+TEST_F(MasterPanelTest, ShowsTheProgressOfReadingIn)
+{
+    auto *progress = panel.findChild<QProgressBar *>();
+    bool asked = false;
+    QObject::connect(&panel, &MasterPanel::readInRequested, &panel, [&] { asked = true; });
+    QTest::mouseClick(&button(QStringLiteral("Read in ring")), Qt::LeftButton);
+    EXPECT_TRUE(asked);
+    ring.bus.readIn();
+    ring.bus.advance(3);
+    EXPECT_TRUE(progress->isVisible());
+    EXPECT_EQ(progress->value(), 3);
+    EXPECT_EQ(progress->maximum(), 7);
+    EXPECT_FALSE(button(QStringLiteral("Read in ring")).isEnabled());
+    ring.bus.advance(20);
+    EXPECT_FALSE(progress->isVisible());
+}
+
+TEST_F(MasterPanelTest, CountsCrcErrorsWithAHistory)
+{
+    befall(TrainingFault::crcErrors, {2, 0}, 100);
+    ring.bus.advance(1'000);
+    const QAbstractItemModel &model = *table().model();
+    EXPECT_GT(model.index(1, SegmentModel::crcColumn).data().toString().toInt(), 50);
+    EXPECT_EQ(model.index(0, SegmentModel::crcColumn).data().toString(), QStringLiteral("0"));
+    const QModelIndex history = model.index(1, SegmentModel::historyColumn);
+    EXPECT_GT(history.data(SegmentModel::countsRole).toList().last().toInt(), 50);
+    EXPECT_FALSE(history.data(Qt::AccessibleTextRole).toString().isEmpty());
+}
+
+TEST(ASegmentModel, KeepsTheRulesOfModels)
+{
+    test::TrainingBusSession ring;
+    SegmentModel model;
+    const test::ModelTester tester(model);
+    model.show(ring.bus);
+    ring.controls->setFault(TrainingFault::wireBreak, fourth, 1);
+    ring.controls->setFault(TrainingFault::crcErrors, {1, 0}, 50);
+    ring.bus.advance(40);
+    model.show(ring.bus);
+    ring.bus.readIn();
+    ring.bus.advance(40);
+    model.show(ring.bus);
+    EXPECT_EQ(model.rowCount(), 3);
+}
+
+TEST(TheLedsInTheDevicePanel, HaveNamesAndFollowTheMaster)
+{
+    test::TrainingBusSession ring;
+    DevicePanel panel(ring.bus);
+    panel.setPlace(fourth);
+    auto *leds = panel.findChild<LedRow *>();
+    EXPECT_EQ(leds->accessibleName(), QStringLiteral("LEDs: UL on, RC on, BA on, RBDA off"));
+    ring.bus.stopBus();
+    ring.bus.advance(2);
+    EXPECT_EQ(leds->accessibleName(), QStringLiteral("LEDs: UL on, RC on, BA blinking, RBDA off"));
+    ring.bus.startBus();
+    ring.bus.switchSegment(4, false);
+    ring.bus.advance(2);
+    EXPECT_EQ(leds->accessibleName(), QStringLiteral("LEDs: UL on, RC off, BA off, RBDA on"));
+    EXPECT_EQ(leds->findChildren<RoleLabel *>().last()->word(), QStringLiteral("RBDA on"));
+}
+
+} // namespace
+} // namespace codewheel
