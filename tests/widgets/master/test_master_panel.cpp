@@ -124,14 +124,14 @@ TEST_F(MasterPanelTest, ShowsTheProgressOfReadingIn)
     auto *progress = panel.findChild<QProgressBar *>();
     bool asked = false;
     QObject::connect(&panel, &MasterPanel::readInRequested, &panel, [&] { asked = true; });
-    QTest::mouseClick(&button(QStringLiteral("Read in ring")), Qt::LeftButton);
+    QTest::mouseClick(&button(QStringLiteral("Read in the ring")), Qt::LeftButton);
     EXPECT_TRUE(asked);
     ring.bus.readIn();
     ring.bus.advance(3);
     EXPECT_TRUE(progress->isVisible());
     EXPECT_EQ(progress->value(), 3);
     EXPECT_EQ(progress->maximum(), 7);
-    EXPECT_FALSE(button(QStringLiteral("Read in ring")).isEnabled());
+    EXPECT_FALSE(button(QStringLiteral("Read in the ring")).isEnabled());
     ring.bus.advance(20);
     EXPECT_FALSE(progress->isVisible());
 }
