@@ -118,6 +118,7 @@ Told carryOut(BusSession &bus, int after, const Action &action)
     do
         bus.advance(afterwards);
     while (bus.isReadingIn());
+    bus.advance(afterwards); // of the ring that was read in
     for (std::size_t i = before; i < told.messages.size() && !told.refusal; ++i)
         if (told.messages[i].id == MessageId::refused)
             told.refusal = told.messages[i].refusal;

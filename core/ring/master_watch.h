@@ -18,6 +18,9 @@ public:
     // In the order of what happened; without time. `ring` has the numbers of status.devices.
     std::vector<Message> look(const MasterStatus &status, const std::vector<DeviceNumber> &ring, Instant now);
 
+    // A service took the master to READY: that the fault does not show any more is no news of the fault.
+    void leftByService() { m_before.state = MasterState::ready; }
+
 private:
     void lookAtBus(const MasterStatus &status);
     void lookAtDevices(const MasterStatus &status, const std::vector<DeviceNumber> &ring);

@@ -148,8 +148,10 @@ void RingRunner::Private::takeBackWhatMustNotStand()
 
 void RingRunner::Private::carryOut(command::AlarmStop)
 {
-    if (master)
+    if (master) {
         master->alarmStop();
+        masterWatch.leftByService();
+    }
     endJobs(RefusalId::alarmStop);
     std::ranges::fill(image, Word{0});
     written.clear();

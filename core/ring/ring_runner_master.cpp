@@ -36,7 +36,10 @@ Result<void> RingRunner::Private::endActiveConfiguration()
     if (master->status().state == MasterState::run)
         if (auto stopped = master->stopDataTransfer(); !stopped)
             return stopped;
-    return master->status().state == MasterState::ready ? Result<void>() : master->deactivateConfiguration();
+    if (master->status().state == MasterState::ready)
+        return {};
+    masterWatch.leftByService();
+    return master->deactivateConfiguration();
 }
 
 void RingRunner::Private::carryOut(command::ReadIn)

@@ -117,7 +117,7 @@ void DeviceHtml::addLeds()
     if (m_device.leds->states.empty())
         return;
     rows.clear();
-    for (const LedLight &state : m_device.leds->states) {
+    for (const LedState &state : m_device.leds->states) {
         QStringList lamps = state.on;
         for (const QString &name : state.blinking)
             lamps << tr("%1 blinking").arg(name);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/refusal_text.h"
 #include "tests/support/model_tester.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/device/device_panel.h"

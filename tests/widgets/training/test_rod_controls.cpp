@@ -29,6 +29,12 @@ public:
     void setBatteryLow(DeviceNumber, bool) override {}
     void setEepromWornOut(DeviceNumber, bool) override {}
     void setCodeDiscFaulty(DeviceNumber, bool) override {}
+    void setCamOutOfRange(DeviceNumber, bool) override {}
+    std::vector<TrainingPlace> places() const override { return {{k1, {}}, {rodPlace, {}}}; }
+    void setFault(TrainingFault, DeviceNumber, int) override {}
+    void startFaultPlan(FaultPlan) override {}
+    void stopFaultPlan() override {}
+    PlanProgress planProgress() const override { return {}; }
 
     Rod rod{.number = rodPlace, .millimetres = 125, .lengthMillimetres = 500};
 };

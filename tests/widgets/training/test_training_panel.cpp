@@ -93,7 +93,7 @@ TEST_F(TrainingPanelTest, ShowsHowTheEncoderStands)
 TEST_F(TrainingPanelTest, OtherDeviceOtherFields)
 {
     EXPECT_FALSE(button<QCheckBox>("Battery low").isVisible());
-    auto &devices = find<QComboBox>("Encoder to train with");
+    auto &devices = find<QComboBox>("Device to train with");
     devices.setFocus();
     QTest::keyClick(&devices, Qt::Key_Down);
     EXPECT_TRUE(button<QCheckBox>("Battery low").isVisible());
