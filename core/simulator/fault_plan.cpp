@@ -23,13 +23,13 @@ struct Row
 };
 constexpr std::array rows{
     Row{TrainingFault::wireBreak, "wireBreak",
-        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wire break before the device")},
+        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wire break before it")},
     Row{TrainingFault::crcErrors, "crcErrors",
         QT_TRANSLATE_NOOP("codewheel::FaultPlan", "CRC errors in the segment")},
     Row{TrainingFault::noSupply, "noSupply",
         QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Device without supply")},
     Row{TrainingFault::wrongDevice, "wrongDevice",
-        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wrong device in its place")},
+        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wrong device in place")},
     Row{TrainingFault::peripheralFault, "peripheralFault",
         QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Peripheral fault")},
     Row{TrainingFault::powerOff, "powerOff",

@@ -30,10 +30,10 @@ enum class TrainingFault : std::uint8_t {
 inline constexpr int trainingFaults = static_cast<int>(TrainingFault::magnetLost) + 1;
 inline constexpr int mostCrcErrors = 100; // of 1000
 
-// "Wire break before the device", in the user's language; and as the file has it: "wireBreak".
+// "Wire break before it", in the user's language; and as the file has it: "wireBreak".
 QString trainingFaultName(TrainingFault fault);
 QString trainingFaultKey(TrainingFault fault);
-// "3.0: wire break before the device: on"
+// "3.0: Wire break before it"
 QString trainingFaultText(TrainingFault fault, DeviceNumber place, int value);
 
 struct FaultStep

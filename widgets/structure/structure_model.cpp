@@ -425,7 +425,7 @@ QString StructureModel::ledsText(const Node &node) const
 
 QString StructureModel::toolTip(const Node &node) const
 {
-    QStringList more{codingText(node), ledsText(node)};
+    QStringList more{ledsText(node), codingText(node)};
     more.removeAll(QString());
     const QString text =
         tr("%1  %2\nID code %3, device code %4\n%5 words IN, %6 words OUT\nState: %7")

@@ -28,8 +28,8 @@ FaultPlanBar::FaultPlanBar(TrainingControls &controls, QWidget *parent)
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins({});
     column->setSpacing(grid::unit);
+    column->addWidget(m_load);
     auto *buttons = new QHBoxLayout;
-    buttons->addWidget(m_load);
     buttons->addWidget(m_start);
     buttons->addWidget(m_stop);
     column->addLayout(buttons);

@@ -5,9 +5,9 @@
 #include "widgets/training/training_fields.h"
 
 #include <QCheckBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSpinBox>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -53,9 +53,10 @@ void RingFaults::addBoxFor(QVBoxLayout *column, TrainingFault fault, const QStri
 void RingFaults::addRate(QVBoxLayout *column)
 {
     m_rateRow = new QWidget(this);
-    auto *row = new QHBoxLayout(m_rateRow);
+    auto *row = new QVBoxLayout(m_rateRow); // a dock is narrow
     row->setContentsMargins({});
-    auto *caption = new QLabel(tr("CRC errors of 1000"), m_rateRow);
+    row->setSpacing(grid::unit);
+    auto *caption = new QLabel(tr("CRC errors per 1000"), m_rateRow);
     m_rate = new QSpinBox(m_rateRow);
     prepare(m_rate, 4);
     m_rate->setRange(0, mostCrcErrors);
@@ -63,7 +64,7 @@ void RingFaults::addRate(QVBoxLayout *column)
     m_rate->setToolTip(tr("Faulty data cycles of 1000 in the segment of the device"));
     caption->setBuddy(m_rate);
     row->addWidget(caption);
-    row->addWidget(m_rate, 1);
+    row->addWidget(m_rate);
     column->addWidget(m_rateRow);
     connect(m_rate, &QSpinBox::valueChanged, this, [this](int value) {
         if (m_shown && valueOf(*m_shown, TrainingFault::crcErrors) != value)
