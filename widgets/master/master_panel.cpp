@@ -129,8 +129,8 @@ void MasterPanel::makeButtons(QVBoxLayout *column)
     grid->setSpacing(grid::unit);
     grid->addWidget(m_start, 0, 0);
     grid->addWidget(m_stop, 0, 1);
-    grid->addWidget(m_readIn, 1, 0);
-    grid->addWidget(m_confirm, 1, 1);
+    grid->addWidget(m_readIn, 1, 0, 1, 2);
+    grid->addWidget(m_confirm, 2, 0, 1, 2);
     column->addLayout(grid);
     m_progress->setAccessibleName(tr("Reading in the ring"));
     m_progress->hide();

@@ -12,7 +12,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int bitsInRow = 4;
+constexpr int bitsInRow = 3; // a dock is narrow
 
 } // namespace
 
