@@ -7,6 +7,7 @@
 #include "cli/cam_text.h"
 #include "cli/commands.h"
 #include "cli/consent.h"
+#include "cli/eeprom_consent.h"
 #include "cli/json.h"
 #include "cli/texts.h"
 #include "cli/trace.h"
@@ -30,6 +31,8 @@ constexpr const char *examples[] = {"cams 1.0 read", "cams 1.0 read cams.json --
 
 constexpr std::array options{
     deviceOption,
+    beyondLimitOption,
+    ledgerOption,
     Option{"--program", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "only this cam program, 1 to 8")},
     Option{"--stay", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
@@ -281,6 +284,10 @@ void write(CamCall &cams, const std::vector<CamProgram> &wanted)
     }
     cams.answer.text += *review + costText(*differences);
     show(cams);
+    if (const auto may = eepromConsent(cams.call, cams.encoder, job, AsksAnyway::yes); !may) {
+        cams.answer.complaint = may.error();
+        return;
+    }
     const auto agreed = consent(
         cams.call, sentence(CommandLine::tr("Write this to %1?"), {cams.encoder.number().toString()}),
         CommandLine::tr("Nothing was written: there is nobody to ask. Add --yes to write, or use compare "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/bus_access.h"
 #include "cli/commands.h"
+#include "cli/eeprom_consent.h"
 #include "cli/texts.h"
 #include "cli/transfer_call.h"
 #include "encoder/sentence.h"
@@ -22,6 +23,8 @@ constexpr std::array options{
     transferReport,
     transferTrace,
     transferYes,
+    beyondLimitOption,
+    ledgerOption,
 };
 
 // All that it tells, where it can be read.

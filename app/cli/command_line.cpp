@@ -8,6 +8,7 @@
 #include "cli/project_access.h"
 #include "cli/texts.h"
 #include "encoder/refusal_text.h"
+#include "journal/ledger_keeper.h"
 #include "simulator/fault_plan_file.h"
 #include "training_session.h"
 #include "user_devices.h"
@@ -118,6 +119,10 @@ int runOnTrainingBus(const Subcommand &command, const Arguments &arguments, cons
                         arguments.has("--json"), {}, terminal);
         training.controls->startFaultPlan(*std::move(plan));
     }
+    const auto file = arguments.value("--ledger");
+    const LedgerKeeper ledger(*training.bus, file ? DatabasePlace::file(*file) : DatabasePlace::memory());
+    if (ledger.problem())
+        terminal.complain(messageText(*ledger.problem()));
     return runCommand(command, arguments, catalog, training.bus.get(), terminal);
 }
 

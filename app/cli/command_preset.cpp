@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/bus_access.h"
 #include "cli/commands.h"
+#include "cli/eeprom_consent.h"
 #include "cli/json.h"
 #include "cli/parameter_arguments.h"
 #include "cli/position_text.h"
@@ -23,6 +24,10 @@ constexpr std::array options{
         QT_TRANSLATE_NOOP("codewheel::CommandLine", "send the FRABA preset, which works as often as wanted")},
     inPositionModeOption,
     deviceOption,
+    Option{"--yes", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "do not ask where the budget of the EEPROM is used")},
+    beyondLimitOption,
+    ledgerOption,
     Option{"--trace", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
 };
@@ -65,6 +70,8 @@ Checked<Answer> run(const Call &call)
     if (!preset)
         return tl::unexpected(preset.error());
 
+    if (const auto may = eepromConsent(call, **encoder, *preset, AsksAnyway::no); !may)
+        return tl::unexpected(may.error());
     tellMode(**encoder, call.arguments);
     const Reading before = (*encoder)->latest();
     const FinishedJob job = runToEnd(*call.bus, **encoder, *preset);

@@ -2,6 +2,7 @@
 #include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/consent.h"
+#include "cli/eeprom_consent.h"
 #include "cli/json.h"
 #include "cli/position_text.h"
 #include "cli/texts.h"
@@ -19,6 +20,8 @@ constexpr const char *examples[] = {"reset 1.0", "reset 2.0 --yes --trace"};
 
 constexpr std::array options{
     deviceOption,
+    beyondLimitOption,
+    ledgerOption,
     Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "reset without asking")},
     Option{"--trace", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
@@ -105,6 +108,10 @@ Checked<Answer> run(const Call &call)
     Answer answer;
     answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
                    {QStringLiteral("device"), device.key}};
+    if (const auto may = eepromConsent(call, **encoder, ResetToDefault{}, AsksAnyway::yes); !may) {
+        answer.complaint = may.error();
+        return answer;
+    }
     const auto agreed =
         consent(call, sentence(CommandLine::tr("Reset %1?"), {(*encoder)->number().toString()}),
                 CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to reset."));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
+#include "cli/eeprom_consent.h"
 #include "cli/transfer_call.h"
 #include "project/project_file.h"
 #include "ring/bus_session.h"
@@ -22,6 +23,8 @@ constexpr std::array options{
     transferReport,
     transferTrace,
     transferYes,
+    beyondLimitOption,
+    ledgerOption,
 };
 
 Checked<Answer> run(const Call &call)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/bus_access.h"
 #include "cli/commands.h"
+#include "cli/eeprom_consent.h"
 #include "cli/json.h"
 #include "cli/parameter_arguments.h"
 #include "cli/texts.h"
@@ -20,6 +21,10 @@ constexpr const char *examples[] = {
 
 constexpr std::array options{
     deviceOption,
+    Option{"--yes", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "do not ask where the budget of the EEPROM is used")},
+    beyondLimitOption,
+    ledgerOption,
     Option{
         "--hold", "CYCLES",
         QT_TRANSLATE_NOOP("codewheel::CommandLine", "how long a word stands that nothing acknowledges (3)")},
@@ -51,7 +56,10 @@ Checked<Answer> run(const Call &call)
     if (!encoder)
         return tl::unexpected(encoder.error());
 
-    const FinishedJob job = runToEnd(*call.bus, **encoder, SendWords{*words, *hold});
+    const SendWords sending{*words, *hold};
+    if (const auto may = eepromConsent(call, **encoder, sending, AsksAnyway::no); !may)
+        return tl::unexpected(may.error());
+    const FinishedJob job = runToEnd(*call.bus, **encoder, sending);
     Answer answer;
     answer.text = traceText((*encoder)->device(), job.rows);
     answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},

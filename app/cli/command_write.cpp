@@ -2,6 +2,7 @@
 #include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/consent.h"
+#include "cli/eeprom_consent.h"
 #include "cli/json.h"
 #include "cli/parameter_arguments.h"
 #include "cli/parameter_text.h"
@@ -27,6 +28,8 @@ constexpr const char *examples[] = {
 
 constexpr std::array options{
     deviceOption,
+    beyondLimitOption,
+    ledgerOption,
     Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "write without asking")},
     Option{"--dry-run", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "show what would be written, and send nothing")},
@@ -171,6 +174,10 @@ Checked<Answer> run(const Call &call)
                    {QStringLiteral("plan"), plan->toJson()}};
     if (call.arguments.has("--dry-run") || plan->isEmpty())
         return answer;
+    if (const auto may = eepromConsent(call, **encoder, plan->job(), AsksAnyway::yes); !may) {
+        answer.complaint = may.error();
+        return answer;
+    }
     const QString question =
         sentence(CommandLine::tr("Write this to %1?"), {(*encoder)->number().toString()});
     const auto agreed = consent(call, question,

@@ -22,6 +22,8 @@ extern const Subcommand transferCommand;
 extern const Subcommand cloneCommand;
 extern const Subcommand monitorCommand;
 extern const Subcommand masterCommand;
+extern const Subcommand messagesCommand;
+extern const Subcommand ledgerCommand;
 
 // In the order of the help.
 std::span<const Subcommand *const> allCommands();

@@ -20,13 +20,19 @@ void Terminal::complain(const QString &text) const
 
 bool Terminal::confirms(const QString &question) const
 {
-    print(question + QStringLiteral(" [%1] ").arg(CommandLine::tr("y/N", "answers to a question")));
+    const QString choice = QStringLiteral(" [%1]").arg(CommandLine::tr("y/N", "answers to a question"));
+    const QString typed = answer(question + choice).toLower();
+    return typed == QStringLiteral("y") || typed == QStringLiteral("yes") ||
+           typed == CommandLine::tr("y", "answer to a question") ||
+           typed == CommandLine::tr("yes", "answer to a question");
+}
+
+QString Terminal::answer(const QString &question) const
+{
+    print(question + u' ');
     std::string line;
     std::getline(in, line);
-    const QString answer = QString::fromStdString(line).trimmed().toLower();
-    return answer == QStringLiteral("y") || answer == QStringLiteral("yes") ||
-           answer == CommandLine::tr("y", "answer to a question") ||
-           answer == CommandLine::tr("yes", "answer to a question");
+    return QString::fromStdString(line).trimmed();
 }
 
 } // namespace codewheel

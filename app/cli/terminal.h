@@ -19,6 +19,8 @@ struct Terminal
     void complain(const QString &text) const; // one line on err
     // Asks for yes or no. Anything but yes is no, the end of the input too.
     bool confirms(const QString &question) const;
+    // What is typed in answer; empty at the end of the input.
+    QString answer(const QString &question) const;
 };
 
 } // namespace codewheel

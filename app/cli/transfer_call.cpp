@@ -4,6 +4,7 @@
 #include "catalog/catalog.h"
 #include "cli/bus_access.h"
 #include "cli/consent.h"
+#include "cli/eeprom_consent.h"
 #include "cli/texts.h"
 #include "cli/trace.h"
 #include "cli/transfer_text.h"
@@ -125,6 +126,20 @@ void addTrace(const Call &call, const FinishedRound &round, Answer &answer)
     answer.json.insert(QStringLiteral("trace"), json);
 }
 
+namespace {
+
+// Of each job of each encoder.
+Checked<void> eepromConsentOfAll(const Call &call, const std::vector<EncoderJobs> &encoders)
+{
+    for (const EncoderJobs &encoder : encoders)
+        for (const Job &job : encoder.jobs)
+            if (auto may = eepromConsent(call, *call.bus->encoder(encoder.place), job, AsksAnyway::yes); !may)
+                return may;
+    return {};
+}
+
+} // namespace
+
 Answer transfer(const Call &call, TransferKind kind, const QString &source, const TransferPlan &plan)
 {
     Answer answer;
@@ -135,6 +150,10 @@ Answer transfer(const Call &call, TransferKind kind, const QString &source, cons
     if (call.arguments.has("--dry-run"))
         return answer;
     if (!jobs.empty()) {
+        if (const auto may = eepromConsentOfAll(call, jobs); !may) {
+            answer.complaint = may.error();
+            return answer;
+        }
         const auto agreed =
             consent(call,
                     sentence(CommandLine::tr("Write this to encoders: %1, with at most so many EEPROM "

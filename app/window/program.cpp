@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/program.h"
 
+#include "app/journal_files.h"
 #include "app/user_devices.h"
 #include "app/window/main_window.h"
+#include "app/window/project_account.h"
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
 #include "app/window/ring_connection.h"
 #include "app/window/start_probe.h"
+#include "journal/ledger_keeper.h"
 #include "project/project_take_over.h"
 #include "widgets/messages/message_model.h"
 
@@ -27,6 +30,7 @@ constexpr auto measuredRun = 2s;     // then a measured start ends
 
 Program::Program(QApplication &application, const QString &settingsFile)
     : m_application(application)
+    , m_dataFolder(settingsFile.isEmpty() ? userJournalFolder() : QFileInfo(settingsFile).absolutePath())
     , m_settings(settingsFile)
     , m_recoveryFolder((settingsFile.isEmpty()
                             ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)
@@ -69,10 +73,16 @@ void Program::startBus()
     const bool measured = reportFirstPaint();
     m_catalog = std::make_unique<Catalog>(Catalog::builtIn());
     const std::vector<Catalog::Fault> faults = addUserDevices(*m_catalog, userDeviceFolder());
-    m_messages = std::make_unique<MessageModel>();
+    m_store = std::make_unique<MessageStore>(MessageStore::Settings{
+        .file = messageFile(m_dataFolder), .largestSize = m_settings.largestMessageFile()});
+    m_messages = std::make_unique<MessageModel>(*m_store);
     m_training = openTrainingSession(*m_catalog, QDateTime::currentDateTime());
     m_messages->setBus(*m_training.bus);
     m_project.setProject(projectOf(m_training.bus->structure()), {}); // nothing differs at first
+    // The training bus is new with each start: what it stores is counted in memory.
+    m_ledger = std::make_unique<LedgerKeeper>(*m_training.bus, DatabasePlace::memory());
+    connect(m_ledger.get(), &LedgerKeeper::messaged, m_messages.get(), &MessageModel::addNow);
+    keepAccountOf(m_project, *m_ledger);
     for (const Catalog::Fault &fault : faults)
         m_messages->addNow(
             {.severity = Severity::attention,

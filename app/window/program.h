@@ -17,7 +17,9 @@ class QApplication;
 namespace codewheel {
 
 class MainWindow;
+class LedgerKeeper;
 class MessageModel;
+class MessageStore;
 class ProjectRecovery;
 
 // The program with a window, from start to end: language, appearance, the window, and after its first paint
@@ -28,7 +30,8 @@ class Program : public QObject
     Q_OBJECT
 
 public:
-    // settingsFile: empty: the user's own. Changes that are not saved are kept beside one that is given.
+    // An ini file of its own keeps what the window keeps, with messages, EEPROM counts and changes that are
+    // not saved beside it; empty: the user's own.
     explicit Program(QApplication &application, const QString &settingsFile = {});
     ~Program() override;
 
@@ -47,15 +50,18 @@ private:
     void useLanguage(const QString &language);
 
     QApplication &m_application;
+    const QString m_dataFolder; // of messages and EEPROM counts
     WindowSettings m_settings;
     Language m_language;
     std::unique_ptr<Catalog> m_catalog;
+    std::unique_ptr<MessageStore> m_store;
     std::unique_ptr<MessageModel> m_messages;
     TrainingSession m_training;
     ProjectDocument m_project;
     std::unique_ptr<ProjectRecovery> m_recovery;
     QString m_recoveryFolder;
     QString m_file; // to be opened once the bus is there
+    std::unique_ptr<LedgerKeeper> m_ledger;
     std::unique_ptr<MainWindow> m_window;
     QTimer m_pictures;
 };

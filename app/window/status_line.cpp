@@ -2,6 +2,7 @@
 #include "app/window/status_line.h"
 
 #include "catalog/device_description.h"
+#include "journal/eeprom_cost.h"
 #include "ring/bus_session.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
@@ -111,8 +112,12 @@ void StatusLine::refresh()
     setTextOf(m_linkLabel, tr("link: %1").arg(m_link));
     setTextOf(m_writes, m_encoder == nullptr || !m_encoder->can().writes
                             ? QString()
-                            : tr("%1 %2: %n writes from here", nullptr, m_encoder->eepromWrites())
-                                  .arg(m_encoder->number().toString(), m_encoder->device().vendor));
+                            : tr("%1 %2: %3", "place, make: writes")
+                                  .arg(m_encoder->number().toString(), m_encoder->device().vendor,
+                                       eepromCountBrief(m_encoder->eepromCount())));
+    const QString toolTip = m_encoder == nullptr ? QString() : eepromCountText(m_encoder->eepromCount());
+    if (m_writes->toolTip() != toolTip)
+        m_writes->setToolTip(toolTip);
 }
 
 void StatusLine::showState()

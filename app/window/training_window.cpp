@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/training_window.h"
 
+#include "app/window/project_account.h"
 #include "project/project_take_over.h"
 #include "ring/bus_session.h"
 
@@ -18,8 +19,11 @@ constexpr int picturePeriod = 33; // ms
 TrainingWindow::TrainingWindow(const QString &settingsFile)
     : m_settings(settingsFile)
     , m_training(openTrainingSession(m_catalog, begin()))
+    , m_ledger(*m_training.bus, DatabasePlace::memory())
 {
     m_messages.setBus(*m_training.bus);
+    QObject::connect(&m_ledger, &LedgerKeeper::messaged, &m_messages, &MessageModel::addNow);
+    keepAccountOf(m_project, m_ledger);
     m_project.setProject(projectOf(m_training.bus->structure()), {});
     m_window = std::make_unique<MainWindow>(m_settings, m_project);
     m_window->attach(*m_training.bus, m_training.controls, MainWindow::tr("training bus"), m_messages);
@@ -37,6 +41,7 @@ void TrainingWindow::advance(int milliseconds)
         QCoreApplication::processEvents();
         milliseconds -= step;
     }
+    m_messages.catchUp();
 }
 
 QDateTime TrainingWindow::begin()

@@ -4,6 +4,7 @@
 #include "app/training_session.h"
 #include "app/window/main_window.h"
 #include "catalog/catalog.h"
+#include "journal/ledger_keeper.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/project/project_document.h"
 
@@ -31,9 +32,11 @@ public:
 private:
     Catalog m_catalog = Catalog::builtIn();
     WindowSettings m_settings;
-    MessageModel m_messages;
+    MessageStore m_store{{}}; // in memory
+    MessageModel m_messages{m_store};
     TrainingSession m_training;
     ProjectDocument m_project;
+    LedgerKeeper m_ledger;
     std::unique_ptr<MainWindow> m_window;
 };
 

@@ -32,6 +32,10 @@ const QString recentFilesKey = QStringLiteral("project/recentFiles");
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString layoutKey = QStringLiteral("window/layout");
 const QString monitorsKey = QStringLiteral("window/monitors");
+const QString largestMessageFileKey = QStringLiteral("messages/largestFile");
+constexpr qint64 usualMessageFile = 200; // MB
+constexpr qint64 smallestMessageFile = 1;
+constexpr qint64 megabyte = 1'000'000;
 
 } // namespace
 
@@ -104,6 +108,12 @@ std::optional<QJsonObject> WindowSettings::monitors() const
 void WindowSettings::setMonitors(const QJsonObject &monitors)
 {
     m_settings->setValue(monitorsKey, QJsonDocument(monitors).toJson(QJsonDocument::Compact));
+}
+
+qint64 WindowSettings::largestMessageFile() const
+{
+    const qint64 megabytes = m_settings->value(largestMessageFileKey, usualMessageFile).toLongLong();
+    return std::max(megabytes, smallestMessageFile) * megabyte;
 }
 
 } // namespace codewheel

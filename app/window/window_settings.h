@@ -38,6 +38,10 @@ public:
     std::optional<QJsonObject> monitors() const; // nothing at first start
     void setMonitors(const QJsonObject &monitors);
 
+    // Beyond it the oldest messages are dropped; bytes. "messages/largestFile", in MB, is changed in the
+    // file.
+    qint64 largestMessageFile() const;
+
 private:
     std::unique_ptr<QSettings> m_settings;
 };

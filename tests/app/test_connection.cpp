@@ -39,7 +39,8 @@ protected:
     QStringList messages()
     {
         QStringList texts;
-        const MessageModel &model = shown->messages();
+        MessageModel &model = shown->messages();
+        model.catchUp();
         for (int i = 0; i < model.rowCount(); ++i)
             for (int column = 0; column < model.columnCount(); ++column)
                 texts << model.index(i, column).data().toString();

@@ -61,7 +61,8 @@ int main(int argc, char **argv)
     if (!bus.open(BusSession::Start::operating))
         return 1;
     WindowSettings settings(folder.filePath(QStringLiteral("bench.ini")));
-    MessageModel messages;
+    MessageStore store({});
+    MessageModel messages(store);
     MainWindow window(settings);
     window.attach(bus, ring.controls, QStringLiteral("moving ring"), messages);
     auto *monitors = window.findChild<MonitorArea *>();

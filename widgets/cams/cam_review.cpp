@@ -3,6 +3,7 @@
 
 #include "encoder/hex.h"
 #include "widgets/cams/cam_review_rows.h"
+#include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -73,6 +74,7 @@ CamReview::CamReview(QWidget *parent)
     , m_title(new QLabel(this))
     , m_table(new QTableView(this))
     , m_notes(new QLabel(this))
+    , m_gate(new EepromGate(this))
     , m_afterwards(new QComboBox(this))
     , m_writeAll(new QCheckBox(tr("Write &all, also what is there"), this))
     , m_write(new QPushButton(lineIcon(Icon::write), {}, this))
@@ -111,9 +113,11 @@ CamReview::CamReview(QWidget *parent)
     layout->addWidget(m_table, 1);
     layout->addWidget(makeAfterwards());
     layout->addWidget(m_notes);
+    layout->addWidget(m_gate);
     layout->addLayout(buttons);
 
     connect(m_writeAll, &QCheckBox::toggled, this, &CamReview::showPlan);
+    connect(m_gate, &EepromGate::changed, this, &CamReview::allow);
     connect(m_write, &QPushButton::clicked, this, [this] { Q_EMIT confirmed(job()); });
     connect(m_cancel, &QPushButton::clicked, this, &CamReview::cancelled);
 }
@@ -187,8 +191,14 @@ void CamReview::showPlan()
     m_model->setRows(camReviewRows(*m_encoder, job()));
     const int count = m_model->rowCount();
     m_write->setText(count == 1 ? tr("&Write this word") : tr("&Write these %1 words").arg(count));
-    m_write->setEnabled(count > 0);
+    m_gate->setWrites(*m_encoder, count == 0 ? 0 : mostEepromWrites(*m_encoder, job()));
+    allow();
     m_notes->setText(notes());
+}
+
+void CamReview::allow()
+{
+    m_write->setEnabled(m_model->rowCount() > 0 && m_gate->isOpen());
 }
 
 QString CamReview::notes() const
@@ -201,7 +211,7 @@ QString CamReview::notes() const
     sentences << tr("A program that is changed is stored in EEPROM when it is left: one write. EEPROM writes "
                     "so far "
                     "by this program: %1.")
-                     .arg(m_encoder->eepromWrites());
+                     .arg(m_encoder->eepromCount().writes);
     if (const auto budget = m_encoder->can().eepromBudget)
         sentences << tr("The manual states about %1 writes for the encoder's life.").arg(*budget);
     return sentences.join(QLatin1Char(' '));

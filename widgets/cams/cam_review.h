@@ -15,6 +15,8 @@ class QTableView;
 
 namespace codewheel {
 
+class EepromGate;
+
 struct CamReviewRow
 {
     unsigned program = 1;
@@ -64,6 +66,7 @@ private:
     QWidget *makeAfterwards();
     void offerAfterwards(const SwitchMode &before);
     void showPlan();
+    void allow();
     QString notes() const;
     WriteCams job() const;
 
@@ -74,6 +77,7 @@ private:
     QLabel *m_title;
     QTableView *m_table;
     QLabel *m_notes;
+    EepromGate *m_gate;
     QComboBox *m_afterwards;
     QCheckBox *m_writeAll;
     QPushButton *m_write;

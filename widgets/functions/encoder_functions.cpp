@@ -2,6 +2,7 @@
 #include "widgets/functions/encoder_functions.h"
 
 #include "catalog/device_description.h"
+#include "widgets/eeprom/eeprom_question.h"
 #include "widgets/functions/function_questions.h"
 #include "widgets/look/icons.h"
 
@@ -150,7 +151,7 @@ void EncoderFunctions::startInPositionMode(const Job &job, Word out)
 
 std::optional<JobId> EncoderFunctions::start(const Job &job)
 {
-    if (!m_encoder) // gone while it was asked for
+    if (!m_encoder || !askForEeprom(m_window, *m_encoder, job)) // gone while it was asked for, or no
         return std::nullopt;
     const auto started = m_encoder->start(job);
     if (started)

@@ -20,7 +20,8 @@ struct Functions
 // "EEPROM writes: 1, by this program so far: 12. The manual states about 200 in all."
 QString costText(const EncoderSession &encoder)
 {
-    QString text = Functions::tr("EEPROM writes: 1; by this program so far: %1.").arg(encoder.eepromWrites());
+    QString text =
+        Functions::tr("EEPROM writes: 1; by this program so far: %1.").arg(encoder.eepromCount().writes);
     if (const auto budget = encoder.can().eepromBudget)
         text += u' ' + Functions::tr("The manual states about %1 in all.").arg(*budget);
     return text;

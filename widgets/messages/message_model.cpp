@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/messages/message_model.h"
 
-#include "encoder/refusal_text.h"
+#include "journal/message_fields.h"
 #include "ring/bus_session.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
 
-#include <QLocale>
+#include <algorithm>
 
 namespace codewheel {
 namespace {
 
-// Dropped together, so that a full list does not move all its rows with every message.
-constexpr int droppedAtOnce = MessageModel::capacity / 100;
+using namespace std::chrono_literals;
+
+constexpr auto refreshPeriod = 100ms;
+constexpr int cached = 2'000;         // messages
+constexpr int fetched = 64;           // rows together
+constexpr qint64 takenAtOnce = 2'000; // new messages a refresh, where each is looked at
 
 QIcon severityIcon(Severity severity)
 {
@@ -28,31 +32,16 @@ QIcon severityIcon(Severity severity)
     return lineIcon(Icon::information, Role::inactive);
 }
 
-QString timeText(const QDateTime &at)
-{
-    const QLocale locale;
-    return QStringLiteral("%1 %2").arg(locale.toString(at.date(), QLocale::ShortFormat),
-                                       locale.toString(at.time(), QStringLiteral("HH:mm:ss.zzz")));
-}
-
 } // namespace
 
-QString severityName(Severity severity)
+MessageModel::MessageModel(MessageStore &store, QObject *parent)
+    : QAbstractTableModel(parent)
+    , m_store(store)
+    , m_cache(cached)
 {
-    switch (severity) {
-    case Severity::fault:
-        return MessageModel::tr("Fault");
-    case Severity::attention:
-        return MessageModel::tr("Attention");
-    case Severity::information:
-        break;
-    }
-    return MessageModel::tr("Information");
+    connect(&m_timer, &QTimer::timeout, this, &MessageModel::refresh);
+    m_timer.start(refreshPeriod);
 }
-
-MessageModel::MessageModel(QObject *parent)
-    : TableModelBase(parent)
-{}
 
 void MessageModel::setBus(BusSession &bus)
 {
@@ -63,13 +52,9 @@ void MessageModel::setBus(BusSession &bus)
             [this](const Message &message) { add(message, m_bus->dateTime(message.at)); });
 }
 
-void MessageModel::add(const Message &message, QDateTime at)
+void MessageModel::add(const Message &message, const QDateTime &at)
 {
-    if (rowCount() >= capacity)
-        removeFirst(droppedAtOnce);
-    std::vector<MessageRow> rows;
-    rows.push_back({std::move(at), message});
-    append(std::move(rows));
+    m_store.add(message, at);
 }
 
 void MessageModel::addNow(Message message)
@@ -79,29 +64,232 @@ void MessageModel::addNow(Message message)
     add(message, m_bus ? m_bus->dateTime(message.at) : QDateTime::currentDateTime());
 }
 
-QString MessageModel::text(const MessageRow &row, int column)
+void MessageModel::setFilter(const MessageFilter &filter)
+{
+    if (filter == m_filter)
+        return;
+    m_filter = filter;
+    m_matcher = MessageTextMatcher(filter.text);
+    list();
+}
+
+std::optional<double> MessageModel::searched() const
+{
+    return m_search.isRunning() ? std::optional(m_searched) : std::nullopt;
+}
+
+void MessageModel::clear()
+{
+    m_clearedUpTo = m_span.last;
+    list();
+}
+
+void MessageModel::bringBack()
+{
+    m_clearedUpTo = 0;
+    list();
+}
+
+bool MessageModel::isEmpty() const
+{
+    return m_span.last < firstShown() || m_span.last == 0;
+}
+
+std::vector<DeviceNumber> MessageModel::places() const
+{
+    return m_table ? m_table->places() : std::vector<DeviceNumber>();
+}
+
+qint64 MessageModel::firstShown() const
+{
+    return std::max(m_span.first, m_clearedUpTo + 1);
+}
+
+int MessageModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_ids.size());
+}
+
+int MessageModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : columnTotal;
+}
+
+// The store opens the file in its own thread, and leaves it when it fails.
+bool MessageModel::openTable()
+{
+    const auto place = m_store.place();
+    if (!place)
+        return false;
+    if (m_table && *place == m_place)
+        return true;
+    m_table.reset();
+    auto table = MessageTable::open(*place);
+    m_place = *place;
+    if (!table) {
+        failed(table.error());
+        return false;
+    }
+    m_table = std::move(*table);
+    m_clearedUpTo = 0;
+    m_changes = m_table->changes();
+    m_span = m_table->span().value_or(MessageTable::Span());
+    list();
+    return true;
+}
+
+void MessageModel::failed(const DatabaseError &error) const
+{
+    if (error.kind == DatabaseError::Kind::broken)
+        m_store.reportBroken(m_place, error);
+}
+
+void MessageModel::refresh()
+{
+    if (!openTable())
+        return;
+    if (const qint64 changes = m_table->changes(); changes != m_changes) {
+        m_changes = changes;
+        const auto span = m_table->span();
+        if (!span) {
+            failed(span.error());
+            return;
+        }
+        m_span = *span;
+        dropBelow(firstShown());
+    }
+    takeNew();
+    takeFound();
+}
+
+// All rows anew: those of the filter come with the search.
+void MessageModel::list()
+{
+    m_search.cancel();
+    beginResetModel();
+    m_ids.clear();
+    m_cache.clear();
+    m_lookedUpTo = m_span.last;
+    if (m_filter.isEmpty() && !isEmpty())
+        m_ids.append(firstShown(), m_span.last);
+    endResetModel();
+    m_searched = 0;
+    if (m_table && !m_filter.isEmpty() && !isEmpty())
+        m_search.start(m_place, m_filter, firstShown(), m_span.last);
+    Q_EMIT searchChanged();
+}
+
+void MessageModel::takeNew()
+{
+    if (m_lookedUpTo >= m_span.last)
+        return;
+    const qint64 first = std::max(m_lookedUpTo + 1, firstShown());
+    const int row = rowCount();
+    if (m_filter.isEmpty()) {
+        beginInsertRows({}, row, row + static_cast<int>(m_span.last - first));
+        m_ids.append(first, m_span.last);
+        m_lookedUpTo = m_span.last;
+        endInsertRows();
+        return;
+    }
+    m_lookedUpTo = std::min(m_span.last, first + takenAtOnce - 1);
+    const auto ids = fittingIds(*m_table, m_filter, m_matcher, first, m_lookedUpTo);
+    if (!ids)
+        failed(ids.error());
+    if (!ids || ids->empty())
+        return;
+    beginInsertRows({}, row, row + static_cast<int>(ids->size()) - 1);
+    m_ids.append(*ids);
+    endInsertRows();
+}
+
+void MessageModel::takeFound()
+{
+    if (!m_search.isRunning())
+        return;
+    MessageSearch::Found found = m_search.take();
+    m_searched = found.part;
+    std::erase_if(found.ids, [this](qint64 id) { return id < firstShown(); });
+    if (!found.ids.empty()) {
+        beginInsertRows({}, 0, static_cast<int>(found.ids.size()) - 1);
+        m_ids.prepend(found.ids);
+        endInsertRows();
+    }
+    Q_EMIT searchChanged();
+}
+
+void MessageModel::dropBelow(qint64 first)
+{
+    IdRuns left = m_ids;
+    const qint64 gone = left.dropBelow(first);
+    if (gone == 0)
+        return;
+    beginRemoveRows({}, 0, static_cast<int>(gone) - 1);
+    m_ids = std::move(left);
+    endRemoveRows();
+}
+
+void MessageModel::catchUp()
+{
+    m_store.flush();
+    refresh();
+    while (m_lookedUpTo < m_span.last)
+        takeNew();
+    m_search.wait();
+    takeFound();
+}
+
+StoredMessage MessageModel::message(int row) const
+{
+    const qint64 id = m_ids.at(row);
+    if (const StoredMessage *known = m_cache.object(id))
+        return *known;
+    std::vector<qint64> ids;
+    const int first = row - row % fetched;
+    for (int near = first; near < std::min(first + fetched, rowCount()); ++near)
+        ids.push_back(m_ids.at(near));
+    for (StoredMessage &message : read(ids))
+        if (message.id != 0)
+            m_cache.insert(message.id, new StoredMessage(std::move(message)));
+    const StoredMessage *found = m_cache.object(id);
+    return found == nullptr ? StoredMessage() : *found;
+}
+
+std::vector<StoredMessage> MessageModel::read(const std::vector<qint64> &ids) const
+{
+    if (!m_table)
+        return {};
+    auto messages = m_table->read(ids);
+    if (!messages)
+        failed(messages.error());
+    return messages.value_or(std::vector<StoredMessage>());
+}
+
+QString MessageModel::text(const StoredMessage &message, int column)
 {
     switch (column) {
     case timeColumn:
-        return timeText(row.at);
+        return messageTime(message.at);
     case severityColumn:
-        return severityName(row.message.severity);
+        return severityName(message.severity);
     case placeColumn:
-        return row.message.place ? row.message.place->toString() : tr("Bus");
+        return placeName(message.place);
     case textColumn:
-        return messageText(row.message);
+        return messageText(message);
     default:
         return {};
     }
 }
 
-QVariant MessageModel::headerCell(int column, int role) const
+QVariant MessageModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
+    if (orientation != Qt::Horizontal)
+        return {};
     if (role == Qt::TextAlignmentRole)
         return QVariant::fromValue(Qt::AlignLeft | Qt::AlignVCenter);
     if (role != Qt::DisplayRole)
         return {};
-    switch (column) {
+    switch (section) {
     case timeColumn:
         return tr("Date and time");
     case severityColumn:
@@ -115,20 +303,20 @@ QVariant MessageModel::headerCell(int column, int role) const
     }
 }
 
-QVariant MessageModel::cell(const MessageRow &row, int column, int role) const
+QVariant MessageModel::data(const QModelIndex &index, int role) const
 {
-    switch (role) {
-    case Qt::DisplayRole:
-        return text(row, column);
-    case Qt::ToolTipRole:
-        return column == textColumn ? text(row, column) : QVariant();
-    case Qt::DecorationRole:
-        return column == severityColumn ? severityIcon(row.message.severity) : QVariant();
-    case Qt::FontRole:
-        return column == timeColumn || column == placeColumn ? numberFont() : QVariant();
-    default:
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid))
         return {};
-    }
+    const int column = index.column();
+    if (role == Qt::FontRole)
+        return column == timeColumn || column == placeColumn ? numberFont() : QVariant();
+    const bool isText = role == Qt::DisplayRole || (role == Qt::ToolTipRole && column == textColumn);
+    if (!isText && (role != Qt::DecorationRole || column != severityColumn))
+        return {};
+    const StoredMessage shown = message(index.row());
+    if (shown.id == 0)
+        return {};
+    return isText ? QVariant(text(shown, column)) : severityIcon(shown.severity);
 }
 
 } // namespace codewheel

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/messages/messages_view.h"
 
+#include "journal/message_fields.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
-#include "widgets/messages/message_csv.h"
+#include "widgets/messages/message_filter_bar.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
-#include <QComboBox>
 #include <QEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLineEdit>
-#include <QSaveFile>
+#include <QLabel>
 #include <QScrollBar>
 #include <QTableView>
 #include <QToolButton>
@@ -24,14 +23,18 @@
 #include <algorithm>
 
 namespace codewheel {
+namespace {
+
+constexpr std::size_t largestCopy = 100'000; // rows
+constexpr qint64 longExport = 20'000;        // messages; half a second and more
+
+} // namespace
 
 MessagesView::MessagesView(MessageModel &messages, QWidget *parent)
     : QWidget(parent)
     , m_messages(messages)
-    , m_filter(new MessageFilter(messages, this))
-    , m_search(new QLineEdit(this))
-    , m_severity(new QComboBox(this))
-    , m_place(new QComboBox(this))
+    , m_filters(new MessageFilterBar(this))
+    , m_search(new QLabel(this))
     , m_table(new QTableView(this))
     , m_note(new InlineMessage(this))
     , m_empty(new EmptyState(Icon::messages, {}, {}, this))
@@ -40,70 +43,48 @@ MessagesView::MessagesView(MessageModel &messages, QWidget *parent)
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(grid::unit, grid::unit, grid::unit, grid::unit);
     column->setSpacing(grid::unit);
-    QBoxLayout *row = makeFilters();
-    makeCommands(row);
+    addAction(m_filters->findAction());
+    m_search->setFont(textFont(TextSize::small));
+    m_search->setAccessibleName(tr("State of the search"));
+    m_filters->row().addWidget(m_search);
+    makeCommands(m_filters->row());
     makeTable();
-    column->addLayout(row);
-    column->addWidget(m_note);
+    for (QWidget *part : std::initializer_list<QWidget *>{m_filters, m_note})
+        column->addWidget(part);
     column->addWidget(m_table, 1);
     column->addWidget(m_empty, 1);
 
-    connect(m_empty, &EmptyState::actionTriggered, this, &MessagesView::showAll);
-    connect(m_note, &InlineMessage::actionTriggered, this, &MessagesView::bringBack);
-    connect(m_note, &InlineMessage::closed, this, [this] { m_cleared.clear(); });
-    connect(&messages, &QAbstractItemModel::rowsInserted, this,
-            [this](const QModelIndex &, int first) { listPlaces(first); });
-    connect(&messages, &QAbstractItemModel::modelReset, this, [this] { listPlaces(0); });
-    for (const auto change : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
-        connect(m_filter, change, this, &MessagesView::updateContent);
-    connect(m_filter, &QAbstractItemModel::modelReset, this, &MessagesView::updateContent);
-    listPlaces(0);
+    connect(m_filters, &MessageFilterBar::changed, this,
+            [this] { m_messages.setFilter(m_filters->filter()); });
+    connect(m_empty, &EmptyState::actionTriggered, m_filters, &MessageFilterBar::showAll);
+    connect(m_note, &InlineMessage::actionTriggered, this, &MessagesView::act);
+    connectModel();
     updateContent();
 }
 
-QBoxLayout *MessagesView::makeFilters()
+MessagesView::~MessagesView()
 {
-    m_search->setPlaceholderText(tr("Search"));
-    m_search->setAccessibleName(tr("Search in messages"));
-    m_search->setToolTip(tr("Show only messages with this text (Ctrl+F)"));
-    m_search->setClearButtonEnabled(true);
-    m_search->addAction(lineIcon(Icon::search, Role::inactive), QLineEdit::LeadingPosition);
-    auto *find = new QAction(tr("Search"), this);
-    find->setShortcut(QKeySequence::Find);
-    find->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    addAction(find);
-    connect(find, &QAction::triggered, this, [this] {
-        m_search->setFocus(Qt::ShortcutFocusReason);
-        m_search->selectAll();
-    });
-    connect(m_search, &QLineEdit::textChanged, m_filter, &MessageFilter::setText);
-
-    m_severity->addItem(tr("All messages"), QVariant::fromValue(Severity::information));
-    m_severity->addItem(tr("Attention and faults"), QVariant::fromValue(Severity::attention));
-    m_severity->addItem(tr("Faults only"), QVariant::fromValue(Severity::fault));
-    m_severity->setAccessibleName(tr("Severity of messages"));
-    m_severity->setToolTip(tr("Show only messages of this severity or worse"));
-    connect(m_severity, &QComboBox::currentIndexChanged, this,
-            [this] { m_filter->setSeverity(m_severity->currentData().value<Severity>()); });
-
-    m_place->addItem(tr("All places"), QVariant::fromValue(MessageFilter::Place{}));
-    m_place->addItem(tr("Bus"), QVariant::fromValue(MessageFilter::Place{.all = false}));
-    m_place->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    m_place->setAccessibleName(tr("Place of messages"));
-    m_place->setToolTip(tr("Show only messages of this device, or of the bus itself"));
-    connect(m_place, &QComboBox::currentIndexChanged, this,
-            [this] { m_filter->setPlace(m_place->currentData().value<MessageFilter::Place>()); });
-
-    auto *row = new QHBoxLayout;
-    row->setSpacing(grid::unit);
-    row->addWidget(m_search, 1);
-    row->addWidget(m_severity);
-    row->addWidget(m_place);
-    row->addSpacing(grid::unit);
-    return row;
+    m_messages.disconnect(this);
+    m_messages.setFilter({});
 }
 
-QAction *MessagesView::addCommand(QBoxLayout *row, const QIcon &icon, const QString &text,
+void MessagesView::connectModel()
+{
+    connect(&m_messages, &QAbstractItemModel::rowsInserted, this,
+            [this](const QModelIndex &, int first, int last) {
+                stay(first == 0 ? last + 1 : 0);
+                updateContent();
+            });
+    connect(&m_messages, &QAbstractItemModel::rowsRemoved, this,
+            [this](const QModelIndex &, int first, int last) {
+                stay(first == 0 ? -last - 1 : 0);
+                updateContent();
+            });
+    connect(&m_messages, &QAbstractItemModel::modelReset, this, &MessagesView::updateContent);
+    connect(&m_messages, &MessageModel::searchChanged, this, &MessagesView::updateContent);
+}
+
+QAction *MessagesView::addCommand(QHBoxLayout &row, const QIcon &icon, const QString &text,
                                   const QString &toolTip)
 {
     auto *command = new QAction(icon, text, this);
@@ -113,11 +94,11 @@ QAction *MessagesView::addCommand(QBoxLayout *row, const QIcon &icon, const QStr
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::StrongFocus);
     button->setAccessibleName(toolTip);
-    row->addWidget(button);
+    row.addWidget(button);
     return command;
 }
 
-void MessagesView::makeCommands(QBoxLayout *row)
+void MessagesView::makeCommands(QHBoxLayout &row)
 {
     m_follow = addCommand(row, {}, tr("Follow"), tr("Keep the newest message in sight (Ctrl+End)"));
     m_follow->setCheckable(true);
@@ -131,20 +112,24 @@ void MessagesView::makeCommands(QBoxLayout *row)
     connect(copyRows, &QAction::triggered, this, &MessagesView::copy);
 
     QAction *exportAll = addCommand(row, lineIcon(Icon::exportData), tr("Export…"),
-                                    tr("Write the messages shown to a file (CSV)"));
+                                    tr("Write the messages shown to a file (CSV or HTML)"));
     connect(exportAll, &QAction::triggered, this, &MessagesView::exportRows);
 
-    QAction *clearAll =
-        addCommand(row, lineIcon(Icon::remove), tr("Clear"), tr("Remove all messages from this list"));
+    QAction *clearAll = addCommand(row, lineIcon(Icon::remove), tr("Clear"),
+                                   tr("Hide all messages up to now; they are kept on disk"));
     connect(clearAll, &QAction::triggered, this, &MessagesView::clear);
 
-    m_table->addActions({copyRows, exportAll, clearAll});
+    m_bringBack = new QAction(tr("Bring back what was cleared"), this);
+    m_bringBack->setToolTip(tr("Show the messages again that were hidden by Clear"));
+    connect(m_bringBack, &QAction::triggered, this, &MessagesView::bringBack);
+
+    m_table->addActions({copyRows, exportAll, clearAll, m_bringBack});
     m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
 void MessagesView::makeTable()
 {
-    m_table->setModel(m_filter);
+    m_table->setModel(&m_messages);
     m_table->setAccessibleName(tr("List of messages"));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -167,7 +152,7 @@ void MessagesView::makeTable()
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex &current) {
                 if (current.isValid())
-                    m_follow->setChecked(current.row() == m_filter->rowCount() - 1);
+                    m_follow->setChecked(current.row() == m_messages.rowCount() - 1);
             });
 }
 
@@ -176,8 +161,7 @@ void MessagesView::setColumnWidths()
     const QFontMetrics numbers(numberFont());
     const QFontMetrics texts(m_table->font());
     const int gap = 2 * grid::margin;
-    const QString widestTime =
-        MessageModel::text({QDateTime(QDate(2026, 12, 28), QTime(22, 58)), {}}, MessageModel::timeColumn);
+    const QString widestTime = messageTime(QDateTime(QDate(2026, 12, 28), QTime(22, 58)));
     int severity = 0;
     for (const Severity each : {Severity::information, Severity::attention, Severity::fault})
         severity = std::max(severity, texts.horizontalAdvance(severityName(each)));
@@ -189,46 +173,34 @@ void MessagesView::setColumnWidths()
                                                      grid::unit);
 }
 
-// A place can be chosen once something happened there.
-void MessagesView::listPlaces(int firstNew)
-{
-    for (int row = firstNew; row < m_messages.rowCount(); ++row) {
-        const auto &number = m_messages.rowAt(row).message.place;
-        if (!number || m_place->findText(number->toString()) >= 0)
-            continue;
-        const auto before = [this](int index, DeviceNumber added) {
-            return *m_place->itemData(index).value<MessageFilter::Place>().number < added;
-        };
-        int index = 2; // after "all places" and "bus"
-        while (index < m_place->count() && before(index, *number))
-            ++index;
-        m_place->insertItem(index, number->toString(),
-                            QVariant::fromValue(MessageFilter::Place{.all = false, .number = number}));
-    }
-}
-
-void MessagesView::showAll()
-{
-    m_search->clear();
-    m_severity->setCurrentIndex(0);
-    m_place->setCurrentIndex(0);
-}
-
 void MessagesView::updateContent()
 {
-    const bool none = m_messages.rowCount() == 0;
-    const bool noneShown = m_filter->rowCount() == 0;
+    m_filters->setPlaces(m_messages.places());
+    const bool none = m_messages.isEmpty();
+    const bool noneShown = m_messages.rowCount() == 0;
     m_table->setVisible(!noneShown);
     m_empty->setVisible(noneShown);
+    m_bringBack->setEnabled(m_messages.isCleared());
     if (noneShown) {
         if (none)
             m_empty->setTexts(tr("No messages yet"),
                               tr("What happens to the bus and its devices is told here."));
+        else if (m_messages.searched())
+            m_empty->setTexts(tr("No message found so far"), tr("The search goes on."));
         else
             m_empty->setTexts(tr("No message fits the filter"), tr("Change it, or show all messages."));
         m_empty->setAction(none ? QString() : tr("Show all"));
     }
+    showSearch();
     followNewest();
+}
+
+void MessagesView::showSearch()
+{
+    const auto part = m_messages.searched();
+    m_search->setVisible(part || !m_messages.filter().isEmpty());
+    m_search->setText(part ? tr("searching: %1 %").arg(static_cast<int>(*part * 100))
+                           : tr("%n found", nullptr, m_messages.rowCount()));
 }
 
 void MessagesView::followNewest()
@@ -237,35 +209,37 @@ void MessagesView::followNewest()
         m_table->scrollToBottom();
 }
 
-void MessagesView::add(const Message &message)
+// What one reads does not move when rows come or go above it.
+void MessagesView::stay(int rows)
 {
-    m_messages.addNow(message);
+    if (rows == 0 || m_follow->isChecked())
+        return;
+    QScrollBar *bar = m_table->verticalScrollBar();
+    bar->setMaximum(std::max(0, bar->maximum() + rows * m_table->verticalHeader()->defaultSectionSize()));
+    bar->setValue(bar->value() + rows * m_table->verticalHeader()->defaultSectionSize());
 }
 
-const MessageRow &MessagesView::shownRow(int row) const
+std::vector<qint64> MessagesView::chosenIds() const
 {
-    return m_messages.rowAt(m_filter->mapToSource(m_filter->index(row, 0)).row());
-}
-
-std::vector<int> MessagesView::chosenRows() const
-{
-    std::vector<int> rows;
+    const IdRuns &ids = m_messages.ids();
+    std::vector<qint64> chosen;
     for (const QModelIndex &index : m_table->selectionModel()->selectedRows())
-        rows.push_back(index.row());
-    if (rows.empty())
-        for (int row = 0; row < m_filter->rowCount(); ++row)
-            rows.push_back(row);
-    std::sort(rows.begin(), rows.end());
-    return rows;
+        chosen.push_back(ids.at(index.row()));
+    std::ranges::sort(chosen);
+    if (chosen.empty())
+        for (qint64 row = std::max<qint64>(0, ids.size() - static_cast<qint64>(largestCopy));
+             row < ids.size(); ++row)
+            chosen.push_back(ids.at(row));
+    return chosen;
 }
 
 void MessagesView::copy()
 {
     QString text;
-    for (const int row : chosenRows()) {
+    for (const StoredMessage &message : m_messages.read(chosenIds())) {
         QStringList cells;
         for (int column = 0; column < MessageModel::columnTotal; ++column)
-            cells.append(MessageModel::text(shownRow(row), column));
+            cells.append(MessageModel::text(message, column));
         text += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');
     }
     QApplication::clipboard()->setText(text);
@@ -273,22 +247,34 @@ void MessagesView::copy()
 
 void MessagesView::clear()
 {
-    if (m_messages.rowCount() == 0)
+    if (m_messages.isEmpty())
         return;
-    m_cleared = m_messages.rows();
-    m_messages.setRows({});
-    m_note->showMessage(Role::attention, tr("The list of messages was cleared."), tr("Bring back"));
+    m_messages.clear();
+    note(NoteAction::bringBack, Role::attention,
+         tr("The messages up to now are hidden. They are kept on disk."), tr("Bring back"));
 }
 
 void MessagesView::bringBack()
 {
-    std::vector<MessageRow> rows = std::move(m_cleared);
-    m_cleared.clear();
-    rows.insert(rows.end(), m_messages.rows().begin(), m_messages.rows().end());
-    if (rows.size() > MessageModel::capacity)
-        rows.erase(rows.begin(), rows.end() - MessageModel::capacity);
-    m_messages.setRows(std::move(rows));
-    m_note->withdraw();
+    m_messages.bringBack();
+    if (m_noteAction == NoteAction::bringBack)
+        m_note->withdraw();
+}
+
+void MessagesView::note(NoteAction action, Role role, const QString &sentence, const QString &actionText)
+{
+    m_noteAction = action;
+    m_note->showMessage(role, sentence, actionText);
+}
+
+void MessagesView::act()
+{
+    if (m_noteAction == NoteAction::bringBack)
+        bringBack();
+    if (m_noteAction == NoteAction::cancelExport && m_export) {
+        delete m_export; // what was written so far goes with it
+        m_note->withdraw();
+    }
 }
 
 void MessagesView::exportRows()
@@ -297,27 +283,47 @@ void MessagesView::exportRows()
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("csv"));
-    dialog->setNameFilter(tr("Table (*.csv)"));
+    const QString page = tr("Page (*.html)");
+    dialog->setNameFilters({tr("Table (*.csv)"), page});
     dialog->selectFile(tr("messages.csv", "name of a file"));
+    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, page](const QString &filter) {
+        dialog->setDefaultSuffix(filter == page ? QStringLiteral("html") : QStringLiteral("csv"));
+    });
     connect(dialog, &QFileDialog::fileSelected, this, &MessagesView::writeFile);
     dialog->open();
 }
 
 void MessagesView::writeFile(const QString &fileName)
 {
-    std::vector<MessageRow> rows;
-    for (int row = 0; row < m_filter->rowCount(); ++row)
-        rows.push_back(shownRow(row));
-    const QByteArray csv = messagesAsCsv(rows);
-    QSaveFile file(fileName);
-    m_cleared.clear(); // the note is about the file now
-    if (file.open(QIODevice::WriteOnly) && file.write(csv) == csv.size() && file.commit())
-        m_note->showMessage(
-            Role::running,
-            tr("Messages written to %1: %2.").arg(fileName, locale().toString(m_filter->rowCount())));
+    delete m_export;
+    m_exportPercent = -1;
+    m_export = new MessageExport(
+        m_messages, fileName, MessageWriter::formatOf(fileName).value_or(MessageWriter::Format::csv), this);
+    connect(m_export, &MessageExport::progressed, this, &MessagesView::showExport);
+    connect(m_export, &MessageExport::ended, this, &MessagesView::endExport);
+}
+
+void MessagesView::showExport(double part)
+{
+    const int percent = static_cast<int>(part * 20) * 5; // not for each piece: notes are read aloud
+    if (m_export->total() < longExport || percent == m_exportPercent)
+        return;
+    m_exportPercent = percent;
+    note(NoteAction::cancelExport, Role::running,
+         tr("Writing %1: %2 %").arg(m_export->fileName()).arg(percent), tr("Cancel"));
+}
+
+void MessagesView::endExport(bool written)
+{
+    if (written)
+        note(NoteAction::none, Role::running,
+             tr("Messages written to %1: %2.")
+                 .arg(m_export->fileName(), locale().toString(static_cast<qlonglong>(m_export->total()))));
     else
-        m_note->showMessage(Role::fault, tr("%1 could not be written: %2. Choose another folder or name.")
-                                             .arg(fileName, file.errorString()));
+        note(NoteAction::none, Role::fault,
+             tr("%1 could not be written: %2. Choose another folder or name.")
+                 .arg(m_export->fileName(), m_export->errorString()));
+    m_export->deleteLater();
 }
 
 void MessagesView::changeEvent(QEvent *event)

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/messages/message_filter.h"
+#include "widgets/look/roles.h"
+#include "widgets/messages/message_export.h"
 #include "widgets/messages/message_model.h"
 
+#include <QPointer>
 #include <QWidget>
 
 class QAction;
-class QBoxLayout;
-class QComboBox;
-class QLineEdit;
+class QHBoxLayout;
+class QLabel;
 class QTableView;
-class QToolButton;
 
 namespace codewheel {
 
 class EmptyState;
 class InlineMessage;
+class MessageFilterBar;
 
 // The messages, newest last: to filter, search, copy, export. Used by the bottom dock.
 class MessagesView : public QWidget
@@ -24,44 +25,51 @@ class MessagesView : public QWidget
     Q_OBJECT
 
 public:
-    // The model outlives the view.
+    // The model outlives the view, and shows all again when the view is gone.
     explicit MessagesView(MessageModel &messages, QWidget *parent = nullptr);
+    ~MessagesView() override;
 
-    // Something that happens now; stamped with the time of the bus.
-    void add(const Message &message);
-    // Asks for a file and writes the rows shown to it, as CSV.
+    // Asks for a file and writes the rows shown to it, as CSV or HTML.
     void exportRows();
-    void copy(); // the rows chosen, else all that are shown; columns separated by tabs
+    void
+    copy(); // the rows chosen, else all that are shown (as many as a clipboard bears); tabs between columns
     void clear();
 
 protected:
     void changeEvent(QEvent *event) override;
 
 private:
-    QBoxLayout *makeFilters();
     void makeTable();
-    QAction *addCommand(QBoxLayout *row, const QIcon &icon, const QString &text, const QString &toolTip);
-    void makeCommands(QBoxLayout *row);
+    void connectModel();
+    QAction *addCommand(QHBoxLayout &row, const QIcon &icon, const QString &text, const QString &toolTip);
+    void makeCommands(QHBoxLayout &row);
     void setColumnWidths();
-    void listPlaces(int firstNew);
-    void showAll();
     void bringBack();
     void updateContent();
+    void showSearch();
     void followNewest();
+    void stay(int rows);
     void writeFile(const QString &fileName);
-    std::vector<int> chosenRows() const; // of the filter, in order; all where none is chosen
-    const MessageRow &shownRow(int row) const;
+    void showExport(double part);
+    void endExport(bool written);
+    void act();
+    std::vector<qint64> chosenIds() const; // in order; all where none is chosen
+
+    // What the button of the note does.
+    enum class NoteAction { none, bringBack, cancelExport };
+    void note(NoteAction action, Role role, const QString &sentence, const QString &actionText = {});
 
     MessageModel &m_messages;
-    MessageFilter *m_filter;
-    QLineEdit *m_search;
-    QComboBox *m_severity;
-    QComboBox *m_place;
-    QAction *m_follow = nullptr;
+    MessageFilterBar *m_filters;
+    QLabel *m_search; // how far it is
     QTableView *m_table;
     InlineMessage *m_note;
+    NoteAction m_noteAction = NoteAction::none;
     EmptyState *m_empty;
-    std::vector<MessageRow> m_cleared; // can be brought back while the note says so
+    QAction *m_follow = nullptr;
+    QAction *m_bringBack = nullptr;
+    QPointer<MessageExport> m_export;
+    int m_exportPercent = -1; // that was told
 };
 
 } // namespace codewheel

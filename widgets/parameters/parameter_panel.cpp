@@ -2,6 +2,7 @@
 #include "widgets/parameters/parameter_panel.h"
 
 #include "encoder/refusal_text.h"
+#include "widgets/eeprom/eeprom_question.h"
 #include "widgets/functions/encoder_functions.h"
 #include "widgets/functions/function_questions.h"
 #include "widgets/look/empty_state.h"
@@ -323,9 +324,16 @@ void ParameterPanel::askWherePositionIs()
                 .answered =
                     [this](std::optional<std::int64_t> value) {
                         if (m_encoder)
-                            start(SetPreset{.value = value});
+                            setPosition(value);
                     }},
                std::nullopt);
+}
+
+void ParameterPanel::setPosition(std::optional<std::int64_t> value)
+{
+    const SetPreset job{.value = value};
+    if (askForEeprom(window(), *m_encoder, job))
+        start(job);
 }
 
 void ParameterPanel::showMenu(const QPoint &position)

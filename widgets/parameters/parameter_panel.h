@@ -62,6 +62,7 @@ private:
     void leaveAllAsTheyAre();
     void askWhatItHas();
     void askWherePositionIs();
+    void setPosition(std::optional<std::int64_t> value);
     void showMenu(const QPoint &position);
 
     void jobStarted();

@@ -3,6 +3,7 @@
 
 #include "catalog/value_text.h"
 #include "encoder/hex.h"
+#include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/icons.h"
 #include "widgets/models/device_traits.h"
@@ -85,6 +86,7 @@ WriteReview::WriteReview(QWidget *parent)
     , m_model(new WriteReviewModel(this))
     , m_table(new QTableView(this))
     , m_notes(new QLabel(this))
+    , m_gate(new EepromGate(this))
     , m_writeAll(new QCheckBox(tr("Write &all, also what is there"), this))
     , m_write(new QPushButton(lineIcon(Icon::write), {}, this))
     , m_cancel(new QPushButton(tr("&Cancel"), this))
@@ -114,10 +116,12 @@ WriteReview::WriteReview(QWidget *parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_table, 1);
     layout->addWidget(m_notes);
+    layout->addWidget(m_gate);
     layout->addWidget(m_writeAll);
     layout->addLayout(buttons);
 
     connect(m_writeAll, &QCheckBox::toggled, this, &WriteReview::showPlan);
+    connect(m_gate, &EepromGate::changed, this, &WriteReview::allow);
     m_write->setAccessibleName(tr("Write these values"));
     connect(m_write, &QPushButton::clicked, this, [this] { Q_EMIT confirmed(m_plan.job); });
     connect(m_cancel, &QPushButton::clicked, this, &WriteReview::cancelled);
@@ -147,8 +151,14 @@ void WriteReview::showPlan()
     m_model->show(*m_encoder, m_plan);
     const int count = m_model->rowCount();
     m_write->setText(count == 1 ? tr("&Write this value") : tr("&Write these %1 values").arg(count));
-    m_write->setEnabled(count > 0);
+    m_gate->setWrites(*m_encoder, count == 0 ? 0 : mostEepromWrites(*m_encoder, m_plan.job));
+    allow();
     m_notes->setText(notes());
+}
+
+void WriteReview::allow()
+{
+    m_write->setEnabled(m_model->rowCount() > 0 && m_gate->isOpen());
 }
 
 QString WriteReview::notes() const
@@ -165,7 +175,7 @@ QString WriteReview::notes() const
     if (valueOf(m_plan.job.values, Parameter::preset))
         lines << tr("The preset acts once it is initialised (40000000).");
     lines << tr("EEPROM writes: %1 so far by this program, up to %2 with this.")
-                 .arg(m_encoder->eepromWrites())
+                 .arg(m_encoder->eepromCount().writes)
                  .arg(m_plan.rows.size());
     if (const auto budget = m_encoder->can().eepromBudget)
         lines << tr("The manual states about %1 writes for the encoder's life.").arg(*budget);

@@ -14,6 +14,8 @@ class QTableView;
 
 namespace codewheel {
 
+class EepromGate;
+
 // Parameter, old, new, word.
 class WriteReviewModel final : public TableModelBase<WritePlan::Row>
 {
@@ -55,6 +57,7 @@ protected:
 
 private:
     void showPlan();
+    void allow();
     QString notes() const;
 
     QPointer<EncoderSession> m_encoder;
@@ -63,6 +66,7 @@ private:
     WriteReviewModel *m_model;
     QTableView *m_table;
     QLabel *m_notes;
+    EepromGate *m_gate;
     QCheckBox *m_writeAll;
     QPushButton *m_write;
     QPushButton *m_cancel;

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
+#include "widgets/eeprom/eeprom_question.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -295,7 +296,10 @@ void SequenceView::send()
         return;
     m_message->withdraw();
     m_model->setSendingRow({});
-    const auto started = m_job->start(*m_encoder, {.words = m_model->words(), .holdCycles = m_hold->value()});
+    const SendWords job{.words = m_model->words(), .holdCycles = m_hold->value()};
+    if (!askForEeprom(window(), *m_encoder, job) || !m_encoder)
+        return;
+    const auto started = m_job->start(*m_encoder, job);
     if (!started) {
         say(Role::attention, refusalText(started.error()));
         m_isRefused = true;

@@ -233,7 +233,7 @@ void HandshakePage::showOutcome(const Outcome &ended)
     record.after = allKnown(*m_setup.encoder);
     record.positionAfter = m_setup.encoder->latest().position;
     record.ended = m_setup.bus->dateTime(m_setup.bus->latest().at);
-    record.eepromWritesInAll = m_setup.encoder->eepromWrites();
+    record.eepromWritesInAll = m_setup.encoder->eepromCount().writes;
     m_steps.finish(outcome.result.has_value());
     showEnd();
     Q_EMIT changed();

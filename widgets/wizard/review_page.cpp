@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
+#include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/wizard/known_text.h"
@@ -30,6 +31,7 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     , m_stepsView(new QTableView(this))
     , m_writeAll(new QCheckBox(tr("&Write all, also what is there already"), this))
     , m_writes(new QLabel(this))
+    , m_gate(new EepromGate(this))
     , m_note(new QLabel(this))
     , m_byHand(new QRadioButton(tr("Step by step, b&y hand"), this))
     , m_byItself(new QRadioButton(tr("&Running by itself"), this))
@@ -63,6 +65,7 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     layout->addWidget(words);
     layout->addWidget(m_stepsView, 3);
     layout->addWidget(m_writes);
+    layout->addWidget(m_gate);
     layout->addWidget(m_note);
     layout->addLayout(pace);
 
@@ -71,6 +74,7 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
         m_setup.wish.writeAll = on;
         plan();
     });
+    connect(m_gate, &EepromGate::changed, this, &WizardPage::changed);
     connect(m_byHand, &QRadioButton::toggled, this, [this](bool on) { m_setup.byHand = on; });
 }
 
@@ -106,6 +110,7 @@ void ReviewPage::plan()
     if (steps) {
         m_steps.showSteps(encoder.device(), *steps);
         m_writes->setText(writesText(*steps));
+        m_gate->setWrites(*m_setup.encoder, eepromWritesOf(*steps, m_setup.encoder->can()));
         m_problem->withdraw();
     } else {
         m_steps.begin();
@@ -131,12 +136,17 @@ void ReviewPage::plan()
     Q_EMIT changed();
 }
 
+bool ReviewPage::mayGoOn() const
+{
+    return m_mayGoOn && m_gate->isOpen();
+}
+
 QString ReviewPage::writesText(const std::vector<Step> &steps) const
 {
     const int more = eepromWritesOf(steps, m_setup.encoder->can());
     const bool mayBeLess = jobForWish(*m_setup.encoder, m_setup.wish).onlyWhatDiffers;
     QString text = tr("EEPROM writes by this program so far: %1. This handshake: %2%3.")
-                       .arg(m_setup.encoder->eepromWrites())
+                       .arg(m_setup.encoder->eepromCount().writes)
                        .arg(mayBeLess ? tr("at most ") : QString())
                        .arg(more);
     if (const auto budget = m_setup.encoder->can().eepromBudget)

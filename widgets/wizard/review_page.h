@@ -12,6 +12,7 @@ class QTableView;
 
 namespace codewheel {
 
+class EepromGate;
 class InlineMessage;
 
 // What will be sent, before anything is: old and new values, the exact words, EEPROM writes.
@@ -23,7 +24,7 @@ public:
     explicit ReviewPage(Setup &setup, QWidget *parent = nullptr);
 
     void enter() override;
-    bool mayGoOn() const override { return m_mayGoOn; }
+    bool mayGoOn() const override;
     QString nextText() const override { return tr("&Start the handshake"); }
     void showKnown() override { plan(); }
 
@@ -38,6 +39,7 @@ private:
     QTableView *m_stepsView;
     QCheckBox *m_writeAll;
     QLabel *m_writes;
+    EepromGate *m_gate;
     QLabel *m_note;
     QRadioButton *m_byHand;
     QRadioButton *m_byItself;

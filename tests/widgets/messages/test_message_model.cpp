@@ -2,7 +2,6 @@
 #include "encoder/refusal_text.h"
 #include "tests/support/model_tester.h"
 #include "tests/widgets/training_bus_session.h"
-#include "widgets/messages/message_filter.h"
 #include "widgets/messages/message_model.h"
 
 namespace codewheel {
@@ -25,13 +24,15 @@ QString shown(const QAbstractItemModel &model, int row, int column)
 
 TEST(MessageModel, ShowsTimeSeverityPlaceAndText)
 {
-    MessageModel messages;
+    MessageStore store({});
+    MessageModel messages(store);
     const test::ModelTester tester(messages);
     messages.add({.place = fraba,
                   .severity = Severity::fault,
                   .id = MessageId::deviceFault,
                   .arguments = {std::int64_t{3}, Word{0x86000000}}},
                  noon.addMSecs(7));
+    messages.catchUp();
     ASSERT_EQ(messages.rowCount(), 1);
     EXPECT_TRUE(shown(messages, 0, MessageModel::timeColumn).endsWith(QStringLiteral("12:00:00.007")));
     EXPECT_EQ(shown(messages, 0, MessageModel::severityColumn), QStringLiteral("Fault"));
@@ -45,52 +46,116 @@ TEST(MessageModel, ShowsTimeSeverityPlaceAndText)
 TEST(MessageModel, TakesTheMessagesOfTheBusWithItsTime)
 {
     test::TrainingBusSession ring;
-    MessageModel messages;
+    MessageStore store({});
+    MessageModel messages(store);
     const test::ModelTester tester(messages);
     messages.setBus(ring.bus);
     ring.bus.setOperate(false);
     ring.bus.advance(5);
+    messages.catchUp();
     ASSERT_EQ(messages.rowCount(), 1);
-    EXPECT_EQ(messages.rowAt(0).message.id, MessageId::watchOn);
-    EXPECT_EQ(messages.rowAt(0).at, ring.bus.dateTime(messages.rowAt(0).message.at));
+    EXPECT_EQ(messages.message(0).code, QStringLiteral("watchOn"));
+    EXPECT_EQ(messages.message(0).at, ring.bus.dateTime(ring.bus.latest().at).toMSecsSinceEpoch() - 4);
     EXPECT_EQ(shown(messages, 0, MessageModel::placeColumn), QStringLiteral("Bus"));
 }
 
 TEST(MessageModel, StampsWhatHappensNowWithTheTimeOfTheBus)
 {
     test::TrainingBusSession ring;
-    MessageModel messages;
+    MessageStore store({});
+    MessageModel messages(store);
     messages.setBus(ring.bus);
     ring.bus.advance(90);
     messages.addNow(training("power off", baumer));
-    EXPECT_EQ(messages.rowAt(0).at, ring.bus.dateTime(ring.bus.latest().at));
-    EXPECT_EQ(messages.rowAt(0).message.at, ring.bus.latest().at);
+    messages.catchUp();
+    EXPECT_EQ(messages.message(0).at, ring.bus.dateTime(ring.bus.latest().at).toMSecsSinceEpoch());
 }
 
 TEST(MessageModel, ForgetsTheBusBeforeWhenThereIsAnother)
 {
     test::TrainingBusSession before;
     test::TrainingBusSession now;
-    MessageModel messages;
+    MessageStore store({});
+    MessageModel messages(store);
     messages.setBus(before.bus);
     messages.setBus(now.bus);
     before.bus.setOperate(false);
     before.bus.advance(5);
+    messages.catchUp();
     EXPECT_EQ(messages.rowCount(), 0);
 }
 
-TEST(MessageModel, DropsTheOldestWhenItIsFull)
+TEST(MessageModel, ShowsWhatIsOnDiskFromBefore)
 {
-    MessageModel messages;
-    std::vector<MessageRow> rows(MessageModel::capacity, MessageRow{noon, training("old")});
-    rows.front().message = training("oldest");
-    messages.setRows(std::move(rows));
+    const QTemporaryDir folder;
+    const MessageStore::Settings file{.file = folder.filePath(QStringLiteral("messages.sqlite"))};
+    {
+        MessageStore store(file);
+        store.add(training("yesterday"), noon.addDays(-1));
+    }
+    MessageStore store(file);
+    MessageModel messages(store);
+    messages.add(training("today"), noon);
+    messages.catchUp();
+    ASSERT_EQ(messages.rowCount(), 2);
+    EXPECT_EQ(shown(messages, 0, MessageModel::textColumn), QStringLiteral("yesterday"));
+    EXPECT_EQ(shown(messages, 1, MessageModel::textColumn), QStringLiteral("today"));
+}
+
+TEST(MessageModel, ShowsWhatTheStoreKeepsByItself)
+{
+    MessageStore store({});
+    MessageModel messages(store);
+    messages.add(training("something"), noon);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return messages.rowCount() == 1; }, 60'000));
+}
+
+TEST(MessageModel, FollowsTheStoreWhenItDropsTheOldest)
+{
+    const QTemporaryDir folder;
+    MessageStore store({.file = folder.filePath(QStringLiteral("messages.sqlite")), .largestSize = 200'000});
+    MessageModel messages(store);
     const test::ModelTester tester(messages);
-    messages.add(training("newest"), noon);
-    EXPECT_LE(messages.rowCount(), MessageModel::capacity);
-    EXPECT_GT(messages.rowCount(), MessageModel::capacity * 9 / 10);
-    EXPECT_EQ(shown(messages, 0, MessageModel::textColumn), QStringLiteral("old"));
-    EXPECT_EQ(shown(messages, messages.rowCount() - 1, MessageModel::textColumn), QStringLiteral("newest"));
+    for (int i = 0; i < 5'000; ++i)
+        messages.add(training("old, and with some text to take room"), noon);
+    for (int i = 0; i < 30; ++i) {
+        messages.add(training("newest"), noon);
+        messages.catchUp();
+    }
+    EXPECT_LT(messages.rowCount(), 4'000);
+    EXPECT_GT(messages.rowCount(), 500);
+    EXPECT_FALSE(shown(messages, 0, MessageModel::textColumn).isEmpty());
+}
+
+TEST(MessageModel, StaysFluentWithManyRowsByFetchingThem)
+{
+    MessageStore store({});
+    MessageModel messages(store);
+    for (int i = 0; i < 20'000; ++i)
+        messages.add(training(i == 19'999 ? "newest" : "old"), noon.addMSecs(i));
+    messages.catchUp();
+    ASSERT_EQ(messages.rowCount(), 20'000);
+    EXPECT_EQ(shown(messages, 19'999, MessageModel::textColumn), QStringLiteral("newest"));
+    EXPECT_TRUE(shown(messages, 10'000, MessageModel::timeColumn).endsWith(QStringLiteral("12:00:10.000")));
+    EXPECT_TRUE(shown(messages, 0, MessageModel::timeColumn).endsWith(QStringLiteral("12:00:00.000")));
+}
+
+TEST(MessageModel, HidesWhatIsClearedAndBringsItBack)
+{
+    MessageStore store({});
+    MessageModel messages(store);
+    const test::ModelTester tester(messages);
+    messages.add(training("before"), noon);
+    messages.catchUp();
+    messages.clear();
+    EXPECT_EQ(messages.rowCount(), 0);
+    EXPECT_TRUE(messages.isEmpty());
+    messages.add(training("after"), noon);
+    messages.catchUp();
+    ASSERT_EQ(messages.rowCount(), 1);
+    EXPECT_EQ(shown(messages, 0, MessageModel::textColumn), QStringLiteral("after"));
+    messages.bringBack();
+    EXPECT_EQ(messages.rowCount(), 2);
 }
 
 class MessageFilterTest : public testing::Test
@@ -99,48 +164,71 @@ protected:
     MessageFilterTest()
     {
         messages.add({.severity = Severity::information, .id = MessageId::busStarted}, noon);
-        messages.add(training("Power off", fraba), noon);
-        messages.add({.place = baumer, .severity = Severity::fault, .id = MessageId::deviceFaultGone}, noon);
+        messages.add(training("Power off", fraba), noon.addSecs(60));
+        messages.add({.place = baumer, .severity = Severity::fault, .id = MessageId::deviceFaultGone},
+                     noon.addSecs(120));
+        messages.catchUp();
     }
-    int count() const { return filter.rowCount(); }
+    int count(const MessageFilter &filter)
+    {
+        messages.setFilter(filter);
+        messages.catchUp();
+        EXPECT_EQ(messages.searched(), std::nullopt);
+        return messages.rowCount();
+    }
 
-    MessageModel messages;
-    MessageFilter filter{messages};
-    test::ModelTester tester{filter};
+    MessageStore store{{}};
+    MessageModel messages{store};
+    test::ModelTester tester{messages};
 };
 
 TEST_F(MessageFilterTest, ShowsEverythingAtFirst)
 {
-    EXPECT_EQ(count(), 3);
+    EXPECT_EQ(messages.rowCount(), 3);
 }
 
 TEST_F(MessageFilterTest, KeepsASeverityAndWorse)
 {
-    filter.setSeverity(Severity::attention);
-    ASSERT_EQ(count(), 1);
-    EXPECT_EQ(shown(filter, 0, MessageModel::placeColumn), QStringLiteral("2.0"));
+    ASSERT_EQ(count({.least = Severity::attention}), 1);
+    EXPECT_EQ(shown(messages, 0, MessageModel::placeColumn), QStringLiteral("2.0"));
     messages.add({.severity = Severity::attention, .id = MessageId::lateCycles}, noon);
-    EXPECT_EQ(count(), 2);
+    messages.add({.id = MessageId::busStopped}, noon);
+    messages.catchUp();
+    EXPECT_EQ(messages.rowCount(), 2);
 }
 
 TEST_F(MessageFilterTest, KeepsAPlaceOrTheBus)
 {
-    filter.setPlace({.all = false, .number = fraba});
-    ASSERT_EQ(count(), 1);
-    EXPECT_EQ(shown(filter, 0, MessageModel::textColumn), QStringLiteral("Power off"));
-    filter.setPlace({.all = false});
-    ASSERT_EQ(count(), 1);
-    EXPECT_EQ(shown(filter, 0, MessageModel::textColumn), QStringLiteral("The bus runs."));
+    ASSERT_EQ(count({.place = {.all = false, .number = fraba}}), 1);
+    EXPECT_EQ(shown(messages, 0, MessageModel::textColumn), QStringLiteral("Power off"));
+    ASSERT_EQ(count({.place = {.all = false}}), 1);
+    EXPECT_EQ(shown(messages, 0, MessageModel::textColumn), QStringLiteral("The bus runs."));
+}
+
+TEST_F(MessageFilterTest, KeepsATime)
+{
+    const qint64 second = noon.addSecs(60).toMSecsSinceEpoch();
+    EXPECT_EQ(count({.from = second}), 2);
+    EXPECT_EQ(count({.until = second}), 1);
+    EXPECT_EQ(count({.from = second, .until = second + 1}), 1);
 }
 
 TEST_F(MessageFilterTest, FindsTextInAnyColumnInAnyCase)
 {
-    filter.setText(QStringLiteral(" POWER"));
-    EXPECT_EQ(count(), 1);
-    filter.setText(QStringLiteral("2.0"));
-    EXPECT_EQ(count(), 1);
-    filter.setText(QStringLiteral("nowhere"));
-    EXPECT_EQ(count(), 0);
+    EXPECT_EQ(count({.text = QStringLiteral("POWER")}), 1);
+    EXPECT_EQ(count({.text = QStringLiteral("2.0")}), 1);
+    EXPECT_EQ(count({.text = QStringLiteral("12:01")}), 1);
+    EXPECT_EQ(count({.text = QStringLiteral("nowhere")}), 0);
+}
+
+TEST_F(MessageFilterTest, TakesNewMessagesThatFitTheText)
+{
+    EXPECT_EQ(count({.text = QStringLiteral("power")}), 1);
+    messages.add(training("Power on", fraba), noon);
+    messages.add(training("Speed", fraba), noon);
+    messages.catchUp();
+    EXPECT_EQ(messages.rowCount(), 2);
+    EXPECT_EQ(shown(messages, 1, MessageModel::textColumn), QStringLiteral("Power on"));
 }
 
 } // namespace

@@ -5,6 +5,8 @@
 #include "widgets/messages/messages_view.h"
 
 #include <QClipboard>
+#include <QDateTimeEdit>
+#include <QDir>
 #include <QFileDialog>
 #include <QScrollBar>
 #include <QTableView>
@@ -30,10 +32,11 @@ protected:
     void add(const char *what, std::optional<DeviceNumber> place = {},
              Severity severity = Severity::information)
     {
-        view.add({.place = place,
-                  .severity = severity,
-                  .id = MessageId::training,
-                  .arguments = {QString::fromUtf8(what)}});
+        messages.addNow({.place = place,
+                         .severity = severity,
+                         .id = MessageId::training,
+                         .arguments = {QString::fromUtf8(what)}});
+        messages.catchUp();
     }
     template <typename Widget>
     Widget &find(const char *name) const
@@ -46,7 +49,11 @@ protected:
     }
     void click(const char *name) { QTest::mouseClick(&find<QAbstractButton>(name), Qt::LeftButton); }
     QTableView &table() const { return find<QTableView>("List of messages"); }
-    int shownRows() const { return table().model()->rowCount(); }
+    int shownRows()
+    {
+        messages.catchUp();
+        return table().model()->rowCount();
+    }
     QString note() const
     {
         const auto *message = view.findChild<InlineMessage *>();
@@ -64,7 +71,8 @@ protected:
     }
 
     test::TrainingBusSession ring;
-    MessageModel messages;
+    MessageStore store{{}};
+    MessageModel messages{store};
     MessagesView view{messages};
     QTemporaryDir folder;
 };
@@ -75,6 +83,7 @@ TEST_F(MessagesViewTest, SaysWhatBelongsThereAsLongAsThereIsNothing)
     EXPECT_FALSE(table().isVisible());
     ring.bus.setOperate(false);
     ring.bus.advance(5);
+    messages.catchUp();
     EXPECT_FALSE(view.findChild<EmptyState *>()->isVisible());
     EXPECT_TRUE(table().isVisible());
 }
@@ -172,13 +181,13 @@ TEST_F(MessagesViewTest, FollowsTheNewestUntilOneScrollsUp)
 TEST_F(MessagesViewTest, BringsBackWhatWasCleared)
 {
     add("before");
-    click("Remove all messages");
+    click("Hide all messages");
     EXPECT_EQ(messages.rowCount(), 0);
-    EXPECT_EQ(note(), QStringLiteral("The list of messages was cleared."));
+    EXPECT_EQ(note(), QStringLiteral("The messages up to now are hidden. They are kept on disk."));
     add("after");
     QTest::mouseClick(view.findChild<InlineMessage *>()->findChild<QPushButton *>(), Qt::LeftButton);
     ASSERT_EQ(messages.rowCount(), 2);
-    EXPECT_EQ(MessageModel::text(messages.rowAt(0), MessageModel::textColumn), QStringLiteral("before"));
+    EXPECT_EQ(MessageModel::text(messages.message(0), MessageModel::textColumn), QStringLiteral("before"));
     EXPECT_EQ(note(), QString());
 }
 
@@ -187,6 +196,7 @@ TEST_F(MessagesViewTest, ExportsTheRowsShown)
     add("power off", fraba);
     add("speed", fraba);
     QTest::keyClicks(&find<QLineEdit>("Search"), QStringLiteral("speed"));
+    messages.catchUp();
     const QString name = folder.filePath(QStringLiteral("all.csv"));
     exportTo(name);
     QFile file(name);
@@ -195,6 +205,70 @@ TEST_F(MessagesViewTest, ExportsTheRowsShown)
     EXPECT_EQ(csv.count("\r\n"), 2);
     EXPECT_TRUE(csv.contains(",information,1.0,training,\"speed\"")) << csv.constData();
     EXPECT_TRUE(note().contains(name));
+}
+
+TEST_F(MessagesViewTest, ExportsAPageByTheNameOfTheFile)
+{
+    add("<power> off", fraba);
+    const QString name = folder.filePath(QStringLiteral("all.html"));
+    exportTo(name);
+    QFile file(name);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(file.readAll().contains("<td>1.0</td><td>&lt;power&gt; off</td>"));
+}
+
+TEST_F(MessagesViewTest, AnExportThatTakesLongCanBeCancelled)
+{
+    for (int i = 0; i < 30'000; ++i)
+        store.add({.id = MessageId::training, .arguments = {QStringLiteral("something")}},
+                  QDateTime::currentDateTime());
+    messages.catchUp();
+    const QString name = folder.filePath(QStringLiteral("all.csv"));
+    exportTo(name);
+    EXPECT_TRUE(note().startsWith(QStringLiteral("Writing "))) << note().toStdString();
+    QTest::mouseClick(view.findChild<InlineMessage *>()->findChild<QPushButton *>(), Qt::LeftButton);
+    EXPECT_EQ(note(), QString());
+    EXPECT_TRUE(QDir(folder.path()).isEmpty());
+}
+
+TEST_F(MessagesViewTest, ChoosesATime)
+{
+    store.add({.id = MessageId::busStarted}, QDateTime::currentDateTime().addDays(-2));
+    store.add({.id = MessageId::busStopped}, QDateTime::currentDateTime().addSecs(-5));
+    auto &times = find<QComboBox>("Time of messages");
+    times.setCurrentText(QStringLiteral("Last hour"));
+    EXPECT_EQ(shownRows(), 1);
+    times.setCurrentText(QStringLiteral("Last 7 days"));
+    EXPECT_EQ(shownRows(), 2);
+    times.setCurrentText(QStringLiteral("From ... to ..."));
+    auto &from = find<QDateTimeEdit>("Show messages from");
+    ASSERT_TRUE(from.isVisible());
+    from.setDateTime(QDateTime::currentDateTime().addDays(-3));
+    find<QDateTimeEdit>("Show messages before").setDateTime(QDateTime::currentDateTime().addDays(-1));
+    EXPECT_EQ(shownRows(), 1);
+    times.setCurrentIndex(0);
+    EXPECT_FALSE(from.isVisible());
+    EXPECT_EQ(shownRows(), 2);
+}
+
+TEST_F(MessagesViewTest, WhatOneReadsStaysWhereItIsWhenOlderMessagesAreFound)
+{
+    for (int i = 0; i < 9'000; ++i)
+        store.add({.id = MessageId::training, .arguments = {QStringLiteral("speed %1").arg(i)}},
+                  QDateTime::currentDateTime());
+    messages.catchUp();
+    messages.setFilter({.text = QStringLiteral("speed")});
+    EXPECT_TRUE(QTest::qWaitFor([&] { return messages.rowCount() > 0; }, 60'000));
+    QScrollBar &bar = *table().verticalScrollBar();
+    bar.triggerAction(QAbstractSlider::SliderSingleStepSub);
+    bar.triggerAction(QAbstractSlider::SliderPageStepSub);
+    const auto topText = [&] {
+        return messages.index(table().rowAt(0), MessageModel::textColumn).data().toString();
+    };
+    const QString before = topText();
+    messages.catchUp();
+    EXPECT_EQ(messages.rowCount(), 9'000);
+    EXPECT_EQ(topText(), before);
 }
 
 TEST_F(MessagesViewTest, SaysWhyAFileCouldNotBeWritten)

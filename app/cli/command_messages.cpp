@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands.h"
+#include "cli/text_table.h"
+#include "cli/texts.h"
+#include "encoder/sentence.h"
+#include "journal/argument_json.h"
+#include "journal/message_fields.h"
+#include "journal/message_search.h"
+#include "journal/message_writer.h"
+#include "journal_files.h"
+
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSaveFile>
+
+#include <array>
+#include <limits>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *examples[] = {"messages", "messages --severity fault --from 2026-03-01",
+                                    "messages --place 1.0 --text steps --export steps.html"};
+
+constexpr std::array options{
+    Option{"--file", "FILE",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "of this file, in place of the user's own")},
+    Option{"--severity", "SEVERITY",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "information, attention or fault: this or worse")},
+    Option{"--place", "PLACE",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "of this device; \"bus\" is the bus itself")},
+    Option{"--from", "TIME",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "from this time on: 2026-03-01 or 2026-03-01T14:02")},
+    Option{"--until", "TIME", QT_TRANSLATE_NOOP("codewheel::CommandLine", "before this time")},
+    Option{"--text", "TEXT",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "with this text somewhere in the line")},
+    Option{"--last", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "the newest N (100); 0: all")},
+    Option{"--export", "FILE",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "write them to FILE, .csv or .html, all that fit")},
+};
+
+constexpr qint64 portion = 5'000; // ids looked at together
+constexpr int usualLast = 100;
+
+Checked<std::optional<qint64>> timeFrom(const Call &call, const char *option)
+{
+    const auto text = call.arguments.value(option);
+    if (!text)
+        return std::nullopt;
+    const auto at = QDateTime::fromString(*text, Qt::ISODateWithMs);
+    if (!at.isValid())
+        return badInput(QStringLiteral("badTime"),
+                        CommandLine::tr("\"%1\" is no time. Write it as 2026-03-01 or 2026-03-01T14:02."),
+                        {*text});
+    return at.toMSecsSinceEpoch();
+}
+
+Checked<MessageFilter::Place> placeFrom(const Call &call)
+{
+    const auto text = call.arguments.value("--place");
+    if (!text)
+        return MessageFilter::Place{};
+    const auto number = DeviceNumber::parse(*text);
+    if (!number && *text != QStringLiteral("bus"))
+        return badInput(QStringLiteral("badPlace"),
+                        CommandLine::tr("\"%1\" is no place. Write it as 1.0, or bus."), {*text});
+    return MessageFilter::Place{.all = false, .number = number};
+}
+
+Checked<MessageFilter> filterFrom(const Call &call)
+{
+    MessageFilter filter;
+    if (const auto text = call.arguments.value("--severity")) {
+        const auto severity = severityFromKey(*text);
+        if (!severity)
+            return badInput(
+                QStringLiteral("badSeverity"),
+                CommandLine::tr("\"%1\" is no severity. There are: information, attention, fault."), {*text});
+        filter.least = *severity;
+    }
+    const auto place = placeFrom(call);
+    const auto from = timeFrom(call, "--from");
+    const auto until = timeFrom(call, "--until");
+    if (!place)
+        return tl::unexpected(place.error());
+    if (!from || !until)
+        return tl::unexpected(from ? until.error() : from.error());
+    filter.place = *place;
+    filter.from = *from;
+    filter.until = *until;
+    filter.text = call.arguments.value("--text").value_or(QString());
+    return filter;
+}
+
+Complaint databaseComplaint(const QString &file, const DatabaseError &error)
+{
+    return complaintAbout({RefusalKind::link, RefusalId::databaseFailed, {file, error.reason}});
+}
+
+// The newest `last` that fit, oldest first.
+Stored<std::vector<qint64>> newest(const MessageTable &table, const MessageFilter &filter, int last)
+{
+    const auto span = table.span();
+    if (!span)
+        return tl::unexpected(span.error());
+    const auto wanted = last == 0 ? std::numeric_limits<std::size_t>::max() : static_cast<std::size_t>(last);
+    MessageTextMatcher matcher(filter.text);
+    std::vector<qint64> ids;
+    for (qint64 end = span->last; end > 0 && end >= span->first && ids.size() < wanted; end -= portion) {
+        auto found = fittingIds(table, filter, matcher, std::max(span->first, end - portion + 1), end);
+        if (!found)
+            return tl::unexpected(found.error());
+        found->insert(found->end(), ids.begin(), ids.end());
+        ids = std::move(*found);
+    }
+    if (ids.size() > wanted)
+        ids.erase(ids.begin(), ids.end() - static_cast<std::ptrdiff_t>(wanted));
+    return ids;
+}
+
+QJsonObject toJson(const StoredMessage &message)
+{
+    const auto parsed = [](const QString &json) { return QJsonDocument::fromJson(json.toUtf8()); };
+    return {{QStringLiteral("time"),
+             QDateTime::fromMSecsSinceEpoch(message.at, Qt::UTC).toString(Qt::ISODateWithMs)},
+            {QStringLiteral("severity"), severityKey(message.severity)},
+            {QStringLiteral("place"), message.place ? QJsonValue(message.place->toString()) : QJsonValue()},
+            {QStringLiteral("code"), message.code},
+            {QStringLiteral("arguments"), parsed(message.arguments).array()},
+            {QStringLiteral("refusal"),
+             message.refusal.isEmpty() ? QJsonValue() : QJsonValue(parsed(message.refusal).object())}};
+}
+
+Answer listed(const std::vector<StoredMessage> &messages)
+{
+    TextTable table;
+    QJsonArray json;
+    for (const StoredMessage &message : messages) {
+        table.add({messageTime(message.at), severityName(message.severity), placeName(message.place),
+                   messageText(message)});
+        json.append(toJson(message));
+    }
+    return {.text = table.toString(), .json = {{QStringLiteral("messages"), json}}};
+}
+
+// Piece by piece: a million messages need no memory.
+bool writeAll(const MessageTable &table, const std::vector<qint64> &ids, MessageWriter &writer)
+{
+    for (auto begin = ids.begin(); begin != ids.end();) {
+        const auto end = begin + std::min<std::ptrdiff_t>(portion, ids.end() - begin);
+        const auto messages = table.read(std::vector<qint64>(begin, end));
+        if (!messages || !writer.write(*messages))
+            return false;
+        begin = end;
+    }
+    return true;
+}
+
+Checked<Answer> exported(const MessageTable &table, const std::vector<qint64> &ids, const QString &fileName)
+{
+    const auto format = MessageWriter::formatOf(fileName);
+    if (!format)
+        return badInput(QStringLiteral("badFormat"),
+                        CommandLine::tr("\"%1\" names no format. Let the name end in .csv or .html."),
+                        {fileName});
+    QSaveFile file(fileName);
+    MessageWriter writer(file, *format);
+    if (!file.open(QIODevice::WriteOnly) || !writer.begin() || !writeAll(table, ids, writer) ||
+        !writer.end() || !file.commit())
+        return tl::unexpected(complaintAbout(
+            {RefusalKind::badInput, RefusalId::fileNotWritten, {fileName, file.errorString()}}));
+    const auto count = static_cast<qint64>(ids.size());
+    return Answer{
+        .text = sentence(CommandLine::tr("Messages written to %1: %2."), {fileName, QString::number(count)}) +
+                u'\n',
+        .json = {{QStringLiteral("file"), fileName}, {QStringLiteral("count"), count}}};
+}
+
+Checked<Answer> run(const Call &call)
+{
+    const auto filter = filterFrom(call);
+    const auto target = call.arguments.value("--export");
+    const auto last =
+        call.arguments.number("--last", target ? 0 : usualLast, 0, std::numeric_limits<int>::max());
+    if (!filter)
+        return tl::unexpected(filter.error());
+    if (!last)
+        return tl::unexpected(last.error());
+    const QString file = call.arguments.value("--file").value_or(messageFile(userJournalFolder()));
+    if (!QFileInfo::exists(file)) // looking makes none
+        return Answer{.text = sentence(CommandLine::tr("No messages are kept in %1."), {file}) + u'\n',
+                      .json = {{QStringLiteral("messages"), QJsonArray()}}};
+    const auto table = MessageTable::open(DatabasePlace::file(file));
+    if (!table)
+        return tl::unexpected(databaseComplaint(file, table.error()));
+    const auto ids = newest(*table, *filter, *last);
+    if (!ids)
+        return tl::unexpected(databaseComplaint(file, ids.error()));
+    if (target)
+        return exported(*table, *ids, *target);
+    const auto messages = table->read(*ids);
+    if (!messages)
+        return tl::unexpected(databaseComplaint(file, messages.error()));
+    return listed(*messages);
+}
+
+} // namespace
+
+const Subcommand messagesCommand{
+    .name = "messages",
+    .usage = "[--severity SEVERITY] [--place PLACE] [--from TIME] [--until TIME] [--text TEXT] [--last N] "
+             "[--export FILE]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "list or export the messages that are kept"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Lists the messages that the window keeps on disk, oldest first: those that fit all "
+        "that is given.\nNeeds no bus."),
+    .examples = examples,
+    .options = options,
+    .minimumArguments = 0,
+    .maximumArguments = 0,
+    .needsBus = false,
+    .run = run,
+};
+
+} // namespace codewheel

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/eeprom_consent.h"
+
+#include "cli/subcommand.h"
+#include "cli/texts.h"
+#include "encoder/sentence.h"
+#include "journal/eeprom_cost.h"
+
+namespace codewheel {
+namespace {
+
+bool canAsk(const Call &call)
+{
+    return call.terminal.isInteractive && !call.arguments.has("--json");
+}
+
+Checked<void> refused(const EncoderSession &encoder, RefusalId id, std::optional<int> mark)
+{
+    return tl::unexpected(
+        complaintAbout({RefusalKind::busy,
+                        id,
+                        {encoder.number().toString(), std::int64_t{encoder.eepromCount().atMost()},
+                         std::int64_t{mark.value_or(0)}}}));
+}
+
+Checked<void> askForPlace(const Call &call, const EncoderSession &encoder)
+{
+    const QString place = encoder.number().toString();
+    const QString named = call.arguments.value("--beyond-eeprom-limit").value_or(QString());
+    if (named.split(u',').contains(place)) // of commands for several encoders more than one
+        return {};
+    if (canAsk(call) &&
+        call.terminal.answer(sentence(CommandLine::tr("Type %1 to write nevertheless:"), {place})) == place)
+        return {};
+    return refused(encoder, RefusalId::eepromLimitPassed, encoder.can().eepromLimit);
+}
+
+} // namespace
+
+Checked<void> eepromConsent(const Call &call, const EncoderSession &encoder, const Job &job, AsksAnyway asks)
+{
+    const int planned = mostEepromWrites(encoder, job);
+    const EepromConcern concern = eepromConcern(encoder, planned);
+    if (concern == EepromConcern::none)
+        return {};
+    call.terminal.complain(eepromConcernText(encoder, planned));
+    if (concern == EepromConcern::typed)
+        return askForPlace(call, encoder);
+    if (concern == EepromConcern::warning || asks == AsksAnyway::yes || call.arguments.has("--yes"))
+        return {};
+    if (canAsk(call) && call.terminal.confirms(CommandLine::tr("Write to the EEPROM nevertheless?")))
+        return {};
+    return refused(encoder, RefusalId::eepromBudgetUsed, encoder.can().eepromBudget);
+}
+
+} // namespace codewheel

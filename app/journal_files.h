@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace codewheel {
+
+// The folder of the user's messages and EEPROM counts, the same for the window and the command line:
+// ~/.local/share/codewheel. Need not exist.
+QString userJournalFolder();
+
+// In such a folder.
+QString messageFile(const QString &folder);
+QString ledgerFile(const QString &folder);
+
+} // namespace codewheel

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is kept on disk: messages listed and exported, EEPROM writes counted and asked for.
+#include "journal/ledger.h"
+#include "journal/message_store.h"
+#include "tests/cli/cli_run.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+class CliJournal : public testing::Test
+{
+protected:
+    QString path(const char *name) const { return folder.filePath(QString::fromLatin1(name)); }
+    CliRun run(const char *line, const Person &person = {}) const
+    {
+        return runLine(QString::fromLatin1(line).arg(folder.path()), person);
+    }
+    // The encoder at 1.0 of no project was written to so often.
+    void count(int writes) const
+    {
+        auto ledger = Ledger::open(DatabasePlace::file(path("ledger.sqlite")));
+        ASSERT_TRUE(ledger);
+        const EncoderIdentity fraba{
+            .by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = {}, .place = {1, 0}};
+        ASSERT_TRUE(ledger->begin({.at = QDateTime(QDate(2026, 3, 1), QTime(12, 0), Qt::UTC),
+                                   .identity = fraba.key(),
+                                   .place = {1, 0},
+                                   .device = QStringLiteral("fraba-ocd-ib"),
+                                   .planned = writes,
+                                   .writes = writes,
+                                   .settled = true}));
+    }
+    int counted() const
+    {
+        return Ledger::open(DatabasePlace::file(path("ledger.sqlite")))->accounts()[0].count.writes;
+    }
+
+    QTemporaryDir folder;
+};
+
+class CliMessages : public CliJournal
+{
+protected:
+    CliMessages()
+    {
+        MessageStore store({.file = path("messages.sqlite")});
+        const QDateTime noon(QDate(2026, 3, 1), QTime(12, 0));
+        store.add({.id = MessageId::busStarted}, noon);
+        store.add({.place = DeviceNumber{1, 0},
+                   .severity = Severity::fault,
+                   .id = MessageId::deviceFault,
+                   .arguments = {std::int64_t{3}, Word{0x86000000}}},
+                  noon.addSecs(60));
+    }
+};
+
+TEST_F(CliMessages, AreListed)
+{
+    const CliRun all = run("messages --file %1/messages.sqlite");
+    EXPECT_EQ(all.exit, 0);
+    EXPECT_NE(all.out.find("Information  Bus  The bus runs."), std::string::npos) << all.out;
+    EXPECT_NE(all.out.find("Fault        1.0  The encoder reports error 3 (IN 86000000)."), std::string::npos)
+        << all.out;
+}
+
+TEST_F(CliMessages, AreFiltered)
+{
+    for (const char *filter :
+         {"--severity fault", "--place 1.0", "--from 2026-03-01T12:01", "--text 8600", "--last 1"}) {
+        const CliRun one = run(("messages --json --file %1/messages.sqlite " + std::string(filter)).c_str());
+        const QJsonArray messages = one.json()[u"messages"].toArray();
+        ASSERT_EQ(messages.size(), 1) << filter;
+        EXPECT_EQ(messages[0][u"code"], QStringLiteral("deviceFault"));
+        EXPECT_EQ(messages[0][u"arguments"][1][u"word"], QStringLiteral("86000000"));
+    }
+    EXPECT_EQ(
+        run("messages --json --file %1/messages.sqlite --place bus").json()[u"messages"].toArray().size(), 1);
+    EXPECT_EQ(run("messages --json --file %1/messages.sqlite --until 2026-03-01")
+                  .json()[u"messages"]
+                  .toArray()
+                  .size(),
+              0);
+}
+
+TEST_F(CliMessages, AreExported)
+{
+    EXPECT_EQ(run("messages --file %1/messages.sqlite --export %1/all.csv").exit, 0);
+    QFile file(path("all.csv"));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_EQ(file.readAll().count("\r\n"), 3);
+    EXPECT_EQ(errorKey(run("messages --file %1/messages.sqlite --export %1/all.pdf --json")), "badFormat");
+}
+
+TEST_F(CliMessages, BadInputIsTold)
+{
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("messages --severity bad --json"))), "badSeverity");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("messages --place here --json"))), "badPlace");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("messages --from yesterday --json"))), "badTime");
+}
+
+TEST_F(CliJournal, LookingMakesNoFile)
+{
+    EXPECT_EQ(run("messages --file %1/none.sqlite").exit, 0);
+    EXPECT_EQ(run("ledger --ledger %1/none.sqlite").exit, 0);
+    EXPECT_FALSE(QFile::exists(path("none.sqlite")));
+}
+
+TEST_F(CliJournal, ADamagedFileIsToldAndLeftAlone)
+{
+    QFile file(path("broken.sqlite"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write(QByteArray(9'000, 'x')) == 9'000);
+    file.close();
+    EXPECT_EQ(errorKey(run("messages --file %1/broken.sqlite --json")), "databaseFailed");
+    EXPECT_EQ(errorKey(run("ledger --ledger %1/broken.sqlite --json")), "databaseFailed");
+    EXPECT_EQ(QFile(path("broken.sqlite")).size(), 9'000);
+}
+
+TEST_F(CliJournal, WritesAreCountedInALedger)
+{
+    EXPECT_EQ(run("write 1.0 steps=255 --yes --ledger %1/ledger.sqlite").exit, 0);
+    const CliRun listed = run("ledger --ledger %1/ledger.sqlite --json");
+    const QJsonObject account = listed.json()[u"accounts"][0].toObject();
+    EXPECT_EQ(account[u"writes"], 1);
+    EXPECT_EQ(account[u"perhaps"], 0);
+    EXPECT_EQ(account[u"place"], QStringLiteral("1.0"));
+    EXPECT_EQ(account[u"device"], QStringLiteral("fraba-ocd-ib"));
+}
+
+TEST_F(CliJournal, WarnsFromThreeQuartersOfTheBudgetOn)
+{
+    count(149);
+    const CliRun write = run("write 1.0 steps=255 --yes --ledger %1/ledger.sqlite");
+    EXPECT_EQ(write.exit, 0);
+    EXPECT_NE(write.err.find("has written 149 times"), std::string::npos) << write.err;
+    EXPECT_EQ(counted(), 150);
+}
+
+TEST_F(CliJournal, AsksBeyondTheBudget)
+{
+    count(200);
+    EXPECT_EQ(errorKey(run("preset 1.0 1000 --json --ledger %1/ledger.sqlite")), "eepromBudgetUsed");
+    EXPECT_EQ(counted(), 200);
+    EXPECT_EQ(run("preset 1.0 1000 --ledger %1/ledger.sqlite", {true, "n\n"}).exit, 1);
+    EXPECT_EQ(counted(), 200);
+    EXPECT_EQ(run("preset 1.0 1000 --ledger %1/ledger.sqlite", {true, "y\n"}).exit, 0);
+    EXPECT_GT(counted(), 200);
+    EXPECT_EQ(run("preset 1.0 1001 --yes --ledger %1/ledger.sqlite").exit, 0);
+}
+
+TEST_F(CliJournal, WantsThePlaceTypedBeyondTheLimit)
+{
+    count(500);
+    EXPECT_EQ(errorKey(run("write 1.0 steps=255 --yes --json --ledger %1/ledger.sqlite")),
+              "eepromLimitPassed");
+    EXPECT_EQ(
+        errorKey(run("write 1.0 steps=255 --yes --json --beyond-eeprom-limit 2.0 --ledger %1/ledger.sqlite")),
+        "eepromLimitPassed");
+    EXPECT_EQ(run("write 1.0 steps=255 --ledger %1/ledger.sqlite", {true, "y\ny\n"}).exit, 1);
+    EXPECT_EQ(counted(), 500);
+    EXPECT_EQ(run("write 1.0 steps=255 --ledger %1/ledger.sqlite", {true, "1.0\ny\n"}).exit, 0);
+    EXPECT_EQ(run("write 1.0 steps=256 --yes --beyond-eeprom-limit 1.0 --ledger %1/ledger.sqlite").exit, 0);
+    EXPECT_EQ(counted(), 502);
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/eeprom/eeprom_question.h"
+
+#include "widgets/eeprom/eeprom_gate.h"
+
+#include <QCoreApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace codewheel {
+namespace {
+
+struct Question
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::EepromGate)
+};
+
+constexpr int textWidth = 420; // a comfortable line
+
+} // namespace
+
+bool askForEeprom(QWidget *window, EncoderSession &encoder, const Job &job)
+{
+    const int planned = mostEepromWrites(encoder, job);
+    const EepromConcern concern = eepromConcern(encoder, planned);
+    if (concern != EepromConcern::question && concern != EepromConcern::typed)
+        return true;
+
+    QDialog dialog(window);
+    dialog.setWindowTitle(QCoreApplication::applicationName());
+    auto *question =
+        new QLabel(Question::tr("Write to the EEPROM of %1?").arg(encoder.number().toString()), &dialog);
+    QFont strong = question->font();
+    strong.setBold(true);
+    question->setFont(strong);
+    auto *gate = new EepromGate(&dialog);
+    gate->setWrites(encoder, planned);
+    gate->setMinimumWidth(textWidth);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, &dialog);
+    QPushButton *write = buttons->addButton(Question::tr("&Write"), QDialogButtonBox::AcceptRole);
+    write->setObjectName(QStringLiteral("writeToEeprom"));
+    write->setToolTip(Question::tr("Starts what was asked for"));
+    write->setEnabled(gate->isOpen());
+    auto *layout = new QVBoxLayout(&dialog);
+    layout->addWidget(question);
+    layout->addWidget(gate);
+    layout->addWidget(buttons);
+    QObject::connect(gate, &EepromGate::changed, write, [=] { write->setEnabled(gate->isOpen()); });
+    QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    const QPointer<EncoderSession> still(&encoder);
+    return dialog.exec() == QDialog::Accepted && still;
+}
+
+} // namespace codewheel

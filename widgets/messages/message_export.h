@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "journal/id_runs.h"
+#include "journal/message_writer.h"
+
+#include <QSaveFile>
+#include <QTimer>
+
+namespace codewheel {
+
+class MessageModel;
+
+// Writes the messages that a model shows now to a file, a piece at a time, so that the window stays awake.
+// The file is there once all of it is.
+class MessageExport : public QObject
+{
+    Q_OBJECT
+
+public:
+    // The model outlives it.
+    MessageExport(const MessageModel &messages, const QString &fileName, MessageWriter::Format format,
+                  QObject *parent);
+
+    QString fileName() const { return m_file.fileName(); }
+    QString errorString() const { return m_file.errorString(); }
+    qint64 total() const { return m_ids.size(); }
+
+Q_SIGNALS:
+    void progressed(double part); // 0..1
+    void ended(bool written);     // afterwards it is of no use
+
+private:
+    void writePiece();
+
+    const MessageModel &m_messages;
+    const IdRuns m_ids;
+    QSaveFile m_file;
+    MessageWriter m_writer;
+    qint64 m_next = 0;
+    QTimer m_timer;
+};
+
+} // namespace codewheel

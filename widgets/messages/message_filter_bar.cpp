@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/messages/message_filter_bar.h"
+
+#include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+#include "widgets/look/roles.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDateTimeEdit>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+constexpr int firstPlace = 2; // after "all places" and "bus"
+constexpr int daysOfWeek = 7;
+constexpr int shortChoice = 8; // characters; the panel has to fit a small window
+
+} // namespace
+
+MessageFilterBar::MessageFilterBar(QWidget *parent)
+    : QWidget(parent)
+    , m_start(QDateTime::currentDateTime())
+    , m_row(new QHBoxLayout)
+    , m_span(new QWidget(this))
+    , m_search(new QLineEdit(this))
+    , m_severity(new QComboBox(this))
+    , m_place(new QComboBox(this))
+    , m_period(new QComboBox(this))
+    , m_from(new QDateTimeEdit(m_span))
+    , m_until(new QDateTimeEdit(m_span))
+    , m_find(new QAction(tr("Search"), this))
+{
+    makeSearch();
+    makeChoices();
+    makeSpan();
+    m_row->setSpacing(grid::unit);
+    m_row->addWidget(m_search, 1);
+    for (QWidget *choice : {m_severity, m_place, m_period})
+        m_row->addWidget(choice);
+    m_row->addSpacing(grid::unit);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(grid::unit);
+    column->addLayout(m_row);
+    column->addWidget(m_span);
+}
+
+void MessageFilterBar::makeSearch()
+{
+    m_search->setPlaceholderText(tr("Search"));
+    m_search->setAccessibleName(tr("Search in messages"));
+    m_search->setToolTip(tr("Show only messages with this text (Ctrl+F)"));
+    m_search->setClearButtonEnabled(true);
+    m_search->addAction(lineIcon(Icon::search, Role::inactive), QLineEdit::LeadingPosition);
+    m_find->setShortcut(QKeySequence::Find);
+    m_find->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    connect(m_find, &QAction::triggered, this, [this] {
+        m_search->setFocus(Qt::ShortcutFocusReason);
+        m_search->selectAll();
+    });
+    connect(m_search, &QLineEdit::textChanged, this, &MessageFilterBar::changed);
+}
+
+void MessageFilterBar::makeChoices()
+{
+    m_severity->addItem(tr("All messages"), QVariant::fromValue(Severity::information));
+    m_severity->addItem(tr("Attention and faults"), QVariant::fromValue(Severity::attention));
+    m_severity->addItem(tr("Faults only"), QVariant::fromValue(Severity::fault));
+    m_severity->setAccessibleName(tr("Severity of messages"));
+    m_severity->setToolTip(tr("Show only messages of this severity or worse"));
+    m_place->addItem(tr("All places"), QVariant::fromValue(MessageFilter::Place{}));
+    m_place->addItem(tr("Bus"), QVariant::fromValue(MessageFilter::Place{.all = false}));
+    m_place->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_place->setAccessibleName(tr("Place of messages"));
+    m_place->setToolTip(tr("Show only messages of this device, or of the bus itself"));
+    m_period->addItem(tr("All times"), QVariant::fromValue(Period::all));
+    m_period->addItem(tr("Since the start"), QVariant::fromValue(Period::sinceStart));
+    m_period->addItem(tr("Last hour"), QVariant::fromValue(Period::lastHour));
+    m_period->addItem(tr("Today"), QVariant::fromValue(Period::today));
+    m_period->addItem(tr("Last 7 days"), QVariant::fromValue(Period::lastWeek));
+    m_period->addItem(tr("From ... to ..."), QVariant::fromValue(Period::between));
+    m_period->setAccessibleName(tr("Time of messages"));
+    m_period->setToolTip(tr("Show only messages of this time; the start is that of the program"));
+    for (QComboBox *choice : {m_severity, m_period}) {
+        choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        choice->setMinimumContentsLength(shortChoice);
+    }
+    for (QComboBox *choice : {m_severity, m_place})
+        connect(choice, &QComboBox::currentIndexChanged, this, &MessageFilterBar::changed);
+    connect(m_period, &QComboBox::currentIndexChanged, this, &MessageFilterBar::choosePeriod);
+}
+
+void MessageFilterBar::makeSpan()
+{
+    auto *row = new QHBoxLayout(m_span);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(grid::unit);
+    row->addStretch(1);
+    const auto add = [&](const QString &text, QDateTimeEdit *edit, const QString &name) {
+        auto *label = new QLabel(text, m_span);
+        label->setBuddy(edit);
+        edit->setCalendarPopup(true);
+        edit->setAccessibleName(name);
+        edit->setToolTip(name);
+        row->addWidget(label);
+        row->addWidget(edit);
+        connect(edit, &QDateTimeEdit::dateTimeChanged, this, &MessageFilterBar::changed);
+    };
+    add(tr("&From"), m_from, tr("Show messages from this date and time on"));
+    add(tr("&to"), m_until, tr("Show messages before this date and time"));
+    m_span->hide();
+}
+
+void MessageFilterBar::choosePeriod()
+{
+    const auto now = QDateTime::currentDateTime();
+    const auto period = m_period->currentData().value<Period>();
+    m_since.reset();
+    switch (period) {
+    case Period::sinceStart:
+        m_since = m_start;
+        break;
+    case Period::lastHour:
+        m_since = now.addSecs(-3'600);
+        break;
+    case Period::today:
+        m_since = now.date().startOfDay();
+        break;
+    case Period::lastWeek:
+        m_since = now.addDays(-daysOfWeek);
+        break;
+    case Period::between:
+        m_from->setDateTime(now.date().startOfDay());
+        m_until->setDateTime(now.date().addDays(1).startOfDay());
+        break;
+    case Period::all:
+        break;
+    }
+    m_span->setVisible(period == Period::between);
+    Q_EMIT changed();
+}
+
+MessageFilter MessageFilterBar::filter() const
+{
+    MessageFilter filter{.least = m_severity->currentData().value<Severity>(),
+                         .place = m_place->currentData().value<MessageFilter::Place>(),
+                         .text = m_search->text().trimmed()};
+    if (m_since)
+        filter.from = m_since->toMSecsSinceEpoch();
+    if (m_period->currentData().value<Period>() == Period::between) {
+        filter.from = m_from->dateTime().toMSecsSinceEpoch();
+        filter.until = m_until->dateTime().toMSecsSinceEpoch();
+    }
+    return filter;
+}
+
+void MessageFilterBar::setPlaces(const std::vector<DeviceNumber> &places)
+{
+    for (const DeviceNumber place : places) {
+        const auto before = [&](int index) {
+            return *m_place->itemData(index).value<MessageFilter::Place>().number < place;
+        };
+        int index = firstPlace;
+        while (index < m_place->count() && before(index))
+            ++index;
+        if (m_place->itemText(index) != place.toString())
+            m_place->insertItem(index, place.toString(),
+                                QVariant::fromValue(MessageFilter::Place{.all = false, .number = place}));
+    }
+}
+
+void MessageFilterBar::showAll()
+{
+    {
+        const QSignalBlocker once(this);
+        m_search->clear();
+        for (QComboBox *choice : {m_severity, m_place, m_period})
+            choice->setCurrentIndex(0);
+    }
+    Q_EMIT changed();
+}
+
+} // namespace codewheel
