@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pdf/report_pdf.h"
 
+#include "pdf/paint_sheet.h"
 #include "pdf/report_sheets.h"
 #include "pdf/sheet_format.h"
 
@@ -11,27 +12,6 @@
 #include <QPdfWriter>
 
 namespace codewheel {
-namespace {
-
-void paint(QPainter &painter, const Sheet &sheet)
-{
-    for (const Sheet::Line &line : sheet.lines) {
-        painter.setPen(QPen(line.faint ? Qt::gray : Qt::black, line.width));
-        painter.drawLine(line.line);
-    }
-    painter.setPen(QPen(Qt::black, sheet::thinLine));
-    for (const Sheet::Bar &bar : sheet.bars) {
-        painter.setBrush(bar.filled ? Qt::black : Qt::white);
-        painter.drawRect(bar.box);
-    }
-    for (const Sheet::Text &text : sheet.texts) {
-        painter.setFont(text.font);
-        painter.drawText(QPointF(text.box.left(), text.baseLine), text.text);
-    }
-}
-
-} // namespace
-
 int writeReportPdf(const Report &report, QIODevice &device)
 {
     const std::vector<Sheet> sheets = reportSheets(report);
@@ -49,7 +29,7 @@ int writeReportPdf(const Report &report, QIODevice &device)
     for (std::size_t i = 0; i < sheets.size(); ++i) {
         if (i > 0 && !writer.newPage())
             return 0;
-        paint(painter, sheets[i]);
+        paintSheet(painter, sheets[i]);
     }
     return painter.end() ? static_cast<int>(sheets.size()) : 0;
 }

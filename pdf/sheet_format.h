@@ -17,6 +17,7 @@ constexpr qreal point(qreal points)
     return points / 72 * dotsPerInch;
 }
 
+inline constexpr QSizeF paper(mm(210), mm(297));
 inline constexpr QRectF body(mm(18), mm(20), mm(177),
                              mm(256));     // 15 mm at the right, 18 for holes at the left
 inline constexpr qreal headLine = mm(12);  // top of the line above the body

@@ -103,13 +103,18 @@ bool asksForHelp(const Arguments &arguments)
     return arguments.has("--help") || arguments.has("-h");
 }
 
+bool needsBus(const Subcommand &command, const Arguments &arguments)
+{
+    return command.needsBus || (command.busOption != nullptr && arguments.has(command.busOption));
+}
+
 int runOnTrainingBus(const Subcommand &command, const Arguments &arguments, const Terminal &terminal)
 {
     Catalog catalog = Catalog::builtIn();
     for (const Catalog::Fault &fault : addUserDevices(catalog, userDeviceFolder()))
         terminal.complain(
             refusalText({RefusalKind::badInput, RefusalId::deviceFileBroken, {fault.place(), fault.reason}}));
-    if (!command.needsBus)
+    if (!needsBus(command, arguments))
         return runCommand(command, arguments, catalog, nullptr, terminal);
     const TrainingSession training = openTrainingSession(catalog, QDateTime::currentDateTime());
     if (const auto path = arguments.value("--fault-plan")) {
@@ -170,6 +175,14 @@ int runCommand(const Subcommand &command, const Arguments &arguments, const Cata
         terminal.print(QString::fromUtf8(QJsonDocument(json).toJson()));
     }
     return static_cast<int>(ExitCode::done);
+}
+
+bool makesPdf(const QStringList &words)
+{
+    return words.contains(QLatin1String(reportCommand.name)) &&
+           std::ranges::any_of(words, [](const QString &word) {
+               return word.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive);
+           });
 }
 
 // The command is the first word that is no option; the common options may stand before it.

@@ -15,6 +15,9 @@ struct Terminal;
 // exit code (cli/complaint.h). Each call has a training bus of its own.
 int runCommandLine(const QStringList &words, const Terminal &terminal);
 
+// Whether this call may write a PDF: that needs fonts, and so a QGuiApplication.
+bool makesPdf(const QStringList &words);
+
 // One command on a bus that is there already (null for commands that need none).
 int runCommand(const Subcommand &command, const Arguments &arguments, const Catalog &catalog, BusSession *bus,
                const Terminal &terminal);

@@ -20,6 +20,7 @@ extern const Subcommand camsCommand;
 extern const Subcommand storeCommand;
 extern const Subcommand transferCommand;
 extern const Subcommand cloneCommand;
+extern const Subcommand reportCommand;
 extern const Subcommand monitorCommand;
 extern const Subcommand masterCommand;
 extern const Subcommand messagesCommand;

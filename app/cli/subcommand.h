@@ -36,6 +36,7 @@ struct Subcommand
     int minimumArguments;
     int maximumArguments;
     bool needsBus;
+    const char *busOption = nullptr; // needs it with this option only
     Checked<Answer> (*run)(const Call &call);
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command_line.h"
 #include "cli/terminal.h"
+#include "codewheel-cli/application.h"
 #include "language.h"
 
 #include <QCoreApplication>
@@ -11,7 +12,7 @@
 
 int main(int argc, char **argv)
 {
-    const QCoreApplication application(argc, argv);
+    const auto application = codewheel::makeApplication(argc, argv);
 
     codewheel::Language language;
     language.use(QString()); // that of the system

@@ -9,17 +9,25 @@ namespace {
 
 using Column = ReportTable::Column;
 
-QString identity(const ReportedWrites &writes)
+QString toldBy(const EepromCount &count)
 {
-    switch (writes.identity) {
-    case ReportedWrites::Identity::serialNumberRead:
-        return sentence(ReportTexts::tr("serial number %1, read from it"), {writes.serialNumber});
-    case ReportedWrites::Identity::serialNumberOfLabel:
-        return sentence(ReportTexts::tr("serial number %1, from its label"), {writes.serialNumber});
-    case ReportedWrites::Identity::projectAndPlace:
+    switch (count.by) {
+    case CountedBy::serialNumber:
+        return sentence(ReportTexts::tr("serial number %1, read from it"), {count.serialNumber});
+    case CountedBy::labelSerialNumber:
+        return sentence(ReportTexts::tr("serial number %1, from its label"), {count.serialNumber});
+    case CountedBy::place:
+        return ReportTexts::tr("project and place; another encoder at this place counts on");
+    case CountedBy::session:
         break;
     }
-    return ReportTexts::tr("project and place; another encoder at this place counts on");
+    return ReportTexts::tr("this connection only; nothing is kept of others");
+}
+
+QString writesText(const EepromCount &count)
+{
+    const QStringList numbers{report_words::number(count.writes), report_words::number(count.perhaps)};
+    return count.perhaps > 0 ? sentence(ReportTexts::tr("%1, perhaps %2 more"), numbers) : numbers.front();
 }
 
 QString budget(const Capabilities &can)
@@ -36,9 +44,10 @@ QStringList writesRow(const ReportedDevice &device, const ReportInput &input)
 {
     QStringList cells{device.place().toString(), device.planned->station};
     if (const auto found = input.writes.find(device.place()); found != input.writes.end()) {
-        const ReportedWrites &writes = found->second;
-        cells << report_words::number(writes.writes) << report_words::time(writes.since, input.now)
-              << identity(writes);
+        const EepromCount &count = found->second;
+        cells << writesText(count)
+              << (count.since.isValid() ? report_words::time(count.since, input.now) : QString())
+              << toldBy(count);
     } else {
         cells << report_words::unknown() << QString() << QString();
     }

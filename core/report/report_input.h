@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/eeprom_count.h"
 #include "project/project.h"
 
 #include <QDateTime>
@@ -8,18 +9,6 @@
 #include <map>
 
 namespace codewheel {
-
-// EEPROM writes of one encoder by this program.
-struct ReportedWrites
-{
-    // How the encoder is told from others: a count is only worth as much.
-    enum class Identity : std::uint8_t { serialNumberRead, serialNumberOfLabel, projectAndPlace };
-
-    int writes = 0;
-    QDateTime since; // UTC
-    Identity identity = Identity::projectAndPlace;
-    QString serialNumber; // with the first two
-};
 
 // What a connected encoder is known to have.
 struct LiveEncoder
@@ -32,14 +21,14 @@ struct LiveEncoder
 struct ReportInput
 {
     Project project;
-    QString file;    // of the project, as it is to be named; empty: never saved
+    QString file{};  // of the project, as it is to be named; empty: never saved
     QString version; // of the program
     QDateTime now;   // its time zone is that of all times in the report
     // What is known now, by place. A place that is not in it is reported as the project has it stored.
-    std::map<DeviceNumber, LiveEncoder> live;
-    std::map<DeviceNumber, ReportedWrites> writes;
+    std::map<DeviceNumber, LiveEncoder> live{};
+    std::map<DeviceNumber, EepromCount> writes{};
     // The connected ring, to be compared with the configured one; nothing: there is none.
-    std::optional<RingStructure> connected;
+    std::optional<RingStructure> connected{};
 };
 
 } // namespace codewheel

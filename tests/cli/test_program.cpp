@@ -6,6 +6,7 @@
 #include <QJsonObject>
 #include <QProcess>
 #include <QProcessEnvironment>
+#include <QScopeGuard>
 #include <QTemporaryDir>
 
 #include <gmock/gmock.h>
@@ -106,6 +107,24 @@ TEST(CliProgram, OnlyTheReasonInAJsonErrorIsInTheUsersLanguage)
         }
         EXPECT_EQ(english, german) << line.toStdString();
     }
+}
+
+TEST(CliProgram, MakesAPdfWithoutAScreen)
+{
+    const QByteArray platform = qgetenv("QT_QPA_PLATFORM");
+    const auto restore = qScopeGuard([&] { qputenv("QT_QPA_PLATFORM", platform); });
+    qputenv("QT_QPA_PLATFORM", "there is none");
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("report.pdf"));
+    const Ended run =
+        start(QStringLiteral("report %1/docs/examples/two-encoders.codewheel --read --json -o %2")
+                  .arg(QStringLiteral(CODEWHEEL_ROOT), path));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_EQ(run.err, "");
+    EXPECT_THAT(run.out, HasSubstr("\"pages\": "));
+    QFile pdf(path);
+    ASSERT_TRUE(pdf.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(pdf.readAll().startsWith("%PDF-"));
 }
 
 TEST(CliProgram, ExitCodesTellWhoRefused)

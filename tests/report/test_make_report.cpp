@@ -154,13 +154,18 @@ TEST(CommissioningReport, CycleTimeIsToldByBothFormulas)
 TEST(CommissioningReport, EepromWritesSayHowTheEncoderIsTold)
 {
     ReportInput input = exampleInput();
-    input.writes[{1, 0}] = {12, input.now.addDays(-30), ReportedWrites::Identity::serialNumberRead,
-                            QStringLiteral("20417")};
+    input.writes[{1, 0}] = {12, 0, input.now.addDays(-30), CountedBy::serialNumber, QStringLiteral("20417")};
+    input.writes[{2, 0}] = {3, 2, {}, CountedBy::session, {}};
     EXPECT_THAT(
         rowsOf(sectionOf(reportOf(input), "EEPROM writes by this program")),
-        ElementsAre("1.0 | Crane 1, hoist | 12 | 30 Jan 2026 14:00:00 | serial number 20417, read from "
-                    "it | about 200; nothing is guaranteed beyond 500",
-                    "2.0 | Crane 1, trolley | unknown |  |  | not stated"));
+        ElementsAre(
+            "1.0 | Crane 1, hoist | 12 | 30 Jan 2026 14:00:00 | serial number 20417, read from "
+            "it | about 200; nothing is guaranteed beyond 500",
+            "2.0 | Crane 1, trolley | 3, perhaps 2 more |  | this connection only; nothing is kept of "
+            "others | not stated"));
+    input.writes.clear();
+    EXPECT_THAT(rowsOf(sectionOf(reportOf(input), "EEPROM writes by this program")),
+                Contains("2.0 | Crane 1, trolley | unknown |  |  | not stated"));
 }
 
 TEST(CommissioningReport, SerialNumberIsOfTheEncoderOrOfItsLabelOrUnknown)

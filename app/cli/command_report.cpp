@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands.h"
+#include "cli/texts.h"
+#include "cli/transfer_call.h"
+#include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
+#include "pdf/save_report.h"
+#include "project/project_file.h"
+#include "report/deviations.h"
+#include "report/live_encoders.h"
+#include "report/make_report.h"
+#include "ring/bus_session.h"
+#include "transfer/value_store.h"
+
+#include <QFileInfo>
+#include <QLocale>
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *examples[] = {"report crane.codewheel -o crane.pdf",
+                                    "report crane.codewheel -o crane.html --read"};
+
+constexpr std::array options{
+    Option{"-o", "FILE",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "where to save the report: a name in .html or .pdf")},
+    Option{"--read", nullptr,
+           QT_TRANSLATE_NOOP(
+               "codewheel::CommandLine",
+               "ask the encoders of the bus what they have; takes their positions away meanwhile")},
+    Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "replace FILE if it is there")},
+};
+
+struct Target
+{
+    QString path;
+    ReportFormat format = ReportFormat::html;
+};
+
+Checked<Target> targetOf(const Arguments &arguments)
+{
+    const auto path = arguments.value("-o");
+    if (!path)
+        return badInput(
+            QStringLiteral("missingFile"),
+            CommandLine::tr("Name the file of the report: -o FILE, with a name that ends in .html "
+                            "or .pdf."));
+    const auto format = reportFormat(*path);
+    if (!format)
+        return badInput(
+            QStringLiteral("reportFormatUnknown"),
+            CommandLine::tr("\"%1\" ends neither in .html nor in .pdf. A report is a web page or a "
+                            "PDF."),
+            {*path});
+    // What is in a file is not lost by a report.
+    if (!arguments.has("--yes") && QFileInfo::exists(*path))
+        return badInput(
+            QStringLiteral("fileExists"),
+            CommandLine::tr("%1 is there already. Nothing was saved. Name another file, or add --yes "
+                            "to replace it."),
+            {*path});
+    return Target{*path, *format};
+}
+
+// The cams of an encoder are read where the project wants some: its mode changes for it.
+EncoderJobs jobsToRead(const ProjectDevice &planned, const EncoderSession &encoder)
+{
+    EncoderJobs jobs = jobsToStore(encoder, false);
+    if (!encoder.can().cams || planned.wantedCams.empty())
+        return jobs;
+    const Reading &reading = encoder.latest();
+    ReadCams read;
+    for (const CamProgram &program : planned.wantedCams)
+        read.programs.push_back(program.number);
+    read.afterwards = {reading.mode.value_or(Mode::position), reading.camProgram.value_or(0)};
+    jobs.jobs.emplace_back(std::move(read));
+    return jobs;
+}
+
+// Reads what the encoders of the project have; why one could not be read, or nothing.
+std::optional<Complaint> readEncoders(BusSession &bus, const Project &project)
+{
+    std::vector<EncoderJobs> jobs;
+    bus.advance(1);
+    for (const auto &[planned, encoder] : connectedEncoders(project, bus))
+        jobs.push_back(jobsToRead(*planned, *encoder));
+    for (const EncoderResult &result : runToEnd(bus, std::move(jobs), JobRound::AfterRefusal::goOn).results)
+        if (result.why)
+            return Complaint{ExitCode::refused, refusalKey(result.why->id),
+                             sentence(CommandLine::tr("%1 could not be read: %2"),
+                                      {result.place.toString(), refusalText(*result.why)}),
+                             result.why->arguments};
+    return std::nullopt;
+}
+
+// A report is read by people: with the group separators that the command line leaves out.
+class LocaleOfPeople
+{
+public:
+    LocaleOfPeople() { QLocale::setDefault(QLocale(m_before.name())); }
+    ~LocaleOfPeople() { QLocale::setDefault(m_before); }
+    Q_DISABLE_COPY_MOVE(LocaleOfPeople)
+
+private:
+    QLocale m_before;
+};
+
+Answer save(const Call &call, const ReportInput &input, const Target &target)
+{
+    const auto sheets = [&] {
+        const LocaleOfPeople locale;
+        return saveReport(makeReport(input, call.catalog), target.path, target.format);
+    }();
+    if (!sheets)
+        return {.complaint = complaintAbout(sheets.error())};
+    const DeviationCounts counts = countDeviations(reportedDevices(input, call.catalog));
+    Answer answer;
+    answer.text =
+        sentence(CommandLine::tr("Saved in %1."), {target.path}) + u'\n' +
+        sentence(CommandLine::tr("Deviations of encoders from what is wanted: %1; not compared: %2."),
+                 {QString::number(counts.deviations), QString::number(counts.notKnown)}) +
+        u'\n';
+    answer.json = {{QStringLiteral("saved"), target.path},
+                   {QStringLiteral("deviations"), counts.deviations},
+                   {QStringLiteral("notCompared"), counts.notKnown}};
+    if (target.format == ReportFormat::pdf)
+        answer.json.insert(QStringLiteral("pages"), *sheets);
+    return answer;
+}
+
+Checked<Answer> run(const Call &call)
+{
+    const QString &name = call.arguments.rest.front();
+    const auto target = targetOf(call.arguments);
+    if (!target)
+        return tl::unexpected(target.error());
+    auto project = loadProject(name);
+    if (!project)
+        return tl::unexpected(complaintAbout(project.error()));
+
+    ReportInput input{.project = *std::move(project),
+                      .file = QFileInfo(name).fileName(),
+                      .version = QStringLiteral(CODEWHEEL_VERSION),
+                      .now = QDateTime::currentDateTime()};
+    std::optional<Complaint> notRead;
+    if (call.arguments.has("--read")) {
+        nameByProject(*call.bus, input.project.devices);
+        notRead = readEncoders(*call.bus, input.project);
+        addConnected(input, *call.bus);
+    }
+    Answer answer = save(call, input, *target);
+    if (!answer.complaint)
+        answer.complaint = notRead;
+    return answer;
+}
+
+} // namespace
+
+const Subcommand reportCommand{
+    .name = "report",
+    .usage = "PROJECT -o FILE [--read] [--yes]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "make the commissioning report of a project"),
+    .details =
+        QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                          "Saves the commissioning report of a project, as a web page or as a PDF on A4: "
+                          "structure, parameters\n"
+                          "and cams of each encoder with what is known of them, deviations, EEPROM writes, "
+                          "and a place to sign.\n"
+                          "\n"
+                          "What is known is what the project has stored. With --read, the encoders are asked "
+                          "for their parameters,\n"
+                          "and for the cam programs the project wants; they show no position meanwhile. The "
+                          "bus is compared with\n"
+                          "the project then. A FILE that is there already is replaced with --yes only."),
+    .examples = examples,
+    .options = options,
+    .minimumArguments = 1,
+    .maximumArguments = 1,
+    .needsBus = false,
+    .busOption = "--read",
+    .run = run,
+};
+
+} // namespace codewheel

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/screenshots/report_picture.h"
+
+#include "app/window/training_window.h"
+#include "pdf/paint_sheet.h"
+#include "pdf/report_sheets.h"
+#include "pdf/sheet_format.h"
+#include "report/live_encoders.h"
+#include "report/make_report.h"
+#include "ring/bus_session.h"
+
+#include <QCoreApplication>
+#include <QLabel>
+#include <QPainter>
+
+namespace codewheel {
+namespace {
+
+constexpr double dotsPerPixel = sheet::dotsPerInch / 84.0;
+constexpr QSize sheetSize(static_cast<int>(sheet::paper.width() / dotsPerPixel),
+                          static_cast<int>(sheet::paper.height() / dotsPerPixel));
+constexpr int gap = 12;
+
+Report reportOf(TrainingWindow &shown)
+{
+    ReportInput input{.project = shown.project().project(),
+                      .file = QStringLiteral("crane.codewheel"),
+                      .version = QCoreApplication::applicationVersion(),
+                      .now = shown.bus().dateTime(shown.bus().latest().at)};
+    input.project.title = QStringLiteral("Crane 1");
+    addConnected(input, shown.bus());
+    return makeReport(input, shown.bus().catalog());
+}
+
+} // namespace
+
+QWidget *reportOnPaper(TrainingWindow &shown)
+{
+    constexpr int sheetsShown = 2;
+    const std::vector<Sheet> sheets = reportSheets(reportOf(shown));
+    QPixmap picture(sheetsShown * (sheetSize.width() + gap) + gap, sheetSize.height() + 2 * gap);
+    picture.fill(Qt::gray);
+    QPainter painter(&picture);
+    painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+    painter.translate(gap, gap);
+    for (int i = 0; i < sheetsShown; ++i) {
+        painter.fillRect(QRect({}, sheetSize), Qt::white);
+        painter.save();
+        painter.scale(1 / dotsPerPixel, 1 / dotsPerPixel);
+        paintSheet(painter, sheets.at(static_cast<std::size_t>(i)));
+        painter.restore();
+        painter.translate(sheetSize.width() + gap, 0);
+    }
+    painter.end();
+    auto *label = new QLabel(&shown.window());
+    label->setPixmap(picture);
+    label->resize(picture.size());
+    return label;
+}
+
+} // namespace codewheel

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/live_encoders.h"
+
+#include "ring/bus_session.h"
+#include "ring/comparison.h"
+#include "transfer/value_store.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+bool isTold(const StoredValue &value)
+{
+    return value.evidence == Evidence::told;
+}
+
+} // namespace
+
+std::vector<ConnectedEncoder> connectedEncoders(const Project &project, const BusSession &bus)
+{
+    std::vector<ConnectedEncoder> encoders;
+    const RingStructure &ring = bus.structure();
+    for (const ProjectDevice &planned : project.devices) {
+        const auto found = std::ranges::find(ring, planned.participant.number, &Participant::number);
+        if (found == ring.end() || !isSameKind(*found, planned.participant))
+            continue;
+        if (EncoderSession *encoder = bus.encoder(found->number))
+            encoders.emplace_back(&planned, encoder);
+    }
+    return encoders;
+}
+
+void addConnected(ReportInput &input, const BusSession &bus)
+{
+    input.connected = bus.structure();
+    for (const auto &[planned, encoder] : connectedEncoders(input.project, bus)) {
+        LiveEncoder known{valuesToStore(*encoder), camsToStore(*encoder)};
+        if (!known.cams.empty() || !std::ranges::all_of(known.values, isTold))
+            input.live[encoder->number()] = std::move(known);
+        input.writes[encoder->number()] = encoder->eepromCount();
+    }
+}
+
+} // namespace codewheel

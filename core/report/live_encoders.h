@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "report/report_input.h"
+
+#include <utility>
+#include <vector>
+
+namespace codewheel {
+
+class BusSession;
+class EncoderSession;
+
+// The devices of the project that are encoders and stand in the ring where the project has them.
+using ConnectedEncoder = std::pair<const ProjectDevice *, EncoderSession *>;
+std::vector<ConnectedEncoder> connectedEncoders(const Project &project, const BusSession &bus);
+
+// Adds what the connected ring tells: its structure, what is known of its encoders now, and EEPROM writes. Of
+// an encoder that neither told nor confirmed anything in this session nothing is known: what the project has
+// stored of it says more.
+void addConnected(ReportInput &input, const BusSession &bus);
+
+} // namespace codewheel
