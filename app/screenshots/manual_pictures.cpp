@@ -2,6 +2,7 @@
 #include "app/screenshots/manual_pictures.h"
 
 #include "app/screenshots/project_pictures.h"
+#include "app/screenshots/report_picture.h"
 #include "app/window/training_window.h"
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
@@ -224,6 +225,16 @@ std::vector<Picture> pictures()
         {QStringLiteral("structure-insert"), usual, insertionAtWork},
         {QStringLiteral("structure-small"), smallest, offlineWindow},
         {QStringLiteral("comparison"), usual, comparisonAtWork},
+        {QStringLiteral("report"), usual,
+         [](TrainingWindow &shown) {
+             shown.project().editDevice(fraba, {}, [](ProjectDevice &device) {
+                 device.station = QStringLiteral("Crane 1, hoist");
+                 device.wantedCams = {exampleCams()};
+             });
+             readAll(shown);
+             want255(shown);
+             return reportOnPaper(shown);
+         }},
         {QStringLiteral("dial-rod"), usual, rodAtWork},
         {QStringLiteral("device"), tall,
          [](TrainingWindow &shown) {

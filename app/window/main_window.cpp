@@ -5,6 +5,7 @@
 #include "app/window/leaving.h"
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
+#include "app/window/report_export.h"
 #include "app/window/ring_connection.h"
 #include "app/window/status_line.h"
 #include "ring/bus_session.h"
@@ -126,6 +127,9 @@ void MainWindow::connectProject()
     connect(m_connection, &RingConnection::ringChanged, this, &MainWindow::showOtherRing);
     connect(m_connection, &RingConnection::told, this, &MainWindow::tell);
     connect(m_files, &ProjectFiles::told, this, &MainWindow::tell);
+    m_report = new ReportExport(*this, m_project, *m_bus, *m_notice);
+    connect(m_report, &ReportExport::told, this, &MainWindow::tell);
+    connect(m_actions.exportReport, &QAction::triggered, m_report, &ReportExport::askWhere);
     connect(m_editor, &StructureEditor::chosen, this, [this](DeviceNumber number) {
         if (m_editor->isVisible())
             m_structure->choose(number);
@@ -458,6 +462,7 @@ void MainWindow::showBusState()
     m_actions.switchSegment->setEnabled(hasMaster);
     m_actions.alarmStop->setEnabled(connected);
     m_actions.deviceMenu->setEnabled(connected);
+    m_actions.exportReport->setEnabled(m_bus != nullptr);
     m_actions.exportTrace->setEnabled(m_bus != nullptr);
     m_actions.exportMessages->setEnabled(m_bus != nullptr);
 }

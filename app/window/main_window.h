@@ -36,6 +36,7 @@ class ParameterWizard;
 class ProjectDocument;
 class ProjectFiles;
 class ProjectRecovery;
+class ReportExport;
 class RingConnection;
 class SequenceView;
 class StatusLine;
@@ -120,6 +121,7 @@ private:
     QStackedWidget *m_pages;
     ProjectFiles *m_files;
     RingConnection *m_connection = nullptr;
+    ReportExport *m_report = nullptr;
     QString m_link;
     QJsonObject m_openMonitors; // while offline
     StructureEditor *m_editor = nullptr;

@@ -71,6 +71,9 @@ void WindowActions::makeFileMenu()
     saveProjectAs = described(menu->addAction(tr("Save &as...")), Qt::CTRL | Qt::SHIFT | Qt::Key_S,
                               tr("Saves the project in another file"));
     menu->addSeparator();
+    exportReport =
+        described(menu->addAction(lineIcon(Icon::exportData), tr("&Commissioning report...")), {},
+                  tr("Saves the commissioning report of the project as a PDF or a web page; sends nothing"));
     exportTrace = described(menu->addAction(lineIcon(Icon::exportData), tr("Export handshake &trace...")), {},
                             tr("Saves the handshake trace as a CSV file"));
     exportMessages = described(menu->addAction(lineIcon(Icon::exportData), tr("Export &messages...")), {},

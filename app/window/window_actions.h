@@ -35,6 +35,7 @@ public:
     QMenu *recentFiles;
     QAction *saveProject;
     QAction *saveProjectAs;
+    QAction *exportReport;
     QAction *exportTrace;
     QAction *exportMessages;
     QAction *quit;

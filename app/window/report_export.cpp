@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/report_export.h"
+
+#include "encoder/refusal_text.h"
+#include "pdf/save_report.h"
+#include "report/live_encoders.h"
+#include "report/make_report.h"
+#include "ring/bus_session.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/project/project_document.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+
+namespace codewheel {
+
+ReportExport::ReportExport(QWidget &window, const ProjectDocument &document, const BusSession &bus,
+                           InlineMessage &notice)
+    : QObject(&window)
+    , m_window(window)
+    , m_document(document)
+    , m_bus(bus)
+    , m_notice(notice)
+{}
+
+QString ReportExport::proposedPath() const
+{
+    const QFileInfo project(m_document.file());
+    const QString name = m_document.file().isEmpty() ? tr("report", "file name") : project.completeBaseName();
+    return project.dir().filePath(name + QStringLiteral(".pdf"));
+}
+
+void ReportExport::askWhere()
+{
+    const QString pdf = tr("PDF (*.pdf)");
+    const QString html = tr("Web page (*.html)");
+    QString chosen = pdf;
+    QString path = QFileDialog::getSaveFileName(&m_window, tr("Save the commissioning report"),
+                                                proposedPath(), pdf + QStringLiteral(";;") + html, &chosen);
+    if (path.isEmpty())
+        return;
+    if (QFileInfo(path).suffix().isEmpty())
+        path += chosen == html ? QStringLiteral(".html") : QStringLiteral(".pdf");
+    saveTo(path);
+}
+
+bool ReportExport::saveTo(const QString &path)
+{
+    const auto format = reportFormat(path);
+    if (!format) {
+        m_notice.showMessage(Role::fault,
+                             tr("The report was not saved: %1 ends neither in .pdf nor in .html.").arg(path));
+        return false;
+    }
+    ReportInput input{.project = m_document.project(),
+                      .file = QFileInfo(m_document.file()).fileName(),
+                      .version = QCoreApplication::applicationVersion(),
+                      .now = QDateTime::currentDateTime()};
+    if (m_bus.isOpen())
+        addConnected(input, m_bus);
+    const auto saved = saveReport(makeReport(input, m_bus.catalog()), path, *format);
+    if (!saved) {
+        m_notice.showMessage(Role::fault, refusalText(saved.error()));
+        return false;
+    }
+    const Message message{
+        .severity = Severity::information, .id = MessageId::reportSaved, .arguments = {path}};
+    m_notice.showMessage(Role::running, messageText(message));
+    Q_EMIT told(message);
+    return true;
+}
+
+} // namespace codewheel

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/report_export.h"
+#include "tests/app/question.h"
+#include "tests/app/window_test.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/project/project_document.h"
+
+#include <QAction>
+#include <QFile>
+#include <QLineEdit>
+
+#include <gmock/gmock.h>
+
+namespace codewheel {
+namespace {
+
+using test::fraba;
+using test::Question;
+using testing::HasSubstr;
+
+class ReportExportTest : public test::WindowTest
+{
+protected:
+    QString path(const char *name) const { return folder.filePath(QString::fromLatin1(name)); }
+    ReportExport &report() { return *window().findChild<ReportExport *>(); }
+    std::string notice()
+    {
+        const auto *shownNotice = window().findChild<InlineMessage *>(QStringLiteral("notice"));
+        return shownNotice->isVisible() ? shownNotice->sentence().toStdString() : std::string();
+    }
+    std::string content(const char *name) const
+    {
+        QFile file(path(name));
+        EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+        return file.readAll().toStdString();
+    }
+};
+
+TEST_F(ReportExportTest, SaysWhereTheReportWasSaved)
+{
+    const Word before = out(fraba);
+    std::vector<MessageId> told;
+    QObject::connect(&report(), &ReportExport::told, &window(),
+                     [&](const Message &message) { told.push_back(message.id); });
+    EXPECT_TRUE(report().saveTo(path("crane.html")));
+    EXPECT_THAT(notice(), HasSubstr("crane.html"));
+    EXPECT_THAT(told, testing::ElementsAre(MessageId::reportSaved));
+    EXPECT_THAT(content("crane.html"), HasSubstr("FRABA OCD-IB K3"));
+    EXPECT_EQ(out(fraba), before);
+}
+
+TEST_F(ReportExportTest, HasWhatTheConnectedEncoderIsKnownToHave)
+{
+    ASSERT_TRUE(bus().encoder(fraba)->start(ReadParameters{{Parameter::steps}}));
+    advance(500);
+    shown->project().editDevice(fraba, QStringLiteral("Steps"), [](ProjectDevice &device) {
+        device.wanted = {{Parameter::steps, 4096}};
+    });
+    ASSERT_TRUE(report().saveTo(path("crane.html")));
+    EXPECT_THAT(content("crane.html"),
+                HasSubstr("<td>Steps</td><td class=\"number\">4096</td><td class=\"number\">8192</td>"));
+}
+
+TEST_F(ReportExportTest, SavesAPdfWhereTheUserChoosesTo)
+{
+    const Question question([&](QWidget &dialog) {
+        dialog.findChild<QLineEdit *>()->setText(path("crane"));
+        QTest::keyClick(dialog.findChild<QLineEdit *>(), Qt::Key_Return);
+    });
+    actions().exportReport->trigger();
+    EXPECT_THAT(content("crane.pdf"), testing::StartsWith("%PDF-"));
+}
+
+TEST_F(ReportExportTest, SaysWhyItWasNotSaved)
+{
+    EXPECT_FALSE(report().saveTo(path("crane.doc")));
+    EXPECT_THAT(notice(), HasSubstr("ends neither in .pdf nor in .html"));
+    EXPECT_FALSE(report().saveTo(path("nowhere/crane.pdf")));
+    EXPECT_THAT(notice(), HasSubstr("nowhere/crane.pdf"));
+}
+
+} // namespace
+} // namespace codewheel
