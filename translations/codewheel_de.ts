@@ -699,6 +699,21 @@
     </message>
 </context>
 <context>
+    <name>Leds</name>
+    <message>
+        <source>on</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>blinking</source>
+        <translation>blinkt</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+</context>
+<context>
     <name>Master</name>
     <message>
         <source>A user error: a service was called wrongly.</source>
@@ -1351,8 +1366,12 @@
         <translation>Die Meldungsdatei hatte ihre Größe erreicht: Die ältesten %1 Meldungen wurden entfernt.</translation>
     </message>
     <message>
-        <source>Messages and EEPROM counts are not kept on disk: %1</source>
-        <translation>Meldungen und EEPROM-Zählung werden nicht auf der Platte gehalten: %1</translation>
+        <source>%1 cannot be used: %2 What belongs there is kept only until the program ends.</source>
+        <translation>%1 ist nicht verwendbar: %2 Was dorthin gehört, bleibt nur bis zum Programmende erhalten.</translation>
+    </message>
+    <message>
+        <source>%1 was damaged. It was put aside as %2, and a new one was begun.</source>
+        <translation>%1 war beschädigt. Die Datei wurde als %2 beiseitegelegt und eine neue begonnen.</translation>
     </message>
 </context>
 <context>
@@ -3427,14 +3446,6 @@ er ohne Warten läuft, kommt die Antwort sofort.</translation>
         <translation>die Teilnehmer des Busses auflisten</translation>
     </message>
     <message>
-        <source>Lists the participants of the bus in ring order, with their ID codes and words (16 bit each).
-The ID code tells the profile but not the make: that is named where the plan of the bus tells it.
-Sends nothing.</source>
-        <translation>Listet die Teilnehmer des Busses in der Folge des Rings auf, mit ID-Codes und Worten (je 16 Bit).
-Der ID-Code nennt das Profil, nicht den Hersteller: Der steht da, wo ihn der Busplan nennt.
-Sendet nichts.</translation>
-    </message>
-    <message>
         <source>how long a word stands that nothing acknowledges (3)</source>
         <translation>wie lange ein Wort steht, das nichts bestätigt (3)</translation>
     </message>
@@ -4129,6 +4140,266 @@ nicht alles bekommen hat.</translation>
         <source>Written: %1. Already there: %2. EEPROM writes: %3.</source>
         <translation>Geschrieben: %1. Schon vorhanden: %2. EEPROM-Schreibvorgänge: %3.</translation>
     </message>
+    <message>
+        <source>The bus differs from %1. Lines that differ: %2.</source>
+        <translation>Der Bus weicht von %1 ab. Abweichende Zeilen: %2.</translation>
+    </message>
+    <message>
+        <source>compare a project with the bus</source>
+        <translation>ein Projekt mit dem Bus vergleichen</translation>
+    </message>
+    <message>
+        <source>Lays the devices the project has configured beside those that are connected and tells line by line
+what is the same, differs, is missing, additional or moved; exit code 1 if anything differs. The
+make is not compared: the bus does not tell it.
+Sends nothing.</source>
+        <translation>Legt die im Projekt geplanten Teilnehmer neben die angeschlossenen und sagt Zeile für Zeile, was
+gleich, anders, zu wenig, zusätzlich oder versetzt ist; Exit-Code 1, wenn etwas abweicht. Der
+Hersteller wird nicht verglichen: Der Bus nennt ihn nicht.
+Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>of this file, in place of the user&apos;s own</source>
+        <translation>aus dieser Datei statt aus der des Benutzers</translation>
+    </message>
+    <message>
+        <source>serial number, read</source>
+        <translation>Seriennummer, gelesen</translation>
+    </message>
+    <message>
+        <source>serial number of the label</source>
+        <translation>Seriennummer vom Typenschild</translation>
+    </message>
+    <message>
+        <source>since</source>
+        <translation>seit</translation>
+    </message>
+    <message>
+        <source>last at</source>
+        <translation>zuletzt um</translation>
+    </message>
+    <message>
+        <source>writes</source>
+        <translation>Schreibvorgänge</translation>
+    </message>
+    <message>
+        <source>perhaps</source>
+        <translation>vielleicht</translation>
+    </message>
+    <message>
+        <source>counted by</source>
+        <translation>gezählt nach</translation>
+    </message>
+    <message>
+        <source>No EEPROM writes are counted in %1.</source>
+        <translation>In %1 sind keine EEPROM-Schreibvorgänge gezählt.</translation>
+    </message>
+    <message>
+        <source>list how often this program wrote to EEPROMs</source>
+        <translation>auflisten, wie oft dieses Programm in EEPROMs geschrieben hat</translation>
+    </message>
+    <message>
+        <source>Lists for each encoder how often this program, window or command line, has written to its EEPROM, and
+since when: by the serial number it told, else by the one typed from its label, else by its place in its
+project. &quot;perhaps&quot; are writes that were begun, and the program ended before it saw them carried out.
+Needs no bus.</source>
+        <translation>Listet für jeden Geber auf, wie oft dieses Programm, Fenster oder Kommandozeile, in sein EEPROM
+geschrieben hat und seit wann: nach der Seriennummer, die er gemeldet hat, sonst nach der vom
+Typenschild abgetippten, sonst nach seinem Platz im Projekt. &quot;vielleicht&quot; sind Schreibvorgänge, die
+begonnen wurden und deren Ausführung das Programm vor seinem Ende nicht mehr sah.
+Braucht keinen Bus.</translation>
+    </message>
+    <message>
+        <source>let so many milliseconds pass on the bus first</source>
+        <translation>zuerst so viele Millisekunden auf dem Bus vergehen lassen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no action of the master. There are: %2.</source>
+        <translation>&quot;%1&quot; ist keine Aktion des Masters. Es gibt: %2.</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>what the master says, and its services</source>
+        <translation>was der Master sagt, und seine Dienste</translation>
+    </message>
+    <message>
+        <source>Lets time pass, does what is asked for, and prints what the bus told meanwhile and how the master stands
+then. As each call has a new training bus, this makes most sense with a fault plan.</source>
+        <translation>Lässt Zeit vergehen, tut das Verlangte und gibt aus, was der Bus dabei gemeldet hat und wie der Master
+dann steht. Da jeder Aufruf einen neuen Übungsbus hat, ist das vor allem mit einem Fehlerplan sinnvoll.</translation>
+    </message>
+    <message>
+        <source>information, attention or fault: this or worse</source>
+        <translation>information, attention oder fault: dies oder schlimmer</translation>
+    </message>
+    <message>
+        <source>of this device; &quot;bus&quot; is the bus itself</source>
+        <translation>von diesem Teilnehmer; &quot;bus&quot; ist der Bus selbst</translation>
+    </message>
+    <message>
+        <source>from this time on: 2026-03-01 or 2026-03-01T14:02</source>
+        <translation>von dieser Zeit an: 2026-03-01 oder 2026-03-01T14:02</translation>
+    </message>
+    <message>
+        <source>before this time</source>
+        <translation>vor dieser Zeit</translation>
+    </message>
+    <message>
+        <source>with this text somewhere in the line</source>
+        <translation>mit diesem Text irgendwo in der Zeile</translation>
+    </message>
+    <message>
+        <source>the newest N (100); 0: all</source>
+        <translation>die neuesten N (100); 0: alle</translation>
+    </message>
+    <message>
+        <source>write them to FILE, .csv or .html, all that fit</source>
+        <translation>sie in FILE schreiben, .csv oder .html, alle, die passen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no time. Write it as 2026-03-01 or 2026-03-01T14:02.</source>
+        <translation>&quot;%1&quot; ist keine Zeit. Als 2026-03-01 oder 2026-03-01T14:02 schreiben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no place. Write it as 1.0, or bus.</source>
+        <translation>&quot;%1&quot; ist kein Platz. Als 1.0 oder bus schreiben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no severity. There are: information, attention, fault.</source>
+        <translation>&quot;%1&quot; ist keine Stufe. Es gibt: information, attention, fault.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no format. Let the name end in .csv or .html.</source>
+        <translation>&quot;%1&quot; nennt kein Format. Den Namen auf .csv oder .html enden lassen.</translation>
+    </message>
+    <message>
+        <source>Messages written to %1: %2.</source>
+        <translation>In %1 geschriebene Meldungen: %2.</translation>
+    </message>
+    <message>
+        <source>No messages are kept in %1.</source>
+        <translation>In %1 sind keine Meldungen.</translation>
+    </message>
+    <message>
+        <source>list or export the messages that are kept</source>
+        <translation>die aufbewahrten Meldungen auflisten oder exportieren</translation>
+    </message>
+    <message>
+        <source>Lists the messages that the window keeps on disk, oldest first: those that fit all that is given.
+Needs no bus.</source>
+        <translation>Listet die Meldungen auf, die das Fenster auf der Platte hält, die älteste zuerst: die, auf die alle
+Angaben passen. Braucht keinen Bus.</translation>
+    </message>
+    <message>
+        <source>do not ask where the budget of the EEPROM is used</source>
+        <translation>nicht fragen, wo das Budget des EEPROMs verbraucht ist</translation>
+    </message>
+    <message>
+        <source>save what was found as a project</source>
+        <translation>das Gefundene als Projekt speichern</translation>
+    </message>
+    <message>
+        <source>replace FILE if it is there</source>
+        <translation>FILE ersetzen, wenn es schon da ist</translation>
+    </message>
+    <message>
+        <source>%1 is there already. Nothing was saved. Name another file, or add --yes to replace it; the old one is kept as %2.</source>
+        <translation>%1 gibt es schon. Nichts wurde gespeichert. Eine andere Datei nennen oder mit --yes ersetzen; die alte bleibt als %2 erhalten.</translation>
+    </message>
+    <message>
+        <source>Lists the participants of the bus in ring order, with their ID codes and words (16 bit each), and tells how the master stands.
+The ID code tells the profile but not the make: that is named where the plan of the bus tells it.
+Sends nothing.
+
+--save makes a project of it. With --project as well, what that project knows of devices
+that are still there is taken along.</source>
+        <translation>Listet die Teilnehmer des Busses in Ringreihenfolge auf, mit ID-Codes und Worten (je 16 Bit), und sagt,
+wie der Master steht. Der ID-Code nennt das Profil, aber nicht den Hersteller: Den nennt das Programm,
+wo der Plan des Busses ihn kennt.
+Sendet nichts.
+
+--save macht ein Projekt daraus. Mit --project dazu wird mitgenommen, was jenes Projekt von den noch
+vorhandenen Teilnehmern weiß.</translation>
+    </message>
+    <message>
+        <source>name encoders as this project does; PLACE may be the name of a station</source>
+        <translation>Geber so benennen wie dieses Projekt; PLACE darf auch der Name einer Station sein</translation>
+    </message>
+    <message>
+        <source>faults that befall the training bus, with their times and places</source>
+        <translation>Fehler, die den Übungsbus treffen, mit Zeit und Ort</translation>
+    </message>
+    <message>
+        <source>Type %1 to write nevertheless:</source>
+        <translation>%1 eintippen, um trotzdem zu schreiben:</translation>
+    </message>
+    <message>
+        <source>Write to the EEPROM nevertheless?</source>
+        <translation>Trotzdem in das EEPROM schreiben?</translation>
+    </message>
+    <message>
+        <source>write even where the manual guarantees nothing any more: the place (or places, as 1.0,2.0) once more</source>
+        <translation>auch schreiben, wo das Handbuch nichts mehr zusichert: den Platz (oder die Plätze, als 1.0,2.0) noch einmal nennen</translation>
+    </message>
+    <message>
+        <source>count EEPROM writes in this file; those of the training bus are else forgotten</source>
+        <translation>EEPROM-Schreibvorgänge in dieser Datei zählen; die des Übungsbusses werden sonst vergessen</translation>
+    </message>
+    <message>
+        <source>Segment %1:      switched off</source>
+        <translation>Segment %1:      abgeschaltet</translation>
+    </message>
+    <message>
+        <source>Segment %1:      CRC errors: %2</source>
+        <translation>Segment %1:      CRC-Fehler: %2</translation>
+    </message>
+    <message>
+        <source>Master:         not reached by this link</source>
+        <translation>Master:         über diese Verbindung nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>Master:         %1</source>
+        <translation>Master:         %1</translation>
+    </message>
+    <message>
+        <source>Status:         %1 (%2)</source>
+        <translation>Status:         %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Fault:          %1</source>
+        <translation>Fehler:         %1</translation>
+    </message>
+    <message>
+        <source>Configuration:  %1</source>
+        <translation>Konfiguration:  %1</translation>
+    </message>
+    <message>
+        <source>%1 is not taken for &quot;%2&quot; of the project: there is no such description, or it is of another device code.</source>
+        <translation>%1 wird nicht für &quot;%2&quot; des Projekts gehalten: Es gibt keine solche Beschreibung, oder sie hat einen anderen Gerätecode.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither a device number nor a station of the project.</source>
+        <translation>&quot;%1&quot; ist weder eine Teilnehmernummer noch eine Station des Projekts.</translation>
+    </message>
+    <message>
+        <source>The project has several devices at the station &quot;%1&quot;: %2. Give the device number.</source>
+        <translation>Das Projekt hat mehrere Teilnehmer an der Station &quot;%1&quot;: %2. Die Teilnehmernummer angeben.</translation>
+    </message>
+    <message>
+        <source>The bus differs from the project, so &quot;%1&quot; may stand elsewhere. See codewheel-cli compare, or give the device number.</source>
+        <translation>Der Bus weicht vom Projekt ab, also kann &quot;%1&quot; woanders stehen. Siehe codewheel-cli compare, oder die Teilnehmernummer angeben.</translation>
+    </message>
+    <message>
+        <source>The bus differs from the project. See codewheel-cli compare.</source>
+        <translation>Der Bus weicht vom Projekt ab. Siehe codewheel-cli compare.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Comparison</name>
@@ -4765,6 +5036,92 @@ nicht alles bekommen hat.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::Eeprom</name>
+    <message>
+        <source>counted by the serial number %1 the encoder told</source>
+        <translation>gezählt nach der Seriennummer %1, die der Geber gemeldet hat</translation>
+    </message>
+    <message>
+        <source>counted by the serial number %1 on its label</source>
+        <translation>gezählt nach der Seriennummer %1 auf dem Typenschild</translation>
+    </message>
+    <message>
+        <source>counted by its place, since the serial number is not known</source>
+        <translation>gezählt nach dem Platz, da die Seriennummer nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>counted since the connection was made</source>
+        <translation>gezählt, seit die Verbindung besteht</translation>
+    </message>
+    <message>
+        <source>EEPROM writes by this program since %1: %2</source>
+        <translation>EEPROM-Schreibvorgänge durch dieses Programm seit %1: %2</translation>
+    </message>
+    <message>
+        <source>EEPROM writes by this program so far: %1</source>
+        <translation>EEPROM-Schreibvorgänge durch dieses Programm bisher: %1</translation>
+    </message>
+    <message>
+        <source>(and perhaps %1 more, which it began before it was ended)</source>
+        <translation>(und vielleicht %1 weitere, die es vor seinem Ende begonnen hat)</translation>
+    </message>
+    <message>
+        <source>%1 writes from here since %2</source>
+        <translation>%1-mal von hier geschrieben seit %2</translation>
+    </message>
+    <message>
+        <source>%1 writes from here</source>
+        <translation>%1-mal von hier geschrieben</translation>
+    </message>
+    <message>
+        <source>This program has written %1 times to the EEPROM; the manual speaks of about %2. Write only what has to be.</source>
+        <translation>Dieses Programm hat %1-mal in das EEPROM geschrieben; das Handbuch spricht von etwa %2. Nur schreiben, was sein muss.</translation>
+    </message>
+    <message>
+        <source>With %1 writes by this program and %2 more, the about %3 of which the manual speaks are used up. The encoder may lose its values.</source>
+        <translation>Mit %1 Schreibvorgängen durch dieses Programm und %2 weiteren sind die etwa %3 verbraucht, von denen das Handbuch spricht. Der Geber kann seine Werte verlieren.</translation>
+    </message>
+    <message>
+        <source>With %1 writes by this program and %2 more, the EEPROM is beyond the %3 that the manual guarantees at most. The encoder may lose its values at any time: replace it soon.</source>
+        <translation>Mit %1 Schreibvorgängen durch dieses Programm und %2 weiteren ist das EEPROM über die %3 hinaus, die das Handbuch höchstens zusichert. Der Geber kann seine Werte jederzeit verlieren: bald ersetzen.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EepromGate</name>
+    <message>
+        <source>Write &amp;nevertheless</source>
+        <translation>&amp;Trotzdem schreiben</translation>
+    </message>
+    <message>
+        <source>The EEPROM was written as often as the manual speaks of</source>
+        <translation>Das EEPROM wurde so oft beschrieben, wie das Handbuch angibt</translation>
+    </message>
+    <message>
+        <source>Place, to write nevertheless</source>
+        <translation>Platz, um trotzdem zu schreiben</translation>
+    </message>
+    <message>
+        <source>The place of the encoder, so that nothing is written beyond the limit by accident</source>
+        <translation>Der Platz des Gebers, damit über die Grenze hinaus nichts aus Versehen geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Type %1 to write nevertheless</source>
+        <translation>%1 eintippen, um trotzdem zu schreiben</translation>
+    </message>
+    <message>
+        <source>Write to the EEPROM of %1?</source>
+        <translation>In das EEPROM von %1 schreiben?</translation>
+    </message>
+    <message>
+        <source>&amp;Write</source>
+        <translation>&amp;Schreiben</translation>
+    </message>
+    <message>
+        <source>Starts what was asked for</source>
+        <translation>Beginnt, was verlangt wurde</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::EncoderFunctions</name>
     <message>
         <source>P&amp;osition mode</source>
@@ -4925,6 +5282,158 @@ nicht alles bekommen hat.</translation>
     <message>
         <source>Say so where you have made sure of it: in cam mode, the word that sets the position sets a cam. Nothing is sent.</source>
         <translation>Nur angeben, wenn es sicher ist: Im Nockenbetrieb setzt das Wort, das die Position setzt, einen Nocken. Es wird nichts gesendet.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::FaultPlan</name>
+    <message>
+        <source>Wire break before it</source>
+        <translation>Drahtbruch davor</translation>
+    </message>
+    <message>
+        <source>CRC errors in the segment</source>
+        <translation>CRC-Fehler im Segment</translation>
+    </message>
+    <message>
+        <source>Device without supply</source>
+        <translation>Teilnehmer ohne Versorgung</translation>
+    </message>
+    <message>
+        <source>Wrong device in place</source>
+        <translation>Falsches Gerät am Platz</translation>
+    </message>
+    <message>
+        <source>Peripheral fault</source>
+        <translation>Peripheriefehler</translation>
+    </message>
+    <message>
+        <source>Encoder switched off</source>
+        <translation>Geber ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Slow confirmation</source>
+        <translation>Langsame Bestätigung</translation>
+    </message>
+    <message>
+        <source>EEPROM worn out</source>
+        <translation>EEPROM verschlissen</translation>
+    </message>
+    <message>
+        <source>Parameters lost</source>
+        <translation>Parameter verloren</translation>
+    </message>
+    <message>
+        <source>Battery low</source>
+        <translation>Batterie schwach</translation>
+    </message>
+    <message>
+        <source>Code disc faulty</source>
+        <translation>Codescheibe defekt</translation>
+    </message>
+    <message>
+        <source>Cam out of range</source>
+        <translation>Nocken außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>Magnet lost</source>
+        <translation>Magnet verloren</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 of 1000 cycles</source>
+        <translation>%1: %2, %3 von 1000 Zyklen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 is over</source>
+        <translation>%1: %2 ist vorbei</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::FaultPlanBar</name>
+    <message>
+        <source>Fault plan...</source>
+        <translation>Fehlerplan...</translation>
+    </message>
+    <message>
+        <source>Loads a file of faults with their times and places</source>
+        <translation>Lädt eine Datei mit Fehlern, ihren Zeiten und Orten</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ausführen</translation>
+    </message>
+    <message>
+        <source>Carries out the fault plan from its beginning</source>
+        <translation>Führt den Fehlerplan von Anfang an aus</translation>
+    </message>
+    <message>
+        <source>Halt</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Ends the fault plan; what it has caused stays</source>
+        <translation>Beendet den Fehlerplan; was er bewirkt hat, bleibt</translation>
+    </message>
+    <message>
+        <source>Fault plan</source>
+        <translation>Fehlerplan</translation>
+    </message>
+    <message>
+        <source>Fault plans (*.json)</source>
+        <translation>Fehlerpläne (*.json)</translation>
+    </message>
+    <message>
+        <source>In %1 s: %2</source>
+        <translation>In %1 s: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n steps</source>
+        <translation>
+            <numerusform>%1: %n Schritt</numerusform>
+            <numerusform>%1: %n Schritte</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::FaultPlanReader</name>
+    <message>
+        <source>This is no fault plan: the format is not &quot;%1&quot;.</source>
+        <translation>Das ist kein Fehlerplan: Das Format ist nicht &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>Only version %1 of the format can be read.</source>
+        <translation>Nur Version %1 des Formats lässt sich lesen.</translation>
+    </message>
+    <message>
+        <source>At least one step is expected here.</source>
+        <translation>Hier wird mindestens ein Schritt erwartet.</translation>
+    </message>
+    <message>
+        <source>The step above comes later: the steps stand in the order of their times.</source>
+        <translation>Der Schritt darüber kommt später: Die Schritte stehen in der Reihenfolge ihrer Zeiten.</translation>
+    </message>
+    <message>
+        <source>The device at %1 cannot have this fault.</source>
+        <translation>Der Teilnehmer %1 kann diesen Fehler nicht haben.</translation>
+    </message>
+    <message>
+        <source>There is no device at &quot;%1&quot;.</source>
+        <translation>Es gibt keinen Teilnehmer &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>CRC errors have &quot;perThousand&quot; in place of it.</source>
+        <translation>CRC-Fehler haben stattdessen &quot;perThousand&quot;.</translation>
+    </message>
+    <message>
+        <source>Only CRC errors have a rate.</source>
+        <translation>Nur CRC-Fehler haben eine Rate.</translation>
+    </message>
+    <message>
+        <source>Lost parameters come back by parameterizing the encoder only.</source>
+        <translation>Verlorene Parameter kommen nur durch Parametrieren des Gebers zurück.</translation>
     </message>
 </context>
 <context>
@@ -5342,6 +5851,49 @@ nicht alles bekommen hat.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::Journal</name>
+    <message>
+        <source>it is damaged, or no database at all.</source>
+        <translation>sie ist beschädigt oder gar keine Datenbank.</translation>
+    </message>
+    <message>
+        <source>the disk is full.</source>
+        <translation>die Platte ist voll.</translation>
+    </message>
+    <message>
+        <source>it is not writable.</source>
+        <translation>sie ist nicht beschreibbar.</translation>
+    </message>
+    <message>
+        <source>it holds more than fits into the memory.</source>
+        <translation>sie enthält mehr, als in den Speicher passt.</translation>
+    </message>
+    <message>
+        <source>its folder cannot be made.</source>
+        <translation>ihr Ordner lässt sich nicht anlegen.</translation>
+    </message>
+    <message>
+        <source>Qt&apos;s driver for SQLite is missing on this computer.</source>
+        <translation>Qts Treiber für SQLite fehlt auf diesem Rechner.</translation>
+    </message>
+    <message>
+        <source>it is the database of another program.</source>
+        <translation>sie ist die Datenbank eines anderen Programms.</translation>
+    </message>
+    <message>
+        <source>it was made by a newer Codewheel (version %1 of the file; this one reads up to %2).</source>
+        <translation>sie stammt von einem neueren Codewheel (Dateiversion %1; dieses liest bis %2).</translation>
+    </message>
+    <message>
+        <source>Message &quot;%1&quot; of another version of Codewheel.</source>
+        <translation>Meldung &quot;%1&quot; einer anderen Version von Codewheel.</translation>
+    </message>
+    <message>
+        <source>Message &quot;%1&quot; of another version of Codewheel: %2</source>
+        <translation>Meldung &quot;%1&quot; einer anderen Version von Codewheel: %2</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::JsonObject</name>
     <message>
         <source>An object { } is expected here.</source>
@@ -5557,6 +6109,29 @@ nicht alles bekommen hat.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::LedRow</name>
+    <message>
+        <source>UL, supply: the device has its voltage</source>
+        <translation>UL, Versorgung: Der Teilnehmer hat Spannung</translation>
+    </message>
+    <message>
+        <source>RC, remote bus check: the incoming bus is in order</source>
+        <translation>RC, Remote Bus Check: Der ankommende Bus ist in Ordnung</translation>
+    </message>
+    <message>
+        <source>BA, bus active: on while data cycles run, blinking while they do not</source>
+        <translation>BA, Bus Active: an, während Datenzyklen laufen, sonst blinkend</translation>
+    </message>
+    <message>
+        <source>RBDA, remote bus disabled: the outgoing bus is switched off</source>
+        <translation>RBDA, Remote Bus Disabled: Der abgehende Bus ist abgeschaltet</translation>
+    </message>
+    <message>
+        <source>LEDs: %1</source>
+        <translation>LEDs: %1</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::MainWindow</name>
     <message>
         <source>Bus structure</source>
@@ -5614,6 +6189,235 @@ nicht alles bekommen hat.</translation>
         <source>Device</source>
         <translation>Gerät</translation>
     </message>
+    <message>
+        <source>Master</source>
+        <translation>Master</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::MasterPanel</name>
+    <message>
+        <source>Master</source>
+        <translation>Master</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n devices found</source>
+        <translation>
+            <numerusform>%n Teilnehmer gefunden</numerusform>
+            <numerusform>%n Teilnehmer gefunden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>What is wrong, and where</source>
+        <translation>Was nicht stimmt, und wo</translation>
+    </message>
+    <message>
+        <source>Error code</source>
+        <translation>Fehlercode</translation>
+    </message>
+    <message>
+        <source>As the firmware&apos;s manual lists it</source>
+        <translation>Wie ihn das Handbuch der Firmware aufführt</translation>
+    </message>
+    <message>
+        <source>Diagnostic parameter</source>
+        <translation>Diagnoseparameter</translation>
+    </message>
+    <message>
+        <source>Segment and position of the fault; 0080h: not located</source>
+        <translation>Segment und Position des Fehlers; 0080h: nicht geortet</translation>
+    </message>
+    <message>
+        <source>Keeps</source>
+        <translation>Behält</translation>
+    </message>
+    <message>
+        <source>The configuration the master keeps, by its file</source>
+        <translation>Die Konfiguration, die der Master behält, nach ihrer Datei</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Activates the configuration, and starts data transfer</source>
+        <translation>Aktiviert die Konfiguration und startet die Datenübertragung</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Stops data transfer</source>
+        <translation>Hält die Datenübertragung an</translation>
+    </message>
+    <message>
+        <source>Read in the ring</source>
+        <translation>Ring einlesen</translation>
+    </message>
+    <message>
+        <source>Stops the ring, finds its devices one by one, and starts it again</source>
+        <translation>Hält den Ring an, findet seine Teilnehmer einen nach dem anderen und startet ihn wieder</translation>
+    </message>
+    <message>
+        <source>Confirm diagnostics</source>
+        <translation>Diagnose quittieren</translation>
+    </message>
+    <message>
+        <source>Confirms peripheral faults; one whose cause is still there comes back</source>
+        <translation>Quittiert Peripheriefehler; einer, dessen Ursache noch da ist, kommt wieder</translation>
+    </message>
+    <message>
+        <source>Reading in the ring</source>
+        <translation>Ring wird eingelesen</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segmente</translation>
+    </message>
+    <message>
+        <source>A segment is a remote-bus device and the cable before it</source>
+        <translation>Ein Segment ist ein Fernbusteilnehmer und das Kabel davor</translation>
+    </message>
+    <message>
+        <source>Master %1</source>
+        <translation>Master %1</translation>
+    </message>
+    <message>
+        <source>This link does not reach the master.</source>
+        <translation>Diese Verbindung erreicht den Master nicht.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>%1: not located</source>
+        <translation>%1: nicht geortet</translation>
+    </message>
+    <message>
+        <source>no configuration</source>
+        <translation>keine Konfiguration</translation>
+    </message>
+    <message>
+        <source>Switch segment %1 on</source>
+        <translation>Segment %1 zuschalten</translation>
+    </message>
+    <message>
+        <source>Switch segment %1 off</source>
+        <translation>Segment %1 abschalten</translation>
+    </message>
+    <message>
+        <source>Its devices, and those behind them, take part in the data cycles again</source>
+        <translation>Seine Teilnehmer und die dahinter nehmen wieder an den Datenzyklen teil</translation>
+    </message>
+    <message>
+        <source>Its devices, and those behind them, take no part in the data cycles; their outputs go to 0</source>
+        <translation>Seine Teilnehmer und die dahinter nehmen nicht mehr an den Datenzyklen teil; ihre Ausgänge gehen auf 0</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::MessageFilterBar</name>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search in messages</source>
+        <translation>In Meldungen suchen</translation>
+    </message>
+    <message>
+        <source>Show only messages with this text (Ctrl+F)</source>
+        <translation>Nur Meldungen mit diesem Text zeigen (Strg+F)</translation>
+    </message>
+    <message>
+        <source>All messages</source>
+        <translation>Alle Meldungen</translation>
+    </message>
+    <message>
+        <source>Attention and faults</source>
+        <translation>Achtung und Störungen</translation>
+    </message>
+    <message>
+        <source>Faults only</source>
+        <translation>Nur Störungen</translation>
+    </message>
+    <message>
+        <source>Severity of messages</source>
+        <translation>Stufe der Meldungen</translation>
+    </message>
+    <message>
+        <source>Show only messages of this severity or worse</source>
+        <translation>Nur Meldungen dieser oder einer schlimmeren Stufe zeigen</translation>
+    </message>
+    <message>
+        <source>All places</source>
+        <translation>Alle Plätze</translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation>Bus</translation>
+    </message>
+    <message>
+        <source>Place of messages</source>
+        <translation>Platz der Meldungen</translation>
+    </message>
+    <message>
+        <source>Show only messages of this device, or of the bus itself</source>
+        <translation>Nur Meldungen dieses Teilnehmers oder des Busses selbst zeigen</translation>
+    </message>
+    <message>
+        <source>All times</source>
+        <translation>Alle Zeiten</translation>
+    </message>
+    <message>
+        <source>Since the start</source>
+        <translation>Seit dem Start</translation>
+    </message>
+    <message>
+        <source>Last hour</source>
+        <translation>Letzte Stunde</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Heute</translation>
+    </message>
+    <message>
+        <source>Last 7 days</source>
+        <translation>Letzte 7 Tage</translation>
+    </message>
+    <message>
+        <source>From ... to ...</source>
+        <translation>Von ... bis ...</translation>
+    </message>
+    <message>
+        <source>Time of messages</source>
+        <translation>Zeit der Meldungen</translation>
+    </message>
+    <message>
+        <source>Show only messages of this time; the start is that of the program</source>
+        <translation>Nur Meldungen dieser Zeit zeigen; der Start ist der des Programms</translation>
+    </message>
+    <message>
+        <source>&amp;From</source>
+        <translation>&amp;Von</translation>
+    </message>
+    <message>
+        <source>Show messages from this date and time on</source>
+        <translation>Meldungen von diesem Zeitpunkt an zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;to</source>
+        <translation>&amp;bis</translation>
+    </message>
+    <message>
+        <source>Show messages before this date and time</source>
+        <translation>Meldungen vor diesem Zeitpunkt zeigen</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::MessageModel</name>
@@ -5651,58 +6455,37 @@ nicht alles bekommen hat.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::MessageWriter</name>
+    <message>
+        <source>Messages of Codewheel</source>
+        <translation>Meldungen von Codewheel</translation>
+    </message>
+    <message>
+        <source>Written on %1.</source>
+        <translation>Geschrieben am %1.</translation>
+    </message>
+    <message>
+        <source>Date and time</source>
+        <translation>Datum und Uhrzeit</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::MessagesView</name>
     <message>
         <source>Messages</source>
         <translation>Meldungen</translation>
-    </message>
-    <message>
-        <source>Search</source>
-        <translation>Suchen</translation>
-    </message>
-    <message>
-        <source>Search in messages</source>
-        <translation>In Meldungen suchen</translation>
-    </message>
-    <message>
-        <source>Show only messages with this text (Ctrl+F)</source>
-        <translation>Nur Meldungen mit diesem Text zeigen (Strg+F)</translation>
-    </message>
-    <message>
-        <source>All messages</source>
-        <translation>Alle Meldungen</translation>
-    </message>
-    <message>
-        <source>Attention and faults</source>
-        <translation>Achtung und Störungen</translation>
-    </message>
-    <message>
-        <source>Faults only</source>
-        <translation>Nur Störungen</translation>
-    </message>
-    <message>
-        <source>Severity of messages</source>
-        <translation>Stufe der Meldungen</translation>
-    </message>
-    <message>
-        <source>Show only messages of this severity or worse</source>
-        <translation>Nur Meldungen dieser Stufe oder höher zeigen</translation>
-    </message>
-    <message>
-        <source>All places</source>
-        <translation>Alle Orte</translation>
-    </message>
-    <message>
-        <source>Bus</source>
-        <translation>Bus</translation>
-    </message>
-    <message>
-        <source>Place of messages</source>
-        <translation>Ort der Meldungen</translation>
-    </message>
-    <message>
-        <source>Show only messages of this device, or of the bus itself</source>
-        <translation>Nur Meldungen dieses Geräts oder des Busses selbst zeigen</translation>
     </message>
     <message>
         <source>Follow</source>
@@ -5725,16 +6508,8 @@ nicht alles bekommen hat.</translation>
         <translation>Exportieren…</translation>
     </message>
     <message>
-        <source>Write the messages shown to a file (CSV)</source>
-        <translation>Die gezeigten Meldungen in eine Datei schreiben (CSV)</translation>
-    </message>
-    <message>
         <source>Clear</source>
         <translation>Leeren</translation>
-    </message>
-    <message>
-        <source>Remove all messages from this list</source>
-        <translation>Alle Meldungen aus dieser Liste entfernen</translation>
     </message>
     <message>
         <source>List of messages</source>
@@ -5761,10 +6536,6 @@ nicht alles bekommen hat.</translation>
         <translation>Alle zeigen</translation>
     </message>
     <message>
-        <source>The list of messages was cleared.</source>
-        <translation>Die Liste der Meldungen wurde geleert.</translation>
-    </message>
-    <message>
         <source>Bring back</source>
         <translation>Zurückholen</translation>
     </message>
@@ -5788,6 +6559,61 @@ nicht alles bekommen hat.</translation>
     <message>
         <source>%1 could not be written: %2. Choose another folder or name.</source>
         <translation>%1 war nicht schreibbar: %2. Einen anderen Ordner oder Namen wählen.</translation>
+    </message>
+    <message>
+        <source>State of the search</source>
+        <translation>Stand der Suche</translation>
+    </message>
+    <message>
+        <source>Write the messages shown to a file (CSV or HTML)</source>
+        <translation>Die gezeigten Meldungen in eine Datei schreiben (CSV oder HTML)</translation>
+    </message>
+    <message>
+        <source>Hide all messages up to now; they are kept on disk</source>
+        <translation>Alle Meldungen bis jetzt ausblenden; auf der Platte bleiben sie</translation>
+    </message>
+    <message>
+        <source>Bring back what was cleared</source>
+        <translation>Ausgeblendetes zurückholen</translation>
+    </message>
+    <message>
+        <source>Show the messages again that were hidden by Clear</source>
+        <translation>Die ausgeblendeten Meldungen wieder zeigen</translation>
+    </message>
+    <message>
+        <source>No message found so far</source>
+        <translation>Bisher keine Meldung gefunden</translation>
+    </message>
+    <message>
+        <source>The search goes on.</source>
+        <translation>Die Suche läuft weiter.</translation>
+    </message>
+    <message>
+        <source>searching: %1 %</source>
+        <translation>Suche: %1 %</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n gefunden</numerusform>
+            <numerusform>%n gefunden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The messages up to now are hidden. They are kept on disk.</source>
+        <translation>Die Meldungen bis jetzt sind ausgeblendet. Auf der Platte bleiben sie.</translation>
+    </message>
+    <message>
+        <source>Page (*.html)</source>
+        <translation>Seite (*.html)</translation>
+    </message>
+    <message>
+        <source>Writing %1: %2 %</source>
+        <translation>%1 wird geschrieben: %2 %</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -6408,6 +7234,14 @@ ID-Code %3, Gerätecode %4
     <message>
         <source>OUT address of %1</source>
         <translation>OUT-Adresse von %1</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Note on %1</source>
+        <translation>Notiz zu %1</translation>
     </message>
 </context>
 <context>
@@ -7194,6 +8028,41 @@ ID-Code %3, Gerätecode %4
     </message>
 </context>
 <context>
+    <name>codewheel::RingFaults</name>
+    <message>
+        <source>The cable before the device: the bus fails, and the master finds the place</source>
+        <translation>Das Kabel vor dem Teilnehmer: Der Bus fällt aus, und der Master findet den Ort</translation>
+    </message>
+    <message>
+        <source>The whole device: the ring is interrupted at it</source>
+        <translation>Der ganze Teilnehmer: Der Ring ist dort unterbrochen</translation>
+    </message>
+    <message>
+        <source>A K2 stands there in place of what is configured: the bus fails</source>
+        <translation>Dort steht ein K2 statt des projektierten Geräts: Der Bus fällt aus</translation>
+    </message>
+    <message>
+        <source>The device reports it. The bus goes on; the fault stays until it is confirmed.</source>
+        <translation>Der Teilnehmer meldet ihn. Der Bus läuft weiter; der Fehler bleibt, bis er quittiert wird.</translation>
+    </message>
+    <message>
+        <source>IN 98000004, by itself</source>
+        <translation>IN 98000004, von selbst</translation>
+    </message>
+    <message>
+        <source>CRC errors per 1000</source>
+        <translation>CRC-Fehler je 1000</translation>
+    </message>
+    <message>
+        <source>CRC errors of 1000 data cycles</source>
+        <translation>CRC-Fehler von 1000 Datenzyklen</translation>
+    </message>
+    <message>
+        <source>Faulty data cycles of 1000 in the segment of the device</source>
+        <translation>Fehlerhafte Datenzyklen von 1000 im Segment des Teilnehmers</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::RodConsequences</name>
     <message>
         <source>The resolution can be told once the measuring length is known or wanted.</source>
@@ -7463,6 +8332,44 @@ ID-Code %3, Gerätecode %4
     <message>
         <source>Turn the shaft in thought, clockwise; negative: counter-clockwise.</source>
         <translation>Die Welle in Gedanken drehen, im Uhrzeigersinn; negativ: gegen ihn.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::SegmentModel</name>
+    <message numerus="yes">
+        <source>%n errors in the last five minutes</source>
+        <translation>
+            <numerusform>%n Fehler in den letzten fünf Minuten</numerusform>
+            <numerusform>%n Fehler in den letzten fünf Minuten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>CRC errors</source>
+        <translation>CRC-Fehler</translation>
+    </message>
+    <message>
+        <source>Last 5 minutes</source>
+        <translation>Letzte 5 Minuten</translation>
+    </message>
+    <message>
+        <source>Last error</source>
+        <translation>Letzter Fehler</translation>
+    </message>
+    <message>
+        <source>switched off</source>
+        <translation>abgeschaltet</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>an</translation>
     </message>
 </context>
 <context>
@@ -7788,6 +8695,29 @@ ID-Code %3, Gerätecode %4
     </message>
 </context>
 <context>
+    <name>codewheel::StatusBits</name>
+    <message>
+        <source>Diagnostic status register</source>
+        <translation>Diagnosestatusregister</translation>
+    </message>
+    <message>
+        <source>The diagnostic status register; healthy in RUN: 00E0h</source>
+        <translation>Das Diagnosestatusregister; in RUN fehlerfrei: 00E0h</translation>
+    </message>
+    <message>
+        <source>Bit %1, %2: %3</source>
+        <translation>Bit %1, %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 is set</source>
+        <translation>%1 ist gesetzt</translation>
+    </message>
+    <message>
+        <source>%1 is not set</source>
+        <translation>%1 ist nicht gesetzt</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::StatusLine</name>
     <message>
         <source>Cycle time</source>
@@ -7834,22 +8764,6 @@ ID-Code %3, Gerätecode %4
         <translation>Beobachten</translation>
     </message>
     <message>
-        <source>RUN</source>
-        <translation>RUN</translation>
-    </message>
-    <message>
-        <source>BUS FAIL</source>
-        <translation>BUS FAIL</translation>
-    </message>
-    <message>
-        <source>READY</source>
-        <translation>READY</translation>
-    </message>
-    <message>
-        <source>ACTIVE</source>
-        <translation>ACTIVE</translation>
-    </message>
-    <message>
         <source>Operate</source>
         <translation>Bedienen</translation>
     </message>
@@ -7858,13 +8772,6 @@ ID-Code %3, Gerätecode %4
         <translation>
             <numerusform>%n verspäteter Zyklus</numerusform>
             <numerusform>%n verspätete Zyklen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 %2: %n writes from here</source>
-        <translation>
-            <numerusform>%1 %2: %n Schreibvorgang von hier</numerusform>
-            <numerusform>%1 %2: %n Schreibvorgänge von hier</numerusform>
         </translation>
     </message>
     <message>
@@ -7882,6 +8789,26 @@ ID-Code %3, Gerätecode %4
     <message>
         <source>Watch: nothing is sent. Operate: writing is allowed.</source>
         <translation>Beobachten: Nichts wird gesendet. Bedienen: Schreiben ist erlaubt.</translation>
+    </message>
+    <message>
+        <source>CRC errors</source>
+        <translation>CRC-Fehler</translation>
+    </message>
+    <message>
+        <source>Faulty data cycles since the ring was started</source>
+        <translation>Fehlerhafte Datenzyklen, seit der Ring gestartet wurde</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n CRC errors</source>
+        <translation>
+            <numerusform>%n CRC-Fehler</numerusform>
+            <numerusform>%n CRC-Fehler</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 %2: %3</source>
+        <comment>place, make: writes</comment>
+        <translation>%1 %2: %3</translation>
     </message>
 </context>
 <context>
@@ -7976,10 +8903,6 @@ ID-Code %3, Gerätecode %4
     <message>
         <source>Addresses</source>
         <translation>Adressen</translation>
-    </message>
-    <message>
-        <source>Nothing found</source>
-        <translation>Nichts gefunden</translation>
     </message>
     <message numerus="yes">
         <source>%n devices with findings</source>
@@ -8110,10 +9033,6 @@ ID-Code %3, Gerätecode %4
         <translation>Geplanter Busaufbau</translation>
     </message>
     <message>
-        <source>Drag devices to move them. F2 or a double click edits station, group and addresses.</source>
-        <translation>Teilnehmer ziehen, um sie zu verschieben. F2 oder Doppelklick ändert Station, Gruppe und Adressen.</translation>
-    </message>
-    <message>
         <source>Goes to the next device with a finding (F3)</source>
         <translation>Geht zum nächsten Teilnehmer mit einem Befund (F3)</translation>
     </message>
@@ -8125,25 +9044,17 @@ ID-Code %3, Gerätecode %4
         <source>&amp;from byte</source>
         <translation>a&amp;b Byte</translation>
     </message>
+    <message>
+        <source>No findings</source>
+        <translation>Keine Befunde</translation>
+    </message>
+    <message>
+        <source>Drag devices to move them. F2 or a double click edits station, group, note and addresses.</source>
+        <translation>Teilnehmer ziehen, um sie zu verschieben. F2 oder Doppelklick ändert Station, Gruppe, Notiz und Adressen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::StructureModel</name>
-    <message>
-        <source>READY</source>
-        <translation>READY</translation>
-    </message>
-    <message>
-        <source>ACTIVE</source>
-        <translation>ACTIVE</translation>
-    </message>
-    <message>
-        <source>RUN</source>
-        <translation>RUN</translation>
-    </message>
-    <message>
-        <source>BUS FAIL</source>
-        <translation>BUS FAIL</translation>
-    </message>
     <message>
         <source>not seen yet</source>
         <translation>noch nicht gesehen</translation>
@@ -8242,6 +9153,14 @@ Zustand: %7</translation>
         <source>%1: %2</source>
         <comment>station, device</comment>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>not in the ring</source>
+        <translation>nicht im Ring</translation>
+    </message>
+    <message>
+        <source>LEDs: %1</source>
+        <translation>LEDs: %1</translation>
     </message>
 </context>
 <context>
@@ -8415,14 +9334,6 @@ Zustand: %7</translation>
         <translation>Übung</translation>
     </message>
     <message>
-        <source>Encoder to train with</source>
-        <translation>Geber zum Üben</translation>
-    </message>
-    <message>
-        <source>Encoder</source>
-        <translation>Geber</translation>
-    </message>
-    <message>
         <source>Power on</source>
         <translation>Eingeschaltet</translation>
     </message>
@@ -8495,10 +9406,6 @@ Zustand: %7</translation>
         <translation>Ausgeschaltet.</translation>
     </message>
     <message>
-        <source>The simulated encoder that is moved, switched and disturbed here</source>
-        <translation>Der simulierte Geber, der hier bewegt, geschaltet und gestört wird</translation>
-    </message>
-    <message>
         <source>EEPROM worn out</source>
         <translation>EEPROM verbraucht</translation>
     </message>
@@ -8529,6 +9436,18 @@ Zustand: %7</translation>
     <message>
         <source>Code disc in order; run ends the error.</source>
         <translation>Codescheibe in Ordnung; Run beendet den Fehler.</translation>
+    </message>
+    <message>
+        <source>Device to train with</source>
+        <translation>Teilnehmer zum Üben</translation>
+    </message>
+    <message>
+        <source>The simulated device that is moved, switched and disturbed here</source>
+        <translation>Der simulierte Teilnehmer, der hier bewegt, geschaltet und gestört wird</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
     </message>
 </context>
 <context>
@@ -9232,6 +10151,22 @@ Zustand: %7</translation>
     <message>
         <source>The master finds the devices of the ring anew; data cycles stop meanwhile</source>
         <translation>Der Master sucht die Teilnehmer des Rings neu; die Datenzyklen stehen so lange</translation>
+    </message>
+    <message>
+        <source>&amp;Confirm diagnostics</source>
+        <translation>Diagnose &amp;quittieren</translation>
+    </message>
+    <message>
+        <source>Confirms peripheral faults; one whose cause is still there comes back</source>
+        <translation>Quittiert Peripheriefehler; einer, dessen Ursache noch da ist, kommt wieder</translation>
+    </message>
+    <message>
+        <source>Switch se&amp;gment off or on</source>
+        <translation>Se&amp;gment ab- oder zuschalten</translation>
+    </message>
+    <message>
+        <source>Takes the segment of the chosen device, and what is behind it, out of the data cycles, or puts it back</source>
+        <translation>Nimmt das Segment des gewählten Teilnehmers und was dahinter liegt aus den Datenzyklen oder fügt es wieder ein</translation>
     </message>
 </context>
 <context>

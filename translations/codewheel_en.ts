@@ -43,6 +43,36 @@
     </message>
 </context>
 <context>
+    <name>codewheel::FaultPlanBar</name>
+    <message numerus="yes">
+        <source>%1: %n steps</source>
+        <translation>
+            <numerusform>%1: %n step</numerusform>
+            <numerusform>%1: %n steps</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::MasterPanel</name>
+    <message numerus="yes">
+        <source>%n devices found</source>
+        <translation>
+            <numerusform>%n device found</numerusform>
+            <numerusform>%n devices found</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::MessagesView</name>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n found</numerusform>
+            <numerusform>%n found</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::ReportTexts</name>
     <message numerus="yes">
         <source>%n wanted value(s) or cam program(s) could not be compared: what the encoders have there is unknown.</source>
@@ -59,6 +89,16 @@
         <translation>
             <numerusform>Reading in the ring: %n device found.</numerusform>
             <numerusform>Reading in the ring: %n devices found.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::SegmentModel</name>
+    <message numerus="yes">
+        <source>%n errors in the last five minutes</source>
+        <translation>
+            <numerusform>%n error in the last five minutes</numerusform>
+            <numerusform>%n errors in the last five minutes</numerusform>
         </translation>
     </message>
 </context>
@@ -89,10 +129,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 %2: %n writes from here</source>
+        <source>%n CRC errors</source>
         <translation>
-            <numerusform>%1 %2: %n write from here</numerusform>
-            <numerusform>%1 %2: %n writes from here</numerusform>
+            <numerusform>%n CRC error</numerusform>
+            <numerusform>%n CRC errors</numerusform>
         </translation>
     </message>
 </context>

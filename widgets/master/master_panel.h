@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/look/icons.h"
+
 #include <QScrollArea>
 
 class QFormLayout;
@@ -14,7 +16,6 @@ namespace codewheel {
 
 class BusSession;
 class EmptyState;
-enum class Icon : std::uint8_t;
 class RoleLabel;
 class SegmentModel;
 class StatusBits;
