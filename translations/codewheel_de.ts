@@ -4400,6 +4400,53 @@ vorhandenen Teilnehmern weiß.</translation>
         <source>The bus differs from the project. See codewheel-cli compare.</source>
         <translation>Der Bus weicht vom Projekt ab. Siehe codewheel-cli compare.</translation>
     </message>
+    <message>
+        <source>where to save the report: a name in .html or .pdf</source>
+        <translation>wohin der Bericht gespeichert wird: ein Name auf .html oder .pdf</translation>
+    </message>
+    <message>
+        <source>ask the encoders of the bus what they have; takes their positions away meanwhile</source>
+        <translation>die Geber am Bus fragen, was sie haben; nimmt ihnen so lange die Position</translation>
+    </message>
+    <message>
+        <source>Name the file of the report: -o FILE, with a name that ends in .html or .pdf.</source>
+        <translation>Die Datei des Berichts nennen: -o FILE, mit einem Namen auf .html oder .pdf.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; ends neither in .html nor in .pdf. A report is a web page or a PDF.</source>
+        <translation>&quot;%1&quot; endet weder auf .html noch auf .pdf. Ein Bericht ist eine Webseite oder ein PDF.</translation>
+    </message>
+    <message>
+        <source>%1 is there already. Nothing was saved. Name another file, or add --yes to replace it.</source>
+        <translation>%1 gibt es schon. Nichts wurde gespeichert. Eine andere Datei nennen oder mit --yes ersetzen.</translation>
+    </message>
+    <message>
+        <source>%1 could not be read: %2</source>
+        <translation>%1 ließ sich nicht lesen: %2</translation>
+    </message>
+    <message>
+        <source>Deviations of encoders from what is wanted: %1; not compared: %2.</source>
+        <translation>Abweichungen der Geber vom Gewünschten: %1; nicht verglichen: %2.</translation>
+    </message>
+    <message>
+        <source>make the commissioning report of a project</source>
+        <translation>den Inbetriebnahmebericht eines Projekts erstellen</translation>
+    </message>
+    <message>
+        <source>Saves the commissioning report of a project, as a web page or as a PDF on A4: structure, parameters
+and cams of each encoder with what is known of them, deviations, EEPROM writes, and a place to sign.
+
+What is known is what the project has stored. With --read, the encoders are asked for their parameters,
+and for the cam programs the project wants; they show no position meanwhile. The bus is compared with
+the project then. A FILE that is there already is replaced with --yes only.</source>
+        <translation>Speichert den Inbetriebnahmebericht eines Projekts als Webseite oder als PDF auf A4: Aufbau, Parameter
+und Nocken jedes Gebers mit dem, was bekannt ist, Abweichungen, EEPROM-Schreibvorgänge und Platz zum
+Unterschreiben.
+
+Bekannt ist, was im Projekt abgelegt ist. Mit --read werden die Geber nach ihren Parametern und nach
+den Nockenprogrammen gefragt, die das Projekt will; so lange zeigen sie keine Position. Dann wird auch
+der Bus mit dem Projekt verglichen. Eine vorhandene FILE wird nur mit --yes ersetzt.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Comparison</name>
@@ -7459,6 +7506,30 @@ ID-Code %3, Gerätecode %4
     </message>
 </context>
 <context>
+    <name>codewheel::ReportExport</name>
+    <message>
+        <source>report</source>
+        <comment>file name</comment>
+        <translation>bericht</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>Webseite (*.html)</translation>
+    </message>
+    <message>
+        <source>Save the commissioning report</source>
+        <translation>Inbetriebnahmebericht speichern</translation>
+    </message>
+    <message>
+        <source>The report was not saved: %1 ends neither in .pdf nor in .html.</source>
+        <translation>Der Bericht wurde nicht gespeichert: %1 endet weder auf .pdf noch auf .html.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::ReportPage</name>
     <message>
         <source>Report</source>
@@ -7924,6 +7995,14 @@ ID-Code %3, Gerätecode %4
     <message>
         <source>Approximate cycle time</source>
         <translation>Ungefähre Zykluszeit</translation>
+    </message>
+    <message>
+        <source>this connection only; nothing is kept of others</source>
+        <translation>nur diese Verbindung; von anderen ist nichts aufbewahrt</translation>
+    </message>
+    <message>
+        <source>%1, perhaps %2 more</source>
+        <translation>%1, vielleicht %2 mehr</translation>
     </message>
 </context>
 <context>
@@ -10167,6 +10246,14 @@ Zustand: %7</translation>
     <message>
         <source>Takes the segment of the chosen device, and what is behind it, out of the data cycles, or puts it back</source>
         <translation>Nimmt das Segment des gewählten Teilnehmers und was dahinter liegt aus den Datenzyklen oder fügt es wieder ein</translation>
+    </message>
+    <message>
+        <source>&amp;Commissioning report...</source>
+        <translation>&amp;Inbetriebnahmebericht...</translation>
+    </message>
+    <message>
+        <source>Saves the commissioning report of the project as a PDF or a web page; sends nothing</source>
+        <translation>Speichert den Inbetriebnahmebericht des Projekts als PDF oder Webseite; sendet nichts</translation>
     </message>
 </context>
 <context>
