@@ -18,7 +18,7 @@ QFont fontOf(const QString &family, QFont::StyleHint hint, qreal points, bool bo
     font.setBold(bold);
     font.setHintingPreference(QFont::PreferNoHinting);
     // Any spacing keeps Qt from joining letters ("fi"), so that words are found in the PDF.
-    font.setLetterSpacing(QFont::AbsoluteSpacing, 0.01);
+    font.setLetterSpacing(QFont::AbsoluteSpacing, 0.1);
     return font;
 }
 

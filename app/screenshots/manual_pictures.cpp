@@ -229,10 +229,11 @@ std::vector<Picture> pictures()
          [](TrainingWindow &shown) {
              shown.project().editDevice(fraba, {}, [](ProjectDevice &device) {
                  device.station = QStringLiteral("Crane 1, hoist");
+                 device.wanted = {
+                     {Parameter::steps, 8192}, {Parameter::direction, 3}, {Parameter::preset, 1000}};
                  device.wantedCams = {exampleCams()};
              });
              readAll(shown);
-             want255(shown);
              return reportOnPaper(shown);
          }},
         {QStringLiteral("dial-rod"), usual, rodAtWork},
