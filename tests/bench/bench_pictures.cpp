@@ -9,6 +9,7 @@
 #include "widgets/messages/message_model.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/monitor/word_monitor.h"
+#include "widgets/project/project_document.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -63,7 +64,8 @@ int main(int argc, char **argv)
     WindowSettings settings(folder.filePath(QStringLiteral("bench.ini")));
     MessageStore store({});
     MessageModel messages(store);
-    MainWindow window(settings);
+    ProjectDocument project;
+    MainWindow window(settings, project);
     window.attach(bus, ring.controls, QStringLiteral("moving ring"), messages);
     auto *monitors = window.findChild<MonitorArea *>();
     monitors->closeAll();

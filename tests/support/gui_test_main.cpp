@@ -7,11 +7,21 @@
 
 #include <gtest/gtest.h>
 
+namespace {
+
+// A program under test may have chosen another language: each test begins with none.
+class NoLanguage final : public testing::EmptyTestEventListener
+{
+    void OnTestStart(const testing::TestInfo &) override { QLocale::setDefault(QLocale::c()); }
+};
+
+} // namespace
+
 int main(int argc, char **argv)
 {
     QApplication application(argc, argv);
-    QLocale::setDefault(QLocale::c());
     codewheel::applyAppearance(application, {.scheme = codewheel::Scheme::light});
     testing::InitGoogleTest(&argc, argv);
+    testing::UnitTest::GetInstance()->listeners().Append(new NoLanguage); // owns it
     return RUN_ALL_TESTS();
 }
