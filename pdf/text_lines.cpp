@@ -17,8 +17,8 @@ QFont fontOf(const QString &family, QFont::StyleHint hint, qreal points, bool bo
     font.setPixelSize(qRound(sheet::point(points)));
     font.setBold(bold);
     font.setHintingPreference(QFont::PreferNoHinting);
-    // Any spacing keeps Qt from joining letters ("fi"), so that words are found in the PDF.
-    font.setLetterSpacing(QFont::AbsoluteSpacing, 0.1);
+    // No ligatures ("fi"), so that words are found in the PDF; scripts that need shaping get it anyway.
+    font.setStyleStrategy(QFont::PreferNoShaping);
     return font;
 }
 
