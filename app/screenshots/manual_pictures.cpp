@@ -16,6 +16,7 @@
 #include "widgets/wizard/parameter_wizard.h"
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QApplication>
 #include <QDir>
 #include <QDockWidget>
@@ -185,6 +186,37 @@ QWidget *rodAtWork(TrainingWindow &shown)
     return dock(shown, QStringLiteral("dialDock"));
 }
 
+void wantSomething(TrainingWindow &shown, DeviceNumber number, const ParameterValues &values)
+{
+    shown.project().editDevice(number, QString(), [&](ProjectDevice &device) { device.wanted = values; });
+}
+
+QWidget *transferAtWork(TrainingWindow &shown)
+{
+    readAll(shown);
+    wantSomething(shown, fraba, {{Parameter::steps, 4096}, {Parameter::revolutions, 1}});
+    wantSomething(shown, baumer, {{Parameter::steps, 4096}, {Parameter::coding, 6}});
+    wantSomething(shown, rod, {{Parameter::measuringLength, 50'000}, {Parameter::direction, 1}});
+    shown.window().actions().transfer->trigger();
+    shown.advance(whileMilliseconds);
+    return &shown.window();
+}
+
+QWidget *replacementAtWork(TrainingWindow &shown)
+{
+    wantSomething(shown, fraba, {{Parameter::steps, 4096}, {Parameter::revolutions, 1}});
+    shown.controls().setPower(fraba, false);
+    shown.advance(2 * whileMilliseconds + whileMilliseconds);
+    shown.controls().setPower(fraba, true);
+    shown.advance(whileMilliseconds);
+    shown.window().actions().replaceEncoder->trigger();
+    auto *next = shown.window().findChild<QAbstractButton *>(QStringLiteral("replaceNext"));
+    next->click();
+    next->click();
+    shown.advance(33);
+    return &shown.window();
+}
+
 std::vector<Picture> pictures()
 {
     return {
@@ -236,6 +268,8 @@ std::vector<Picture> pictures()
              readAll(shown);
              return reportOnPaper(shown);
          }},
+        {QStringLiteral("transfer"), low, transferAtWork},
+        {QStringLiteral("replace"), low, replacementAtWork},
         {QStringLiteral("dial-rod"), usual, rodAtWork},
         {QStringLiteral("device"), tall,
          [](TrainingWindow &shown) {

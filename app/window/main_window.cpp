@@ -8,6 +8,7 @@
 #include "app/window/report_export.h"
 #include "app/window/ring_connection.h"
 #include "app/window/status_line.h"
+#include "app/window/transfer_pages.h"
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
 #include "simulator/training_controls.h"
@@ -118,6 +119,9 @@ void MainWindow::makePages()
                           static_cast<QWidget *>(m_cams), static_cast<QWidget *>(m_editor),
                           static_cast<QWidget *>(m_comparison)})
         m_pages->addWidget(page);
+    m_transfer = new TransferPages(
+        *m_bus, m_project, [](DeviceNumber) { return std::vector<ValuesBefore>(); }, m_actions, *m_pages,
+        this);
 }
 
 void MainWindow::connectProject()
@@ -130,6 +134,8 @@ void MainWindow::connectProject()
     m_report = new ReportExport(*this, m_project, *m_bus, *m_notice);
     connect(m_report, &ReportExport::told, this, &MainWindow::tell);
     connect(m_actions.exportReport, &QAction::triggered, m_report, &ReportExport::askWhere);
+    connect(m_transfer, &TransferPages::told, this, &MainWindow::tell);
+    connect(m_transfer, &TransferPages::closeRequested, this, &MainWindow::showMonitors);
     connect(m_editor, &StructureEditor::chosen, this, [this](DeviceNumber number) {
         if (m_editor->isVisible())
             m_structure->choose(number);
@@ -379,6 +385,7 @@ void MainWindow::choose(DeviceNumber number)
     m_wizard->setEncoder(encoder);
     m_cams->setEncoder(encoder);
     m_actions.showChosen(encoder);
+    m_transfer->setEncoder(encoder);
     m_device->setPlace(number);
     if (m_trainingPanel)
         m_trainingPanel->setDevice(number);
@@ -444,7 +451,7 @@ void MainWindow::showComparison()
 void MainWindow::showBusState()
 {
     const bool connected = m_bus != nullptr && m_bus->isOpen();
-    for (QAction *page : {m_actions.structureEditor, m_actions.compare})
+    for (QAction *page : {m_actions.structureEditor, m_actions.compare, m_actions.transfer})
         page->setEnabled(m_bus != nullptr);
     for (QAction *action : {m_actions.connectBus, m_actions.disconnectBus, m_actions.readIn})
         if (m_bus == nullptr)

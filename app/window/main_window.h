@@ -45,6 +45,7 @@ class StructureView;
 class TraceView;
 class TrainingControls;
 class TrainingPanel;
+class TransferPages;
 class WantedValues;
 
 // The window: menus, tool bar, panels around the page that is open (monitors, wizard, cams, structure editor,
@@ -140,6 +141,7 @@ private:
     MessagesView *m_messages = nullptr;
     MasterPanel *m_master = nullptr;
     TrainingPanel *m_trainingPanel = nullptr;
+    TransferPages *m_transfer = nullptr;
     QByteArray m_defaultLayout;
     bool m_painted = false;
     bool m_mayClose = false;

@@ -131,6 +131,10 @@ void WindowActions::makeBusMenu()
         tr("Takes the segment of the chosen device, and what is behind it, out of the data "
            "cycles, or puts it back"));
     menu->addSeparator();
+    transfer = described(menu->addAction(lineIcon(Icon::parameters), tr("T&ransfer")), Qt::CTRL | Qt::Key_T,
+                         tr("Values of several encoders: written from the project, stored in it, given from "
+                            "one to others"));
+    menu->addSeparator();
     alarmStop = described(menu->addAction(lineIcon(Icon::alarmStop), tr("&ALARM STOP whole ring")),
                           alarmStopKey(), tr("Sets all OUT words of the whole ring to 0, at once"));
 }
@@ -151,6 +155,11 @@ void WindowActions::makeDeviceMenu()
     wizard->setShortcut(Qt::Key_F6);
     cams = deviceMenu->addAction(lineIcon(Icon::cams), tr("&Cams"));
     cams->setShortcut(Qt::Key_F8);
+    replaceEncoder = deviceMenu->addAction(lineIcon(Icon::encoder), tr("&Replace encoder"));
+    replaceEncoder->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_X);
+    restoreValues = deviceMenu->addAction(lineIcon(Icon::refresh), tr("Restore &values from before..."));
+    restoreValues->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_T);
+    deviceMenu->addSeparator();
     zeroOut = deviceMenu->addAction(lineIcon(Icon::write), tr("Set OUT to &00000000"));
     zeroOut->setShortcut(Qt::CTRL | Qt::Key_0);
     showChosen(nullptr);

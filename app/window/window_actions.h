@@ -55,12 +55,15 @@ public:
     QAction *confirmDiagnostics;
     QAction *switchSegment; // of the chosen device
     QAction *alarmStop;
+    QAction *transfer;
     // Device
     QAction *openIn32;
     QAction *openOut32;
     QAction *openIn16;
     QAction *wizard;
     QAction *cams;
+    QAction *replaceEncoder;
+    QAction *restoreValues;
     QAction *zeroOut;
     // View
     QMenu *docks;

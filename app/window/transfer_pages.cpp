@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/transfer_pages.h"
+
+#include "app/window/window_actions.h"
+#include "catalog/device_description.h"
+#include "encoder/refusal_text.h"
+#include "ring/bus_session.h"
+#include "widgets/transfer/replace_page.h"
+#include "widgets/transfer/transfer_page.h"
+
+#include <QAction>
+#include <QStackedWidget>
+
+namespace codewheel {
+namespace {
+
+void describe(QAction &action, const QString &what)
+{
+    action.setStatusTip(what);
+    action.setToolTip(
+        QStringLiteral("%1 (%2)").arg(what, action.shortcut().toString(QKeySequence::NativeText)));
+}
+
+} // namespace
+
+TransferPages::TransferPages(BusSession &bus, ProjectDocument &project, FindValuesBefore findBefore,
+                             const WindowActions &actions, QStackedWidget &pages, QObject *parent)
+    : QObject(parent)
+    , m_bus(bus)
+    , m_findBefore(std::move(findBefore))
+    , m_actions(actions)
+    , m_pages(pages)
+    , m_transfer(new TransferPage(bus, project, m_findBefore, &pages))
+    , m_replace(new ReplacePage(bus, project, &pages))
+{
+    pages.addWidget(m_transfer);
+    pages.addWidget(m_replace);
+    connect(m_transfer, &TransferPage::messaged, this, &TransferPages::told);
+    connect(m_transfer, &TransferPage::closeRequested, this, &TransferPages::closeRequested);
+    connect(m_replace, &ReplacePage::messaged, this, &TransferPages::told);
+    connect(m_replace, &ReplacePage::closeRequested, this, &TransferPages::closeRequested);
+    connect(actions.transfer, &QAction::triggered, this, &TransferPages::showTransfer);
+    connect(actions.restoreValues, &QAction::triggered, this, &TransferPages::showRestore);
+    connect(actions.replaceEncoder, &QAction::triggered, this, &TransferPages::showReplace);
+    showActions();
+}
+
+void TransferPages::setEncoder(EncoderSession *encoder)
+{
+    if (m_number)
+        if (EncoderSession *before = m_bus.encoder(*m_number))
+            before->disconnect(this);
+    m_number = encoder ? std::optional(encoder->number()) : std::nullopt;
+    if (encoder)
+        connect(encoder, &EncoderSession::finished, this, &TransferPages::showActions, Qt::QueuedConnection);
+    showActions();
+}
+
+void TransferPages::showActions()
+{
+    const EncoderSession *encoder = m_number ? m_bus.encoder(*m_number) : nullptr;
+    const bool canBeWritten = encoder && encoder->can().writes;
+    const QString why = !encoder ? tr("No encoder is chosen.")
+                                 : refusalText({RefusalKind::notSupported,
+                                                RefusalId::writingNotSupported,
+                                                {encoder->device().fullName()}});
+    m_actions.replaceEncoder->setEnabled(canBeWritten);
+    describe(*m_actions.replaceEncoder,
+             canBeWritten
+                 ? tr("Gives a new encoder in its place the values and the position of the one before")
+                 : why);
+    const auto before = canBeWritten ? m_findBefore(*m_number) : std::vector<ValuesBefore>();
+    m_actions.restoreValues->setEnabled(!before.empty());
+    m_actions.restoreValues->setText(
+        before.empty()
+            ? tr("Restore &values from before...")
+            : tr("Restore &values of %1...").arg(timeOf(before.front(), m_bus.dateTime(m_bus.latest().at))));
+    describe(*m_actions.restoreValues,
+             !canBeWritten ? why
+             : before.empty()
+                 ? refusalText(
+                       {RefusalKind::device, RefusalId::noValuesFromBefore, {encoder->number().toString()}})
+                 : tr("Shows what the encoder had before this program wrote to it, and writes "
+                      "it again"));
+}
+
+void TransferPages::showTransfer()
+{
+    m_pages.setCurrentWidget(m_transfer);
+    m_transfer->setFocus();
+}
+
+void TransferPages::showRestore()
+{
+    m_transfer->choose(TransferChoice::What::restore, m_number);
+    showTransfer();
+}
+
+void TransferPages::showReplace()
+{
+    if (!m_number)
+        return;
+    m_replace->replace(*m_number);
+    m_pages.setCurrentWidget(m_replace);
+}
+
+} // namespace codewheel

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/message.h"
+#include "transfer/values_before.h"
+
+#include <QObject>
+
+class QStackedWidget;
+
+namespace codewheel {
+
+class BusSession;
+class EncoderSession;
+class ProjectDocument;
+class ReplacePage;
+class TransferPage;
+class WindowActions;
+
+// The pages of the window about parameter transfer, and the actions that open them: Transfer, Replace
+// encoder, Restore values of 14:02.
+class TransferPages : public QObject
+{
+    Q_OBJECT
+
+public:
+    // All must outlive it; the pages are put into `pages`.
+    TransferPages(BusSession &bus, ProjectDocument &project, FindValuesBefore findBefore,
+                  const WindowActions &actions, QStackedWidget &pages, QObject *parent = nullptr);
+
+    // The encoder that is chosen in the window; null: none.
+    void setEncoder(EncoderSession *encoder);
+
+Q_SIGNALS:
+    void told(const codewheel::Message &message);
+    void closeRequested();
+
+private:
+    void showTransfer();
+    void showRestore();
+    void showReplace();
+    void showActions();
+
+    BusSession &m_bus;
+    FindValuesBefore m_findBefore;
+    const WindowActions &m_actions;
+    QStackedWidget &m_pages;
+    TransferPage *m_transfer;
+    ReplacePage *m_replace;
+    std::optional<DeviceNumber> m_number;
+};
+
+} // namespace codewheel

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transfer/values_before.h"
+
+#include "transfer/transfer_words.h"
+
+#include <QLocale>
+#include <QTimeZone>
+
+namespace codewheel {
+
+TransferWish wishToRestore(const ValuesBefore &before)
+{
+    return {.place = before.place, .deviceKey = before.deviceKey, .values = before.values};
+}
+
+QString timeOf(const ValuesBefore &before, const QDateTime &now)
+{
+    const QDateTime at = before.at.toTimeZone(now.timeZone());
+    const QLocale locale;
+    return at.date() == now.date() ? locale.toString(at.time(), QLocale::ShortFormat)
+                                   : locale.toString(at, QLocale::ShortFormat);
+}
+
+QString textOf(const ValuesBefore &before, const DeviceDescription *device)
+{
+    QStringList texts;
+    for (const ParameterValue &value : before.values)
+        texts << parameterName(value.parameter) + u' ' + transfer_words::value(device, value);
+    return texts.join(QStringLiteral(", "));
+}
+
+Message valuesRestoredMessage(const ValuesBefore &before, const TransferAccount &account)
+{
+    return {.place = before.place,
+            .id = MessageId::valuesRestored,
+            .arguments = {timeOf(before, account.at), std::int64_t{account.count(Became::written)}}};
+}
+
+} // namespace codewheel

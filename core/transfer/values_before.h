@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/message.h"
+#include "transfer/transfer_account.h"
+
+#include <functional>
+
+namespace codewheel {
+
+// What an encoder had before something was written to it: of each value that was written and was known
+// before.
+struct ValuesBefore
+{
+    DeviceNumber place;
+    QDateTime at; // of the write
+    QString deviceKey;
+    ParameterValues values;
+
+    friend bool operator==(const ValuesBefore &, const ValuesBefore &) = default;
+};
+
+// What there is to restore at a place, the newest first.
+using FindValuesBefore = std::function<std::vector<ValuesBefore>(DeviceNumber)>;
+
+TransferWish wishToRestore(const ValuesBefore &before);
+
+// "14:02", with the date where it was not on the day of `now`; by locale.
+QString timeOf(const ValuesBefore &before, const QDateTime &now);
+// "Steps 8 192, Coding 3 (unsigned, CW)"; `device` may be null.
+QString textOf(const ValuesBefore &before, const DeviceDescription *device);
+
+// "valuesRestored" for the message log.
+Message valuesRestoredMessage(const ValuesBefore &before, const TransferAccount &account);
+
+} // namespace codewheel

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/refusal_text.h"
+#include "tests/widgets/transfer/transfer_test.h"
+#include "widgets/transfer/replace_page.h"
+
+#include <QComboBox>
+#include <QRadioButton>
+
+namespace codewheel {
+namespace {
+
+using test::fraba;
+using test::onLoop;
+
+class ReplacePageTest : public test::TransferTest
+{
+protected:
+    ReplacePageTest()
+    {
+        QObject::connect(&page, &ReplacePage::messaged, &page,
+                         [this](const Message &message) { messages << messageText(message); });
+        project.editDevice(fraba, QStringLiteral("plan"), [](ProjectDevice &device) {
+            device.wanted = {{Parameter::steps, 4096}, {Parameter::revolutions, 1}};
+            device.label.serialNumber = QStringLiteral("20417");
+        });
+        show(page);
+        pass(200);
+    }
+    void pass(int milliseconds)
+    {
+        for (int i = 0; i < milliseconds / 33 + 1; ++i)
+            session.bus.advance(33);
+    }
+    // The encoder goes, and another one is there, whose shaft stands elsewhere.
+    void exchange()
+    {
+        session.controls->setPower(fraba, false);
+        pass(2000);
+        session.controls->turnBy(fraba, 1000);
+        session.controls->setPower(fraba, true);
+        pass(500);
+    }
+
+    QStringList messages;
+    ReplacePage page{session.bus, project};
+};
+
+TEST_F(ReplacePageTest, TheTechniciansNight)
+{
+    const auto before = session.encoder(fraba).latest().position;
+    ASSERT_TRUE(before);
+    exchange();
+    page.replace(fraba);
+    EXPECT_EQ(text("replaceDifferences"),
+              QStringLiteral("It fits: as far as the project tells, it is like the one before."));
+    type("replaceSerial", "4711");
+    click("replaceNext");
+    EXPECT_TRUE(find<QRadioButton>("positionLast")->isChecked());
+    EXPECT_TRUE(
+        find<QRadioButton>("positionLast")->text().contains(QStringLiteral("before the encoder went away")));
+    click("replaceNext");
+    EXPECT_TRUE(text("replaceNote").startsWith(QStringLiteral("Values and cam programs to write: 2.")));
+    click("replaceNext");
+    advanceWhileBusy(page);
+    EXPECT_EQ(text("replaceResult"), QStringLiteral("Done."));
+    EXPECT_EQ(session.encoder(fraba).latest().position, before);
+    EXPECT_EQ(session.encoder(fraba).known(Parameter::steps)->value, 4096);
+    EXPECT_EQ(project.device(fraba).label.serialNumber, QStringLiteral("4711"));
+    EXPECT_EQ(messages.front(),
+              QStringLiteral("The encoder was replaced (serial number before: 20417, now: 4711)."));
+    EXPECT_TRUE(account().startsWith(QStringLiteral("Encoder replaced")));
+}
+
+TEST_F(ReplacePageTest, APositionCanBeTypedOrLeft)
+{
+    page.replace(fraba);
+    click("replaceNext");
+    EXPECT_TRUE(find<QRadioButton>("positionTyped")->isChecked()); // it has not been away
+    click("replaceNext");
+    EXPECT_EQ(find<QLabel>("replaceTitle")->text(), QStringLiteral("Replace encoder 1.0: 2 of 4  Position"));
+    type("positionValue", "3000");
+    click("replaceNext");
+    click("replaceNext");
+    advanceWhileBusy(page);
+    EXPECT_EQ(session.encoder(fraba).latest().position, 3000);
+}
+
+TEST_F(ReplacePageTest, AnotherMakeIsTold)
+{
+    page.replace(fraba);
+    auto *choice = find<QComboBox>("replaceChoice");
+    choice->setCurrentIndex(choice->findText(QStringLiteral("Baumer GXP6W K3")));
+    EXPECT_EQ(text("replaceDifferences"),
+              QStringLiteral("Planned was a FRABA OCD-IB K3; the new one is a Baumer GXP6W K3."));
+    EXPECT_EQ(choice->findText(QStringLiteral("FRABA OCD-IB K3 Loop 2")), -1);
+}
+
+TEST_F(ReplacePageTest, AKeyThatIsNotUnderstoodStopsHere)
+{
+    page.replace(fraba);
+    type("replaceKey", "XYZ");
+    click("replaceNext");
+    EXPECT_TRUE(find<QLabel>("replaceTitle")->text().contains(QStringLiteral("1 of 4")));
+}
+
+TEST_F(ReplacePageTest, InWatchNothingIsWritten)
+{
+    session.bus.setOperate(false);
+    session.bus.advance(5);
+    page.replace(fraba);
+    click("replaceNext");
+    find<QRadioButton>("positionNone")->setChecked(true);
+    click("replaceNext");
+    EXPECT_FALSE(isEnabled("replaceNext"));
+    EXPECT_TRUE(text("replaceNote").contains(QStringLiteral("only watches")));
+    session.bus.setOperate(true);
+    session.bus.advance(5);
+    EXPECT_TRUE(isEnabled("replaceNext"));
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/refusal_text.h"
+#include "tests/app/question.h"
+#include "tests/support/model_tester.h"
+#include "tests/widgets/transfer/transfer_test.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/transfer/transfer_page.h"
+
+#include <QClipboard>
+#include <QFile>
+#include <QGuiApplication>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTemporaryDir>
+
+namespace codewheel {
+namespace {
+
+using test::baumer;
+using test::fraba;
+using test::onLoop;
+using What = TransferChoice::What;
+
+class TransferPageTest : public test::TransferTest
+{
+protected:
+    TransferPageTest()
+    {
+        QObject::connect(&page, &TransferPage::messaged, &page,
+                         [this](const Message &message) { messages << messageText(message); });
+        want(fraba, {{Parameter::steps, 255}});
+        want(baumer, {{Parameter::steps, 4096}, {Parameter::coding, 6}});
+        show(page);
+        page.choose(What::write, fraba);
+    }
+    QAbstractItemModel &model() { return *find<QTableView>("transferTable")->model(); }
+    QString cell(int row, int column) { return model().index(row, column).data().toString(); }
+    int rowOf(const char *place)
+    {
+        for (int row = 0; row < model().rowCount(); ++row)
+            if (cell(row, 0) == QLatin1String(place))
+                return row;
+        return -1;
+    }
+    // Space on the check box of the encoder.
+    void toggle(const char *place)
+    {
+        auto *table = find<QTableView>("transferTable");
+        table->setCurrentIndex(model().index(rowOf(place), 0));
+        table->setFocus();
+        QTest::keyClick(table, Qt::Key_Space);
+    }
+    void write()
+    {
+        click("transferBegin");
+        advanceWhileBusy(page);
+    }
+
+    std::vector<ValuesBefore> befores;
+    QStringList messages;
+    TransferPage page{session.bus, project, [this](DeviceNumber) { return befores; }};
+};
+
+TEST_F(TransferPageTest, ShowsWhatDiffersEncoderByEncoder)
+{
+    const test::ModelTester tester(model());
+    EXPECT_EQ(cell(0, 0), QStringLiteral("1.0"));
+    EXPECT_EQ(cell(0, 1), QStringLiteral("FRABA OCD-IB K3"));
+    EXPECT_EQ(cell(1, 1), QStringLiteral("Steps"));
+    EXPECT_EQ(cell(1, 2), QStringLiteral("unknown"));
+    EXPECT_EQ(cell(1, 3), QStringLiteral("255"));
+    EXPECT_EQ(cell(1, 4), QStringLiteral("020000FF"));
+    EXPECT_EQ(cell(1, 5), QStringLiteral("1"));
+    EXPECT_EQ(text("transferSummary"), QStringLiteral("Encoders chosen: 2. EEPROM writes: at most 3."));
+    page.choose(What::store, {});
+    page.choose(What::clone, fraba);
+    page.choose(What::write, fraba);
+}
+
+TEST_F(TransferPageTest, WritesToTheChosenEncodersOnlyAndAccountsForIt)
+{
+    toggle("1.0");
+    EXPECT_EQ(text("transferSummary"), QStringLiteral("Encoders chosen: 1. EEPROM writes: at most 2."));
+    write();
+    EXPECT_EQ(session.encoder(baumer).known(Parameter::steps)->value, 4096);
+    EXPECT_FALSE(session.encoder(fraba).known(Parameter::steps));
+    EXPECT_EQ(messages,
+              QStringList{QStringLiteral(
+                  "Transferred to 1 encoders: 2 values written, 0 already there, 2 EEPROM writes.")});
+    EXPECT_EQ(text("transferResult"), messages.front());
+    EXPECT_TRUE(account().contains(QStringLiteral("Written, confirmed by the handshake")));
+    click("transferBack");
+    EXPECT_EQ(model().index(rowOf("2.0"), 0).data(Qt::CheckStateRole), QVariant()); // all is there
+}
+
+TEST_F(TransferPageTest, NoneAndAllAreOneClick)
+{
+    click("chooseNone");
+    EXPECT_FALSE(isEnabled("transferBegin"));
+    click("chooseAll");
+    EXPECT_TRUE(isEnabled("transferBegin"));
+}
+
+TEST_F(TransferPageTest, InWatchTheTableSaysWhyNothingCanBeWritten)
+{
+    session.bus.setOperate(false);
+    session.bus.advance(5);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !isEnabled("transferBegin"); }));
+    EXPECT_EQ(cell(2, 1), QStringLiteral("Nothing was sent to 1.0: the program only watches. Switch to "
+                                         "Operate first."));
+}
+
+TEST_F(TransferPageTest, StoringReadsAndPutsItIntoTheProjectAsOneStepOfUndo)
+{
+    page.choose(What::store, {});
+    click("chooseNone");
+    toggle("1.0");
+    write();
+    const ProjectDevice stored = project.device(fraba);
+    EXPECT_FALSE(stored.stored.empty());
+    EXPECT_EQ(stored.stored.front().evidence, Evidence::read);
+    EXPECT_TRUE(project.device(onLoop).stored.empty());
+    EXPECT_EQ(messages.size(), 1);
+    project.undoStack().undo();
+    EXPECT_TRUE(project.device(fraba).stored.empty());
+    EXPECT_FALSE(project.device(fraba).wanted.empty());
+}
+
+TEST_F(TransferPageTest, CloneGivesTheKnownValuesToEncodersOfTheSameKind)
+{
+    session.encoder(fraba).tell(Parameter::steps, 100);
+    page.choose(What::clone, fraba);
+    EXPECT_EQ(rowOf("1.0"), -1);
+    EXPECT_TRUE(cell(rowOf("2.0") + 1, 1).contains(QStringLiteral("Steps")));
+    EXPECT_EQ(model().index(rowOf("2.0"), 0).data(Qt::CheckStateRole), QVariant()); // another kind
+    write();
+    EXPECT_EQ(session.encoder(onLoop).known(Parameter::steps)->value, 100);
+}
+
+TEST_F(TransferPageTest, RestoringWritesWhatWasThereBefore)
+{
+    page.choose(What::restore, baumer);
+    EXPECT_EQ(text("transferSummary"), QStringLiteral("There is nothing to restore."));
+    befores = {{baumer, session.bus.dateTime({}), {}, {{Parameter::steps, 8192}}}};
+    page.choose(What::restore, baumer);
+    EXPECT_EQ(cell(1, 3), QStringLiteral("8192"));
+    write();
+    EXPECT_EQ(session.encoder(baumer).known(Parameter::steps)->value, 8192);
+    EXPECT_EQ(messages.back(), QStringLiteral("Values of 14:02:00 were restored: 1."));
+}
+
+TEST_F(TransferPageTest, CancelInTheMiddleAsksHowToLeaveTheEncoder)
+{
+    toggle("1.0");
+    click("transferBegin");
+    session.bus.advance(8); // the first value is being taken
+    ASSERT_TRUE(page.isBusy());
+    {
+        const auto question = test::Question::answeredBy(QStringLiteral("Run with what it has"));
+        click("transferCancel");
+        EXPECT_TRUE(question.wasAsked());
+    }
+    advanceWhileBusy(page);
+    EXPECT_EQ(session.encoder(baumer).latest().state, EncoderState::operation);
+    EXPECT_TRUE(account().contains(QStringLiteral("Not done")));
+}
+
+TEST_F(TransferPageTest, TheAccountIsCopiedAndSaved)
+{
+    write();
+    click("copyAccount");
+    EXPECT_EQ(QGuiApplication::clipboard()->text(), account());
+}
+
+} // namespace
+} // namespace codewheel

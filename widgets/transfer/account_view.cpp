@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/transfer/account_view.h"
+
+#include "report/html_report.h"
+#include "transfer/transfer_report.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+#include "widgets/look/inline_message.h"
+
+#include <QClipboard>
+#include <QFileDialog>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSaveFile>
+
+namespace codewheel {
+
+AccountView::AccountView(QWidget *parent)
+    : QWidget(parent)
+    , m_text(new QPlainTextEdit(this))
+    , m_save(new QPushButton(lineIcon(Icon::save), tr("&Save..."), this))
+    , m_copy(new QPushButton(lineIcon(Icon::copy), tr("C&opy"), this))
+    , m_message(new InlineMessage(this))
+{
+    m_text->setReadOnly(true);
+    m_text->setTabChangesFocus(true);
+    m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
+    m_text->setFont(numberFont());
+    m_text->setObjectName(QStringLiteral("account"));
+    m_text->setAccessibleName(tr("What was written where"));
+    m_text->setToolTip(tr("What became of each value"));
+    m_save->setObjectName(QStringLiteral("saveAccount"));
+    m_save->setToolTip(tr("As plain text, or as a web page if the name ends in .html"));
+    m_copy->setObjectName(QStringLiteral("copyAccount"));
+    m_copy->setToolTip(tr("Copies the text"));
+    auto *buttons = new QHBoxLayout;
+    buttons->addWidget(m_save);
+    buttons->addWidget(m_copy);
+    buttons->addStretch(1);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(grid::margin);
+    layout->addWidget(m_text, 1);
+    layout->addWidget(m_message);
+    layout->addLayout(buttons);
+    setFocusProxy(m_save);
+    connect(m_save, &QPushButton::clicked, this, &AccountView::saveAs);
+    connect(m_copy, &QPushButton::clicked, this, &AccountView::copy);
+}
+
+void AccountView::show(const Report &report, const QString &fileName)
+{
+    m_report = report;
+    m_fileName = fileName;
+    m_message->withdraw();
+    m_text->setPlainText(reportAsText(report));
+}
+
+void AccountView::saveAs()
+{
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save what was written where"),
+                                                      m_fileName + QStringLiteral(".txt"),
+                                                      tr("Text (*.txt);;Web page (*.html)"));
+    if (!path.isEmpty())
+        saveTo(path);
+}
+
+bool AccountView::saveTo(const QString &path)
+{
+    const bool asHtml = path.endsWith(QStringLiteral(".html"), Qt::CaseInsensitive);
+    const QByteArray bytes = asHtml ? reportAsHtml(m_report) : reportAsText(m_report).toUtf8();
+    QSaveFile file(path);
+    const bool isSaved =
+        file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
+    if (isSaved) {
+        m_message->showMessage(Role::running, tr("Saved as %1.").arg(path));
+        Q_EMIT saved(path);
+    } else {
+        m_message->showMessage(
+            Role::fault, tr("%1 was not saved: %2. Choose another place.").arg(path, file.errorString()));
+    }
+    return isSaved;
+}
+
+void AccountView::copy()
+{
+    QGuiApplication::clipboard()->setText(m_text->toPlainText());
+    m_message->showMessage(Role::running, tr("Copied."));
+}
+
+} // namespace codewheel

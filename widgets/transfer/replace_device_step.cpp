@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/transfer/replace_device_step.h"
+
+#include "catalog/catalog.h"
+#include "encoder/refusal_text.h"
+#include "ring/bus_session.h"
+#include "transfer/transfer_words.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/inline_message.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+
+#include <algorithm>
+
+namespace codewheel {
+
+ReplaceDeviceStep::ReplaceDeviceStep(Replacing &replacing, QWidget *parent)
+    : ReplaceStep(replacing, tr("New encoder"), parent)
+    , m_planned(new QLabel(this))
+    , m_key(new QLineEdit(this))
+    , m_choice(new QComboBox(this))
+    , m_serial(new QLineEdit(this))
+    , m_differences(new QLabel(this))
+    , m_message(new InlineMessage(this))
+{
+    m_planned->setWordWrap(true);
+    m_differences->setWordWrap(true);
+    m_differences->setObjectName(QStringLiteral("replaceDifferences"));
+    m_key->setObjectName(QStringLiteral("replaceKey"));
+    m_key->setPlaceholderText(QStringLiteral("OCD-IBA1B-1213-C100-PRI"));
+    m_key->setClearButtonEnabled(true);
+    m_key->setAccessibleName(tr("Key on the label of the new encoder"));
+    m_key->setToolTip(tr("Type the key on the label. Spaces, dots and dashes do not matter."));
+    m_choice->setObjectName(QStringLiteral("replaceChoice"));
+    m_choice->setAccessibleName(tr("New encoder"));
+    m_choice->setToolTip(tr("The encoders of the catalog with the device code of this place"));
+    m_serial->setObjectName(QStringLiteral("replaceSerial"));
+    m_serial->setAccessibleName(tr("Serial number of the new encoder"));
+    m_serial->setToolTip(
+        tr("From its label; EEPROM writes are counted by it where the encoder does not tell"));
+    auto *fields = new QFormLayout;
+    fields->addRow(tr("&Label key"), m_key);
+    fields->addRow(tr("&Encoder"), m_choice);
+    fields->addRow(tr("&Serial number"), m_serial);
+    auto *layout = new QVBoxLayout(this);
+    layout->setSpacing(grid::margin);
+    layout->addWidget(m_planned);
+    layout->addLayout(fields);
+    layout->addWidget(m_message);
+    layout->addWidget(m_differences);
+    layout->addStretch(1);
+    setFocusProxy(m_key);
+    connect(m_key, &QLineEdit::textChanged, this, &ReplaceDeviceStep::readKey);
+    connect(m_key, &QLineEdit::editingFinished, this, &ReplaceDeviceStep::tellProblem);
+    connect(m_choice, &QComboBox::currentIndexChanged, this, &ReplaceDeviceStep::take);
+    connect(m_serial, &QLineEdit::textChanged, this, &ReplaceDeviceStep::take);
+}
+
+void ReplaceDeviceStep::enter()
+{
+    const ProjectDevice &before = m_replacing.before;
+    const DeviceDescription *device = m_replacing.bus.catalog().find(before.participant.deviceKey);
+    const QString serial = before.label.serialNumber;
+    m_planned->setText(
+        tr("At %1 the project has: %2%3. Switch the supply off, replace the encoder, and switch it on again.")
+            .arg(m_replacing.place.toString(), participantName(before.participant, device),
+                 serial.isEmpty() ? QString() : tr(", serial number %1").arg(serial)));
+    if (m_choice->count() == 0)
+        fillChoices();
+}
+
+void ReplaceDeviceStep::fillChoices()
+{
+    const QSignalBlocker blocker(m_choice);
+    const BusSession &bus = m_replacing.bus;
+    for (const DeviceDescription &device : bus.catalog().devices())
+        if (!device.isGeneric() && device.capabilities.writes && bus.canBe(m_replacing.place, device))
+            m_choice->addItem(device.fullName(), device.key);
+    m_choice->setCurrentIndex(std::max(0, m_choice->findData(m_replacing.before.participant.deviceKey)));
+    take();
+}
+
+void ReplaceDeviceStep::readKey(const QString &typed)
+{
+    m_message->withdraw();
+    m_matches.clear();
+    m_problem.reset();
+    if (!typed.trimmed().isEmpty()) {
+        if (auto matches = findByLabel(m_replacing.bus.catalog(), typed))
+            m_matches = std::move(*matches);
+        else
+            m_problem = matches.error();
+    }
+    for (const LabelMatch &match : m_matches)
+        if (const int row = m_choice->findData(match.device->key); row >= 0) {
+            m_choice->setCurrentIndex(row);
+            take();
+            return;
+        }
+    if (!m_matches.empty())
+        if (const auto can = m_replacing.bus.canBe(m_replacing.place, *m_matches.front().device); !can)
+            m_message->showMessage(Role::attention, refusalText(can.error()));
+    take();
+}
+
+// While a key is being typed it always ends too early: that is told only when the typing ends.
+void ReplaceDeviceStep::tellProblem()
+{
+    if (m_problem)
+        m_message->showMessage(Role::attention, refusalText(*m_problem));
+}
+
+void ReplaceDeviceStep::take()
+{
+    Replacement &now = m_replacing.now;
+    const QString key = m_choice->currentData().toString();
+    now.device = m_replacing.bus.catalog().find(key);
+    now.turns = 0;
+    now.stepsPerTurn = 0;
+    for (const LabelMatch &match : m_matches)
+        if (match.device->key == key) {
+            now.turns = match.turns;
+            now.stepsPerTurn = match.stepsPerTurn;
+        }
+    now.serialNumber = m_serial->text().trimmed();
+    showDifferences();
+    Q_EMIT changed();
+}
+
+void ReplaceDeviceStep::showDifferences()
+{
+    const Replacement &now = m_replacing.now;
+    if (now.device == nullptr) {
+        m_differences->setText(tr("The catalog has no encoder for this place."));
+        return;
+    }
+    const ProjectDevice &before = m_replacing.before;
+    const auto differences =
+        differencesOf(before, m_replacing.bus.catalog().find(before.participant.deviceKey), now);
+    m_differences->setText(differences.areNone()
+                               ? tr("It fits: as far as the project tells, it is like the one before.")
+                               : transfer_words::differences(differences, now).join(u'\n'));
+}
+
+// A key that stands for no encoder of this place must not be passed over.
+bool ReplaceDeviceStep::leave()
+{
+    tellProblem();
+    const bool isOther =
+        !m_matches.empty() && std::ranges::none_of(m_matches, [this](const LabelMatch &match) {
+            return match.device == m_replacing.now.device;
+        });
+    if (isOther)
+        m_message->showMessage(
+            Role::attention, tr("The key is not that of the chosen encoder. Choose the encoder of the label, "
+                                "or clear the key."));
+    return !m_problem && !isOther;
+}
+
+} // namespace codewheel

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/label_key.h"
+#include "widgets/transfer/replace_step.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+
+namespace codewheel {
+
+class InlineMessage;
+
+// Which encoder is there now: by the key on its label, or a choice of the catalog, with its serial number;
+// and how it differs from the one before.
+class ReplaceDeviceStep final : public ReplaceStep
+{
+    Q_OBJECT
+
+public:
+    explicit ReplaceDeviceStep(Replacing &replacing, QWidget *parent = nullptr);
+
+    void enter() override;
+    bool leave() override;
+    bool mayGoOn() const override { return m_replacing.now.device != nullptr; }
+
+private:
+    void fillChoices();
+    void readKey(const QString &typed);
+    void tellProblem();
+    void take();
+    void showDifferences();
+
+    std::vector<LabelMatch> m_matches;
+    std::optional<Refusal> m_problem; // of the typed key
+    QLabel *m_planned;
+    QLineEdit *m_key;
+    QComboBox *m_choice;
+    QLineEdit *m_serial;
+    QLabel *m_differences;
+    InlineMessage *m_message;
+};
+
+} // namespace codewheel

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/transfer/replace_page.h"
+
+#include "ring/bus_session.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+#include "widgets/project/project_document.h"
+#include "widgets/transfer/replace_device_step.h"
+#include "widgets/transfer/replace_position_step.h"
+#include "widgets/transfer/replace_write_steps.h"
+#include "widgets/wizard/step_list.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+
+namespace codewheel {
+namespace {
+
+constexpr int widthWithStepList = 560;
+
+} // namespace
+
+ReplacePage::ReplacePage(BusSession &bus, ProjectDocument &project, QWidget *parent)
+    : QWidget(parent)
+    , m_replacing{.bus = bus, .project = project}
+    , m_positions(bus)
+    , m_title(new QLabel(this))
+    , m_pages(new QStackedWidget(this))
+    , m_back(new QPushButton(lineIcon(Icon::back), tr("&Back"), this))
+    , m_next(new QPushButton(lineIcon(Icon::next), {}, this))
+    , m_cancel(new QPushButton(lineIcon(Icon::cancel), tr("&Cancel"), this))
+{
+    setAccessibleName(tr("Replace encoder"));
+    m_title->setFont(textFont(TextSize::large));
+    m_title->setObjectName(QStringLiteral("replaceTitle"));
+    m_back->setObjectName(QStringLiteral("replaceBack"));
+    m_back->setToolTip(tr("To the step before"));
+    m_next->setObjectName(QStringLiteral("replaceNext"));
+    m_next->setDefault(true);
+    m_cancel->setObjectName(QStringLiteral("replaceCancel"));
+    m_cancel->setToolTip(tr("Ends here; a running handshake is asked about first"));
+    makeSteps();
+    auto *middle = new QHBoxLayout;
+    middle->addWidget(m_list);
+    middle->addWidget(m_pages, 1);
+    auto *buttons = new QHBoxLayout;
+    buttons->addWidget(m_cancel);
+    buttons->addStretch(1);
+    buttons->addWidget(m_back);
+    buttons->addWidget(m_next);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(grid::margin, grid::margin, grid::margin, grid::margin);
+    layout->setSpacing(grid::margin);
+    layout->addWidget(m_title);
+    layout->addLayout(middle, 1);
+    layout->addLayout(buttons);
+    connect(m_next, &QPushButton::clicked, this, &ReplacePage::next);
+    connect(m_back, &QPushButton::clicked, this, &ReplacePage::back);
+    connect(m_cancel, &QPushButton::clicked, this, &ReplacePage::cancel);
+}
+
+void ReplacePage::makeSteps()
+{
+    m_write = new ReplaceWriteStep(m_replacing);
+    m_account = new ReplaceAccountStep(m_replacing);
+    m_steps = {new ReplaceDeviceStep(m_replacing), new ReplacePositionStep(m_replacing, m_positions), m_write,
+               m_account};
+    QStringList titles;
+    for (ReplaceStep *step : m_steps) {
+        auto *scroll = new QScrollArea(m_pages);
+        scroll->setFrameShape(QFrame::NoFrame);
+        scroll->setWidgetResizable(true);
+        scroll->setFocusPolicy(Qt::NoFocus);
+        scroll->setWidget(step);
+        m_pages->addWidget(scroll);
+        titles << step->title();
+        connect(step, &ReplaceStep::changed, this, &ReplacePage::showButtons);
+    }
+    m_list = new StepList(titles, this);
+    connect(m_write, &ReplaceWriteStep::ended, this, &ReplacePage::showAccount);
+}
+
+bool ReplacePage::isBusy() const
+{
+    return m_write->isBusy();
+}
+
+ReplaceStep *ReplacePage::current() const
+{
+    return m_steps[static_cast<std::size_t>(m_pages->currentIndex())];
+}
+
+// The steps are made anew, so that nothing typed for another encoder stands in them.
+void ReplacePage::replace(DeviceNumber number)
+{
+    if (isBusy())
+        return;
+    m_replacing.place = number;
+    m_replacing.before = m_replacing.project.device(number);
+    m_replacing.before.participant.number = number;
+    m_replacing.now = {};
+    m_replacing.position.reset();
+    while (QWidget *page = m_pages->widget(0)) {
+        m_pages->removeWidget(page);
+        delete page;
+    }
+    delete m_list;
+    makeSteps();
+    auto *middle = static_cast<QHBoxLayout *>(layout()->itemAt(1)->layout());
+    middle->insertWidget(0, m_list);
+    m_list->setVisible(width() >= widthWithStepList);
+    showStep(device);
+}
+
+void ReplacePage::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    m_list->setVisible(width() >= widthWithStepList);
+}
+
+void ReplacePage::showStep(int step)
+{
+    m_pages->setCurrentIndex(step);
+    m_list->setCurrent(step);
+    m_title->setText(tr("Replace encoder %1: %2 of %3  %4")
+                         .arg(m_replacing.place.toString())
+                         .arg(step + 1)
+                         .arg(stepCount)
+                         .arg(current()->title()));
+    current()->enter();
+    showButtons();
+    current()->setFocus();
+}
+
+void ReplacePage::next()
+{
+    const int step = m_pages->currentIndex();
+    if (step == account) {
+        Q_EMIT closeRequested();
+    } else if (!current()->leave()) {
+        current()->setFocus();
+    } else if (step == write) {
+        putIntoProject();
+        m_write->begin();
+    } else {
+        showStep(step + 1);
+    }
+}
+
+void ReplacePage::back()
+{
+    showStep(m_pages->currentIndex() - 1);
+}
+
+void ReplacePage::cancel()
+{
+    if (isBusy())
+        m_write->cancel();
+    else
+        Q_EMIT closeRequested();
+}
+
+// It stands there, whatever becomes of the writing.
+void ReplacePage::putIntoProject()
+{
+    m_replacing.project.editDevice(
+        m_replacing.place, tr("Replace encoder %1").arg(m_replacing.place.toString()),
+        [this](ProjectDevice &planned) { planned = replaced(planned, m_replacing.now); });
+    Q_EMIT messaged(encoderReplacedMessage(m_replacing.before, m_replacing.now));
+}
+
+void ReplacePage::showAccount()
+{
+    const TransferAccount what = m_write->account();
+    Q_EMIT messaged(messageOf(what));
+    m_account->show(what);
+    showStep(account);
+}
+
+void ReplacePage::showButtons()
+{
+    const int step = m_pages->currentIndex();
+    m_next->setText(current()->nextText());
+    m_next->setEnabled(current()->mayGoOn());
+    m_next->setToolTip(step == write     ? tr("Sends the words above to the new encoder")
+                       : step == account ? tr("Back to the monitors")
+                                         : tr("To the next step"));
+    m_back->setEnabled(step > device && current()->mayGoBack());
+    m_cancel->setVisible(step != account);
+}
+
+} // namespace codewheel

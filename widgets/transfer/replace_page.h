@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/message.h"
+#include "transfer/last_positions.h"
+#include "widgets/transfer/replace_step.h"
+
+#include <array>
+
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+
+namespace codewheel {
+
+class ReplaceAccountStep;
+class ReplaceWriteStep;
+class StepList;
+
+// An encoder has been replaced, perhaps at night: which one is there now, which position it shall show, what
+// is written to it from the project, and what was written. A page of the main window, step by step as the
+// parameter wizard.
+class ReplacePage : public QWidget
+{
+    Q_OBJECT
+
+public:
+    ReplacePage(BusSession &bus, ProjectDocument &project, QWidget *parent = nullptr);
+
+    // Begins anew; not while something is written.
+    void replace(DeviceNumber number);
+    bool isBusy() const;
+
+Q_SIGNALS:
+    void messaged(const codewheel::Message &message);
+    void closeRequested();
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    enum Step : int { device, position, write, account };
+    static constexpr int stepCount = account + 1;
+
+    void makeSteps();
+    void showStep(int step);
+    void next();
+    void back();
+    void cancel();
+    void putIntoProject();
+    void showAccount();
+    void showButtons();
+    ReplaceStep *current() const;
+
+    Replacing m_replacing;
+    LastPositions m_positions;
+    std::array<ReplaceStep *, stepCount> m_steps{};
+    ReplaceWriteStep *m_write = nullptr;
+    ReplaceAccountStep *m_account = nullptr;
+    QLabel *m_title;
+    StepList *m_list = nullptr;
+    QStackedWidget *m_pages;
+    QPushButton *m_back;
+    QPushButton *m_next;
+    QPushButton *m_cancel;
+};
+
+} // namespace codewheel

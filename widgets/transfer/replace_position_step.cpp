@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/transfer/replace_position_step.h"
+
+#include "catalog/device_description.h"
+#include "encoder/hex.h"
+#include "encoder/refusal_text.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/inline_message.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QRadioButton>
+
+namespace codewheel {
+
+ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositions &positions,
+                                         QWidget *parent)
+    : ReplaceStep(replacing, tr("Position"), parent)
+    , m_positions(positions)
+    , m_last(new QRadioButton(this))
+    , m_typed(new QRadioButton(tr("&Set the position to"), this))
+    , m_none(new QRadioButton(tr("&Leave the position as the new encoder shows it"), this))
+    , m_value(new QLineEdit(this))
+    , m_note(new QLabel(tr("The shaft must stand where it stood then. The zero offset of the encoder before "
+                           "is not written: setting the position makes a new one. A preset that the project "
+                           "wants is written last, and does not act by itself."),
+                        this))
+    , m_message(new InlineMessage(this))
+{
+    m_last->setObjectName(QStringLiteral("positionLast"));
+    m_typed->setObjectName(QStringLiteral("positionTyped"));
+    m_none->setObjectName(QStringLiteral("positionNone"));
+    m_value->setObjectName(QStringLiteral("positionValue"));
+    m_last->setToolTip(tr("The position that was seen last, and when"));
+    m_typed->setToolTip(tr("From a note, or from what the machine stands at"));
+    m_none->setToolTip(tr("Nothing is set: the machine has to be referenced another way"));
+    m_value->setAccessibleName(tr("Position in steps"));
+    m_value->setToolTip(tr("Position in steps, decimal or hexadecimal (0x.. or ..h)"));
+    m_value->setMaximumWidth(160);
+    m_note->setWordWrap(true);
+    auto *typed = new QHBoxLayout;
+    typed->addWidget(m_typed);
+    typed->addWidget(m_value);
+    typed->addWidget(new QLabel(tr("steps"), this));
+    typed->addStretch(1);
+    auto *layout = new QVBoxLayout(this);
+    layout->setSpacing(grid::margin);
+    layout->addWidget(m_last);
+    layout->addLayout(typed);
+    layout->addWidget(m_none);
+    layout->addWidget(m_message);
+    layout->addWidget(m_note);
+    layout->addStretch(1);
+    connect(m_value, &QLineEdit::textEdited, this, [this] { m_typed->setChecked(true); });
+}
+
+void ReplacePositionStep::enter()
+{
+    m_message->withdraw();
+    const bool presets = m_replacing.now.device != nullptr && m_replacing.now.device->capabilities.presets;
+    m_seen = m_positions.at(m_replacing.place);
+    m_last->setVisible(m_seen && presets);
+    m_typed->setEnabled(presets);
+    m_value->setEnabled(presets);
+    if (m_seen) {
+        const QLocale locale;
+        const QString position = locale.toString(qlonglong{m_seen->position});
+        const QString time = locale.toString(m_seen->at, QLocale::ShortFormat);
+        m_last->setText(m_seen->beforeItWent
+                            ? tr("&Position %1, seen at %2, before the encoder went away").arg(position, time)
+                            : tr("&Position %1, as shown at %2: the encoder has not been away since")
+                                  .arg(position, time));
+    }
+    if (!m_last->isChecked() && !m_typed->isChecked() && !m_none->isChecked()) {
+        const bool isOld = m_seen && m_seen->beforeItWent;
+        (presets ? isOld ? m_last : m_typed : m_none)->setChecked(true);
+    }
+    QRadioButton *chosen = m_last->isChecked() ? m_last : m_typed->isChecked() ? m_typed : m_none;
+    setFocusProxy(chosen == m_typed ? static_cast<QWidget *>(m_value) : chosen);
+}
+
+bool ReplacePositionStep::leave()
+{
+    m_message->withdraw();
+    m_replacing.position.reset();
+    if (m_none->isChecked())
+        return true;
+    if (m_last->isChecked() && m_seen) {
+        m_replacing.position = m_seen->position;
+        return true;
+    }
+    m_replacing.position = parseNumber(m_value->text().remove(QLocale().groupSeparator()));
+    if (!m_replacing.position)
+        m_message->showMessage(Role::attention,
+                               tr("Give the position as a whole number, 0 or more, or leave it as it is."));
+    return m_replacing.position.has_value();
+}
+
+} // namespace codewheel

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "transfer/last_positions.h"
+#include "widgets/transfer/replace_step.h"
+
+class QLabel;
+class QLineEdit;
+class QRadioButton;
+
+namespace codewheel {
+
+class InlineMessage;
+
+// Which position the new encoder shall show: that of the one before, as it was seen last, one that is typed,
+// or whatever it shows.
+class ReplacePositionStep final : public ReplaceStep
+{
+    Q_OBJECT
+
+public:
+    ReplacePositionStep(Replacing &replacing, const LastPositions &positions, QWidget *parent = nullptr);
+
+    void enter() override;
+    bool leave() override;
+
+private:
+    const LastPositions &m_positions;
+    std::optional<SeenPosition> m_seen;
+    QRadioButton *m_last;
+    QRadioButton *m_typed;
+    QRadioButton *m_none;
+    QLineEdit *m_value;
+    QLabel *m_note;
+    InlineMessage *m_message;
+};
+
+} // namespace codewheel

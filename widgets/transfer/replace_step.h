@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "transfer/replacement.h"
+
+#include <QWidget>
+
+namespace codewheel {
+
+class BusSession;
+class ProjectDocument;
+
+// What the steps of ReplacePage hand on to each other.
+struct Replacing
+{
+    BusSession &bus;
+    ProjectDocument &project;
+    DeviceNumber place{};
+    ProjectDevice before{};                 // as planned when it began
+    Replacement now{};                      // device null: not chosen yet
+    std::optional<std::int64_t> position{}; // to be set; nothing: it stays as it is
+};
+
+// One step of the replacement of an encoder.
+class ReplaceStep : public QWidget
+{
+    Q_OBJECT
+
+public:
+    ReplaceStep(Replacing &replacing, const QString &title, QWidget *parent = nullptr)
+        : QWidget(parent)
+        , m_replacing(replacing)
+        , m_title(title)
+    {
+        setAccessibleName(title);
+    }
+
+    const QString &title() const { return m_title; }
+    virtual void enter() {}
+    // Takes what was given here; false: the step says what is missing.
+    virtual bool leave() { return true; }
+    virtual bool mayGoOn() const { return true; }
+    virtual bool mayGoBack() const { return true; }
+    virtual QString nextText() const { return tr("&Next"); }
+
+Q_SIGNALS:
+    void changed(); // mayGoOn, mayGoBack
+
+protected:
+    Replacing &m_replacing;
+
+private:
+    QString m_title;
+};
+
+} // namespace codewheel

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/transfer/replace_write_steps.h"
+
+#include "catalog/device_description.h"
+#include "encoder/refusal_text.h"
+#include "ring/bus_session.h"
+#include "transfer/transfer_report.h"
+#include "transfer/transfer_words.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/project/project_document.h"
+#include "widgets/transfer/account_view.h"
+#include "widgets/transfer/transfer_progress.h"
+#include "widgets/transfer/transfer_table.h"
+
+#include <QCoreApplication>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace codewheel {
+
+ReplaceWriteStep::ReplaceWriteStep(Replacing &replacing, QWidget *parent)
+    : ReplaceStep(replacing, tr("Write"), parent)
+    , m_round(replacing.bus)
+    , m_model(new TransferModel(TransferModel::Choice::fixed, this))
+    , m_table(new TransferTable(*m_model, tr("What will be written"), this))
+    , m_note(new QLabel(this))
+    , m_message(new InlineMessage(this))
+    , m_progress(new TransferProgress(m_round, this))
+{
+    m_table->setObjectName(QStringLiteral("replaceTable"));
+    m_note->setWordWrap(true);
+    m_note->setObjectName(QStringLiteral("replaceNote"));
+    m_progress->hide();
+    auto *layout = new QVBoxLayout(this);
+    layout->setSpacing(grid::margin);
+    layout->addWidget(m_table, 1);
+    layout->addWidget(m_note);
+    layout->addWidget(m_message);
+    layout->addWidget(m_progress);
+    setFocusProxy(m_table);
+    connect(&m_round, &JobRound::finished, this, [this] {
+        m_progress->hide();
+        Q_EMIT changed();
+        Q_EMIT ended();
+    });
+    connect(&replacing.bus, &BusSession::stateChanged, this, [this] {
+        if (isVisible() && !isBusy())
+            showPlan();
+    });
+}
+
+// Nothing that was known of the encoder before may be taken for the new one's.
+void ReplaceWriteStep::enter()
+{
+    m_message->withdraw();
+    const Replacement &now = m_replacing.now;
+    const auto named = m_replacing.bus.name(m_replacing.place, now.device->key, now.turns, now.stepsPerTurn);
+    if (!named)
+        m_message->showMessage(Role::attention, refusalText(named.error()));
+    showPlan();
+}
+
+void ReplaceWriteStep::showPlan()
+{
+    m_plan = planTransfer(m_replacing.bus,
+                          {wishToReplace(m_replacing.before, m_replacing.now, m_replacing.position)});
+    m_model->show(linesOf(m_replacing.bus, m_plan));
+    m_note->setText(m_plan.front().isWritten() || m_plan.front().hindrance
+                        ? transfer_words::summary(m_plan.front())
+                        : tr("There are no values for it, neither wanted nor stored. Write puts the new "
+                             "encoder into the project."));
+    Q_EMIT changed();
+}
+
+bool ReplaceWriteStep::mayGoOn() const
+{
+    return !m_round.isRunning() && !m_plan.empty() && !m_plan.front().hindrance;
+}
+
+void ReplaceWriteStep::begin()
+{
+    m_progress->show();
+    m_progress->setFocus();
+    m_round.start(jobsOf(m_plan), JobRound::AfterRefusal::stop);
+    Q_EMIT changed();
+}
+
+void ReplaceWriteStep::cancel()
+{
+    m_progress->cancel();
+}
+
+TransferAccount ReplaceWriteStep::account() const
+{
+    TransferAccount account = accountOf(m_replacing.bus, TransferKind::replace, m_plan, m_round.results());
+    account.source = m_replacing.now.serialNumber.isEmpty()
+                         ? m_replacing.project.project().title
+                         : tr("Serial number %1").arg(m_replacing.now.serialNumber);
+    return account;
+}
+
+ReplaceAccountStep::ReplaceAccountStep(Replacing &replacing, QWidget *parent)
+    : ReplaceStep(replacing, tr("What was written"), parent)
+    , m_result(new QLabel(this))
+    , m_account(new AccountView(this))
+{
+    m_result->setWordWrap(true);
+    m_result->setObjectName(QStringLiteral("replaceResult"));
+    auto *layout = new QVBoxLayout(this);
+    layout->setSpacing(grid::margin);
+    layout->addWidget(m_result);
+    layout->addWidget(m_account, 1);
+    setFocusProxy(m_account);
+}
+
+void ReplaceAccountStep::show(const TransferAccount &account)
+{
+    m_result->setText(transfer_words::outcome(account.encoders.front()));
+    m_account->show(
+        reportOf(account, m_replacing.bus.catalog(), QCoreApplication::applicationVersion()),
+        QStringLiteral("replaced-%1-%2")
+            .arg(m_replacing.place.toString(), account.at.toString(QStringLiteral("yyyy-MM-dd"))));
+}
+
+} // namespace codewheel

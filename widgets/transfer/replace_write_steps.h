@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "transfer/transfer_account.h"
+#include "widgets/transfer/replace_step.h"
+#include "widgets/transfer/transfer_model.h"
+
+class QLabel;
+
+namespace codewheel {
+
+class AccountView;
+class InlineMessage;
+class TransferProgress;
+class TransferTable;
+
+// What will be written to the new encoder, with the words; then the writing.
+class ReplaceWriteStep final : public ReplaceStep
+{
+    Q_OBJECT
+
+public:
+    explicit ReplaceWriteStep(Replacing &replacing, QWidget *parent = nullptr);
+
+    void enter() override;
+    bool mayGoOn() const override;
+    bool mayGoBack() const override { return !m_round.isRunning(); }
+    QString nextText() const override { return tr("&Write"); }
+
+    bool isBusy() const { return m_round.isRunning(); }
+    void begin();
+    void cancel();
+    // Of the writing that has ended.
+    TransferAccount account() const;
+
+Q_SIGNALS:
+    void ended();
+
+private:
+    void showPlan();
+
+    JobRound m_round;
+    TransferPlan m_plan;
+    TransferModel *m_model;
+    TransferTable *m_table;
+    QLabel *m_note;
+    InlineMessage *m_message;
+    TransferProgress *m_progress;
+};
+
+// What was written, to be saved.
+class ReplaceAccountStep final : public ReplaceStep
+{
+    Q_OBJECT
+
+public:
+    explicit ReplaceAccountStep(Replacing &replacing, QWidget *parent = nullptr);
+
+    void show(const TransferAccount &account);
+    bool mayGoBack() const override { return false; }
+    QString nextText() const override { return tr("&Close"); }
+
+private:
+    QLabel *m_result;
+    AccountView *m_account;
+};
+
+} // namespace codewheel

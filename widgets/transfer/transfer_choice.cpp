@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/transfer/transfer_choice.h"
+
+#include "catalog/device_description.h"
+#include "ring/bus_session.h"
+#include "widgets/look/grid.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+
+#include <algorithm>
+
+namespace codewheel {
+
+TransferChoice::TransferChoice(BusSession &bus, FindValuesBefore findBefore, QWidget *parent)
+    : QWidget(parent)
+    , m_bus(bus)
+    , m_findBefore(std::move(findBefore))
+    , m_what(new QComboBox(this))
+    , m_from(new QComboBox(this))
+    , m_before(new QComboBox(this))
+    , m_cams(new QCheckBox(tr("Cam &programs too"), this))
+{
+    // In the order of What.
+    m_what->addItems({tr("Write what the project wants"), tr("Write what the project has stored"),
+                      tr("Store in the project what encoders have"),
+                      tr("Give the values of one encoder to others"), tr("Restore values from before")});
+    m_what->setObjectName(QStringLiteral("transferWhat"));
+    m_what->setAccessibleName(tr("What is transferred"));
+    m_what->setToolTip(tr("What is transferred. Nothing is sent by choosing."));
+    m_from->setObjectName(QStringLiteral("cloneFrom"));
+    m_from->setAccessibleName(tr("Encoder whose values the others get"));
+    m_from->setToolTip(tr("The encoder whose values the others get, as far as they are known"));
+    m_before->setObjectName(QStringLiteral("valuesBefore"));
+    m_before->setAccessibleName(tr("Values from before"));
+    m_before->setToolTip(tr("What the encoder had before this program wrote to it"));
+    m_before->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_cams->setObjectName(QStringLiteral("withCams"));
+    m_cams->setToolTip(
+        tr("Cam programs are read in the cam mode of each; leaving one that was changed before "
+           "costs an EEPROM write."));
+    auto *label = new QLabel(tr("&Transfer"), this);
+    label->setBuddy(m_what);
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(grid::margin);
+    layout->addWidget(label);
+    layout->addWidget(m_what);
+    layout->addWidget(m_from);
+    layout->addWidget(m_before, 1);
+    layout->addWidget(m_cams);
+    layout->addStretch();
+    setFocusProxy(m_what);
+    showRing();
+    showParts();
+    connect(m_what, &QComboBox::currentIndexChanged, this, [this] {
+        showParts();
+        Q_EMIT changed();
+    });
+    connect(m_from, &QComboBox::currentIndexChanged, this, &TransferChoice::changed);
+    connect(m_before, &QComboBox::currentIndexChanged, this, &TransferChoice::changed);
+    connect(m_cams, &QCheckBox::toggled, this, &TransferChoice::changed);
+}
+
+TransferChoice::What TransferChoice::what() const
+{
+    return static_cast<What>(m_what->currentIndex());
+}
+
+void TransferChoice::choose(What what)
+{
+    m_what->setCurrentIndex(static_cast<int>(what));
+    showParts();
+}
+
+void TransferChoice::setEncoder(DeviceNumber number)
+{
+    m_number = number;
+    if (const int row = m_from->findText(number.toString() + u' ', Qt::MatchStartsWith); row >= 0)
+        m_from->setCurrentIndex(row);
+    if (what() == What::restore)
+        fillBefore();
+}
+
+std::optional<DeviceNumber> TransferChoice::from() const
+{
+    return DeviceNumber::parse(m_from->currentData().toString());
+}
+
+const ValuesBefore *TransferChoice::before() const
+{
+    const int row = m_before->currentIndex();
+    return row < 0 || m_befores.empty() ? nullptr : &m_befores[static_cast<std::size_t>(row)];
+}
+
+bool TransferChoice::withCams() const
+{
+    return m_cams->isChecked();
+}
+
+void TransferChoice::showRing()
+{
+    const QSignalBlocker blocker(m_from);
+    const QString before = m_from->currentData().toString();
+    m_from->clear();
+    for (const DeviceNumber number : m_bus.numbers())
+        if (const EncoderSession *encoder = m_bus.encoder(number); encoder && encoder->can().writes)
+            m_from->addItem(QStringLiteral("%1 %2").arg(number.toString(), encoder->device().fullName()),
+                            number.toString());
+    m_from->setCurrentIndex(std::max(0, m_from->findData(before)));
+}
+
+void TransferChoice::fillBefore()
+{
+    const QSignalBlocker blocker(m_before);
+    m_befores = m_findBefore(m_number);
+    m_before->clear();
+    const EncoderSession *encoder = m_bus.encoder(m_number);
+    for (const ValuesBefore &before : m_befores)
+        m_before->addItem(QStringLiteral("%1  %2: %3")
+                              .arg(before.place.toString(), timeOf(before, m_bus.dateTime(m_bus.latest().at)),
+                                   textOf(before, encoder ? &encoder->device() : nullptr)));
+    m_before->setEnabled(!m_befores.empty());
+    if (m_befores.empty())
+        m_before->addItem(tr("Nothing is kept of %1.").arg(m_number.toString()));
+}
+
+void TransferChoice::showParts()
+{
+    const What chosen = what();
+    m_from->setVisible(chosen == What::clone);
+    m_before->setVisible(chosen == What::restore);
+    m_cams->setVisible(chosen == What::clone || chosen == What::store);
+    if (chosen == What::restore)
+        fillBefore();
+}
+
+} // namespace codewheel

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "transfer/values_before.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+
+namespace codewheel {
+
+class BusSession;
+
+// What is to be transferred: from the project, from one encoder to others, from before, or into the project.
+class TransferChoice : public QWidget
+{
+    Q_OBJECT
+
+public:
+    enum class What : std::uint8_t { write, writeStored, store, clone, restore };
+
+    TransferChoice(BusSession &bus, FindValuesBefore findBefore, QWidget *parent = nullptr);
+
+    What what() const;
+    void choose(What what);
+    void showRing(); // another one
+    // Whose values are cloned, or restored.
+    void setEncoder(DeviceNumber number);
+    std::optional<DeviceNumber> from() const; // of a clone
+    const ValuesBefore *before() const;       // null: there is nothing to restore
+    bool withCams() const;                    // store, clone
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    void fillBefore();
+    void showParts();
+
+    BusSession &m_bus;
+    FindValuesBefore m_findBefore;
+    std::vector<ValuesBefore> m_befores;
+    DeviceNumber m_number;
+    QComboBox *m_what;
+    QComboBox *m_from;
+    QComboBox *m_before;
+    QCheckBox *m_cams;
+};
+
+} // namespace codewheel

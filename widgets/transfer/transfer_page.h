@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/message.h"
+#include "widgets/transfer/transfer_choice.h"
+#include "widgets/transfer/transfer_model.h"
+
+#include <QTimer>
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+
+namespace codewheel {
+
+class AccountView;
+class InlineMessage;
+class ProjectDocument;
+class TransferProgress;
+class TransferTable;
+
+// Values to and from several encoders: what is transferred, which encoders, what differs with its words and
+// EEPROM writes; then the writing, with progress and cancel; then what was written where. A page of the main
+// window, for engineers who commission a bus, and technicians who bring it back.
+class TransferPage : public QWidget
+{
+    Q_OBJECT
+
+public:
+    TransferPage(BusSession &bus, ProjectDocument &project, FindValuesBefore findBefore,
+                 QWidget *parent = nullptr);
+
+    // Shows what differs now. `number`: the encoder that is chosen elsewhere.
+    void choose(TransferChoice::What what, std::optional<DeviceNumber> number);
+    bool isBusy() const { return m_round.isRunning(); }
+
+Q_SIGNALS:
+    void messaged(const codewheel::Message &message);
+    void closeRequested();
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    void layOut();
+    void connectAll();
+    void followEncoders();
+    void showPlan();
+    void planSoon();
+    void showSummary();
+    void begin();
+    void carryOut();
+    void finish();
+    void finishStoring();
+    void finishWriting();
+    void backToChoice();
+    std::vector<TransferWish> wishes() const;
+    std::vector<ProjectDevice> plannedDevices() const;
+    TransferPlan chosenPlan() const;
+    std::vector<EncoderJobs> jobsToDo() const;
+    QString source() const;
+
+    BusSession &m_bus;
+    ProjectDocument &m_project;
+    JobRound m_round;
+    TransferPlan m_plan;
+    std::vector<DeviceNumber> m_toStore;
+    QTimer m_soon; // many encoders change at once
+    TransferChoice *m_choice;
+    TransferModel *m_model;
+    TransferTable *m_table;
+    QPushButton *m_all;
+    QPushButton *m_none;
+    QCheckBox *m_stop;
+    QLabel *m_summary;
+    InlineMessage *m_problem;
+    QPushButton *m_begin;
+    QPushButton *m_close;
+    TransferProgress *m_progress;
+    QStackedWidget *m_stage;
+    QWidget *m_choosing;
+    QWidget *m_done;
+    QLabel *m_result;
+    AccountView *m_account;
+    QPushButton *m_back;
+};
+
+} // namespace codewheel
