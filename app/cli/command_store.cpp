@@ -86,8 +86,6 @@ Checked<Answer> run(const Call &call)
     const auto devices = devicesMeant(call, *project);
     if (!devices)
         return tl::unexpected(devices.error());
-    nameByProject(*call.bus, *devices);
-    call.bus->advance(1);
     const FinishedRound round = runToEnd(*call.bus, jobsFor(call, *devices), JobRound::AfterRefusal::goOn);
     Answer answer;
     QJsonArray encoders;

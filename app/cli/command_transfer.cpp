@@ -37,8 +37,6 @@ Checked<Answer> run(const Call &call)
     if (!devices)
         return tl::unexpected(devices.error());
     const bool all = call.arguments.rest.size() == 1;
-    nameByProject(*call.bus, *devices);
-    call.bus->advance(1);
     std::vector<TransferWish> wishes;
     for (const ProjectDevice &device : *devices) {
         TransferWish wish =

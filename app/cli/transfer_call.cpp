@@ -5,6 +5,7 @@
 #include "cli/bus_access.h"
 #include "cli/consent.h"
 #include "cli/eeprom_consent.h"
+#include "cli/project_access.h"
 #include "cli/texts.h"
 #include "cli/trace.h"
 #include "cli/transfer_text.h"
@@ -69,12 +70,14 @@ Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project
 {
     if (project.devices.empty())
         return tl::unexpected(complaintAbout({RefusalKind::badInput, RefusalId::projectEmpty, {}}));
+    nameEncoders({call.arguments, call.catalog, call.bus, call.terminal, &project});
+    call.bus->advance(1); // so that each encoder shows where it stands
     if (call.arguments.rest.size() == 1)
         return project.devices;
     std::vector<ProjectDevice> devices;
     for (const QString &place : call.arguments.rest.sliced(1)) {
         const auto found = std::ranges::find_if(project.devices, [&](const ProjectDevice &device) {
-            return device.participant.number.toString() == place;
+            return device.participant.number.toString() == place || device.station == place;
         });
         if (found == project.devices.end())
             return tl::unexpected(complaintAbout(
@@ -82,17 +85,6 @@ Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project
         devices.push_back(*found);
     }
     return devices;
-}
-
-void nameByProject(BusSession &bus, const std::vector<ProjectDevice> &devices)
-{
-    for (const ProjectDevice &device : devices) {
-        const Participant &planned = device.participant;
-        const auto found = std::ranges::find(bus.structure(), planned.number, &Participant::number);
-        const bool isOpen = found != bus.structure().end() && found->deviceKey.isEmpty();
-        if (isOpen && !planned.deviceKey.isEmpty())
-            (void)bus.name(planned.number, planned.deviceKey, device.label.turns, device.label.stepsPerTurn);
-    }
 }
 
 FinishedRound runToEnd(BusSession &bus, std::vector<EncoderJobs> jobs, JobRound::AfterRefusal afterRefusal)

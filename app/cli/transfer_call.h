@@ -12,13 +12,9 @@ namespace codewheel {
 
 // What the commands about several encoders have in common.
 
-// The devices of the project named in the call, from its second argument on; without any, all. Refuses a
-// place that the project does not have.
+// The devices of the project named in the call by place or station, from its second argument on; without any,
+// all. Refuses a place that the project does not have. Names the encoders of the bus as the project does.
 Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project &project);
-
-// A make that the project knows and the bus does not tell is named; what does not fit is left as it is, and
-// told by the plan.
-void nameByProject(BusSession &bus, const std::vector<ProjectDevice> &devices);
 
 // A round of jobs in virtual time.
 struct FinishedRound
