@@ -89,12 +89,13 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
 MainWindow::~MainWindow() = default;
 
 void MainWindow::attach(BusSession &bus, std::shared_ptr<TrainingControls> training, const QString &link,
-                        MessageModel &messages)
+                        MessageModel &messages, FindValuesBefore findBefore)
 {
     m_bus = &bus;
     m_training = std::move(training);
     m_messageModel = &messages;
     m_link = link;
+    m_findBefore = std::move(findBefore);
     new DeviceNames(m_project, bus, this);
     makePages();
     makeDocks(messages);
@@ -119,9 +120,7 @@ void MainWindow::makePages()
                           static_cast<QWidget *>(m_cams), static_cast<QWidget *>(m_editor),
                           static_cast<QWidget *>(m_comparison)})
         m_pages->addWidget(page);
-    m_transfer = new TransferPages(
-        *m_bus, m_project, [](DeviceNumber) { return std::vector<ValuesBefore>(); }, m_actions, *m_pages,
-        this);
+    m_transfer = new TransferPages(*m_bus, m_project, m_findBefore, m_actions, *m_pages, this);
 }
 
 void MainWindow::connectProject()

@@ -4,6 +4,7 @@
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
 #include "encoder/device_number.h"
+#include "transfer/values_before.h"
 
 #include <QJsonObject>
 #include <QMainWindow>
@@ -62,9 +63,10 @@ public:
     ~MainWindow() override;
 
     // The bus must outlive the window, or the window be closed first. link: its name in the status line.
-    // The messages outlive it: they are kept when the window is made anew in another language.
+    // findBefore: what there is to restore. The messages outlive it: they are kept when the window is made
+    // anew in another language.
     void attach(BusSession &bus, std::shared_ptr<TrainingControls> training, const QString &link,
-                MessageModel &messages);
+                MessageModel &messages, FindValuesBefore findBefore);
 
     // Takes a picture of the bus and shows it. Called 30 times a second by the program, by hand in tests.
     void showPicture();
@@ -124,6 +126,7 @@ private:
     RingConnection *m_connection = nullptr;
     ReportExport *m_report = nullptr;
     QString m_link;
+    FindValuesBefore m_findBefore;
     QJsonObject m_openMonitors; // while offline
     StructureEditor *m_editor = nullptr;
     ComparisonPage *m_comparison = nullptr;

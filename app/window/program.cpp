@@ -111,7 +111,8 @@ void Program::openProject()
 
 void Program::attach()
 {
-    m_window->attach(*m_training.bus, m_training.controls, tr("training bus"), *m_messages);
+    m_window->attach(*m_training.bus, m_training.controls, tr("training bus"), *m_messages,
+                     valuesBeforeOf(*m_ledger));
 }
 
 // All texts are made with the window, so it is made again; bus, jobs and messages go on.

@@ -26,7 +26,8 @@ TrainingWindow::TrainingWindow(const QString &settingsFile)
     keepAccountOf(m_project, m_ledger);
     m_project.setProject(projectOf(m_training.bus->structure()), {});
     m_window = std::make_unique<MainWindow>(m_settings, m_project);
-    m_window->attach(*m_training.bus, m_training.controls, MainWindow::tr("training bus"), m_messages);
+    m_window->attach(*m_training.bus, m_training.controls, MainWindow::tr("training bus"), m_messages,
+                     valuesBeforeOf(m_ledger));
     advance(picturePeriod);
 }
 

@@ -1,12 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transfer/values_before.h"
 
+#include "journal/ledger_keeper.h"
 #include "transfer/transfer_words.h"
 
 #include <QLocale>
 #include <QTimeZone>
 
 namespace codewheel {
+
+FindValuesBefore valuesBeforeOf(const LedgerKeeper &keeper)
+{
+    return [&keeper](DeviceNumber place) {
+        std::vector<ValuesBefore> all;
+        if (keeper.ledger() == nullptr)
+            return all;
+        for (const Ledger::Entry &entry : keeper.ledger()->valuesBefore(keeper.identity(place))) {
+            ValuesBefore one{place, entry.at, entry.device, {}};
+            for (const Ledger::Value &value : entry.before)
+                if (isSetting(value.parameter) && (!entry.settled || valueOf(entry.written, value.parameter)))
+                    one.values.push_back({value.parameter, value.value});
+            if (!one.values.empty())
+                all.push_back(std::move(one));
+        }
+        return all;
+    };
+}
 
 TransferWish wishToRestore(const ValuesBefore &before)
 {

@@ -8,6 +8,8 @@
 
 namespace codewheel {
 
+class LedgerKeeper;
+
 // What an encoder had before something was written to it: of each value that was written and was known
 // before.
 struct ValuesBefore
@@ -22,6 +24,10 @@ struct ValuesBefore
 
 // What there is to restore at a place, the newest first.
 using FindValuesBefore = std::function<std::vector<ValuesBefore>(DeviceNumber)>;
+
+// As the ledger keeps them; of a job whose end was not seen, all that it was to write. The keeper must
+// outlive it.
+FindValuesBefore valuesBeforeOf(const LedgerKeeper &keeper);
 
 TransferWish wishToRestore(const ValuesBefore &before);
 

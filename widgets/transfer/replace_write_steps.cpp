@@ -10,6 +10,7 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
 #include "widgets/transfer/account_view.h"
+#include "widgets/transfer/eeprom_gates.h"
 #include "widgets/transfer/transfer_progress.h"
 #include "widgets/transfer/transfer_table.h"
 
@@ -26,6 +27,7 @@ ReplaceWriteStep::ReplaceWriteStep(Replacing &replacing, QWidget *parent)
     , m_table(new TransferTable(*m_model, tr("What will be written"), this))
     , m_note(new QLabel(this))
     , m_message(new InlineMessage(this))
+    , m_gates(new EepromGates(replacing.bus, this))
     , m_progress(new TransferProgress(m_round, this))
 {
     m_table->setObjectName(QStringLiteral("replaceTable"));
@@ -37,8 +39,10 @@ ReplaceWriteStep::ReplaceWriteStep(Replacing &replacing, QWidget *parent)
     layout->addWidget(m_table, 1);
     layout->addWidget(m_note);
     layout->addWidget(m_message);
+    layout->addWidget(m_gates);
     layout->addWidget(m_progress);
     setFocusProxy(m_table);
+    connect(m_gates, &EepromGates::changed, this, &ReplaceStep::changed);
     connect(&m_round, &JobRound::finished, this, [this] {
         m_progress->hide();
         Q_EMIT changed();
@@ -66,6 +70,7 @@ void ReplaceWriteStep::showPlan()
     m_plan = planTransfer(m_replacing.bus,
                           {wishToReplace(m_replacing.before, m_replacing.now, m_replacing.position)});
     m_model->show(linesOf(m_replacing.bus, m_plan));
+    m_gates->setPlan(m_plan);
     m_note->setText(m_plan.front().isWritten() || m_plan.front().hindrance
                         ? transfer_words::summary(m_plan.front())
                         : tr("There are no values for it, neither wanted nor stored. Write puts the new "
@@ -75,7 +80,7 @@ void ReplaceWriteStep::showPlan()
 
 bool ReplaceWriteStep::mayGoOn() const
 {
-    return !m_round.isRunning() && !m_plan.empty() && !m_plan.front().hindrance;
+    return !m_round.isRunning() && !m_plan.empty() && !m_plan.front().hindrance && m_gates->isOpen();
 }
 
 void ReplaceWriteStep::begin()

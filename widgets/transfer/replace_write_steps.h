@@ -10,6 +10,7 @@ class QLabel;
 namespace codewheel {
 
 class AccountView;
+class EepromGates;
 class InlineMessage;
 class TransferProgress;
 class TransferTable;
@@ -45,6 +46,7 @@ private:
     TransferTable *m_table;
     QLabel *m_note;
     InlineMessage *m_message;
+    EepromGates *m_gates;
     TransferProgress *m_progress;
 };
 

@@ -3,6 +3,7 @@
 
 #include "catalog/catalog.h"
 #include "encoder/refusal_text.h"
+#include "journal/eeprom_cost.h"
 #include "ring/bus_session.h"
 #include "transfer/transfer_report.h"
 #include "transfer/transfer_words.h"
@@ -12,6 +13,7 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
 #include "widgets/transfer/account_view.h"
+#include "widgets/transfer/eeprom_gates.h"
 #include "widgets/transfer/transfer_progress.h"
 #include "widgets/transfer/transfer_table.h"
 
@@ -53,6 +55,7 @@ TransferPage::TransferPage(BusSession &bus, ProjectDocument &project, FindValues
     , m_stop(new QCheckBox(tr("Stop &after a refusal"), this))
     , m_summary(new QLabel(this))
     , m_problem(new InlineMessage(this))
+    , m_gates(new EepromGates(bus, this))
     , m_begin(new QPushButton(this))
     , m_close(new QPushButton(tr("&Close"), this))
     , m_progress(new TransferProgress(m_round, this))
@@ -107,6 +110,7 @@ void TransferPage::layOut()
     first->addWidget(m_table, 1);
     first->addLayout(choosing);
     first->addWidget(m_problem);
+    first->addWidget(m_gates);
     first->addWidget(m_progress);
     first->addLayout(buttons);
     auto *second = new QVBoxLayout(m_done);
@@ -132,6 +136,7 @@ void TransferPage::connectAll()
     connect(m_model, &TransferModel::chosenChanged, this, &TransferPage::showSummary);
     connect(m_all, &QPushButton::clicked, m_model, [this] { m_model->chooseAll(true); });
     connect(m_none, &QPushButton::clicked, m_model, [this] { m_model->chooseAll(false); });
+    connect(m_gates, &EepromGates::changed, this, &TransferPage::showBegin);
     connect(m_begin, &QPushButton::clicked, this, &TransferPage::begin);
     connect(m_close, &QPushButton::clicked, this, &TransferPage::closeRequested);
     connect(m_back, &QPushButton::clicked, this, &TransferPage::backToChoice);
@@ -259,7 +264,9 @@ void TransferPage::showSummary()
     m_begin->setToolTip(stores ? tr("Reads the chosen encoders, which show no position meanwhile, and keeps "
                                     "what they have in the project")
                                : tr("Sends the words above to the chosen encoders, one after the other"));
-    m_begin->setEnabled(!chosen.empty() && !isBusy());
+    if (!isBusy())
+        m_gates->setPlan(planOfCost());
+    showBegin();
     const bool choosesAny = std::ranges::any_of(m_model->rows(), &TransferLine::canBeChosen);
     m_all->setEnabled(choosesAny);
     m_none->setEnabled(choosesAny);
@@ -288,11 +295,32 @@ std::vector<EncoderJobs> TransferPage::jobsToDo() const
     return jobs;
 }
 
+// Reading cams may store a program that was changed before.
+TransferPlan TransferPage::planOfCost() const
+{
+    if (m_choice->what() != What::store)
+        return chosenPlan();
+    TransferPlan plan;
+    for (const DeviceNumber number : m_model->chosen())
+        if (const EncoderSession *encoder = m_bus.encoder(number)) {
+            EncoderPlan one{.place = number, .jobs = jobsToStore(*encoder, m_choice->withCams()).jobs};
+            for (const Job &job : one.jobs)
+                one.eepromWrites += mostEepromWrites(*encoder, job);
+            plan.push_back(std::move(one));
+        }
+    return plan;
+}
+
+void TransferPage::showBegin()
+{
+    m_begin->setEnabled(!m_model->chosen().empty() && !isBusy() && m_gates->isOpen());
+}
+
 void TransferPage::begin()
 {
     showPlan(); // of this moment
     m_toStore = m_model->chosen();
-    if (m_toStore.empty())
+    if (m_toStore.empty() || !m_gates->isOpen())
         return;
     if (m_choice->what() == What::store && !m_bus.isOperating() && !jobsToDo().empty()) {
         m_problem->showMessage(Role::attention, refusalText({RefusalKind::busy, RefusalId::watchOnly, {}}));

@@ -15,6 +15,7 @@ class QStackedWidget;
 namespace codewheel {
 
 class AccountView;
+class EepromGates;
 class InlineMessage;
 class ProjectDocument;
 class TransferProgress;
@@ -59,6 +60,8 @@ private:
     std::vector<ProjectDevice> plannedDevices() const;
     TransferPlan chosenPlan() const;
     std::vector<EncoderJobs> jobsToDo() const;
+    TransferPlan planOfCost() const;
+    void showBegin();
     QString source() const;
 
     BusSession &m_bus;
@@ -75,6 +78,7 @@ private:
     QCheckBox *m_stop;
     QLabel *m_summary;
     InlineMessage *m_problem;
+    EepromGates *m_gates;
     QPushButton *m_begin;
     QPushButton *m_close;
     TransferProgress *m_progress;

@@ -165,6 +165,26 @@ TEST_F(TransferPageTest, CancelInTheMiddleAsksHowToLeaveTheEncoder)
     EXPECT_TRUE(account().contains(QStringLiteral("Not done")));
 }
 
+TEST_F(TransferPageTest, AWornEepromIsAskedAboutBeforeAnythingIsWritten)
+{
+    session.encoder(fraba).setEepromCount({.writes = 250});
+    click("chooseNone");
+    click("chooseAll");
+    EXPECT_FALSE(isEnabled("transferBegin"));
+    click("writeNevertheless");
+    EXPECT_TRUE(isEnabled("transferBegin"));
+
+    session.encoder(fraba).setEepromCount({.writes = 600});
+    click("chooseNone");
+    click("chooseAll");
+    EXPECT_FALSE(isEnabled("transferBegin"));
+    type("typedPlace", "1.0");
+    EXPECT_TRUE(isEnabled("transferBegin"));
+    toggle("1.0");
+    EXPECT_FALSE(find<QLineEdit>("typedPlace")->isVisible());
+    EXPECT_TRUE(isEnabled("transferBegin"));
+}
+
 TEST_F(TransferPageTest, TheAccountIsCopiedAndSaved)
 {
     write();

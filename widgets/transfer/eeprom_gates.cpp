@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/transfer/eeprom_gates.h"
+
+#include "journal/eeprom_cost.h"
+#include "ring/bus_session.h"
+#include "widgets/look/grid.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QRegularExpression>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace codewheel {
+namespace {
+
+constexpr int mostTold = 4; // encoders; the table above needs the room
+
+QString placesOf(const std::vector<DeviceNumber> &numbers)
+{
+    QStringList places;
+    for (const DeviceNumber number : numbers)
+        places << number.toString();
+    return places.join(u' ');
+}
+
+} // namespace
+
+EepromGates::EepromGates(BusSession &bus, QWidget *parent)
+    : QWidget(parent)
+    , m_bus(bus)
+    , m_text(new QLabel(this))
+    , m_nevertheless(new QCheckBox(tr("Write &nevertheless"), this))
+    , m_places(new QLineEdit(this))
+{
+    m_text->setWordWrap(true);
+    m_text->setObjectName(QStringLiteral("eepromConcern"));
+    m_nevertheless->setObjectName(QStringLiteral("writeNevertheless"));
+    m_nevertheless->setToolTip(tr("The EEPROM was written as often as the manual speaks of"));
+    m_places->setObjectName(QStringLiteral("typedPlace"));
+    m_places->setToolTip(
+        tr("The places of these encoders, so that nothing is written beyond the limit by accident"));
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(grid::unit);
+    layout->addWidget(m_text);
+    layout->addWidget(m_nevertheless);
+    layout->addWidget(m_places);
+    connect(m_nevertheless, &QCheckBox::toggled, this, &EepromGates::changed);
+    connect(m_places, &QLineEdit::textChanged, this, &EepromGates::changed);
+    hide();
+}
+
+void EepromGates::setPlan(const TransferPlan &plan)
+{
+    QStringList texts;
+    std::vector<DeviceNumber> asked;
+    std::vector<DeviceNumber> typed;
+    for (const EncoderPlan &one : plan) {
+        const EncoderSession *encoder = m_bus.encoder(one.place);
+        const EepromConcern concern =
+            encoder ? eepromConcern(*encoder, one.eepromWrites) : EepromConcern::none;
+        if (concern == EepromConcern::none)
+            continue;
+        texts << QStringLiteral("%1: %2").arg(one.place.toString(),
+                                              eepromConcernText(*encoder, one.eepromWrites));
+        if (concern == EepromConcern::question)
+            asked.push_back(one.place);
+        if (concern == EepromConcern::typed)
+            typed.push_back(one.place);
+    }
+    if (std::exchange(m_asked, asked) != asked)
+        m_nevertheless->setChecked(false);
+    if (std::exchange(m_typed, typed) != typed)
+        m_places->clear();
+    if (texts.size() > mostTold)
+        texts = texts.first(mostTold) << tr("Other encoders as well: %1.").arg(texts.size() - mostTold);
+    m_text->setText(texts.join(u'\n'));
+    const QString ask = tr("Type %1 to write nevertheless").arg(placesOf(m_typed));
+    m_places->setPlaceholderText(ask);
+    m_places->setAccessibleName(ask);
+    m_nevertheless->setVisible(!m_asked.empty());
+    m_places->setVisible(!m_typed.empty());
+    setVisible(!texts.isEmpty());
+}
+
+bool EepromGates::isOpen() const
+{
+    static const QRegularExpression between(QStringLiteral("[\\s,;]+"));
+    const QStringList places = m_places->text().split(between, Qt::SkipEmptyParts);
+    const bool allTyped =
+        std::ranges::all_of(m_typed, [&](DeviceNumber number) { return places.contains(number.toString()); });
+    return allTyped && (m_asked.empty() || m_nevertheless->isChecked());
+}
+
+} // namespace codewheel
