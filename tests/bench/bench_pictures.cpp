@@ -66,7 +66,8 @@ int main(int argc, char **argv)
     MessageModel messages(store);
     ProjectDocument project;
     MainWindow window(settings, project);
-    window.attach(bus, ring.controls, QStringLiteral("moving ring"), messages);
+    window.attach(bus, ring.controls, QStringLiteral("moving ring"), messages,
+                  [](DeviceNumber) { return std::vector<ValuesBefore>(); });
     auto *monitors = window.findChild<MonitorArea *>();
     monitors->closeAll();
     for (const DeviceNumber number : bus.numbers()) {

@@ -41,6 +41,7 @@ EepromGates::EepromGates(BusSession &bus, QWidget *parent)
     m_nevertheless->setObjectName(QStringLiteral("writeNevertheless"));
     m_nevertheless->setToolTip(tr("The EEPROM was written as often as the manual speaks of"));
     m_places->setObjectName(QStringLiteral("typedPlace"));
+    m_places->setAccessibleName(tr("Places of the encoders"));
     m_places->setToolTip(
         tr("The places of these encoders, so that nothing is written beyond the limit by accident"));
     auto *layout = new QVBoxLayout(this);

@@ -61,6 +61,7 @@ ReplacePage::ReplacePage(BusSession &bus, ProjectDocument &project, QWidget *par
     connect(m_next, &QPushButton::clicked, this, &ReplacePage::next);
     connect(m_back, &QPushButton::clicked, this, &ReplacePage::back);
     connect(m_cancel, &QPushButton::clicked, this, &ReplacePage::cancel);
+    showButtons();
 }
 
 void ReplacePage::makeSteps()

@@ -19,7 +19,7 @@ ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositio
                                          QWidget *parent)
     : ReplaceStep(replacing, tr("Position"), parent)
     , m_positions(positions)
-    , m_last(new QRadioButton(this))
+    , m_last(new QRadioButton(tr("&Position of the encoder before"), this))
     , m_typed(new QRadioButton(tr("&Set the position to"), this))
     , m_none(new QRadioButton(tr("&Leave the position as the new encoder shows it"), this))
     , m_value(new QLineEdit(this))

@@ -90,6 +90,7 @@ TransferPage::TransferPage(BusSession &bus, ProjectDocument &project, FindValues
     setFocusProxy(m_choice);
     layOut();
     connectAll();
+    showSummary();
 }
 
 void TransferPage::layOut()
