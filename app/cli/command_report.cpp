@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
+#include "cli/project_access.h"
 #include "cli/texts.h"
 #include "cli/transfer_call.h"
 #include "encoder/refusal_text.h"
@@ -146,7 +147,7 @@ Checked<Answer> run(const Call &call)
                       .now = QDateTime::currentDateTime()};
     std::optional<Complaint> notRead;
     if (call.arguments.has("--read")) {
-        nameByProject(*call.bus, input.project.devices);
+        nameEncoders({call.arguments, call.catalog, call.bus, call.terminal, &input.project});
         notRead = readEncoders(*call.bus, input.project);
         addConnected(input, *call.bus);
     }
