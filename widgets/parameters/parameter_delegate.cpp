@@ -110,7 +110,6 @@ QWidget *ParameterDelegate::createEditor(QWidget *parent, const QStyleOptionView
     editor->setAccessibleName(tr("Wanted: %1").arg(parameterName(parameter.parameter)));
     if (auto *number = qobject_cast<NumberInput *>(editor)) {
         connect(number, &NumberInput::inputChecked, this, &ParameterDelegate::inputChecked);
-        connect(number, &QObject::destroyed, this, [this] { Q_EMIT inputChecked({}); });
     } else if (auto *choices = qobject_cast<QComboBox *>(editor)) {
         auto *self = const_cast<ParameterDelegate *>(this);
         connect(choices, &QComboBox::activated, self, [self, choices] {
@@ -135,6 +134,13 @@ void ParameterDelegate::setModelData(QWidget *editor, QAbstractItemModel *model,
 {
     if (const auto value = inputValue(*editor))
         model->setData(index, *value ? QVariant(qlonglong{**value}) : QVariant(), Qt::EditRole);
+}
+
+// What was wrong in it is given up with it.
+void ParameterDelegate::destroyEditor(QWidget *editor, const QModelIndex &index) const
+{
+    Q_EMIT inputChecked({});
+    QStyledItemDelegate::destroyEditor(editor, index);
 }
 
 bool ParameterDelegate::eventFilter(QObject *editor, QEvent *event)
