@@ -40,7 +40,7 @@ WritePlan planWrite(const EncoderSession &encoder, const ParameterValues &wanted
                           valueOf(plan.job.values, Parameter::steps);
     if (const auto steps = plannedSteps(device, known, plan.job))
         for (const Step &step : *steps)
-            if (takesValue(step) && step.parameter)
+            if (writesValue(step))
                 plan.rows.push_back({{*step.parameter, *valueOf(plan.job.values, *step.parameter)},
                                      encoder.known(*step.parameter),
                                      step.out});

@@ -20,7 +20,7 @@ ParameterValues HandshakeRecord::taken() const
     ParameterValues values;
     for (int i = 0; i < progress.index && i < static_cast<int>(progress.steps.size()); ++i) {
         const Step &step = progress.steps[static_cast<std::size_t>(i)];
-        if (!takesValue(step) || !step.parameter)
+        if (!writesValue(step))
             continue;
         if (const auto value = valueOf(job.values, *step.parameter))
             values.push_back({*step.parameter, *value});
