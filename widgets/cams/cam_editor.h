@@ -4,7 +4,6 @@
 #include "cams/cam_file.h"
 #include "widgets/cams/cam_jobs.h"
 #include "widgets/cams/cam_sheet.h"
-#include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
 
 #include <QPointer>
@@ -68,7 +67,6 @@ private:
     using Slot = void (CamEditor::*)();
 
     void makeTools();
-    QAction *addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip, Slot slot);
     void makeMenu();
     void makePages();
     void connectParts();

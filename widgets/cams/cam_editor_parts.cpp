@@ -8,6 +8,7 @@
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/tool.h"
 #include "widgets/parameters/job_strip.h"
 
 #include <QMenu>
@@ -68,30 +69,24 @@ void CamEditor::makePages()
     layout->addLayout(column);
 }
 
-QAction *CamEditor::addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip,
-                            Slot slot)
-{
-    auto *action = new QAction(lineIcon(icon), text, this);
-    action->setShortcut(key);
-    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    action->setToolTip(tr("%1 (%2)", "what it does, key").arg(tip, key.toString(QKeySequence::NativeText)));
-    addAction(action);
-    m_tools->addAction(action);
-    connect(action, &QAction::triggered, this, slot);
-    return action;
-}
-
 void CamEditor::makeTools()
 {
-    m_tools->setIconSize({grid::smallIcon, grid::smallIcon});
-    m_tools->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    setUpToolBar(*m_tools);
+    const auto makeTool = [this](const Tool &tool, Slot slot) {
+        QAction *action = addTool(*this, *m_tools, tool);
+        connect(action, &QAction::triggered, this, slot);
+        return action;
+    };
     m_jobActions = {
-        addTool(Icon::read, tr("Read"), Qt::CTRL | Qt::Key_R,
-                tr("Read this program from the encoder; the position is away meanwhile"), &CamEditor::read),
-        addTool(Icon::write, tr("Write..."), Qt::CTRL | Qt::Key_Return,
-                tr("Show what will be written before anything is sent"), &CamEditor::write),
-        addTool(Icon::compare, tr("Compare"), Qt::CTRL | Qt::Key_D,
-                tr("Read this program and say what differs; nothing is changed"), &CamEditor::compare),
+        makeTool({Icon::read, tr("Read"), Qt::CTRL | Qt::Key_R,
+                  tr("Read this program from the encoder; the position is away meanwhile")},
+                 &CamEditor::read),
+        makeTool({Icon::write, tr("Write..."), Qt::CTRL | Qt::Key_Return,
+                  tr("Show what will be written before anything is sent")},
+                 &CamEditor::write),
+        makeTool({Icon::compare, tr("Compare"), Qt::CTRL | Qt::Key_D,
+                  tr("Read this program and say what differs; nothing is changed")},
+                 &CamEditor::compare),
     };
     m_tools->addSeparator();
     // Their keys are those of the window: what is undone is the last step of the project.
@@ -99,10 +94,12 @@ void CamEditor::makeTools()
     QAction *redo = m_project.undoStack().createRedoAction(this, tr("Redo"));
     undo->setIcon(lineIcon(Icon::turnLeft));
     redo->setIcon(lineIcon(Icon::turnRight));
-    QAction *open = addTool(Icon::open, tr("Open"), Qt::CTRL | Qt::SHIFT | Qt::Key_O,
-                            tr("Take the cam programs of a file"), &CamEditor::askLoad);
-    QAction *save = addTool(Icon::save, tr("Save"), Qt::CTRL | Qt::SHIFT | Qt::Key_E,
-                            tr("Keep all eight programs in a file of their own"), &CamEditor::askSave);
+    QAction *open = makeTool(
+        {Icon::open, tr("Open"), Qt::CTRL | Qt::SHIFT | Qt::Key_O, tr("Take the cam programs of a file")},
+        &CamEditor::askLoad);
+    QAction *save = makeTool({Icon::save, tr("Save"), Qt::CTRL | Qt::SHIFT | Qt::Key_E,
+                              tr("Keep all eight programs in a file of their own")},
+                             &CamEditor::askSave);
     for (QAction *action : {undo, redo})
         m_tools->insertAction(open, action);
     for (QAction *action : {undo, redo, open, save})

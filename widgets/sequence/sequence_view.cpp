@@ -7,6 +7,7 @@
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/tool.h"
 #include "widgets/sequence/sequence_model.h"
 
 #include <QApplication>
@@ -99,39 +100,33 @@ void SequenceView::makeTable()
     connect(m_model, &QAbstractItemModel::rowsMoved, this, &SequenceView::listChanged);
 }
 
-QAction *SequenceView::addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip,
-                               void (SequenceView::*slot)())
-{
-    auto *action = new QAction(lineIcon(icon), text, this);
-    action->setShortcut(key);
-    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    action->setToolTip(tr("%1 (%2)", "what it does, key").arg(tip, key.toString(QKeySequence::NativeText)));
-    addAction(action);
-    m_tools->addAction(action);
-    connect(action, &QAction::triggered, this, slot);
-    return action;
-}
-
 void SequenceView::makeTools()
 {
-    m_tools->setIconSize({grid::smallIcon, grid::smallIcon});
-    m_tools->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    addTool(Icon::add, tr("Add"), QKeySequence(Qt::Key_Insert), tr("Insert a word below"),
-            &SequenceView::add);
-    m_rowActions = {
-        addTool(Icon::remove, tr("Remove"), QKeySequence(Qt::Key_Delete), tr("Remove the selected words"),
-                &SequenceView::removeSelected),
-        addTool(Icon::up, tr("Up"), QKeySequence(Qt::ALT | Qt::Key_Up), tr("Move the word up"),
-                &SequenceView::moveUp),
-        addTool(Icon::down, tr("Down"), QKeySequence(Qt::ALT | Qt::Key_Down), tr("Move the word down"),
-                &SequenceView::moveDown),
+    setUpToolBar(*m_tools);
+    const auto makeTool = [this](const Tool &tool, void (SequenceView::*slot)()) {
+        QAction *action = addTool(*this, *m_tools, tool);
+        connect(action, &QAction::triggered, this, slot);
+        return action;
     };
-    addTool(Icon::paste, tr("Paste"), QKeySequence::Paste, tr("Insert the column of words that was copied"),
-            &SequenceView::paste);
-    addTool(Icon::read, tr("Open"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
-            tr("Read a sequence from a file"), &SequenceView::askLoad);
-    addTool(Icon::exportData, tr("Save"), QKeySequence(Qt::CTRL | Qt::Key_E),
-            tr("Keep this sequence in a file"), &SequenceView::askSave);
+    makeTool({Icon::add, tr("Add"), QKeySequence(Qt::Key_Insert), tr("Insert a word below")},
+             &SequenceView::add);
+    m_rowActions = {
+        makeTool({Icon::remove, tr("Remove"), QKeySequence(Qt::Key_Delete), tr("Remove the selected words")},
+                 &SequenceView::removeSelected),
+        makeTool({Icon::up, tr("Up"), QKeySequence(Qt::ALT | Qt::Key_Up), tr("Move the word up")},
+                 &SequenceView::moveUp),
+        makeTool({Icon::down, tr("Down"), QKeySequence(Qt::ALT | Qt::Key_Down), tr("Move the word down")},
+                 &SequenceView::moveDown),
+    };
+    makeTool(
+        {Icon::paste, tr("Paste"), QKeySequence::Paste, tr("Insert the column of words that was copied")},
+        &SequenceView::paste);
+    makeTool({Icon::read, tr("Open"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
+              tr("Read a sequence from a file")},
+             &SequenceView::askLoad);
+    makeTool({Icon::exportData, tr("Save"), QKeySequence(Qt::CTRL | Qt::Key_E),
+              tr("Keep this sequence in a file")},
+             &SequenceView::askSave);
 }
 
 void SequenceView::makeSending()

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "project/word_list.h"
-#include "widgets/look/icons.h"
+#include "widgets/look/roles.h"
 #include "widgets/sequence/sequence_job.h"
 
 #include <QPointer>
@@ -47,8 +47,6 @@ private:
     void makeTable();
     void makeTools();
     void makeSending();
-    QAction *addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip,
-                     void (SequenceView::*slot)());
     void add();
     void removeSelected();
     void moveUp() { moveSelected(-1); }

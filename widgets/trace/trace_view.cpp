@@ -5,6 +5,7 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/tool.h"
 #include "widgets/trace/trace_model.h"
 
 #include <QApplication>
@@ -79,34 +80,23 @@ void TraceView::makeTable()
     m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + grid::unit);
 }
 
-QAction *TraceView::addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip)
-{
-    auto *action = new QAction(lineIcon(icon), text, this);
-    action->setShortcut(key);
-    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    action->setToolTip(tr("%1 (%2)", "what it does, key").arg(tip, key.toString(QKeySequence::NativeText)));
-    addAction(action);
-    m_tools->addAction(action);
-    return action;
-}
-
 void TraceView::makeTools()
 {
-    m_tools->setIconSize({grid::smallIcon, grid::smallIcon});
-    m_tools->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_follow = addTool(Icon::next, tr("Follow"), QKeySequence(Qt::CTRL | Qt::Key_End),
-                       tr("Keep the newest row in view"));
+    setUpToolBar(*m_tools);
+    const auto makeTool = [this](const Tool &tool) { return addTool(*this, *m_tools, tool); };
+    m_follow = makeTool(
+        {Icon::next, tr("Follow"), QKeySequence(Qt::CTRL | Qt::Key_End), tr("Keep the newest row in view")});
     m_follow->setCheckable(true);
     m_follow->setChecked(true);
-    m_hold = addTool(Icon::stop, tr("Pause"), QKeySequence(Qt::CTRL | Qt::Key_P),
-                     tr("Hold the table; rows that come are kept and shown afterwards"));
+    m_hold = makeTool({Icon::stop, tr("Pause"), QKeySequence(Qt::CTRL | Qt::Key_P),
+                       tr("Hold the table; rows that come are kept and shown afterwards")});
     m_hold->setCheckable(true);
-    const QAction *copying = addTool(Icon::copy, tr("Copy"), QKeySequence::Copy,
-                                     tr("Copy the selected rows, or all, with tabs between the columns"));
-    const QAction *exporting = addTool(Icon::exportData, tr("Export"), QKeySequence(Qt::CTRL | Qt::Key_E),
-                                       tr("Save all rows as a CSV file"));
-    const QAction *clearing = addTool(Icon::remove, tr("Clear"), QKeySequence(Qt::CTRL | Qt::Key_Delete),
-                                      tr("Remove all rows of this encoder"));
+    const QAction *copying = makeTool({Icon::copy, tr("Copy"), QKeySequence::Copy,
+                                       tr("Copy the selected rows, or all, with tabs between the columns")});
+    const QAction *exporting = makeTool({Icon::exportData, tr("Export"), QKeySequence(Qt::CTRL | Qt::Key_E),
+                                         tr("Save all rows as a CSV file")});
+    const QAction *clearing = makeTool({Icon::remove, tr("Clear"), QKeySequence(Qt::CTRL | Qt::Key_Delete),
+                                        tr("Remove all rows of this encoder")});
     connect(m_follow, &QAction::toggled, this, &TraceView::follow);
     connect(m_hold, &QAction::toggled, this, [this](bool held) {
         for (const auto &[number, model] : m_models)

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "ring/bus_session.h"
-#include "widgets/look/icons.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -46,7 +45,6 @@ private:
     void watch(EncoderSession &encoder);
     void makeTable();
     void makeTools();
-    QAction *addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip);
     void showModel();
     void makeRoom(int first, int last); // for these rows
     void fitMeaning();
