@@ -4,7 +4,6 @@
 #include "catalog/device_description.h"
 #include "drivers/planned_words.h"
 #include "drivers/values_to_write.h"
-#include "widgets/models/device_traits.h"
 
 namespace codewheel {
 
