@@ -5,6 +5,7 @@
 #include "cli/json.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
+#include "encoder/asked_word.h"
 #include "encoder/hex.h"
 
 namespace codewheel {
@@ -17,27 +18,30 @@ Explanation outMeaning(const DeviceDescription &device, const Exchange &row)
         {.direction = WordDirection::out, .mode = row.mode, .coding = row.coding, .counterpart = row.in});
 }
 
-Explanation inMeaning(const DeviceDescription &device, const Exchange &row)
+Explanation inMeaning(const DeviceDescription &device, const std::vector<Exchange> &rows, std::size_t i)
 {
-    return explainWord(
-        device, row.in,
-        {.direction = WordDirection::in, .mode = row.mode, .coding = row.coding, .counterpart = row.out});
+    const Exchange &row = rows[i];
+    return explainWord(device, row.in,
+                       {.direction = WordDirection::in,
+                        .mode = row.mode,
+                        .coding = row.coding,
+                        .counterpart = askedWord(row, i > 0 ? &rows[i - 1] : nullptr)});
 }
 
 // The position of a rod that stands in IN.
-std::optional<std::int64_t> rodPosition(const DeviceDescription &device, const Exchange &row)
+std::optional<std::int64_t> rodPosition(const DeviceDescription &device, const Explanation &in)
 {
     if (device.profile != Profile::la66)
         return std::nullopt;
-    const Meaning meaning = inMeaning(device, row).first();
+    const Meaning &meaning = in.first();
     const bool isPosition = meaning.id == MeaningId::position || meaning.id == MeaningId::positionWithError;
     return isPosition ? std::optional(meaning.number[0]) : std::nullopt;
 }
 
-QString inText(const DeviceDescription &device, const Exchange &row, const std::optional<RodScale> &scale)
+QString inText(const DeviceDescription &device, const Explanation &in, const std::optional<RodScale> &scale)
 {
-    const QString text = explanationText(device, inMeaning(device, row));
-    const auto position = rodPosition(device, row);
+    const QString text = explanationText(device, in);
+    const auto position = rodPosition(device, in);
     return scale && position ? QStringLiteral("%1 (%2)").arg(text, scale->text(*position)) : text;
 }
 
@@ -49,16 +53,19 @@ QString traceText(const DeviceDescription &device, const std::vector<Exchange> &
     TextTable table({TextTable::Align::right});
     if (device.outWords == 0) {
         table.add({CommandLine::tr("cycle"), QStringLiteral("IN"), CommandLine::tr("IN means")});
-        for (const Exchange &row : rows)
-            table.add({QString::number(row.cycle), hexWord(row.in),
-                       explanationText(device, inMeaning(device, row))});
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            table.add({QString::number(rows[i].cycle), hexWord(rows[i].in),
+                       explanationText(device, inMeaning(device, rows, i))});
         return table.toString();
     }
     table.add({CommandLine::tr("cycle"), QStringLiteral("OUT"), QStringLiteral("IN"),
                CommandLine::tr("OUT means"), CommandLine::tr("IN means")});
-    for (const Exchange &row : rows)
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Exchange &row = rows[i];
         table.add({QString::number(row.cycle), hexWord(row.out), hexWord(row.in),
-                   explanationText(device, outMeaning(device, row)), inText(device, row, scale)});
+                   explanationText(device, outMeaning(device, row)),
+                   inText(device, inMeaning(device, rows, i), scale)});
+    }
     return table.toString();
 }
 
@@ -66,15 +73,17 @@ QJsonArray traceJson(const DeviceDescription &device, const std::vector<Exchange
                      const std::optional<RodScale> &scale)
 {
     QJsonArray json;
-    for (const Exchange &row : rows) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Exchange &row = rows[i];
+        const Explanation in = inMeaning(device, rows, i);
         QJsonObject object{{QStringLiteral("cycle"), static_cast<qint64>(row.cycle)},
                            {QStringLiteral("microseconds"), static_cast<qint64>(row.at.count())},
                            {QStringLiteral("out"), wordJson(row.out)},
                            {QStringLiteral("in"), wordJson(row.in)},
                            {QStringLiteral("outMeanings"), meaningsJson(outMeaning(device, row))},
-                           {QStringLiteral("inMeanings"), meaningsJson(inMeaning(device, row))}};
+                           {QStringLiteral("inMeanings"), meaningsJson(in)}};
         if (device.profile == Profile::la66)
-            object.insert(QStringLiteral("millimetres"), millimetresJson(rodPosition(device, row), scale));
+            object.insert(QStringLiteral("millimetres"), millimetresJson(rodPosition(device, in), scale));
         json.append(object);
     }
     return json;

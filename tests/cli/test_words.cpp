@@ -38,6 +38,26 @@ TEST(CliWords, PrintsOutAndInSideBySideWithTheirMeaning)
                                    "confirmation: parameter 1 steps = 255\n"));
 }
 
+// FRABA manual 5.4.4. Until the encoder has taken the next read-out, IN holds the value of the one before.
+TEST(CliWords, AnOldReadOutIsNotTakenForTheAnswerToTheNewWord)
+{
+    const CliRun run = runLine(
+        QStringLiteral("words 1.0 20800001 46000015 66000213 20400008 80000000 20200013 20200023 20200000"));
+    EXPECT_THAT(
+        run.out,
+        HasSubstr("20200013  A0000015  Read out the start of cam 3  Read-out: start of cam 3 = 21\n"));
+    EXPECT_THAT(run.out,
+                HasSubstr("20200023  A0000015  Read out the stop of cam 3   Self test, or read-out of 21\n"));
+    EXPECT_THAT(
+        run.out,
+        HasSubstr("20200023  A0000213  Read out the stop of cam 3   Read-out: stop of cam 3 = 531\n"));
+    EXPECT_THAT(
+        run.out,
+        HasSubstr("20200000  A0000213  Read out the active cams     Self test, or read-out of 531\n"));
+    EXPECT_THAT(run.out,
+                HasSubstr("20200000  A0000008  Read out the active cams     Read-out: active cams 3\n"));
+}
+
 TEST(CliWords, BaumerExample2EndsInError1)
 {
     const CliRun run = runLine(QStringLiteral("words 2.0 04004E20 06000001 80000000 --json"));

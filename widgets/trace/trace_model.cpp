@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/trace/trace_model.h"
 
+#include "encoder/asked_word.h"
 #include "encoder/hex.h"
 #include "widgets/look/fonts.h"
 
@@ -22,10 +23,14 @@ TraceModel::TraceModel(DeviceDescription device, QObject *parent)
 
 void TraceModel::add(const Exchange &exchange, const QDateTime &at)
 {
-    TraceRow row{.exchange = exchange, .at = at, .sinceLast = {}, .remark = {}};
-    if (m_last && exchange.at >= *m_last)
-        row.sinceLast = exchange.at - *m_last;
-    m_last = exchange.at;
+    TraceRow row{.exchange = exchange,
+                 .asked = askedWord(exchange, m_last ? &*m_last : nullptr),
+                 .at = at,
+                 .sinceLast = {},
+                 .remark = {}};
+    if (m_last && exchange.at >= m_last->at)
+        row.sinceLast = exchange.at - m_last->at;
+    m_last = exchange;
     if (m_held)
         m_waiting.push_back(std::move(row));
     else
@@ -123,7 +128,7 @@ QString TraceModel::text(const TraceRow &row, int column) const
     case in:
         return hexWord(row.exchange.in);
     case meaning:
-        return exchangeText(m_device, row.exchange);
+        return exchangeText(m_device, row);
     default:
         return row.remark;
     }

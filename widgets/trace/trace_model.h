@@ -44,7 +44,7 @@ private:
 
     DeviceDescription m_device;
     std::vector<TraceRow> m_waiting;
-    std::optional<Instant> m_last;
+    std::optional<Exchange> m_last;
     bool m_held = false;
     quint64 m_dropped = 0;
 };

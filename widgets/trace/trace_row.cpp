@@ -11,14 +11,15 @@ namespace codewheel {
 
 namespace {
 
-Explanation explained(const DeviceDescription &device, const Exchange &exchange, WordDirection direction)
+Explanation explained(const DeviceDescription &device, const TraceRow &row, WordDirection direction)
 {
     const bool out = direction == WordDirection::out;
+    const Exchange &exchange = row.exchange;
     k3::ExplainContext context;
     context.direction = direction;
     context.mode = exchange.mode;
     context.coding = exchange.coding;
-    context.counterpart = out ? exchange.in : exchange.out;
+    context.counterpart = out ? std::optional(exchange.in) : row.asked;
     return explainWord(device, out ? exchange.out : exchange.in, context);
 }
 
@@ -42,10 +43,10 @@ QString quoted(QString cell)
 } // namespace
 
 // As the manuals tell a handshake: what the master asks for, and how far the encoder is.
-QString exchangeText(const DeviceDescription &device, const Exchange &exchange)
+QString exchangeText(const DeviceDescription &device, const TraceRow &row)
 {
-    const Explanation out = explained(device, exchange, WordDirection::out);
-    const Explanation in = explained(device, exchange, WordDirection::in);
+    const Explanation out = explained(device, row, WordDirection::out);
+    const Explanation in = explained(device, row, WordDirection::in);
     const QString said = explanationText(device, in);
     if (isOnly(out, MeaningId::normalRunning))
         return said;
@@ -53,7 +54,7 @@ QString exchangeText(const DeviceDescription &device, const Exchange &exchange)
     if (isOnly(out, MeaningId::parameterRequest)) {
         if (isOnly(in, MeaningId::confirmed) && in.first().number == out.first().number)
             return QCoreApplication::translate("Trace", "%1: confirmed", "parameter = value").arg(asked);
-        if (isOnly(in, MeaningId::oldConfirmation) || k3::isOperation(exchange.in))
+        if (isOnly(in, MeaningId::oldConfirmation) || k3::isOperation(row.exchange.in))
             return QCoreApplication::translate("Trace", "%1: not taken yet", "parameter = value").arg(asked);
     }
     return QCoreApplication::translate("Trace", "%1 – %2", "meaning of OUT, meaning of IN").arg(asked, said);
@@ -83,7 +84,7 @@ QByteArray traceCsv(const DeviceDescription &device, const std::vector<TraceRow>
                            QString::number(row.exchange.cycle),
                            hexWord(row.exchange.out),
                            hexWord(row.exchange.in),
-                           quoted(exchangeText(device, row.exchange)),
+                           quoted(exchangeText(device, row)),
                            quoted(row.remark)}
                    .join(QLatin1Char(',')) +
                QLatin1String("\r\n");
@@ -99,7 +100,7 @@ QString traceText(const DeviceDescription &device, const std::vector<TraceRow> &
                             QLocale().toString(static_cast<qulonglong>(row.exchange.cycle)),
                             hexWord(row.exchange.out),
                             hexWord(row.exchange.in),
-                            exchangeText(device, row.exchange),
+                            exchangeText(device, row),
                             row.remark}
                     .join(QLatin1Char('\t')) +
                 QLatin1Char('\n');

@@ -12,13 +12,14 @@ namespace codewheel {
 struct TraceRow
 {
     Exchange exchange;
+    std::optional<Word> asked; // the OUT word that IN answers, where that is known
     QDateTime at;
     std::optional<Instant> sinceLast; // nothing for the first row
     QString remark;                   // the user's
 };
 
 // What both words say, in one sentence like the manual's: "Parameter 1 steps = 255: confirmed".
-QString exchangeText(const DeviceDescription &device, const Exchange &exchange);
+QString exchangeText(const DeviceDescription &device, const TraceRow &row);
 
 // By locale: time to the millisecond, date and time, milliseconds since the last row.
 QString clockText(const TraceRow &row);

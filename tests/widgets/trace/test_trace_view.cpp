@@ -75,6 +75,20 @@ TEST_F(TraceViewTest, AHandshakeIsARowForEachChange)
     EXPECT_EQ(time.data(Qt::ToolTipRole).toString(), traceTimeText(model().rowAt(last)));
 }
 
+// Until the encoder has taken the next read-out, IN holds the value of the one before.
+TEST_F(TraceViewTest, AnOldReadOutIsNotTakenForTheAnswerToTheNewWord)
+{
+    write(fraba, 0x2021'0001);
+    write(fraba, 0x2021'0002);
+    QStringList meanings;
+    for (int row = 0; row < model().rowCount(); ++row)
+        if (cell(row, TraceModel::in) == QLatin1String("A0002000"))
+            meanings << cell(row, TraceModel::meaning);
+    EXPECT_EQ(meanings,
+              (QStringList{QStringLiteral("Read out steps \u2013 Read-out: steps = 8192"),
+                           QStringLiteral("Read out revolutions \u2013 Self test, or read-out of 8192")}));
+}
+
 TEST_F(TraceViewTest, NumbersAndMeaningHaveRoomInANarrowDock)
 {
     view.resize(460, 200);

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/exchange.h"
+#include "words/k3_word.h"
+
+namespace codewheel {
+
+// The OUT word that IN of this row may answer. A read-out does not say to what: one that stood there already
+// before OUT changed may answer the word before, and then there is none. `before`: the row before, or null.
+inline std::optional<Word> askedWord(const Exchange &row, const Exchange *before)
+{
+    const bool isOldReadOut =
+        before != nullptr && before->in == row.in && before->out != row.out && k3::isReadOutAnswer(row.in);
+    return isOldReadOut ? std::nullopt : std::optional(row.out);
+}
+
+} // namespace codewheel
