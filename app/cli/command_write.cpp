@@ -207,9 +207,10 @@ const Subcommand writeCommand{
         "code "
         "2.\n"
         "\n"
-        "Parameters: steps revolutions direction coding preset zero-offset offset measuring-range, as far as "
-        "the\n"
-        "encoder has them (devices NAME). A VALUE is a number or a name: 255, 0xFF, FFh, cw."),
+        "Parameters: steps revolutions direction coding preset zero-offset offset measuring-range; of a "
+        "linear\n"
+        "encoder direction measuring-length external-preset; as far as the encoder has them (devices NAME).\n"
+        "A VALUE is a number or a name: 255, 0xFF, FFh, cw."),
     .examples = examples,
     .options = options,
     .minimumArguments = 2,
