@@ -3,6 +3,7 @@
 
 #include "app/window/alarm_stop.h"
 #include "app/window/leaving.h"
+#include "app/window/panels.h"
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
 #include "app/window/report_export.h"
@@ -83,7 +84,7 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
     connectViewActions();
     showBusState();
     if (!restoreGeometry(m_settings.geometry()))
-        resize(firstSize);
+        resize(firstSize.boundedTo(screen()->availableSize()));
 }
 
 MainWindow::~MainWindow() = default;
@@ -204,52 +205,31 @@ void MainWindow::makeDocks(MessageModel &messages)
     m_master = new MasterPanel(*m_bus, this);
     m_actions.deviceMenu->insertActions(m_actions.zeroOut, m_parameters->functionActions());
     m_actions.deviceMenu->insertSeparator(m_actions.zeroOut);
-    addDock(QStringLiteral("structureDock"), tr("Bus structure"), m_structure, Qt::LeftDockWidgetArea);
-    addDock(QStringLiteral("trainingDock"), tr("Training"), m_trainingPanel, Qt::LeftDockWidgetArea);
-    addDock(QStringLiteral("parametersDock"), tr("Parameters"), m_parameters, Qt::RightDockWidgetArea);
-    addDock(QStringLiteral("dialDock"), tr("Encoder"), m_dial, Qt::RightDockWidgetArea);
-    addDock(QStringLiteral("messagesDock"), tr("Messages"), m_messages, Qt::BottomDockWidgetArea);
-    addDock(QStringLiteral("traceDock"), tr("Handshake trace"), m_trace, Qt::BottomDockWidgetArea);
-    addDock(QStringLiteral("sequenceDock"), tr("Sequence"), sequences, Qt::BottomDockWidgetArea);
-    addDock(QStringLiteral("deviceDock"), tr("Device"), m_device, Qt::RightDockWidgetArea);
-    addDock(QStringLiteral("masterDock"), tr("Master"), m_master, Qt::LeftDockWidgetArea);
-    arrangeDocks();
+    addDock("structureDock", tr("Bus structure"), m_structure);
+    addDock("trainingDock", tr("Training"), m_trainingPanel);
+    addDock("parametersDock", tr("Parameters"), m_parameters);
+    addDock("dialDock", tr("Encoder"), m_dial);
+    addDock("messagesDock", tr("Messages"), m_messages);
+    addDock("traceDock", tr("Handshake trace"), m_trace);
+    addDock("sequenceDock", tr("Sequence"), sequences);
+    addDock("deviceDock", tr("Device"), m_device);
+    addDock("masterDock", tr("Master"), m_master);
+    arrangePanels(*this);
     m_defaultLayout = saveState(layoutVersion);
-    if (!restoreState(m_settings.layout(), layoutVersion)) // a tab can be raised once its tab bar is there
-        QTimer::singleShot(0, this,
-                           [this] { findChild<QDockWidget *>(QStringLiteral("traceDock"))->raise(); });
+    if (!restoreState(m_settings.layout(), layoutVersion))
+        raiseFirstPanels(*this);
 }
 
-QDockWidget *MainWindow::addDock(const QString &name, const QString &title, QWidget *content,
-                                 Qt::DockWidgetArea area)
+void MainWindow::addDock(const char *name, const QString &title, QWidget *content)
 {
     auto *dock = new QDockWidget(title, this);
-    dock->setObjectName(name);
+    dock->setObjectName(QLatin1String(name));
     dock->setWidget(content);
-    addDockWidget(area, dock);
     QAction *toggle = dock->toggleViewAction();
     toggle->setToolTip(tr("Shows or hides the panel \"%1\"").arg(title));
     toggle->setShortcut(QKeySequence(Qt::ALT | Qt::Key(Qt::Key_1 + static_cast<int>(m_docks.size()))));
     m_actions.docks->addAction(toggle);
     m_docks.push_back(dock);
-    return dock;
-}
-
-void MainWindow::arrangeDocks()
-{
-    const auto dock = [this](const char *name) { return findChild<QDockWidget *>(QLatin1String(name)); };
-    splitDockWidget(dock("structureDock"), dock("trainingDock"), Qt::Vertical);
-    splitDockWidget(dock("parametersDock"), dock("dialDock"), Qt::Vertical);
-    tabifyDockWidget(dock("messagesDock"), dock("traceDock"));
-    tabifyDockWidget(dock("traceDock"), dock("sequenceDock"));
-    tabifyDockWidget(dock("parametersDock"), dock("deviceDock"));
-    tabifyDockWidget(dock("trainingDock"), dock("masterDock"));
-    dock("trainingDock")->raise();
-    dock("parametersDock")->raise();
-    dock("traceDock")->raise();
-    resizeDocks({dock("structureDock"), dock("parametersDock")}, {280, 310}, Qt::Horizontal);
-    resizeDocks({dock("parametersDock"), dock("dialDock")}, {430, 300}, Qt::Vertical);
-    resizeDocks({dock("traceDock")}, {170}, Qt::Vertical);
 }
 
 void MainWindow::connectActions()
@@ -324,8 +304,11 @@ void MainWindow::connectViewActions()
     connect(m_actions.lessMotion, &QAction::triggered, this, change);
     connect(m_actions.language, &QActionGroup::triggered, this,
             [this](const QAction *language) { Q_EMIT languageChosen(language->data().toString()); });
-    connect(m_actions.defaultLayout, &QAction::triggered, this,
-            [this] { restoreState(m_defaultLayout, layoutVersion); });
+    connect(m_actions.defaultLayout, &QAction::triggered, this, [this] {
+        restoreState(m_defaultLayout, layoutVersion); // the tool bar, too
+        arrangePanels(*this);
+        raiseFirstPanels(*this);
+    });
     connect(m_actions.keys, &QAction::triggered, this, &MainWindow::showKeys);
     connect(m_actions.about, &QAction::triggered, this, &MainWindow::showAbout);
 }

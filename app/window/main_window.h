@@ -93,9 +93,7 @@ protected:
 
 private:
     void makeDocks(MessageModel &messages);
-    QDockWidget *addDock(const QString &name, const QString &title, QWidget *content,
-                         Qt::DockWidgetArea area);
-    void arrangeDocks();
+    void addDock(const char *name, const QString &title, QWidget *content);
     void connectActions();
     void connectViewActions();
     void connectViews();

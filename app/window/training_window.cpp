@@ -16,7 +16,7 @@ constexpr int picturePeriod = 33; // ms
 
 } // namespace
 
-TrainingWindow::TrainingWindow(const QString &settingsFile)
+TrainingWindow::TrainingWindow(const QString &settingsFile, QSize size)
     : m_settings(settingsFile)
     , m_training(openTrainingSession(m_catalog, begin()))
     , m_ledger(*m_training.bus, DatabasePlace::memory())
@@ -26,6 +26,8 @@ TrainingWindow::TrainingWindow(const QString &settingsFile)
     keepAccountOf(m_project, m_ledger);
     m_project.setProject(projectOf(m_training.bus->structure()), {});
     m_window = std::make_unique<MainWindow>(m_settings, m_project);
+    if (size.isValid())
+        m_window->resize(size);
     m_window->attach(*m_training.bus, m_training.controls, MainWindow::tr("training bus"), m_messages,
                      valuesBeforeOf(m_ledger));
     advance(picturePeriod);

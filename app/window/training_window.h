@@ -15,8 +15,8 @@ namespace codewheel {
 class TrainingWindow
 {
 public:
-    // An ini file of its own keeps what the window keeps.
-    explicit TrainingWindow(const QString &settingsFile);
+    // An ini file of its own keeps what the window keeps. `size`: of the first start, if not the usual one.
+    explicit TrainingWindow(const QString &settingsFile, QSize size = {});
     ~TrainingWindow();
 
     MainWindow &window() { return *m_window; }

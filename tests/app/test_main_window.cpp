@@ -86,6 +86,24 @@ TEST_F(MainWindowTest, DefaultLayoutBringsThePanelsBack)
     EXPECT_TRUE(dock("dialDock")->isVisible());
 }
 
+TEST_F(MainWindowTest, InALowWindowTheWholeBusAndTheParametersAreSeen)
+{
+    window().resize(1024, 640);
+    actions().defaultLayout->trigger();
+    advance(50);
+    EXPECT_EQ(window().size(), QSize(1024, 640));
+    for (const char *name : {"structureDock", "dialDock", "parametersDock", "traceDock"})
+        EXPECT_FALSE(dock(name)->visibleRegion().isEmpty()) << name;
+    const auto *tree = dock("structureDock")->findChild<QTreeView *>();
+    const QModelIndex last = tree->indexAt(QPoint(1, tree->viewport()->height() - 1));
+    EXPECT_FALSE(last.isValid()) << "there is room for more than the devices of the training bus";
+    const auto *table = dock("parametersDock")->findChild<QTableView *>();
+    EXPECT_GE(table->viewport()->height(), 5 * table->rowHeight(0)) << "all that can be written is seen";
+    dock("trainingDock")->raise();
+    advance(5);
+    EXPECT_EQ(window().size(), QSize(1024, 640));
+}
+
 TEST_F(MainWindowTest, FitsInto1024By640)
 {
     window().resize(1024, 640);

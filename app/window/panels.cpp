@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/panels.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QTimer>
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr int lowWindow = 720; // below, there is no room for all panels above each other
+
+struct Panels
+{
+    explicit Panels(const QMainWindow &window)
+        : structure(window.findChild<QDockWidget *>(QStringLiteral("structureDock")))
+        , training(window.findChild<QDockWidget *>(QStringLiteral("trainingDock")))
+        , parameters(window.findChild<QDockWidget *>(QStringLiteral("parametersDock")))
+        , device(window.findChild<QDockWidget *>(QStringLiteral("deviceDock")))
+        , dial(window.findChild<QDockWidget *>(QStringLiteral("dialDock")))
+        , messages(window.findChild<QDockWidget *>(QStringLiteral("messagesDock")))
+        , trace(window.findChild<QDockWidget *>(QStringLiteral("traceDock")))
+        , sequence(window.findChild<QDockWidget *>(QStringLiteral("sequenceDock")))
+        , master(window.findChild<QDockWidget *>(QStringLiteral("masterDock")))
+    {}
+
+    std::array<QDockWidget *, 9> all() const
+    {
+        return {structure, training, parameters, device, dial, messages, trace, sequence, master};
+    }
+
+    QDockWidget *structure;
+    QDockWidget *training;
+    QDockWidget *parameters;
+    QDockWidget *device;
+    QDockWidget *dial;
+    QDockWidget *messages;
+    QDockWidget *trace;
+    QDockWidget *sequence;
+    QDockWidget *master;
+};
+
+void arrangeSides(QMainWindow &window, const Panels &panels)
+{
+    window.splitDockWidget(panels.structure, panels.training, Qt::Vertical);
+    window.tabifyDockWidget(panels.training, panels.master);
+    window.splitDockWidget(panels.parameters, panels.dial, Qt::Vertical);
+    window.tabifyDockWidget(panels.parameters, panels.device);
+}
+
+// What one looks at all the time stays in sight: the dial below the tree, the parameters in all the height.
+void arrangeLowSides(QMainWindow &window, const Panels &panels)
+{
+    window.splitDockWidget(panels.structure, panels.dial, Qt::Vertical);
+    window.tabifyDockWidget(panels.dial, panels.master);
+    window.tabifyDockWidget(panels.parameters, panels.device);
+    window.tabifyDockWidget(panels.device, panels.training);
+}
+
+} // namespace
+
+void arrangePanels(QMainWindow &window)
+{
+    const Panels panels(window);
+    const bool isLow = window.height() < lowWindow;
+    for (QDockWidget *panel : panels.all()) // while they move, the window would grow to hold them
+        window.removeDockWidget(panel);
+    window.addDockWidget(Qt::LeftDockWidgetArea, panels.structure);
+    window.addDockWidget(Qt::RightDockWidgetArea, panels.parameters);
+    window.addDockWidget(Qt::BottomDockWidgetArea, panels.messages);
+    window.tabifyDockWidget(panels.messages, panels.trace);
+    window.tabifyDockWidget(panels.trace, panels.sequence);
+    if (isLow)
+        arrangeLowSides(window, panels);
+    else
+        arrangeSides(window, panels);
+    for (QDockWidget *panel : panels.all())
+        panel->show();
+
+    window.resizeDocks({panels.structure, panels.parameters}, {280, 310}, Qt::Horizontal);
+    window.resizeDocks({isLow ? panels.structure : panels.parameters, panels.dial}, {isLow ? 240 : 430, 300},
+                       Qt::Vertical);
+    window.resizeDocks({panels.trace}, {170}, Qt::Vertical);
+}
+
+void raiseFirstPanels(QMainWindow &window)
+{
+    QTimer::singleShot(0, &window, [panels = Panels(window)] { // once there are tab bars
+        // the parameters last: in a low window they share the place of the training panel
+        for (QDockWidget *first : {panels.trace, panels.training, panels.dial, panels.parameters})
+            first->raise();
+    });
+}
+
+} // namespace codewheel
