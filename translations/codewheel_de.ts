@@ -2415,6 +2415,53 @@
     </message>
 </context>
 <context>
+    <name>codewheel::AccountView</name>
+    <message>
+        <source>&amp;Save...</source>
+        <translation>&amp;Speichern...</translation>
+    </message>
+    <message>
+        <source>C&amp;opy</source>
+        <translation>K&amp;opieren</translation>
+    </message>
+    <message>
+        <source>What was written where</source>
+        <translation>Was wohin geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>What became of each value</source>
+        <translation>Was aus jedem Wert wurde</translation>
+    </message>
+    <message>
+        <source>As plain text, or as a web page if the name ends in .html</source>
+        <translation>Als Text, oder als Webseite, wenn der Name auf .html endet</translation>
+    </message>
+    <message>
+        <source>Copies the text</source>
+        <translation>Kopiert den Text</translation>
+    </message>
+    <message>
+        <source>Save what was written where</source>
+        <translation>Sichern, was wohin geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>Text (*.txt);;Web page (*.html)</source>
+        <translation>Text (*.txt);;Webseite (*.html)</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: %2. Choose another place.</source>
+        <translation>%1 wurde nicht gespeichert: %2. Einen anderen Ort wählen.</translation>
+    </message>
+    <message>
+        <source>Copied.</source>
+        <translation>Kopiert.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::BarView</name>
     <message>
         <source>%1 bar</source>
@@ -2595,11 +2642,6 @@
     <message>
         <source>Taken from %1: program %2.</source>
         <translation>Aus %1 übernommen: Programm %2.</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <comment>what it does, key</comment>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Read</source>
@@ -3520,23 +3562,6 @@ Gebers beendet die Folge. Worte sind hexadezimal, wie in den Handbüchern.</tran
         <translation>Parameter schreiben, nach Anzeige und Rückfrage</translation>
     </message>
     <message>
-        <source>Shows what is known of the parameters, what they shall become, and the words for it; asks; writes them
-in the order given, and tells by which evidence they are there. What the encoder already has is not
-written again, unless --all is given: it is read first where that is possible, else it is what was
-written from here. Where nobody can be asked, --yes is needed: without it nothing is sent, exit code 2.
-
-Parameters: steps revolutions direction coding preset zero-offset offset measuring-range, as far as the
-encoder has them (devices NAME). A VALUE is a number or a name: 255, 0xFF, FFh, cw.</source>
-        <translation>Zeigt, was von den Parametern bekannt ist, was sie werden sollen und die Worte dafür; fragt; schreibt
-sie in der angegebenen Folge und nennt den Nachweis, dass sie da sind. Was der Geber schon hat,
-wird ohne --all nicht noch einmal geschrieben: Wo es geht, wird er erst ausgelesen, sonst zählt, was
-von hier geschrieben wurde. Wo niemand gefragt werden kann, ist --yes nötig: Ohne wird nichts gesendet,
-Exit-Code 2.
-
-Parameter: steps revolutions direction coding preset zero-offset offset measuring-range, soweit der
-Geber sie hat (devices NAME). VALUE ist eine Zahl oder ein Name: 255, 0xFF, FFh, cw.</translation>
-    </message>
-    <message>
         <source>answer as one JSON object, for programs</source>
         <translation>Antwort als ein JSON-Objekt, für Programme</translation>
     </message>
@@ -4447,6 +4472,25 @@ Bekannt ist, was im Projekt abgelegt ist. Mit --read werden die Geber nach ihren
 den Nockenprogrammen gefragt, die das Projekt will; so lange zeigen sie keine Position. Dann wird auch
 der Bus mit dem Projekt verglichen. Eine vorhandene FILE wird nur mit --yes ersetzt.</translation>
     </message>
+    <message>
+        <source>Shows what is known of the parameters, what they shall become, and the words for it; asks; writes them
+in the order given, and tells by which evidence they are there. What the encoder already has is not
+written again, unless --all is given: it is read first where that is possible, else it is what was
+written from here. Where nobody can be asked, --yes is needed: without it nothing is sent, exit code 2.
+
+Parameters: steps revolutions direction coding preset zero-offset offset measuring-range; of a linear
+encoder direction measuring-length external-preset; as far as the encoder has them (devices NAME).
+A VALUE is a number or a name: 255, 0xFF, FFh, cw.</source>
+        <translation>Zeigt, was von den Parametern bekannt ist, was sie werden sollen und die Worte dafür; fragt; schreibt
+sie in der angegebenen Reihenfolge und sagt, woher bekannt ist, dass sie da sind. Was der Geber schon
+hat, wird nicht noch einmal geschrieben, außer mit --all: Wo es geht, wird er zuerst gelesen, sonst gilt,
+was von hier geschrieben wurde. Wo niemand gefragt werden kann, ist --yes nötig: Ohne das wird nichts
+gesendet, Exit-Code 2.
+
+Parameter: steps revolutions direction coding preset zero-offset offset measuring-range; bei einem
+Lineargeber direction measuring-length external-preset; soweit der Geber sie hat (devices NAME).
+VALUE ist eine Zahl oder ein Name: 255, 0xFF, FFh, cw.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Comparison</name>
@@ -5166,6 +5210,33 @@ der Bus mit dem Projekt verglichen. Eine vorhandene FILE wird nur mit --yes erse
     <message>
         <source>Starts what was asked for</source>
         <translation>Beginnt, was verlangt wurde</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EepromGates</name>
+    <message>
+        <source>Write &amp;nevertheless</source>
+        <translation>&amp;Trotzdem schreiben</translation>
+    </message>
+    <message>
+        <source>The EEPROM was written as often as the manual speaks of</source>
+        <translation>Das EEPROM wurde so oft beschrieben, wie das Handbuch angibt</translation>
+    </message>
+    <message>
+        <source>Places of the encoders</source>
+        <translation>Plätze der Geber</translation>
+    </message>
+    <message>
+        <source>The places of these encoders, so that nothing is written beyond the limit by accident</source>
+        <translation>Die Plätze dieser Geber, damit über die Grenze hinaus nichts aus Versehen geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Other encoders as well: %1.</source>
+        <translation>Auch andere Geber: %1.</translation>
+    </message>
+    <message>
+        <source>Type %1 to write nevertheless</source>
+        <translation>%1 eintippen, um trotzdem zu schreiben</translation>
     </message>
 </context>
 <context>
@@ -7506,6 +7577,208 @@ ID-Code %3, Gerätecode %4
     </message>
 </context>
 <context>
+    <name>codewheel::ReplaceAccountStep</name>
+    <message>
+        <source>What was written</source>
+        <translation>Was geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ReplaceDeviceStep</name>
+    <message>
+        <source>New encoder</source>
+        <translation>Neuer Geber</translation>
+    </message>
+    <message>
+        <source>Key on the label of the new encoder</source>
+        <translation>Schlüssel auf dem Typenschild des neuen Gebers</translation>
+    </message>
+    <message>
+        <source>Type the key on the label. Spaces, dots and dashes do not matter.</source>
+        <translation>Den Schlüssel vom Typenschild eintippen. Leerzeichen, Punkte und Striche sind gleichgültig.</translation>
+    </message>
+    <message>
+        <source>The encoders of the catalog with the device code of this place</source>
+        <translation>Die Geber des Katalogs mit dem Gerätecode dieses Platzes</translation>
+    </message>
+    <message>
+        <source>Serial number of the new encoder</source>
+        <translation>Seriennummer des neuen Gebers</translation>
+    </message>
+    <message>
+        <source>From its label; EEPROM writes are counted by it where the encoder does not tell</source>
+        <translation>Vom Typenschild; nach ihr werden EEPROM-Schreibvorgänge gezählt, wo der Geber sie nicht meldet</translation>
+    </message>
+    <message>
+        <source>&amp;Label key</source>
+        <translation>&amp;Typenschlüssel</translation>
+    </message>
+    <message>
+        <source>&amp;Encoder</source>
+        <translation>&amp;Geber</translation>
+    </message>
+    <message>
+        <source>&amp;Serial number</source>
+        <translation>&amp;Seriennummer</translation>
+    </message>
+    <message>
+        <source>At %1 the project has: %2%3. Switch the supply off, replace the encoder, and switch it on again.</source>
+        <translation>Bei %1 hat das Projekt: %2%3. Versorgung abschalten, den Geber ersetzen und wieder einschalten.</translation>
+    </message>
+    <message>
+        <source>, serial number %1</source>
+        <translation>, Seriennummer %1</translation>
+    </message>
+    <message>
+        <source>The catalog has no encoder for this place.</source>
+        <translation>Der Katalog hat keinen Geber für diesen Platz.</translation>
+    </message>
+    <message>
+        <source>It fits: as far as the project tells, it is like the one before.</source>
+        <translation>Er passt: Soweit das Projekt es sagt, ist er wie der vorige.</translation>
+    </message>
+    <message>
+        <source>The key is not that of the chosen encoder. Choose the encoder of the label, or clear the key.</source>
+        <translation>Der Schlüssel gehört nicht zum gewählten Geber. Den Geber vom Typenschild wählen oder den Schlüssel löschen.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ReplacePage</name>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;bbrechen</translation>
+    </message>
+    <message>
+        <source>Replace encoder</source>
+        <translation>Geber ersetzen</translation>
+    </message>
+    <message>
+        <source>To the step before</source>
+        <translation>Zum vorigen Schritt</translation>
+    </message>
+    <message>
+        <source>Ends here; a running handshake is asked about first</source>
+        <translation>Endet hier; bei einem laufenden Handshake wird zuerst gefragt</translation>
+    </message>
+    <message>
+        <source>Replace encoder %1: %2 of %3  %4</source>
+        <translation>Geber %1 ersetzen: %2 von %3  %4</translation>
+    </message>
+    <message>
+        <source>Replace encoder %1</source>
+        <translation>Geber %1 ersetzen</translation>
+    </message>
+    <message>
+        <source>Sends the words above to the new encoder</source>
+        <translation>Sendet die Worte oben an den neuen Geber</translation>
+    </message>
+    <message>
+        <source>Back to the monitors</source>
+        <translation>Zurück zu den Monitoren</translation>
+    </message>
+    <message>
+        <source>To the next step</source>
+        <translation>Zum nächsten Schritt</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ReplacePositionStep</name>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>&amp;Position of the encoder before</source>
+        <translation>&amp;Position des vorigen Gebers</translation>
+    </message>
+    <message>
+        <source>&amp;Set the position to</source>
+        <translation>Position &amp;setzen auf</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the position as the new encoder shows it</source>
+        <translation>Position &amp;lassen, wie der neue Geber sie zeigt</translation>
+    </message>
+    <message>
+        <source>The shaft must stand where it stood then. The zero offset of the encoder before is not written: setting the position makes a new one. A preset that the project wants is written last, and does not act by itself.</source>
+        <translation>Die Welle muss stehen, wo sie damals stand. Die Nullpunktverschiebung des vorigen Gebers wird nicht geschrieben: Das Setzen der Position ergibt eine neue. Ein Preset, den das Projekt will, wird zuletzt geschrieben und wirkt nicht von selbst.</translation>
+    </message>
+    <message>
+        <source>The position that was seen last, and when</source>
+        <translation>Die zuletzt gesehene Position, und wann</translation>
+    </message>
+    <message>
+        <source>From a note, or from what the machine stands at</source>
+        <translation>Aus einer Notiz oder nach dem Stand der Maschine</translation>
+    </message>
+    <message>
+        <source>Nothing is set: the machine has to be referenced another way</source>
+        <translation>Nichts wird gesetzt: Die Maschine muss anders referenziert werden</translation>
+    </message>
+    <message>
+        <source>Position in steps</source>
+        <translation>Position in Schritten</translation>
+    </message>
+    <message>
+        <source>Position in steps, decimal or hexadecimal (0x.. or ..h)</source>
+        <translation>Position in Schritten, dezimal oder hexadezimal (0x.. oder ..h)</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>&amp;Position %1, seen at %2, before the encoder went away</source>
+        <translation>&amp;Position %1, gesehen um %2, bevor der Geber verschwand</translation>
+    </message>
+    <message>
+        <source>&amp;Position %1, as shown at %2: the encoder has not been away since</source>
+        <translation>&amp;Position %1, wie um %2 gezeigt: Der Geber war seither nicht weg</translation>
+    </message>
+    <message>
+        <source>Give the position as a whole number, 0 or more, or leave it as it is.</source>
+        <translation>Die Position als ganze Zahl ab 0 angeben oder lassen, wie sie ist.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ReplaceStep</name>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ReplaceWriteStep</name>
+    <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>What will be written</source>
+        <translation>Was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>There are no values for it, neither wanted nor stored. Write puts the new encoder into the project.</source>
+        <translation>Es gibt keine Werte für ihn, weder gewünschte noch abgelegte. Schreiben nimmt den neuen Geber ins Projekt auf.</translation>
+    </message>
+    <message>
+        <source>Serial number %1</source>
+        <translation>Seriennummer %1</translation>
+    </message>
+    <message>
+        <source>&amp;Write</source>
+        <translation>&amp;Schreiben</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::ReportExport</name>
     <message>
         <source>report</source>
@@ -8501,11 +8774,6 @@ ID-Code %3, Gerätecode %4
         <translation>Zu sendende Worte</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <comment>what it does, key</comment>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Add</source>
         <translation>Neu</translation>
     </message>
@@ -9322,11 +9590,6 @@ Zustand: %7</translation>
         <translation>Handshake-Protokoll</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <comment>what it does, key</comment>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Follow</source>
         <translation>Mitlaufen</translation>
     </message>
@@ -9573,6 +9836,304 @@ Zustand: %7</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::TransferChoice</name>
+    <message>
+        <source>Cam &amp;programs too</source>
+        <translation>Auch Nocken&amp;programme</translation>
+    </message>
+    <message>
+        <source>Write what the project wants</source>
+        <translation>Schreiben, was das Projekt will</translation>
+    </message>
+    <message>
+        <source>Write what the project has stored</source>
+        <translation>Schreiben, was im Projekt abgelegt ist</translation>
+    </message>
+    <message>
+        <source>Store in the project what encoders have</source>
+        <translation>Im Projekt ablegen, was die Geber haben</translation>
+    </message>
+    <message>
+        <source>Give the values of one encoder to others</source>
+        <translation>Anderen die Werte eines Gebers geben</translation>
+    </message>
+    <message>
+        <source>Restore values from before</source>
+        <translation>Werte von vorher wiederherstellen</translation>
+    </message>
+    <message>
+        <source>What is transferred</source>
+        <translation>Was übertragen wird</translation>
+    </message>
+    <message>
+        <source>What is transferred. Nothing is sent by choosing.</source>
+        <translation>Was übertragen wird. Das Wählen sendet nichts.</translation>
+    </message>
+    <message>
+        <source>Encoder whose values the others get</source>
+        <translation>Geber, dessen Werte die anderen bekommen</translation>
+    </message>
+    <message>
+        <source>The encoder whose values the others get, as far as they are known</source>
+        <translation>Der Geber, dessen Werte die anderen bekommen, soweit sie bekannt sind</translation>
+    </message>
+    <message>
+        <source>Values from before</source>
+        <translation>Werte von vorher</translation>
+    </message>
+    <message>
+        <source>What the encoder had before this program wrote to it</source>
+        <translation>Was der Geber hatte, bevor dieses Programm in ihn schrieb</translation>
+    </message>
+    <message>
+        <source>Cam programs are read in the cam mode of each; leaving one that was changed before costs an EEPROM write.</source>
+        <translation>Nockenprogramme werden im Nockenbetrieb eines jeden gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-Schreibvorgang.</translation>
+    </message>
+    <message>
+        <source>&amp;Transfer</source>
+        <translation>Ü&amp;bertragen</translation>
+    </message>
+    <message>
+        <source>Nothing is kept of %1.</source>
+        <translation>Von %1 ist nichts aufbewahrt.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TransferLines</name>
+    <message>
+        <source>not there</source>
+        <translation>nicht da</translation>
+    </message>
+    <message>
+        <source>already there</source>
+        <translation>schon da</translation>
+    </message>
+    <message>
+        <source>The encoder has it: it is left out.</source>
+        <translation>Der Geber hat es: Es wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The word that will stand in OUT</source>
+        <translation>Das Wort, das in OUT stehen wird</translation>
+    </message>
+    <message>
+        <source>Cam program %1</source>
+        <translation>Nockenprogramm %1</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>another</source>
+        <translation>anders</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>It is read first, and written where it differs.</source>
+        <translation>Es wird zuerst gelesen und geschrieben, wo es abweicht.</translation>
+    </message>
+    <message>
+        <source>It cannot be read: what is known of it is stored.</source>
+        <translation>Er lässt sich nicht auslesen: Abgelegt wird, was von ihm bekannt ist.</translation>
+    </message>
+    <message>
+        <source>Values to read: %1. It shows no position meanwhile.</source>
+        <translation>Zu lesende Werte: %1. So lange zeigt er keine Position.</translation>
+    </message>
+    <message>
+        <source>Its cam programs are read in the cam mode of each. A program that was changed before is stored when it is left: one EEPROM write.</source>
+        <translation>Seine Nockenprogramme werden im Nockenbetrieb eines jeden gelesen. Ein vorher geändertes Programm wird beim Verlassen gespeichert: ein EEPROM-Schreibvorgang.</translation>
+    </message>
+    <message>
+        <source>Known now, beside what the project has stored</source>
+        <translation>Jetzt bekannt, neben dem, was im Projekt abgelegt ist</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TransferModel</name>
+    <message>
+        <source>Place</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>Encoder and parameter</source>
+        <translation>Geber und Parameter</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>In the project</source>
+        <translation>Im Projekt</translation>
+    </message>
+    <message>
+        <source>Wanted</source>
+        <translation>Gewünscht</translation>
+    </message>
+    <message>
+        <source>Word</source>
+        <translation>Wort</translation>
+    </message>
+    <message>
+        <source>EEPROM</source>
+        <translation>EEPROM</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TransferPage</name>
+    <message>
+        <source>What differs</source>
+        <translation>Was abweicht</translation>
+    </message>
+    <message>
+        <source>Choose &amp;all</source>
+        <translation>&amp;Alle wählen</translation>
+    </message>
+    <message>
+        <source>Choose &amp;none</source>
+        <translation>&amp;Keine wählen</translation>
+    </message>
+    <message>
+        <source>Stop &amp;after a refusal</source>
+        <translation>Nach einer Ab&amp;lehnung anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Übertragung</translation>
+    </message>
+    <message>
+        <source>Chooses every encoder that can be written to</source>
+        <translation>Wählt jeden Geber, in den geschrieben werden kann</translation>
+    </message>
+    <message>
+        <source>Chooses none</source>
+        <translation>Wählt keinen</translation>
+    </message>
+    <message>
+        <source>Begin no other encoder after one has refused</source>
+        <translation>Keinen weiteren Geber beginnen, wenn einer abgelehnt hat</translation>
+    </message>
+    <message>
+        <source>Back to the monitors; nothing is sent</source>
+        <translation>Zurück zu den Monitoren; es wird nichts gesendet</translation>
+    </message>
+    <message>
+        <source>Shows what differs now</source>
+        <translation>Zeigt, was jetzt abweicht</translation>
+    </message>
+    <message>
+        <source>&amp;Read and store</source>
+        <translation>&amp;Lesen und ablegen</translation>
+    </message>
+    <message>
+        <source>&amp;Write</source>
+        <translation>&amp;Schreiben</translation>
+    </message>
+    <message>
+        <source>Reads the chosen encoders, which show no position meanwhile, and keeps what they have in the project</source>
+        <translation>Liest die gewählten Geber, die so lange keine Position zeigen, und legt im Projekt ab, was sie haben</translation>
+    </message>
+    <message>
+        <source>Sends the words above to the chosen encoders, one after the other</source>
+        <translation>Sendet die Worte oben an die gewählten Geber, an einen nach dem anderen</translation>
+    </message>
+    <message>
+        <source>There is nothing to restore.</source>
+        <translation>Es gibt nichts wiederherzustellen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to transfer: nothing is wanted, stored or known.</source>
+        <translation>Es gibt nichts zu übertragen: Nichts ist gewünscht, abgelegt oder bekannt.</translation>
+    </message>
+    <message>
+        <source>Encoders chosen: %1.</source>
+        <translation>Gewählte Geber: %1.</translation>
+    </message>
+    <message>
+        <source>Encoders chosen: %1. EEPROM writes: at most %2.</source>
+        <translation>Gewählte Geber: %1. EEPROM-Schreibvorgänge: höchstens %2.</translation>
+    </message>
+    <message>
+        <source>Store values of encoders</source>
+        <translation>Werte von Gebern ablegen</translation>
+    </message>
+    <message>
+        <source>Values of %1</source>
+        <translation>Werte von %1</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TransferPages</name>
+    <message>
+        <source>No encoder is chosen.</source>
+        <translation>Es ist kein Geber gewählt.</translation>
+    </message>
+    <message>
+        <source>Gives a new encoder in its place the values and the position of the one before</source>
+        <translation>Gibt einem neuen Geber an diesem Platz die Werte und die Position des vorigen</translation>
+    </message>
+    <message>
+        <source>Restore &amp;values from before...</source>
+        <translation>&amp;Werte von vorher wiederherstellen...</translation>
+    </message>
+    <message>
+        <source>Restore &amp;values of %1...</source>
+        <translation>&amp;Werte von %1 wiederherstellen...</translation>
+    </message>
+    <message>
+        <source>Shows what the encoder had before this program wrote to it, and writes it again</source>
+        <translation>Zeigt, was der Geber hatte, bevor dieses Programm in ihn schrieb, und schreibt es wieder</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TransferProgress</name>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;bbrechen</translation>
+    </message>
+    <message>
+        <source>Encoders done</source>
+        <translation>Erledigte Geber</translation>
+    </message>
+    <message>
+        <source>Encoders done, of all that were chosen</source>
+        <translation>Erledigte Geber von allen gewählten</translation>
+    </message>
+    <message>
+        <source>Steps of this encoder</source>
+        <translation>Schritte dieses Gebers</translation>
+    </message>
+    <message>
+        <source>Steps of the running handshake</source>
+        <translation>Schritte des laufenden Handshakes</translation>
+    </message>
+    <message>
+        <source>Ends the running handshake, after asking how to leave the encoder; the others are not begun.</source>
+        <translation>Beendet den laufenden Handshake, nachdem gefragt wurde, wie der Geber verlassen werden soll; die anderen werden nicht begonnen.</translation>
+    </message>
+    <message>
+        <source>Encoder %1 of %2: %3, step %4 of %5</source>
+        <translation>Geber %1 von %2: %3, Schritt %4 von %5</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::TransferReport</name>
     <message>
         <source>Values written to encoders</source>
@@ -9673,6 +10234,13 @@ Zustand: %7</translation>
     <message>
         <source>Software</source>
         <translation>Software</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TransferTable</name>
+    <message>
+        <source>Space chooses an encoder</source>
+        <translation>Die Leertaste wählt einen Geber</translation>
     </message>
 </context>
 <context>
@@ -10254,6 +10822,22 @@ Zustand: %7</translation>
     <message>
         <source>Saves the commissioning report of the project as a PDF or a web page; sends nothing</source>
         <translation>Speichert den Inbetriebnahmebericht des Projekts als PDF oder Webseite; sendet nichts</translation>
+    </message>
+    <message>
+        <source>T&amp;ransfer</source>
+        <translation>Ü&amp;bertragung</translation>
+    </message>
+    <message>
+        <source>Values of several encoders: written from the project, stored in it, given from one to others</source>
+        <translation>Werte mehrerer Geber: aus dem Projekt geschrieben, darin abgelegt, von einem an andere gegeben</translation>
+    </message>
+    <message>
+        <source>&amp;Replace encoder</source>
+        <translation>Geber &amp;ersetzen</translation>
+    </message>
+    <message>
+        <source>Restore &amp;values from before...</source>
+        <translation>&amp;Werte von vorher wiederherstellen...</translation>
     </message>
 </context>
 <context>

@@ -26,6 +26,8 @@ const QStringList sameInGerman{
     QStringLiteral("&Bus"),
     QStringLiteral("BUS FAIL"),
     QStringLiteral("°C"),
+    QStringLiteral("%1 %2"),
+    QStringLiteral("EEPROM"),
     QStringLiteral("CCW"),
     QStringLiteral("Code"),
     QStringLiteral("CW"),
