@@ -120,6 +120,18 @@ TEST_F(Transfer, CancelInTheMiddleRestoresAndBeginsNoOther)
     EXPECT_EQ(words(onLoop), QString());
 }
 
+TEST_F(Transfer, CancelAtTheVeryEndOfAnEncoderBeginsNoOther)
+{
+    const TransferPlan plan = planTransfer(bus, {{.place = baumer, .values = {{Parameter::steps, 4096}}},
+                                                 {.place = onLoop, .values = {{Parameter::steps, 100}}}});
+    QObject::connect(&encoder(baumer), &EncoderSession::finished, &bus,
+                     [this] { round.cancel(OnCancel::leaveAsIs); });
+    const TransferAccount account = carryOut(plan);
+    EXPECT_TRUE(account.encoders[0].isDone());
+    EXPECT_FALSE(account.encoders[1].isBegun);
+    EXPECT_EQ(words(onLoop), QString());
+}
+
 TEST_F(Transfer, AnEncoderThatLosesPowerInTheMiddleIsNamedAndTheNextOneIsWritten)
 {
     const TransferPlan plan =

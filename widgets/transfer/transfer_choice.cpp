@@ -13,6 +13,11 @@
 #include <algorithm>
 
 namespace codewheel {
+namespace {
+
+constexpr int shortestText = 12; // characters
+
+} // namespace
 
 TransferChoice::TransferChoice(BusSession &bus, FindValuesBefore findBefore, QWidget *parent)
     : QWidget(parent)
@@ -36,7 +41,10 @@ TransferChoice::TransferChoice(BusSession &bus, FindValuesBefore findBefore, QWi
     m_before->setObjectName(QStringLiteral("valuesBefore"));
     m_before->setAccessibleName(tr("Values from before"));
     m_before->setToolTip(tr("What the encoder had before this program wrote to it"));
-    m_before->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    for (QComboBox *box : {m_what, m_from, m_before}) { // they give way in a narrow window
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(shortestText);
+    }
     m_cams->setObjectName(QStringLiteral("withCams"));
     m_cams->setToolTip(
         tr("Cam programs are read in the cam mode of each; leaving one that was changed before "
@@ -47,11 +55,10 @@ TransferChoice::TransferChoice(BusSession &bus, FindValuesBefore findBefore, QWi
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(grid::margin);
     layout->addWidget(label);
-    layout->addWidget(m_what);
-    layout->addWidget(m_from);
+    layout->addWidget(m_what, 1);
+    layout->addWidget(m_from, 1);
     layout->addWidget(m_before, 1);
     layout->addWidget(m_cams);
-    layout->addStretch();
     setFocusProxy(m_what);
     showRing();
     showParts();

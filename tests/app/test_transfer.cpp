@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/window_test.h"
+#include "widgets/structure/structure_view.h"
+#include "widgets/transfer/replace_page.h"
+#include "widgets/transfer/transfer_page.h"
+
+#include <QAction>
+#include <QPushButton>
+#include <QTest>
+
+namespace codewheel {
+namespace {
+
+using test::baumer;
+using test::fraba;
+
+class TransferInTheWindow : public test::WindowTest
+{
+protected:
+    TransferPage &page() { return *window().findChild<TransferPage *>(); }
+    void choose(DeviceNumber number) { window().findChild<StructureView *>()->choose(number); }
+    // What is wanted of the Baumer, by Transfer.
+    void write(std::int64_t steps)
+    {
+        shown->project().editDevice(baumer, QStringLiteral("want"), [=](ProjectDevice &device) {
+            device.wanted = {{Parameter::steps, steps}};
+        });
+        actions().transfer->trigger();
+        click("transferBegin");
+    }
+    void click(const char *name)
+    {
+        auto *button = page().findChild<QPushButton *>(QLatin1String(name));
+        ASSERT_TRUE(QTest::qWaitFor([button] { return button->isEnabled(); })); // the plan comes soon
+        QTest::mouseClick(button, Qt::LeftButton);
+        advance(500);
+    }
+    std::optional<std::int64_t> known()
+    {
+        const auto steps = bus().encoder(baumer)->known(Parameter::steps);
+        return steps ? std::optional(steps->value) : std::nullopt;
+    }
+};
+
+TEST_F(TransferInTheWindow, ValuesAreWrittenAndThoseFromBeforeRestored)
+{
+    choose(baumer);
+    EXPECT_FALSE(actions().restoreValues->isEnabled());
+    write(8192);
+    click("transferBack");
+    write(4096);
+    EXPECT_EQ(known(), 4096);
+    EXPECT_TRUE(actions().restoreValues->isEnabled());
+    EXPECT_TRUE(actions().restoreValues->text().startsWith(QStringLiteral("Restore &values of 14:02")));
+
+    actions().restoreValues->trigger();
+    click("transferBegin");
+    EXPECT_EQ(known(), 8192);
+}
+
+TEST_F(TransferInTheWindow, AlarmStopEndsItAll)
+{
+    shown->project().editDevice(baumer, QStringLiteral("want"), [](ProjectDevice &device) {
+        device.wanted = {{Parameter::steps, 4096}};
+    });
+    actions().transfer->trigger();
+    QTest::mouseClick(page().findChild<QPushButton *>(QStringLiteral("transferBegin")), Qt::LeftButton);
+    advance(4);
+    ASSERT_TRUE(page().isBusy());
+    actions().alarmStop->trigger();
+    advance(100);
+    EXPECT_FALSE(page().isBusy());
+    EXPECT_EQ(out(baumer), 0u);
+}
+
+TEST_F(TransferInTheWindow, TheChosenEncoderIsReplaced)
+{
+    choose(fraba);
+    actions().replaceEncoder->trigger();
+    EXPECT_TRUE(window().findChild<ReplacePage *>()->isVisible());
+    choose({3, 0});
+    EXPECT_FALSE(actions().replaceEncoder->isEnabled()); // a K1 has nothing to be written
+    EXPECT_TRUE(actions().replaceEncoder->toolTip().contains(QStringLiteral("cannot be parameterized")));
+}
+
+} // namespace
+} // namespace codewheel
