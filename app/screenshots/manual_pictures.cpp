@@ -3,19 +3,16 @@
 
 #include "app/screenshots/project_pictures.h"
 #include "app/screenshots/report_picture.h"
-#include "app/window/training_window.h"
+#include "app/screenshots/scene.h"
+#include "app/screenshots/wizard_pictures.h"
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
 #include "widgets/cams/cam_editor.h"
 #include "widgets/cams/cam_sheet.h"
 #include "widgets/look/appearance.h"
 #include "widgets/monitor/monitor_area.h"
-#include "widgets/parameters/wanted_values.h"
 #include "widgets/sequence/sequence_view.h"
-#include "widgets/structure/structure_view.h"
-#include "widgets/wizard/parameter_wizard.h"
 
-#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QDir>
@@ -23,60 +20,14 @@
 #include <QTemporaryDir>
 #include <QTextBrowser>
 
-#include <functional>
-#include <vector>
-
 namespace codewheel {
 namespace {
 
-constexpr DeviceNumber fraba{1, 0};
-constexpr DeviceNumber baumer{2, 0};
-constexpr DeviceNumber rod{5, 0};
-constexpr QSize usual(1280, 800);
+using namespace scene;
+
 constexpr QSize smallest(1024, 640);
 constexpr QSize tall(1280, 1150);
 constexpr QSize low(1280, 690);
-constexpr int whileMilliseconds = 600; // until what was asked for is done
-
-// What a picture shows of a window at work.
-struct Picture
-{
-    QString name;
-    QSize size;
-    std::function<QWidget *(TrainingWindow &)> prepare; // answers what is to be seen
-};
-
-QDockWidget *dock(TrainingWindow &shown, const QString &name)
-{
-    auto *dock = shown.window().findChild<QDockWidget *>(name);
-    dock->raise();
-    shown.advance(1);
-    return dock;
-}
-
-void send(TrainingWindow &shown, DeviceNumber number, Word word)
-{
-    WordChannel &channel = *shown.bus().channel(number);
-    channel.stage(word);
-    if (channel.write())
-        shown.advance(33);
-}
-
-void readAll(TrainingWindow &shown)
-{
-    EncoderSession &encoder = *shown.bus().encoder(fraba);
-    if (encoder.start(ReadParameters{encoder.device().readableValues()}))
-        shown.advance(whileMilliseconds);
-}
-
-void want255(TrainingWindow &shown)
-{
-    auto *wanted = shown.window().findChild<WantedValues *>();
-    wanted->set(fraba, Parameter::steps, 255);
-    wanted->set(fraba, Parameter::revolutions, 1);
-    wanted->set(fraba, Parameter::direction, 3);
-    wanted->set(fraba, Parameter::preset, 0);
-}
 
 // FRABA manual 5.3, as words
 const std::vector<Word> manualWords{0x0200'00FF, 0x0400'0001, 0x0600'0003,
@@ -84,8 +35,7 @@ const std::vector<Word> manualWords{0x0200'00FF, 0x0400'0001, 0x0600'0003,
 
 void sendManualWords(TrainingWindow &shown)
 {
-    if (shown.bus().encoder(fraba)->start(SendWords{.words = manualWords}))
-        shown.advance(whileMilliseconds);
+    start(shown, fraba, SendWords{.words = manualWords});
 }
 
 QWidget *wholeWindow(TrainingWindow &shown)
@@ -106,43 +56,6 @@ QWidget *monitorsAtWork(TrainingWindow &shown)
     return shown.window().findChild<MonitorArea *>();
 }
 
-void click(TrainingWindow &shown, const QString &button)
-{
-    if (auto *found = shown.window().findChild<QAbstractButton *>(button);
-        found != nullptr && found->isEnabled())
-        found->click();
-    shown.advance(whileMilliseconds);
-}
-
-// The way through the wizard, as far as the page that is wanted.
-QWidget *wizardAt(TrainingWindow &shown, ParameterWizard::Page page)
-{
-    shown.window().showWizard();
-    auto *wizard = shown.window().findChild<ParameterWizard *>();
-    want255(shown);
-    while (wizard->page() < page) {
-        if (wizard->page() == ParameterWizard::known)
-            click(shown, QStringLiteral("readAll"));
-        if (wizard->page() == ParameterWizard::handshake)
-            while (wizard->isBusy())
-                click(shown, QStringLiteral("nextStep"));
-        click(shown, QStringLiteral("wizardNext"));
-    }
-    return wizard;
-}
-
-Picture wizardPicture(const QString &name, ParameterWizard::Page page)
-{
-    return {name, usual, [page](TrainingWindow &shown) { return wizardAt(shown, page); }};
-}
-
-QWidget *handshakeHalfWay(TrainingWindow &shown)
-{
-    QWidget *wizard = wizardAt(shown, ParameterWizard::handshake);
-    click(shown, QStringLiteral("nextStep"));
-    return wizard;
-}
-
 // The cam of FRABA manual 5.4.4 and some more, one of them through zero, and what the encoder has.
 CamProgram exampleCams()
 {
@@ -160,9 +73,9 @@ QWidget *camsAtWork(TrainingWindow &shown)
     CamProgram there = exampleCams();
     there.cam.at(5) = {20'000'000, 26'000'000, true};
     shown.controls().turnTo(fraba, 7'654'321);
-    if (shown.bus().encoder(fraba)->start(
-            WriteCams{.programs = {there}, .onlyWhatDiffers = true, .afterwards = SwitchMode{Mode::cam, 1}}))
-        shown.advance(4 * whileMilliseconds);
+    start(shown, fraba,
+          WriteCams{.programs = {there}, .onlyWhatDiffers = true, .afterwards = SwitchMode{Mode::cam, 1}},
+          4 * whileMilliseconds);
     shown.window().showCams();
     CamProgram second = exampleCams();
     second.number = 2;
@@ -174,147 +87,122 @@ QWidget *camsAtWork(TrainingWindow &shown)
     return shown.window().findChild<CamEditor *>();
 }
 
+QWidget *reportAtWork(TrainingWindow &shown)
+{
+    shown.project().editDevice(fraba, {}, [](ProjectDevice &device) {
+        device.station = QStringLiteral("Crane 1, hoist");
+        device.wanted = {{Parameter::steps, 8192}, {Parameter::direction, 3}, {Parameter::preset, 1000}};
+        device.wantedCams = {exampleCams()};
+    });
+    readAll(shown);
+    return reportOnPaper(shown);
+}
+
 QWidget *rodAtWork(TrainingWindow &shown)
 {
-    EncoderSession &encoder = *shown.bus().encoder(rod);
-    shown.window().findChild<StructureView *>()->choose(rod);
-    encoder.tell(Parameter::rodLength, 500'000); // micrometres
-    if (encoder.start(ReadParameters{{Parameter::direction, Parameter::measuringLength}}))
-        shown.advance(whileMilliseconds);
+    choose(shown, rod);
+    start(shown, rod, ReadParameters{{Parameter::direction, Parameter::measuringLength}});
     shown.controls().setMagnetSpeed(rod, 20);
     shown.advance(whileMilliseconds);
-    return dock(shown, QStringLiteral("dialDock"));
+    return dock(shown, "dialDock");
 }
 
-void wantSomething(TrainingWindow &shown, DeviceNumber number, const ParameterValues &values)
+// What is asked before this function of the encoder begins.
+Picture questionBefore(const char *name, const char *action)
 {
-    shown.project().editDevice(number, QString(), [&](ProjectDevice &device) { device.wanted = values; });
+    return pictureOfQuestion(name, [action](TrainingWindow &shown) {
+        readAll(shown);
+        shown.window().findChild<QAction *>(QLatin1String(action))->trigger();
+    });
 }
 
-QWidget *transferAtWork(TrainingWindow &shown)
-{
-    readAll(shown);
-    wantSomething(shown, fraba, {{Parameter::steps, 4096}, {Parameter::revolutions, 1}});
-    wantSomething(shown, baumer, {{Parameter::steps, 4096}, {Parameter::coding, 6}});
-    wantSomething(shown, rod, {{Parameter::measuringLength, 50'000}, {Parameter::direction, 1}});
-    shown.window().actions().transfer->trigger();
-    shown.advance(whileMilliseconds);
-    return &shown.window();
-}
-
-QWidget *replacementAtWork(TrainingWindow &shown)
-{
-    wantSomething(shown, fraba, {{Parameter::steps, 4096}, {Parameter::revolutions, 1}});
-    shown.controls().setPower(fraba, false);
-    shown.advance(2 * whileMilliseconds + whileMilliseconds);
-    shown.controls().setPower(fraba, true);
-    shown.advance(whileMilliseconds);
-    shown.window().actions().replaceEncoder->trigger();
-    auto *next = shown.window().findChild<QAbstractButton *>(QStringLiteral("replaceNext"));
-    next->click();
-    next->click();
-    shown.advance(33);
-    return &shown.window();
-}
-
-std::vector<Picture> pictures()
+std::vector<Picture> views()
 {
     return {
-        {QStringLiteral("window"), usual, wholeWindow},
-        {QStringLiteral("window-small"), smallest, wholeWindow},
-        {QStringLiteral("monitors"), usual, monitorsAtWork},
-        {QStringLiteral("trace"), usual,
-         [](TrainingWindow &shown) {
-             sendManualWords(shown);
-             return dock(shown, QStringLiteral("traceDock"));
-         }},
-        {QStringLiteral("sequence"), usual,
-         [](TrainingWindow &shown) {
-             WordList list;
-             list.words = manualWords;
-             shown.window().findChild<SequenceView *>()->setList(list);
-             return dock(shown, QStringLiteral("sequenceDock"));
-         }},
-        wizardPicture(QStringLiteral("wizard-known"), ParameterWizard::known),
-        wizardPicture(QStringLiteral("wizard-values"), ParameterWizard::values),
-        wizardPicture(QStringLiteral("wizard-review"), ParameterWizard::review),
-        {QStringLiteral("wizard-handshake"), usual, handshakeHalfWay},
-        wizardPicture(QStringLiteral("wizard-report"), ParameterWizard::report),
-        {QStringLiteral("parameters"), usual,
-         [](TrainingWindow &shown) {
-             readAll(shown);
-             want255(shown);
-             return dock(shown, QStringLiteral("parametersDock"));
-         }},
-        {QStringLiteral("dial"), usual,
-         [](TrainingWindow &shown) {
-             shown.controls().setSpeed(fraba, 60);
-             readAll(shown);
-             return dock(shown, QStringLiteral("dialDock"));
-         }},
-        {QStringLiteral("cams"), low, camsAtWork},
-        {QStringLiteral("structure-editor"), usual, structureEditorAtWork},
-        {QStringLiteral("structure-insert"), usual, insertionAtWork},
-        {QStringLiteral("structure-small"), smallest, offlineWindow},
-        {QStringLiteral("comparison"), usual, comparisonAtWork},
-        {QStringLiteral("report"), usual,
-         [](TrainingWindow &shown) {
-             shown.project().editDevice(fraba, {}, [](ProjectDevice &device) {
-                 device.station = QStringLiteral("Crane 1, hoist");
-                 device.wanted = {
-                     {Parameter::steps, 8192}, {Parameter::direction, 3}, {Parameter::preset, 1000}};
-                 device.wantedCams = {exampleCams()};
-             });
-             readAll(shown);
-             return reportOnPaper(shown);
-         }},
-        {QStringLiteral("transfer"), low, transferAtWork},
-        {QStringLiteral("replace"), low, replacementAtWork},
-        {QStringLiteral("dial-rod"), usual, rodAtWork},
-        {QStringLiteral("device"), tall,
-         [](TrainingWindow &shown) {
-             QWidget *seen = dock(shown, QStringLiteral("deviceDock"));
-             QCoreApplication::processEvents();
-             // a long page is laid out bit by bit as time allows; the scroll bar tells how far
-             shown.window().findChild<QTextBrowser *>(QStringLiteral("devicePage"))->document()->pageCount();
-             return seen;
-         }},
-        {QStringLiteral("messages"), usual,
-         [](TrainingWindow &shown) {
-             readAll(shown);
-             send(shown, baumer, 0x0400'4E20);
-             send(shown, baumer, 0x8000'0000);
-             return dock(shown, QStringLiteral("messagesDock"));
-         }},
-        {QStringLiteral("training"), usual,
-         [](TrainingWindow &shown) {
-             shown.controls().setSpeed(fraba, 60);
-             shown.advance(whileMilliseconds);
-             return dock(shown, QStringLiteral("trainingDock"));
-         }},
-        {QStringLiteral("training-rod"), usual,
-         [](TrainingWindow &shown) {
-             rodAtWork(shown);
-             return dock(shown, QStringLiteral("trainingDock"));
-         }},
-        {QStringLiteral("parameters-rod"), usual,
-         [](TrainingWindow &shown) {
-             rodAtWork(shown);
-             return dock(shown, QStringLiteral("parametersDock"));
-         }},
+        pictureOf("window", wholeWindow),
+        pictureOf("window-small", wholeWindow, smallest),
+        pictureOf("monitors", monitorsAtWork),
+        pictureOf("trace",
+                  [](TrainingWindow &shown) {
+                      sendManualWords(shown);
+                      return dock(shown, "traceDock");
+                  }),
+        pictureOf("sequence",
+                  [](TrainingWindow &shown) {
+                      WordList list;
+                      list.words = manualWords;
+                      shown.window().findChild<SequenceView *>()->setList(list);
+                      return dock(shown, "sequenceDock");
+                  }),
+        pictureOf("parameters",
+                  [](TrainingWindow &shown) {
+                      readAll(shown);
+                      want255(shown);
+                      return dock(shown, "parametersDock");
+                  }),
+        pictureOf("dial",
+                  [](TrainingWindow &shown) {
+                      shown.controls().setSpeed(fraba, 60);
+                      readAll(shown);
+                      return dock(shown, "dialDock");
+                  }),
+        pictureOf("cams", camsAtWork, low),
+        pictureOf("structure-editor", structureEditorAtWork),
+        pictureOf("structure-insert", insertionAtWork),
+        pictureOf("structure-small", offlineWindow, smallest),
+        pictureOf("comparison", comparisonAtWork),
+        pictureOf("report", reportAtWork),
+        pictureOf("transfer", transferAtWork, low),
+        pictureOf("replace", replacementAtWork, low),
+        pictureOf("dial-rod", rodAtWork),
+        pictureOf(
+            "device",
+            [](TrainingWindow &shown) {
+                QWidget *seen = dock(shown, "deviceDock");
+                QCoreApplication::processEvents();
+                // a long page is laid out bit by bit as time allows; the scroll bar tells how far
+                shown.window()
+                    .findChild<QTextBrowser *>(QStringLiteral("devicePage"))
+                    ->document()
+                    ->pageCount();
+                return seen;
+            },
+            tall),
+        pictureOf("messages",
+                  [](TrainingWindow &shown) {
+                      readAll(shown);
+                      send(shown, baumer, 0x0400'4E20);
+                      send(shown, baumer, 0x8000'0000);
+                      return dock(shown, "messagesDock");
+                  }),
+        pictureOf("training",
+                  [](TrainingWindow &shown) {
+                      shown.controls().setSpeed(fraba, 60);
+                      shown.advance(whileMilliseconds);
+                      return dock(shown, "trainingDock");
+                  }),
+        pictureOf("training-rod",
+                  [](TrainingWindow &shown) {
+                      rodAtWork(shown);
+                      return dock(shown, "trainingDock");
+                  }),
+        pictureOf("parameters-rod",
+                  [](TrainingWindow &shown) {
+                      rodAtWork(shown);
+                      return dock(shown, "parametersDock");
+                  }),
+        questionBefore("question-preset", "frabaPreset"),
+        questionBefore("question-reset", "resetToDefault"),
     };
 }
 
 bool save(const Picture &picture, const QDir &folder, const QString &suffix)
 {
     const QTemporaryDir settings; // each picture is of a first start
-    TrainingWindow shown(settings.filePath(QStringLiteral("picture.ini")));
-    shown.window().resize(picture.size);
+    TrainingWindow shown(settings.filePath(QStringLiteral("picture.ini")), picture.window);
     shown.window().show();
     shown.advance(99);
-    QWidget *seen = picture.prepare(shown);
-    QCoreApplication::processEvents();
-    return seen->grab().save(folder.filePath(picture.name + suffix + QStringLiteral(".png")));
+    return picture.take(shown).save(folder.filePath(picture.name + suffix + QStringLiteral(".png")));
 }
 
 } // namespace
@@ -322,11 +210,14 @@ bool save(const Picture &picture, const QDir &folder, const QString &suffix)
 bool makeManualPictures(QApplication &application, const QDir &folder)
 {
     QApplication::setCursorFlashTime(0); // a cursor is there or not, by chance
+    std::vector<Picture> pictures = views();
+    for (const Picture &picture : wizardPictures())
+        pictures.push_back(picture);
     bool saved = true;
     for (const Scheme scheme : {Scheme::light, Scheme::dark}) {
         applyAppearance(application, {.scheme = scheme, .largeControls = false, .lessMotion = true});
         const QString suffix = scheme == Scheme::dark ? QStringLiteral("-dark") : QString();
-        for (const Picture &picture : pictures())
+        for (const Picture &picture : pictures)
             saved = save(picture, folder, suffix) && saved;
     }
     return saved;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/screenshots/project_pictures.h"
 
-#include "app/window/training_window.h"
+#include "app/screenshots/scene.h"
 #include "ring/id_code.h"
 #include "widgets/comparison/comparison_page.h"
 #include "widgets/structure_editor/plan_edits.h"
 #include "widgets/structure_editor/structure_editor.h"
 
+#include <QAbstractButton>
 #include <QAction>
 
 #include <array>
@@ -41,6 +42,11 @@ void planCrane(TrainingWindow &shown)
     project.editDevice({4, 0}, {}, [](ProjectDevice &device) { device.inAddress = 128; });
     project.editDevice({5, 0}, {}, [](ProjectDevice &device) { device.inAddress = 130; });
     shown.advance(40);
+}
+
+void wantSomething(TrainingWindow &shown, DeviceNumber number, const ParameterValues &values)
+{
+    shown.project().editDevice(number, QString(), [&](ProjectDevice &device) { device.wanted = values; });
 }
 
 } // namespace
@@ -81,6 +87,32 @@ QWidget *offlineWindow(TrainingWindow &shown)
     structureEditorAtWork(shown);
     shown.window().actions().disconnectBus->trigger();
     shown.advance(40);
+    return &shown.window();
+}
+
+QWidget *transferAtWork(TrainingWindow &shown)
+{
+    scene::readAll(shown);
+    wantSomething(shown, scene::fraba, {{Parameter::steps, 4096}, {Parameter::revolutions, 1}});
+    wantSomething(shown, scene::baumer, {{Parameter::steps, 4096}, {Parameter::coding, 6}});
+    wantSomething(shown, scene::rod, {{Parameter::measuringLength, 50'000}, {Parameter::direction, 1}});
+    shown.window().actions().transfer->trigger();
+    shown.advance(scene::whileMilliseconds);
+    return &shown.window();
+}
+
+QWidget *replacementAtWork(TrainingWindow &shown)
+{
+    wantSomething(shown, scene::fraba, {{Parameter::steps, 4096}, {Parameter::revolutions, 1}});
+    shown.controls().setPower(scene::fraba, false);
+    shown.advance(3 * scene::whileMilliseconds);
+    shown.controls().setPower(scene::fraba, true);
+    shown.advance(scene::whileMilliseconds);
+    shown.window().actions().replaceEncoder->trigger();
+    auto *next = shown.window().findChild<QAbstractButton *>(QStringLiteral("replaceNext"));
+    next->click();
+    next->click();
+    shown.advance(33);
     return &shown.window();
 }
 

@@ -13,5 +13,8 @@ QWidget *structureEditorAtWork(TrainingWindow &shown);
 QWidget *insertionAtWork(TrainingWindow &shown);
 QWidget *comparisonAtWork(TrainingWindow &shown);
 QWidget *offlineWindow(TrainingWindow &shown);
+// Values of the project on their way to the encoders, and to an encoder that was put in place of another.
+QWidget *transferAtWork(TrainingWindow &shown);
+QWidget *replacementAtWork(TrainingWindow &shown);
 
 } // namespace codewheel

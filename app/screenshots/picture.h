@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/window/training_window.h"
+
+#include <QPixmap>
+#include <QSize>
+#include <QString>
+
+#include <functional>
+#include <vector>
+
+namespace codewheel {
+
+// A picture of the manual: of a window that has just started on a training bus of its own.
+struct Picture
+{
+    QString name; // of the file, without its ending
+    QSize window;
+    std::function<QPixmap(TrainingWindow &)> take;
+};
+
+inline constexpr QSize usualWindow(1280, 800);
+
+// `prepare` brings the window to where there is something to see, and answers what of it.
+Picture pictureOf(const char *name, std::function<QWidget *(TrainingWindow &)> prepare,
+                  QSize window = usualWindow);
+
+// `ask` brings up a modal question, which is closed without an answer.
+Picture pictureOfQuestion(const char *name, std::function<void(TrainingWindow &)> ask);
+
+} // namespace codewheel
