@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The comparison with what a fault of the ring changed, and with what the master keeps.
+#include "tests/app/window_test.h"
+#include "widgets/comparison/comparison_page.h"
+#include "widgets/look/inline_message.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+
+namespace codewheel {
+namespace {
+
+using test::baumer;
+
+class ComparisonPageTest : public test::WindowTest
+{
+protected:
+    ComparisonPageTest()
+    {
+        window().showComparison();
+        advance(40);
+    }
+
+    ComparisonPage &page() { return *window().findChild<ComparisonPage *>(); }
+    QTableView &table() { return *page().findChild<QTableView *>(); }
+    void click(const char *button)
+    {
+        auto *found = page().findChild<QPushButton *>(QLatin1String(button));
+        ASSERT_TRUE(found->isEnabled()) << button;
+        QTest::mouseClick(found, Qt::LeftButton);
+        advance(200);
+    }
+    void otherDeviceAt(DeviceNumber place)
+    {
+        shown->controls().setFault(TrainingFault::wrongDevice, place, 1);
+        advance(60);
+        click("readIn");
+    }
+    std::optional<KeptConfiguration> kept()
+    {
+        std::optional<KeptConfiguration> told;
+        const auto connection = QObject::connect(
+            &bus(), &BusSession::keptConfigurationTold,
+            [&](const std::optional<KeptConfiguration> &configuration) { told = configuration; });
+        bus().askKeptConfiguration();
+        advance(40);
+        QObject::disconnect(connection);
+        return told;
+    }
+    // The message, and its first button.
+    InlineMessage &message()
+    {
+        return *page().findChild<InlineMessage *>(QStringLiteral("comparisonMessage"));
+    }
+};
+
+TEST_F(ComparisonPageTest, AnotherDeviceIsToldAfterReadingInAndTakenOver)
+{
+    EXPECT_EQ(page().differences(), 0);
+    otherDeviceAt(baumer);
+    ASSERT_EQ(page().differences(), 1);
+    EXPECT_EQ(page().findChild<QLabel *>(QStringLiteral("comparisonSummary"))->text(),
+              QStringLiteral("1 lines differ."));
+    EXPECT_TRUE(table().model()->index(1, 2).data().toString().contains(QStringLiteral("found")))
+        << table().model()->index(1, 2).data().toString().toStdString();
+    table().selectRow(1);
+    click("linesIntoProject");
+    EXPECT_EQ(page().differences(), 0);
+    EXPECT_EQ(shown->project().device(baumer).participant.deviceCode, 0x0236U);
+    shown->project().undoStack().undo();
+    EXPECT_EQ(page().differences(), 1);
+}
+
+TEST_F(ComparisonPageTest, TheProjectIsDownloadedLoadedBackAndTakenBack)
+{
+    const auto before = kept();
+    shown->project().setFile(folder.filePath(QStringLiteral("crane.codewheel")));
+    otherDeviceAt(baumer);
+    click("allIntoMaster");
+    ASSERT_TRUE(kept());
+    EXPECT_EQ(kept()->fileName, QStringLiteral("crane.codewheel"));
+    EXPECT_EQ(kept()->structure.at(1).deviceCode, 0x0237U) << "as it is planned";
+    EXPECT_TRUE(message().sentence().contains(QStringLiteral("crane.codewheel with 7 devices")))
+        << message().sentence().toStdString();
+    if (!before)
+        return; // nothing to take back to
+    QTest::mouseClick(message().findChild<QPushButton *>(), Qt::LeftButton);
+    advance(200);
+    EXPECT_EQ(kept(), before);
+}
+
+} // namespace
+} // namespace codewheel
