@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/file_access.h"
 
+#include "encoder/sentence.h"
+
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
@@ -30,6 +32,17 @@ tl::unexpected<Refusal> notReadable(const QString &path, const QString &reason)
 tl::unexpected<Refusal> notWritten(const QString &path, const QString &reason)
 {
     return refuse(RefusalKind::badInput, RefusalId::fileNotWritten, {path, asSentence(reason)});
+}
+
+std::int64_t megabytes(qint64 bytes)
+{
+    return (bytes + megabyte - 1) / megabyte;
+}
+
+tl::unexpected<Refusal> tooLarge(const QString &path, qint64 size, qint64 largest)
+{
+    return refuse(RefusalKind::badInput, RefusalId::fileTooLarge,
+                  {path, megabytes(size), megabytes(largest)});
 }
 
 QString systemReason()
@@ -91,10 +104,9 @@ QString backupPath(const QString &path)
     return path + u'~';
 }
 
-tl::unexpected<Refusal> refuseTooLarge(const QString &path, qint64 size, qint64 largest)
+QString inMegabytes(qint64 bytes)
 {
-    return refuse(RefusalKind::badInput, RefusalId::fileTooLarge,
-                  {path, std::int64_t{(size + megabyte - 1) / megabyte}, std::int64_t{largest / megabyte}});
+    return argumentText(megabytes(bytes));
 }
 
 Result<QByteArray> readWholeFile(const QString &path, qint64 largest)
@@ -105,7 +117,7 @@ Result<QByteArray> readWholeFile(const QString &path, qint64 largest)
     if (!info.isFile()) // a pipe would never end
         return notReadable(path, QCoreApplication::translate("codewheel::FileAccess", "It is no file."));
     if (info.size() > largest)
-        return refuseTooLarge(path, info.size(), largest);
+        return tooLarge(path, info.size(), largest);
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return notReadable(path, file.errorString());
@@ -113,7 +125,7 @@ Result<QByteArray> readWholeFile(const QString &path, qint64 largest)
     if (file.error() != QFileDevice::NoError)
         return notReadable(path, file.errorString());
     if (bytes.size() > largest)
-        return refuseTooLarge(path, bytes.size(), largest);
+        return tooLarge(path, bytes.size(), largest);
     return bytes;
 }
 

@@ -10,7 +10,8 @@ namespace codewheel {
 // All of a file of at most `largest` bytes: fileNotReadable, fileTooLarge. What is no file is not opened.
 Result<QByteArray> readWholeFile(const QString &path, qint64 largest);
 
-tl::unexpected<Refusal> refuseTooLarge(const QString &path, qint64 size, qint64 largest);
+// A size as it is told: whole MB, rounded up.
+QString inMegabytes(qint64 bytes);
 
 // What becomes of the file that is replaced.
 enum class OldFile { goes, isKeptAsBackup };

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/project_file.h"
 
+#include "encoder/sentence.h"
 #include "project/file_access.h"
 #include "project/project_json.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 
 namespace codewheel {
@@ -16,11 +18,22 @@ QString fileItself(const QString &path)
     return target.isEmpty() ? path : target;
 }
 
-Result<Project> projectIn(const QByteArray &json, const QString &path)
+struct ProjectFile
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::ProjectFile)
+};
+
+// Why it could not be opened again; empty where it could.
+QString faultOf(const QByteArray &json, const QString &path)
 {
     if (json.size() > largestProjectFile)
-        return refuseTooLarge(path, json.size(), largestProjectFile);
-    return projectFromJson(json, path);
+        return sentence(ProjectFile::tr("It would have %1 MB; the largest that can be opened has %2 MB."),
+                        {inMegabytes(json.size()), inMegabytes(largestProjectFile)});
+    const auto project = projectFromJson(json, path);
+    if (project)
+        return {};
+    const QStringList parts = argumentTexts(project.error().arguments); // file, line, key, reason
+    return sentence(ProjectFile::tr("It could not be opened again. %3: %4"), parts);
 }
 
 } // namespace
@@ -35,8 +48,8 @@ Result<Project> loadProject(const QString &path)
 Result<void> saveProject(const Project &project, const QString &path)
 {
     const QByteArray json = projectToJson(project);
-    if (auto readable = projectIn(json, path); !readable)
-        return tl::unexpected(readable.error());
+    if (const QString fault = faultOf(json, path); !fault.isEmpty())
+        return refuse(RefusalKind::badInput, RefusalId::fileNotWritten, {path, fault});
 
     const QString file = fileItself(path);
     const auto before = readWholeFile(file, largestProjectFile);

@@ -7,7 +7,7 @@
 namespace codewheel {
 
 // Far more than any project of 512 devices; a file of this size is read within a second.
-inline constexpr qint64 largestProjectFile = 8 << 20; // bytes
+inline constexpr qint64 largestProjectFile = 8'000'000; // bytes
 
 // Reads a project file: fileNotReadable, fileTooLarge (nothing of it is read), projectFileBroken,
 // projectFileNewer.
@@ -16,7 +16,7 @@ Result<Project> loadProject(const QString &path);
 // Replaces the file, or makes it: at each moment it is the old one or the new one as a whole, also when the
 // program or the machine stops. The old one is kept as NAME~, unless it is no project and there is a NAME~
 // already. Nothing is done where the file holds the project already. Refused, with the file as it was:
-// fileNotWritten; projectFileBroken or fileTooLarge where it could not be opened again.
+// fileNotWritten, also where it could not be opened again.
 Result<void> saveProject(const Project &project, const QString &path);
 
 } // namespace codewheel

@@ -220,10 +220,18 @@ TEST_F(ProjectFile, WhatCouldNotBeOpenedAgainIsNotSaved)
     broken.devices[2].participant.number = {9, 9};
     const auto saved = saveProject(broken, path());
     ASSERT_FALSE(saved);
-    EXPECT_EQ(saved.error().id, RefusalId::projectFileBroken);
+    EXPECT_EQ(saved.error().id, RefusalId::fileNotWritten);
+    EXPECT_TRUE(refusalText(saved.error())
+                    .contains(QStringLiteral("cannot be written: It could not be opened again. "
+                                             "devices[2].place: \"9.9\" cannot stand here")))
+        << refusalText(saved.error()).toStdString();
     Project large = m_new;
     large.note = QString(largestProjectFile, u'x');
-    EXPECT_EQ(saveProject(large, path()).error().id, RefusalId::fileTooLarge);
+    const auto tooLarge = saveProject(large, path());
+    ASSERT_FALSE(tooLarge);
+    EXPECT_TRUE(refusalText(tooLarge.error())
+                    .contains(QStringLiteral("It would have 9 MB; the largest that can be opened has 8 MB.")))
+        << refusalText(tooLarge.error()).toStdString();
     EXPECT_EQ(loadProject(path()), m_old);
 }
 
