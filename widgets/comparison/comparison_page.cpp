@@ -176,8 +176,8 @@ void ComparisonPage::takeIntoMaster(const std::vector<std::size_t> &lines)
           takenOver(m_bus.structure(), configured, mirrored(m_model->comparison()), lines)});
 }
 
-// Downloads it, and loads back what the master keeps then.
-void ComparisonPage::keep(const KeptConfiguration &configuration)
+// Downloads it, and loads back what the master keeps then. By value: taking back passes m_before itself.
+void ComparisonPage::keep(KeptConfiguration configuration)
 {
     m_before = m_kept;
     m_isDownloading = true;

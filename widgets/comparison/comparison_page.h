@@ -39,7 +39,7 @@ private:
     void compare();
     void takeIntoProject(const std::vector<std::size_t> &lines);
     void takeIntoMaster(const std::vector<std::size_t> &lines);
-    void keep(const KeptConfiguration &configuration);
+    void keep(KeptConfiguration configuration);
     void showKept(const std::optional<KeptConfiguration> &configuration);
     std::vector<std::size_t> allLines() const;
     std::vector<std::size_t> selectedLines() const;
