@@ -7432,6 +7432,17 @@ ID-Code %3, Gerätecode %4
     </message>
 </context>
 <context>
+    <name>codewheel::ProjectFile</name>
+    <message>
+        <source>It would have %1 MB; the largest that can be opened has %2 MB.</source>
+        <translation>Sie hätte %1 MB; geöffnet werden können höchstens %2 MB.</translation>
+    </message>
+    <message>
+        <source>It could not be opened again. %3: %4</source>
+        <translation>Sie ließe sich nicht wieder öffnen. %3: %4</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::ProjectFiles</name>
     <message>
         <source>Untitled</source>
