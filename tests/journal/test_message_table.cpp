@@ -128,7 +128,7 @@ TEST(MessageTable, SaysThatAFileIsDamaged)
 {
     for (const QByteArray &bytes :
          {QByteArray("time,severity,place\r\n"), QByteArray(100'000, 'x'), QByteArray(4096, '\0'),
-          QByteArray("SQLite format 3\0 and no more", 30)}) {
+          QByteArray("SQLite format 3\0 and no more", 28)}) {
         const JournalFile file;
         file.fill(bytes);
         EXPECT_EQ(errorOf(file).kind, DatabaseError::Kind::broken) << bytes.size();
