@@ -90,6 +90,7 @@ CamReview::CamReview(QWidget *parent)
     m_table->setTabKeyNavigation(false);
     m_table->setShowGrid(false);
     m_table->setWordWrap(false);
+    m_table->setMinimumHeight(2 * grid::largeIcon);
     QFont strong = font();
     strong.setBold(true);
     m_title->setFont(strong);

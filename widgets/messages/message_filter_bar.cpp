@@ -19,7 +19,8 @@ namespace {
 
 constexpr int firstPlace = 2; // after "all places" and "bus"
 constexpr int daysOfWeek = 7;
-constexpr int shortChoice = 8; // characters; the panel has to fit a small window
+constexpr int shortChoice = 9;                  // characters
+constexpr int shortestChoice = 16 * grid::unit; // in a small window
 
 } // namespace
 
@@ -76,7 +77,6 @@ void MessageFilterBar::makeChoices()
     m_severity->setToolTip(tr("Show only messages of this severity or worse"));
     m_place->addItem(tr("All places"), QVariant::fromValue(MessageFilter::Place{}));
     m_place->addItem(tr("Bus"), QVariant::fromValue(MessageFilter::Place{.all = false}));
-    m_place->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_place->setAccessibleName(tr("Place of messages"));
     m_place->setToolTip(tr("Show only messages of this device, or of the bus itself"));
     m_period->addItem(tr("All times"), QVariant::fromValue(Period::all));
@@ -87,9 +87,10 @@ void MessageFilterBar::makeChoices()
     m_period->addItem(tr("From ... to ..."), QVariant::fromValue(Period::between));
     m_period->setAccessibleName(tr("Time of messages"));
     m_period->setToolTip(tr("Show only messages of this time; the start is that of the program"));
-    for (QComboBox *choice : {m_severity, m_period}) {
+    for (QComboBox *choice : {m_severity, m_place, m_period}) {
         choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         choice->setMinimumContentsLength(shortChoice);
+        choice->setMinimumWidth(shortestChoice);
     }
     for (QComboBox *choice : {m_severity, m_place})
         connect(choice, &QComboBox::currentIndexChanged, this, &MessageFilterBar::changed);

@@ -18,7 +18,7 @@
 #include <QLabel>
 #include <QScrollBar>
 #include <QTableView>
-#include <QToolButton>
+#include <QToolBar>
 
 #include <algorithm>
 
@@ -47,7 +47,10 @@ MessagesView::MessagesView(MessageModel &messages, QWidget *parent)
     m_search->setFont(textFont(TextSize::small));
     m_search->setAccessibleName(tr("State of the search"));
     m_filters->row().addWidget(m_search);
-    makeCommands(m_filters->row());
+    auto *commands = new QToolBar(tr("Messages"), this); // what has no room goes into its menu
+    commands->setIconSize({grid::smallIcon, grid::smallIcon});
+    m_filters->row().addWidget(commands);
+    makeCommands(*commands);
     makeTable();
     for (QWidget *part : std::initializer_list<QWidget *>{m_filters, m_note})
         column->addWidget(part);
@@ -84,38 +87,36 @@ void MessagesView::connectModel()
     connect(&m_messages, &MessageModel::searchChanged, this, &MessagesView::updateContent);
 }
 
-QAction *MessagesView::addCommand(QHBoxLayout &row, const QIcon &icon, const QString &text,
+QAction *MessagesView::addCommand(QToolBar &bar, const QIcon &icon, const QString &text,
                                   const QString &toolTip)
 {
     auto *command = new QAction(icon, text, this);
     command->setToolTip(toolTip);
-    auto *button = new QToolButton(this);
-    button->setDefaultAction(command);
-    button->setAutoRaise(true);
+    bar.addAction(command);
+    QWidget *button = bar.widgetForAction(command);
     button->setFocusPolicy(Qt::StrongFocus);
     button->setAccessibleName(toolTip);
-    row.addWidget(button);
     return command;
 }
 
-void MessagesView::makeCommands(QHBoxLayout &row)
+void MessagesView::makeCommands(QToolBar &bar)
 {
-    m_follow = addCommand(row, {}, tr("Follow"), tr("Keep the newest message in sight (Ctrl+End)"));
+    m_follow = addCommand(bar, {}, tr("Follow"), tr("Keep the newest message in sight (Ctrl+End)"));
     m_follow->setCheckable(true);
     m_follow->setChecked(true);
     connect(m_follow, &QAction::toggled, this, &MessagesView::followNewest);
 
-    QAction *copyRows = addCommand(row, lineIcon(Icon::copy), tr("Copy"),
+    QAction *copyRows = addCommand(bar, lineIcon(Icon::copy), tr("Copy"),
                                    tr("Copy the messages chosen, or all that are shown (Ctrl+C)"));
     copyRows->setShortcut(QKeySequence::Copy);
     copyRows->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     connect(copyRows, &QAction::triggered, this, &MessagesView::copy);
 
-    QAction *exportAll = addCommand(row, lineIcon(Icon::exportData), tr("Export…"),
+    QAction *exportAll = addCommand(bar, lineIcon(Icon::exportData), tr("Export…"),
                                     tr("Write the messages shown to a file (CSV or HTML)"));
     connect(exportAll, &QAction::triggered, this, &MessagesView::exportRows);
 
-    QAction *clearAll = addCommand(row, lineIcon(Icon::remove), tr("Clear"),
+    QAction *clearAll = addCommand(bar, lineIcon(Icon::remove), tr("Clear"),
                                    tr("Hide all messages up to now; they are kept on disk"));
     connect(clearAll, &QAction::triggered, this, &MessagesView::clear);
 

@@ -9,9 +9,9 @@
 #include <QWidget>
 
 class QAction;
-class QHBoxLayout;
 class QLabel;
 class QTableView;
+class QToolBar;
 
 namespace codewheel {
 
@@ -41,8 +41,8 @@ protected:
 private:
     void makeTable();
     void connectModel();
-    QAction *addCommand(QHBoxLayout &row, const QIcon &icon, const QString &text, const QString &toolTip);
-    void makeCommands(QHBoxLayout &row);
+    QAction *addCommand(QToolBar &bar, const QIcon &icon, const QString &text, const QString &toolTip);
+    void makeCommands(QToolBar &bar);
     void setColumnWidths();
     void bringBack();
     void updateContent();

@@ -82,6 +82,7 @@ void SequenceView::makeTable()
     m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + 2 * grid::unit);
     m_table->horizontalHeader()->setSectionResizeMode(SequenceModel::meaning, QHeaderView::Stretch);
     m_table->setTabKeyNavigation(false);
+    m_table->setMinimumHeight(2 * grid::largeIcon);
     connect(m_model, &SequenceModel::badInput, this,
             [this](const QString &sentence) { say(Role::attention, sentence); });
     connect(m_model, &QAbstractItemModel::dataChanged, this, [this] {

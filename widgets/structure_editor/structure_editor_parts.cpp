@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the structure editor is made of, and how its parts are connected.
 #include "project/process_addresses.h"
+#include "widgets/look/content_scroll_area.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -29,7 +30,7 @@ namespace {
 
 constexpr int widestColumn = 44 * grid::unit;
 constexpr int narrowestStation = 28 * grid::unit;
-constexpr int lowestTree = 40 * grid::unit;
+constexpr int rowsInSight = 4; // however low the window is; one is below the scroll bar
 
 } // namespace
 
@@ -157,7 +158,8 @@ void StructureEditor::makeTree()
     m_tree->setDragDropMode(QAbstractItemView::DragDrop);
     m_tree->setDefaultDropAction(Qt::MoveAction);
     m_tree->setAutoExpandDelay(500);
-    m_tree->setMinimumHeight(lowestTree);
+    m_tree->setMinimumHeight(m_tree->header()->sizeHint().height() +
+                             rowsInSight * (m_tree->fontMetrics().height() + grid::unit));
     m_tree->header()->setResizeContentsPrecision(0); // what is seen
     m_tree->header()->setStretchLastSection(true);
     m_tree->expandAll();
@@ -196,16 +198,21 @@ void StructureEditor::arrange()
     addressing->addWidget(m_first);
     addressing->addWidget(m_step5);
     addressing->addStretch();
+    auto *below = new QWidget; // the tree
+    auto *rows = new QVBoxLayout(below);
+    rows->setContentsMargins({});
+    rows->setSpacing(grid::unit);
+    rows->addWidget(m_insert);
+    rows->addWidget(m_findings, 0, Qt::AlignLeft);
+    rows->addLayout(addressing);
+    rows->addWidget(m_summary);
     auto *column = new QVBoxLayout;
     column->setContentsMargins(grid::margin, 0, grid::margin, grid::margin);
     column->setSpacing(grid::unit);
     column->addWidget(m_message);
     column->addWidget(m_empty, 1);
     column->addWidget(m_tree, 1);
-    column->addWidget(m_insert);
-    column->addWidget(m_findings, 0, Qt::AlignLeft);
-    column->addLayout(addressing);
-    column->addWidget(m_summary);
+    column->addWidget(new ContentScrollArea(below, this));
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
     layout->setSpacing(grid::unit);

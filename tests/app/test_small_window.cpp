@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// 1024 x 640 logical pixels are enough for every page and panel, for gloves too.
+#include "tests/app/window_test.h"
+#include "widgets/look/appearance.h"
+
+namespace codewheel {
+namespace {
+
+constexpr QSize smallest(1024, 640);
+constexpr int titleBar = 30; // of a usual desktop, which takes it from the height
+
+class SmallWindow : public test::WindowTest, public testing::WithParamInterface<bool>
+{
+protected:
+    SmallWindow()
+    {
+        applyAppearance(*qApp, {.scheme = Scheme::light, .largeControls = GetParam()});
+        window().resize(smallest);
+        actions().defaultLayout->trigger(); // that of a low window
+        window().resize(smallest);
+        advance(50);
+    }
+    ~SmallWindow() override { applyAppearance(*qApp, {.scheme = Scheme::light}); }
+
+    void expectSmall(const QString &what)
+    {
+        advance(50);
+        EXPECT_EQ(window().size(), smallest) << what.toStdString();
+        EXPECT_LE(window().minimumSizeHint().width(), smallest.width()) << what.toStdString();
+        EXPECT_LE(window().minimumSizeHint().height(), smallest.height() - titleBar) << what.toStdString();
+    }
+};
+
+TEST_P(SmallWindow, HoldsEveryPage)
+{
+    for (QAction *page : {actions().monitors, actions().wizard, actions().cams, actions().structureEditor,
+                          actions().compare, actions().transfer, actions().replaceEncoder}) {
+        page->trigger();
+        expectSmall(page->text());
+    }
+}
+
+TEST_P(SmallWindow, HoldsEveryPanel)
+{
+    for (auto *panel : window().findChildren<QDockWidget *>()) {
+        panel->raise();
+        expectSmall(panel->windowTitle());
+    }
+}
+
+TEST_P(SmallWindow, HoldsTheInsertPanelOfTheStructureEditor)
+{
+    actions().structureEditor->trigger();
+    for (QAction *action : window().findChildren<QAction *>())
+        if (action->shortcut() == QKeySequence(Qt::Key_Insert) &&
+            action->text() == QStringLiteral("Insert..."))
+            action->trigger();
+    auto *search = window().findChild<QLineEdit *>(QStringLiteral("catalogSearch"));
+    ASSERT_TRUE(search->isVisible());
+    expectSmall(QStringLiteral("insert panel"));
+    EXPECT_FALSE(search->visibleRegion().isEmpty()) << "what one opens is in sight";
+}
+
+INSTANTIATE_TEST_SUITE_P(Controls, SmallWindow, testing::Bool(),
+                         [](const auto &large) { return large.param ? "Large" : "Usual"; });
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/content_scroll_area.h"
+
+#include "widgets/look/grid.h"
+
+#include <QResizeEvent>
+#include <QScrollBar>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+constexpr int lowest = 12 * grid::unit; // a line and a part of the next, which tells that there is more
+
+} // namespace
+
+ContentScrollArea::ContentScrollArea(QWidget *content, QWidget *parent)
+    : QScrollArea(parent)
+{
+    setFrameShape(QFrame::NoFrame);
+    setWidgetResizable(true);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+    setFocusPolicy(Qt::NoFocus); // what is in it has the keys
+    setWidget(content);
+}
+
+QSize ContentScrollArea::sizeHint() const
+{
+    const QSize content = widget()->sizeHint();
+    const int height =
+        widget()->hasHeightForWidth() ? widget()->heightForWidth(viewport()->width()) : content.height();
+    return {content.width(), height};
+}
+
+QSize ContentScrollArea::minimumSizeHint() const
+{
+    return {widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width(),
+            std::min(lowest, sizeHint().height())};
+}
+
+bool ContentScrollArea::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == widget() && event->type() == QEvent::LayoutRequest)
+        updateGeometry();
+    return QScrollArea::eventFilter(watched, event);
+}
+
+// Lines of another width break at other places.
+void ContentScrollArea::resizeEvent(QResizeEvent *event)
+{
+    QScrollArea::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width())
+        updateGeometry();
+}
+
+} // namespace codewheel

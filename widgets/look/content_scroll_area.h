@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QScrollArea>
+
+namespace codewheel {
+
+// As high as its content where there is room, and lower where there is not: the rest is scrolled to. For what
+// stands beside a list in a page that has to fit a low window.
+class ContentScrollArea : public QScrollArea
+{
+public:
+    // Owns `content`.
+    explicit ContentScrollArea(QWidget *content, QWidget *parent = nullptr);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+};
+
+} // namespace codewheel
