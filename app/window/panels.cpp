@@ -79,7 +79,9 @@ void arrangePanels(QMainWindow &window)
     for (QDockWidget *panel : panels.all())
         panel->show();
 
-    window.resizeDocks({panels.structure, panels.parameters}, {280, 310}, Qt::Horizontal);
+    // In a low window, which is narrow as well, a monitor between them has to have its 16 bits in a row.
+    window.resizeDocks({panels.structure, panels.parameters}, {isLow ? 210 : 280, isLow ? 290 : 310},
+                       Qt::Horizontal);
     window.resizeDocks({isLow ? panels.structure : panels.parameters, panels.dial}, {isLow ? 240 : 430, 300},
                        Qt::Vertical);
     window.resizeDocks({panels.trace}, {170}, Qt::Vertical);

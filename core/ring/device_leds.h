@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/device_number.h"
 #include "ring/snapshot.h"
 
 #include <QString>
@@ -34,6 +35,13 @@ constexpr DeviceLeds ledsOf(MasterState state, bool inRing)
     else if (state == MasterState::run)
         leds.ba = LedLight::on;
     return leds;
+}
+
+// Devices of the remote bus have these four; LWL encoders have two more, for the fibre. One of Loop 2 has a
+// single one, and the manual does not tell what it shows (FRABA manual 3.3).
+constexpr bool hasRemoteBusLeds(DeviceNumber number)
+{
+    return number.position == 0;
 }
 
 // "UL on, RC on, BA blinking, RBDA off", in the user's language.

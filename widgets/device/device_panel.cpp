@@ -66,9 +66,9 @@ void DevicePanel::showLeds()
     const auto found = std::ranges::find_if(
         ring, [this](const Participant &other) { return m_number && other.number == *m_number; });
     const auto place = static_cast<std::size_t>(found - ring.begin());
-    const bool isThere = place < m_bus.latest().devices.size();
-    m_leds->setVisible(isThere);
-    if (isThere)
+    const bool isShown = place < m_bus.latest().devices.size() && hasRemoteBusLeds(found->number);
+    m_leds->setVisible(isShown);
+    if (isShown)
         m_leds->showLeds(ledsOf(m_bus.latest().state, m_bus.latest().devices[place].inRing));
 }
 

@@ -152,6 +152,7 @@ void MasterPanel::makeSegments(QVBoxLayout *column)
     m_table->setTabKeyNavigation(false);
     m_table->setIconSize({grid::smallIcon, grid::smallIcon});
     m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setHighlightSections(false);
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     const int rowHeight = m_table->fontMetrics().height() + grid::unit;
     m_table->verticalHeader()->setDefaultSectionSize(rowHeight);

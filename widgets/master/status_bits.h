@@ -7,12 +7,14 @@
 #include <optional>
 #include <vector>
 
+class QGridLayout;
 class QLabel;
 
 namespace codewheel {
 
 // The diagnostic status register of the master: its sixteen bits by name, set ones marked by a filled square
-// and bold letters, and the register as hexadecimal. Used by the master panel.
+// and bold letters, in as many columns as there is room for, and the register as hexadecimal. Used by the
+// master panel.
 class StatusBits : public QWidget
 {
     Q_OBJECT
@@ -22,10 +24,23 @@ public:
 
     void showBits(std::uint16_t bits);
 
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
 private:
+    void measure();
+    void arrange(int columns);
+
+    QGridLayout *m_grid;
     QLabel *m_hex;
     std::vector<QLabel *> m_bits; // 0..15
     std::optional<std::uint16_t> m_shown;
+    int m_columns = 0;
+    int m_widest = 0; // of a bit that is set
 };
 
 } // namespace codewheel

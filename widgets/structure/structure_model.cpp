@@ -417,7 +417,8 @@ QString StructureModel::codingText(const Node &node) const
 QString StructureModel::ledsText(const Node &node) const
 {
     const std::size_t place = placeOf(node);
-    if (m_bus == nullptr || place >= m_bus->latest().devices.size())
+    if (m_bus == nullptr || place >= m_bus->latest().devices.size() ||
+        !hasRemoteBusLeds(node.participant.number))
         return {};
     const Snapshot &ring = m_bus->latest();
     return tr("LEDs: %1").arg(ledText(ledsOf(ring.state, ring.devices[place].inRing)));

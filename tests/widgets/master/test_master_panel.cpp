@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTableView>
 
 #include <gtest/gtest.h>
@@ -180,6 +181,33 @@ TEST(TheLedsInTheDevicePanel, HaveNamesAndFollowTheMaster)
     ring.bus.advance(2);
     EXPECT_EQ(leds->accessibleName(), QStringLiteral("LEDs: UL on, RC off, BA off, RBDA on"));
     EXPECT_EQ(leds->findChildren<RoleLabel *>().last()->word(), QStringLiteral("RBDA on"));
+}
+
+TEST(TheLedsInTheDevicePanel, AreNotShownForAnEncoderOnLoop2)
+{
+    test::TrainingBusSession ring;
+    DevicePanel panel(ring.bus);
+    panel.setPlace(fourth);
+    EXPECT_FALSE(panel.findChild<LedRow *>()->isHidden());
+    panel.setPlace(DeviceNumber{6, 1});
+    EXPECT_TRUE(panel.findChild<LedRow *>()->isHidden()) << "it has a single one, of another meaning";
+    StructureModel model;
+    model.setBus(&ring.bus);
+    const auto toolTip = [&](DeviceNumber number) {
+        return model.indexOf(number).data(Qt::ToolTipRole).toString();
+    };
+    EXPECT_TRUE(toolTip(fourth).contains(QStringLiteral("LEDs: UL on")));
+    EXPECT_FALSE(toolTip({6, 1}).contains(QStringLiteral("LEDs")));
+}
+
+TEST_F(MasterPanelTest, NothingIsCutOffInANarrowDock)
+{
+    panel.resize(200, 400);
+    QCoreApplication::processEvents(); // the bits find their new places
+    EXPECT_EQ(panel.horizontalScrollBar()->maximum(), 0);
+    for (const QLabel *label : panel.findChildren<QLabel *>())
+        EXPECT_LE(label->mapTo(&panel, QPoint(label->width(), 0)).x(), panel.viewport()->width())
+            << label->accessibleName().toStdString();
 }
 
 } // namespace
