@@ -24,4 +24,18 @@ endif()
 function(codewheel_library name)
     add_library(${name} STATIC)
     target_link_libraries(${name} PUBLIC codewheel_options ${ARGN})
+    if(CODEWHEEL_SANITIZERS)
+        codewheel_precompile(${name} ${ARGN})
+    endif()
+endfunction()
+
+# Sanitizers double what a file takes to compile; precompiled headers give that back. The other builds go without, so that
+# they show which file lacks an include of its own.
+function(codewheel_precompile name)
+    set(qt <QtCore>)
+    if("Qt6::Widgets" IN_LIST ARGN OR "codewheel_widgets" IN_LIST ARGN)
+        set(qt <QtWidgets>)
+    endif()
+    target_precompile_headers(${name} PRIVATE
+        ${qt} <algorithm> <array> <functional> <map> <memory> <optional> <span> <variant> <vector> <tl/expected.hpp>)
 endfunction()
