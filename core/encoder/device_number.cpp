@@ -15,10 +15,24 @@ std::optional<int> wholeNumber(QStringView text)
     return text.toInt();
 }
 
+const QString linePrefix = QStringLiteral("esc:");
+
+std::optional<DeviceNumber> parseOnLine(QStringView text)
+{
+    if (text.startsWith(linePrefix))
+        text = text.sliced(linePrefix.size());
+    const auto address = text.size() == 2 ? LineAddress::fromWire(text) : std::nullopt;
+    if (!address || !address->isDevice())
+        return std::nullopt;
+    return DeviceNumber::onLine(*address);
+}
+
 } // namespace
 
 QString DeviceNumber::toString() const
 {
+    if (isOnLine())
+        return linePrefix + line.onWire();
     return QStringLiteral("%1.%2").arg(segment).arg(position);
 }
 
@@ -26,7 +40,7 @@ std::optional<DeviceNumber> DeviceNumber::parse(QStringView text)
 {
     const qsizetype dot = text.indexOf(u'.');
     if (dot < 0)
-        return std::nullopt;
+        return parseOnLine(text);
     const auto segment = wholeNumber(text.first(dot));
     const auto position = wholeNumber(text.sliced(dot + 1));
     if (!segment || !position || *segment == 0)

@@ -70,6 +70,17 @@ enum class MessageId : std::uint8_t {
     oldMessagesDropped, // messages
     notKept,            // file, reason
     databasePutAside,   // file, its new name
+    lineOpened,         // port, baud rate
+    lineClosed,         // port
+    portLost,           // port
+    portBack,           // port
+    lowLatencyRefused,  // port
+    encoderSilent,      // tries without an answer
+    encoderAnswers,     //
+    suspectPosition,    // the position that jumped, the position before
+    lineAddressChanged, // address before, address now
+    baudRateChanged,    // baud rate before, baud rate now
+    encodersFound,      // encoders, requests
     training,           // text of what the trainer did (QString)
 };
 inline constexpr std::size_t messageCount = static_cast<std::size_t>(MessageId::training) + 1;

@@ -56,6 +56,9 @@ enum class RefusalId : std::uint8_t {
     structureBroken,       // text of the rule that would be broken
     noSuchProjectDevice,   // place, places there are
     projectEmpty,          //
+    lineAddressWrong,      // the text given
+    lineSettingWrong,      // the text given, what is allowed
+    lineAddressTaken,      // address, text of what answers there
     // notSupported
     parameterNotSupported,          // Parameter, device name
     readingNotSupported,            // device name
@@ -103,12 +106,26 @@ enum class RefusalId : std::uint8_t {
     serviceRefused,         // service number, Word IN
     magnetOutOfRange,       // Word IN
     noValuesFromBefore,     // place
+    escCommandUnknown,      // command: the encoder answered 03
+    escOutOfRange,          // command with its data: the encoder answered 05
+    escNoAnswer,            // command, tries
+    escReadsDisagree,       // Parameter, one value, the other
+    escWriteUnknown,        // command: no answer, and what the encoder has could not be read
+    escWriteNotDone,        // command: no answer, and the encoder has the old value
+    escNotFoundAgain,       // where it was looked for
     // link
     linkFailed,     // text of the link
     ringDiffers,    // place, configured, found
     busFault,       // error code (Word), diagnostic parameter (Word): encoder/bus_fault.h
     notInRing,      // place
     databaseFailed, // file, reason
+    portNotFound,   // port
+    portInUse,      // port
+    portNoRights,   // port, group that may use it, command that adds the user to it
+    portLost,       // port: the adapter was unplugged
+    portOfOther,    // port, the adapter that was expected
+    encoderSilent,  // place, tries without an answer
+    lineClosed,     //
     // stopped
     cancelled,  //
     alarmStop,  //

@@ -93,6 +93,16 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Refusal", "The project has no device at %1. It has: %2.")},
     Row{RefusalId::projectEmpty, "projectEmpty",
         QT_TRANSLATE_NOOP("Refusal", "The project has no devices. Insert one, or read in the ring.")},
+    Row{RefusalId::lineAddressWrong, "lineAddressWrong",
+        QT_TRANSLATE_NOOP(
+            "Refusal",
+            "\"%1\" is no address of an encoder on a serial line. Addresses go from 01 to 1F (1 to 31).")},
+    Row{RefusalId::lineSettingWrong, "lineSettingWrong",
+        QT_TRANSLATE_NOOP("Refusal", "The serial line cannot be set to \"%1\". Allowed are: %2.")},
+    Row{RefusalId::lineAddressTaken, "lineAddressTaken",
+        QT_TRANSLATE_NOOP(
+            "Refusal",
+            "Address %1 is taken: %2 answers there. Choose another, or two encoders would answer at once.")},
     // notSupported
     Row{RefusalId::parameterNotSupported, "parameterNotSupported",
         QT_TRANSLATE_NOOP("Refusal",
@@ -254,6 +264,29 @@ constexpr std::array rows{
     Row{RefusalId::noValuesFromBefore, "noValuesFromBefore",
         QT_TRANSLATE_NOOP("Refusal",
                           "There is nothing to restore at %1: no values from before a write are kept.")},
+    Row{RefusalId::escCommandUnknown, "escCommandUnknown",
+        QT_TRANSLATE_NOOP("Refusal", "The encoder does not know the command %1 (answer 03). Nothing was "
+                                     "changed; its version may be older than the manual.")},
+    Row{RefusalId::escOutOfRange, "escOutOfRange",
+        QT_TRANSLATE_NOOP("Refusal", "The encoder refused %1 as incomplete or out of range (answer 05). It "
+                                     "kept the old value: give another one.")},
+    Row{RefusalId::escNoAnswer, "escNoAnswer",
+        QT_TRANSLATE_NOOP("Refusal", "No answer to %1 after %2 tries. Check address, baud rate, wiring and "
+                                     "supply; an RS-422 encoder also needs ST (pin 7) at +UB.")},
+    Row{RefusalId::escReadsDisagree, "escReadsDisagree",
+        QT_TRANSLATE_NOOP("Refusal", "%1 was read as %2 and then as %3, so neither is taken. Check the line "
+                                     "for disturbances, then read again.")},
+    Row{RefusalId::escWriteUnknown, "escWriteUnknown",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "%1 was sent and not answered, and the encoder could not be read afterwards: it is "
+                          "not known whether it has the new value. Read it before you go on.")},
+    Row{RefusalId::escWriteNotDone, "escWriteNotDone",
+        QT_TRANSLATE_NOOP("Refusal", "%1 was sent and not answered, and the encoder still has the old value. "
+                                     "Check the line, then write again.")},
+    Row{RefusalId::escNotFoundAgain, "escNotFoundAgain",
+        QT_TRANSLATE_NOOP(
+            "Refusal",
+            "The encoder does not answer any more at %1. Search the line for it at all baud rates.")},
     // link
     Row{RefusalId::linkFailed, "linkFailed", QT_TRANSLATE_NOOP("Refusal", "The link failed: %1")},
     Row{RefusalId::ringDiffers, "ringDiffers",
@@ -264,6 +297,26 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 is not in the ring: its segment is switched off, or a fault lies before it.")},
     Row{RefusalId::databaseFailed, "databaseFailed", QT_TRANSLATE_NOOP("Refusal", "%1 cannot be used: %2")},
+    Row{RefusalId::portNotFound, "portNotFound",
+        QT_TRANSLATE_NOOP(
+            "Refusal", "There is no serial port %1. Plug the adapter in, and choose a port from the list.")},
+    Row{RefusalId::portInUse, "portInUse",
+        QT_TRANSLATE_NOOP(
+            "Refusal",
+            "The serial port %1 is used by another program. Close that program, then connect again.")},
+    Row{RefusalId::portNoRights, "portNoRights",
+        QT_TRANSLATE_NOOP("Refusal", "You may not use the serial port %1: it belongs to the group %2. Run "
+                                     "\"%3\", log out and in again.")},
+    Row{RefusalId::portLost, "portLost",
+        QT_TRANSLATE_NOOP("Refusal", "The serial port %1 is gone: the adapter was unplugged or has lost its "
+                                     "supply. Plug it in again.")},
+    Row{RefusalId::portOfOther, "portOfOther",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "%1 is another adapter than %2. Choose the port again if you mean this one.")},
+    Row{RefusalId::encoderSilent, "encoderSilent",
+        QT_TRANSLATE_NOOP("Refusal", "%1 does not answer any more (%2 tries). Check its supply and wiring.")},
+    Row{RefusalId::lineClosed, "lineClosed",
+        QT_TRANSLATE_NOOP("Refusal", "The serial line is not open. Connect it first.")},
     // stopped
     Row{RefusalId::cancelled, "cancelled", QT_TRANSLATE_NOOP("Refusal", "The job was cancelled.")},
     Row{RefusalId::alarmStop, "alarmStop",
