@@ -93,6 +93,8 @@ QString unitKey(Unit unit)
         return QStringLiteral("tenth-degree-celsius");
     case Unit::micrometres:
         return QStringLiteral("micrometres");
+    case Unit::tenthHours:
+        return QStringLiteral("tenth-hours");
     }
     return QStringLiteral("none");
 }
@@ -140,6 +142,8 @@ QString stateKey(EncoderState state)
         return QStringLiteral("service");
     case EncoderState::error:
         return QStringLiteral("error");
+    case EncoderState::silent:
+        return QStringLiteral("silent");
     case EncoderState::unknown:
         break;
     }

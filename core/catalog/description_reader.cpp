@@ -23,7 +23,8 @@ constexpr NamedValue<Unit> units[] = {{"none", Unit::none},
                                       {"revolutions", Unit::revolutions},
                                       {"ten-minutes", Unit::tenMinutes},
                                       {"tenth-degree-celsius", Unit::tenthDegreeCelsius},
-                                      {"micrometres", Unit::micrometres}};
+                                      {"micrometres", Unit::micrometres},
+                                      {"tenth-hours", Unit::tenthHours}};
 constexpr NamedValue<RefusalId> errorMeanings[] = {
     {"wrongParameterData", RefusalId::wrongParameterData},
     {"unknownParameterNumber", RefusalId::unknownParameterNumber},

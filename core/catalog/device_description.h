@@ -29,7 +29,15 @@ struct Choice
     friend bool operator==(const Choice &, const Choice &) = default;
 };
 
-enum class Unit : std::uint8_t { none, steps, revolutions, tenMinutes, tenthDegreeCelsius, micrometres };
+enum class Unit : std::uint8_t {
+    none,
+    steps,
+    revolutions,
+    tenMinutes,
+    tenthDegreeCelsius,
+    micrometres,
+    tenthHours
+};
 
 struct ParameterDescription
 {

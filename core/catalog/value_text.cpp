@@ -53,6 +53,7 @@ double divisorOf(Unit unit)
     case Unit::tenMinutes:
         return 6;
     case Unit::tenthDegreeCelsius:
+    case Unit::tenthHours:
         return 10;
     case Unit::micrometres:
         return 1000;
@@ -102,6 +103,7 @@ QString unitText(Unit unit)
     case Unit::revolutions:
         return QCoreApplication::translate("Unit", "revolutions");
     case Unit::tenMinutes:
+    case Unit::tenthHours:
         return QCoreApplication::translate("Unit", "h");
     case Unit::tenthDegreeCelsius:
         return QCoreApplication::translate("Unit", "°C");

@@ -33,6 +33,8 @@ public:
     virtual std::optional<Known> known(Parameter parameter) const = 0;
     // A cam program the encoder is known to have, 1..8.
     virtual std::optional<KnownCams> cams(unsigned program) const = 0;
+    // What the encoder tells of its hardware and software version in words; empty: nothing.
+    virtual QString version() const { return {}; }
     // The user says what the encoder has, e.g. from its papers.
     virtual void tell(Parameter parameter, std::optional<std::int64_t> value) = 0;
 

@@ -8,6 +8,9 @@
 #include "encoder/refusal.h"
 #include "words/la66_word.h"
 
+#include <QByteArray>
+#include <QString>
+
 #include <variant>
 #include <vector>
 
@@ -28,6 +31,7 @@ enum class StepKind : std::uint8_t {
     camReadOut,
     service,    // LA-66: service number and data, the service bit still 0
     serviceBit, // LA-66: the same with D31 = 1, until the encoder acknowledges
+    request,    // a request on a serial line, until it is answered
 };
 
 struct Step
@@ -35,6 +39,7 @@ struct Step
     StepKind kind = StepKind::word;
     Word out = 0;                       // the word this step puts into OUT
     std::optional<Parameter> parameter; // parameter and readOut steps, where the description names it
+    QByteArray line{};                  // request: what is sent between ESC and CR LF, "03GP00005200"
 
     friend bool operator==(const Step &, const Step &) = default;
 };
@@ -82,6 +87,7 @@ struct KnowledgeChanged
     std::vector<Parameter> noLongerKnown;
     std::vector<KnownCams> cams{};
     std::vector<unsigned> camsNoLongerKnown{}; // cam programs
+    QString version{};                         // what a serial encoder told of its version; empty: nothing
     int eepromWrites = 0;                      // since the last such event; jobs are included
 };
 

@@ -24,6 +24,12 @@ enum class Parameter : std::uint8_t {
     measuringLength, // of a rod, in steps
     externalPreset,  // taken by the preset input of the encoder
     rodLength,       // on the label of a rod; never on the wire
+    lowerLimit,      // of the limit switch, steps
+    upperLimit,
+    scaling,       // 1: on
+    scalingFactor, // the 32 bits as the encoder is told them
+    lineAddress,   // 1..31
+    baudRate,      // Bd
     // read only
     serialNumber,
     presetFlag,
@@ -33,6 +39,10 @@ enum class Parameter : std::uint8_t {
     multiTurnAndStepsMinusOne,
     temperature,
     errorStatus,
+    operatingParameters, // bits
+    alarms,              // bits
+    warnings,            // bits
+    deviceCode,
     opcRegister0, // registers of the INTERBUS chip, one after the other
     opcRegister15 = opcRegister0 + 15,
 };

@@ -15,6 +15,7 @@ enum class EncoderState : std::uint8_t {
     readOut, // a read-out value or the self test stands in IN
     service, // LA-66: the answer to a service stands in IN
     error,
+    silent,  // a serial encoder that does not answer any more; what it showed last is still there
     unknown, // IN means nothing that the manuals or the description know
 };
 
@@ -41,6 +42,11 @@ struct Reading
     std::optional<unsigned> camProgram{};   // in cam mode: 1..8; nothing: not known
     std::optional<PositionCoding> coding;   // nothing: not known
     std::optional<unsigned> errorNumber;    // while state is error
+    // Serial encoders only.
+    bool suspect =
+        false; // the position jumped further than the encoder can turn, and is being asked for again
+    std::optional<std::uint16_t> alarms{};   // as last read
+    std::optional<std::uint16_t> warnings{}; // as last read
 
     friend bool operator==(const Reading &, const Reading &) = default;
 };

@@ -94,6 +94,8 @@ QString leftIn(EncoderState state)
         return TransferWords::tr("still showing a read-out value");
     case EncoderState::service:
         return TransferWords::tr("in service mode: it gives no position until the service bit is 0");
+    case EncoderState::silent:
+        return TransferWords::tr("silent: it does not answer");
     case EncoderState::notSeen:
     case EncoderState::unknown:
         break;

@@ -49,6 +49,8 @@ StateNote noteOfState(const DeviceDescription &device, const Reading &reading)
         return {DialNote::tr("In service mode: there is no position.")};
     case EncoderState::error:
         return {errorNote(device, reading), Role::fault};
+    case EncoderState::silent:
+        return {DialNote::tr("The encoder does not answer: the last position is shown."), Role::fault};
     case EncoderState::unknown:
         return {unknownNote(device, reading)};
     case EncoderState::notSeen:

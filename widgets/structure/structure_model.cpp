@@ -221,6 +221,8 @@ StructureModel::Shown StructureModel::shownOf(const Node &node, std::size_t plac
         return {Role::attention, tr("read-out")};
     case EncoderState::service:
         return {Role::attention, tr("service mode")};
+    case EncoderState::silent:
+        return {Role::fault, tr("silent")};
     case EncoderState::unknown:
         return {Role::attention, tr("unknown state")};
     case EncoderState::notSeen:

@@ -80,6 +80,8 @@ QString leftInText(EncoderState state)
                              "is 0.");
     case EncoderState::notSeen:
         return KnownText::tr("The encoder has not been seen on the bus.");
+    case EncoderState::silent:
+        return KnownText::tr("The encoder does not answer any more.");
     case EncoderState::unknown:
         break;
     }

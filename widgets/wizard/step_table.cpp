@@ -72,6 +72,8 @@ QString stepText(const DeviceDescription &device, const Step &step)
         return StepTable::tr("End the read-out");
     case StepKind::manufacturerPreset:
         return StepTable::tr("Set the position to the preset, for one bus cycle");
+    case StepKind::request:
+        return StepTable::tr("Send %1").arg(QString::fromLatin1(step.line));
     case StepKind::service:
     case StepKind::serviceBit:
     case StepKind::switchMode:
