@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
-#include "ring/job_report.h"
+#include "drivers/job_report.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ring/job_report.h"
+#include "drivers/job_report.h"
 
 #include <QCoreApplication>
 #include <QLocale>

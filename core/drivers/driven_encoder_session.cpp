@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivers/driven_encoder_session.h"
+
+#include "drivers/job_report.h"
+
+namespace codewheel {
+
+DrivenEncoderSession::DrivenEncoderSession(DeviceNumber number, const DeviceDescription &description)
+    : m_number(number)
+    , m_description(description)
+    , m_can(description.capabilities)
+{}
+
+std::optional<Known> DrivenEncoderSession::known(Parameter parameter) const
+{
+    const auto found = m_known.find(parameter);
+    return found == m_known.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<KnownCams> DrivenEncoderSession::cams(unsigned program) const
+{
+    const auto found = m_cams.find(program);
+    return found == m_cams.end() ? std::nullopt : std::optional(found->second);
+}
+
+void DrivenEncoderSession::tell(Parameter parameter, std::optional<std::int64_t> value)
+{
+    if (value)
+        m_known[parameter] = {parameter, *value, Evidence::told, now()};
+    else if (m_known.erase(parameter) == 0)
+        return;
+    postAllKnown();
+    Q_EMIT knownChanged();
+}
+
+void DrivenEncoderSession::postAllKnown()
+{
+    std::vector<Known> all;
+    for (const auto &[parameter, known] : m_known)
+        all.push_back(known);
+    postKnown(std::move(all));
+}
+
+Result<JobId> DrivenEncoderSession::start(const Job &job, Pace pace)
+{
+    if (m_runningJob)
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {m_number.toString()});
+    if (const auto allowed = mayStart(job); !allowed)
+        return tl::unexpected(allowed.error());
+    const JobId id = ++m_lastJob;
+    m_runningJob = id;
+    m_job = job;
+    Q_EMIT jobAboutToStart(job);
+    postStart(id, job, pace);
+    Q_EMIT jobStarted(id);
+    return id;
+}
+
+void DrivenEncoderSession::proceed()
+{
+    if (m_runningJob)
+        postProceed();
+}
+
+void DrivenEncoderSession::cancel(OnCancel how)
+{
+    if (m_runningJob)
+        postCancel(how);
+}
+
+void DrivenEncoderSession::show(const Reading &reading)
+{
+    const bool fresh = reading.at != m_reading.at || reading.state != m_reading.state;
+    m_reading = reading;
+    if (fresh)
+        Q_EMIT latestChanged();
+}
+
+void DrivenEncoderSession::take(const Event &event, Instant at)
+{
+    if (const auto *outcome = std::get_if<Outcome>(&event))
+        take(*outcome, at);
+    else if (const auto *progress = std::get_if<Progress>(&event))
+        Q_EMIT progressed(*progress);
+    else
+        take(std::get<KnowledgeChanged>(event));
+}
+
+void DrivenEncoderSession::take(const Outcome &outcome, Instant at)
+{
+    if (m_runningJob == outcome.job)
+        m_runningJob.reset();
+    for (Message &message : jobReport(m_job, outcome, m_description))
+        report(std::move(message), at);
+    Q_EMIT finished(outcome);
+}
+
+void DrivenEncoderSession::take(const KnowledgeChanged &change)
+{
+    for (const Known &known : change.known)
+        m_known[known.parameter] = known;
+    for (const Parameter parameter : change.noLongerKnown)
+        m_known.erase(parameter);
+    for (const KnownCams &known : change.cams)
+        m_cams[known.program.number] = known;
+    for (const unsigned program : change.camsNoLongerKnown)
+        m_cams.erase(program);
+    if (!change.version.isEmpty())
+        m_version = change.version;
+    m_eepromWrites += change.eepromWrites;
+    Q_EMIT knownChanged();
+    if (change.eepromWrites > 0)
+        Q_EMIT eepromWritten(change.eepromWrites);
+}
+
+void DrivenEncoderSession::forgetAll()
+{
+    m_known.clear();
+    m_cams.clear();
+    postAllKnown();
+}
+
+} // namespace codewheel

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "encoder/encoder_session.h"
+#include "encoder/message.h"
+
+#include <map>
+
+namespace codewheel {
+
+// What every encoder session with a driver behind it has in common, whatever the bus: it keeps what is known
+// of the encoder, the job that runs and the count of EEPROM writes, and turns the driver's events into
+// signals. The bus it is on carries its wishes to the driver.
+class DrivenEncoderSession : public EncoderSession
+{
+    Q_OBJECT
+
+public:
+    // `description` must outlive the session.
+    DrivenEncoderSession(DeviceNumber number, const DeviceDescription &description);
+
+    DeviceNumber number() const override { return m_number; }
+    const DeviceDescription &device() const override { return m_description; }
+    const Capabilities &can() const override { return m_can; }
+
+    const Reading &latest() const override { return m_reading; }
+    std::optional<Known> known(Parameter parameter) const override;
+    std::optional<KnownCams> cams(unsigned program) const override;
+    QString version() const override { return m_version; }
+    void tell(Parameter parameter, std::optional<std::int64_t> value) override;
+
+    Result<JobId> start(const Job &job, Pace pace) override;
+    std::optional<JobId> runningJob() const override { return m_runningJob; }
+    void proceed() override;
+    void cancel(OnCancel how) override;
+
+    int eepromWrites() const override { return m_eepromWrites; }
+    void countEepromWrites(int writes) { m_eepromWrites += writes; }
+
+    void show(const Reading &reading);
+    void take(const Event &event, Instant at);
+
+protected:
+    // Whether the bus lets the job out now.
+    virtual Result<void> mayStart(const Job &job) const = 0;
+    virtual void postStart(JobId id, const Job &job, Pace pace) = 0;
+    virtual void postProceed() = 0;
+    virtual void postCancel(OnCancel how) = 0;
+    virtual void postKnown(std::vector<Known> known) = 0;
+    // Message without time and place.
+    virtual void report(Message message, Instant at) = 0;
+    virtual Instant now() const = 0;
+
+    void limitTo(const Capabilities &can) { m_can = can; }
+    void moveTo(DeviceNumber number) { m_number = number; }
+    bool knowsAnything() const { return !m_known.empty(); }
+    void forgetAll();
+
+private:
+    void take(const Outcome &outcome, Instant at);
+    void take(const KnowledgeChanged &change);
+    void postAllKnown();
+
+    DeviceNumber m_number;
+    const DeviceDescription &m_description;
+    Capabilities m_can;
+    Reading m_reading;
+    QString m_version;
+    std::map<Parameter, Known> m_known;
+    std::map<unsigned, KnownCams> m_cams; // by program
+    JobId m_lastJob = 0;
+    std::optional<JobId> m_runningJob;
+    Job m_job;
+    int m_eepromWrites = 0;
+};
+
+} // namespace codewheel
