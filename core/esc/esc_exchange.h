@@ -19,6 +19,12 @@ struct Timing
     Instant answerTimeOut{100'000}; // from the last bit of the request to the first of the answer
     int retries = 2;                // of reads; a write is sent once
     Instant quietAfterWrite{100'000};
+    // From the end of a request to the end of its answer, as long as it was seen to take on this line. After
+    // a time-out the line has to be silent for twice that, and at least for twice the longest answer there
+    // is.
+    Instant longestAnswer{};
+    // How much later than it came in a byte may be told of: 16 ms at an adapter without low latency.
+    Instant adapterDelay{};
 
     friend bool operator==(const Timing &, const Timing &) = default;
 };
@@ -28,7 +34,7 @@ struct LineRow
 {
     enum class Kind : std::uint8_t { sent, answer, echo, garbage, late };
 
-    Instant at{};
+    Instant at{}; // of its last byte; of the first one of what was sent
     Kind kind = Kind::sent;
     QByteArray bytes;
 
@@ -42,7 +48,7 @@ struct ExchangeResult
     int sent = 0;                 // how often it was sent
     int timeOuts = 0;
     int garbageBytes = 0; // neither echo nor part of a well-formed answer
-    int lateBytes = 0;    // drained after a time-out
+    int lateBytes = 0;    // drained, or of an answer that came too early to be that of this request
     Instant answerTime{}; // from the end of the request that was answered to the end of the answer
 };
 

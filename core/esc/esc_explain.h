@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "esc/esc_answer.h"
+#include "esc/esc_request.h"
+#include "esc/esc_scaling.h"
+
+#include <QString>
+
+namespace codewheel::esc {
+
+// What is open in the manual and a setting of the device.
+struct ExplainOptions
+{
+    bool swapWarningBytes = false;
+    int fractionBits = defaultFractionBits; // of the scaling factor
+};
+
+// One line in words each, translated, values hexadecimal and decimal. Used by the terminal and by `explain`.
+
+// "05: position?", "03: preset := 5200h = 20992"
+QString requestText(const Request &request, const ExplainOptions &options = {});
+// "1235h = 4661", "4000h: battery flat", "accepted", "command unknown (03)"
+QString answerText(const Request &request, const Answer &answer, const ExplainOptions &options = {});
+// "05: position? -> 1235h = 4661"
+QString exchangeText(const Request &request, const Answer &answer, const ExplainOptions &options = {});
+
+// The name of what a command reads or writes: "position", "upper limit switch".
+QString commandName(Command command);
+
+} // namespace codewheel::esc

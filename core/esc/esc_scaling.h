@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+// The scaling factor (F, GF): how many of the steps on the code disc one step shown is made of, as a signed
+// fraction of 32 bit. Its format is "special" in the manual; that it has 29 fraction bits is assumed from its
+// example 1F400000h = 8000/8192. With GR and GT the master computes it to 32 bit and sends it by GF.
+namespace codewheel::esc {
+
+inline constexpr int defaultFractionBits = 29;
+inline constexpr int fewestFractionBits = 17; // 0.00001 needs them
+inline constexpr int mostFractionBits = 30;   // 31 could not hold 1.0
+
+inline constexpr std::uint32_t discSteps = 8192; // on the code disc, per turn
+inline constexpr std::uint32_t discTurns = 4096;
+
+// 0.00001..1.0, the range that the manual states for F.
+bool isScalingFactor(std::uint32_t raw, int fractionBits);
+
+// What the 32 bits stand for; negative with the highest bit set.
+double scalingFactor(std::uint32_t raw, int fractionBits);
+// numerator / denominator to the nearest of the format. Nothing outside 0.00001..1.0, or with a number of
+// fraction bits that cannot be.
+std::optional<std::uint32_t> rawScalingFactor(std::uint64_t numerator, std::uint64_t denominator,
+                                              int fractionBits);
+
+// GF beside GR: `stepsPerTurn` 1..8192.
+std::optional<std::uint32_t> factorForSteps(std::uint32_t stepsPerTurn, int fractionBits);
+// GF beside GT: `measuringRange` steps in `turns` (1..4096) turns.
+std::optional<std::uint32_t> factorForRange(std::uint32_t measuringRange, std::uint32_t turns,
+                                            int fractionBits);
+
+// "Determine from device": the number of fraction bits with which the factor read by F fits the steps per
+// turn read by D or, where these are too few to tell, the measuring range read by M. Nothing where none fits.
+std::optional<int> fractionBitsFrom(std::uint32_t factor, std::uint32_t stepsPerTurn,
+                                    std::uint32_t measuringRange);
+
+} // namespace codewheel::esc
