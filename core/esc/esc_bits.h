@@ -50,8 +50,8 @@ QString bitText(BitId id, bool isSet);
 // The warnings of a device whose bytes come in the other order, put right (the manual's example of E).
 std::uint16_t swappedBytes(std::uint16_t warnings);
 
-// What an answer to O, A or E says, highest bit first, as bitText(); a bit that no manual describes is named
-// by its number. Empty when nothing is set.
+// What an answer to O, A or E says, highest bit first, as bitText(); a bit that is 1 and that no manual
+// describes is named by its number. Empty when nothing is to be said.
 QStringList bitTexts(Command command, std::uint16_t value);
 
 } // namespace codewheel::esc

@@ -23,8 +23,9 @@ struct Timing
     // a time-out the line has to be silent for twice that, and at least for twice the longest answer there
     // is.
     Instant longestAnswer{};
-    // How much later than it came in a byte may be told of: 16 ms at an adapter without low latency.
-    Instant adapterDelay{};
+    // How much later than it came in a byte may be told of: 2 ms at a USB adapter, 16 ms more without low
+    // latency.
+    Instant adapterDelay{2'000};
 
     friend bool operator==(const Timing &, const Timing &) = default;
 };

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/esc/conversation.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel::esc {
+namespace {
+
+constexpr Instant requestTime = 15 * character; // ESC 03GP00005200 CR LF
+const Answer accepted{Answer::Kind::accepted, 0, {}};
+const Timing noDelay{.adapterDelay = {}};
+
+TEST(EscWrites, AreAcceptedByALineEnd)
+{
+    const Conversation conversation = converse(presetOf03(), answering("\r\n"), noDelay);
+    EXPECT_EQ(conversation.result.answer, accepted);
+    EXPECT_EQ(conversation.result.sent, 1);
+    EXPECT_EQ(conversation.result.garbageBytes, 0);
+    EXPECT_EQ(conversation.result.answerTime, 2 * millisecond + 2 * character);
+    EXPECT_EQ(conversation.bytesOf(LineRow::Kind::answer), "\r\n");
+}
+
+TEST(EscWrites, AreFollowedByQuiet)
+{
+    const Conversation conversation = converse(presetOf03(), answering("\r\n"), noDelay);
+    EXPECT_EQ(conversation.doneAt, requestTime + 2 * millisecond + 2 * character + 100 * millisecond);
+    const Timing settable{.quietAfterWrite = 7 * millisecond, .adapterDelay = {}};
+    EXPECT_EQ(converse(presetOf03(), answering("\r\n"), settable).doneAt,
+              requestTime + 2 * millisecond + 2 * character + 7 * millisecond);
+}
+
+TEST(EscWrites, AreSentOnce)
+{
+    const Conversation conversation = converse(presetOf03(), silent(), noDelay);
+    EXPECT_EQ(conversation.result.answer, std::nullopt);
+    EXPECT_EQ(conversation.result.sent, 1);
+    EXPECT_EQ(conversation.result.timeOuts, 1);
+    EXPECT_EQ(conversation.doneAt, requestTime + 100 * millisecond + character + 100 * millisecond);
+}
+
+TEST(EscWrites, ALateReadAnswerBeginsWithALineEndToo)
+{
+    for (const QByteArray late : {"\r\n00001235\r\n", "\r\n1235\r\n", "\r\n0"}) {
+        const Conversation inOnePiece = converse(presetOf03(), answering(late), noDelay);
+        EXPECT_EQ(inOnePiece.result.answer, std::nullopt);
+        const Conversation inPieces = converse(
+            presetOf03(), [&](int, Instant end) { return byteByByte(late, end + 2 * millisecond); }, noDelay);
+        EXPECT_EQ(inPieces.result.answer, std::nullopt);
+        EXPECT_EQ(inPieces.result.garbageBytes, late.size());
+    }
+}
+
+// An adapter hands over what comes in in packets: the line end in one, the digits in the next, later.
+TEST(EscWrites, ALateReadAnswerInTwoPacketsIsNoAcceptance)
+{
+    const Timing slow{.adapterDelay = 16 * millisecond};
+    const Conversation conversation = converse(
+        presetOf03(),
+        [](int, Instant end) {
+            return Arrivals{{end + 2 * millisecond, "\r\n"}, {end + 18 * millisecond, "00001235\r\n"}};
+        },
+        slow);
+    EXPECT_EQ(conversation.result.answer, std::nullopt);
+}
+
+TEST(EscWrites, TheLineEndCountsWhenNothingFollowsForTwoCharacters)
+{
+    const auto followedAfter = [](Instant gap) {
+        return converse(
+            presetOf03(),
+            [=](int, Instant end) {
+                const Instant start = end + 2 * millisecond;
+                return Arrivals{whole("\r\n", start), {start + 2 * character + gap, "U"}};
+            },
+            noDelay);
+    };
+    EXPECT_EQ(followedAfter(2 * character - Instant{1}).result.answer, std::nullopt);
+    EXPECT_EQ(followedAfter(2 * character + Instant{1}).result.answer, accepted);
+    EXPECT_EQ(followedAfter(2 * character + Instant{1}).result.lateBytes, 1);
+}
+
+TEST(EscWrites, WhatElseCameMakesTheAcceptanceUnsure)
+{
+    for (const char *bytes : {"\xFF\r\n", "\r\n\r\n", "\n\r\n", "\r\n\n", "0\r\n", "\r\r\n", "\r\n03\r\n"})
+        EXPECT_EQ(converse(presetOf03(), answering(bytes)).result.answer, std::nullopt)
+            << QByteArray(bytes).toPercentEncoding().constData();
+}
+
+TEST(EscWrites, AreRefused)
+{
+    const auto refused = converse(presetOf03(), answering("05\r\n"), noDelay);
+    ASSERT_TRUE(refused.result.answer);
+    EXPECT_EQ(refused.result.answer->kind, Answer::Kind::outOfRange);
+    EXPECT_EQ(refused.result.answer->text, "05");
+    const auto unknown = converse(presetOf03(), answering("03\r\n"), noDelay);
+    ASSERT_TRUE(unknown.result.answer);
+    EXPECT_EQ(unknown.result.answer->kind, Answer::Kind::unknownCommand);
+    EXPECT_EQ(unknown.doneAt, requestTime + 2 * millisecond + 4 * character + 100 * millisecond);
+}
+
+TEST(EscWrites, AnAcceptanceAfterTheTimeOutIsLate)
+{
+    const Conversation conversation = converse(
+        presetOf03(), [](int, Instant end) { return Arrivals{whole("\r\n", end + 150 * millisecond)}; });
+    EXPECT_EQ(conversation.result.answer, std::nullopt);
+    EXPECT_EQ(conversation.result.lateBytes, 2);
+    EXPECT_EQ(conversation.result.sent, 1);
+}
+
+} // namespace
+} // namespace codewheel::esc
