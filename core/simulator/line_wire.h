@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "line/line_settings.h"
+#include "simulator/line_faults.h"
+
+#include <QByteArray>
+
+#include <map>
+#include <optional>
+#include <random>
+
+namespace codewheel {
+
+// The two wires of a simulated serial line: who sends which character from when to when. Senders that speak
+// at once spoil each other's characters. Used by SimulatedLine; time is its own.
+class LineWire
+{
+public:
+    static constexpr int master = -1; // as a sender; encoders are 0 and up
+
+    struct Character
+    {
+        Instant begin;
+        int sender = master;
+        int baudRate = 0;
+        char byte = 0;
+        bool spoiled = false;
+    };
+    using Ended = std::pair<Instant, Character>;
+
+    explicit LineWire(std::uint32_t seed)
+        : m_random(seed)
+    {}
+
+    void setFaults(const LineFaults &faults) { m_faults = faults; }
+    const LineFaults &faults() const { return m_faults; }
+
+    // The sender's characters follow each other, from `earliest` on or from when the ones before are out.
+    void send(const QByteArray &bytes, int sender, Instant earliest, const LineSettings &settings);
+    // When the next character is complete.
+    std::optional<Instant> nextEnd() const;
+    // That character, with its end; there is one.
+    Ended take();
+    void clear();
+
+    // What a receiver makes of a character that is none for it. It is never ASCII.
+    char junk();
+
+private:
+    bool strikes(int ofThousand) { return static_cast<int>(m_random() % 1'000) < ofThousand; }
+    char corrupted(char byte) { return static_cast<char>(byte ^ 1 << m_random() % 8); }
+    void put(Instant end, Character character);
+
+    LineFaults m_faults;
+    std::mt19937 m_random;                          // its numbers are the same everywhere
+    std::multimap<Instant, Character> m_characters; // by their end
+    std::map<int, Instant> m_freeFrom;              // by sender
+};
+
+} // namespace codewheel

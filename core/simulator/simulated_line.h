@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simulator/line_wire.h"
+#include "simulator/simulated_esc_encoder.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <vector>
+
+namespace codewheel {
+
+// The encoders 03, 05 and 12h of the training bus. 05 stands at 1235h, as in the manual's example.
+std::vector<EscEncoderPlan> trainingLine();
+
+// A serial line with simulated ESC encoders on it, and what befalls it. Every character takes its time; a
+// character at another baud rate than the listener's, or at another format than 8 data bits without parity,
+// is junk for it. Time is an argument: SimulatedLineLink makes it virtual or real. One thread uses the line;
+// the trainer's functions may be called by any.
+class SimulatedLine
+{
+public:
+    static constexpr Instant usualAnswerDelay{200}; // of an encoder (assumed: the manual's figure is lost)
+
+    explicit SimulatedLine(const std::vector<EscEncoderPlan> &encoders = trainingLine(),
+                           std::uint32_t seed = 1);
+
+    // What reached the master, and when the last byte of it did.
+    struct Arrival
+    {
+        QByteArray bytes;
+        Instant at;
+    };
+
+    // Its time begins at 0 again, and nothing is on the wire.
+    void begin(const LineSettings &settings);
+    void setBaudRate(int baudRate);
+    LineSettings settings() const;
+    void send(const QByteArray &bytes, Instant now);
+    // Lets time pass up to `until`, or to the first bytes that reach the master before it.
+    Arrival advance(Instant until);
+    // When there will be something to do; nothing: the line is quiet.
+    std::optional<Instant> nextEnd() const;
+
+    // Waits, really, for so long; false: wake() ended it, or was called before, or the adapter is unplugged.
+    bool wait(Instant atMost);
+    // True if wake() was called since the last wait.
+    bool takeWake();
+    void wake();
+
+    // The trainer.
+    void setFaults(const LineFaults &faults);
+    LineFaults faults() const;
+    void setAnswerDelay(Instant delay);
+    void setUnplugged(bool unplugged); // the adapter: nothing comes, nothing goes
+    bool isUnplugged() const;
+    std::vector<LineAddress> addresses() const;
+    // Calls `change` with each encoder at the address, which are two where the user made them so. False: none
+    // is there.
+    template <typename Change>
+    bool withEncoder(LineAddress address, Change change)
+    {
+        const std::scoped_lock lock(m_mutex);
+        bool found = false;
+        for (SimulatedEscEncoder &encoder : m_encoders)
+            if (encoder.address() == address) {
+                change(encoder);
+                found = true;
+            }
+        return found;
+    }
+    void setSilent(bool silent); // all of them: they hear and act, and say nothing
+
+private:
+    void turnShaftsTo(Instant now);
+    void deliver(const LineWire::Ended &character);
+    void tellEncoders(const LineWire::Ended &character);
+    bool fitsEncoders() const;
+
+    mutable std::mutex m_mutex;
+    std::condition_variable m_woken;
+    bool m_wake = false;
+
+    std::vector<SimulatedEscEncoder> m_encoders;
+    LineWire m_wire;
+    LineSettings m_settings; // of the master
+    Instant m_answerDelay = usualAnswerDelay;
+    std::int64_t m_cycles = 0; // ms that the shafts have turned since begin()
+    QByteArray m_heard;        // by the master
+    bool m_unplugged = false;
+};
+
+} // namespace codewheel

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator/simulated_line_link.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+QString lineName()
+{
+    return QCoreApplication::translate("SimulatedLine", "training line");
+}
+
+} // namespace
+
+SimulatedLineLink::SimulatedLineLink(std::shared_ptr<SimulatedLine> line, Clock clock)
+    : m_line(std::move(line))
+    , m_clock(std::move(clock))
+{}
+
+Result<void> SimulatedLineLink::open(const LineSettings &settings)
+{
+    if (m_line->isUnplugged())
+        return refuse(RefusalKind::link, RefusalId::portNotFound, {lineName()});
+    m_line->begin(settings);
+    m_now = Instant{};
+    if (m_clock)
+        m_begin = m_clock();
+    m_open = true;
+    return {};
+}
+
+Result<void> SimulatedLineLink::setBaudRate(int baudRate)
+{
+    return usable().map([&] { m_line->setBaudRate(baudRate); });
+}
+
+Instant SimulatedLineLink::now() const
+{
+    return m_clock ? m_clock() - m_begin : m_now;
+}
+
+Result<void> SimulatedLineLink::write(const QByteArray &bytes)
+{
+    return usable().map([&] { m_line->send(bytes, now()); });
+}
+
+Result<QByteArray> SimulatedLineLink::read(Instant until)
+{
+    if (const auto checked = usable(); !checked)
+        return tl::unexpected(checked.error());
+    if (m_line->takeWake())
+        return QByteArray();
+    QByteArray bytes = m_clock ? readReally(until) : readVirtually(until);
+    if (const auto checked = usable(); !checked)
+        return tl::unexpected(checked.error());
+    return bytes;
+}
+
+Result<void> SimulatedLineLink::usable()
+{
+    if (!m_open)
+        return refuse(RefusalKind::link, RefusalId::lineClosed);
+    if (m_line->isUnplugged()) {
+        m_open = false;
+        return refuse(RefusalKind::link, RefusalId::portLost, {lineName()});
+    }
+    return {};
+}
+
+QByteArray SimulatedLineLink::readVirtually(Instant until)
+{
+    const SimulatedLine::Arrival arrival = m_line->advance(std::max(until, m_now));
+    m_now = arrival.at;
+    return arrival.bytes;
+}
+
+QByteArray SimulatedLineLink::readReally(Instant until)
+{
+    QByteArray bytes;
+    for (bool goOn = true; goOn;) {
+        const Instant time = now();
+        for (auto more = m_line->advance(time); !more.bytes.isEmpty(); more = m_line->advance(time))
+            bytes += more.bytes;
+        if (!bytes.isEmpty() || time >= until)
+            break;
+        goOn = m_line->wait(std::min(until, m_line->nextEnd().value_or(until)) - time);
+    }
+    return bytes;
+}
+
+} // namespace codewheel

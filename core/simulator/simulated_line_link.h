@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "line/byte_link.h"
+#include "simulator/simulated_line.h"
+
+#include <functional>
+#include <memory>
+
+namespace codewheel {
+
+// The link to a simulated serial line. Without a clock its time is virtual: it passes in read() alone, which
+// returns at once, and one byte after the other. With one, it keeps that clock's time and waits.
+class SimulatedLineLink final : public ByteLink
+{
+public:
+    using Clock = std::function<Instant()>; // from any beginning; never goes back
+
+    explicit SimulatedLineLink(std::shared_ptr<SimulatedLine> line, Clock clock = {});
+
+    // Refused: portNotFound while the adapter is unplugged; later that is portLost, once, and lineClosed.
+    Result<void> open(const LineSettings &settings) override;
+    void close() override { m_open = false; }
+    Result<void> setBaudRate(int baudRate) override;
+    Instant now() const override;
+    Result<void> write(const QByteArray &bytes) override;
+    Result<QByteArray> read(Instant until) override;
+    void interrupt() override { m_line->wake(); }
+
+private:
+    Result<void> usable();
+    QByteArray readVirtually(Instant until);
+    QByteArray readReally(Instant until);
+
+    std::shared_ptr<SimulatedLine> m_line;
+    Clock m_clock;
+    Instant m_now{};   // of virtual time
+    Instant m_begin{}; // on the clock
+    bool m_open = false;
+};
+
+} // namespace codewheel
