@@ -32,6 +32,10 @@ public:
     // What came in, as soon as there is something; empty once `until` has passed or interrupt() was called.
     // On return now() is the time at which the last of the bytes came in, as well as the link can tell.
     virtual Result<QByteArray> read(Instant until) = 0;
+    // As the user knows it: "/dev/ttyUSB0", "simulated line".
+    virtual QString name() const = 0;
+    // Whether what answers is none of this world, and new with each start.
+    virtual bool isSimulated() const { return false; }
     // Ends the read under way, or else the next one, early and empty. Any thread.
     virtual void interrupt() = 0;
 };

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "drivers/request_driver.h"
+#include "line/line_scan.h"
+
+#include <memory>
+#include <variant>
+#include <vector>
+
+namespace codewheel {
+
+// What the window asks of the line thread. A device is given by its place in the order in which they were
+// added.
+namespace line_command {
+struct StartJob
+{
+    std::size_t device;
+    JobId id;
+    Job job;
+    Pace pace;
+};
+struct Proceed
+{
+    std::size_t device;
+};
+struct Cancel
+{
+    std::size_t device;
+    OnCancel how;
+};
+struct SetKnown
+{
+    std::size_t device;
+    std::vector<Known> known;
+};
+struct AddDevice
+{
+    std::unique_ptr<RequestDriver> driver;
+};
+struct RemoveDevice // its place stays empty
+{
+    std::size_t device;
+};
+struct SetPolling // the drivers are asked what they want; jobs need it
+{
+    bool on;
+};
+struct SetOperate
+{
+    bool on;
+};
+struct AlarmStop
+{};
+// What was typed in the terminal: sent once, in its turn.
+struct Send
+{
+    esc::Request request;
+};
+struct Scan
+{
+    ScanWish wish;
+};
+struct CancelScan
+{};
+} // namespace line_command
+using LineCommand = std::variant<line_command::StartJob, line_command::Proceed, line_command::Cancel,
+                                 line_command::SetKnown, line_command::AddDevice, line_command::RemoveDevice,
+                                 line_command::SetPolling, line_command::SetOperate, line_command::AlarmStop,
+                                 line_command::Send, line_command::Scan, line_command::CancelScan>;
+
+} // namespace codewheel

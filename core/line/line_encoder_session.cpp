@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line/line_encoder_session.h"
+
+#include "line/line_session.h"
+
+namespace codewheel {
+
+LineEncoderSession::LineEncoderSession(LineSession &line, std::size_t device, LineAddress address,
+                                       const DeviceDescription &description)
+    : DrivenEncoderSession(DeviceNumber::onLine(address), description)
+    , m_line(line)
+    , m_device(device)
+{
+    connect(&line, &LineSession::stateChanged, this, &EncoderSession::permissionChanged);
+}
+
+QDateTime LineEncoderSession::dateTime(Instant at) const
+{
+    return m_line.dateTime(at);
+}
+
+// The runner asks again when the command arrives.
+Result<void> LineEncoderSession::mayStart(const Job &job) const
+{
+    const LineSnapshot &line = m_line.latest();
+    if (!m_line.isOpen())
+        return refuse(RefusalKind::link, RefusalId::lineClosed);
+    if (!line.connected)
+        return refuse(RefusalKind::link, RefusalId::portLost, {m_line.linkName()});
+    if (!line.polling)
+        return refuse(RefusalKind::busy, RefusalId::notRunning, {number().toString()});
+    if (!line.operate && !std::holds_alternative<ReadParameters>(job))
+        return refuse(RefusalKind::busy, RefusalId::watchOnly, {number().toString()});
+    return {};
+}
+
+void LineEncoderSession::postStart(JobId id, const Job &job, Pace pace)
+{
+    m_line.post(line_command::StartJob{m_device, id, job, pace});
+}
+
+void LineEncoderSession::postProceed()
+{
+    m_line.post(line_command::Proceed{m_device});
+}
+
+void LineEncoderSession::postCancel(OnCancel how)
+{
+    m_line.post(line_command::Cancel{m_device, how});
+}
+
+void LineEncoderSession::postKnown(std::vector<Known> known)
+{
+    m_line.post(line_command::SetKnown{m_device, std::move(known)});
+}
+
+void LineEncoderSession::report(Message message, Instant at)
+{
+    message.at = at;
+    message.place = number();
+    Q_EMIT m_line.messaged(message);
+}
+
+Instant LineEncoderSession::now() const
+{
+    return m_line.latest().at;
+}
+
+} // namespace codewheel

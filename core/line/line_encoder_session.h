@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "drivers/driven_encoder_session.h"
+
+namespace codewheel {
+
+class LineSession;
+
+// An encoder of a serial line, as views see it: turns jobs into commands for the runner, and what LineSession
+// pumps out of the line thread into signals.
+class LineEncoderSession final : public DrivenEncoderSession
+{
+    Q_OBJECT
+
+public:
+    LineEncoderSession(LineSession &line, std::size_t device, LineAddress address,
+                       const DeviceDescription &description);
+
+    QDateTime dateTime(Instant at) const override;
+
+private:
+    friend class LineSession;
+    Result<void> mayStart(const Job &job) const override;
+    void postStart(JobId id, const Job &job, Pace pace) override;
+    void postProceed() override;
+    void postCancel(OnCancel how) override;
+    void postKnown(std::vector<Known> known) override;
+    void report(Message message, Instant at) override;
+    Instant now() const override;
+
+    LineSession &m_line;
+    std::size_t m_device; // the runner's place for it
+};
+
+} // namespace codewheel

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line/line_figures.h"
+
+#include <algorithm>
+
+namespace codewheel {
+
+void LineCounter::note(const esc::ExchangeResult &result)
+{
+    m_figures.requests += static_cast<std::uint64_t>(result.sent);
+    m_figures.retries += static_cast<std::uint64_t>(std::max(0, result.sent - 1));
+    m_figures.timeOuts += static_cast<std::uint64_t>(result.timeOuts);
+    m_figures.garbageBytes += static_cast<std::uint64_t>(result.garbageBytes);
+    m_figures.lateBytes += static_cast<std::uint64_t>(result.lateBytes);
+    if (!result.answer) {
+        ++m_figures.unanswered;
+        return;
+    }
+    ++m_figures.answers;
+    noteTime(result.answerTime);
+}
+
+void LineCounter::noteTime(Instant time)
+{
+    auto &told = m_figures.answerTime;
+    if (!told)
+        told = {.shortest = time, .median = time, .longest = time};
+    told->shortest = std::min(told->shortest, time);
+    told->longest = std::max(told->longest, time);
+    if (m_times.size() < samples) {
+        m_times.push_back(time);
+        return;
+    }
+    m_times[m_oldest] = time;
+    m_oldest = (m_oldest + 1) % samples;
+}
+
+LineFigures LineCounter::figures() const
+{
+    LineFigures figures = m_figures;
+    if (!figures.answerTime)
+        return figures;
+    std::vector<Instant> sorted = m_times;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::ranges::nth_element(sorted, middle);
+    figures.answerTime->median = *middle;
+    return figures;
+}
+
+} // namespace codewheel

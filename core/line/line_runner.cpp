@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line/line_runner_private.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+constexpr std::chrono::seconds betweenTries{1}; // of opening a port that is gone
+constexpr std::size_t maximumRows = 10'000;     // that nobody took
+
+template <typename... Handlers>
+struct Overloaded : Handlers...
+{
+    using Handlers::operator()...;
+};
+
+} // namespace
+
+LineRunner::Private::Private(ByteLink &usedLink, const LineSettings &lineSettings,
+                             const esc::Timing &lineTiming)
+    : link(usedLink)
+    , settings(lineSettings)
+    , timing(lineTiming)
+    , baudRate(lineSettings.baudRate)
+{}
+
+void LineRunner::Private::step(Instant until)
+{
+    carryOutCommands();
+    if (underWay || begin()) {
+        goOn(until);
+        return;
+    }
+    const std::optional<Instant> wish = nextWish();
+    listen(wish ? std::min(*wish, until) : until);
+}
+
+bool LineRunner::Private::begin()
+{
+    return beginTyped() || beginScanStep() || beginDevice();
+}
+
+bool LineRunner::Private::beginTyped()
+{
+    if (typed.empty())
+        return false;
+    const esc::Request request = typed.front();
+    typed.pop_front();
+    return ask(Asker::terminal, 0, request, settings.baudRate);
+}
+
+bool LineRunner::Private::beginScanStep()
+{
+    if (!scan)
+        return false;
+    const auto next = scan->next();
+    if (next)
+        return ask(Asker::scan, 0, next->request, next->baudRate);
+    endScan(false);
+    return false;
+}
+
+bool LineRunner::Private::beginDevice()
+{
+    const auto device = polling ? deviceInTurn() : std::nullopt;
+    if (!device)
+        return false;
+    devices[*device].turn = ++turns;
+    const auto request = driver(*device)->next(link.now());
+    collect(*device);
+    return request && ask(Asker::device, *device, *request,
+                          driver(*device)->wantedBaudRate().value_or(settings.baudRate));
+}
+
+std::optional<std::size_t> LineRunner::Private::deviceInTurn() const
+{
+    std::optional<std::size_t> chosen;
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        const auto wakes = driver(i) ? driver(i)->wakesAt() : std::nullopt;
+        if (wakes && *wakes <= link.now() && (!chosen || devices[i].turn < devices[*chosen].turn))
+            chosen = i;
+    }
+    return chosen;
+}
+
+std::optional<Instant> LineRunner::Private::nextWish() const
+{
+    std::optional<Instant> first;
+    for (const Device &device : devices) {
+        const auto wakes = device.driver && polling ? device.driver->wakesAt() : std::nullopt;
+        if (wakes && (!first || *wakes < *first))
+            first = wakes;
+    }
+    return first;
+}
+
+bool LineRunner::Private::ask(Asker asker, std::size_t device, const esc::Request &request, int rate)
+{
+    if (!useBaudRate(rate))
+        return false;
+    esc::Timing asked = timing;
+    LineSettings used = settings;
+    used.baudRate = baudRate;
+    asked.character = used.timeOf(1);
+    if (asker != Asker::device) // who looks or types sees for himself
+        asked.retries = 0;
+    underWay.emplace(UnderWay{asker, device, esc::Exchange(request, asked)});
+    return true;
+}
+
+bool LineRunner::Private::useBaudRate(int wanted)
+{
+    if (wanted == baudRate)
+        return true;
+    if (const auto set = link.setBaudRate(wanted); !set) {
+        portIsGone(set.error());
+        return false;
+    }
+    baudRate = wanted;
+    return true;
+}
+
+void LineRunner::Private::goOn(Instant until)
+{
+    const esc::Exchange::Action action = underWay->exchange.next(link.now());
+    const Overloaded carryOutAction{[&](const esc::Exchange::Send &send) {
+                                        if (const auto written = link.write(send.bytes); !written)
+                                            portIsGone(written.error());
+                                    },
+                                    [&](const esc::Exchange::Wait &wait) {
+                                        auto bytes = link.read(std::min(wait.until, until));
+                                        if (!bytes)
+                                            portIsGone(bytes.error());
+                                        else if (!bytes->isEmpty())
+                                            underWay->exchange.received(*bytes, link.now());
+                                    },
+                                    [&](const esc::Exchange::Done &) {
+                                        UnderWay ended = std::move(*underWay);
+                                        underWay.reset();
+                                        end(std::move(ended));
+                                    }};
+    std::visit(carryOutAction, action);
+}
+
+void LineRunner::Private::end(UnderWay ended)
+{
+    const esc::ExchangeResult &result = ended.exchange.result();
+    keepRows(ended.exchange.takeRows());
+    counter.note(result);
+    const Instant now = link.now();
+    switch (ended.asker) {
+    case Asker::terminal:
+        events.post({.what = TypedAnswered{ended.exchange.request(), result}, .at = now});
+        break;
+    case Asker::scan:
+        if (!scan) // cancelled meanwhile
+            break;
+        scan->answered(result);
+        events.post({.what = ScanProgress{scan->asked(), scan->total(), scan->found()}, .at = now});
+        break;
+    case Asker::device:
+        if (!driver(ended.device)) // removed meanwhile
+            break;
+        devices[ended.device].counter.note(result);
+        driver(ended.device)->answered(ended.exchange.request(), result, now);
+        collect(ended.device);
+        break;
+    }
+    publish();
+}
+
+void LineRunner::Private::listen(Instant until)
+{
+    auto bytes = link.read(until);
+    if (!bytes) {
+        portIsGone(bytes.error());
+        return;
+    }
+    if (bytes->isEmpty())
+        return;
+    counter.noteGarbage(static_cast<std::size_t>(bytes->size()));
+    keepRows({{.at = link.now(), .kind = esc::LineRow::Kind::garbage, .bytes = *bytes}});
+    publish();
+}
+
+void LineRunner::Private::portIsGone(const Refusal &why)
+{
+    connected = false;
+    reopenAt = link.now() + betweenTries;
+    underWay.reset();
+    typed.clear();
+    endScan(true);
+    tell({.severity = Severity::fault, .refusal = why});
+    stopJobs(RefusalId::portLost);
+    link.close();
+    publish();
+}
+
+void LineRunner::Private::tryToReopen()
+{
+    if (link.now() < reopenAt)
+        return;
+    reopenAt = link.now() + betweenTries;
+    if (!link.open(settings))
+        return;
+    baudRate = settings.baudRate;
+    connected = true;
+    tell({.id = MessageId::portBack, .arguments = {link.name()}});
+    publish();
+}
+
+void LineRunner::Private::collect(std::size_t device)
+{
+    const Instant now = link.now();
+    for (Event &event : driver(device)->takeEvents())
+        events.post({.device = device, .what = std::move(event), .at = now});
+    for (Message &message : driver(device)->takeMessages()) {
+        message.place = DeviceNumber::onLine(driver(device)->address());
+        tell(std::move(message));
+    }
+}
+
+void LineRunner::Private::keepRows(std::vector<esc::LineRow> rows)
+{
+    for (esc::LineRow &row : rows) {
+        if (events.size() >= maximumRows) {
+            ++droppedRows;
+            continue;
+        }
+        const Instant at = row.at;
+        events.post({.what = std::move(row), .at = at});
+    }
+}
+
+void LineRunner::Private::tell(Message message)
+{
+    message.at = link.now();
+    events.post({.what = std::move(message), .at = link.now()});
+}
+
+void LineRunner::Private::publish()
+{
+    auto made = std::make_shared<LineSnapshot>();
+    made->at = link.now();
+    made->connected = connected;
+    made->polling = polling;
+    made->operate = operate;
+    made->scanning = scan.has_value();
+    made->figures = counter.figures();
+    made->droppedRows = droppedRows;
+    for (const Device &device : devices) {
+        LineSnapshot::Device shown{.address = {}, .reading = {}, .figures = device.counter.figures()};
+        shown.present = device.driver != nullptr;
+        if (device.driver) {
+            shown.address = device.driver->address();
+            shown.reading = device.driver->reading();
+            shown.hasJob = device.driver->busy();
+        }
+        made->devices.push_back(std::move(shown));
+    }
+    const std::scoped_lock lock(latestMutex);
+    latest = std::move(made);
+}
+
+LineRunner::LineRunner(ByteLink &link, const LineSettings &settings, const esc::Timing &timing)
+    : d(std::make_unique<Private>(link, settings, timing))
+{}
+
+LineRunner::~LineRunner() = default;
+
+void LineRunner::run(Instant until)
+{
+    while (d->link.now() < until) {
+        if (!d->connected)
+            d->tryToReopen();
+        if (!d->connected) {
+            d->carryOutCommands();
+            return;
+        }
+        d->step(until);
+    }
+}
+
+void LineRunner::finish()
+{
+    d->carryOutCommands();
+    d->underWay.reset();
+    d->endScan(true);
+    d->stopJobs(RefusalId::busStopped);
+    d->publish();
+}
+
+void LineRunner::post(LineCommand command)
+{
+    d->commands.post(std::move(command));
+    d->link.interrupt();
+}
+
+std::vector<LineEvent> LineRunner::takeEvents()
+{
+    return d->events.takeAll();
+}
+
+std::shared_ptr<const LineSnapshot> LineRunner::takeLatest()
+{
+    const std::scoped_lock lock(d->latestMutex);
+    return std::exchange(d->latest, nullptr);
+}
+
+} // namespace codewheel

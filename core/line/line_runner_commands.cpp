@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line/line_runner_private.h"
+
+#include <algorithm>
+
+namespace codewheel {
+
+void LineRunner::Private::carryOutCommands()
+{
+    auto taken = commands.takeAll();
+    for (LineCommand &command : taken)
+        std::visit([this](auto &c) { carryOut(c); }, command);
+    if (!taken.empty())
+        publish();
+}
+
+Result<void> LineRunner::Private::mayStart(std::size_t device, const Job &job) const
+{
+    const QString place = DeviceNumber::onLine(driver(device)->address()).toString();
+    if (!connected)
+        return refuse(RefusalKind::link, RefusalId::portLost, {link.name()});
+    if (!polling)
+        return refuse(RefusalKind::busy, RefusalId::notRunning, {place});
+    if (!operate && !std::holds_alternative<ReadParameters>(job))
+        return refuse(RefusalKind::busy, RefusalId::watchOnly, {place});
+    if (driver(device)->busy())
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {place});
+    return {};
+}
+
+void LineRunner::Private::carryOut(line_command::StartJob &c)
+{
+    if (!driver(c.device))
+        return;
+    auto taken = mayStart(c.device, c.job);
+    if (taken)
+        taken = driver(c.device)->begin(c.id, c.job, c.pace, link.now());
+    if (!taken) {
+        Outcome outcome;
+        outcome.job = c.id;
+        outcome.result = std::move(taken);
+        outcome.leftIn = driver(c.device)->reading().state;
+        events.post({.device = c.device, .what = Event(std::move(outcome)), .at = link.now()});
+    }
+    collect(c.device);
+}
+
+void LineRunner::Private::carryOut(line_command::Proceed &c)
+{
+    if (driver(c.device))
+        driver(c.device)->proceed();
+}
+
+// The job may have ended while the command was on its way.
+void LineRunner::Private::carryOut(line_command::Cancel &c)
+{
+    if (!driver(c.device) || !driver(c.device)->busy())
+        return;
+    driver(c.device)->cancel(c.how, link.now());
+    collect(c.device);
+}
+
+void LineRunner::Private::carryOut(line_command::SetKnown &c)
+{
+    if (driver(c.device))
+        driver(c.device)->setKnown(c.known);
+}
+
+void LineRunner::Private::carryOut(line_command::AddDevice &c)
+{
+    devices.push_back({.driver = std::move(c.driver), .counter = {}, .turn = 0});
+}
+
+void LineRunner::Private::carryOut(line_command::RemoveDevice &c)
+{
+    if (!driver(c.device))
+        return;
+    if (driver(c.device)->busy())
+        driver(c.device)->stop(RefusalId::busStopped, link.now());
+    collect(c.device);
+    devices[c.device].driver.reset();
+}
+
+void LineRunner::Private::carryOut(line_command::SetPolling &c)
+{
+    if (c.on == polling)
+        return;
+    polling = c.on;
+    if (!polling)
+        stopJobs(RefusalId::busStopped);
+    tell({.id = c.on ? MessageId::busStarted : MessageId::busStopped});
+}
+
+void LineRunner::Private::carryOut(line_command::SetOperate &c)
+{
+    if (c.on == operate)
+        return;
+    const auto busy = std::ranges::find_if(
+        devices, [](const Device &device) { return device.driver && device.driver->busy(); });
+    if (busy != devices.end()) {
+        const auto place = DeviceNumber::onLine(busy->driver->address());
+        tell({.severity = Severity::attention,
+              .refusal = Refusal{RefusalKind::busy, RefusalId::jobRunning, {place.toString()}}});
+        return;
+    }
+    operate = c.on;
+    tell({.id = c.on ? MessageId::operateOn : MessageId::watchOn});
+}
+
+// Nothing moves by a serial encoder's outputs: what has to stop is what is still to be sent.
+void LineRunner::Private::carryOut(line_command::AlarmStop &)
+{
+    typed.clear();
+    endScan(true);
+    stopJobs(RefusalId::alarmStop);
+}
+
+void LineRunner::Private::carryOut(line_command::Send &c)
+{
+    const bool allowed = operate || !esc::shapeOf(c.request.command).writes;
+    if (connected && allowed) {
+        typed.push_back(c.request);
+        return;
+    }
+    const auto place = DeviceNumber::onLine(c.request.to).toString();
+    tell({.severity = Severity::attention,
+          .refusal = connected ? Refusal{RefusalKind::busy, RefusalId::watchOnly, {place}}
+                               : Refusal{RefusalKind::link, RefusalId::portLost, {link.name()}}});
+}
+
+void LineRunner::Private::carryOut(line_command::Scan &c)
+{
+    endScan(true);
+    if (connected)
+        scan.emplace(std::move(c.wish));
+}
+
+void LineRunner::Private::carryOut(line_command::CancelScan &)
+{
+    endScan(true);
+}
+
+void LineRunner::Private::endScan(bool cancelled)
+{
+    if (!scan)
+        return;
+    events.post({.what = ScanEnded{scan->found(), scan->requests(), cancelled}, .at = link.now()});
+    tell({.id = MessageId::encodersFound,
+          .arguments = {static_cast<std::int64_t>(scan->found().size()),
+                        static_cast<std::int64_t>(scan->requests())}});
+    scan.reset();
+}
+
+void LineRunner::Private::stopJobs(RefusalId why)
+{
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        if (!driver(i) || !driver(i)->busy())
+            continue;
+        driver(i)->stop(why, link.now());
+        collect(i);
+    }
+}
+
+} // namespace codewheel

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "line/line_runner.h"
+#include "line/mailbox.h"
+
+#include <deque>
+#include <mutex>
+
+namespace codewheel {
+
+struct LineRunner::Private
+{
+    // Who asked for the request under way.
+    enum class Asker : std::uint8_t { terminal, scan, device };
+
+    struct Device
+    {
+        std::unique_ptr<RequestDriver> driver; // null: removed
+        LineCounter counter;
+        std::uint64_t turn = 0; // when it was asked last, in requests of the line
+    };
+
+    struct UnderWay
+    {
+        Asker asker = Asker::device;
+        std::size_t device = 0; // Asker::device
+        esc::Exchange exchange;
+    };
+
+    Private(ByteLink &link, const LineSettings &settings, const esc::Timing &timing);
+
+    // line_runner_commands.cpp
+    void carryOutCommands();
+    void carryOut(line_command::StartJob &c);
+    void carryOut(line_command::Proceed &c);
+    void carryOut(line_command::Cancel &c);
+    void carryOut(line_command::SetKnown &c);
+    void carryOut(line_command::AddDevice &c);
+    void carryOut(line_command::RemoveDevice &c);
+    void carryOut(line_command::SetPolling &c);
+    void carryOut(line_command::SetOperate &c);
+    void carryOut(line_command::AlarmStop &c);
+    void carryOut(line_command::Send &c);
+    void carryOut(line_command::Scan &c);
+    void carryOut(line_command::CancelScan &c);
+    Result<void> mayStart(std::size_t device, const Job &job) const;
+    void stopJobs(RefusalId why);
+    void endScan(bool cancelled);
+
+    // line_runner.cpp
+    void step(Instant until);
+    bool begin(); // the next request; false: nobody wants anything now
+    bool beginTyped();
+    bool beginScanStep();
+    bool beginDevice();
+    std::optional<std::size_t> deviceInTurn() const;
+    bool ask(Asker asker, std::size_t device, const esc::Request &request, int baudRate);
+    std::optional<Instant> nextWish() const;
+    void goOn(Instant until); // with the request under way
+    void end(UnderWay ended);
+    void listen(Instant until); // to what comes without having been asked for
+    bool useBaudRate(int baudRate);
+    void portIsGone(const Refusal &why);
+    void tryToReopen();
+
+    RequestDriver *driver(std::size_t device) const { return devices[device].driver.get(); }
+    void collect(std::size_t device);
+    void keepRows(std::vector<esc::LineRow> rows);
+    void tell(Message message);
+    void publish();
+
+    ByteLink &link;
+    LineSettings settings;
+    esc::Timing timing;
+    int baudRate;
+    std::vector<Device> devices;
+    std::optional<UnderWay> underWay;
+    std::deque<esc::Request> typed;
+    std::optional<LineScan> scan;
+    LineCounter counter;
+    std::uint64_t turns = 0;
+    bool connected = true;
+    bool polling = false;
+    bool operate = false;
+    Instant reopenAt{};
+    std::uint64_t droppedRows = 0;
+
+    Mailbox<LineCommand> commands;
+    Mailbox<LineEvent> events;
+    std::mutex latestMutex;
+    std::shared_ptr<const LineSnapshot> latest;
+};
+
+} // namespace codewheel

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line/line_session.h"
+
+#include "catalog/catalog.h"
+#include "line/line_encoder_session.h"
+#include "line/line_runner.h"
+#include "line/line_thread.h"
+
+#include <QScopedValueRollback>
+
+#include <algorithm>
+#include <deque>
+
+namespace codewheel {
+
+struct LineSession::Private
+{
+    struct Encoder
+    {
+        // A copy, so that a driver may keep it whatever becomes of the catalog.
+        std::unique_ptr<const DeviceDescription> description;
+        std::unique_ptr<LineEncoderSession> session; // null: removed
+    };
+
+    Encoder *find(DeviceNumber number)
+    {
+        const auto found = std::ranges::find_if(encoders, [number](const Encoder &encoder) {
+            return encoder.session && encoder.session->number() == number;
+        });
+        return found == encoders.end() ? nullptr : &*found;
+    }
+
+    std::unique_ptr<ByteLink> link;
+    const Catalog &catalog;
+    QDateTime begin;
+    DriverFactory makeDriver;
+    LineSettings settings{};
+    std::vector<Encoder> encoders{}; // by the runner's places
+    std::unique_ptr<LineRunner> runner{};
+    std::unique_ptr<LineThread> thread{};
+    std::shared_ptr<const LineSnapshot> latest = std::make_shared<LineSnapshot>();
+    bool latestIsNew = false;
+    std::deque<LineEvent> events{};
+    bool pumping = false;
+};
+
+LineSession::LineSession(std::unique_ptr<ByteLink> link, const Catalog &catalog, QDateTime begin,
+                         DriverFactory makeDriver, QObject *parent)
+    : QObject(parent)
+    , d(std::make_unique<Private>(Private{std::move(link), catalog, std::move(begin), std::move(makeDriver)}))
+{}
+
+LineSession::~LineSession()
+{
+    d->thread.reset();
+    if (d->runner)
+        d->link->close();
+}
+
+Result<void> LineSession::open(const LineSettings &settings, const esc::Timing &timing, Start start)
+{
+    close();
+    if (auto opened = d->link->open(settings); !opened)
+        return opened;
+    d->encoders.clear();
+    d->settings = settings;
+    d->runner = std::make_unique<LineRunner>(*d->link, settings, timing);
+    post(line_command::SetPolling{true});
+    if (start == Start::operating)
+        post(line_command::SetOperate{true});
+
+    // As it will be when the thread has carried this out.
+    auto expected = std::make_shared<LineSnapshot>();
+    expected->connected = true;
+    expected->polling = true;
+    expected->operate = start == Start::operating;
+    d->latest = std::move(expected);
+    Q_EMIT messaged({.at = d->latest->at,
+                     .id = MessageId::lineOpened,
+                     .arguments = {d->link->name(), QString::number(settings.baudRate)}});
+    Q_EMIT stateChanged();
+    Q_EMIT devicesChanged();
+    return {};
+}
+
+void LineSession::close()
+{
+    if (!d->runner)
+        return;
+    d->thread.reset();
+    pump();
+    d->runner->finish();
+    pump();
+    d->link->close();
+    d->runner.reset();
+
+    auto closed = std::make_shared<LineSnapshot>(*d->latest);
+    closed->connected = false;
+    closed->polling = false;
+    closed->operate = false;
+    d->latest = std::move(closed);
+    Q_EMIT messaged({.at = d->latest->at, .id = MessageId::lineClosed, .arguments = {d->link->name()}});
+    Q_EMIT stateChanged();
+}
+
+void LineSession::startThread()
+{
+    if (d->runner && !d->thread)
+        d->thread = std::make_unique<LineThread>(*d->runner, *d->link);
+}
+
+void LineSession::advance(Instant duration)
+{
+    if (!d->runner || d->thread)
+        return;
+    d->runner->run(d->link->now() + duration);
+    pump();
+}
+
+// A handler may pump again, start a job or close: what comes of it is told in turn by the outer call.
+void LineSession::pump()
+{
+    if (!d->runner)
+        return;
+    for (LineEvent &event : d->runner->takeEvents())
+        d->events.push_back(std::move(event));
+    if (auto newest = d->runner->takeLatest()) {
+        d->latestIsNew = true;
+        const auto before = std::exchange(d->latest, std::move(newest));
+        const bool isOther = before->connected != d->latest->connected ||
+                             before->polling != d->latest->polling || before->operate != d->latest->operate;
+        if (isOther)
+            Q_EMIT stateChanged();
+    }
+    if (d->pumping)
+        return;
+    const QScopedValueRollback pumping(d->pumping, true);
+    while (d->latestIsNew || !d->events.empty()) {
+        const bool isNew = std::exchange(d->latestIsNew, false);
+        if (isNew)
+            showLatest();
+        while (!d->events.empty()) {
+            const LineEvent event = std::move(d->events.front());
+            d->events.pop_front();
+            dispatch(event);
+        }
+        if (isNew)
+            Q_EMIT updated();
+    }
+}
+
+void LineSession::showLatest()
+{
+    const auto shown = d->latest;
+    const std::size_t count = std::min(shown->devices.size(), d->encoders.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        LineEncoderSession *session = d->encoders[i].session.get();
+        if (!session || !shown->devices[i].present)
+            continue;
+        const DeviceNumber before = session->number();
+        const DeviceNumber now = DeviceNumber::onLine(shown->devices[i].address);
+        session->moveTo(now);
+        session->show(shown->devices[i].reading);
+        if (now != before)
+            Q_EMIT moved(before, now);
+    }
+}
+
+void LineSession::dispatch(const LineEvent &event)
+{
+    if (const auto *ofDriver = std::get_if<Event>(&event.what)) {
+        if (auto &session = d->encoders[event.device].session)
+            session->take(*ofDriver, event.at);
+    } else if (const auto *message = std::get_if<Message>(&event.what)) {
+        Q_EMIT messaged(*message);
+    } else if (const auto *row = std::get_if<esc::LineRow>(&event.what)) {
+        Q_EMIT passed(*row);
+    } else if (const auto *progress = std::get_if<ScanProgress>(&event.what)) {
+        Q_EMIT scanProgressed(*progress);
+    } else if (const auto *ended = std::get_if<ScanEnded>(&event.what)) {
+        Q_EMIT scanEnded(*ended);
+    } else {
+        Q_EMIT typedAnswered(std::get<TypedAnswered>(event.what));
+    }
+}
+
+Result<void> LineSession::add(LineAddress address, const QString &deviceKey)
+{
+    const DeviceNumber number = DeviceNumber::onLine(address);
+    if (!d->runner)
+        return refuse(RefusalKind::link, RefusalId::lineClosed);
+    if (!address.isDevice())
+        return refuse(RefusalKind::badInput, RefusalId::lineAddressWrong, {address.onWire()});
+    if (const Private::Encoder *there = d->find(number))
+        return refuse(RefusalKind::badInput, RefusalId::lineAddressTaken,
+                      {address.shown(), there->description->fullName()});
+    const DeviceDescription *described = d->catalog.find(deviceKey);
+    if (!described || described->profile != Profile::esc)
+        return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {deviceKey, QStringLiteral("ESC")});
+
+    auto description = std::make_unique<const DeviceDescription>(*described);
+    auto driver = d->makeDriver(*description, address);
+    auto session = std::make_unique<LineEncoderSession>(*this, d->encoders.size(), address, *description);
+    d->encoders.push_back({std::move(description), std::move(session)});
+    post(line_command::AddDevice{std::move(driver)});
+    Q_EMIT devicesChanged();
+    return {};
+}
+
+Result<void> LineSession::remove(DeviceNumber number)
+{
+    Private::Encoder *encoder = d->find(number);
+    if (!encoder)
+        return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {number.toString(), QString()});
+    if (encoder->session->runningJob())
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {number.toString()});
+    const auto place = static_cast<std::size_t>(encoder - d->encoders.data());
+    const auto ended = std::move(encoder->session); // who is told finds it no more
+    post(line_command::RemoveDevice{place});
+    Q_EMIT devicesChanged();
+    return {};
+}
+
+std::vector<DeviceNumber> LineSession::numbers() const
+{
+    std::vector<DeviceNumber> numbers;
+    for (const Private::Encoder &encoder : d->encoders)
+        if (encoder.session)
+            numbers.push_back(encoder.session->number());
+    std::ranges::sort(numbers);
+    return numbers;
+}
+
+EncoderSession *LineSession::encoder(DeviceNumber number) const
+{
+    const Private::Encoder *encoder = d->find(number);
+    return encoder ? encoder->session.get() : nullptr;
+}
+
+const LineSnapshot::Device *LineSession::shown(DeviceNumber number) const
+{
+    const Private::Encoder *encoder = d->find(number);
+    if (!encoder)
+        return nullptr;
+    const auto place = static_cast<std::size_t>(encoder - d->encoders.data());
+    return place < d->latest->devices.size() ? &d->latest->devices[place] : nullptr;
+}
+
+void LineSession::post(LineCommand command)
+{
+    if (d->runner)
+        d->runner->post(std::move(command));
+}
+
+bool LineSession::isOpen() const
+{
+    return d->runner != nullptr;
+}
+
+bool LineSession::isSimulated() const
+{
+    return d->link->isSimulated();
+}
+
+QString LineSession::linkName() const
+{
+    return d->link->name();
+}
+
+const LineSettings &LineSession::settings() const
+{
+    return d->settings;
+}
+
+const LineSnapshot &LineSession::latest() const
+{
+    return *d->latest;
+}
+
+bool LineSession::isOperating() const
+{
+    return d->latest->operate;
+}
+
+bool LineSession::isPolling() const
+{
+    return d->latest->polling;
+}
+
+QDateTime LineSession::dateTime(Instant at) const
+{
+    return d->begin.addMSecs(std::chrono::duration_cast<std::chrono::milliseconds>(at).count());
+}
+
+void LineSession::startPolling()
+{
+    post(line_command::SetPolling{true});
+}
+
+void LineSession::stopPolling()
+{
+    post(line_command::SetPolling{false});
+}
+
+void LineSession::setOperate(bool on)
+{
+    post(line_command::SetOperate{on});
+}
+
+void LineSession::alarmStop()
+{
+    post(line_command::AlarmStop{});
+}
+
+void LineSession::scan(const ScanWish &wish)
+{
+    post(line_command::Scan{wish});
+}
+
+void LineSession::cancelScan()
+{
+    post(line_command::CancelScan{});
+}
+
+void LineSession::send(const esc::Request &request)
+{
+    post(line_command::Send{request});
+}
+
+} // namespace codewheel

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+#include "encoder/message.h"
+#include "line/byte_link.h"
+#include "line/line_command.h"
+#include "line/line_event.h"
+#include "line/line_snapshot.h"
+
+#include <QDateTime>
+#include <QObject>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace codewheel {
+
+class Catalog;
+
+// A connected serial line as the window and the command line see it: owns link, runner, thread and encoder
+// sessions. All of it lives in the caller's thread; the line thread is hidden behind pump().
+//
+// In Watch only reads are sent: positions are polled, values may be read. Writing needs Operate.
+class LineSession : public QObject
+{
+    Q_OBJECT
+
+public:
+    enum class Start { watching, operating };
+
+    // Null for a device that cannot be driven; the description outlives the driver.
+    using DriverFactory =
+        std::function<std::unique_ptr<RequestDriver>(const DeviceDescription &, LineAddress)>;
+
+    // The catalog must outlive the session. `begin` is the date and time that the line's Instant 0 stands
+    // for.
+    LineSession(std::unique_ptr<ByteLink> link, const Catalog &catalog, QDateTime begin,
+                DriverFactory makeDriver, QObject *parent = nullptr);
+    ~LineSession() override;
+
+    // Opens the line; it is polled from then on. Encoders and sessions of a connection before end.
+    Result<void> open(const LineSettings &settings, const esc::Timing &timing, Start start);
+    // Ends the thread and closes the link. Jobs end as stopped; the sessions stay to be looked at.
+    void close();
+
+    // By a thread of its own ...
+    void startThread();
+    // ... or by hand, so long on the line's clock. Pumps afterwards.
+    void advance(Instant duration);
+    // Takes what came since the last call and emits it. The window calls this 30 times a second.
+    void pump();
+
+    bool isOpen() const;
+    bool isSimulated() const;
+    QString linkName() const;
+    const LineSettings &settings() const;
+
+    // Takes an encoder at this address into the polling. Refused for an address out of range or taken, and
+    // for a device that is not on a serial line.
+    Result<void> add(LineAddress address, const QString &deviceKey);
+    Result<void> remove(DeviceNumber number);
+    std::vector<DeviceNumber> numbers() const;
+    EncoderSession *encoder(DeviceNumber number) const; // null: no such device
+
+    const LineSnapshot &latest() const;
+    const LineSnapshot::Device *shown(DeviceNumber number) const; // null: no such device
+    bool isOperating() const;
+    bool isPolling() const;
+    QDateTime dateTime(Instant at) const;
+
+    void startPolling();
+    void stopPolling();
+    void setOperate(bool on);
+    // Ends all jobs, drops what was typed and not sent yet, ends a scan. From every state, at once.
+    void alarmStop();
+    void scan(const ScanWish &wish);
+    void cancelScan();
+    // Sends what was typed, once, in its turn; answered by typedAnswered, or refused in a message.
+    void send(const esc::Request &request);
+
+Q_SIGNALS:
+    void updated();      // a new snapshot; at most once per pump
+    void stateChanged(); // connected, polling, Watch / Operate
+    void devicesChanged();
+    // The encoder has another address now: encoder() finds it by that one.
+    void moved(codewheel::DeviceNumber from, codewheel::DeviceNumber to);
+    void messaged(const codewheel::Message &message);
+    void passed(const codewheel::esc::LineRow &row); // what went over the line
+    void typedAnswered(const codewheel::TypedAnswered &answer);
+    void scanProgressed(const codewheel::ScanProgress &progress);
+    void scanEnded(const codewheel::ScanEnded &result);
+
+private:
+    friend class LineEncoderSession;
+    void post(LineCommand command);
+    void dispatch(const LineEvent &event);
+    void showLatest();
+
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace codewheel

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/line_address.h"
+#include "encoder/reading.h"
+#include "line/line_figures.h"
+
+#include <vector>
+
+namespace codewheel {
+
+// The line as it stood after one exchange.
+struct LineSnapshot
+{
+    struct Device
+    {
+        LineAddress address;
+        Reading reading;
+        bool hasJob = false;
+        bool present = true; // false: it was removed
+        LineFigures figures;
+    };
+
+    Instant at{};
+    bool connected = false; // false: the port is gone
+    bool polling = false;
+    bool operate = false; // writing is allowed
+    bool scanning = false;
+    LineFigures figures;
+    std::uint64_t droppedRows = 0; // terminal rows lost because nobody took them
+    std::vector<Device> devices;
+};
+
+} // namespace codewheel

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line/line_thread.h"
+
+#include "line/byte_link.h"
+#include "line/line_runner.h"
+
+namespace codewheel {
+namespace {
+
+// A stop is noticed after this long, even on a quiet line or without a port.
+constexpr std::chrono::milliseconds longestWait{50};
+
+void run(const std::stop_token &stop, LineRunner &runner, ByteLink &link)
+{
+    while (!stop.stop_requested()) {
+        const Instant until = link.now() + longestWait;
+        runner.run(until);
+        if (link.now() < until) // the port is gone
+            std::this_thread::sleep_for(longestWait);
+    }
+}
+
+} // namespace
+
+LineThread::LineThread(LineRunner &runner, ByteLink &link)
+    : m_link(link)
+    , m_thread([&runner, &link](const std::stop_token &stop) { run(stop, runner, link); })
+{}
+
+LineThread::~LineThread()
+{
+    m_thread.request_stop();
+    m_link.interrupt();
+}
+
+} // namespace codewheel
