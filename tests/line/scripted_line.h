@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "drivers/request_driver.h"
+#include "line/byte_link.h"
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace codewheel {
+
+// A line in virtual time whose answers are written down byte for byte, and which keeps what was sent with its
+// time.
+class ScriptedLink final : public ByteLink
+{
+public:
+    struct Sent
+    {
+        Instant at;
+        int baudRate;
+        QByteArray bytes;
+    };
+
+    // Answers come this long after the request was handed over.
+    Instant delay{5'000};
+    // By the bytes sent, at any baud rate or at one.
+    std::map<QByteArray, QByteArray> answers;
+    std::optional<int> answersAt; // baud rate
+    bool unplugged = false;
+    std::vector<Sent> sent;
+    int opened = 0;
+
+    Result<void> open(const LineSettings &settings) override;
+    void close() override {}
+    Result<void> setBaudRate(int baudRate) override;
+    Instant now() const override { return m_now; }
+    Result<void> write(const QByteArray &bytes) override;
+    Result<QByteArray> read(Instant until) override;
+    void interrupt() override {}
+    QString name() const override { return QStringLiteral("scripted line"); }
+    bool isSimulated() const override { return true; }
+
+    std::vector<QByteArray> sentTexts() const; // without ESC and CR LF
+
+private:
+    struct Coming
+    {
+        Instant at;
+        QByteArray bytes;
+    };
+
+    Instant m_now{};
+    int m_baudRate = 0;
+    std::deque<Coming> m_coming;
+};
+
+// Asks the position of its address every `period`, and keeps what it was told.
+class PollingDriver final : public RequestDriver
+{
+public:
+    PollingDriver(LineAddress address, Instant period)
+        : m_address(address)
+        , m_period(period)
+    {}
+
+    const Reading &reading() const override { return m_reading; }
+    bool busy() const override { return m_job.has_value(); }
+    void setKnown(const std::vector<Known> &) override {}
+    Result<void> begin(JobId id, const Job &, Pace, Instant) override;
+    void proceed() override {}
+    void cancel(OnCancel, Instant) override {}
+    void stop(RefusalId why, Instant now) override;
+    std::optional<Instant> wakesAt() const override { return m_wakesAt; }
+    std::optional<esc::Request> next(Instant now) override;
+    void answered(const esc::Request &request, const esc::ExchangeResult &result, Instant now) override;
+    LineAddress address() const override { return m_address; }
+    std::vector<Event> takeEvents() override { return std::exchange(m_events, {}); }
+    std::vector<Message> takeMessages() override { return {}; }
+
+    void moveTo(LineAddress address) { m_address = address; }
+
+private:
+    LineAddress m_address;
+    Instant m_period;
+    Instant m_wakesAt{};
+    Reading m_reading;
+    std::optional<JobId> m_job;
+    std::vector<Event> m_events;
+};
+
+} // namespace codewheel

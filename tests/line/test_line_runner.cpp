@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line/line_runner.h"
+#include "tests/line/scripted_line.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+const QByteArray askThree = "\x1B"
+                            "03P\r\n";
+const QByteArray askFive = "\x1B"
+                           "05P\r\n";
+
+class LineRunnerTest : public testing::Test
+{
+protected:
+    LineRunnerTest()
+    {
+        EXPECT_TRUE(link.open({}));
+        link.answers = {{askThree, "\r\n00000300\r\n"}, {askFive, "\r\n00001235\r\n"}};
+    }
+
+    void add(std::uint8_t address, Instant period = 10ms)
+    {
+        runner.post(line_command::AddDevice{std::make_unique<PollingDriver>(LineAddress{address}, period)});
+    }
+    void poll() { runner.post(line_command::SetPolling{true}); }
+    void run(Instant duration) { runner.run(link.now() + duration); }
+    std::vector<Message> messages()
+    {
+        std::vector<Message> found;
+        for (const LineEvent &event : runner.takeEvents())
+            if (const auto *message = std::get_if<Message>(&event.what))
+                found.push_back(*message);
+        return found;
+    }
+    template <typename What>
+    std::vector<What> taken()
+    {
+        std::vector<What> found;
+        for (const LineEvent &event : runner.takeEvents())
+            if (const auto *what = std::get_if<What>(&event.what))
+                found.push_back(*what);
+        return found;
+    }
+
+    ScriptedLink link;
+    LineRunner runner{link, {}, {}};
+};
+
+TEST_F(LineRunnerTest, SendsNothingBeforeItIsToldToPoll)
+{
+    add(5);
+    run(1s);
+    EXPECT_TRUE(link.sent.empty());
+}
+
+TEST_F(LineRunnerTest, PollsEncodersInTurn)
+{
+    add(3);
+    add(5);
+    poll();
+    run(200ms);
+    const auto texts = link.sentTexts();
+    ASSERT_GE(texts.size(), 10U);
+    for (std::size_t i = 0; i + 1 < texts.size(); ++i)
+        EXPECT_NE(texts[i], texts[i + 1]) << i;
+    const auto latest = runner.takeLatest();
+    ASSERT_TRUE(latest);
+    ASSERT_EQ(latest->devices.size(), 2U);
+    EXPECT_EQ(latest->devices[0].reading.position, 0x300);
+    EXPECT_EQ(latest->devices[1].reading.position, 0x1235);
+    EXPECT_EQ(latest->figures.requests, latest->figures.answers);
+}
+
+TEST_F(LineRunnerTest, KeepsTheAnswersOfTheOthersWhileOneIsSilent)
+{
+    link.answers.erase(askThree);
+    add(3, 1s);
+    add(5);
+    poll();
+    run(5s);
+    const auto latest = runner.takeLatest();
+    EXPECT_EQ(latest->devices[0].reading.state, EncoderState::silent);
+    EXPECT_EQ(latest->devices[1].reading.state, EncoderState::operation);
+    EXPECT_GT(latest->devices[1].figures.answers, 150U);
+    EXPECT_EQ(latest->devices[0].figures.answers, 0U);
+    EXPECT_EQ(latest->devices[0].figures.retries, 2 * latest->devices[0].figures.unanswered);
+}
+
+TEST_F(LineRunnerTest, InWatchOnlyReadsAreSent)
+{
+    add(5);
+    poll();
+    run(50ms);
+    messages();
+    runner.post(line_command::StartJob{0, 1, WriteParameters{{{Parameter::direction, 1}}}, Pace::byItself});
+    runner.post(line_command::Send{{.to = {5}, .command = esc::Command::writePreset, .data = 1}});
+    run(50ms);
+    std::vector<RefusalId> refused;
+    for (const LineEvent &event : runner.takeEvents()) {
+        if (const auto *message = std::get_if<Message>(&event.what); message && message->refusal)
+            refused.push_back(message->refusal->id);
+        const auto *what = std::get_if<Event>(&event.what);
+        if (const auto *outcome = what ? std::get_if<Outcome>(what) : nullptr)
+            refused.push_back(outcome->result.error().id);
+    }
+    EXPECT_EQ(refused, (std::vector{RefusalId::watchOnly, RefusalId::watchOnly}));
+    for (const QByteArray &text : link.sentTexts())
+        EXPECT_EQ(text, "05P");
+}
+
+TEST_F(LineRunnerTest, SendsWhatWasTypedOnceAndFirst)
+{
+    add(5);
+    poll();
+    run(50ms);
+    const std::size_t before = link.sent.size();
+    runner.post(line_command::Send{{.to = {0x12}, .command = esc::Command::version}});
+    run(500ms);
+    const auto texts = link.sentTexts();
+    EXPECT_EQ(std::count(texts.begin(), texts.end(), QByteArray("12V")), 1);
+    EXPECT_LE(std::find(texts.begin(), texts.end(), QByteArray("12V")) - texts.begin(),
+              static_cast<std::ptrdiff_t>(before + 1));
+    const auto answered = taken<TypedAnswered>();
+    ASSERT_EQ(answered.size(), 1U);
+    EXPECT_FALSE(answered.front().result.answer);
+}
+
+TEST_F(LineRunnerTest, FindsAnEncoderAtAnotherRateAndGoesBackToItsOwn)
+{
+    link.answersAt = 9'600;
+    link.answers = {{"\x1B"
+                     "05N\r\n",
+                     "\r\n00123456\r\n"}};
+    add(3);
+    poll();
+    runner.post(line_command::Scan{{.baudRates = {19'200, 9'600}}});
+    run(60s);
+    const auto ended = taken<ScanEnded>();
+    ASSERT_EQ(ended.size(), 1U);
+    ASSERT_EQ(ended.front().found.size(), 1U);
+    EXPECT_EQ(ended.front().found.front().address, LineAddress{5});
+    EXPECT_EQ(ended.front().found.front().baudRate, 9'600);
+    EXPECT_FALSE(ended.front().cancelled);
+    EXPECT_EQ(link.sent.back().baudRate, 19'200);
+    EXPECT_EQ(link.sentTexts().back(), "03P");
+}
+
+TEST_F(LineRunnerTest, ASearchCanBeCancelled)
+{
+    runner.post(line_command::Scan{{}});
+    run(500ms);
+    runner.post(line_command::CancelScan{});
+    run(100ms);
+    const auto sent = link.sent.size();
+    run(1s);
+    EXPECT_EQ(link.sent.size(), sent);
+    const auto ended = taken<ScanEnded>();
+    ASSERT_EQ(ended.size(), 1U);
+    EXPECT_TRUE(ended.front().cancelled);
+}
+
+TEST_F(LineRunnerTest, TellsOnceThatThePortIsGoneAndOpensItAgain)
+{
+    add(5);
+    poll();
+    runner.post(line_command::SetOperate{true});
+    run(50ms);
+    runner.post(line_command::StartJob{0, 1, WriteParameters{}, Pace::byItself});
+    run(10ms);
+    runner.takeEvents();
+
+    link.unplugged = true;
+    run(10ms);
+    std::vector<MessageId> told;
+    std::vector<RefusalId> why;
+    for (const LineEvent &event : runner.takeEvents()) {
+        const auto *message = std::get_if<Message>(&event.what);
+        if (message && message->refusal)
+            why.push_back(message->refusal->id);
+        const auto *what = std::get_if<Event>(&event.what);
+        if (const auto *outcome = what ? std::get_if<Outcome>(what) : nullptr)
+            why.push_back(outcome->result.error().id);
+    }
+    EXPECT_EQ(why, (std::vector{RefusalId::portLost, RefusalId::portLost})); // the message, and the job
+    EXPECT_FALSE(runner.takeLatest()->connected);
+}
+
+TEST_F(LineRunnerTest, CountsWhatComesWithoutHavingBeenAskedFor)
+{
+    link.answers = {{"\x1B"
+                     "01P\r\n",
+                     "\r\n00000001\r\n"}};
+    add(1, 100ms);
+    poll();
+    run(50ms);
+    const auto latest = runner.takeLatest();
+    ASSERT_TRUE(latest);
+    EXPECT_EQ(latest->figures.garbageBytes, 0U);
+    EXPECT_EQ(latest->figures.answers, 1U);
+}
+
+TEST_F(LineRunnerTest, KeepsARowForEachThingThatPassed)
+{
+    add(5, 1s);
+    poll();
+    run(200ms);
+    const auto rows = taken<esc::LineRow>();
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[0].kind, esc::LineRow::Kind::sent);
+    EXPECT_EQ(rows[0].bytes, askFive);
+    EXPECT_EQ(rows[1].kind, esc::LineRow::Kind::answer);
+    EXPECT_EQ(rows[1].bytes, QByteArray("\r\n00001235\r\n"));
+    EXPECT_GT(rows[1].at, rows[0].at);
+}
+
+TEST_F(LineRunnerTest, AlarmStopEndsJobsAndDropsWhatWasTyped)
+{
+    add(5);
+    poll();
+    runner.post(line_command::SetOperate{true});
+    run(50ms);
+    runner.post(line_command::StartJob{0, 1, WriteParameters{}, Pace::byItself});
+    runner.post(line_command::Send{{.to = {5}, .command = esc::Command::writePreset, .data = 1}});
+    runner.post(line_command::AlarmStop{});
+    run(100ms);
+    for (const QByteArray &text : link.sentTexts())
+        EXPECT_EQ(text, "05P");
+    EXPECT_FALSE(runner.takeLatest()->devices.front().hasJob);
+}
+
+} // namespace
+} // namespace codewheel

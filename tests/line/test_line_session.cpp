@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
+#include "line/line_session.h"
+#include "tests/line/scripted_line.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+const QString rs485 = QStringLiteral("kuebler-esc-rs485");
+
+class LineSessionTest : public testing::Test
+{
+protected:
+    LineSessionTest()
+    {
+        auto made = std::make_unique<ScriptedLink>();
+        link = made.get();
+        link->answers = {{"\x1B"
+                          "05P\r\n",
+                          "\r\n00001235\r\n"}};
+        line = std::make_unique<LineSession>(std::move(made), catalog,
+                                             QDateTime(QDate(2026, 11, 21), QTime(12, 0)),
+                                             [this](const DeviceDescription &, LineAddress address) {
+                                                 auto driver = std::make_unique<PollingDriver>(address, 10ms);
+                                                 drivers.push_back(driver.get());
+                                                 return driver;
+                                             });
+        QObject::connect(line.get(), &LineSession::messaged, line.get(),
+                         [this](const Message &message) { messages.push_back(message); });
+    }
+
+    const Catalog catalog = Catalog::builtIn();
+    ScriptedLink *link = nullptr;
+    std::vector<PollingDriver *> drivers;
+    std::vector<Message> messages;
+    std::unique_ptr<LineSession> line;
+};
+
+TEST_F(LineSessionTest, ShowsAnEncoderByItsAddress)
+{
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching));
+    ASSERT_TRUE(line->add({5}, rs485));
+    const auto place = DeviceNumber::onLine({5});
+    EXPECT_EQ(line->numbers(), std::vector{place});
+    EncoderSession *encoder = line->encoder(place);
+    ASSERT_NE(encoder, nullptr);
+    EXPECT_EQ(encoder->latest().state, EncoderState::notSeen);
+    line->advance(50ms);
+    EXPECT_EQ(encoder->latest().position, 0x1235);
+    EXPECT_GT(line->shown(place)->figures.answers, 2U);
+}
+
+TEST_F(LineSessionTest, RefusesAddressesThatCannotBe)
+{
+    EXPECT_EQ(line->add({5}, rs485).error().id, RefusalId::lineClosed);
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching));
+    EXPECT_EQ(line->add({0}, rs485).error().id, RefusalId::lineAddressWrong);
+    EXPECT_EQ(line->add({32}, rs485).error().id, RefusalId::lineAddressWrong);
+    EXPECT_EQ(line->add({5}, QStringLiteral("fraba-ocd-ib")).error().id, RefusalId::unknownDevice);
+    ASSERT_TRUE(line->add({5}, rs485));
+    EXPECT_EQ(line->add({5}, rs485).error().id, RefusalId::lineAddressTaken);
+}
+
+TEST_F(LineSessionTest, InWatchAnEncoderTakesNoWrite)
+{
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching));
+    ASSERT_TRUE(line->add({5}, rs485));
+    EncoderSession *encoder = line->encoder(DeviceNumber::onLine({5}));
+    EXPECT_EQ(encoder->start(SetPreset{1}).error().id, RefusalId::watchOnly);
+    line->setOperate(true);
+    line->advance(50ms);
+    EXPECT_TRUE(line->isOperating());
+    EXPECT_TRUE(encoder->start(SetPreset{1}));
+    EXPECT_EQ(encoder->start(SetPreset{1}).error().id, RefusalId::jobRunning);
+}
+
+TEST_F(LineSessionTest, AnEncoderWithAnotherAddressIsFoundByThatOne)
+{
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching));
+    ASSERT_TRUE(line->add({5}, rs485));
+    line->advance(20ms);
+    EncoderSession *encoder = line->encoder(DeviceNumber::onLine({5}));
+    std::vector<std::pair<DeviceNumber, DeviceNumber>> moves;
+    QObject::connect(line.get(), &LineSession::moved, line.get(),
+                     [&](DeviceNumber from, DeviceNumber to) { moves.emplace_back(from, to); });
+    drivers.front()->moveTo({0x12});
+    line->advance(200ms);
+    ASSERT_EQ(moves.size(), 1U);
+    EXPECT_EQ(moves.front(), std::pair(DeviceNumber::onLine({5}), DeviceNumber::onLine({0x12})));
+    EXPECT_EQ(line->encoder(DeviceNumber::onLine({0x12})), encoder);
+    EXPECT_EQ(line->encoder(DeviceNumber::onLine({5})), nullptr);
+}
+
+TEST_F(LineSessionTest, ARemovedEncoderIsAskedNoMore)
+{
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching));
+    ASSERT_TRUE(line->add({5}, rs485));
+    line->advance(50ms);
+    ASSERT_TRUE(line->remove(DeviceNumber::onLine({5})));
+    line->advance(50ms);
+    const auto sent = link->sent.size();
+    line->advance(500ms);
+    EXPECT_EQ(link->sent.size(), sent);
+    EXPECT_TRUE(line->numbers().empty());
+    EXPECT_TRUE(line->add({5}, rs485)); // its address is free again
+    line->advance(500ms);
+    EXPECT_GT(link->sent.size(), sent);
+}
+
+TEST_F(LineSessionTest, SaysThatItWasOpenedAndClosed)
+{
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching));
+    line->close();
+    ASSERT_GE(messages.size(), 2U);
+    EXPECT_EQ(messages.front().id, MessageId::lineOpened);
+    EXPECT_EQ(messages.back().id, MessageId::lineClosed);
+    EXPECT_FALSE(line->isOpen());
+}
+
+TEST_F(LineSessionTest, RunsInAThreadOfItsOwn)
+{
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching));
+    ASSERT_TRUE(line->add({5}, rs485));
+    line->startThread();
+    while (line->latest().figures.answers < 100)
+        line->pump();
+    line->close();
+    EXPECT_EQ(line->encoder(DeviceNumber::onLine({5}))->latest().position, 0x1235);
+}
+
+TEST_F(LineSessionTest, APortThatCannotBeOpenedIsRefused)
+{
+    link->unplugged = true;
+    EXPECT_EQ(line->open({}, {}, LineSession::Start::watching).error().id, RefusalId::portNotFound);
+    EXPECT_FALSE(line->isOpen());
+}
+
+} // namespace
+} // namespace codewheel
