@@ -3,6 +3,7 @@
 #include "encoder/refusal_text.h"
 #include "journal/ledger.h"
 #include "tests/journal/journal_file.h"
+#include "tests/support/times.h"
 
 #include <QProcess>
 #include <QRandomGenerator>
@@ -12,7 +13,7 @@ namespace {
 
 using test::JournalFile;
 
-constexpr int kills = 100;
+const int kills = test::times(100);
 constexpr int linesAtMost = 60;   // until it is killed
 constexpr int generous = 120'000; // ms
 

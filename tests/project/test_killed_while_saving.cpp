@@ -4,6 +4,7 @@
 #include "project/project_json.h"
 #include "ring/ring_rules.h"
 #include "tests/project/made_up_project.h"
+#include "tests/support/times.h"
 
 #include <QFile>
 #include <QProcess>
@@ -106,12 +107,12 @@ private:
 
 TEST_F(KilledWhileSaving, OneOfTheTwoFilesIsThereAsAWhole)
 {
-    killTimes(25, "projects");
+    killTimes(test::times(25), "projects");
 }
 
 TEST_F(KilledWhileSaving, OneOfTheTwoFilesIsThereAsAWholeWhileItIsReplaced)
 {
-    killTimes(100, "bytes");
+    killTimes(test::times(100), "bytes");
 }
 
 } // namespace
