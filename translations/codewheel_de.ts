@@ -560,6 +560,10 @@
         <source>Nothing came from the encoder yet.</source>
         <translation>Vom Geber kam noch nichts.</translation>
     </message>
+    <message>
+        <source>The encoder does not answer: the last position is shown.</source>
+        <translation>Der Geber antwortet nicht: Gezeigt wird die letzte Position.</translation>
+    </message>
 </context>
 <context>
     <name>IdCode</name>
@@ -696,6 +700,10 @@
     <message>
         <source>The encoder is in the error state: it gives no valid position.</source>
         <translation>Der Geber ist im Fehlerzustand: Er gibt keine gültige Position aus.</translation>
+    </message>
+    <message>
+        <source>The encoder does not answer any more.</source>
+        <translation>Der Geber antwortet nicht mehr.</translation>
     </message>
 </context>
 <context>
@@ -1373,6 +1381,50 @@
         <source>%1 was damaged. It was put aside as %2, and a new one was begun.</source>
         <translation>%1 war beschädigt. Die Datei wurde als %2 beiseitegelegt und eine neue begonnen.</translation>
     </message>
+    <message>
+        <source>The serial line %1 is open at %2 baud.</source>
+        <translation>Die serielle Leitung %1 ist mit %2 Baud offen.</translation>
+    </message>
+    <message>
+        <source>The serial line %1 was closed.</source>
+        <translation>Die serielle Leitung %1 wurde geschlossen.</translation>
+    </message>
+    <message>
+        <source>The serial port %1 is gone: the adapter was unplugged or has lost its supply.</source>
+        <translation>Der serielle Anschluss %1 ist weg: Der Adapter wurde abgezogen oder hat keine Versorgung mehr.</translation>
+    </message>
+    <message>
+        <source>The adapter is back: the serial line %1 is open again.</source>
+        <translation>Der Adapter ist wieder da: Die serielle Leitung %1 ist wieder offen.</translation>
+    </message>
+    <message>
+        <source>The adapter at %1 does not take low latency: answers may come up to 16 ms later.</source>
+        <translation>Der Adapter an %1 nimmt die kurze Latenz nicht an: Antworten können bis zu 16 ms später kommen.</translation>
+    </message>
+    <message>
+        <source>The encoder does not answer any more (%1 tries).</source>
+        <translation>Der Geber antwortet nicht mehr (%1 Versuche).</translation>
+    </message>
+    <message>
+        <source>The encoder answers again.</source>
+        <translation>Der Geber antwortet wieder.</translation>
+    </message>
+    <message>
+        <source>The position %1 is suspect: %2 came before it, and the encoder cannot turn that fast. It is asked for again.</source>
+        <translation>Die Position %1 ist verdächtig: Davor kam %2, und so schnell kann der Geber nicht drehen. Sie wird noch einmal abgefragt.</translation>
+    </message>
+    <message>
+        <source>The encoder at %1 has the address %2 now.</source>
+        <translation>Der Geber an %1 hat jetzt die Adresse %2.</translation>
+    </message>
+    <message>
+        <source>The encoder speaks at %2 baud now (before: %1).</source>
+        <translation>Der Geber spricht jetzt mit %2 Baud (vorher: %1).</translation>
+    </message>
+    <message>
+        <source>Encoders found on the serial line: %1 (requests: %2).</source>
+        <translation>Geber auf der seriellen Leitung gefunden: %1 (Anfragen: %2).</translation>
+    </message>
 </context>
 <context>
     <name>Parameter</name>
@@ -1591,6 +1643,86 @@
     <message>
         <source>OPC register F</source>
         <translation>OPC-Register F</translation>
+    </message>
+    <message>
+        <source>Lower limit</source>
+        <translation>Unterer Endschalter</translation>
+    </message>
+    <message>
+        <source>lower limit</source>
+        <translation>unterer Endschalter</translation>
+    </message>
+    <message>
+        <source>Upper limit</source>
+        <translation>Oberer Endschalter</translation>
+    </message>
+    <message>
+        <source>upper limit</source>
+        <translation>oberer Endschalter</translation>
+    </message>
+    <message>
+        <source>Scaling</source>
+        <translation>Skalierung</translation>
+    </message>
+    <message>
+        <source>scaling</source>
+        <translation>Skalierung</translation>
+    </message>
+    <message>
+        <source>Scaling factor</source>
+        <translation>Skalierungsfaktor</translation>
+    </message>
+    <message>
+        <source>scaling factor</source>
+        <translation>Skalierungsfaktor</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+    <message>
+        <source>baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+    <message>
+        <source>Operating parameters</source>
+        <translation>Betriebsparameter</translation>
+    </message>
+    <message>
+        <source>operating parameters</source>
+        <translation>Betriebsparameter</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>Device code</source>
+        <translation>Gerätecode</translation>
+    </message>
+    <message>
+        <source>device code</source>
+        <translation>Gerätecode</translation>
     </message>
 </context>
 <context>
@@ -2028,6 +2160,74 @@
     <message>
         <source>%1 cannot be used: %2</source>
         <translation>%1 ist nicht verwendbar: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address of an encoder on a serial line. Addresses go from 01 to 1F (1 to 31).</source>
+        <translation>&quot;%1&quot; ist keine Adresse eines Gebers auf einer seriellen Leitung. Adressen gehen von 01 bis 1F (1 bis 31).</translation>
+    </message>
+    <message>
+        <source>The serial line cannot be set to &quot;%1&quot;. Allowed are: %2.</source>
+        <translation>Die serielle Leitung lässt sich nicht auf &quot;%1&quot; einstellen. Erlaubt sind: %2.</translation>
+    </message>
+    <message>
+        <source>Address %1 is taken: %2 answers there. Choose another, or two encoders would answer at once.</source>
+        <translation>Adresse %1 ist vergeben: Dort antwortet %2. Eine andere wählen, sonst antworten zwei Geber zugleich.</translation>
+    </message>
+    <message>
+        <source>The encoder does not know the command %1 (answer 03). Nothing was changed; its version may be older than the manual.</source>
+        <translation>Der Geber kennt den Befehl %1 nicht (Antwort 03). Nichts wurde geändert; seine Version ist vielleicht älter als das Handbuch.</translation>
+    </message>
+    <message>
+        <source>The encoder refused %1 as incomplete or out of range (answer 05). It kept the old value: give another one.</source>
+        <translation>Der Geber hat %1 als unvollständig oder außerhalb des Bereichs abgelehnt (Antwort 05). Er hat den alten Wert behalten: einen anderen angeben.</translation>
+    </message>
+    <message>
+        <source>No answer to %1 after %2 tries. Check address, baud rate, wiring and supply; an RS-422 encoder also needs ST (pin 7) at +UB.</source>
+        <translation>Keine Antwort auf %1 nach %2 Versuchen. Adresse, Baudrate, Verdrahtung und Versorgung prüfen; ein RS-422-Geber braucht außerdem ST (Pin 7) an +UB.</translation>
+    </message>
+    <message>
+        <source>%1 was read as %2 and then as %3, so neither is taken. Check the line for disturbances, then read again.</source>
+        <translation>%1 wurde als %2 und dann als %3 gelesen, daher gilt keiner der Werte. Leitung auf Störungen prüfen, dann noch einmal lesen.</translation>
+    </message>
+    <message>
+        <source>%1 was sent and not answered, and the encoder could not be read afterwards: it is not known whether it has the new value. Read it before you go on.</source>
+        <translation>%1 wurde gesendet und nicht beantwortet, und danach ließ sich der Geber nicht lesen: Ob er den neuen Wert hat, ist unbekannt. Vor dem Weitermachen lesen.</translation>
+    </message>
+    <message>
+        <source>%1 was sent and not answered, and the encoder still has the old value. Check the line, then write again.</source>
+        <translation>%1 wurde gesendet und nicht beantwortet, und der Geber hat noch den alten Wert. Leitung prüfen, dann noch einmal schreiben.</translation>
+    </message>
+    <message>
+        <source>The encoder does not answer any more at %1. Search the line for it at all baud rates.</source>
+        <translation>Der Geber antwortet nicht mehr auf %1. Die Leitung mit allen Baudraten nach ihm absuchen.</translation>
+    </message>
+    <message>
+        <source>There is no serial port %1. Plug the adapter in, and choose a port from the list.</source>
+        <translation>Es gibt keinen seriellen Anschluss %1. Den Adapter einstecken und einen Anschluss aus der Liste wählen.</translation>
+    </message>
+    <message>
+        <source>The serial port %1 is used by another program. Close that program, then connect again.</source>
+        <translation>Den seriellen Anschluss %1 benutzt ein anderes Programm. Dieses schließen, dann neu verbinden.</translation>
+    </message>
+    <message>
+        <source>You may not use the serial port %1: it belongs to the group %2. Run &quot;%3&quot;, log out and in again.</source>
+        <translation>Der serielle Anschluss %1 darf nicht benutzt werden: Er gehört der Gruppe %2. &quot;%3&quot; ausführen, dann ab- und wieder anmelden.</translation>
+    </message>
+    <message>
+        <source>The serial port %1 is gone: the adapter was unplugged or has lost its supply. Plug it in again.</source>
+        <translation>Der serielle Anschluss %1 ist weg: Der Adapter wurde abgezogen oder hat keine Versorgung mehr. Wieder einstecken.</translation>
+    </message>
+    <message>
+        <source>%1 is another adapter than %2. Choose the port again if you mean this one.</source>
+        <translation>%1 ist ein anderer Adapter als %2. Den Anschluss neu wählen, wenn dieser gemeint ist.</translation>
+    </message>
+    <message>
+        <source>%1 does not answer any more (%2 tries). Check its supply and wiring.</source>
+        <translation>%1 antwortet nicht mehr (%2 Versuche). Versorgung und Verdrahtung prüfen.</translation>
+    </message>
+    <message>
+        <source>The serial line is not open. Connect it first.</source>
+        <translation>Die serielle Leitung ist nicht offen. Zuerst verbinden.</translation>
     </message>
 </context>
 <context>
@@ -9246,6 +9446,10 @@ ID-Code %3, Gerätecode %4
         <source>Take the service bit back</source>
         <translation>Das Dienst-Bit zurücknehmen</translation>
     </message>
+    <message>
+        <source>Send %1</source>
+        <translation>%1 senden</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::StructureEditor</name>
@@ -9519,6 +9723,10 @@ Zustand: %7</translation>
     <message>
         <source>LEDs: %1</source>
         <translation>LEDs: %1</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>antwortet nicht</translation>
     </message>
 </context>
 <context>
@@ -10383,6 +10591,10 @@ Zustand: %7</translation>
     <message>
         <source>It has no cams: the cam programs are not written.</source>
         <translation>Er hat keine Nocken: Die Nockenprogramme werden nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>silent: it does not answer</source>
+        <translation>stumm: er antwortet nicht</translation>
     </message>
 </context>
 <context>
