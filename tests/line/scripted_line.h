@@ -43,6 +43,7 @@ public:
     QString name() const override { return QStringLiteral("scripted line"); }
     bool isSimulated() const override { return true; }
 
+    void letPass(Instant duration) { m_now += duration; }
     std::vector<QByteArray> sentTexts() const; // without ESC and CR LF
 
 private:

@@ -98,7 +98,8 @@ TEST_F(LineRunnerTest, InWatchOnlyReadsAreSent)
     poll();
     run(50ms);
     messages();
-    runner.post(line_command::StartJob{0, 1, WriteParameters{{{Parameter::direction, 1}}}, Pace::byItself});
+    runner.post(line_command::StartJob{
+        0, 1, WriteParameters{.values = {{Parameter::direction, 1}}, .previous = {}}, Pace::byItself});
     runner.post(line_command::Send{{.to = {5}, .command = esc::Command::writePreset, .data = 1}});
     run(50ms);
     std::vector<RefusalId> refused;
@@ -189,6 +190,19 @@ TEST_F(LineRunnerTest, TellsOnceThatThePortIsGoneAndOpensItAgain)
     }
     EXPECT_EQ(why, (std::vector{RefusalId::portLost, RefusalId::portLost})); // the message, and the job
     EXPECT_FALSE(runner.takeLatest()->connected);
+
+    run(10ms);
+    EXPECT_TRUE(messages().empty()); // it was told
+
+    link.unplugged = false;
+    link.letPass(1s);
+    run(100ms);
+    const auto back = messages();
+    ASSERT_EQ(back.size(), 1U);
+    EXPECT_EQ(back.front().id, MessageId::portBack);
+    EXPECT_EQ(link.opened, 2);
+    EXPECT_EQ(link.sentTexts().back(), "05P");
+    EXPECT_TRUE(runner.takeLatest()->connected);
 }
 
 TEST_F(LineRunnerTest, CountsWhatComesWithoutHavingBeenAskedFor)
