@@ -6,15 +6,6 @@
 #include <algorithm>
 
 namespace codewheel {
-namespace {
-
-QString lineName()
-{
-    return QCoreApplication::translate("SimulatedLine", "training line");
-}
-
-} // namespace
-
 SimulatedLineLink::SimulatedLineLink(std::shared_ptr<SimulatedLine> line, Clock clock)
     : m_line(std::move(line))
     , m_clock(std::move(clock))
@@ -23,7 +14,7 @@ SimulatedLineLink::SimulatedLineLink(std::shared_ptr<SimulatedLine> line, Clock 
 Result<void> SimulatedLineLink::open(const LineSettings &settings)
 {
     if (m_line->isUnplugged())
-        return refuse(RefusalKind::link, RefusalId::portNotFound, {lineName()});
+        return refuse(RefusalKind::link, RefusalId::portNotFound, {name()});
     m_line->begin(settings);
     m_now = Instant{};
     if (m_clock)
@@ -35,6 +26,11 @@ Result<void> SimulatedLineLink::open(const LineSettings &settings)
 Result<void> SimulatedLineLink::setBaudRate(int baudRate)
 {
     return usable().map([&] { m_line->setBaudRate(baudRate); });
+}
+
+QString SimulatedLineLink::name() const
+{
+    return QCoreApplication::translate("SimulatedLine", "training line");
 }
 
 Instant SimulatedLineLink::now() const
@@ -65,7 +61,7 @@ Result<void> SimulatedLineLink::usable()
         return refuse(RefusalKind::link, RefusalId::lineClosed);
     if (m_line->isUnplugged()) {
         m_open = false;
-        return refuse(RefusalKind::link, RefusalId::portLost, {lineName()});
+        return refuse(RefusalKind::link, RefusalId::portLost, {name()});
     }
     return {};
 }

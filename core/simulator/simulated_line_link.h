@@ -25,6 +25,8 @@ public:
     Instant now() const override;
     Result<void> write(const QByteArray &bytes) override;
     Result<QByteArray> read(Instant until) override;
+    QString name() const override;
+    bool isSimulated() const override { return true; }
     void interrupt() override { m_line->wake(); }
 
 private:
