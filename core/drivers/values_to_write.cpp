@@ -64,13 +64,15 @@ std::vector<Job> jobsForWish(const EncoderSession &encoder, const WriteWish &wis
     return jobs;
 }
 
-Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs)
+// Each job leaves 00000000 in OUT.
+Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs, Word out)
 {
     std::vector<Step> all;
     for (const Job &job : jobs) {
-        const auto steps = plannedSteps(encoder.device(), allKnown(encoder), job);
+        const auto steps = plannedSteps(encoder.device(), allKnown(encoder), job, {}, out);
         if (!steps)
             return steps;
+        out = k3::normalRunning;
         all.insert(all.end(), steps->begin(), steps->end());
     }
     return all;

@@ -25,8 +25,8 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
 
 // All of it, one job after the other: writing the values, then setting the position to a value.
 std::vector<Job> jobsForWish(const EncoderSession &encoder, const WriteWish &wish);
-// Their steps, as far as they can be told beforehand.
-Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs);
+// Their steps, as far as they can be told beforehand. `out` is what stands in OUT.
+Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs, Word out);
 
 // All that is known of an encoder.
 std::vector<Known> allKnown(const EncoderSession &encoder);

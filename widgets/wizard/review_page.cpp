@@ -3,6 +3,8 @@
 
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
+#include "ring/bus_session.h"
+#include "ring/word_channel.h"
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -105,7 +107,8 @@ void ReviewPage::plan()
     }
     m_changes.setRows(std::move(rows));
 
-    const auto steps = stepsForJobs(encoder, jobsForWish(encoder, m_setup.wish));
+    const WordChannel *channel = m_setup.bus->channel(encoder.number());
+    const auto steps = stepsForJobs(encoder, jobsForWish(encoder, m_setup.wish), channel->out());
     m_mayGoOn = steps.has_value();
     if (steps) {
         m_steps.showSteps(encoder.device(), *steps);

@@ -137,6 +137,24 @@ TEST_F(WizardPages, ValuesTheEncoderHasAreNotWrittenUnlessAskedFor)
     EXPECT_EQ(out(), 0u);
 }
 
+// The job sends 00000000 first where something else stands in OUT.
+TEST_F(WizardPages, TheWordThatClearsOutIsReviewedToo)
+{
+    bus.channel({2, 0})->stage(0x8000'0000);
+    ASSERT_TRUE(bus.channel({2, 0})->write());
+    bus.advance(20);
+    ASSERT_EQ(out({2, 0}), 0x8000'0000u);
+    wizard.setEncoder(&baumer());
+    next();
+    next();
+    next();
+    type("steps", "4096");
+    next();
+    const QAbstractItemModel &words = *find<QTableView>("plannedWords")->model();
+    EXPECT_EQ(words.index(0, 1).data(), QStringLiteral("00000000"));
+    EXPECT_EQ(words.index(1, 1).data(), QStringLiteral("02001000"));
+}
+
 TEST_F(WizardPages, ThePositionIsNotSetWhileTheModeIsUnknown)
 {
     wizard.setEncoder(&fraba());
