@@ -22,6 +22,15 @@ bool isStartedInOperation(const Job &job)
            std::holds_alternative<ResetToDefault>(job) || (to != nullptr && to->mode == Mode::velocity);
 }
 
+// The values of the job. In cam mode their words are wrong commands (FRABA manual 10.6).
+ParameterValues valuesOf(const Job &job)
+{
+    if (const auto *write = std::get_if<WriteParameters>(&job))
+        return write->values;
+    const auto *end = std::get_if<EndParameterization>(&job);
+    return end != nullptr ? end->restore : ParameterValues{};
+}
+
 // The word of the job that sets something else in cam mode (FRABA manual 10.2 and 10.5).
 std::optional<Word> wordOfTwoMeanings(const Job &job)
 {
@@ -99,10 +108,16 @@ Result<void> K3Driver::prepare(Word in, Word out)
 
 Result<void> K3Driver::checkMode(const Job &job) const
 {
-    const auto word = wordOfTwoMeanings(job);
-    if (!word || !m_device.mayHaveModes())
+    if (!m_device.mayHaveModes())
         return {};
     const auto mode = m_knowledge.mode();
+    const auto word = wordOfTwoMeanings(job);
+    const ParameterValues values = valuesOf(job);
+    if (!word && mode == Mode::cam && !values.empty())
+        return refuse(RefusalKind::notSupported, RefusalId::inCamMode,
+                      {m_plan.parameterWord(values.front().parameter, values.front().value)});
+    if (!word)
+        return {};
     if (!mode)
         return refuse(RefusalKind::notSupported, RefusalId::modeNotKnown, {*word});
     if (*mode == Mode::cam && !std::holds_alternative<SwitchMode>(job)) // which leaves it first

@@ -356,6 +356,8 @@ QString effectInCamMode(Word word)
     if (k3::isProgramWord(word))
         return sentence(pattern(QT_TRANSLATE_NOOP("Refusal", "switches to cam program %1")),
                         {argumentText(std::int64_t{word & 0xF})});
+    if (k3::isParameterWord(word))
+        return pattern(QT_TRANSLATE_NOOP("Refusal", "is a wrong command"));
     return pattern(QT_TRANSLATE_NOOP("Refusal", "changes which cams are active"));
 }
 

@@ -86,6 +86,7 @@ private:
     void addCams();
     void addPosition();
     void takeSteps(const Job &job);
+    Word wordFor(const ParameterValue &value) const;
     void setHindrance(const std::optional<Refusal> &hindrance);
     ParameterValues valuesBefore() const;
     SwitchMode modeAfterwards() const;
@@ -160,11 +161,16 @@ void EncoderComparison::addPositionMode()
     if (m_wish.toPositionMode && isElsewhere)
         takeSteps(SwitchMode{});
     else if (m_encoder.latest().mode == Mode::cam && !m_plan.rows.empty())
-        setHindrance(Refusal{RefusalKind::notSupported,
-                             RefusalId::inCamMode,
-                             {m_plan.rows.front().word ? m_plan.rows.front().word : k3::initialisePreset}});
+        setHindrance(
+            Refusal{RefusalKind::notSupported, RefusalId::inCamMode, {wordFor(m_plan.rows.front().wanted)}});
     else if (m_wish.position && isElsewhere)
         setHindrance(Refusal{RefusalKind::notSupported, RefusalId::modeNotKnown, {k3::initialisePreset}});
+}
+
+Word EncoderComparison::wordFor(const ParameterValue &value) const
+{
+    const ParameterDescription *parameter = m_device.find(value.parameter);
+    return k3::parameterWord(parameter ? parameter->number.value_or(0) : 0, static_cast<Word>(value.value));
 }
 
 void EncoderComparison::addValues(ParameterValues values)

@@ -101,6 +101,22 @@ TEST_F(K3Modes, AWordOfTheManualIsRefusedWhereItWouldSetACam)
     expectRefusal(SetPreset{{}, PresetCommand::manufacturer}, RefusalId::inCamMode, 0x6000'0000);
 }
 
+// 84000000 would be the answer (FRABA manual 10.6).
+TEST_F(K3Modes, ParametersAreRefusedInCamModeBeforeAnythingIsSent)
+{
+    isInCamMode();
+    const ParameterValues values{{Parameter::direction, 4}, {Parameter::preset, 7}};
+    expectRefusal(WriteParameters{.values = values, .previous = {}}, RefusalId::inCamMode, 0x0600'0004);
+    expectRefusal(EndParameterization{values}, RefusalId::inCamMode, 0x0600'0004);
+    EXPECT_TRUE(m_table.begin(EndParameterization{})) << "run ends a cam parameterization, too";
+}
+
+TEST_F(K3Modes, ParametersCanBeReadInCamMode)
+{
+    isInCamMode();
+    EXPECT_TRUE(m_table.begin(ReadParameters{{Parameter::direction}}));
+}
+
 TEST_F(K3Modes, TheErrorOfAnEncoderThatDoesNotKnowTheWordIsNamed)
 {
     isInPositionMode();

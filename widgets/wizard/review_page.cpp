@@ -125,6 +125,12 @@ void ReviewPage::plan()
                                 "Go back and change a value, or write all.")
                            : refusalText(steps.error()));
     }
+    if (encoder.latest().mode == Mode::cam && m_mayGoOn) {
+        m_mayGoOn = false;
+        m_problem->showMessage(
+            Role::attention, tr("The encoder is in cam mode, which refuses parameters. Switch it to position "
+                                "mode first, with the functions of the parameter panel."));
+    }
     const bool modeMissing = encoder.device().mayHaveModes() && m_setup.wish.initialisePreset &&
                              encoder.latest().mode != Mode::position;
     if (modeMissing) {
