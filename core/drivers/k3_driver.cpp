@@ -95,6 +95,7 @@ Result<void> K3Driver::prepare(Word in, Word out)
     if (auto checked = checkState(run.job, in); !checked)
         return checked;
     const EncoderState state = stateOf(in, m_device.dialect);
+    run.foundParameterizing = state == EncoderState::parameterization;
     if (const auto *end = std::get_if<EndParameterization>(&run.job))
         run.steps =
             m_plan.endParameterization(end->restore, end->restore.empty() || state != EncoderState::error);

@@ -38,7 +38,8 @@ private:
         JobId id = 0;
         Job job;
         Pace pace = Pace::byItself;
-        bool prepared = false; // its steps are planned
+        bool prepared = false;            // its steps are planned
+        bool foundParameterizing = false; // the encoder was in a parameterization before the job
         K3Steps steps;
         std::size_t index = 0;
         bool begun = false;    // steps[index] is in OUT, or goes there now
@@ -86,6 +87,7 @@ private:
     void dropCams();
     Result<void> checkCams(Word in);
     K3Steps stepsToRestoreCams() const;
+    bool onlyAsksForCams() const;
     bool bringsBack(Word in) const;
     void fail(Refusal why);
     void failAt(Word in);

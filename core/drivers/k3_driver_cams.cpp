@@ -117,13 +117,19 @@ K3Steps K3Driver::stepsToRestoreCams() const
     return steps;
 }
 
-// 84000000h in answer to the words that only ask whether it understands cams: run ends the error.
-bool K3Driver::bringsBack(Word in) const
+// The words that only ask whether the encoder understands cams.
+bool K3Driver::onlyAsksForCams() const
 {
     const K3Step &step = current();
-    const bool onlyAsks = step.kind == StepKind::camReadOut ||
-                          (step.kind == StepKind::switchMode && k3::isProgramWord(step.out));
-    return onlyAsks && isErrorAnswer(in, m_device.dialect);
+    return step.kind == StepKind::camReadOut ||
+           (step.kind == StepKind::switchMode && k3::isProgramWord(step.out));
+}
+
+// Run ends the error. Where the encoder was in a parameterization before, it would make valid what others
+// have sent.
+bool K3Driver::bringsBack(Word in) const
+{
+    return onlyAsksForCams() && isErrorAnswer(in, m_device.dialect) && !m_run->foundParameterizing;
 }
 
 void K3Driver::failAt(Word in)
@@ -140,6 +146,8 @@ std::optional<Refusal> K3Driver::camRefusalFor(Word in) const
 {
     const K3Step &step = current();
     const unsigned number = k3::number(in);
+    if (m_run->foundParameterizing && onlyAsksForCams() && number == wrongCommand)
+        return Refusal{RefusalKind::device, RefusalId::camsInParameterization, {step.out, in}};
     if (k3::isCamReadOutRequest(step.out)) {
         if (stateOf(in, m_device.dialect) == EncoderState::readOut || number == wrongCommand)
             return Refusal{RefusalKind::device, RefusalId::readOutUnknown, {step.out, in}};

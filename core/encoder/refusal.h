@@ -101,6 +101,7 @@ enum class RefusalId : std::uint8_t {
     unknownState,           // Word IN
     restarted,              // Word IN: parameterization ended without run
     camWordRefused,         // Word OUT, Word IN: the text tells what the word does
+    camsInParameterization, // Word OUT, Word IN: a parameterization that was there before the job
     camPositionAboveRange,  // cam, Word IN
     camVerificationFailed,  // program
     serviceRefused,         // service number, Word IN

@@ -245,6 +245,11 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder refused the word %1, which %2 (IN %3). It kept the old value: compare "
                           "the cam program with the encoder, and check which encoder it is.")},
+    Row{RefusalId::camsInParameterization, "camsInParameterization",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The encoder took no cam word (OUT %1, IN %2): it was in a parameterization that "
+                          "was begun before. Run was not sent, since it makes valid what was confirmed "
+                          "there. End that parameterization first, then try again.")},
     Row{RefusalId::camPositionAboveRange, "camPositionAboveRange",
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 98000004: a start or stop of cam %1 is above the largest position (IN %2). "

@@ -361,6 +361,27 @@ TEST_F(K3Cams, AParameterizationThatIsNoneOfCamsIsLeftAlone)
     EXPECT_EQ(begun.error().id, RefusalId::inParameterization);
 }
 
+// In cam mode for all we know, and yet in a parameterization that is none of cams: run would make valid what
+// somebody else has sent.
+TEST_F(K3Cams, NoRunIsSentIntoAParameterizationOfOthers)
+{
+    m_table.tell(Parameter::startUpMode, 3); // cam program 1
+    m_table.play({{0x0000'0000, 0xC200'00FF}});
+    ASSERT_TRUE(m_table.begin(ReadCams{.programs = {1}, .afterwards = {}}));
+    m_table.play({{0x0000'0000, 0xC200'00FF},
+                  {0x2020'0000, 0xC200'00FF},
+                  {0x2020'0000, 0x8400'0000},
+                  {0x0000'0000, 0x8400'0000},
+                  {0x0000'0000, 0x8400'0000},
+                  {0x0000'0000, 0x8400'0000}});
+    EXPECT_EQ(refusal(), (Refusal{RefusalKind::device,
+                                  RefusalId::camsInParameterization,
+                                  {Word{0x2020'0000}, Word{0x8400'0000}}}));
+    EXPECT_EQ(m_table.outcome()->leftIn, EncoderState::error);
+    EXPECT_EQ(m_table.outcome()->eepromWrites, 0);
+    EXPECT_EQ(m_table.driver().reading().mode, std::nullopt) << "it is not in cam mode after all";
+}
+
 TEST_F(K3Cams, APowerLossInTheParameterizationIsNoticedBeforeTheNextWord)
 {
     ASSERT_TRUE(m_table.begin(WriteCams{.programs = {manualProgram()}, .afterwards = {}}));
