@@ -67,6 +67,20 @@ QString programs(const std::vector<CamProgram> &cams)
     return numbers.join(QStringLiteral(", "));
 }
 
+// The values from before, and the evidence for them.
+Message restored(const Outcome &outcome, const DeviceDescription &device)
+{
+    QStringList texts;
+    if (!outcome.written.empty())
+        texts += textOf(outcome.written, device);
+    if (!outcome.camsWritten.empty())
+        texts +=
+            QCoreApplication::translate("JobReport", "cam program %1").arg(programs(outcome.camsWritten));
+    return {.id = outcome.restored == Evidence::read ? MessageId::restoredReadBack
+                                                     : MessageId::restoredConfirmed,
+            .arguments = {texts.join(QStringLiteral(", ")), std::int64_t{outcome.eepromWrites}}};
+}
+
 // What a job says of itself when it has succeeded.
 struct Success
 {
@@ -122,6 +136,8 @@ struct Success
     }
     std::vector<Message> whatWasWritten() const
     {
+        if (outcome.restored)
+            return {restored(outcome, device)};
         std::vector<Message> messages;
         if (!outcome.written.empty())
             messages.push_back(written(outcome, device));

@@ -82,6 +82,13 @@ void appendSettings(K3Steps &steps, const CamProgram &program, CamFieldSet field
     steps.push_back(K3Plan::toNormal(true));
 }
 
+void appendReadBack(K3Steps &steps, const CamProgram &program, CamFieldSet fields)
+{
+    for (std::size_t i = 0; i < camFieldCount; ++i)
+        if (fields[i])
+            appendReadOut(steps, program.number, camField(i), valueOf(program, camField(i)));
+}
+
 void appendEntry(K3Steps &steps, unsigned program)
 {
     steps.push_back(K3Plan::switchStep(k3::selectCamProgram(program)));
@@ -225,9 +232,7 @@ K3Steps K3CamPlan::write(const CamProgram &program, CamFieldSet fields, bool sav
 {
     K3Steps steps;
     appendSettings(steps, program, fields);
-    for (std::size_t i = 0; i < camFieldCount; ++i)
-        if (fields[i])
-            appendReadOut(steps, program.number, camField(i), valueOf(program, camField(i)));
+    appendReadBack(steps, program, fields);
     if (saves && fields.any()) {
         steps.push_back(K3Plan::switchStep(k3::programWord));
         appendAfterwards(steps, {Mode::cam, program.number});
@@ -246,6 +251,7 @@ K3Steps K3CamPlan::restore(const CamProgram &program, CamFieldSet fields, bool e
         appendEntry(steps, program.number);
     appendReadOut(steps, program.number, activeField);
     appendSettings(steps, program, fields);
+    appendReadBack(steps, program, fields);
     return steps;
 }
 

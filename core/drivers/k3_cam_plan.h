@@ -31,7 +31,8 @@ public:
     // What follows once the program was read: the fields, run, and reading them back; nothing without fields.
     // `saves`: then leave the program, which saves it, and enter it again.
     static K3Steps write(const CamProgram &program, CamFieldSet fields, bool saves);
-    // Gives the fields these values again, in the program the encoder is in or, where `enters`, in another.
+    // Gives the fields these values again, and reads them back, in the program the encoder is in or, where
+    // `enters`, in another.
     static K3Steps restore(const CamProgram &program, CamFieldSet fields, bool enters);
 
 private:

@@ -96,11 +96,13 @@ Result<void> K3Driver::prepare(Word in, Word out)
         return checked;
     const EncoderState state = stateOf(in, m_device.dialect);
     run.foundParameterizing = state == EncoderState::parameterization;
-    if (const auto *end = std::get_if<EndParameterization>(&run.job))
+    if (const auto *end = std::get_if<EndParameterization>(&run.job)) {
         run.steps =
             m_plan.endParameterization(end->restore, end->restore.empty() || state != EncoderState::error);
-    else
+        run.restores = !end->restore.empty();
+    } else {
         run.steps = m_plan.stepsFor(run.job);
+    }
     if (out != k3::normalRunning || state == EncoderState::readOut)
         K3Plan::clearOutFirst(run.steps, run.job);
     run.prepared = true;
@@ -351,7 +353,26 @@ void K3Driver::finish(Result<void> result)
     outcome.camsWritten = std::move(run.cams.written);
     outcome.positionBefore = run.positionBefore;
     outcome.positionAfter = run.positionAfter;
+    if (hasRestored(run)) {
+        outcome.restored = evidenceOf(outcome.written);
+        for (const auto &[program, fields] : run.cams.taken)
+            outcome.camsWritten.push_back(run.cams.before.at(program));
+    }
     m_events.emplace_back(std::move(outcome));
+}
+
+bool K3Driver::hasRestored(const Run &run)
+{
+    return run.restores && run.index == run.steps.size() && !run.failure && !run.mismatch;
+}
+
+// What was written is read back where the encoder tells it.
+Evidence K3Driver::evidenceOf(const ParameterValues &written) const
+{
+    const bool isRead = std::ranges::all_of(written, [this](const ParameterValue &value) {
+        return m_device.find(value.parameter)->readOut.has_value();
+    });
+    return isRead ? Evidence::read : Evidence::echoed;
 }
 
 void K3Driver::reportProgress(bool waits)

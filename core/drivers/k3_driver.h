@@ -49,6 +49,7 @@ private:
         std::optional<Refusal> failure; // the remaining steps only bring OUT back
         std::optional<OnCancel> cancelled;
         bool cancelPlanned = false; // its steps have been appended
+        bool restores = false;      // the last steps give the values from before back
         Instant cancelledAt{};
         std::optional<K3Step> inFlight; // cancelled before it was confirmed; it may be taken yet
         int writesBefore = 0;
@@ -86,12 +87,15 @@ private:
     void camWordTaken(Word out);
     void dropCams();
     Result<void> checkCams(Word in);
+    K3Steps stepsToRestore(bool parameterizing);
     K3Steps stepsToRestoreCams() const;
     bool onlyAsksForCams() const;
     bool bringsBack(Word in) const;
     void fail(Refusal why);
     void failAt(Word in);
     void finish(Result<void> result);
+    static bool hasRestored(const Run &run);
+    Evidence evidenceOf(const ParameterValues &written) const;
     void appendCancelSteps(Word in);
     void ranWithWhatWasConfirmed();
     void reportProgress(bool waits);

@@ -116,9 +116,19 @@ void K3Driver::appendCancelSteps(Word in)
     if (*run.cancelled == OnCancel::runWithWhatItHas && parameterizing)
         steps = m_plan.endParameterization({}, true);
     else if (*run.cancelled == OnCancel::restorePrevious && canRestore() && (parameterizing || ranMeanwhile))
-        steps = run.cams.taken.empty() ? m_plan.endParameterization(valuesToRestore(), parameterizing)
-                                       : stepsToRestoreCams();
+        steps = stepsToRestore(parameterizing);
     run.steps.insert(run.steps.end(), steps.begin(), steps.end());
+}
+
+// What was written and read back until now does not hold any more.
+K3Steps K3Driver::stepsToRestore(bool parameterizing)
+{
+    Run &run = *m_run;
+    run.restores = !run.cams.taken.empty() || !run.written.empty() || !run.confirmed.empty();
+    run.mismatch.reset();
+    run.cams.written.clear();
+    return run.cams.taken.empty() ? m_plan.endParameterization(valuesToRestore(), parameterizing)
+                                  : stepsToRestoreCams();
 }
 
 bool K3Driver::canRestore() const

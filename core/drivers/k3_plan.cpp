@@ -131,6 +131,8 @@ K3Steps K3Plan::endParameterization(const ParameterValues &restore, bool runFirs
     if (needsStepsFlag(restore))
         appendRead(steps, Parameter::multiTurnAndStepsMinusOne);
     appendWrites(steps, restore);
+    for (const ParameterValue &value : restore)
+        appendRead(steps, value.parameter, value.value);
     return steps;
 }
 

@@ -25,7 +25,7 @@ public:
     Result<void> check(const Job &job) const;
     K3Steps stepsFor(const Job &job) const;
 
-    // Ends a parameterization: run, or run and the values from before.
+    // Ends a parameterization: run, or run and the values from before, which are read back where they can be.
     K3Steps endParameterization(const ParameterValues &restore, bool runFirst) const;
     static K3Step toNormal(bool mustOperate);
     // A job begins with 00000000; words sent by hand begin as they are.

@@ -47,6 +47,8 @@ void La66Driver::prepare(Word in, Word out)
     }
     const La66Steps steps = m_plan.stepsFor(run.job, out);
     run.steps.insert(run.steps.end(), steps.begin(), steps.end());
+    const auto *end = std::get_if<EndParameterization>(&run.job);
+    run.restores = end != nullptr && !end->restore.empty();
     run.prepared = true;
 }
 
@@ -232,6 +234,8 @@ void La66Driver::finish(Result<void> result)
     outcome.read = std::move(run.read);
     outcome.positionBefore = run.positionBefore;
     outcome.positionAfter = run.positionAfter;
+    if (run.restores && run.index == run.steps.size() && !run.failure)
+        outcome.restored = Evidence::read; // as all that is written
     m_events.emplace_back(std::move(outcome));
 }
 

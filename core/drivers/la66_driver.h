@@ -44,6 +44,7 @@ private:
         std::optional<Refusal> failure; // the remaining steps only bring OUT back
         std::optional<OnCancel> cancelled;
         bool cancelPlanned = false; // its steps have been appended
+        bool restores = false;      // the last steps give the values from before back
         int writesBefore = 0;       // to EEPROM
         ParameterValues before;     // values from before this job
         ParameterValues written;

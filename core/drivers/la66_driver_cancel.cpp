@@ -28,6 +28,7 @@ void La66Driver::appendRestore()
     run.cancelPlanned = true;
     if (*run.cancelled != OnCancel::restorePrevious || run.written.empty() || !canRestore())
         return;
+    run.restores = true;
     ParameterValues values;
     for (const ParameterValue &taken : run.written)
         values.push_back({taken.parameter, *valueOf(run.before, taken.parameter)});

@@ -78,6 +78,9 @@ struct Outcome
     std::vector<CamProgram> camsWritten{};      // read back, where the job could
     std::optional<std::int64_t> positionBefore; // steps; SetPreset
     std::optional<std::int64_t> positionAfter;
+    // The values from before were given back: how it is known that the encoder has them again. They stand in
+    // `written` and `camsWritten`.
+    std::optional<Evidence> restored{};
 };
 
 // What is known of the encoder changed, by whatever was sent to it: a job, or words of the monitor.

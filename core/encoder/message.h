@@ -22,6 +22,8 @@ enum class MessageId : std::uint8_t {
     watchOn,           // nothing is sent any more
     wordWritten,       // Word
     parametersWritten, // number of parameters, EEPROM writes, texts "Steps = 255" joined
+    restoredReadBack,  // values from before: their texts joined, EEPROM writes
+    restoredConfirmed, // likewise, where nothing can be read
     parametersRead,    // number of parameters
     presetDone,        // position before, position after (either may be missing as QString())
     wordsSent,         // number of words

@@ -31,6 +31,12 @@ constexpr std::array rows{
     Row{MessageId::wordWritten, "wordWritten", QT_TRANSLATE_NOOP("Message", "OUT %1 written.")},
     Row{MessageId::parametersWritten, "parametersWritten",
         QT_TRANSLATE_NOOP("Message", "Written and activated: %3 (parameters: %1, EEPROM writes: %2).")},
+    Row{MessageId::restoredReadBack, "restoredReadBack",
+        QT_TRANSLATE_NOOP(
+            "Message", "The values from before were written again, and read back: %1 (EEPROM writes: %2).")},
+    Row{MessageId::restoredConfirmed, "restoredConfirmed",
+        QT_TRANSLATE_NOOP("Message", "The values from before were written again, confirmed and activated, "
+                                     "but cannot be read: %1 (EEPROM writes: %2).")},
     Row{MessageId::parametersRead, "parametersRead", QT_TRANSLATE_NOOP("Message", "Values read: %1.")},
     Row{MessageId::presetDone, "presetDone",
         QT_TRANSLATE_NOOP("Message", "Preset initialised: position %1 before, %2 after.")},

@@ -382,6 +382,28 @@ TEST_F(K3Cams, NoRunIsSentIntoAParameterizationOfOthers)
     EXPECT_EQ(m_table.driver().reading().mode, std::nullopt) << "it is not in cam mode after all";
 }
 
+TEST_F(K3Cams, RestoredCamsAreReadBack)
+{
+    ASSERT_TRUE(m_table.begin(WriteCams{.programs = {manualProgram()}, .afterwards = {}}));
+    enter(1, 0x0000);
+    answerRest(nothing(), 0);
+    m_table.play({{0x4600'0015, cams}, {0x4600'0015, 0xC600'0015}, {0x6600'0213, 0xC600'0015}});
+    m_table.driver().cancel(OnCancel::restorePrevious, Instant{});
+    m_table.play({{0x6600'0213, 0xE600'0213}, {0x0000'0000, 0xE600'0213}});
+    answer(0x2020'0000, 0x00, 0xE600'0213);
+    m_table.play({{0x4600'0000, 0xE600'0213},
+                  {0x4600'0000, 0xC600'0000},
+                  {0x6600'0000, 0xE600'0000},
+                  {0x8000'0000, cams},
+                  {0x0000'0000, cams}});
+    answer(0x2020'0013, 0x00);
+    answer(0x2020'0023, 0x00);
+    m_table.play({{0x0000'0000, cams}});
+    EXPECT_EQ(refusal().id, RefusalId::cancelled);
+    EXPECT_EQ(m_table.outcome()->restored, Evidence::read);
+    EXPECT_EQ(m_table.outcome()->camsWritten, std::vector{CamProgram{}});
+}
+
 TEST_F(K3Cams, APowerLossInTheParameterizationIsNoticedBeforeTheNextWord)
 {
     ASSERT_TRUE(m_table.begin(WriteCams{.programs = {manualProgram()}, .afterwards = {}}));

@@ -63,11 +63,40 @@ TEST_F(K3Cancel, RestoreRunsAndWritesTheValuesFromBefore)
         {0x0200'2000, 0xC200'2000},
         {0x8000'0000, pos},
         {0x0000'0000, pos},
+        {0x2021'0001, 0xA000'2000}, // read back
+        {0x0000'0000, pos},
         {0x0000'0000, pos},
     });
     expectCancelled(EncoderState::operation);
+    EXPECT_EQ(table.outcome()->restored, Evidence::read);
+    EXPECT_EQ(table.outcome()->written, (ParameterValues{{Parameter::steps, 8192}}));
     EXPECT_EQ(table.known(Parameter::steps), 8192);
     EXPECT_EQ(table.outcome()->eepromWrites, 2);
+}
+
+TEST_F(K3Cancel, ARestoredValueThatReadsBackDifferentlyIsNamed)
+{
+    table.play({{0x0000'0000, pos}, {0x0200'00FF, 0xC200'00FF}, {0x0600'0004, 0xC200'00FF}});
+    cancel(OnCancel::restorePrevious);
+    table.play({
+        {0x0600'0004, 0xC200'00FF},
+        {0x0000'0000, 0xC200'00FF},
+        {0x8000'0000, 384},
+        {0x0000'0000, 384},
+        {0x0200'2000, 0xC200'2000},
+        {0x8000'0000, pos},
+        {0x0000'0000, pos},
+        {0x2021'0001, 0xA000'00FF},
+        {0x0000'0000, pos},
+        {0x0000'0000, pos},
+    });
+    ASSERT_TRUE(table.outcome());
+    EXPECT_EQ(table.outcome()->result.error(),
+              (Refusal{RefusalKind::device,
+                       RefusalId::verificationFailed,
+                       {Parameter::steps, std::int64_t{8192}, std::int64_t{255}}}));
+    EXPECT_EQ(table.outcome()->restored, std::nullopt);
+    EXPECT_TRUE(table.outcome()->written.empty());
 }
 
 // Taken from OUT before the cancel, confirmed after it
@@ -82,6 +111,8 @@ TEST_F(K3Cancel, RestoreIncludesWhatIsConfirmedAfterwards)
         {0x0000'0000, 384},
         {0x0200'2000, 0xC200'2000},
         {0x8000'0000, pos},
+        {0x0000'0000, pos},
+        {0x2021'0001, 0xA000'2000},
         {0x0000'0000, pos},
         {0x0000'0000, pos},
     });
@@ -102,6 +133,8 @@ TEST_F(K3Cancel, RestoreGoesOnAfterARunThatFails)
         {0x0200'2000, 0xC200'2000},
         {0x8000'0000, pos},
         {0x0000'0000, pos},
+        {0x2021'0001, 0xA000'2000},
+        {0x0000'0000, pos},
         {0x0000'0000, pos},
     });
     expectCancelled(EncoderState::operation);
@@ -119,6 +152,7 @@ TEST_F(K3Cancel, RunWithWhatItHasActivatesWhatWasConfirmed)
         {0x0000'0000, 384},
     });
     expectCancelled(EncoderState::operation);
+    EXPECT_EQ(table.outcome()->restored, std::nullopt);
     EXPECT_EQ(table.outcome()->written, (ParameterValues{{Parameter::steps, 255}}));
     EXPECT_EQ(table.known(Parameter::steps), 255);
 }
@@ -144,8 +178,13 @@ TEST_F(K3Cancel, RunThatIsOnItsWayIsWaitedFor)
                 {0x0600'0003, 0xC600'0003},
                 {0x8000'0000, pos},
                 {0x0000'0000, pos},
+                {0x2021'0001, 0xA000'2000},
+                {0x0000'0000, pos},
+                {0x2021'0003, 0xA000'0003},
+                {0x0000'0000, pos},
                 {0x0000'0000, pos}});
     expectCancelled(EncoderState::operation);
+    EXPECT_EQ(table.outcome()->restored, Evidence::read);
 }
 
 TEST_F(K3Cancel, DuringTheReadBackTheValuesStay)
@@ -226,6 +265,7 @@ TEST(K3EndParameterization, BringsBackAnEncoderThatWasLeftInError)
                 {0x0000'0000, pos}});
     ASSERT_TRUE(table.outcome());
     EXPECT_TRUE(table.outcome()->result);
+    EXPECT_EQ(table.outcome()->restored, Evidence::echoed) << "it cannot be read";
 }
 
 TEST(K3EndParameterization, RunsAnEncoderThatWasLeftInParameterization)

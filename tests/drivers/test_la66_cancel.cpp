@@ -84,6 +84,8 @@ TEST(La66Cancel, OldValuesGoBackWhereTheyAreKnown)
     EXPECT_EQ(table.outcome()->result.error().id, RefusalId::cancelled);
     EXPECT_EQ(table.outcome()->eepromWrites, 2);
     EXPECT_EQ(table.known(Parameter::measuringLength), 50'000);
+    EXPECT_EQ(table.outcome()->restored, Evidence::read);
+    EXPECT_EQ(table.outcome()->written, (ParameterValues{{Parameter::measuringLength, 50'000}}));
 }
 
 TEST(La66Cancel, WithoutOldValuesNothingIsPutInTheirPlace)
@@ -97,6 +99,7 @@ TEST(La66Cancel, WithoutOldValuesNothingIsPutInTheirPlace)
     table.repeat(2, {0x0200'0000, pos});
     table.play({{0x0000'0000, pos}, {0x0000'0000, pos}});
     ASSERT_TRUE(table.outcome());
+    EXPECT_EQ(table.outcome()->restored, std::nullopt);
     EXPECT_EQ(table.outcome()->eepromWrites, 1);
 }
 

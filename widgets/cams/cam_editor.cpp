@@ -288,8 +288,7 @@ void CamEditor::finished(DeviceNumber number, CamJobs::Purpose purpose, const Ou
     if (!outcome.result) {
         const bool isFault = outcome.result.error().kind == RefusalKind::device;
         say(Cause::outcome, isFault ? Role::fault : Role::attention,
-            QStringLiteral("%1 %2").arg(refusalText(outcome.result.error()), leftInText(outcome.leftIn)),
-            help);
+            QStringLiteral("%1 %2").arg(refusalText(outcome.result.error()), endText(outcome)), help);
         return;
     }
     switch (purpose) {

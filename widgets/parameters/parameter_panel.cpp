@@ -373,11 +373,9 @@ void ParameterPanel::finished(const Outcome &outcome)
     else if (outcome.result)
         showMessage(Cause::outcome, isStuck ? Role::attention : Role::running, successText(outcome), help);
     else
-        showMessage(
-            Cause::outcome,
-            outcome.result.error().kind == RefusalKind::device ? Role::fault : Role::attention,
-            QStringLiteral("%1 %2").arg(refusalText(outcome.result.error()), leftInText(outcome.leftIn)),
-            help);
+        showMessage(Cause::outcome,
+                    outcome.result.error().kind == RefusalKind::device ? Role::fault : Role::attention,
+                    QStringLiteral("%1 %2").arg(refusalText(outcome.result.error()), endText(outcome)), help);
 }
 
 // Short: the table shows the values, the messages keep them.

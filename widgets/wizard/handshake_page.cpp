@@ -255,7 +255,7 @@ void HandshakePage::showEnd()
     m_run->setToolTip(way == WayBack::endService
                           ? tr("Takes the service bit back: the encoder shows its position again.")
                           : tr("Sends run: what the encoder has taken becomes valid, if it accepts it."));
-    m_leftIn->setText(last && !isBusy() ? leftInText(last->leftIn) : QString());
+    m_leftIn->setText(last && !isBusy() ? endText(*last) : QString());
     if (!last || isBusy())
         return;
     if (last->result) {
@@ -264,9 +264,8 @@ void HandshakePage::showEnd()
             m_problem->showMessage(Role::attention, messageText({.id = MessageId::onlyZeroSinceRun}));
         m_state->setState(Role::running, m_isRecovery ? tr("Brought back") : tr("Verified"));
         if (!m_isRecovery)
-            m_leftIn->setText(
-                tr("Verified: %1. %2")
-                    .arg(verificationText(record, m_setup.encoder->device()), leftInText(last->leftIn)));
+            m_leftIn->setText(tr("Verified: %1. %2")
+                                  .arg(verificationText(record, m_setup.encoder->device()), endText(*last)));
         return;
     }
     const Refusal &why = last->result.error();

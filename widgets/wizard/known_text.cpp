@@ -64,6 +64,16 @@ QString knownText(const DeviceDescription &device, const std::optional<Known> &k
                                          evidenceText(known));
 }
 
+QString restoredText(const std::optional<Evidence> &restored)
+{
+    if (!restored)
+        return {};
+    return restored == Evidence::read
+               ? KnownText::tr("It has the values from before again: they were read back, and are equal.")
+               : KnownText::tr(
+                     "It has confirmed the values from before and runs with them; it cannot be read.");
+}
+
 QString leftInText(EncoderState state)
 {
     switch (state) {
@@ -86,6 +96,11 @@ QString leftInText(EncoderState state)
         break;
     }
     return KnownText::tr("The state of the encoder is not known.");
+}
+
+QString endText(const Outcome &outcome)
+{
+    return QStringLiteral("%1 %2").arg(restoredText(outcome.restored), leftInText(outcome.leftIn)).trimmed();
 }
 
 } // namespace codewheel

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "catalog/device_description.h"
-#include "encoder/known.h"
-#include "encoder/reading.h"
+#include "encoder/event.h"
 
 namespace codewheel {
 
@@ -16,7 +15,12 @@ QString valueWithUnit(const DeviceDescription &device, const ParameterValue &val
 // "8 192 steps (read)"; "unknown".
 QString knownText(const DeviceDescription &device, const std::optional<Known> &known);
 
+// That the values from before are in the encoder again, and how that is known; empty where they are not.
+QString restoredText(const std::optional<Evidence> &restored);
+
 // The state an encoder was left in, as a sentence.
 QString leftInText(EncoderState state);
+// Both: what the encoder has again, and where it was left.
+QString endText(const Outcome &outcome);
 
 } // namespace codewheel
