@@ -107,20 +107,19 @@ void StructureModel::rebuild()
     endResetModel();
 }
 
-// Offline the rows are the project's; connected it has but the stations.
+// Offline the rows are the project's; connected it has but the stations. Another make or station is no other
+// row: what is chosen stays so.
 void StructureModel::followProject()
 {
     const RingStructure participants = ring();
-    const bool isSameRing = std::ranges::equal(participants, m_nodes, {}, {}, &Node::participant);
-    if (!isSameRing) {
+    RingStructure shown;
+    std::ranges::transform(m_nodes, std::back_inserter(shown), &Node::participant);
+    if (!isSameRing(participants, shown)) {
         rebuild();
         return;
     }
-    for (Node &node : m_nodes)
-        if (QString station = stationOf(node.participant); station != node.station) {
-            node.station = std::move(station);
-            emitState(indexOf(node.participant.number));
-        }
+    for (std::size_t place = 0; place < participants.size(); ++place)
+        showNames(place, participants[place]);
 }
 
 QString StructureModel::stationOf(const Participant &participant) const
@@ -153,10 +152,21 @@ void StructureModel::showName(DeviceNumber number)
     if (!row.isValid())
         return;
     const auto place = static_cast<std::size_t>(nodeOf(row));
-    const Node named = nodeOf(m_bus->structure()[place]);
-    m_nodes[place].participant = named.participant;
-    m_nodes[place].name = named.name;
-    m_nodes[place].profile = named.profile;
+    showNames(place, m_bus->structure()[place]);
+}
+
+void StructureModel::showNames(std::size_t place, const Participant &participant)
+{
+    Node &node = m_nodes[place];
+    const Node named = nodeOf(participant);
+    if (node.participant == named.participant && node.name == named.name && node.station == named.station &&
+        node.profile == named.profile)
+        return;
+    node.participant = named.participant;
+    node.name = named.name;
+    node.station = named.station;
+    node.profile = named.profile;
+    const QModelIndex row = indexOf(participant.number);
     Q_EMIT dataChanged(row, row.siblingAtColumn(columns - 1));
 }
 

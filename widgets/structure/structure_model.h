@@ -71,6 +71,7 @@ private:
     QString stationOf(const Participant &participant) const;
     Node nodeOf(const Participant &participant) const;
     void showName(DeviceNumber number);
+    void showNames(std::size_t place, const Participant &participant);
     Shown shownOf(const Node &node, std::size_t place) const;
     Shown shownOfMaster() const;
     std::optional<Shown> faultOf(const Node &node, std::size_t place) const;

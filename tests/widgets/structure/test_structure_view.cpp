@@ -2,6 +2,7 @@
 #include "project/project_take_over.h"
 #include "tests/support/model_tester.h"
 #include "tests/widgets/training_bus_session.h"
+#include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
@@ -129,6 +130,31 @@ TEST_F(StructureTest, StationsOfDevicesThatFitStandBesideTheNumber)
     project.edit(after, {});
     EXPECT_EQ(text(baumer, StructureModel::deviceColumn), QStringLiteral("2.0  Baumer GXP6W K3"))
         << "another device is planned there";
+}
+
+// A model that is made anew loses what is chosen, and the question which make it is.
+TEST_F(StructureTest, NamingADeviceKeepsItChosenAndItsMakeAskedFor)
+{
+    ProjectDocument project;
+    project.setProject(projectOf(ring.bus.structure()), {});
+    StructureView view;
+    view.setProject(project, ring.catalog);
+    view.setBus(&ring.bus);
+    view.choose(baumer);
+    view.show();
+    const auto *question = view.findChild<InlineMessage *>(QStringLiteral("makeQuestion"));
+    const auto plan = [&](const QString &key) {
+        project.editDevice(baumer, {}, [&](ProjectDevice &device) { device.participant.deviceKey = key; });
+        EXPECT_EQ(view.current(), baumer);
+    };
+    for (const QString &key : {QString(), QStringLiteral("baumer-gxp6w")}) {
+        ASSERT_TRUE(ring.bus.name(baumer, key));
+        plan(key);
+        EXPECT_EQ(question->isVisible(), key.isEmpty());
+    }
+    view.setBus(nullptr);
+    view.choose(baumer);
+    plan({});
 }
 
 TEST_F(StructureTest, ArrowsChooseAndEnterOpens)
