@@ -11,10 +11,19 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace codewheel {
+namespace {
+
+constexpr int leastSentence = 100; // room for the sentence with its icon
+
+} // namespace
 
 InlineMessage::InlineMessage(QWidget *parent)
     : QFrame(parent)
+    , m_parts(new QBoxLayout(QBoxLayout::LeftToRight, this))
+    , m_buttons(new QHBoxLayout)
     , m_icon(new QLabel(this))
     , m_sentence(new QLabel(this))
     , m_action(new QPushButton(this))
@@ -28,14 +37,17 @@ InlineMessage::InlineMessage(QWidget *parent)
     m_close->setToolTip(tr("Close this message"));
     m_close->setAccessibleName(tr("Close this message"));
 
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(grid::margin + grid::unit, grid::unit, grid::unit, grid::unit);
-    layout->setSpacing(grid::margin);
-    layout->addWidget(m_icon);
-    layout->addWidget(m_sentence, 1);
-    layout->addWidget(m_action);
-    layout->addWidget(m_otherAction);
-    layout->addWidget(m_close);
+    m_parts->setContentsMargins(grid::margin + grid::unit, grid::unit, grid::unit, grid::unit);
+    m_parts->setSpacing(grid::margin);
+    auto *said = new QHBoxLayout;
+    said->addWidget(m_icon);
+    said->addWidget(m_sentence, 1);
+    m_buttons->addStretch();
+    m_buttons->addWidget(m_action);
+    m_buttons->addWidget(m_otherAction);
+    m_buttons->addWidget(m_close);
+    m_parts->addLayout(said, 1);
+    m_parts->addLayout(m_buttons);
 
     connect(m_action, &QPushButton::clicked, this, &InlineMessage::actionTriggered);
     connect(m_otherAction, &QPushButton::clicked, this, &InlineMessage::otherActionTriggered);
@@ -61,6 +73,7 @@ void InlineMessage::showMessage(Role role, const QString &sentence, const QStrin
     m_otherAction->setVisible(!otherActionText.isEmpty());
     setAccessibleName(tr("%1: %2", "role: sentence").arg(roleWord(role), sentence));
     drawIcon();
+    arrange();
     show();
     update();
     QAccessibleEvent alert(this, QAccessible::Alert);
@@ -77,6 +90,28 @@ void InlineMessage::withdraw()
 QString InlineMessage::sentence() const
 {
     return m_sentence->text();
+}
+
+// As with the buttons below the sentence.
+QSize InlineMessage::minimumSizeHint() const
+{
+    const QSize least = QFrame::minimumSizeHint();
+    const QMargins margins = m_parts->contentsMargins();
+    const int widest = std::max(m_buttons->minimumSize().width(), leastSentence);
+    return {std::min(least.width(), margins.left() + widest + margins.right()), least.height()};
+}
+
+void InlineMessage::resizeEvent(QResizeEvent *event)
+{
+    QFrame::resizeEvent(event);
+    arrange();
+}
+
+void InlineMessage::arrange()
+{
+    const bool isNarrow =
+        !m_action->isHidden() && width() < m_buttons->sizeHint().width() + 2 * leastSentence;
+    m_parts->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 void InlineMessage::paintEvent(QPaintEvent *)

@@ -5,6 +5,7 @@
 
 #include <QFrame>
 
+class QBoxLayout;
 class QLabel;
 class QPushButton;
 class QToolButton;
@@ -27,6 +28,7 @@ public:
                      const QString &otherActionText = {});
     void withdraw(); // the cause is gone
     QString sentence() const;
+    QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
     void actionTriggered();
@@ -36,11 +38,15 @@ Q_SIGNALS:
 protected:
     void paintEvent(QPaintEvent *event) override;
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void drawIcon();
+    void arrange();
 
     Role m_role = Role::attention;
+    QBoxLayout *m_parts; // the sentence, and the buttons beside or, in a narrow panel, below it
+    QBoxLayout *m_buttons;
     QLabel *m_icon;
     QLabel *m_sentence;
     QPushButton *m_action;

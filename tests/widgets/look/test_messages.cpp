@@ -49,6 +49,30 @@ TEST_F(Message, GoesWithItsCause)
     EXPECT_TRUE(closed.isEmpty());
 }
 
+TEST_F(Message, InANarrowPanelTheButtonStandsBelowTheSentence)
+{
+    auto *column = new QVBoxLayout(&window);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(&message);
+    message.showMessage(Role::attention, sentence, QStringLiteral("Name the encoder"));
+    const auto *button = buttonNamed(message, QStringLiteral("Name the encoder"));
+    const QLabel *said = nullptr;
+    for (const auto *label : message.findChildren<QLabel *>())
+        if (!label->text().isEmpty())
+            said = label;
+    const auto isBelow = [&](int width) {
+        window.resize(width, 300);
+        QCoreApplication::processEvents();
+        EXPECT_LE(button->geometry().right(), message.width());
+        EXPECT_FALSE(button->geometry().intersects(said->geometry()));
+        return button->y() > said->geometry().bottom();
+    };
+    EXPECT_FALSE(isBelow(600));
+    EXPECT_TRUE(isBelow(180));
+    EXPECT_LE(window.width(), 180) << "it does not make its panel grow";
+    EXPECT_FALSE(isBelow(600));
+}
+
 TEST_F(Message, CanBeClosed)
 {
     const QSignalSpy closed(&message, &InlineMessage::closed);
