@@ -109,7 +109,7 @@ void RodView::drawNumbers(QPainter &painter) const
 {
     painter.setPen(palette().color(m_state.isLastKnown ? QPalette::PlaceholderText : QPalette::WindowText));
     painter.setFont(numberFont(TextSize::large));
-    painter.drawText(m_number, Qt::AlignCenter, m_state.position ? positionText() : QString(QChar(0x2013)));
+    painter.drawText(m_number, Qt::AlignCenter, m_state.position ? shownPosition() : QString(QChar(0x2013)));
     painter.setFont(numberFont());
     painter.drawText(m_millimetres, Qt::AlignCenter, m_state.position ? millimetreText() : QString());
     painter.setPen(palette().color(QPalette::WindowText));
@@ -121,6 +121,14 @@ void RodView::drawNumbers(QPainter &painter) const
 QString RodView::positionText() const
 {
     return tr("%1 steps").arg(locale().toString(*m_state.position));
+}
+
+// In a narrow view the unit gives way.
+QString RodView::shownPosition() const
+{
+    const QString text = positionText();
+    const bool fits = QFontMetrics(numberFont(TextSize::large)).horizontalAdvance(text) <= width();
+    return fits ? text : locale().toString(*m_state.position);
 }
 
 QString RodView::millimetreText() const

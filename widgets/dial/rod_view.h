@@ -33,6 +33,7 @@ private:
     void arrange();
     void drawNumbers(QPainter &painter) const;
     QString positionText() const;
+    QString shownPosition() const;
     QString millimetreText() const;
     QString speedText() const;
     QString resolutionText() const;

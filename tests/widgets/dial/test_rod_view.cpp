@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/dial/resolution.h"
 #include "widgets/dial/rod_view.h"
+#include "widgets/look/fonts.h"
 
 namespace codewheel {
 namespace {
@@ -111,6 +112,21 @@ TEST_F(Rod, TheLastPositionBeforeTheMagnetWasLostLooksAndSoundsLikeOne)
     rod.setState(state);
     EXPECT_FALSE(isMagnetAt(0.25));
     EXPECT_TRUE(said().startsWith(QStringLiteral("Last position 12500 steps"))) << said().toStdString();
+}
+
+TEST_F(Rod, WhereItIsNarrowThePositionIsWholeAndItsUnitGivesWay)
+{
+    const QFontMetrics metrics(numberFont(TextSize::large));
+    rod.resize(metrics.horizontalAdvance(QStringLiteral("16777215")) + 8, rod.height());
+    rod.setState(manualRod(0xFF'FFFF));
+    const QImage image = rod.grab().toImage();
+    const QRgb ground = image.pixel(0, 0);
+    const int top = rod.picture().space().bottom() + 1;
+    for (int y = top; y < top + metrics.height(); ++y) {
+        EXPECT_EQ(image.pixel(0, y), ground) << y;
+        EXPECT_EQ(image.pixel(image.width() - 1, y), ground) << y;
+    }
+    EXPECT_TRUE(said().startsWith(QStringLiteral("Position 16777215 steps"))) << said().toStdString();
 }
 
 TEST_F(Rod, WithoutAPositionItSaysHowToGetOne)
