@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -30,7 +31,7 @@ bool askForEeprom(QWidget *window, EncoderSession &encoder, const Job &job)
         return true;
 
     QDialog dialog(window);
-    dialog.setWindowTitle(QCoreApplication::applicationName());
+    dialog.setWindowTitle(QGuiApplication::applicationDisplayName());
     auto *question =
         new QLabel(Question::tr("Write to the EEPROM of %1?").arg(encoder.number().toString()), &dialog);
     QFont strong = question->font();

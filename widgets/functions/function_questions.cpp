@@ -6,6 +6,7 @@
 #include "widgets/wizard/known_text.h"
 
 #include <QCoreApplication>
+#include <QGuiApplication>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -31,7 +32,7 @@ bool confirm(QWidget *window, const QString &question, const QStringList &paragr
              const QString &toolTip)
 {
     QMessageBox box(QMessageBox::Question, QString(), question, QMessageBox::NoButton, window);
-    box.setWindowTitle(QCoreApplication::applicationName());
+    box.setWindowTitle(QGuiApplication::applicationDisplayName());
     box.setInformativeText(paragraphs.join(QStringLiteral("\n\n")));
     QPushButton *yes = box.addButton(doIt, QMessageBox::AcceptRole);
     yes->setToolTip(toolTip);
@@ -72,7 +73,7 @@ QString modeName(std::optional<Mode> mode)
 
 ModeAnswer askForMode(QWidget *window, const EncoderSession &encoder, Word out)
 {
-    QMessageBox box(QMessageBox::Question, QCoreApplication::applicationName(),
+    QMessageBox box(QMessageBox::Question, QGuiApplication::applicationDisplayName(),
                     Functions::tr("In which mode is the encoder %1?").arg(encoder.number().toString()),
                     QMessageBox::NoButton, window);
     box.setInformativeText(
