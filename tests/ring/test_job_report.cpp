@@ -2,6 +2,8 @@
 #include "catalog/catalog.h"
 #include "drivers/job_report.h"
 
+#include <QLocale>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -69,6 +71,26 @@ TEST_F(JobReport, WhatWasWrittenBeforeARefusalIsTold)
     EXPECT_EQ(messages[0].id, MessageId::parametersWritten);
     EXPECT_EQ(messages[1].severity, Severity::fault);
     EXPECT_EQ(messages[1].refusal, m_outcome.result.error());
+}
+
+TEST_F(JobReport, ValuesFromBeforeAreToldWithTheirEvidence)
+{
+    m_outcome.written = {{Parameter::steps, 8192}};
+    m_outcome.camsWritten = {CamProgram{.number = 2, .cam = {}, .shift = 0}};
+    m_outcome.eepromWrites = 3;
+    refuseWith(RefusalKind::stopped, RefusalId::cancelled);
+    m_outcome.restored = Evidence::read;
+    auto messages = report(WriteParameters{});
+    ASSERT_EQ(messages.size(), 2u);
+    const QString text = parameterName(Parameter::steps) +
+                         QStringLiteral(" = %1, cam program 2").arg(QLocale().toString(8192));
+    EXPECT_EQ(messages[0],
+              (Message{.id = MessageId::restoredReadBack, .arguments = Arguments{text, std::int64_t{3}}}));
+    EXPECT_EQ(messages[1].refusal, m_outcome.result.error());
+    m_outcome.restored = Evidence::echoed;
+    messages = report(WriteParameters{});
+    ASSERT_FALSE(messages.empty());
+    EXPECT_EQ(messages[0].id, MessageId::restoredConfirmed);
 }
 
 TEST_F(JobReport, WhatTheUserStoppedIsNoFault)
