@@ -22,6 +22,8 @@ struct LineSession::Private
         std::unique_ptr<LineEncoderSession> session; // null: removed
     };
 
+    Result<void> begin(Drive drive, const esc::Timing &timing);
+    void end();
     Encoder *find(DeviceNumber number)
     {
         const auto found = std::ranges::find_if(encoders, [number](const Encoder &encoder) {
@@ -32,7 +34,7 @@ struct LineSession::Private
 
     std::unique_ptr<ByteLink> link;
     const Catalog &catalog;
-    QDateTime begin;
+    QDateTime beginning;
     DriverFactory makeDriver;
     LineSettings settings{};
     std::vector<Encoder> encoders{}; // by the runner's places
@@ -52,19 +54,42 @@ LineSession::LineSession(std::unique_ptr<ByteLink> link, const Catalog &catalog,
 
 LineSession::~LineSession()
 {
-    d->thread.reset();
     if (d->runner)
-        d->link->close();
+        d->end();
 }
 
-Result<void> LineSession::open(const LineSettings &settings, const esc::Timing &timing, Start start)
+// Who drives the line opens and closes the link.
+Result<void> LineSession::Private::begin(Drive drive, const esc::Timing &timing)
+{
+    runner = std::make_unique<LineRunner>(*link, settings, timing);
+    if (drive == Drive::byThread)
+        thread = std::make_unique<LineThread>(*runner, *link, settings);
+    auto opened = thread ? thread->opened() : link->open(settings);
+    if (!opened) {
+        thread.reset();
+        runner.reset();
+    }
+    return opened;
+}
+
+void LineSession::Private::end()
+{
+    if (thread) {
+        thread.reset();
+        return;
+    }
+    runner->finish();
+    link->close();
+}
+
+Result<void> LineSession::open(const LineSettings &settings, const esc::Timing &timing, Start start,
+                               Drive drive)
 {
     close();
-    if (auto opened = d->link->open(settings); !opened)
+    d->settings = settings;
+    if (auto opened = d->begin(drive, timing); !opened)
         return opened;
     d->encoders.clear();
-    d->settings = settings;
-    d->runner = std::make_unique<LineRunner>(*d->link, settings, timing);
     post(line_command::SetPolling{true});
     if (start == Start::operating)
         post(line_command::SetOperate{true});
@@ -87,11 +112,8 @@ void LineSession::close()
 {
     if (!d->runner)
         return;
-    d->thread.reset();
+    d->end();
     pump();
-    d->runner->finish();
-    pump();
-    d->link->close();
     d->runner.reset();
 
     auto closed = std::make_shared<LineSnapshot>(*d->latest);
@@ -101,12 +123,6 @@ void LineSession::close()
     d->latest = std::move(closed);
     Q_EMIT messaged({.at = d->latest->at, .id = MessageId::lineClosed, .arguments = {d->link->name()}});
     Q_EMIT stateChanged();
-}
-
-void LineSession::startThread()
-{
-    if (d->runner && !d->thread)
-        d->thread = std::make_unique<LineThread>(*d->runner, *d->link);
 }
 
 void LineSession::advance(Instant duration)
@@ -289,7 +305,7 @@ bool LineSession::isPolling() const
 
 QDateTime LineSession::dateTime(Instant at) const
 {
-    return d->begin.addMSecs(std::chrono::duration_cast<std::chrono::milliseconds>(at).count());
+    return d->beginning.addMSecs(std::chrono::duration_cast<std::chrono::milliseconds>(at).count());
 }
 
 void LineSession::startPolling()

@@ -29,6 +29,10 @@ class LineSession : public QObject
 
 public:
     enum class Start { watching, operating };
+    enum class Drive {
+        byThread, // of its own, which also opens and closes the link
+        byHand,   // advance()
+    };
 
     // Null for a device that cannot be driven; the description outlives the driver.
     using DriverFactory =
@@ -41,13 +45,11 @@ public:
     ~LineSession() override;
 
     // Opens the line; it is polled from then on. Encoders and sessions of a connection before end.
-    Result<void> open(const LineSettings &settings, const esc::Timing &timing, Start start);
+    Result<void> open(const LineSettings &settings, const esc::Timing &timing, Start start, Drive drive);
     // Ends the thread and closes the link. Jobs end as stopped; the sessions stay to be looked at.
     void close();
 
-    // By a thread of its own ...
-    void startThread();
-    // ... or by hand, so long on the line's clock. Pumps afterwards.
+    // Driven by hand: works so long on the line's clock, and pumps afterwards.
     void advance(Instant duration);
     // Takes what came since the last call and emits it. The window calls this 30 times a second.
     void pump();

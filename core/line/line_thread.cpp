@@ -10,7 +10,7 @@ namespace {
 // A stop is noticed after this long, even on a quiet line or without a port.
 constexpr std::chrono::milliseconds longestWait{50};
 
-void run(const std::stop_token &stop, LineRunner &runner, ByteLink &link)
+void work(const std::stop_token &stop, LineRunner &runner, ByteLink &link)
 {
     while (!stop.stop_requested()) {
         const Instant until = link.now() + longestWait;
@@ -22,10 +22,23 @@ void run(const std::stop_token &stop, LineRunner &runner, ByteLink &link)
 
 } // namespace
 
-LineThread::LineThread(LineRunner &runner, ByteLink &link)
+LineThread::LineThread(LineRunner &runner, ByteLink &link, const LineSettings &settings)
     : m_link(link)
-    , m_thread([&runner, &link](const std::stop_token &stop) { run(stop, runner, link); })
-{}
+{
+    std::promise<Result<void>> opening;
+    m_opened = opening.get_future();
+    m_thread = std::jthread(
+        [&runner, &link, settings, told = std::move(opening)](const std::stop_token &stop) mutable {
+            auto opened = link.open(settings);
+            const bool isOpen = opened.has_value();
+            told.set_value(std::move(opened));
+            if (!isOpen)
+                return;
+            work(stop, runner, link);
+            runner.finish();
+            link.close();
+        });
+}
 
 LineThread::~LineThread()
 {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/refusal.h"
+#include "line/line_settings.h"
+
+#include <future>
 #include <thread>
 
 namespace codewheel {
@@ -8,19 +12,23 @@ namespace codewheel {
 class ByteLink;
 class LineRunner;
 
-// The thread of a serial line, from its making to its end, which interrupts a call that blocks in the link.
-// Runner and link must outlive it.
+// The thread of a serial line: opens the link, works, and closes the link at its end, which interrupts a call
+// that blocks in the link. So all of the link's life is in one thread. Runner and link must outlive it.
 class LineThread
 {
 public:
-    LineThread(LineRunner &runner, ByteLink &link);
+    LineThread(LineRunner &runner, ByteLink &link, const LineSettings &settings);
     ~LineThread();
 
     LineThread(const LineThread &) = delete;
     LineThread &operator=(const LineThread &) = delete;
 
+    // How opening the link ended; waits for it, once. After a refusal the thread does nothing more.
+    Result<void> opened() { return m_opened.get(); }
+
 private:
     ByteLink &m_link;
+    std::future<Result<void>> m_opened;
     std::jthread m_thread;
 };
 

@@ -42,7 +42,7 @@ protected:
 
 TEST_F(LineSessionTest, ShowsAnEncoderByItsAddress)
 {
-    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching));
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
     ASSERT_TRUE(line->add({5}, rs485));
     const auto place = DeviceNumber::onLine({5});
     EXPECT_EQ(line->numbers(), std::vector{place});
@@ -57,7 +57,7 @@ TEST_F(LineSessionTest, ShowsAnEncoderByItsAddress)
 TEST_F(LineSessionTest, RefusesAddressesThatCannotBe)
 {
     EXPECT_EQ(line->add({5}, rs485).error().id, RefusalId::lineClosed);
-    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching));
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
     EXPECT_EQ(line->add({0}, rs485).error().id, RefusalId::lineAddressWrong);
     EXPECT_EQ(line->add({32}, rs485).error().id, RefusalId::lineAddressWrong);
     EXPECT_EQ(line->add({5}, QStringLiteral("fraba-ocd-ib")).error().id, RefusalId::unknownDevice);
@@ -67,7 +67,7 @@ TEST_F(LineSessionTest, RefusesAddressesThatCannotBe)
 
 TEST_F(LineSessionTest, InWatchAnEncoderTakesNoWrite)
 {
-    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching));
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
     ASSERT_TRUE(line->add({5}, rs485));
     EncoderSession *encoder = line->encoder(DeviceNumber::onLine({5}));
     EXPECT_EQ(encoder->start(SetPreset{1}).error().id, RefusalId::watchOnly);
@@ -80,7 +80,7 @@ TEST_F(LineSessionTest, InWatchAnEncoderTakesNoWrite)
 
 TEST_F(LineSessionTest, AnEncoderWithAnotherAddressIsFoundByThatOne)
 {
-    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching));
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
     ASSERT_TRUE(line->add({5}, rs485));
     line->advance(20ms);
     EncoderSession *encoder = line->encoder(DeviceNumber::onLine({5}));
@@ -97,7 +97,7 @@ TEST_F(LineSessionTest, AnEncoderWithAnotherAddressIsFoundByThatOne)
 
 TEST_F(LineSessionTest, ARemovedEncoderIsAskedNoMore)
 {
-    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching));
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
     ASSERT_TRUE(line->add({5}, rs485));
     line->advance(50ms);
     ASSERT_TRUE(line->remove(DeviceNumber::onLine({5})));
@@ -113,7 +113,7 @@ TEST_F(LineSessionTest, ARemovedEncoderIsAskedNoMore)
 
 TEST_F(LineSessionTest, SaysThatItWasOpenedAndClosed)
 {
-    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching));
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
     line->close();
     ASSERT_GE(messages.size(), 2U);
     EXPECT_EQ(messages.front().id, MessageId::lineOpened);
@@ -123,9 +123,8 @@ TEST_F(LineSessionTest, SaysThatItWasOpenedAndClosed)
 
 TEST_F(LineSessionTest, RunsInAThreadOfItsOwn)
 {
-    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching));
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byThread));
     ASSERT_TRUE(line->add({5}, rs485));
-    line->startThread();
     while (line->latest().figures.answers < 100)
         line->pump();
     line->close();
@@ -135,7 +134,11 @@ TEST_F(LineSessionTest, RunsInAThreadOfItsOwn)
 TEST_F(LineSessionTest, APortThatCannotBeOpenedIsRefused)
 {
     link->unplugged = true;
-    EXPECT_EQ(line->open({}, {}, LineSession::Start::watching).error().id, RefusalId::portNotFound);
+    EXPECT_EQ(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand).error().id,
+              RefusalId::portNotFound);
+    EXPECT_FALSE(line->isOpen());
+    EXPECT_EQ(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byThread).error().id,
+              RefusalId::portNotFound);
     EXPECT_FALSE(line->isOpen());
 }
 
