@@ -2,6 +2,7 @@
 #include "app/window/main_window.h"
 
 #include "app/window/alarm_stop.h"
+#include "app/window/device_choice.h"
 #include "app/window/leaving.h"
 #include "app/window/panels.h"
 #include "app/window/project_files.h"
@@ -100,9 +101,10 @@ void MainWindow::attach(BusSession &bus, std::shared_ptr<TrainingControls> train
     new DeviceNames(m_project, bus, this);
     makePages();
     makeDocks(messages);
+    m_structure->setProject(m_project, bus.catalog());
+    m_choice = new DeviceChoice(bus, m_project, *m_structure, *m_editor, this);
     connectViews();
     connectProject();
-    m_structure->setProject(m_project, bus.catalog());
     showOnline();
     openFirstMonitors();
     connect(&bus, &BusSession::stateChanged, this, &MainWindow::showBusState);
@@ -136,10 +138,6 @@ void MainWindow::connectProject()
     connect(m_actions.exportReport, &QAction::triggered, m_report, &ReportExport::askWhere);
     connect(m_transfer, &TransferPages::told, this, &MainWindow::tell);
     connect(m_transfer, &TransferPages::closeRequested, this, &MainWindow::showMonitors);
-    connect(m_editor, &StructureEditor::chosen, this, [this](DeviceNumber number) {
-        if (m_editor->isVisible())
-            m_structure->choose(number);
-    });
     connect(m_comparison, &ComparisonPage::readInRequested, m_connection, &RingConnection::readIn);
 }
 
@@ -157,7 +155,7 @@ void MainWindow::tell(const Message &message)
     m_messageModel->addNow(message);
 }
 
-// Offline nothing is looked at: what the ring will have when it is connected again is not known.
+// Offline no words are looked at: which the ring will have when it is connected again is not known.
 void MainWindow::showOnline()
 {
     BusSession *online = m_bus->isOpen() ? m_bus : nullptr;
@@ -169,9 +167,9 @@ void MainWindow::showOnline()
     }
     m_leaving->setBus(online);
     m_status->setBus(online, m_link);
+    const auto chosen = m_choice->number();
     m_structure->setBus(online);
-    if (online == nullptr)
-        choose({});
+    m_choice->keep(chosen);
     m_comparison->setConnected(online != nullptr);
     showBusState();
 }
@@ -179,11 +177,10 @@ void MainWindow::showOnline()
 // Devices that stayed have kept their sessions; monitors of others are closed.
 void MainWindow::showOtherRing()
 {
-    const auto chosen = currentNumber();
+    const auto chosen = m_choice->number();
     m_leaving->setBus(m_bus);
     m_structure->setBus(m_bus);
-    if (chosen && m_bus->channel(*chosen) != nullptr)
-        m_structure->choose(*chosen);
+    m_choice->keep(chosen);
 }
 
 void MainWindow::makeDocks(MessageModel &messages)
@@ -315,7 +312,7 @@ void MainWindow::connectViewActions()
 
 void MainWindow::connectViews()
 {
-    connect(m_structure, &StructureView::chosen, this, &MainWindow::choose);
+    connect(m_choice, &DeviceChoice::changed, this, &MainWindow::showChosen);
     connect(m_structure, &StructureView::opened, this, [this](DeviceNumber number) {
         showMonitors();
         m_monitors->openWords(number);
@@ -327,10 +324,6 @@ void MainWindow::connectViews()
         dock->show();
         dock->raise();
         m_device->focusNaming();
-    });
-    connect(m_bus, &BusSession::named, this, [this](DeviceNumber number) {
-        if (currentNumber() == number)
-            choose(number);
     });
     connect(m_master, &MasterPanel::startRequested, m_actions.start, &QAction::trigger);
     connect(m_master, &MasterPanel::stopRequested, m_actions.stop, &QAction::trigger);
@@ -356,21 +349,25 @@ void MainWindow::connectViews()
     });
 }
 
-void MainWindow::choose(DeviceNumber number)
+// Of a device that is only planned, what is wanted can be looked at and edited; all else needs it connected.
+void MainWindow::showChosen()
 {
-    EncoderSession *encoder = m_bus->isOpen() ? m_bus->encoder(number) : nullptr;
+    const ShownEncoder &encoder = m_choice->encoder();
+    EncoderSession *connected = encoder.session();
     m_parameters->setEncoder(encoder);
-    m_dial->setEncoder(encoder);
-    m_trace->setEncoder(encoder);
-    m_sequence->setEncoder(encoder);
-    m_status->setEncoder(encoder);
-    m_wizard->setEncoder(encoder);
+    m_dial->setEncoder(connected);
+    m_trace->setEncoder(connected);
+    m_sequence->setEncoder(connected);
+    m_status->setEncoder(connected);
+    m_wizard->setEncoder(connected);
     m_cams->setEncoder(encoder);
     m_actions.showChosen(encoder);
     m_transfer->setEncoder(encoder);
-    m_device->setPlace(number);
-    if (m_trainingPanel)
-        m_trainingPanel->setDevice(number);
+    m_device->setPlace(m_choice->number(), encoder.isThere() && connected == nullptr
+                                               ? std::optional(encoder.device())
+                                               : std::nullopt);
+    if (m_bus->isOpen() && m_choice->number())
+        m_trainingPanel->setDevice(*m_choice->number());
 }
 
 void MainWindow::openFirstMonitors()
@@ -418,8 +415,7 @@ void MainWindow::showStructureEditor()
     const auto chosen = currentNumber(); // the page chooses its first device when it gets the focus
     m_pages->setCurrentWidget(m_editor);
     m_editor->setFocus();
-    if (chosen)
-        m_editor->choose(*chosen);
+    m_choice->choose(chosen);
 }
 
 void MainWindow::showComparison()
@@ -450,7 +446,8 @@ void MainWindow::showBusState()
     m_actions.confirmDiagnostics->setEnabled(hasMaster);
     m_actions.switchSegment->setEnabled(hasMaster);
     m_actions.alarmStop->setEnabled(connected);
-    m_actions.deviceMenu->setEnabled(connected);
+    for (QAction *monitor : {m_actions.openIn32, m_actions.openOut32, m_actions.openIn16})
+        monitor->setEnabled(connected);
     m_actions.exportReport->setEnabled(m_bus != nullptr);
     m_actions.exportTrace->setEnabled(m_bus != nullptr);
     m_actions.exportMessages->setEnabled(m_bus != nullptr);
@@ -458,7 +455,7 @@ void MainWindow::showBusState()
 
 std::optional<DeviceNumber> MainWindow::currentNumber() const
 {
-    return m_structure == nullptr ? std::nullopt : m_structure->current();
+    return m_choice == nullptr ? std::nullopt : m_choice->number();
 }
 
 void MainWindow::showKeys()

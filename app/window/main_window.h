@@ -22,9 +22,9 @@ class AlarmStopEverywhere;
 class BusSession;
 class CamEditor;
 class ComparisonPage;
+class DeviceChoice;
 class DevicePanel;
 class DialPanel;
-class EncoderSession;
 class InlineMessage;
 class Leaving;
 class MasterPanel;
@@ -97,7 +97,7 @@ private:
     void connectActions();
     void connectViewActions();
     void connectViews();
-    void choose(DeviceNumber number);
+    void showChosen();
     void showOtherRing();
     void openFirstMonitors();
     void makePages();
@@ -130,6 +130,7 @@ private:
     ComparisonPage *m_comparison = nullptr;
     std::vector<QDockWidget *> m_docks;
     StructureView *m_structure = nullptr;
+    DeviceChoice *m_choice = nullptr;
     MonitorArea *m_monitors = nullptr;
     ParameterWizard *m_wizard = nullptr;
     CamEditor *m_cams = nullptr;

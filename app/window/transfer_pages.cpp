@@ -5,6 +5,7 @@
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
 #include "ring/bus_session.h"
+#include "widgets/models/shown_encoder.h"
 #include "widgets/transfer/replace_page.h"
 #include "widgets/transfer/transfer_page.h"
 
@@ -45,12 +46,14 @@ TransferPages::TransferPages(BusSession &bus, ProjectDocument &project, FindValu
     showActions();
 }
 
-void TransferPages::setEncoder(EncoderSession *encoder)
+void TransferPages::setEncoder(const ShownEncoder &shown)
 {
     if (m_number)
         if (EncoderSession *before = m_bus.encoder(*m_number))
             before->disconnect(this);
+    EncoderSession *encoder = shown.session();
     m_number = encoder ? std::optional(encoder->number()) : std::nullopt;
+    m_isOnlyPlanned = shown.isThere() && !encoder;
     if (encoder)
         connect(encoder, &EncoderSession::finished, this, &TransferPages::showActions, Qt::QueuedConnection);
     showActions();
@@ -60,10 +63,11 @@ void TransferPages::showActions()
 {
     const EncoderSession *encoder = m_number ? m_bus.encoder(*m_number) : nullptr;
     const bool canBeWritten = encoder && encoder->can().writes;
-    const QString why = !encoder ? tr("No encoder is chosen.")
-                                 : refusalText({RefusalKind::notSupported,
-                                                RefusalId::writingNotSupported,
-                                                {encoder->device().fullName()}});
+    const QString why = m_isOnlyPlanned ? tr("Not connected: nothing can be sent.")
+                        : !encoder      ? tr("No encoder is chosen.")
+                                        : refusalText({RefusalKind::notSupported,
+                                                       RefusalId::writingNotSupported,
+                                                       {encoder->device().fullName()}});
     m_actions.replaceEncoder->setEnabled(canBeWritten);
     describe(*m_actions.replaceEncoder,
              canBeWritten

@@ -11,9 +11,9 @@ class QStackedWidget;
 namespace codewheel {
 
 class BusSession;
-class EncoderSession;
 class ProjectDocument;
 class ReplacePage;
+class ShownEncoder;
 class TransferPage;
 class WindowActions;
 
@@ -28,8 +28,8 @@ public:
     TransferPages(BusSession &bus, ProjectDocument &project, FindValuesBefore findBefore,
                   const WindowActions &actions, QStackedWidget &pages, QObject *parent = nullptr);
 
-    // The encoder that is chosen in the window; null: none.
-    void setEncoder(EncoderSession *encoder);
+    // The encoder that is chosen in the window.
+    void setEncoder(const ShownEncoder &shown);
 
 Q_SIGNALS:
     void told(const codewheel::Message &message);
@@ -47,7 +47,8 @@ private:
     QStackedWidget &m_pages;
     TransferPage *m_transfer;
     ReplacePage *m_replace;
-    std::optional<DeviceNumber> m_number;
+    std::optional<DeviceNumber> m_number; // of one that is connected
+    bool m_isOnlyPlanned = false;
 };
 
 } // namespace codewheel

@@ -2,11 +2,10 @@
 #include "app/window/window_actions.h"
 
 #include "app/window/alarm_stop.h"
-#include "catalog/device_description.h"
-#include "encoder/encoder_session.h"
 #include "encoder/refusal_text.h"
 #include "widgets/look/appearance.h"
 #include "widgets/look/icons.h"
+#include "widgets/models/shown_encoder.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -162,29 +161,36 @@ void WindowActions::makeDeviceMenu()
     deviceMenu->addSeparator();
     zeroOut = deviceMenu->addAction(lineIcon(Icon::write), tr("Set OUT to &00000000"));
     zeroOut->setShortcut(Qt::CTRL | Qt::Key_0);
-    showChosen(nullptr);
+    showChosen({});
 }
 
-void WindowActions::showChosen(const EncoderSession *encoder)
+void WindowActions::showChosen(const ShownEncoder &encoder)
 {
-    const auto why = [encoder](RefusalId id) {
-        return refusalText({RefusalKind::notSupported, id, {encoder->device().fullName()}});
+    const auto why = [&](RefusalId id) {
+        return refusalText({RefusalKind::notSupported, id, {encoder.device().fullName()}});
     };
-    const bool canBeSetUp = !encoder || encoder->can().writes;
+    const bool isThere = encoder.isThere();
+    const bool isOnlyPlanned = isThere && encoder.session() == nullptr;
+    const QString offline = tr("Not connected: nothing can be sent.");
+    const bool canBeSetUp = !isThere || encoder.can().writes;
     described(wizard, wizard->shortcut(),
-              canBeSetUp ? tr("Sets up the chosen encoder step by step")
-                         : why(RefusalId::writingNotSupported));
-    const bool hasCams = encoder && encoder->can().cams;
+              !canBeSetUp     ? why(RefusalId::writingNotSupported)
+              : isOnlyPlanned ? offline
+                              : tr("Sets up the chosen encoder step by step"));
+    wizard->setEnabled(!isOnlyPlanned);
+    const bool hasCams = isThere && encoder.can().cams;
     described(cams, cams->shortcut(),
-              hasCams   ? tr("Edits, reads and writes the cam programs of the chosen encoder")
-              : encoder ? why(RefusalId::camsNotSupported)
-                        : tr("No encoder is chosen."));
+              !isThere        ? tr("No encoder is chosen.")
+              : !hasCams      ? why(RefusalId::camsNotSupported)
+              : isOnlyPlanned ? tr("Edits the cam programs planned for the chosen encoder")
+                              : tr("Edits, reads and writes the cam programs of the chosen encoder"));
     cams->setEnabled(hasCams);
-    const bool hasOut = !encoder || encoder->device().outWords > 0;
+    const bool hasOut = !isThere || encoder.device().outWords > 0;
     described(zeroOut, zeroOut->shortcut(),
-              hasOut ? tr("Sends 00000000 to the chosen device: normal running")
-                     : why(RefusalId::sendingNotSupported));
-    zeroOut->setEnabled(hasOut);
+              !hasOut         ? why(RefusalId::sendingNotSupported)
+              : isOnlyPlanned ? offline
+                              : tr("Sends 00000000 to the chosen device: normal running"));
+    zeroOut->setEnabled(hasOut && !isOnlyPlanned);
 }
 
 void WindowActions::makeViewMenu()

@@ -13,7 +13,7 @@ class QUndoStack;
 
 namespace codewheel {
 
-class EncoderSession;
+class ShownEncoder;
 
 // Everything that can be asked for in the main window, with text, icon, tooltip and key, in menus and tool
 // bar. Who carries it out is connected by MainWindow.
@@ -26,8 +26,8 @@ public:
     WindowActions(QMainWindow &window, QUndoStack &undoStack);
 
     // Says of the device that is chosen why it cannot be set up, has no cams, or cannot be sent
-    // anything. Null: no encoder.
-    void showChosen(const EncoderSession *encoder);
+    // anything.
+    void showChosen(const ShownEncoder &encoder);
 
     // File
     QAction *newProject;

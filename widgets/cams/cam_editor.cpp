@@ -3,12 +3,11 @@
 
 #include "cams/check_cams.h"
 #include "catalog/device_description.h"
-#include "catalog/total_range.h"
-#include "drivers/values_to_write.h"
 #include "encoder/refusal_text.h"
 #include "widgets/cams/cam_board.h"
 #include "widgets/cams/cam_mode_bar.h"
 #include "widgets/cams/cam_outcome_text.h"
+#include "widgets/cams/cam_range.h"
 #include "widgets/cams/cam_range_bar.h"
 #include "widgets/cams/cam_review.h"
 #include "widgets/cams/cam_texts.h"
@@ -33,50 +32,51 @@ CamEditor::Work &CamEditor::workOf(DeviceNumber number)
     return *work;
 }
 
-void CamEditor::setEncoder(EncoderSession *encoder)
+void CamEditor::setEncoder(const ShownEncoder &encoder)
 {
-    if (m_encoder)
-        m_encoder->disconnect(this);
-    const bool hasCams = encoder != nullptr && encoder->can().cams;
-    m_encoder = hasCams ? encoder : nullptr;
+    if (session() != nullptr)
+        session()->disconnect(this);
+    const bool hasCams = encoder.isThere() && encoder.can().cams;
+    m_encoder = hasCams ? encoder : ShownEncoder();
     m_message->withdraw();
     m_mode->hide();
     m_range->hide();
-    m_job->setEncoder(m_encoder);
+    m_job->setEncoder(session());
     showRunningJob();
     for (QAction *action : m_fileActions)
         action->setEnabled(hasCams);
     if (!hasCams) {
         m_empty->setTexts(
-            encoder == nullptr ? tr("No encoder is chosen")
-                               : refusalText({RefusalKind::notSupported,
-                                              RefusalId::camsNotSupported,
-                                              {encoder->device().fullName()}}),
+            encoder.isThere()
+                ? refusalText(
+                      {RefusalKind::notSupported, RefusalId::camsNotSupported, {encoder.device().fullName()}})
+                : tr("No encoder is chosen"),
             tr("Choose an encoder with cams, such as the FRABA OCD-IB K3, in the bus structure. Its "
                "eight programs of eight cams are edited here."));
         m_pages->setCurrentWidget(m_empty);
         return;
     }
-    Work &work = workOf(encoder->number());
+    Work &work = workOf(encoder.number());
     m_sheet->setDocument(work.document);
     m_sheet->setNumber(work.program);
     m_pages->setCurrentWidget(m_scroll);
-    connectEncoder();
+    if (session() != nullptr)
+        connectSession(*session());
     showKnown();
     showLive();
 }
 
-void CamEditor::connectEncoder()
+void CamEditor::connectSession(EncoderSession &session)
 {
-    connect(m_encoder, &EncoderSession::latestChanged, this, &CamEditor::showLive);
-    connect(m_encoder, &EncoderSession::knownChanged, this, &CamEditor::showKnown);
-    connect(m_encoder, &EncoderSession::jobStarted, this, [this] {
+    connect(&session, &EncoderSession::latestChanged, this, &CamEditor::showLive);
+    connect(&session, &EncoderSession::knownChanged, this, &CamEditor::showKnown);
+    connect(&session, &EncoderSession::jobStarted, this, [this] {
         m_message->withdraw();
         showRunningJob();
     });
-    connect(m_encoder, &EncoderSession::finished, this, &CamEditor::showRunningJob);
-    connect(m_encoder, &EncoderSession::permissionChanged, this, [this] { withdraw(Cause::refusal); });
-    connect(m_encoder, &QObject::destroyed, this, [this] { setEncoder(nullptr); });
+    connect(&session, &EncoderSession::finished, this, &CamEditor::showRunningJob);
+    connect(&session, &EncoderSession::permissionChanged, this, [this] { withdraw(Cause::refusal); });
+    connect(&session, &QObject::destroyed, this, [this] { setEncoder({}); });
 }
 
 void CamEditor::chooseProgram(unsigned number)
@@ -88,8 +88,8 @@ void CamEditor::chooseProgram(unsigned number)
     if (!m_board->finishEditing())
         return;
     withdraw(Cause::input);
-    if (m_encoder)
-        workOf(m_encoder->number()).program = number;
+    if (m_encoder.isThere())
+        workOf(m_encoder.number()).program = number;
     m_sheet->setNumber(number);
     showLive();
 }
@@ -98,7 +98,7 @@ void CamEditor::showKnown()
 {
     CamSheet::KnownPrograms known;
     for (unsigned number = 1; number <= CamProgram::programs; ++number)
-        if (const auto there = m_encoder->cams(number))
+        if (const auto there = session() ? session()->cams(number) : std::nullopt)
             known.at(number - 1) = there->program;
     m_sheet->setKnown(known);
     showRange();
@@ -106,16 +106,14 @@ void CamEditor::showKnown()
 
 void CamEditor::showRange()
 {
-    ParameterValues values;
-    for (const Known &known : allKnown(*m_encoder))
-        values.push_back({known.parameter, known.value});
-    const auto total = totalRange(m_encoder->device(), values);
-    const auto told = workOf(m_encoder->number()).toldLargest;
-    m_sheet->setLargest(total ? std::optional(*total - 1) : told);
-    if (total)
+    const DeviceNumber number = m_encoder.number();
+    const auto largest = largestPosition(m_encoder, m_project.device(number));
+    const auto told = workOf(number).toldLargest;
+    m_sheet->setLargest(largest ? largest : told);
+    if (largest)
         m_range->hide();
     else
-        m_range->ask(m_encoder->can().reads, told);
+        m_range->ask(session() && m_encoder.can().reads, told);
 }
 
 void CamEditor::showEvent(QShowEvent *event)
@@ -126,15 +124,16 @@ void CamEditor::showEvent(QShowEvent *event)
 
 void CamEditor::showLive()
 {
-    if (!m_encoder || !isVisible() || m_pages->currentWidget() == m_empty)
+    if (!m_encoder.isThere() || !isVisible() || m_pages->currentWidget() == m_empty)
         return;
-    m_sheet->setLive(camLive(*m_encoder, m_sheet->program(), m_sheet->largest()));
-    m_board->setNote(note());
+    m_sheet->setLive(session() ? camLive(*session(), m_sheet->program(), m_sheet->largest()) : CamLive());
+    m_board->setNote(session() ? note(session()->latest())
+                               : tr("Not connected: what the encoder has and shows is not known. The cams "
+                                    "are kept in the project."));
 }
 
-QString CamEditor::note() const
+QString CamEditor::note(const Reading &reading) const
 {
-    const Reading &reading = m_encoder->latest();
     const CamLive &live = m_sheet->live();
     if (reading.cams && live.isTold)
         return tr("Program %1 runs in the encoder. \"Now\" is what it shows.").arg(m_sheet->number());
@@ -156,20 +155,24 @@ QString CamEditor::note() const
 
 void CamEditor::showRunningJob()
 {
-    const bool isRunning = m_encoder && m_encoder->runningJob().has_value();
+    const bool isRunning = session() && session()->runningJob();
     if (isRunning)
         m_job->begin();
     m_job->setVisible(isRunning);
-    for (QAction *action : m_jobActions)
-        action->setEnabled(m_encoder && !isRunning);
+    const bool isPlanned = m_encoder.isThere() && !session();
+    for (QAction *action : m_jobActions) {
+        action->setEnabled(session() && !isRunning);
+        action->setToolTip(isPlanned ? tr("Not connected: nothing can be read or written.")
+                                     : action->statusTip());
+    }
 }
 
 void CamEditor::withModeAfterwards(std::function<void(const SwitchMode &)> then)
 {
-    if (!m_encoder || !m_board->finishEditing())
+    if (!session() || !m_board->finishEditing())
         return;
     m_message->withdraw();
-    if (const auto now = modeNow(*m_encoder)) {
+    if (const auto now = modeNow(*session())) {
         then(*now);
         return;
     }
@@ -236,7 +239,7 @@ void CamEditor::reviewPrograms(const std::vector<CamProgram> &programs)
             return;
         }
     withModeAfterwards([this, programs](const SwitchMode &afterwards) {
-        m_review->review(*m_encoder, programs, afterwards);
+        m_review->review(*session(), programs, afterwards);
         m_pages->setCurrentWidget(m_review);
     });
 }
@@ -255,23 +258,23 @@ void CamEditor::readRange()
 {
     ReadParameters job;
     for (const Parameter parameter : {Parameter::steps, Parameter::revolutions, Parameter::measuringRange})
-        if (const auto *described = m_encoder->device().find(parameter); described && described->readOut)
+        if (const auto *described = m_encoder.device().find(parameter); described && described->readOut)
             job.parameters.push_back(parameter);
     start(CamJobs::Purpose::findRange, job);
 }
 
 void CamEditor::bringBack()
 {
-    if (m_encoder && m_cause == Cause::outcome)
+    if (m_cause == Cause::outcome)
         start(CamJobs::Purpose::switchMode, EndParameterization{});
 }
 
 void CamEditor::start(CamJobs::Purpose purpose, const Job &job)
 {
-    if (!m_encoder)
+    if (!session())
         return;
     m_message->withdraw();
-    if (const auto taken = m_jobs->start(*m_encoder, purpose, job); !taken)
+    if (const auto taken = m_jobs->start(*session(), purpose, job); !taken)
         say(Cause::refusal, Role::attention, refusalText(taken.error()));
 }
 
@@ -280,7 +283,7 @@ void CamEditor::finished(DeviceNumber number, CamJobs::Purpose purpose, const Ou
     CamDocument &document = workOf(number).document;
     if (outcome.result && purpose == CamJobs::Purpose::read)
         document.setPrograms(outcome.camsRead, tr("Read from the encoder"));
-    if (!m_encoder || m_encoder->number() != number)
+    if (!session() || session()->number() != number)
         return; // the messages tell it
     const bool isStuck =
         outcome.leftIn == EncoderState::parameterization || outcome.leftIn == EncoderState::error;

@@ -5,8 +5,8 @@
 #include "widgets/cams/cam_jobs.h"
 #include "widgets/cams/cam_sheet.h"
 #include "widgets/look/roles.h"
+#include "widgets/models/shown_encoder.h"
 
-#include <QPointer>
 #include <QWidget>
 
 #include <functional>
@@ -30,8 +30,8 @@ class InlineMessage;
 class JobStrip;
 
 // The cams of the encoder that is chosen in the bus structure: edit, read, write, compare, keep in files of
-// their own. What is edited is part of the project. Sends nothing unless asked, and shows what will be
-// written before.
+// their own. What is edited is part of the project, and can be edited while the encoder is not connected.
+// Sends nothing unless asked, and shows what will be written before.
 class CamEditor : public QWidget
 {
     Q_OBJECT
@@ -41,7 +41,7 @@ public:
     // The programs are kept in the project.
     CamEditor(const Catalog &catalog, ProjectDocument &project, QWidget *parent = nullptr);
 
-    void setEncoder(codewheel::EncoderSession *encoder); // null: none is chosen
+    void setEncoder(const codewheel::ShownEncoder &encoder);
 
     // All programs a file holds; or the open program alone. Each says on the spot what went wrong.
     bool load(const QString &path);
@@ -70,7 +70,7 @@ private:
     void makeMenu();
     void makePages();
     void connectParts();
-    void connectEncoder();
+    void connectSession(EncoderSession &session);
     Work &workOf(DeviceNumber number);
 
     void chooseProgram(unsigned number);
@@ -78,7 +78,7 @@ private:
     void showRange();
     void showLive();
     void showRunningJob();
-    QString note() const;
+    QString note(const Reading &reading) const;
 
     void read();
     void readAll();
@@ -106,10 +106,11 @@ private:
 
     void say(Cause cause, Role role, const QString &sentence, const QString &action = {});
     void withdraw(Cause cause); // its message, if that is the one which is shown
+    EncoderSession *session() const { return m_encoder.session(); } // null: not connected
 
     const Catalog &m_catalog;
     ProjectDocument &m_project;
-    QPointer<EncoderSession> m_encoder;
+    ShownEncoder m_encoder; // with cams, or none
     std::map<DeviceNumber, std::unique_ptr<Work>> m_works;
     CamSheet *m_sheet;
     CamJobs *m_jobs;
@@ -118,7 +119,7 @@ private:
 
     QToolBar *m_tools;
     QMenu *m_menu;
-    QList<QAction *> m_jobActions;  // need an encoder with cams that has no job
+    QList<QAction *> m_jobActions;  // need an encoder with cams that is connected and has no job
     QList<QAction *> m_fileActions; // need an encoder with cams
     InlineMessage *m_message;
     CamModeBar *m_mode;

@@ -49,8 +49,8 @@ void CamEditor::askSaveProgram()
 tl::expected<CamFile, QString> CamEditor::open(const QString &path) const
 {
     auto file = loadCamFile(path, m_sheet->knowsLargest() ? std::optional(m_sheet->largest()) : std::nullopt);
-    if (file && m_encoder && !suits(*file, m_encoder->device(), m_catalog.find(file->device)))
-        return tl::unexpected(otherDeviceText(*file, m_encoder->device(), QFileInfo(path).fileName()));
+    if (file && m_encoder.isThere() && !suits(*file, m_encoder.device(), m_catalog.find(file->device)))
+        return tl::unexpected(otherDeviceText(*file, m_encoder.device(), QFileInfo(path).fileName()));
     return file;
 }
 
@@ -104,9 +104,9 @@ bool CamEditor::saveProgram(const QString &path)
 
 bool CamEditor::keep(const QString &path, const std::vector<CamProgram> &programs)
 {
-    if (!m_encoder)
+    if (!m_encoder.isThere())
         return false;
-    CamFile file{.device = m_encoder->device().key, .totalRange = {}, .programs = programs};
+    CamFile file{.device = m_encoder.device().key, .totalRange = {}, .programs = programs};
     if (m_sheet->knowsLargest())
         file.totalRange = m_sheet->largest() + 1;
     if (const auto saved = saveCamFile(path, file); !saved) {

@@ -42,7 +42,7 @@ CamEditor::CamEditor(const Catalog &catalog, ProjectDocument &project, QWidget *
     makePages();
     setFocusProxy(m_board);
     connectParts();
-    setEncoder(nullptr);
+    setEncoder({});
 }
 
 void CamEditor::makePages()
@@ -107,6 +107,8 @@ void CamEditor::makeTools()
             ->setToolButtonStyle(Qt::ToolButtonIconOnly);
     m_fileActions = {open, save};
     makeMenu();
+    for (QAction *action : m_jobActions) // the tooltip says while it cannot be why
+        action->setStatusTip(action->toolTip());
 }
 
 void CamEditor::makeMenu()
@@ -166,12 +168,12 @@ void CamEditor::connectParts()
     connect(m_range, &CamRangeBar::inputChecked, this, checked);
     connect(m_range, &CamRangeBar::readRequested, this, &CamEditor::readRange);
     connect(m_range, &CamRangeBar::told, this, [this](qint64 largest) {
-        workOf(m_encoder->number()).toldLargest = largest;
+        workOf(m_encoder.number()).toldLargest = largest;
         showRange();
         showLive();
     });
     connect(m_mode, &CamModeBar::answered, this, [this](const SwitchMode &afterwards) {
-        if (m_encoder && m_whenAnswered)
+        if (session() && m_whenAnswered)
             std::exchange(m_whenAnswered, {})(afterwards);
     });
     connect(m_message, &InlineMessage::actionTriggered, this, &CamEditor::bringBack);
@@ -183,6 +185,10 @@ void CamEditor::connectParts()
     connect(m_sheet, &CamSheet::programChanged, this, [this] {
         withdraw(Cause::input);
         showLive();
+    });
+    connect(&m_project, &ProjectDocument::changed, this, [this] {
+        if (m_encoder.isThere() && !session())
+            showRange(); // by what is wanted
     });
     connect(m_sheet, &CamSheet::largestChanged, this, [this] { withdraw(Cause::input); });
 }

@@ -43,18 +43,19 @@ DevicePanel::DevicePanel(BusSession &bus, QWidget *parent)
     connect(m_naming, &NamingBar::lookedUp, this, &DevicePanel::showDevice);
     connect(&bus, &BusSession::named, this, [this](DeviceNumber number) {
         if (m_number == number)
-            setPlace(number);
+            setPlace(number, m_planned);
     });
     connect(&bus, &BusSession::updated, this, &DevicePanel::showLeds);
     connect(&bus, &BusSession::stateChanged, this, &DevicePanel::showLeds);
-    connect(&bus, &BusSession::structureChanged, this, [this] { setPlace(m_number); });
+    connect(&bus, &BusSession::structureChanged, this, [this] { setPlace(m_number, m_planned); });
     showDevice();
 }
 
-void DevicePanel::setPlace(std::optional<DeviceNumber> number)
+void DevicePanel::setPlace(std::optional<DeviceNumber> number, std::optional<DeviceDescription> planned)
 {
     m_number = number;
-    m_naming->setPlace(number);
+    m_planned = std::move(planned);
+    m_naming->setPlace(m_planned || !m_bus.isOpen() ? std::nullopt : number);
     showDevice();
     showLeds();
 }
@@ -66,7 +67,8 @@ void DevicePanel::showLeds()
     const auto found = std::ranges::find_if(
         ring, [this](const Participant &other) { return m_number && other.number == *m_number; });
     const auto place = static_cast<std::size_t>(found - ring.begin());
-    const bool isShown = place < m_bus.latest().devices.size() && hasRemoteBusLeds(found->number);
+    const bool isConnected = m_bus.isOpen() && !m_planned && place < m_bus.latest().devices.size();
+    const bool isShown = isConnected && hasRemoteBusLeds(found->number);
     m_leds->setVisible(isShown);
     if (isShown)
         m_leds->showLeds(ledsOf(m_bus.latest().state, m_bus.latest().devices[place].inRing));
@@ -81,7 +83,9 @@ const DeviceDescription *DevicePanel::shown() const
 {
     if (const LabelMatch *looked = m_naming->looked())
         return looked->device;
-    const EncoderSession *encoder = m_number ? m_bus.encoder(*m_number) : nullptr;
+    if (m_planned)
+        return &*m_planned;
+    const EncoderSession *encoder = m_number && m_bus.isOpen() ? m_bus.encoder(*m_number) : nullptr;
     return encoder ? &encoder->device() : nullptr;
 }
 

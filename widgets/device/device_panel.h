@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "catalog/device_description.h"
 #include "encoder/device_number.h"
 
 #include <QWidget>
@@ -15,7 +16,6 @@ class BusSession;
 class EmptyState;
 class LedRow;
 class NamingBar;
-struct DeviceDescription;
 
 // What the manual says of the chosen device, and the question which one it is where the bus does not tell.
 // Follows the bus structure; a typed label key shows its device instead.
@@ -27,7 +27,8 @@ public:
     // The bus must outlive the panel.
     explicit DevicePanel(BusSession &bus, QWidget *parent = nullptr);
 
-    void setPlace(std::optional<DeviceNumber> number);
+    // planned: what stands there by the project, where it is not connected; it can be looked at, not named.
+    void setPlace(std::optional<DeviceNumber> number, std::optional<DeviceDescription> planned = {});
     // For whoever asked to name the device.
     void focusNaming();
 
@@ -38,6 +39,7 @@ private:
 
     BusSession &m_bus;
     std::optional<DeviceNumber> m_number;
+    std::optional<DeviceDescription> m_planned;
     NamingBar *m_naming;
     LedRow *m_leds;
     QTextBrowser *m_page;

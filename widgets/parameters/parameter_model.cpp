@@ -46,14 +46,15 @@ ParameterModel::ParameterModel(WantedValues &wanted, QObject *parent)
     connect(&m_wanted, &WantedValues::changed, this, &ParameterModel::refresh);
 }
 
-void ParameterModel::setEncoder(EncoderSession *encoder)
+void ParameterModel::setEncoder(const ShownEncoder &encoder)
 {
-    if (m_encoder)
-        m_encoder->disconnect(this);
+    if (EncoderSession *before = m_encoder.session())
+        before->disconnect(this);
     m_encoder = encoder;
     std::vector<ParameterRow> rows;
-    if (encoder != nullptr) {
-        connect(encoder, &EncoderSession::knownChanged, this, &ParameterModel::refresh);
+    if (EncoderSession *session = encoder.session())
+        connect(session, &EncoderSession::knownChanged, this, &ParameterModel::refresh);
+    if (encoder.isThere()) {
         rows = rowsOf(isWritable);
         const std::vector<ParameterRow> readOnly = rowsOf(isReadOnlyValue);
         if (!readOnly.empty())
@@ -68,7 +69,7 @@ void ParameterModel::setEncoder(EncoderSession *encoder)
 std::vector<ParameterRow> ParameterModel::rowsOf(bool (*belongs)(const ParameterDescription &)) const
 {
     std::vector<ParameterRow> rows;
-    for (const ParameterDescription &parameter : m_encoder->device().parameters)
+    for (const ParameterDescription &parameter : m_encoder.device().parameters)
         if (belongs(parameter))
             rows.push_back(rowFor(parameter));
     return rows;
@@ -110,13 +111,13 @@ int ParameterModel::differing() const
 
 ParameterRow ParameterModel::rowFor(const ParameterDescription &parameter) const
 {
-    return {parameter, m_encoder->known(parameter.parameter),
-            m_wanted.value(m_encoder->number(), parameter.parameter)};
+    return {parameter, m_encoder.known(parameter.parameter),
+            m_wanted.value(m_encoder.number(), parameter.parameter)};
 }
 
 void ParameterModel::refresh()
 {
-    if (!m_encoder)
+    if (!m_encoder.isThere())
         return;
     for (int row = 0; row < rowCount(); ++row) {
         if (rowAt(row).isHead())
@@ -129,21 +130,24 @@ void ParameterModel::refresh()
 Qt::ItemFlags ParameterModel::flags(const QModelIndex &index) const
 {
     Qt::ItemFlags flags = TableModelBase::flags(index);
-    if (index.isValid() && index.column() == wantedColumn &&
-        (!rowAt(index.row()).isReadOnly() || rowAt(index.row()).isTold()))
+    if (!index.isValid() || index.column() != wantedColumn)
+        return flags;
+    const ParameterRow &row = rowAt(index.row());
+    const bool canBeTold = row.isTold() && m_encoder.session() != nullptr; // who knows it
+    if (!row.isReadOnly() || canBeTold)
         flags |= Qt::ItemIsEditable;
     return flags;
 }
 
 bool ParameterModel::setData(const QModelIndex &index, const QVariant &value, int role)
 {
-    if (role != Qt::EditRole || !m_encoder || !(flags(index) & Qt::ItemIsEditable))
+    if (role != Qt::EditRole || !m_encoder.isThere() || !(flags(index) & Qt::ItemIsEditable))
         return false;
     const auto number = value.isValid() ? std::optional<std::int64_t>(value.toLongLong()) : std::nullopt;
     if (rowAt(index.row()).isTold())
-        m_encoder->tell(rowAt(index.row()).parameter.parameter, number);
+        m_encoder.session()->tell(rowAt(index.row()).parameter.parameter, number);
     else
-        m_wanted.set(m_encoder->number(), rowAt(index.row()).parameter.parameter, number);
+        m_wanted.set(m_encoder.number(), rowAt(index.row()).parameter.parameter, number);
     return true;
 }
 
@@ -240,10 +244,10 @@ QString ParameterModel::text(const ParameterRow &row, int column) const
             return evidenceText(row.known);
         return parameterNameInText(parameter).contains(unitText(row.parameter.unit))
                    ? valueText(row.parameter, row.known->value)
-                   : valueWithUnit(m_encoder->device(), {parameter, row.known->value});
+                   : valueWithUnit(m_encoder.device(), {parameter, row.known->value});
     }
     if (row.isTold())
-        return tr("tell it");
+        return m_encoder.session() != nullptr ? tr("tell it") : QString();
     if (row.isReadOnly())
         return {};
     return row.wanted ? valueText(row.parameter, *row.wanted) : tr("as it is");
@@ -252,7 +256,7 @@ QString ParameterModel::text(const ParameterRow &row, int column) const
 QString ParameterModel::detail(const ParameterRow &row, int column) const
 {
     if (column == knownColumn && row.known) {
-        const QTime time = m_encoder->dateTime(row.known->at).time();
+        const QTime time = m_encoder.session()->dateTime(row.known->at).time();
         return tr("%1 %2", "how known, time: read 14:02")
             .arg(evidenceText(row.known), QLocale().toString(time, QLocale::ShortFormat));
     }
@@ -273,12 +277,17 @@ QString ParameterModel::toolTip(const ParameterRow &row, int column) const
 {
     const QString range = parameter_words::rangeAndFactory(row.parameter);
     if (column != knownColumn)
-        return QStringLiteral("%1\n%2").arg(parameterName(row.parameter.parameter), range);
-    const QDateTime when = row.known ? m_encoder->dateTime(row.known->at) : QDateTime();
+        return row.isTold() && m_encoder.session() == nullptr
+                   ? tr("%1\nIt is told of an encoder that is connected.")
+                         .arg(parameterName(row.parameter.parameter))
+                   : QStringLiteral("%1\n%2").arg(parameterName(row.parameter.parameter), range);
+    if (m_encoder.session() == nullptr)
+        return tr("Not connected: what the encoder has is not known.");
+    const QDateTime when = row.known ? m_encoder.session()->dateTime(row.known->at) : QDateTime();
     const QString how = parameter_words::howKnown(row.known, when);
     return row.known
                ? QStringLiteral("%1\n%2").arg(
-                     valueWithUnit(m_encoder->device(), {row.parameter.parameter, row.known->value}), how)
+                     valueWithUnit(m_encoder.device(), {row.parameter.parameter, row.known->value}), how)
                : how;
 }
 

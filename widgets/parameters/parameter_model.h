@@ -2,11 +2,9 @@
 #pragma once
 
 #include "catalog/device_description.h"
-#include "encoder/encoder_session.h"
+#include "widgets/models/shown_encoder.h"
 #include "widgets/models/table_model_base.h"
 #include "widgets/parameters/wanted_values.h"
-
-#include <QPointer>
 
 namespace codewheel {
 
@@ -33,7 +31,8 @@ struct ParameterRow
 
 // The table of the parameter panel: parameter, what the encoder has, what is wanted. What can be written
 // comes first, then what can only be read; the registers of the bus chip are folded away at the end. A cell
-// may have a second, small line (detailRole): how and when the value came to be known, whether it differs.
+// may have a second, small line (detailRole): how and when the value came to be known, whether it differs. Of
+// an encoder that is planned only, nothing is known; what is wanted can be edited all the same.
 class ParameterModel final : public TableModelBase<ParameterRow>
 {
     Q_OBJECT
@@ -46,7 +45,7 @@ public:
 
     explicit ParameterModel(WantedValues &wanted, QObject *parent = nullptr);
 
-    void setEncoder(EncoderSession *encoder);
+    void setEncoder(const ShownEncoder &encoder);
     int differing() const; // rows
 
     // The head of the registers opens and closes them.
@@ -74,7 +73,7 @@ private:
     QString toolTip(const ParameterRow &row, int column) const;
 
     WantedValues &m_wanted;
-    QPointer<EncoderSession> m_encoder;
+    ShownEncoder m_encoder;
 };
 
 } // namespace codewheel

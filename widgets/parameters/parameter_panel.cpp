@@ -11,6 +11,7 @@
 #include "widgets/look/role_label.h"
 #include "widgets/models/device_traits.h"
 #include "widgets/parameters/job_strip.h"
+#include "widgets/parameters/outcome_text.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/parameter_table.h"
 #include "widgets/parameters/value_bar.h"
@@ -21,7 +22,6 @@
 #include <QAction>
 #include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QMenu>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -48,7 +48,7 @@ ParameterPanel::ParameterPanel(WantedValues &wanted, QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(m_pages);
     connectParts();
-    setEncoder(nullptr);
+    setEncoder({});
 }
 
 QWidget *ParameterPanel::makeTablePage()
@@ -60,9 +60,9 @@ QWidget *ParameterPanel::makeTablePage()
     m_bar = new ValueBar(page);
     m_buttons = makeButtons();
     m_job = new JobStrip(page);
-    m_readingNote = new QLabel(page);
-    m_readingNote->setFont(textFont(TextSize::small));
-    m_readingNote->setWordWrap(true);
+    m_note = new QLabel(page);
+    m_note->setFont(textFont(TextSize::small));
+    m_note->setWordWrap(true);
 
     auto *layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -72,7 +72,7 @@ QWidget *ParameterPanel::makeTablePage()
     layout->addWidget(m_differences);
     layout->addWidget(m_buttons);
     layout->addWidget(m_job);
-    layout->addWidget(m_readingNote);
+    layout->addWidget(m_note);
     return page;
 }
 
@@ -83,8 +83,6 @@ QWidget *ParameterPanel::makeButtons()
     m_write = new QPushButton(lineIcon(Icon::write), tr("&Write..."), buttons);
     m_wizard = new QPushButton(lineIcon(Icon::wizard), tr("Wi&zard..."), buttons);
     m_more = new QToolButton(buttons);
-    m_write->setToolTip(tr("Shows what will be written before anything is sent"));
-    m_wizard->setToolTip(tr("Sets the encoder up step by step"));
     m_more->setText(tr("&More"));
     m_more->setToolTip(tr("Take over, clear or tell values; modes, preset and reset"));
     m_more->setAccessibleName(tr("More for the parameters"));
@@ -142,26 +140,26 @@ void ParameterPanel::connectParts()
     connect(m_model, &QAbstractItemModel::dataChanged, this, &ParameterPanel::showDifferences);
 }
 
-void ParameterPanel::setEncoder(EncoderSession *encoder)
+void ParameterPanel::setEncoder(const ShownEncoder &encoder)
 {
-    if (m_encoder)
-        m_encoder->disconnect(this);
+    if (session() != nullptr)
+        session()->disconnect(this);
     m_encoder = encoder;
     m_message->withdraw();
     m_bar->hide();
     m_model->setEncoder(encoder);
-    m_job->setEncoder(encoder);
-    m_functions->setEncoder(encoder);
-    const bool hasParameters = encoder != nullptr && !encoder->device().parameters.empty();
+    m_job->setEncoder(session());
+    m_functions->setEncoder(session());
+    const bool hasParameters = encoder.isThere() && !encoder.device().parameters.empty();
     m_pages->setCurrentWidget(hasParameters ? m_tablePage : m_empty);
-    if (encoder != nullptr)
-        connectEncoder();
+    if (session() != nullptr)
+        connectSession(*session());
     if (!hasParameters) {
         showWhyEmpty();
         return;
     }
     m_table->setCurrentIndex(m_model->index(0, ParameterModel::wantedColumn));
-    showReadingNote();
+    showWhatIsPossible();
     showRunningJob();
 }
 
@@ -172,14 +170,14 @@ QList<QAction *> ParameterPanel::functionActions() const
 
 void ParameterPanel::showWhyEmpty()
 {
-    if (!m_encoder) {
+    if (!m_encoder.isThere()) {
         m_empty->setTexts(tr("No encoder is chosen"),
                           tr("Choose an encoder in the bus structure. Its parameters are shown here: what "
                              "it has, and what you want it to have."));
         return;
     }
-    const DeviceDescription &device = m_encoder->device();
-    const QString what = tr("%1 has no parameters here").arg(m_encoder->number().toString());
+    const DeviceDescription &device = m_encoder.device();
+    const QString what = tr("%1 has no parameters here").arg(m_encoder.number().toString());
     m_empty->setTexts(what, device.outWords == 0
                                 ? tr("The %1 has no OUT word. It only tells its position: nothing can be "
                                      "read from it or written to it.")
@@ -189,29 +187,43 @@ void ParameterPanel::showWhyEmpty()
                                       .arg(device.fullName()));
 }
 
-void ParameterPanel::connectEncoder()
+void ParameterPanel::connectSession(EncoderSession &session)
 {
-    connect(m_encoder, &EncoderSession::jobStarted, this, &ParameterPanel::jobStarted);
-    connect(m_encoder, &EncoderSession::finished, this, &ParameterPanel::finished);
-    connect(m_encoder, &EncoderSession::permissionChanged, this, [this] { withdraw(Cause::refusal); });
-    connect(m_encoder, &QObject::destroyed, this, [this] { setEncoder(nullptr); });
+    connect(&session, &EncoderSession::jobStarted, this, &ParameterPanel::jobStarted);
+    connect(&session, &EncoderSession::finished, this, &ParameterPanel::finished);
+    connect(&session, &EncoderSession::permissionChanged, this, [this] { withdraw(Cause::refusal); });
+    connect(&session, &QObject::destroyed, this, [this] { setEncoder({}); });
 }
 
-void ParameterPanel::showReadingNote()
+// What sends, or tells what the encoder has, needs one that is connected; the tooltips and a note say so.
+void ParameterPanel::showWhatIsPossible()
 {
-    const Capabilities &can = m_encoder->can();
-    m_read->setEnabled(can.reads);
-    const QString note = !can.reads
+    const Capabilities &can = m_encoder.can();
+    const bool isConnected = session() != nullptr;
+    const QString offline = tr("Not connected: nothing can be read or written. What is wanted is kept in the "
+                               "project.");
+    const QString note = !isConnected ? offline
+                         : !can.reads
                              ? tr("The %1 has no read-out. Known is what was written from here or told.")
-                                   .arg(m_encoder->device().fullName())
+                                   .arg(m_encoder.device().fullName())
                          : can.readingHidesPosition ? tr("Reading takes the position away for some cycles.")
                                                     : QString();
-    m_readingNote->setText(note);
-    m_readingNote->setVisible(!note.isEmpty());
-    m_read->setToolTip(note);
+    m_note->setText(note);
+    m_note->setVisible(!note.isEmpty());
     m_read->setAccessibleDescription(note);
     m_write->setVisible(can.writes);
     m_setPosition->setVisible(can.presetNeedsValue);
+    m_read->setEnabled(isConnected && can.reads);
+    m_read->setToolTip(note);
+    const auto allow = [&](auto *control, const QString &what) {
+        control->setEnabled(isConnected);
+        control->setToolTip(isConnected ? what : offline);
+    };
+    allow(m_write, tr("Shows what will be written before anything is sent"));
+    allow(m_wizard, tr("Sets the encoder up step by step"));
+    allow(m_tellValue, tr("From its papers or its label; nothing is sent"));
+    allow(m_takeKnown, tr("What the encoder is known to have is wanted from now on"));
+    allow(m_setPosition, tr("The place where it stands becomes the position you type"));
 }
 
 void ParameterPanel::showDifferences()
@@ -226,7 +238,7 @@ void ParameterPanel::read()
 {
     if (!m_table->finishEditing())
         return;
-    ReadParameters job{m_encoder->device().readableValues()};
+    ReadParameters job{m_encoder.device().readableValues()};
     if (m_model->showsRegisters())
         for (const ParameterRow &row : m_model->rows())
             if (!row.isHead() && isOpcRegister(row.parameter.parameter))
@@ -236,9 +248,9 @@ void ParameterPanel::read()
 
 void ParameterPanel::review()
 {
-    if (!m_table->finishEditing())
+    if (!session() || !m_table->finishEditing())
         return;
-    const ParameterValues wanted = m_wanted.values(m_encoder->number());
+    const ParameterValues wanted = m_wanted.values(m_encoder.number());
     if (wanted.empty()) {
         showMessage(Cause::refusal, Role::attention,
                     tr("No value is wanted. Enter what you want in the column \"Wanted\" first."));
@@ -246,14 +258,16 @@ void ParameterPanel::review()
         return;
     }
     m_message->withdraw();
-    m_review->review(*m_encoder, wanted);
+    m_review->review(*session(), wanted);
     m_pages->setCurrentWidget(m_review);
 }
 
 void ParameterPanel::start(const Job &job)
 {
+    if (!session())
+        return;
     m_message->withdraw();
-    const auto taken = m_encoder->start(job);
+    const auto taken = session()->start(job);
     if (!taken)
         showMessage(Cause::refusal, Role::attention, refusalText(taken.error()));
 }
@@ -266,20 +280,19 @@ void ParameterPanel::showRefusal(const Refusal &why)
 
 void ParameterPanel::bringBack()
 {
-    if (m_encoder)
-        start(EndParameterization{});
+    start(EndParameterization{});
 }
 
 void ParameterPanel::takeKnownAsWanted()
 {
     for (const ParameterRow &row : std::vector(m_model->rows()))
         if (row.known && !row.isReadOnly())
-            m_wanted.set(m_encoder->number(), row.parameter.parameter, row.known->value);
+            m_wanted.set(m_encoder.number(), row.parameter.parameter, row.known->value);
 }
 
 void ParameterPanel::leaveAllAsTheyAre()
 {
-    m_wanted.clear(m_encoder->number());
+    m_wanted.clear(m_encoder.number());
 }
 
 Parameter ParameterPanel::currentParameter() const
@@ -292,8 +305,8 @@ void ParameterPanel::askWhatItHas()
     if (const int row = m_table->currentIndex().row(); row >= 0 && m_model->rowAt(row).isHead())
         return;
     const Parameter parameter = currentParameter();
-    const auto known = m_encoder->known(parameter);
-    m_bar->ask({.parameter = *m_encoder->device().find(parameter),
+    const auto known = m_encoder.known(parameter);
+    m_bar->ask({.parameter = *m_encoder.device().find(parameter),
                 .label = tr("%1: the encoder has", "parameter name").arg(parameterName(parameter)),
                 .ifEmpty = tr("unknown"),
                 .button = tr("&Tell"),
@@ -302,8 +315,8 @@ void ParameterPanel::askWhatItHas()
                 .mayBeEmpty = true,
                 .answered =
                     [this, parameter](std::optional<std::int64_t> value) {
-                        if (m_encoder)
-                            m_encoder->tell(parameter, value);
+                        if (session())
+                            session()->tell(parameter, value);
                         m_table->setFocus();
                     }},
                known ? std::optional(known->value) : std::nullopt);
@@ -323,7 +336,7 @@ void ParameterPanel::askWherePositionIs()
                               "write."),
                 .answered =
                     [this](std::optional<std::int64_t> value) {
-                        if (m_encoder)
+                        if (session())
                             setPosition(value);
                     }},
                std::nullopt);
@@ -332,7 +345,7 @@ void ParameterPanel::askWherePositionIs()
 void ParameterPanel::setPosition(std::optional<std::int64_t> value)
 {
     const SetPreset job{.value = value};
-    if (askForEeprom(window(), *m_encoder, job))
+    if (askForEeprom(window(), *session(), job))
         start(job);
 }
 
@@ -351,7 +364,7 @@ void ParameterPanel::jobStarted()
 
 void ParameterPanel::showRunningJob()
 {
-    const bool isRunning = m_encoder->runningJob().has_value();
+    const bool isRunning = session() && session()->runningJob();
     if (isRunning)
         m_job->begin();
     m_job->setVisible(isRunning);
@@ -361,7 +374,7 @@ void ParameterPanel::showRunningJob()
 void ParameterPanel::finished(const Outcome &outcome)
 {
     showRunningJob();
-    const WayBack way = wayBack(m_encoder->device(), outcome.leftIn);
+    const WayBack way = wayBack(m_encoder.device(), outcome.leftIn);
     const bool isStuck = way != WayBack::none;
     const QString help = way == WayBack::run          ? tr("Send run")
                          : way == WayBack::endService ? tr("End the service")
@@ -371,44 +384,12 @@ void ParameterPanel::finished(const Outcome &outcome)
     if (resetWaits) // without the help: run would carry it out
         showMessage(Cause::outcome, Role::attention, messageText({.id = MessageId::resetWaitsForRun}));
     else if (outcome.result)
-        showMessage(Cause::outcome, isStuck ? Role::attention : Role::running, successText(outcome), help);
+        showMessage(Cause::outcome, isStuck ? Role::attention : Role::running,
+                    outcomeText(*session(), outcome), help);
     else
         showMessage(Cause::outcome,
                     outcome.result.error().kind == RefusalKind::device ? Role::fault : Role::attention,
                     QStringLiteral("%1 %2").arg(refusalText(outcome.result.error()), endText(outcome)), help);
-}
-
-// Short: the table shows the values, the messages keep them.
-QString ParameterPanel::successText(const Outcome &outcome) const
-{
-    QStringList sentences;
-    if (!outcome.written.empty()) {
-        const auto isReadBack = [this](const ParameterValue &value) {
-            const auto known = m_encoder->known(value.parameter);
-            return known && known->evidence == Evidence::read;
-        };
-        const QString verified = std::ranges::all_of(outcome.written, isReadBack)
-                                     ? tr("%1 written, active and read back.", "names of parameters")
-                                     : tr("%1 written, echoed and active.", "names of parameters");
-        QStringList names;
-        for (const ParameterValue &value : outcome.written)
-            names << parameterName(value.parameter);
-        sentences << verified.arg(names.join(QStringLiteral(", ")));
-    }
-    if (!outcome.written.empty() || outcome.eepromWrites > 0)
-        sentences << tr("EEPROM writes: %1.").arg(outcome.eepromWrites);
-    if (outcome.positionAfter)
-        sentences << tr("Position: %1.").arg(QLocale().toString(qlonglong{*outcome.positionAfter}));
-    if (m_encoder->device().mayHaveModes() && m_encoder->latest().mode != Mode::position)
-        sentences << tr("Mode: %1.").arg(modeName(m_encoder->latest().mode));
-    if (!outcome.alreadyThere.empty())
-        sentences << tr("There already: %1.").arg(outcome.alreadyThere.size());
-    else if (outcome.written.empty() && !outcome.read.empty())
-        sentences << tr("Values read: %1.").arg(outcome.read.size());
-    sentences << leftInText(outcome.leftIn);
-    if (outcome.onlyZeroSinceRun)
-        sentences << messageText({.id = MessageId::onlyZeroSinceRun});
-    return sentences.join(QLatin1Char(' '));
 }
 
 void ParameterPanel::showWrongInput(const QString &wrong)

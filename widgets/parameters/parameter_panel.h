@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/encoder_session.h"
 #include "widgets/look/roles.h"
+#include "widgets/models/shown_encoder.h"
 
-#include <QPointer>
 #include <QWidget>
 
 class QAction;
@@ -28,7 +27,8 @@ class WriteReview;
 
 // The parameters of the encoder that is chosen in the bus structure: what it is known to have, what is
 // wanted, and the ways to make them the same. Sends nothing unless asked, and shows what will be written
-// before.
+// before. While the encoder is not connected, what is wanted of the planned one can be edited, and nothing
+// else.
 class ParameterPanel : public QWidget
 {
     Q_OBJECT
@@ -36,7 +36,7 @@ class ParameterPanel : public QWidget
 public:
     explicit ParameterPanel(WantedValues &wanted, QWidget *parent = nullptr);
 
-    void setEncoder(codewheel::EncoderSession *encoder); // null: none is chosen
+    void setEncoder(const codewheel::ShownEncoder &encoder);
     // Modes, FRABA preset, reset: in the menu here, and for that of the window.
     QList<QAction *> functionActions() const;
 
@@ -51,8 +51,9 @@ private:
     QWidget *makeButtons();
     void makeMenu();
     void connectParts();
-    void connectEncoder();
+    void connectSession(EncoderSession &session);
     void showWhyEmpty();
+    void showWhatIsPossible();
 
     void read();
     void review();
@@ -67,8 +68,6 @@ private:
 
     void jobStarted();
     void finished(const Outcome &outcome);
-    QString successText(const Outcome &outcome) const;
-    void showReadingNote();
     void showRefusal(const Refusal &why);
     void showDifferences();
     void showRunningJob();
@@ -76,9 +75,10 @@ private:
     void showMessage(Cause cause, Role role, const QString &sentence, const QString &action = {});
     void withdraw(Cause cause); // its message, if that is the one which is shown
     Parameter currentParameter() const;
+    EncoderSession *session() const { return m_encoder.session(); } // null: not connected
 
     WantedValues &m_wanted;
-    QPointer<EncoderSession> m_encoder;
+    ShownEncoder m_encoder;
     std::optional<Cause> m_cause; // of the message that is shown
 
     ParameterModel *m_model;
@@ -89,7 +89,7 @@ private:
     WriteReview *m_review;
     ParameterTable *m_table = nullptr;
     RoleLabel *m_differences = nullptr;
-    QLabel *m_readingNote = nullptr;
+    QLabel *m_note = nullptr;
     InlineMessage *m_message = nullptr;
     ValueBar *m_bar = nullptr;
     QWidget *m_buttons = nullptr; // or, while a job runs,

@@ -45,7 +45,8 @@ void StructureEditor::makeCurrent(PlanEdits::Id id)
 
 void StructureEditor::choose(DeviceNumber number)
 {
-    if (const auto place = m_document.placeOf(number))
+    const auto place = m_document.placeOf(number);
+    if (place && m_document.ids()[*place] != current()) // else what is selected with it stays so
         makeCurrent(m_document.ids()[*place]);
 }
 
@@ -166,9 +167,10 @@ void StructureEditor::showCurrent()
     const auto id = current();
     for (QAction *action : m_deviceActions)
         action->setEnabled(id.has_value());
-    m_insert->setPlace(structureOf(m_document.project()), id ? m_document.placeOf(*id) : std::nullopt);
-    if (id)
-        Q_EMIT chosen(m_model->rowAt(m_tree->currentIndex()).participant.number);
+    const auto place = id ? m_document.placeOf(*id) : std::nullopt;
+    m_insert->setPlace(structureOf(m_document.project()), place);
+    if (place) // while rows go, their numbers are not yet those of the plan
+        Q_EMIT chosen(m_document.project().devices[*place].participant.number);
 }
 
 void StructureEditor::showProject()

@@ -157,15 +157,19 @@ WizardPage *ParameterWizard::current() const
     return m_all[static_cast<std::size_t>(m_pages->currentIndex())];
 }
 
+// Whoever chooses encoders elsewhere keeps the focus there.
 void ParameterWizard::showPage(int page)
 {
+    const QWidget *focus = window()->focusWidget();
+    const bool isElsewhere = focus != nullptr && !isAncestorOf(focus);
     m_pages->setCurrentIndex(page);
     m_stepList->setCurrent(page);
     m_title->setText(tr("%1 of %2  %3").arg(page + 1).arg(pageCount).arg(current()->title()));
     if (m_setup->encoder || page == device)
         current()->enter();
     showButtons();
-    current()->setFocus();
+    if (!isElsewhere)
+        current()->setFocus();
 }
 
 void ParameterWizard::next()

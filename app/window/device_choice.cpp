@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/device_choice.h"
+
+#include "project/planned_device.h"
+#include "ring/bus_session.h"
+#include "widgets/structure/structure_view.h"
+#include "widgets/structure_editor/structure_editor.h"
+
+#include <QScopedValueRollback>
+
+#include <algorithm>
+
+namespace codewheel {
+
+DeviceChoice::DeviceChoice(const BusSession &bus, const ProjectDocument &project, StructureView &tree,
+                           StructureEditor &editor, QObject *parent)
+    : QObject(parent)
+    , m_bus(bus)
+    , m_project(project)
+    , m_tree(tree)
+    , m_editor(editor)
+{
+    connect(&tree, &StructureView::chosen, this, &DeviceChoice::choose);
+    connect(&editor, &StructureEditor::chosen, this, [this](DeviceNumber number) {
+        if (m_editor.isVisible()) // else nobody has chosen anything there
+            choose(number);
+    });
+    connect(&project, &ProjectDocument::changed, this, &DeviceChoice::followPlan);
+    connect(&bus, &BusSession::named, this, &DeviceChoice::show);
+}
+
+void DeviceChoice::choose(std::optional<DeviceNumber> number)
+{
+    if (m_isChoosing)
+        return;
+    const QScopedValueRollback choosing(m_isChoosing, true);
+    const auto place = number ? m_project.placeOf(*number) : std::nullopt;
+    const bool isThere = place || (number && isConnected(*number));
+    m_number = isThere ? number : m_tree.current();
+    const auto planned = m_number ? m_project.placeOf(*m_number) : std::nullopt;
+    m_planned = planned ? std::optional(m_project.ids()[*planned]) : std::nullopt;
+    if (m_number) {
+        m_tree.choose(*m_number);
+        m_editor.choose(*m_number);
+    }
+    show();
+}
+
+void DeviceChoice::keep(std::optional<DeviceNumber> before)
+{
+    const bool stays = before && (isConnected(*before) || !m_bus.isOpen());
+    choose(stays ? before : m_tree.current());
+}
+
+bool DeviceChoice::isConnected(DeviceNumber number) const
+{
+    const std::vector<DeviceNumber> numbers = m_bus.numbers();
+    return m_bus.isOpen() && std::ranges::find(numbers, number) != numbers.end();
+}
+
+ShownEncoder DeviceChoice::find() const
+{
+    if (m_number && isConnected(*m_number))
+        return m_bus.encoder(*m_number);
+    if (m_number && m_planned)
+        if (auto description = plannedDescription(m_project.device(*m_number), m_bus.catalog()))
+            return {*m_number, std::move(*description)};
+    return {};
+}
+
+// The panel of the bus structure may have been made anew, and numbers follow from the places.
+void DeviceChoice::followPlan()
+{
+    if (m_number && isConnected(*m_number)) {
+        show();
+        return;
+    }
+    const auto place = m_planned ? m_project.placeOf(*m_planned) : std::nullopt;
+    choose(place ? std::optional(m_project.project().devices[*place].participant.number) : m_number);
+}
+
+void DeviceChoice::show()
+{
+    ShownEncoder now = find();
+    if (now == m_encoder && m_number == m_told)
+        return;
+    m_encoder = std::move(now);
+    m_told = m_number;
+    Q_EMIT changed();
+}
+
+} // namespace codewheel

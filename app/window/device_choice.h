@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/models/shown_encoder.h"
+#include "widgets/project/project_document.h"
+
+#include <QObject>
+
+namespace codewheel {
+
+class BusSession;
+class StructureEditor;
+class StructureView;
+
+// Which device the panels of the window show: the one chosen in the panel of the bus structure or in the
+// structure editor; each follows the other. Of a connected ring it is the device with that number. What is
+// only planned stays chosen while the plan is edited, whatever its number becomes.
+class DeviceChoice : public QObject
+{
+    Q_OBJECT
+
+public:
+    // All must outlive it.
+    DeviceChoice(const BusSession &bus, const ProjectDocument &project, StructureView &tree,
+                 StructureEditor &editor, QObject *parent = nullptr);
+
+    std::optional<DeviceNumber> number() const { return m_number; }
+    const ShownEncoder &encoder() const { return m_encoder; } // none: no encoder, or nothing is known of it
+    // Neither connected nor planned: what the panel of the bus structure has chosen is taken instead.
+    void choose(std::optional<DeviceNumber> number);
+    // Another ring is connected, or none: what the panel of the bus structure chose by itself gives way to
+    // the device of before, if that is in the ring. Without one, it is what is planned.
+    void keep(std::optional<DeviceNumber> before);
+
+Q_SIGNALS:
+    void changed(); // number or encoder, and be it that it is connected now
+
+private:
+    bool isConnected(DeviceNumber number) const;
+    ShownEncoder find() const;
+    void followPlan();
+    void show();
+
+    const BusSession &m_bus;
+    const ProjectDocument &m_project;
+    StructureView &m_tree;
+    StructureEditor &m_editor;
+    std::optional<DeviceNumber> m_number;
+    std::optional<ProjectDocument::DeviceId> m_planned; // the device of that number in the plan
+    ShownEncoder m_encoder;
+    std::optional<DeviceNumber> m_told;
+    bool m_isChoosing = false;
+};
+
+} // namespace codewheel

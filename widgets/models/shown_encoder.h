@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "encoder/encoder_session.h"
+
+#include <QPointer>
+
+#include <memory>
+
+namespace codewheel {
+
+// The encoder that parameter panel, cam editor and device panel show: connected, with its session; or as the
+// project plans it, while nothing of its place is connected. What is wanted can be edited either way; only a
+// session can send.
+class ShownEncoder
+{
+public:
+    ShownEncoder() = default; // none is chosen
+    // Connected: all there is to know of it is in its session. Null: none.
+    ShownEncoder(EncoderSession *session)
+        : m_session(session)
+    {}
+    ShownEncoder(DeviceNumber number, DeviceDescription planned)
+        : m_number(number)
+        , m_planned(std::make_shared<const DeviceDescription>(std::move(planned)))
+    {}
+
+    bool isThere() const { return m_session || m_planned; }
+    EncoderSession *session() const { return m_session; } // null: not connected
+    // Of one that is there:
+    DeviceNumber number() const { return m_session ? m_session->number() : m_number; }
+    const DeviceDescription &device() const { return m_session ? m_session->device() : *m_planned; }
+    const Capabilities &can() const { return m_session ? m_session->can() : m_planned->capabilities; }
+    std::optional<Known> known(Parameter parameter) const
+    {
+        return m_session ? m_session->known(parameter) : std::nullopt;
+    }
+
+    friend bool operator==(const ShownEncoder &left, const ShownEncoder &right)
+    {
+        const bool arePlanned = left.m_planned && right.m_planned;
+        return left.m_session == right.m_session && left.m_number == right.m_number &&
+               (arePlanned ? *left.m_planned == *right.m_planned : left.m_planned == right.m_planned);
+    }
+
+private:
+    QPointer<EncoderSession> m_session;
+    DeviceNumber m_number;
+    std::shared_ptr<const DeviceDescription> m_planned; // null: connected, or none
+};
+
+} // namespace codewheel
