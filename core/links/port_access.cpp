@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "links/port_access.h"
+
+#include <QFile>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <grp.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace codewheel {
+namespace {
+
+// The group whose members may use the port: dialout on Debian. Its number where it has no name.
+QString groupOf(const QString &path)
+{
+    struct stat status = {};
+    if (::stat(QFile::encodeName(path).constData(), &status) != 0)
+        return {};
+    group entry = {};
+    group *found = nullptr;
+    std::array<char, 4096> names{};
+    ::getgrgid_r(status.st_gid, &entry, names.data(), names.size(), &found);
+    return found ? QString::fromLocal8Bit(found->gr_name) : QString::number(status.st_gid);
+}
+
+} // namespace
+
+QString portPath(const QString &port)
+{
+    return port.contains(u'/') ? port : QStringLiteral("/dev/") + port;
+}
+
+RefusalId portRefusalOf(int errorNumber)
+{
+    switch (errorNumber) {
+    case ENOENT:
+    case ENODEV:
+    case ENXIO:
+    case ENOTDIR:
+        return RefusalId::portNotFound;
+    case EACCES:
+    case EPERM:
+        return RefusalId::portNoRights;
+    case EBUSY:
+    case EWOULDBLOCK:
+        return RefusalId::portInUse;
+    default:
+        return RefusalId::linkFailed;
+    }
+}
+
+Refusal portRefusal(RefusalId id, const QString &path, const QString &errorText)
+{
+    if (id == RefusalId::portNoRights) {
+        const QString group = groupOf(path);
+        return {RefusalKind::link, id, {path, group, QStringLiteral("sudo usermod -aG %1 $USER").arg(group)}};
+    }
+    if (id == RefusalId::linkFailed)
+        return {RefusalKind::link, id, {QStringLiteral("%1: %2").arg(path, errorText)}};
+    return {RefusalKind::link, id, {path}};
+}
+
+std::optional<Refusal> portHindrance(const QString &path)
+{
+    if (::access(QFile::encodeName(path).constData(), R_OK | W_OK) == 0)
+        return std::nullopt;
+    const int reason = errno;
+    return portRefusal(portRefusalOf(reason), path, QString::fromLocal8Bit(std::strerror(reason)));
+}
+
+} // namespace codewheel

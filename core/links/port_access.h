@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/refusal.h"
+
+namespace codewheel {
+
+// "/dev/ttyUSB0" for "ttyUSB0"; a path stays as it is.
+QString portPath(const QString &port);
+
+// What the system's error number (errno) means for a serial port: not there, no rights, in use; linkFailed
+// for all others.
+RefusalId portRefusalOf(int errorNumber);
+
+// The refusal with all that its sentence tells. `errorText` is that of the system.
+Refusal portRefusal(RefusalId id, const QString &path, const QString &errorText);
+
+// Why the user cannot open this port, as far as it can be told without opening it; nothing: no reason is
+// known.
+std::optional<Refusal> portHindrance(const QString &path);
+
+} // namespace codewheel

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "links/serial_port_link.h"
+
+#include "links/port_access.h"
+
+#include <QCoreApplication>
+#include <QEventLoop>
+#include <QSerialPort>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <poll.h>
+#include <sys/file.h>
+
+namespace codewheel {
+namespace {
+
+using std::chrono::steady_clock;
+
+constexpr int longestWrite = 1'000; // ms without a byte taken by the system
+
+// A port that somebody else has and one that the user may not use are the same error for Qt; the rights were
+// looked at before.
+int errorNumberOf(QSerialPort::SerialPortError error)
+{
+    switch (error) {
+    case QSerialPort::DeviceNotFoundError:
+        return ENOENT;
+    case QSerialPort::PermissionError:
+        return EBUSY;
+    default:
+        return EIO;
+    }
+}
+
+tl::unexpected<Refusal> settingRefused(const QString &setting)
+{
+    return refuse(RefusalKind::badInput, RefusalId::lineSettingWrong,
+                  {setting, QCoreApplication::translate(
+                                "SerialPortLink", "baud rates that the adapter has, 7 or 8 data bits, parity "
+                                                  "none, even or odd, 1 or 2 stop bits")});
+}
+
+QSerialPort::Parity parityOf(LineSettings::Parity parity)
+{
+    switch (parity) {
+    case LineSettings::Parity::none:
+        return QSerialPort::NoParity;
+    case LineSettings::Parity::even:
+        return QSerialPort::EvenParity;
+    case LineSettings::Parity::odd:
+        return QSerialPort::OddParity;
+    }
+    return QSerialPort::NoParity;
+}
+
+bool isFailure(QSerialPort::SerialPortError error)
+{
+    return error != QSerialPort::NoError && error != QSerialPort::TimeoutError;
+}
+
+} // namespace
+
+// Qt's port wants an event dispatcher in its thread, though nobody runs it here; a loop brings one along.
+struct SerialPortLink::Port
+{
+    QEventLoop dispatcher;
+    QSerialPort serial;
+};
+
+SerialPortLink::SerialPortLink(const QString &port)
+    : m_path(portPath(port))
+{}
+
+SerialPortLink::~SerialPortLink() = default;
+
+Result<void> SerialPortLink::open(const LineSettings &settings)
+{
+    close();
+    if (const auto hindrance = portHindrance(m_path))
+        return tl::unexpected(*hindrance);
+    auto port = std::make_unique<Port>();
+    if (auto prepared = prepare(port->serial, settings); !prepared)
+        return prepared;
+    if (!port->serial.open(QIODevice::ReadWrite))
+        return tl::unexpected(portRefusal(portRefusalOf(errorNumberOf(port->serial.error())), m_path,
+                                          port->serial.errorString()));
+    // The system lets its administrator into a port that is taken; a lock does not.
+    if (::flock(static_cast<int>(port->serial.handle()), LOCK_EX | LOCK_NB) != 0)
+        return tl::unexpected(
+            portRefusal(portRefusalOf(errno), m_path, QString::fromLocal8Bit(std::strerror(errno))));
+    if (port->serial.baudRate() != settings.baudRate)
+        return settingRefused(QString::number(settings.baudRate));
+    port->serial.clear();
+    m_lowLatency = askForLowLatency(static_cast<int>(port->serial.handle()));
+    m_port = std::move(port);
+    m_opened = steady_clock::now();
+    return {};
+}
+
+// Before it is opened: afterwards a port without modem lines does not take a parity any more.
+Result<void> SerialPortLink::prepare(QSerialPort &port, const LineSettings &settings)
+{
+    port.setPortName(m_path);
+    if (settings.baudRate <= 0 || !port.setBaudRate(settings.baudRate))
+        return settingRefused(QString::number(settings.baudRate));
+    if ((settings.dataBits != 7 && settings.dataBits != 8) ||
+        !port.setDataBits(static_cast<QSerialPort::DataBits>(settings.dataBits)))
+        return settingRefused(QString::number(settings.dataBits));
+    if ((settings.stopBits != 1 && settings.stopBits != 2) ||
+        !port.setStopBits(static_cast<QSerialPort::StopBits>(settings.stopBits)))
+        return settingRefused(QString::number(settings.stopBits));
+    port.setParity(parityOf(settings.parity));
+    return {};
+}
+
+void SerialPortLink::close()
+{
+    m_port.reset();
+}
+
+Result<void> SerialPortLink::setBaudRate(int baudRate)
+{
+    if (!m_port)
+        return refuse(RefusalKind::link, RefusalId::lineClosed);
+    if (baudRate <= 0 || !m_port->serial.setBaudRate(baudRate))
+        return settingRefused(QString::number(baudRate));
+    return {};
+}
+
+Instant SerialPortLink::now() const
+{
+    return std::chrono::duration_cast<Instant>(steady_clock::now() - m_opened);
+}
+
+Result<void> SerialPortLink::write(const QByteArray &bytes)
+{
+    if (!m_port)
+        return refuse(RefusalKind::link, RefusalId::lineClosed);
+    QSerialPort &serial = m_port->serial;
+    serial.write(bytes);
+    while (serial.bytesToWrite() > 0)
+        if (!serial.waitForBytesWritten(longestWrite)) {
+            if (isFailure(serial.error()))
+                return lost();
+            serial.clear(QSerialPort::Output);
+            return tl::unexpected(portRefusal(RefusalId::linkFailed, m_path, serial.errorString()));
+        }
+    return {};
+}
+
+Result<QByteArray> SerialPortLink::read(Instant until)
+{
+    if (!m_port)
+        return refuse(RefusalKind::link, RefusalId::lineClosed);
+    QSerialPort &serial = m_port->serial;
+    while (true) {
+        const Waited waited = waitUntil(until);
+        if (waited.woken)
+            return QByteArray();
+        if (serial.waitForReadyRead(0) || serial.bytesAvailable() > 0)
+            return serial.readAll();
+        if (waited.hungUp || isFailure(serial.error()))
+            return lost();
+        if (now() >= until)
+            return QByteArray();
+    }
+}
+
+// For bytes, the flag, or the end of the port. Qt's own wait cannot be ended by another thread.
+SerialPortLink::Waited SerialPortLink::waitUntil(Instant until)
+{
+    using namespace std::chrono;
+    const nanoseconds left = std::max(until - now(), Instant{});
+    const timespec timeOut{duration_cast<seconds>(left).count(), (left % 1s).count()};
+    std::array<pollfd, 2> waited{
+        {{static_cast<int>(m_port->serial.handle()), POLLIN, 0}, {m_wake.descriptor(), POLLIN, 0}}};
+    ::ppoll(waited.data(), waited.size(), &timeOut, nullptr);
+    const bool woken = m_wake.lower();
+    return {woken, (waited[0].revents & (POLLERR | POLLHUP | POLLNVAL)) != 0};
+}
+
+tl::unexpected<Refusal> SerialPortLink::lost()
+{
+    close();
+    return refuse(RefusalKind::link, RefusalId::portLost, {m_path});
+}
+
+} // namespace codewheel

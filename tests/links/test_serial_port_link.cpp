@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Over real pseudo terminals. What happens in time waits for its event, with an hour's patience.
+#include "encoder/refusal_text.h"
+#include "links/serial_port_link.h"
+#include "tests/support/pty_pair.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <termios.h>
+#include <thread>
+#include <unistd.h>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr LineSettings usual{};
+
+template <typename T>
+RefusalId idOf(const Result<T> &result)
+{
+    return result ? RefusalId::nothingToDo : result.error().id;
+}
+
+class SerialLink : public testing::Test
+{
+protected:
+    void open(const LineSettings &settings = usual)
+    {
+        const auto opened = m_link.open(settings);
+        ASSERT_TRUE(opened) << refusalText(opened.error()).toStdString();
+    }
+    QByteArray readCount(qsizetype count)
+    {
+        QByteArray bytes;
+        while (bytes.size() < count) {
+            const auto more = m_link.read(m_link.now() + 1h);
+            if (!more || more->isEmpty())
+                break;
+            bytes += *more;
+        }
+        return bytes;
+    }
+    termios settingsOfPort() const
+    {
+        termios settings = {};
+        ::tcgetattr(m_pty.descriptor(), &settings);
+        return settings;
+    }
+
+    PtyPair m_pty;
+    SerialPortLink m_link{m_pty.path()};
+};
+
+TEST_F(SerialLink, CarriesBytesBothWays)
+{
+    open();
+    ASSERT_TRUE(m_link.write(QByteArray("\x1B"
+                                        "05P\r\n\x00\xFF",
+                                        8)));
+    EXPECT_EQ(m_pty.receive(8), QByteArray("\x1B"
+                                           "05P\r\n\x00\xFF",
+                                           8));
+    const QByteArray answer("\r\n00001235\r\n\x00\x11\x13\xFF\x03", 17); // XON, XOFF and ^C are bytes
+    m_pty.send(answer);
+    EXPECT_EQ(readCount(17), answer);
+}
+
+TEST_F(SerialLink, SendsNothingByItselfAndDropsWhatCameBefore)
+{
+    m_pty.send("old");
+    open();
+    m_pty.send("new");
+    EXPECT_EQ(readCount(3), "new");
+    ASSERT_TRUE(m_link.write("x"));
+    EXPECT_EQ(m_pty.receive(1), "x");
+}
+
+TEST_F(SerialLink, ItsTimeBeginsWithOpening)
+{
+    open();
+    const Instant first = m_link.now();
+    EXPECT_GE(first, 0us);
+    const auto nothing = m_link.read(first + 2ms);
+    ASSERT_TRUE(nothing);
+    EXPECT_EQ(*nothing, "");
+    EXPECT_GE(m_link.now(), first + 2ms);
+    m_pty.send("x");
+    EXPECT_EQ(m_link.read(first).value(), "x"); // is there, though the time is over
+}
+
+TEST_F(SerialLink, SetsTheLine)
+{
+    open();
+    termios settings = settingsOfPort();
+    EXPECT_EQ(::cfgetospeed(&settings), speed_t{B19200});
+    EXPECT_EQ(settings.c_cflag & CSIZE, tcflag_t{CS8});
+    EXPECT_NE(settings.c_cflag & CSTOPB, 0U);
+    EXPECT_EQ(settings.c_cflag & CRTSCTS, 0U);
+    EXPECT_EQ(settings.c_iflag & (IXON | IXOFF | ICRNL | INLCR), 0U);
+    ASSERT_TRUE(m_link.setBaudRate(4'800));
+    settings = settingsOfPort();
+    EXPECT_EQ(::cfgetospeed(&settings), speed_t{B4800});
+    open({.baudRate = 9'600, .parity = LineSettings::Parity::even, .stopBits = 1});
+    settings = settingsOfPort();
+    EXPECT_EQ(::cfgetospeed(&settings), speed_t{B9600});
+    EXPECT_EQ(settings.c_cflag & CSTOPB, 0U);
+}
+
+TEST_F(SerialLink, TakesAnyBaudRateAndRefusesWhatIsNone)
+{
+    open({.baudRate = 12'345});
+    EXPECT_EQ(idOf(m_link.setBaudRate(0)), RefusalId::lineSettingWrong);
+    EXPECT_EQ(idOf(m_link.open({.baudRate = -1})), RefusalId::lineSettingWrong);
+    EXPECT_EQ(idOf(m_link.open({.dataBits = 9})), RefusalId::lineSettingWrong);
+    EXPECT_EQ(idOf(m_link.open({.stopBits = 3})), RefusalId::lineSettingWrong);
+}
+
+TEST_F(SerialLink, InterruptEndsTheReadUnderWayOrTheNext)
+{
+    open();
+    {
+        const std::jthread other([&] { m_link.interrupt(); });
+        EXPECT_EQ(m_link.read(m_link.now() + 1h).value(), "");
+    }
+    m_link.interrupt();
+    EXPECT_EQ(m_link.read(m_link.now() + 1h).value(), "");
+    m_pty.send("x");
+    EXPECT_EQ(readCount(1), "x");
+}
+
+TEST_F(SerialLink, APseudoTerminalHasNoAdapterToAskForLowLatency)
+{
+    open();
+    EXPECT_EQ(m_link.lowLatency(), LowLatency::notApplicable);
+}
+
+TEST_F(SerialLink, AnUnpluggedPortIsToldOnce)
+{
+    open();
+    m_pty.unplug();
+    const auto gone = m_link.read(m_link.now() + 1h);
+    EXPECT_EQ(idOf(gone), RefusalId::portLost);
+    EXPECT_EQ(gone.error().arguments, (std::vector<RefusalArgument>{m_link.name()}));
+    EXPECT_EQ(idOf(m_link.read(m_link.now() + 1h)), RefusalId::lineClosed);
+    EXPECT_EQ(idOf(m_link.write("x")), RefusalId::lineClosed);
+    EXPECT_EQ(idOf(m_link.setBaudRate(9'600)), RefusalId::lineClosed);
+    EXPECT_EQ(idOf(m_link.open(usual)), RefusalId::portNotFound);
+}
+
+TEST_F(SerialLink, UnpluggingIsNoticedByAWriteAndDuringARead)
+{
+    open();
+    m_pty.unplug();
+    EXPECT_EQ(idOf(m_link.write("x")), RefusalId::portLost);
+    PtyPair second;
+    SerialPortLink link(second.path());
+    ASSERT_TRUE(link.open(usual));
+    const std::jthread other([&] { second.unplug(); });
+    EXPECT_EQ(idOf(link.read(link.now() + 1h)), RefusalId::portLost);
+}
+
+TEST_F(SerialLink, WhatCameBeforeItWasUnpluggedIsReadFirst)
+{
+    open();
+    m_pty.send("last words");
+    m_pty.unplug();
+    const auto words = m_link.read(m_link.now() + 1h);
+    // The system may have dropped them with the port; then that is told at once.
+    if (words) {
+        EXPECT_EQ(*words, "last words");
+    }
+    EXPECT_EQ(idOf(words ? m_link.read(m_link.now() + 1h) : words), RefusalId::portLost);
+}
+
+TEST_F(SerialLink, APortThatIsTakenIsRefused)
+{
+    open();
+    SerialPortLink second(m_pty.path());
+    EXPECT_EQ(idOf(second.open(usual)), RefusalId::portInUse);
+    m_link.close();
+    EXPECT_TRUE(second.open(usual));
+}
+
+// Other programs mark a port of theirs by a lock alone.
+TEST_F(SerialLink, APortThatIsLockedIsRefused)
+{
+    const int other =
+        ::open(m_pty.path().toLocal8Bit().constData(), O_RDWR | O_NOCTTY | O_CLOEXEC); // NOLINT(*-vararg)
+    ASSERT_GE(other, 0);
+    ASSERT_EQ(::flock(other, LOCK_EX | LOCK_NB), 0);
+    EXPECT_EQ(idOf(m_link.open(usual)), RefusalId::portInUse);
+    ::close(other);
+    EXPECT_TRUE(m_link.open(usual));
+}
+
+TEST_F(SerialLink, WhatIsNoPortIsRefused)
+{
+    EXPECT_EQ(idOf(SerialPortLink(QStringLiteral("ttyNone7")).open(usual)), RefusalId::portNotFound);
+    const auto null = SerialPortLink(QStringLiteral("/dev/null")).open(usual);
+    ASSERT_EQ(idOf(null), RefusalId::linkFailed);
+    EXPECT_TRUE(refusalText(null.error()).contains(QStringLiteral("/dev/null: ")));
+}
+
+// Without the rights of the user who runs the tests, and of root.
+class WithoutRights
+{
+public:
+    WithoutRights()
+    {
+        if (m_wasRoot) {
+            EXPECT_EQ(::setresuid(nobody, nobody, 0), 0);
+        }
+    }
+    ~WithoutRights()
+    {
+        if (m_wasRoot) {
+            EXPECT_EQ(::setresuid(0, 0, 0), 0);
+        }
+    }
+    WithoutRights(const WithoutRights &) = delete;
+    WithoutRights &operator=(const WithoutRights &) = delete;
+
+private:
+    static constexpr uid_t nobody = 65'534;
+    bool m_wasRoot = ::getuid() == 0;
+};
+
+TEST_F(SerialLink, MissingRightsAreToldWithTheGroupAndTheCommand)
+{
+    ASSERT_EQ(::chmod(m_pty.path().toLocal8Bit().constData(), 0), 0);
+    const auto refused = [&] {
+        const WithoutRights rights;
+        return m_link.open(usual);
+    }();
+    ASSERT_EQ(idOf(refused), RefusalId::portNoRights);
+    const std::vector<RefusalArgument> &arguments = refused.error().arguments;
+    ASSERT_EQ(arguments.size(), 3U);
+    const QString group = std::get<QString>(arguments[1]);
+    EXPECT_FALSE(group.isEmpty());
+    EXPECT_EQ(std::get<QString>(arguments[2]), QStringLiteral("sudo usermod -aG %1 $USER").arg(group));
+}
+
+} // namespace
+} // namespace codewheel
