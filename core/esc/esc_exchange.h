@@ -56,7 +56,7 @@ struct ExchangeResult
 // One request from its first byte to its end: sends it, finds the answer among echo and garbage, sends a read
 // again when none came, and waits until the line is quiet before it is done, so that a late answer is never
 // taken for that of the next request. A machine without I/O: next() says what to do, received() tells what
-// came.
+// came; what came before the first next() is drained. Used by the line's runner.
 class Exchange
 {
 public:

@@ -35,6 +35,11 @@ void LineCounter::noteTime(Instant time)
     m_oldest = (m_oldest + 1) % samples;
 }
 
+Instant LineCounter::longestAnswer() const
+{
+    return m_figures.answerTime ? m_figures.answerTime->longest : Instant{};
+}
+
 LineFigures LineCounter::figures() const
 {
     LineFigures figures = m_figures;

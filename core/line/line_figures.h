@@ -43,6 +43,7 @@ public:
     void note(const esc::ExchangeResult &result);
     void noteGarbage(std::size_t bytes) { m_figures.garbageBytes += bytes; }
     LineFigures figures() const;
+    Instant longestAnswer() const; // 0: no answer yet
 
 private:
     void noteTime(Instant time);

@@ -103,6 +103,7 @@ bool LineRunner::Private::ask(Asker asker, std::size_t device, const esc::Reques
     LineSettings used = settings;
     used.baudRate = baudRate;
     asked.character = used.timeOf(1);
+    asked.longestAnswer = std::max(timing.longestAnswer, counter.longestAnswer());
     if (asker != Asker::device) // who looks or types sees for himself
         asked.retries = 0;
     underWay.emplace(UnderWay{asker, device, esc::Exchange(request, asked)});

@@ -28,6 +28,7 @@ TEST(LineCounter, KnowsNoAnswerTimeBeforeTheFirstAnswer)
     EXPECT_EQ(figures.garbageBytes, 2U);
     EXPECT_EQ(figures.lateBytes, 5U);
     EXPECT_EQ(figures.answerTime, std::nullopt);
+    EXPECT_EQ(counter.longestAnswer(), Instant{});
 }
 
 TEST(LineCounter, TellsShortestMedianAndLongestAnswerTime)
@@ -37,6 +38,7 @@ TEST(LineCounter, TellsShortestMedianAndLongestAnswerTime)
         counter.note(answeredAfter(time));
     EXPECT_EQ(counter.figures().answerTime,
               (LineFigures::AnswerTime{Instant{4'000}, Instant{7'000}, Instant{9'000}}));
+    EXPECT_EQ(counter.longestAnswer(), Instant{9'000});
 }
 
 TEST(LineCounter, MedianIsOfTheNewestAnswers)

@@ -92,6 +92,22 @@ TEST_F(LineRunnerTest, KeepsTheAnswersOfTheOthersWhileOneIsSilent)
     EXPECT_EQ(latest->devices[0].figures.retries, 2 * latest->devices[0].figures.unanswered);
 }
 
+TEST_F(LineRunnerTest, AfterATimeOutWaitsForTwiceTheLongestAnswerSeen)
+{
+    link.delay = 70ms;
+    add(5, 1s);
+    poll();
+    run(500ms);
+    link.answers.clear();
+    link.sent.clear();
+    run(2s);
+    ASSERT_GE(link.sent.size(), 2U);
+    const Instant timeOut = 100ms;
+    const Instant longest = runner.takeLatest()->figures.answerTime->longest;
+    EXPECT_GT(longest, 60ms);
+    EXPECT_GE(link.sent[1].at - link.sent[0].at, timeOut + 2 * longest);
+}
+
 TEST_F(LineRunnerTest, InWatchOnlyReadsAreSent)
 {
     add(5);
