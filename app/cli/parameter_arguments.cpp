@@ -16,12 +16,12 @@ using Condition = std::function<bool(const ParameterDescription &)>;
 
 bool canBeRead(const ParameterDescription &parameter)
 {
-    return parameter.readOut.has_value();
+    return parameter.canBeRead();
 }
 
 bool canBeWritten(const ParameterDescription &parameter)
 {
-    return parameter.number.has_value();
+    return parameter.canBeWritten();
 }
 
 QString namesOf(const DeviceDescription &device, const Condition &condition)

@@ -39,6 +39,7 @@ constexpr NamedValue<RefusalId> errorMeanings[] = {
 
 constexpr std::int64_t highestNumber = 15; // D28..D25
 constexpr std::int64_t highestReadOut = 0xFF;
+constexpr std::int64_t highestBit = 31;
 constexpr std::int64_t mostWords = 32;
 constexpr std::int64_t mostStepsPerTurn = 1 << 25;
 constexpr std::int64_t mostTurns = 1 << 25;
@@ -62,6 +63,8 @@ public:
 private:
     static void readPlaceOnBus(const JsonObject &json, DeviceDescription &device);
     static Parameter readParameterName(const JsonObject &row);
+    static std::optional<esc::Command> readCommand(const JsonObject &row, const char *key, bool writes);
+    static void readCommands(const JsonObject &row, ParameterDescription &parameter);
     static ParameterDescription readParameter(const JsonObject &row);
     static void readChoices(const JsonObject &row, ParameterDescription &parameter);
     static void checkRange(const JsonObject &row, const ParameterDescription &parameter);
@@ -178,23 +181,47 @@ std::optional<unsigned> asUnsigned(std::optional<std::int64_t> number)
     return number ? std::optional(static_cast<unsigned>(*number)) : std::nullopt;
 }
 
+std::optional<esc::Command> DescriptionReader::readCommand(const JsonObject &row, const char *key,
+                                                           bool writes)
+{
+    if (!row.has(key))
+        return std::nullopt;
+    const QString letters = row.text(key);
+    const auto command = esc::commandOf(letters.toLatin1());
+    if (!command || esc::shapeOf(*command).writes != writes || esc::shapeOf(*command).digits == 0)
+        row.report(key, writes ? tr("\"%1\" is no command that writes a value.").arg(letters)
+                               : tr("\"%1\" is no command that reads a value.").arg(letters));
+    return command;
+}
+
+void DescriptionReader::readCommands(const JsonObject &row, ParameterDescription &parameter)
+{
+    parameter.readCommand = readCommand(row, "read", false);
+    parameter.writeCommand = readCommand(row, "write", true);
+    parameter.readBit = asUnsigned(row.optionalNumber("bit", 0, highestBit));
+    if (parameter.readBit && !parameter.readCommand)
+        row.report("bit", tr("A bit is one of the answer to a command read, and there is none."));
+}
+
 ParameterDescription DescriptionReader::readParameter(const JsonObject &row)
 {
     ParameterDescription parameter;
     parameter.parameter = readParameterName(row);
     parameter.number = asUnsigned(row.optionalNumber("number", 1, highestNumber));
     parameter.readOut = asUnsigned(row.optionalNumber("readOut", 0, highestReadOut));
+    readCommands(row, parameter);
     parameter.onLabel = row.flagOr("onLabel", false);
-    if (parameter.onLabel && (parameter.number || parameter.readOut))
-        row.report("onLabel", tr("What only the label tells has neither number nor readOut code."));
-    if (!parameter.number && !parameter.readOut && !parameter.onLabel)
+    const bool isOnWire = parameter.canBeRead() || parameter.canBeWritten();
+    if (parameter.onLabel && isOnWire)
+        row.report("onLabel", tr("What only the label tells can be neither written nor read."));
+    if (!isOnWire && !parameter.onLabel)
         row.report("number", tr("A parameter needs a number to write it, a readOut code to read it, both, or "
-                                "onLabel."));
+                                "onLabel; on a serial line the commands read or write."));
     parameter.minimum = row.number("minimum");
     parameter.maximum = row.number("maximum");
     parameter.factory = row.optionalNumber("factory");
     parameter.unit = row.has("unit") ? row.oneOf("unit", units) : Unit::none;
-    parameter.stored = row.flagOr("stored", parameter.number.has_value());
+    parameter.stored = row.flagOr("stored", parameter.canBeWritten());
     parameter.chapter = row.localTextOr("chapter", {});
     if (parameter.minimum <= parameter.maximum)
         readChoices(row, parameter);
@@ -211,13 +238,21 @@ void DescriptionReader::refuseTaken(const JsonObject &row, const ParameterDescri
         row.report("number", tr("This number stands here twice."));
     if (parameter.readOut && device.findReadOut(*parameter.readOut))
         row.report("readOut", tr("This readOut code stands here twice."));
+    const auto &rows = device.parameters;
+    if (parameter.writeCommand &&
+        std::ranges::find(rows, parameter.writeCommand, &ParameterDescription::writeCommand) != rows.end())
+        row.report("write", tr("This command stands here twice."));
+    if (parameter.readCommand && std::ranges::any_of(rows, [&](const ParameterDescription &other) {
+            return other.readCommand == parameter.readCommand && other.readBit == parameter.readBit;
+        }))
+        row.report("read", tr("This command stands here twice."));
 }
 
 void DescriptionReader::readParameters(const JsonObject &json, DeviceDescription &device)
 {
     for (const JsonObject &row :
          json.array("parameters", {"parameter", "number", "readOut", "minimum", "maximum", "factory", "unit",
-                                   "stored", "onLabel", "choices", "chapter"})) {
+                                   "stored", "onLabel", "choices", "chapter", "read", "write", "bit"})) {
         const ParameterDescription parameter = readParameter(row);
         refuseTaken(row, parameter, device);
         checkParameter(row, parameter, device.profile);
@@ -295,12 +330,12 @@ void DescriptionReader::readTables(const JsonObject &json, const Catalog &catalo
 void completeCapabilities(DeviceDescription &device)
 {
     const auto &parameters = device.parameters;
-    const auto readable = [](const ParameterDescription &p) { return p.readOut.has_value(); };
-    const auto writable = [](const ParameterDescription &p) { return p.number.has_value(); };
+    const auto readable = [](const ParameterDescription &p) { return p.canBeRead(); };
+    const auto writable = [](const ParameterDescription &p) { return p.canBeWritten(); };
     const ParameterDescription *serialNumber = device.find(Parameter::serialNumber);
     device.capabilities.reads = std::ranges::any_of(parameters, readable);
     device.capabilities.writes = std::ranges::any_of(parameters, writable);
-    device.capabilities.serialNumber = serialNumber && serialNumber->readOut;
+    device.capabilities.serialNumber = serialNumber && serialNumber->canBeRead();
 }
 
 } // namespace

@@ -33,7 +33,7 @@ const PlaceOnBus *placeOf(Profile profile)
 
 bool hasParameters(Profile profile)
 {
-    return profile == Profile::k3 || profile == Profile::la66;
+    return profile == Profile::k3 || profile == Profile::la66 || profile == Profile::esc;
 }
 
 class Rules
@@ -82,6 +82,30 @@ public:
             row.report("minimum", reason);
         if (parameter.maximum > largestData(profile))
             row.report("maximum", reason);
+    }
+
+    // A device on a serial line has commands, all others have words.
+    static void checkCommands(const JsonObject &row, const ParameterDescription &parameter)
+    {
+        for (const char *key : {"number", "readOut"})
+            if (row.has(key))
+                row.report(key,
+                           tr("An encoder on a serial line has the commands read and write. Leave it out."));
+        const bool isFoundAgain =
+            parameter.parameter == Parameter::lineAddress || parameter.parameter == Parameter::baudRate;
+        if (parameter.writeCommand && !parameter.readCommand && !isFoundAgain)
+            row.report("write",
+                       tr("What is written must be read, too: a write without an answer is checked."));
+        const std::int64_t bound = largestData(Profile::esc);
+        if (parameter.canBeWritten() && (parameter.minimum < 0 || parameter.maximum > bound))
+            row.report("maximum", tr("A value that is written must be between 0 and %1.").arg(bound));
+    }
+
+    static void refuseCommands(const JsonObject &row)
+    {
+        for (const char *key : {"read", "write", "bit"})
+            if (row.has(key))
+                row.report(key, tr("Only an encoder on a serial line has commands. Leave it out."));
     }
 
     static void refuseParameters(const JsonObject &row, const ParameterDescription &parameter,
@@ -133,6 +157,11 @@ void checkPlaceOnBus(const JsonObject &json, const DeviceDescription &device)
 
 void checkParameter(const JsonObject &row, const ParameterDescription &parameter, Profile profile)
 {
+    if (profile == Profile::esc) {
+        Rules::checkCommands(row, parameter);
+        return;
+    }
+    Rules::refuseCommands(row);
     if (hasParameters(profile))
         Rules::checkRange(row, parameter, profile);
     else

@@ -65,7 +65,7 @@ std::vector<Parameter> DeviceDescription::readableValues() const
 {
     std::vector<Parameter> readable;
     for (const ParameterDescription &parameter : parameters)
-        if (parameter.readOut && !isOpcRegister(parameter.parameter))
+        if (parameter.canBeRead() && !isOpcRegister(parameter.parameter))
             readable.push_back(parameter.parameter);
     return readable;
 }

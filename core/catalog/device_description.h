@@ -6,6 +6,7 @@
 #include "encoder/capabilities.h"
 #include "encoder/parameter.h"
 #include "encoder/refusal.h"
+#include "esc/esc_command.h"
 #include "words/k3_explain.h"
 
 #include <QString>
@@ -52,7 +53,13 @@ struct ParameterDescription
     bool onLabel = false;        // told by the label and by the user; neither written nor read
     std::vector<Choice> choices; // empty: any value of the range
     LocalText chapter{};         // of the manual; may be empty
+    // On a serial line: the commands that tell and set it. Direction and scaling are one bit of an answer.
+    std::optional<esc::Command> readCommand{};
+    std::optional<unsigned> readBit{}; // of the answer; nothing: all of it
+    std::optional<esc::Command> writeCommand{};
 
+    bool canBeRead() const { return readOut || readCommand; }
+    bool canBeWritten() const { return number || writeCommand; }
     const Choice *findChoice(std::int64_t value) const;
     const Choice *findChoice(QStringView key) const;
 

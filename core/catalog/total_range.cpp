@@ -15,6 +15,8 @@ std::int64_t turnsOf(const DeviceDescription &device, const ParameterValues &val
 
 std::optional<std::int64_t> totalRange(const DeviceDescription &device, const ParameterValues &values)
 {
+    if (device.profile == Profile::esc)
+        return valueOf(values, Parameter::measuringRange);
     const std::int64_t steps = valueOf(values, Parameter::steps).value_or(0);
     const std::int64_t revolutions = valueOf(values, Parameter::revolutions).value_or(0);
     const std::int64_t turns = turnsOf(device, values);

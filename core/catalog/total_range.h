@@ -7,7 +7,7 @@ namespace codewheel {
 
 // How many positions the encoder has with these values: floor(steps x turns / revolutions), where turns is
 // the measuring range, or the physical turns where the encoder has none. Nothing where one of them is not
-// known.
+// known. On a serial line the encoder tells it as its measuring range, in steps.
 std::optional<std::int64_t> totalRange(const DeviceDescription &device, const ParameterValues &values);
 
 } // namespace codewheel

@@ -37,6 +37,8 @@ constexpr ChoiceRow choiceNames[] = {
     {"decreasing", QT_TRANSLATE_NOOP("Choice", "decreasing")},
     {"no-error", QT_TRANSLATE_NOOP("Choice", "no error")},
     {"magnet-outside", QT_TRANSLATE_NOOP("Choice", "magnet outside the measuring range")},
+    {"on", QT_TRANSLATE_NOOP("Choice", "on")},
+    {"off", QT_TRANSLATE_NOOP("Choice", "off")},
     {"multi-turn-minus-1", QT_TRANSLATE_NOOP("Choice", "multi-turn, steps minus 1")},
 };
 
@@ -90,6 +92,8 @@ QString valueText(const ParameterDescription &parameter, std::int64_t value)
                                ? QLocale().toString(static_cast<double>(value) / divisor, 'f', decimals)
                                : QLocale().toString(qlonglong{value});
     const QString name = choiceName(parameter, value);
+    if (name == QString::number(value)) // a baud rate has no other name than its number
+        return number;
     return name.isEmpty() ? number : QStringLiteral("%1 (%2)").arg(number, name);
 }
 

@@ -28,7 +28,7 @@ Result<void> checkToRead(const DeviceDescription &device, const std::vector<Para
         return refuse(RefusalKind::badInput, RefusalId::nothingToDo);
     for (const Parameter parameter : parameters) {
         const ParameterDescription *description = device.find(parameter);
-        if (description == nullptr || !description->readOut)
+        if (description == nullptr || !description->canBeRead())
             return refuse(RefusalKind::badInput, RefusalId::parameterNotSupported,
                           {parameter, device.fullName()});
     }
@@ -55,7 +55,7 @@ Result<void> checkValue(const DeviceDescription &device, const ParameterValue &v
     if (parameter == nullptr)
         return refuse(RefusalKind::badInput, RefusalId::parameterNotSupported,
                       {value.parameter, device.fullName()});
-    if (!parameter->number)
+    if (!parameter->canBeWritten())
         return refuse(RefusalKind::badInput, RefusalId::parameterReadOnly,
                       {value.parameter, device.fullName()});
     if (!parameter->choices.empty()) {

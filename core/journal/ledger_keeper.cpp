@@ -168,7 +168,7 @@ Ledger::Entry LedgerKeeper::entryAt(const Watched &watched) const
                         .place = watched.identity.place,
                         .device = watched.encoder->device().key};
     for (const ParameterDescription &parameter : watched.encoder->device().parameters)
-        if (const auto known = watched.encoder->known(parameter.parameter); known && parameter.number)
+        if (const auto known = watched.encoder->known(parameter.parameter); known && parameter.canBeWritten())
             entry.before.push_back({known->parameter, known->value, known->evidence,
                                     watched.encoder->dateTime(known->at).toUTC()});
     return entry;

@@ -49,7 +49,7 @@ std::vector<Parameter> ReportedDevice::parameters() const
         if (parameter == Parameter::serialNumber)
             continue; // no setting: it tells which encoder this is
         const ParameterDescription *described = description ? description->find(parameter) : nullptr;
-        const bool isSetting = described && (described->number || described->onLabel);
+        const bool isSetting = described && (described->canBeWritten() || described->onLabel);
         if (isSetting || known(parameter) || valueOf(planned->wanted, parameter))
             listed.push_back(parameter);
     }

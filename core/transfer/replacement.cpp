@@ -91,7 +91,7 @@ TransferWish wishToReplace(const ProjectDevice &planned, const Replacement &now,
     for (const ParameterValue &value : valuesFor(planned, *now.device)) {
         const ParameterDescription *parameter = now.device->find(value.parameter);
         const bool staysBehind = position && value.parameter == Parameter::zeroOffset;
-        if (parameter != nullptr && parameter->number && !staysBehind)
+        if (parameter != nullptr && parameter->canBeWritten() && !staysBehind)
             wish.values.push_back(value);
     }
     if (now.device->capabilities.cams)

@@ -228,7 +228,7 @@ ParameterValues EncoderComparison::valuesBefore() const
     ParameterValues values;
     for (const Known &known : allKnown(m_encoder))
         if (const ParameterDescription *parameter = m_device.find(known.parameter);
-            parameter != nullptr && parameter->number)
+            parameter != nullptr && parameter->canBeWritten())
             values.push_back({known.parameter, known.value});
     return values;
 }

@@ -254,6 +254,58 @@ TEST(BuiltInDevices, KueblerIsKnownByItsLabelAndItsTables)
     EXPECT_TRUE(rs422.connectors[0].pins[6].remark.toString().contains(QStringLiteral("+UB")));
 }
 
+// Kübler, "Read only parameters" and "Programmable parameters"
+TEST(BuiltInDevices, KueblerParametersAreTheCommandsOfTheManual)
+{
+    const Catalog catalog = Catalog::builtIn();
+    struct Row
+    {
+        Parameter parameter;
+        const char *read;
+        const char *write;
+        std::int64_t minimum;
+        std::int64_t maximum;
+        std::optional<unsigned> bit = {};
+    };
+    const Row rows[] = {
+        {Parameter::steps, "D", "GR", 1, 8192},
+        {Parameter::revolutions, "U", "GM", 1, 4096},
+        {Parameter::measuringRange, "M", "GT", 1, 33'554'431},
+        {Parameter::scalingFactor, "F", "GF", 1, 0x7FFF'FFFF},
+        {Parameter::scaling, "O", "GS", 0, 1, 2},
+        {Parameter::direction, "O", "GD", 0, 1, 0},
+        {Parameter::lowerLimit, "L", "GL", 1, 33'554'431},
+        {Parameter::upperLimit, "H", "GH", 1, 33'554'431},
+        {Parameter::lineAddress, "", "X", 1, 31},
+        {Parameter::baudRate, "", "Y", 4800, 19200},
+        {Parameter::preset, "S", "", 1, 33'554'431},
+        {Parameter::offset, "C", "", 0, 0xFFFF'FFFF},
+        {Parameter::serialNumber, "N", "", 0, 0xFFFF'FFFF},
+        {Parameter::operatingTime, "T", "", 0, 0xFFFF'FFFF},
+        {Parameter::operatingParameters, "O", "", 0, 0xFFFF},
+        {Parameter::alarms, "A", "", 0, 0xFFFF},
+        {Parameter::warnings, "E", "", 0, 0xFFFF},
+        {Parameter::deviceCode, "B", "", 0, 0xFFFF},
+    };
+    for (const QStringView key : {u"kuebler-esc-rs485", u"kuebler-esc-rs422"}) {
+        const DeviceDescription &kuebler = device(catalog, key);
+        EXPECT_EQ(kuebler.parameters.size(), std::size(rows));
+        for (const Row &row : rows) {
+            const ParameterDescription *found = kuebler.find(row.parameter);
+            ASSERT_NE(found, nullptr);
+            EXPECT_EQ(found->readCommand, esc::commandOf(row.read)) << row.read;
+            EXPECT_EQ(found->writeCommand, esc::commandOf(row.write)) << row.write;
+            EXPECT_EQ(found->readBit, row.bit);
+            EXPECT_EQ(found->minimum, row.minimum);
+            EXPECT_EQ(found->maximum, row.maximum);
+        }
+        const Capabilities &can = kuebler.capabilities;
+        EXPECT_TRUE(can.reads && can.writes && can.presets && can.presetNeedsValue && can.serialNumber);
+        EXPECT_FALSE(can.readingHidesPosition || can.cams || can.resets || can.velocity);
+        EXPECT_EQ(kuebler.find(Parameter::direction)->findChoice(u"ccw")->value, 1);
+    }
+}
+
 TEST(BuiltInDevices, AnUnnamed0237hIsTheGenericK3)
 {
     const Catalog catalog = Catalog::builtIn();

@@ -83,6 +83,85 @@ TEST(DescriptionRules, TakeEachProfileWithItsCodesAndWords)
     }
 }
 
+QByteArray onLine(const char *parameters)
+{
+    return description({R"("ESC")", "", "", 0, 0, parameters, R"("presets": true)"})
+        .replace(R"( "idCode": "", "deviceCode": "", "inWords": 0, "outWords": 0,)", "");
+}
+
+// Kübler, ESC commands
+TEST(DescriptionRules, TakeTheCommandsOfAnEncoderOnASerialLine)
+{
+    Catalog catalog;
+    const auto added = catalog.add(
+        onLine(R"({"parameter": "steps", "read": "D", "write": "GR", "minimum": 1, "maximum": 8192},
+                  {"parameter": "direction", "read": "O", "bit": 0, "write": "GD", "minimum": 0, "maximum": 1},
+                  {"parameter": "scaling", "read": "O", "bit": 2, "minimum": 0, "maximum": 1},
+                  {"parameter": "address", "write": "X", "minimum": 1, "maximum": 31},
+                  {"parameter": "serial-number", "read": "N", "minimum": 0, "maximum": 4294967295})"),
+        QString());
+    ASSERT_TRUE(added) << added.error().reason.toStdString();
+    const DeviceDescription &device = *catalog.find(u"some");
+    EXPECT_EQ(device.find(Parameter::steps)->readCommand, esc::Command::stepsPerTurn);
+    EXPECT_EQ(device.find(Parameter::steps)->writeCommand, esc::Command::writeStepsPerTurn);
+    EXPECT_EQ(device.find(Parameter::scaling)->readBit, 2u);
+    EXPECT_TRUE(device.find(Parameter::steps)->stored);
+    EXPECT_FALSE(device.find(Parameter::scaling)->canBeWritten());
+    EXPECT_TRUE(device.capabilities.reads && device.capabilities.writes && device.capabilities.serialNumber);
+    EXPECT_EQ(device.readableValues().size(), 4u);
+}
+
+TEST(DescriptionRules, RefuseCommandsThatDoNotBelong)
+{
+    struct Row
+    {
+        QByteArray json;
+        const char *key;
+        const char *reason;
+    };
+    const Row rows[] = {
+        {onLine(R"({"parameter": "steps", "read": "GR", "minimum": 1, "maximum": 2})"),
+         "parameters[0].read",
+         "\"GR\" is no command that reads a value."},
+        {onLine(R"({"parameter": "steps", "read": "V", "minimum": 1, "maximum": 2})"),
+         "parameters[0].read",
+         "\"V\" is no command that reads a value."},
+        {onLine(R"({"parameter": "steps", "read": "D", "write": "D", "minimum": 1, "maximum": 2})"),
+         "parameters[0].write",
+         "\"D\" is no command that writes a value."},
+        {onLine(R"({"parameter": "steps", "write": "GR", "minimum": 1, "maximum": 2})"),
+         "parameters[0].write",
+         "must be read, too"},
+        {onLine(R"({"parameter": "steps", "number": 1, "minimum": 1, "maximum": 2})"),
+         "parameters[0].number",
+         "has the commands read and write"},
+        {onLine(R"({"parameter": "steps", "read": "D", "write": "GR", "minimum": -1, "maximum": 2})"),
+         "parameters[0].maximum",
+         "between 0 and 4294967295"},
+        {onLine(R"({"parameter": "steps", "read": "D", "minimum": 1, "maximum": 2},
+                   {"parameter": "offset", "read": "D", "minimum": 1, "maximum": 2})"),
+         "parameters[1].read",
+         "stands here twice"},
+        {onLine(R"({"parameter": "address", "bit": 1, "write": "X", "minimum": 1, "maximum": 2})"),
+         "parameters[0].bit",
+         "there is none"},
+        {onLine(R"({"parameter": "steps", "minimum": 1, "maximum": 2})"),
+         "parameters[0].number",
+         "on a serial line the commands read or write"},
+        {description({generic, "37h", "0237h", 2, 2,
+                      R"({"parameter": "steps", "number": 1, "read": "D", "minimum": 1, "maximum": 2})"}),
+         "parameters[0].read",
+         "Only an encoder on a serial line has commands."},
+    };
+    for (const Row &row : rows) {
+        const auto added = Catalog().add(row.json, QStringLiteral("some.json"));
+        ASSERT_FALSE(added) << row.reason;
+        EXPECT_EQ(added.error().key.toStdString(), row.key) << added.error().reason.toStdString();
+        EXPECT_TRUE(added.error().reason.contains(QLatin1String(row.reason)))
+            << added.error().reason.toStdString();
+    }
+}
+
 TEST(DescriptionRules, TakeTheCodingOfAnEncoderThatOnlyTellsItsPosition)
 {
     Catalog catalog;

@@ -45,7 +45,7 @@ QString whatIsLost(const EncoderSession &encoder)
 {
     QStringList names;
     for (const ParameterDescription &parameter : encoder.device().parameters)
-        if (parameter.number)
+        if (parameter.canBeWritten())
             names << parameterName(parameter.parameter);
     QString text = Functions::tr("Lost are: %1.").arg(names.join(QStringLiteral(", ")));
     if (encoder.can().cams)

@@ -22,7 +22,7 @@ bool isRegister(const ParameterDescription &parameter)
 
 bool isWritable(const ParameterDescription &parameter)
 {
-    return parameter.number.has_value();
+    return parameter.canBeWritten();
 }
 
 bool isReadOnlyValue(const ParameterDescription &parameter)

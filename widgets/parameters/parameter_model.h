@@ -20,7 +20,7 @@ struct ParameterRow
     Head head = Head::none;
 
     bool isHead() const { return head != Head::none; }
-    bool isReadOnly() const { return !parameter.number; }
+    bool isReadOnly() const { return !parameter.canBeWritten(); }
     // Told by the label alone: what is entered is what is known.
     bool isTold() const { return parameter.onLabel; }
     // Both are there and not the same.

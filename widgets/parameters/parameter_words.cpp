@@ -52,7 +52,7 @@ QString rangeAndFactory(const ParameterDescription &parameter)
     if (parameter.onLabel)
         return ParameterWords::tr("Stands on the label of the encoder; it is told, never written.") +
                QLatin1Char('\n') + range(parameter);
-    if (!parameter.number)
+    if (!parameter.canBeWritten())
         return ParameterWords::tr("Can be read, not written.");
     const QString factory =
         parameter.factory

@@ -12,7 +12,7 @@ namespace {
 bool isWritable(const DeviceDescription &device, Parameter parameter)
 {
     const ParameterDescription *description = device.find(parameter);
-    return description != nullptr && description->number.has_value();
+    return description != nullptr && description->canBeWritten();
 }
 
 ParameterValues writable(const DeviceDescription &device, const std::vector<Known> &known)

@@ -111,7 +111,7 @@ void ValuesPage::makeRows()
     form->setSpacing(grid::unit);
     QWidget *before = nullptr;
     for (const ParameterDescription &parameter : m_setup.encoder->device().parameters) {
-        if (!parameter.number)
+        if (!parameter.canBeWritten())
             continue;
         auto *field = new ValueField(parameter, tr("as it is"), m_form);
         auto *name = new QLabel(parameterName(parameter.parameter), m_form);

@@ -67,7 +67,7 @@ Table valueTable(const HandshakeRecord &record, const DeviceDescription &device)
                  WizardReport::tr("After")},
                 {}};
     for (const ParameterDescription &parameter : device.parameters) {
-        if (!parameter.number)
+        if (!parameter.canBeWritten())
             continue;
         const auto wanted = valueOf(record.job.values, parameter.parameter);
         table.rows.append({parameterName(parameter.parameter),
