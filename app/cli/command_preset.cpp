@@ -9,6 +9,7 @@
 #include "cli/told_mode.h"
 #include "cli/trace.h"
 #include "encoder/sentence.h"
+#include "words/la66_word.h"
 
 #include <array>
 

@@ -2,6 +2,7 @@
 #include "drivers/la66_driver.h"
 
 #include "drivers/la66_reading.h"
+#include "words/la66_word.h"
 
 #include <algorithm>
 #include <utility>

@@ -2,6 +2,7 @@
 // How a job ends before its end. A service that was asked for cannot be taken back: it is waited for, and its
 // handshake is finished.
 #include "drivers/la66_driver.h"
+#include "words/la66_word.h"
 
 #include <algorithm>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/la66_handshake.h"
 
+#include "words/la66_word.h"
+
 namespace codewheel {
 namespace {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/la66_knowledge.h"
 
+#include "words/la66_word.h"
+
 namespace codewheel {
 
 void La66Knowledge::observe(Word in, Instant now)

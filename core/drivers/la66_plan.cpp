@@ -2,6 +2,7 @@
 #include "drivers/la66_plan.h"
 
 #include "drivers/parameter_check.h"
+#include "words/la66_word.h"
 
 namespace codewheel {
 namespace {

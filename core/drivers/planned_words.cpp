@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/planned_words.h"
 
+#include "drivers/esc_plan.h"
 #include "drivers/k3_plan.h"
 #include "drivers/la66_plan.h"
 
@@ -16,6 +17,18 @@ Result<std::vector<Step>> stepsOf(const Plan &plan, const Job &job, MakeSteps ma
     return std::vector<Step>(steps.begin(), steps.end());
 }
 
+// The encoder is where it is known to be, else at the master address.
+Result<std::vector<Step>> escSteps(const DeviceDescription &device, const std::vector<Known> &known,
+                                   const Job &job)
+{
+    ParameterValues values;
+    for (const Known &one : known)
+        values.push_back({one.parameter, one.value});
+    const auto address = valueOf(values, Parameter::lineAddress).value_or(LineAddress::master().value);
+    const EscPlan plan(device, {static_cast<std::uint8_t>(address)}, {}, values);
+    return stepsOf(plan, job, [&] { return plan.stepsFor(job); });
+}
+
 } // namespace
 
 Result<std::vector<Step>> plannedSteps(const DeviceDescription &device, const std::vector<Known> &known,
@@ -25,6 +38,8 @@ Result<std::vector<Step>> plannedSteps(const DeviceDescription &device, const st
         const La66Plan plan(device, {});
         return stepsOf(plan, job, [&] { return plan.stepsFor(job, out); });
     }
+    if (device.profile == Profile::esc)
+        return escSteps(device, known, job);
     K3Knowledge knowledge(device);
     knowledge.set(known);
     knowledge.setCams(cams);

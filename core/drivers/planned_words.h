@@ -8,11 +8,11 @@
 
 namespace codewheel {
 
-// The words that `job` will put into OUT, step by step, as far as they can be told beforehand: what is read
-// on the way may leave out values the encoder already has, and may make steps into steps - 1. For review
-// before anything is sent; refused like the job itself where the input is bad. A WriteCams that writes only
-// what differs reads each program first; what follows is told by `cams`, where the program is known. `out` is
-// what stands in OUT.
+// The words that `job` will put into OUT, or the requests it will send, step by step, as far as they can be
+// told beforehand: what is read on the way may leave out values the encoder already has, and may make steps
+// into steps - 1. For review before anything is sent; refused like the job itself where the input is bad. A
+// WriteCams that writes only what differs reads each program first; what follows is told by `cams`, where the
+// program is known. `out` is what stands in OUT.
 Result<std::vector<Step>> plannedSteps(const DeviceDescription &device, const std::vector<Known> &known,
                                        const Job &job, const std::vector<KnownCams> &cams = {},
                                        Word out = k3::normalRunning);

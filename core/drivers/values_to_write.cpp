@@ -3,7 +3,6 @@
 
 #include "catalog/device_description.h"
 #include "drivers/planned_words.h"
-#include "words/la66_word.h"
 
 #include <algorithm>
 
@@ -47,7 +46,7 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
         job.values.push_back(wanted);
         const bool readFirst =
             !isRead(encoder, wanted.parameter) || (rearms && !isRead(encoder, Parameter::presetFlag));
-        if (!wish.writeAll && encoder.can().reads && description.readOut && readFirst)
+        if (!wish.writeAll && encoder.can().reads && description.canBeRead() && readFirst)
             job.onlyWhatDiffers = true;
     }
     return job;
@@ -89,7 +88,7 @@ std::vector<Known> allKnown(const EncoderSession &encoder)
 
 bool takesValue(const Step &step)
 {
-    return step.kind == StepKind::parameter || (step.kind == StepKind::serviceBit && la66::isWrite(step.out));
+    return writesAnything(step);
 }
 
 int eepromWritesOf(const std::vector<Step> &steps, const Capabilities &can)

@@ -6,7 +6,6 @@
 #include "encoder/known.h"
 #include "encoder/reading.h"
 #include "encoder/refusal.h"
-#include "words/la66_word.h"
 
 #include <QByteArray>
 #include <QString>
@@ -45,11 +44,9 @@ struct Step
 };
 
 // Whether the step gives the encoder a value of its parameter.
-inline bool writesValue(const Step &step)
-{
-    return step.parameter && (step.kind == StepKind::parameter ||
-                              (step.kind == StepKind::serviceBit && la66::isWrite(step.out)));
-}
+bool writesValue(const Step &step);
+// Whether the encoder takes anything by it: a value, or a position that is its preset from then on.
+bool writesAnything(const Step &step);
 
 // Sent when a step begins, is waited for, or is done.
 struct Progress

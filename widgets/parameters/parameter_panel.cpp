@@ -18,6 +18,7 @@
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/parameters/write_review.h"
 #include "widgets/wizard/known_text.h"
+#include "words/la66_word.h"
 
 #include <QAction>
 #include <QGridLayout>

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivers/esc_driver.h"
+
+#include <utility>
+
+namespace codewheel {
+
+EscDriver::EscDriver(const DeviceDescription &device, LineAddress address, EscSettings settings)
+    : m_encoder(device, address, settings)
+    , m_polls(settings)
+{}
+
+void EscDriver::setSettings(const EscSettings &settings)
+{
+    m_encoder.settings = settings;
+    m_polls.setSettings(settings);
+}
+
+void EscDriver::setLineBaudRate(int baudRate)
+{
+    m_encoder.baudRate = baudRate;
+    if (m_encoder.wantedBaudRate == baudRate)
+        m_encoder.wantedBaudRate.reset();
+}
+
+Result<void> EscDriver::begin(JobId id, const Job &job, Pace pace, Instant now)
+{
+    if (m_job)
+        return refuse(RefusalKind::busy, RefusalId::jobRunning);
+    if (auto checked = m_encoder.plan().check(job); !checked)
+        return checked;
+    m_job.emplace(id, job, pace, m_encoder);
+    m_now = now;
+    return {};
+}
+
+void EscDriver::proceed()
+{
+    if (m_job)
+        m_job->proceed();
+}
+
+void EscDriver::cancel(OnCancel how, Instant)
+{
+    if (!m_job)
+        return;
+    m_job->cancel(how);
+    if (m_job->isDone())
+        endJob();
+}
+
+void EscDriver::stop(RefusalId why, Instant)
+{
+    if (!m_job)
+        return;
+    m_job->stop(why);
+    endJob();
+}
+
+// An answer that is still awaited is nobody's then.
+void EscDriver::endJob()
+{
+    m_job.reset();
+    if (m_asks == Asks::job)
+        m_asks = Asks::nobody;
+}
+
+std::optional<Instant> EscDriver::wakesAt() const
+{
+    if (m_job && !m_job->waits())
+        return m_now;
+    return m_polls.wakesAt(m_now);
+}
+
+std::optional<esc::Request> EscDriver::next(Instant now)
+{
+    m_now = now;
+    if (m_job && m_job->isSearching())
+        return other(now);
+    if (!m_wasPosition)
+        if (auto request = position(now))
+            return request;
+    if (auto request = other(now))
+        return request;
+    return position(now);
+}
+
+std::optional<esc::Request> EscDriver::position(Instant now)
+{
+    if (!m_polls.isPositionDue(now))
+        return std::nullopt;
+    m_polls.positionAsked(now);
+    m_asks = Asks::position;
+    m_wasPosition = true;
+    return esc::Request{m_encoder.address, esc::Command::position};
+}
+
+std::optional<esc::Request> EscDriver::other(Instant now)
+{
+    std::optional<esc::Request> request;
+    if (m_job) {
+        request = m_job->next(now);
+        m_asks = request ? Asks::job : Asks::nobody;
+        if (m_job->isDone())
+            endJob();
+    }
+    if (!request) {
+        if (const auto command = m_polls.between(now)) {
+            request = {m_encoder.address, *command};
+            m_asks = Asks::between;
+        }
+    }
+    m_wasPosition = m_wasPosition && !request;
+    return request;
+}
+
+void EscDriver::answered(const esc::Request &request, const esc::ExchangeResult &result, Instant now)
+{
+    m_now = now;
+    const Asks asks = std::exchange(m_asks, Asks::nobody);
+    count(result, now);
+    switch (asks) {
+    case Asks::nobody:
+        observe(request, result, now);
+        break;
+    case Asks::position:
+        positionAnswered(result, now);
+        break;
+    case Asks::between:
+        betweenAnswered(request.command, result, now);
+        break;
+    case Asks::job:
+        m_job->answered(result, now);
+        if (m_job->isDone())
+            endJob();
+        break;
+    }
+    m_encoder.flushKnowledge();
+}
+
+// Silence and its end. What is asked at another place than the encoder's says nothing about it.
+void EscDriver::count(const esc::ExchangeResult &result, Instant now)
+{
+    if (m_job && m_job->isSearching())
+        return;
+    if (result.answer) {
+        if (m_encoder.reading.state == EncoderState::silent)
+            m_encoder.tell(now, Severity::information, MessageId::encoderAnswers);
+        m_unanswered = m_tries = 0;
+        if (!m_polls.isInContact())
+            contact(now);
+        return;
+    }
+    ++m_unanswered;
+    m_tries += result.sent;
+    if (m_unanswered < m_encoder.settings.silentAfter || m_encoder.reading.state == EncoderState::silent)
+        return;
+    m_encoder.reading.state = EncoderState::silent;
+    m_encoder.reading.suspect = false;
+    m_encoder.guard.forget();
+    m_polls.silence(now);
+    m_encoder.tell(now, Severity::fault, MessageId::encoderSilent, {std::int64_t{m_tries}});
+}
+
+void EscDriver::contact(Instant now)
+{
+    m_encoder.reading.state = EncoderState::operation;
+    m_between = EscAgreement(m_encoder.settings.readTries);
+    m_polls.contact(now);
+    if (m_encoder.address.isDevice())
+        m_encoder.values.learn({Parameter::lineAddress, m_encoder.address.value, Evidence::read, now});
+    const auto baudRate = m_encoder.wantedBaudRate ? m_encoder.wantedBaudRate : m_encoder.baudRate;
+    if (baudRate)
+        m_encoder.values.learn({Parameter::baudRate, *baudRate, Evidence::read, now});
+}
+
+void EscDriver::positionAnswered(const esc::ExchangeResult &result, Instant now)
+{
+    if (hasValue(result.answer) && !m_encoder.takePosition(result.answer->value, now))
+        m_polls.askPositionAgain();
+}
+
+// Warnings and alarms that say what they said before need no second read.
+void EscDriver::betweenAnswered(esc::Command command, const esc::ExchangeResult &result, Instant now)
+{
+    if (!m_polls.isInContact() || m_polls.between(now) != command)
+        return;
+    if (!hasValue(result.answer)) {
+        // 03: the encoder does not know the command, and never will.
+        if (result.answer)
+            m_polls.betweenDone();
+        else
+            m_polls.putOff();
+    } else {
+        switch (m_between.add(*result.answer)) {
+        case EscAgreement::State::wantsMore:
+            if (!m_encoder.saysTheSame(command, *result.answer))
+                return;
+            m_polls.betweenDone();
+            break;
+        case EscAgreement::State::agreed:
+            betweenAgreed(command, *result.answer, now);
+            m_polls.betweenDone();
+            break;
+        case EscAgreement::State::disagreed:
+            m_polls.putOff();
+            break;
+        }
+    }
+    m_between = EscAgreement(m_encoder.settings.readTries);
+}
+
+// Another serial number than before: whatever was known was known of another encoder.
+void EscDriver::betweenAgreed(esc::Command command, const esc::Answer &answer, Instant now)
+{
+    if (command == esc::Command::serialNumber) {
+        const auto before = std::exchange(m_serialNumber, std::int64_t{answer.value});
+        if (before && before != m_serialNumber)
+            for (const ParameterValue &value : m_encoder.values.values())
+                if (value.parameter != Parameter::lineAddress && value.parameter != Parameter::baudRate)
+                    m_encoder.values.forget(value.parameter);
+    }
+    m_encoder.take(command, answer, now);
+}
+
+void EscDriver::observe(const esc::Request &request, const esc::ExchangeResult &result, Instant)
+{
+    if (!esc::shapeOf(request.command).writes)
+        return;
+    const bool isAccepted = result.answer && result.answer->kind == esc::Answer::Kind::accepted;
+    if (result.answer && !isAccepted)
+        return;
+    m_encoder.mayHaveChanged(request.command);
+    m_encoder.values.countEepromWrite();
+    m_encoder.flushKnowledge();
+}
+
+std::vector<Event> EscDriver::takeEvents()
+{
+    return std::exchange(m_encoder.events, {});
+}
+
+std::vector<Message> EscDriver::takeMessages()
+{
+    return std::exchange(m_encoder.messages, {});
+}
+
+} // namespace codewheel

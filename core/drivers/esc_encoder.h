@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "drivers/esc_plan.h"
+#include "drivers/esc_position_guard.h"
+#include "drivers/esc_settings.h"
+#include "drivers/known_values.h"
+#include "encoder/message.h"
+#include "encoder/reading.h"
+#include "esc/esc_exchange.h"
+
+#include <map>
+
+namespace codewheel {
+
+// One encoder on a serial line as it is known by now: where it is, what it shows, what it has. Shared by the
+// driver, which asks it again and again, and by the job on its way.
+class EscEncoder
+{
+public:
+    // The description must outlive this.
+    EscEncoder(const DeviceDescription &description, LineAddress place, EscSettings how);
+
+    const DeviceDescription &device;
+    EscSettings settings;
+    LineAddress address;
+    std::optional<int> baudRate;       // of the line, as told; nothing: not known
+    std::optional<int> wantedBaudRate; // while the encoder needs another
+    EscPlan::Taken taken;              // other encoders of the line
+    Reading reading;
+    KnownValues values;
+    EscPositionGuard guard;
+    QString version;
+    std::vector<Event> events;
+    std::vector<Message> messages;
+
+    EscPlan plan() const { return {device, address, settings, values.values(), taken}; }
+
+    // An answer to P. False: it is suspect, and must be asked for again.
+    bool takePosition(std::uint32_t position, Instant now);
+    // Warnings or alarms that are as they were.
+    bool saysTheSame(esc::Command command, const esc::Answer &answer) const;
+    // What two reads agreed on.
+    void take(esc::Command command, const esc::Answer &answer, Instant now);
+    // A write was executed, or may have been: what depends on it is not known any more.
+    void mayHaveChanged(esc::Command command);
+
+    void tell(Instant now, Severity severity, MessageId id, std::vector<RefusalArgument> arguments = {});
+    void flushKnowledge();
+
+private:
+    std::uint16_t bitsOf(esc::Command command, const esc::Answer &answer) const;
+    void updateScale();
+    void tellSuspect(std::int64_t position, Instant now);
+
+    bool m_versionChanged = false;
+    std::optional<Instant> m_suspectTold;
+};
+
+// Digits or text came: an answer that says more than 03, 05 or a bare line end.
+bool hasValue(const std::optional<esc::Answer> &answer);
+
+} // namespace codewheel

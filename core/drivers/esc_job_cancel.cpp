@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a job on a serial line ends before its end. What was sent cannot be taken back: its answer is waited
+// for, and what the encoder has then is read.
+#include "drivers/esc_job.h"
+
+#include <algorithm>
+#include <span>
+
+namespace codewheel {
+namespace {
+
+using Sent = std::span<const EscStep>;
+
+bool wasWritten(Sent sent, Parameter parameter)
+{
+    return std::ranges::any_of(sent, [&](const EscStep &step) {
+        return step.task == EscStep::Task::write && step.parameter == parameter;
+    });
+}
+
+bool wasScalingWritten(Sent sent)
+{
+    return std::ranges::any_of(sent, [](const EscStep &step) {
+        return step.task == EscStep::Task::write && step.parameter && isEscScaling(*step.parameter);
+    });
+}
+
+bool wasPresetSent(Sent sent)
+{
+    return std::ranges::any_of(
+        sent, [](const EscStep &step) { return step.request.command == esc::Command::writePreset; });
+}
+
+// Whether it tells what the encoder has of what was sent.
+bool tellsOf(Sent sent, const EscStep &step)
+{
+    switch (step.task) {
+    case EscStep::Task::positionAfter:
+        return wasPresetSent(sent);
+    case EscStep::Task::refresh:
+        if (step.parameter == Parameter::preset)
+            return wasPresetSent(sent);
+        return step.parameter && isEscScaling(*step.parameter) && wasScalingWritten(sent);
+    case EscStep::Task::readBack:
+    case EscStep::Task::search:
+        return step.parameter && wasWritten(sent, *step.parameter);
+    case EscStep::Task::read:
+    case EscStep::Task::write:
+    case EscStep::Task::positionBefore:
+        break;
+    }
+    return false;
+}
+
+} // namespace
+
+void EscJob::cancel(OnCancel how)
+{
+    if (m_isDone || m_cancelled || m_failure || m_index == m_steps.size())
+        return;
+    m_cancelled = how;
+    const bool goesOn = m_isUnderWay || (m_isBegun && tellsOf(Sent(m_steps).first(m_index), current()));
+    m_isBegun = goesOn;
+    dropFrom(m_index + (goesOn ? 1 : 0));
+    settle();
+}
+
+void EscJob::stop(RefusalId why)
+{
+    if (m_isDone)
+        return;
+    if (m_isUnderWay && current().task == EscStep::Task::write)
+        m_encoder.mayHaveChanged(current().request.command);
+    finish(refuse(RefusalKind::stopped, why));
+}
+
+// What was not written, or was refused, is as it was. Of the scaling it is read all the same: one value of it
+// changes the others.
+void EscJob::dropFrom(std::size_t first, std::optional<Parameter> refused)
+{
+    const Sent sent = Sent(m_steps).first(first);
+    EscSteps left(sent.begin(), sent.end());
+    for (EscStep step : Sent(m_steps).subspan(first)) {
+        const bool isWritten =
+            step.parameter && step.parameter != refused && wasWritten(sent, *step.parameter);
+        if (step.task == EscStep::Task::readBack && !isWritten)
+            step.task = EscStep::Task::refresh;
+        if (tellsOf(sent, step) && (isWritten || step.task != EscStep::Task::search))
+            left.push_back(step);
+    }
+    m_steps = std::move(left);
+}
+
+// What the job has written goes back where that was asked for and the old values are known.
+void EscJob::appendRestore()
+{
+    m_isRestoring = true;
+    if (m_outcome.written.empty() || !canRestore())
+        return;
+    ParameterValues values;
+    for (const ParameterValue &taken : m_outcome.written)
+        values.push_back({taken.parameter, *valueOf(m_before, taken.parameter)});
+    const EscSteps back = m_encoder.plan().writes(values);
+    m_steps.insert(m_steps.end(), back.begin(), back.end());
+}
+
+bool EscJob::canRestore() const
+{
+    return std::ranges::all_of(m_outcome.written, [this](const ParameterValue &value) {
+        return valueOf(m_before, value.parameter).has_value();
+    });
+}
+
+} // namespace codewheel

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The position before and after a preset, and what they say of one that was not answered.
+#include "drivers/esc_job.h"
+
+namespace codewheel {
+
+void EscJob::positionAnswered(const esc::ExchangeResult &result, Instant now)
+{
+    if (!hasValue(result.answer)) {
+        notRead(refusalOf(result));
+        return;
+    }
+    const bool isTaken = m_encoder.takePosition(result.answer->value, now);
+    const auto state = m_reads.add(*result.answer);
+    if (isTaken) {
+        positionKnown(now);
+        return;
+    }
+    m_preset.positions = 0;
+    if (state == EscAgreement::State::disagreed) // every time something else
+        notRead(disagreed());
+}
+
+// The first position after the preset may be any, so that one alone says nothing.
+void EscJob::positionKnown(Instant now)
+{
+    if (current().task == EscStep::Task::positionBefore) {
+        m_outcome.positionBefore = m_encoder.reading.position;
+        m_preset.positionBeforeAt = now;
+        stepDone();
+    } else if (++m_preset.positions == 2) {
+        m_outcome.positionAfter = m_encoder.reading.position;
+        presetDone(now);
+    }
+}
+
+void EscJob::presetDone(Instant now)
+{
+    const EscStep step = current();
+    const Said position = positionSays(now);
+    if (!m_unanswered) {
+        if (position == Said::notDone)
+            fail({RefusalKind::device,
+                  RefusalId::verificationFailed,
+                  {Parameter::preset, step.value, *m_outcome.positionAfter}});
+        else
+            stepDone();
+        return;
+    }
+    const Said value = presetValueSays();
+    const QString line = QString::fromLatin1(m_unanswered->line);
+    const bool contradict = position != Said::nothing && value != Said::nothing && position != value;
+    const Said said = position == Said::nothing ? value : position;
+    if (said == Said::notDone && !contradict) {
+        fail({RefusalKind::device, RefusalId::escWriteNotDone, {line}});
+        return;
+    }
+    m_encoder.values.countEepromWrite();
+    if (said == Said::done && !contradict) {
+        m_unanswered.reset();
+        stepDone();
+    } else {
+        fail({RefusalKind::device, RefusalId::escWriteUnknown, {line}});
+    }
+}
+
+EscJob::Said EscJob::positionSays(Instant now) const
+{
+    const EscPositionGuard &guard = m_encoder.guard;
+    const std::int64_t after = *m_outcome.positionAfter;
+    const bool fromPreset = guard.canReach(current().value, after, now - m_preset.sentAt.value_or(now));
+    const bool fromBefore = m_outcome.positionBefore &&
+                            guard.canReach(*m_outcome.positionBefore, after, now - m_preset.positionBeforeAt);
+    if (fromPreset && fromBefore)
+        return Said::nothing;
+    return fromPreset ? Said::done : Said::notDone;
+}
+
+EscJob::Said EscJob::presetValueSays() const
+{
+    if (!m_preset.valueAfter || m_preset.valueBefore == current().value)
+        return Said::nothing;
+    return m_preset.valueAfter == current().value ? Said::done : Said::notDone;
+}
+
+} // namespace codewheel

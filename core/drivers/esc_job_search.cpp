@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where an encoder is after its address or its baud rate was changed.
+#include "drivers/esc_job.h"
+#include "drivers/esc_values.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+using Places = std::vector<EscSearch::Place>;
+
+// Both readings of the two digits, then where it was; at the master address every encoder answers.
+Places placesOfAddress(LineAddress wanted, LineAddress before, std::optional<int> baudRate)
+{
+    Places places;
+    for (const LineAddress reading : escReadingsOf(wanted))
+        places.push_back({reading, baudRate});
+    const EscSearch::Place old{before, baudRate};
+    if (before.isDevice() && std::ranges::find(places, old) == places.end())
+        places.push_back(old);
+    return places;
+}
+
+// The answer was awaited at the old rate; the encoder is looked for at the new one first.
+Places placesOfBaudRate(int wanted, std::optional<int> before, LineAddress address)
+{
+    Places places{{address, wanted}};
+    if (before != wanted)
+        places.push_back({address, before});
+    return places;
+}
+
+} // namespace
+
+void EscJob::beginSearch()
+{
+    const auto wanted = current().value;
+    m_rateBefore = m_encoder.wantedBaudRate ? m_encoder.wantedBaudRate : m_encoder.baudRate;
+    Places places = current().parameter == Parameter::lineAddress
+                        ? placesOfAddress({static_cast<std::uint8_t>(wanted)}, m_encoder.address,
+                                          m_encoder.wantedBaudRate)
+                        : placesOfBaudRate(static_cast<int>(wanted), m_rateBefore, m_encoder.address);
+    m_search.emplace(std::move(places), std::max(m_encoder.settings.searchRounds, 1),
+                     m_encoder.values.value(Parameter::serialNumber));
+    m_encoder.wantedBaudRate = m_search->place().baudRate;
+}
+
+void EscJob::searchAnswered(const esc::ExchangeResult &result, Instant now)
+{
+    const auto state = m_search->answered(result);
+    if (state == EscSearch::State::searching) {
+        m_encoder.wantedBaudRate = m_search->place().baudRate;
+        return;
+    }
+    const EscSearch search = *std::exchange(m_search, std::nullopt);
+    if (state == EscSearch::State::nowhere) {
+        m_encoder.wantedBaudRate = m_rateBefore;
+        if (m_unanswered)
+            m_encoder.values.countEepromWrite();
+        m_encoder.values.forget(*current().parameter);
+        fail({RefusalKind::device, RefusalId::escNotFoundAgain, {search.placesText()}});
+    } else if (current().parameter == Parameter::lineAddress) {
+        foundAtAddress(search.place().address, now);
+    } else {
+        foundAtBaudRate(search.place().baudRate, now);
+    }
+}
+
+void EscJob::foundAtAddress(LineAddress found, Instant now)
+{
+    const LineAddress before = m_encoder.address;
+    m_encoder.address = found;
+    m_encoder.values.learn({Parameter::lineAddress, found.value, Evidence::read, now});
+    const bool isWanted = found.value == current().value;
+    if (found == before && !isWanted) {
+        notWhereItShouldBe(found.value);
+        return;
+    }
+    if (found != before)
+        m_encoder.tell(now, isWanted ? Severity::information : Severity::attention,
+                       MessageId::lineAddressChanged, {before.shown(), found.shown()});
+    if (m_unanswered)
+        m_encoder.values.countEepromWrite();
+    m_unanswered.reset();
+    replaceValue(m_outcome.written, {Parameter::lineAddress, found.value});
+    if (isWanted)
+        stepDone();
+    else
+        fail({RefusalKind::device,
+              RefusalId::verificationFailed,
+              {Parameter::lineAddress, current().value, std::int64_t{found.value}}});
+}
+
+void EscJob::foundAtBaudRate(std::optional<int> found, Instant now)
+{
+    const int wanted = static_cast<int>(current().value);
+    if (found != wanted) {
+        if (found)
+            m_encoder.values.learn({Parameter::baudRate, *found, Evidence::read, now});
+        notWhereItShouldBe(found.value_or(0));
+        return;
+    }
+    RefusalArgument before = QString();
+    if (m_rateBefore)
+        before = std::int64_t{*m_rateBefore};
+    m_encoder.values.learn({Parameter::baudRate, wanted, Evidence::read, now});
+    if (m_rateBefore != wanted)
+        m_encoder.tell(now, Severity::information, MessageId::baudRateChanged, {before, current().value});
+    if (m_unanswered)
+        m_encoder.values.countEepromWrite();
+    m_unanswered.reset();
+    replaceValue(m_outcome.written, {Parameter::baudRate, wanted});
+    stepDone();
+}
+
+// It answers where it was before.
+void EscJob::notWhereItShouldBe(std::int64_t has)
+{
+    const EscStep step = current();
+    std::erase_if(m_outcome.written,
+                  [&](const ParameterValue &value) { return value.parameter == *step.parameter; });
+    if (m_unanswered)
+        fail({RefusalKind::device, RefusalId::escWriteNotDone, {QString::fromLatin1(m_unanswered->line)}});
+    else
+        fail({RefusalKind::device, RefusalId::verificationFailed, {*step.parameter, step.value, has}});
+}
+
+} // namespace codewheel

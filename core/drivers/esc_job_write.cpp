@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A write of a job and what became of it.
+#include "drivers/esc_job.h"
+#include "drivers/esc_values.h"
+
+#include <algorithm>
+
+namespace codewheel {
+
+void EscJob::writeAnswered(const esc::ExchangeResult &result, Instant now)
+{
+    if (!result.answer || hasValue(result.answer))
+        notAnswered();
+    else if (result.answer->kind == esc::Answer::Kind::accepted)
+        accepted(now);
+    else
+        fail(refusalOf(result));
+}
+
+void EscJob::accepted(Instant now)
+{
+    const EscStep &step = current();
+    m_encoder.mayHaveChanged(step.request.command);
+    m_encoder.values.countEepromWrite();
+    if (step.parameter) {
+        replaceValue(m_outcome.written, {*step.parameter, step.value});
+        m_encoder.values.learn({*step.parameter, step.value, Evidence::echoed, now});
+    }
+    stepDone();
+}
+
+// It is never sent again by itself: the encoder is read instead, and at once.
+void EscJob::notAnswered()
+{
+    const EscStep step = current();
+    m_unanswered = step;
+    m_encoder.mayHaveChanged(step.request.command);
+    stepDone();
+    const bool isNext = m_index < m_steps.size() && m_steps[m_index].parameter == step.parameter &&
+                        m_steps[m_index].task == EscStep::Task::readBack;
+    const bool isLookedFor = std::ranges::any_of(m_steps, [&](const EscStep &other) {
+        return other.task == EscStep::Task::search && other.parameter == step.parameter;
+    });
+    if (step.parameter && !isNext && !isLookedFor)
+        m_steps.insert(m_steps.begin() + static_cast<std::ptrdiff_t>(m_index),
+                       m_encoder.plan().readBack(step));
+}
+
+void EscJob::readBackAnswered(const esc::ExchangeResult &result, Instant now)
+{
+    if (!hasValue(result.answer)) {
+        notRead(refusalOf(result));
+        return;
+    }
+    switch (m_reads.add(*result.answer)) {
+    case EscAgreement::State::wantsMore:
+        break;
+    case EscAgreement::State::agreed:
+        readBackAgreed(now);
+        break;
+    case EscAgreement::State::disagreed:
+        notRead(disagreed());
+        break;
+    }
+}
+
+void EscJob::readBackAgreed(Instant now)
+{
+    const EscStep step = current();
+    m_encoder.take(step.request.command, m_reads.last(), now);
+    const std::int64_t has = *m_encoder.values.value(*step.parameter);
+    if (has == step.value) {
+        if (m_unanswered)
+            m_encoder.values.countEepromWrite();
+        m_unanswered.reset();
+        replaceValue(m_outcome.written, {*step.parameter, step.value});
+        stepDone();
+        return;
+    }
+    std::erase_if(m_outcome.written,
+                  [&](const ParameterValue &value) { return value.parameter == *step.parameter; });
+    if (m_unanswered)
+        fail({RefusalKind::device, RefusalId::escWriteNotDone, {QString::fromLatin1(m_unanswered->line)}});
+    else
+        fail({RefusalKind::device, RefusalId::verificationFailed, {*step.parameter, step.value, has}});
+}
+
+// A write that may have reached the EEPROM counts as one.
+void EscJob::notRead(const Refusal &why)
+{
+    if (!m_unanswered) {
+        fail(why);
+        return;
+    }
+    m_encoder.values.countEepromWrite();
+    fail({RefusalKind::device, RefusalId::escWriteUnknown, {QString::fromLatin1(m_unanswered->line)}});
+}
+
+// The first failure is told. What was accepted before is still read back, save of an encoder that is silent.
+void EscJob::fail(Refusal why)
+{
+    const bool isSilent = why.id == RefusalId::escNoAnswer || why.id == RefusalId::escWriteUnknown ||
+                          why.id == RefusalId::escNotFoundAgain;
+    const std::optional<Parameter> refused =
+        current().task == EscStep::Task::write ? current().parameter : std::nullopt;
+    m_unanswered.reset();
+    stepDone();
+    if (isSilent)
+        m_steps.resize(m_index);
+    else
+        dropFrom(m_index, refused);
+    if (!m_failure)
+        m_failure = std::move(why);
+}
+
+} // namespace codewheel

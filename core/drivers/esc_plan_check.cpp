@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of a job for an encoder on a serial line is refused before anything is sent.
+#include "drivers/esc_plan.h"
+#include "drivers/esc_values.h"
+#include "drivers/parameter_check.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+Result<void> checkRange(const ParameterDescription &narrowed, std::int64_t value)
+{
+    if (value < narrowed.minimum || value > narrowed.maximum)
+        return refuse(RefusalKind::badInput, RefusalId::valueOutOfRange,
+                      {narrowed.parameter, value, narrowed.minimum, narrowed.maximum});
+    return {};
+}
+
+// What the encoder will have once the job is done, as far as it can be told: a new scaling changes a
+// measuring range that is not given.
+ParameterValues afterwards(ParameterValues known, const ParameterValues &wanted)
+{
+    const bool rescales = std::ranges::any_of(
+        wanted, [](const ParameterValue &value) { return isEscScaling(value.parameter); });
+    if (rescales)
+        std::erase_if(known, [](const ParameterValue &value) { return isBoundToEscFactor(value.parameter); });
+    for (const ParameterValue &value : wanted)
+        replaceValue(known, value);
+    return known;
+}
+
+} // namespace
+
+Result<void> EscPlan::check(const Job &job) const
+{
+    if (const auto *read = std::get_if<ReadParameters>(&job))
+        return checkToRead(m_device, read->parameters);
+    if (const auto *write = std::get_if<WriteParameters>(&job))
+        return checkWrite(*write);
+    if (const auto *preset = std::get_if<SetPreset>(&job))
+        return checkPreset(*preset);
+    if (std::holds_alternative<SendWords>(job))
+        return refuse(RefusalKind::notSupported, RefusalId::sendingNotSupported, {m_device.fullName()});
+    if (std::holds_alternative<ReadCams>(job) || std::holds_alternative<WriteCams>(job))
+        return refuse(RefusalKind::notSupported, RefusalId::camsNotSupported, {m_device.fullName()});
+    if (std::holds_alternative<ResetToDefault>(job))
+        return refuse(RefusalKind::notSupported, RefusalId::resetNotSupported, {m_device.fullName()});
+    if (const auto *mode = std::get_if<SwitchMode>(&job); mode != nullptr && mode->mode != Mode::cam)
+        return refuse(RefusalKind::notSupported, RefusalId::velocityNotSupported, {m_device.fullName()});
+    return refuse(RefusalKind::notSupported, RefusalId::jobNotSupported, {m_device.fullName()});
+}
+
+Result<void> EscPlan::checkWrite(const WriteParameters &job) const
+{
+    if (job.initialisePreset)
+        return refuse(RefusalKind::badInput, RefusalId::presetNeedsValue, {m_device.fullName()});
+    if (job.values.empty())
+        return refuse(RefusalKind::badInput, RefusalId::nothingToDo);
+    if (auto checked = checkToWrite(m_device, job.values); !checked)
+        return checked;
+    const ParameterValues known = afterwards(m_known, job.values);
+    for (const ParameterValue &value : job.values) {
+        if (auto checked = checkRange(escNarrowed(m_device, value.parameter, known), value.value); !checked)
+            return checked;
+        if (value.parameter == Parameter::lineAddress)
+            if (auto checked = checkAddress({static_cast<std::uint8_t>(value.value)}); !checked)
+                return checked;
+    }
+    return {};
+}
+
+Result<void> EscPlan::checkPreset(const SetPreset &job) const
+{
+    if (job.command == PresetCommand::manufacturer)
+        return refuse(RefusalKind::notSupported, RefusalId::manufacturerPresetNotSupported,
+                      {m_device.fullName()});
+    if (!job.value)
+        return refuse(RefusalKind::badInput, RefusalId::presetNeedsValue, {m_device.fullName()});
+    return checkRange(escNarrowed(m_device, Parameter::preset, m_known), *job.value);
+}
+
+// The encoder may go to either reading of the two digits, and whoever is there would answer with it.
+Result<void> EscPlan::checkAddress(LineAddress wanted) const
+{
+    for (const LineAddress reading : escReadingsOf(wanted))
+        if (const auto taken = m_taken.find(reading); taken != m_taken.end() && reading != m_address)
+            return refuse(RefusalKind::badInput, RefusalId::lineAddressTaken,
+                          {reading.shown(), taken->second});
+    return {};
+}
+
+} // namespace codewheel

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivers/esc_values.h"
+
+#include "esc/esc_bits.h"
+#include "esc/esc_scaling.h"
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+// By their numbers on the wire (manual, command Y).
+constexpr std::array<std::int64_t, 3> baudRates{19200, 9600, 4800};
+
+bool isScaled(Parameter parameter)
+{
+    return parameter == Parameter::steps || parameter == Parameter::measuringRange;
+}
+
+// The factor that goes with it is 0.00001 to 1.0 of the physical steps (manual, read command F).
+void narrowToFactor(const DeviceDescription &device, std::optional<std::int64_t> turns,
+                    ParameterDescription &range)
+{
+    constexpr std::int64_t leastPart = 100'000;
+    const std::int64_t steps = turns.value_or(device.physicalTurns) * device.physicalStepsPerTurn;
+    if (steps < range.minimum)
+        return;
+    range.minimum = std::max(range.minimum, (steps + leastPart - 1) / leastPart);
+    range.maximum = std::min(range.maximum, steps);
+}
+
+} // namespace
+
+std::uint32_t escData(const ParameterDescription &parameter, std::int64_t value)
+{
+    if (parameter.parameter != Parameter::baudRate)
+        return static_cast<std::uint32_t>(value);
+    const auto found = std::ranges::find(baudRates, value);
+    return static_cast<std::uint32_t>(std::distance(baudRates.begin(), found));
+}
+
+std::int64_t escValue(const ParameterDescription &parameter, std::uint32_t answer, bool swapWarningBytes)
+{
+    if (parameter.readBit)
+        return (answer >> *parameter.readBit) & 1U;
+    if (swapWarningBytes && parameter.readCommand == esc::Command::warnings)
+        return esc::swappedBytes(static_cast<std::uint16_t>(answer));
+    return answer;
+}
+
+ParameterDescription escNarrowed(const DeviceDescription &device, Parameter parameter,
+                                 const ParameterValues &known)
+{
+    const ParameterDescription *found = device.find(parameter);
+    ParameterDescription narrowed;
+    if (found != nullptr)
+        narrowed = *found;
+    narrowed.parameter = parameter;
+    const auto atMost = [&](std::optional<std::int64_t> bound) {
+        if (bound && *bound >= narrowed.minimum)
+            narrowed.maximum = std::min(narrowed.maximum, *bound);
+    };
+    switch (parameter) {
+    case Parameter::preset:
+    case Parameter::lowerLimit:
+    case Parameter::upperLimit:
+        atMost(valueOf(known, Parameter::measuringRange));
+        break;
+    case Parameter::measuringRange:
+        narrowToFactor(device, valueOf(known, Parameter::revolutions), narrowed);
+        break;
+    default:
+        break;
+    }
+    return narrowed;
+}
+
+std::optional<std::int64_t> escScalingFactorFor(const ParameterValues &values, const ParameterValues &known,
+                                                int fractionBits)
+{
+    const auto last = std::find_if(values.rbegin(), values.rend(),
+                                   [](const ParameterValue &one) { return isScaled(one.parameter); });
+    if (last == values.rend())
+        return std::nullopt;
+    const auto wanted = static_cast<std::uint32_t>(last->value);
+    if (last->parameter == Parameter::steps)
+        return esc::factorForSteps(wanted, fractionBits);
+    const auto turns = valueOf(values, Parameter::revolutions);
+    const auto there = valueOf(known, Parameter::revolutions);
+    return esc::factorForRange(
+        wanted, static_cast<std::uint32_t>(turns.value_or(there.value_or(esc::discTurns))), fractionBits);
+}
+
+std::vector<LineAddress> escReadingsOf(LineAddress sent)
+{
+    std::vector<LineAddress> readings{sent};
+    bool isDecimal = false;
+    const unsigned decimal = sent.onWire().toUInt(&isDecimal, 10);
+    if (isDecimal && decimal != sent.value && decimal <= LineAddress::last)
+        readings.push_back({static_cast<std::uint8_t>(decimal)});
+    return readings;
+}
+
+} // namespace codewheel

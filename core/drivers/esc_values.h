@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "encoder/line_address.h"
+
+namespace codewheel {
+
+// The values of an encoder on a serial line: how they stand on the wire, and what they may be. Used by its
+// driver, and by views that show ranges.
+
+// What is sent for a value: the number of a baud rate, else the value itself.
+std::uint32_t escData(const ParameterDescription &parameter, std::int64_t value);
+// What an answer says of a value: a bit of it, or all. `swapWarningBytes`: EscSettings.
+std::int64_t escValue(const ParameterDescription &parameter, std::uint32_t answer, bool swapWarningBytes);
+
+// The description with the range that the encoder's own values leave: what it told by U, M and D, or will be
+// told in the same job (`known`). Preset and limits lie within the measuring range, and that within the
+// physical steps of the revolutions, so far that there is a scaling factor for it.
+ParameterDescription escNarrowed(const DeviceDescription &device, Parameter parameter,
+                                 const ParameterValues &known);
+
+// The scaling factor that goes with the steps per turn or the measuring range among `values`, the last of
+// them deciding (manual, note on GR, GT and GF). Nothing where neither is there.
+std::optional<std::int64_t> escScalingFactorFor(const ParameterValues &values, const ParameterValues &known,
+                                                int fractionBits);
+
+// What an encoder may have as its address after X was sent with two digits that the manual gives two
+// readings: hexadecimal first, then, where it is another address, decimal.
+std::vector<LineAddress> escReadingsOf(LineAddress sent);
+
+} // namespace codewheel

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/drivers/esc_bench.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+WriteParameters limits()
+{
+    return {.values = {{Parameter::lowerLimit, 0x200}, {Parameter::upperLimit, 0x300}}, .previous = {}};
+}
+
+TEST(EscCancel, WhatWasWrittenIsReadBackAndTheRestLeftOut)
+{
+    EscBench bench;
+    bench.settle();
+    ASSERT_TRUE(bench.begin(limits()));
+    bench.runUntil([&] { return bench.count("GL") == 1; });
+    bench.driver.cancel(OnCancel::runWithWhatItHas, bench.now);
+    bench.runUntil([&] { return bench.outcome.has_value(); });
+    EXPECT_EQ(bench.outcome->result.error().id, RefusalId::cancelled);
+    EXPECT_EQ(bench.jobLog(), (Lines{"03GL00000200", "03L", "03L"}));
+    EXPECT_EQ(bench.outcome->written, (ParameterValues{{Parameter::lowerLimit, 0x200}}));
+    EXPECT_EQ(bench.value(Parameter::lowerLimit), 0x200);
+    EXPECT_EQ(bench.outcome->eepromWrites, 1);
+}
+
+TEST(EscCancel, AWriteOnItsWayIsWaitedFor)
+{
+    EscBench bench;
+    bench.settle();
+    ASSERT_TRUE(bench.begin(limits()));
+    std::optional<esc::Request> request;
+    while (!request || request->command != esc::Command::writeLowerLimit) {
+        if (request)
+            bench.driver.answered(
+                *request, {.answer = esc::Answer{esc::Answer::Kind::value, 0x1235, "00001235"}, .sent = 1},
+                bench.now);
+        bench.now += std::chrono::milliseconds(10);
+        request = bench.driver.next(bench.now);
+    }
+    bench.driver.cancel(OnCancel::leaveAsIs, bench.now);
+    EXPECT_TRUE(bench.driver.busy());
+    bench.has["L"] = "00000200";
+    bench.driver.answered(*request, {.answer = {}, .sent = 1, .timeOuts = 1}, bench.now);
+    bench.runUntil([&] { return bench.outcome.has_value(); });
+    EXPECT_EQ(bench.outcome->result.error().id, RefusalId::cancelled);
+    EXPECT_EQ(bench.outcome->written, (ParameterValues{{Parameter::lowerLimit, 0x200}}));
+    EXPECT_EQ(bench.count("GH"), 0);
+}
+
+TEST(EscCancel, OldValuesGoBackWhereTheyAreKnown)
+{
+    EscBench bench;
+    bench.settle();
+    bench.finish(ReadParameters{{Parameter::lowerLimit, Parameter::upperLimit}});
+    bench.log.clear();
+    ASSERT_TRUE(bench.begin(limits(), Pace::byHand));
+    bench.runUntil([&] { return bench.progress.waitsForUser; });
+    bench.driver.proceed();
+    bench.runUntil([&] { return bench.progress.waitsForUser && bench.progress.index == 2; });
+    EXPECT_TRUE(bench.progress.canRestore);
+    bench.driver.cancel(OnCancel::restorePrevious, bench.now);
+    bench.runUntil([&] { return bench.outcome.has_value(); });
+    EXPECT_EQ(bench.jobLog(), (Lines{"03GL00000200", "03L", "03L", "03GL00000100", "03L", "03L"}));
+    EXPECT_EQ(bench.outcome->result.error().id, RefusalId::cancelled);
+    EXPECT_EQ(bench.outcome->eepromWrites, 2);
+    EXPECT_EQ(bench.value(Parameter::lowerLimit), 0x100);
+}
+
+TEST(EscCancel, BetweenTheScalingAndItsFactorTheEncoderIsRead)
+{
+    EscBench bench;
+    bench.settle();
+    ASSERT_TRUE(
+        bench.begin(WriteParameters{.values = {{Parameter::steps, 4096}}, .previous = {}}, Pace::byHand));
+    bench.runUntil([&] { return bench.progress.waitsForUser; });
+    bench.driver.proceed();
+    bench.runUntil([&] { return bench.progress.waitsForUser && bench.count("GR") == 1; });
+    bench.driver.cancel(OnCancel::leaveAsIs, bench.now);
+    bench.runUntil([&] { return bench.outcome.has_value(); });
+    EXPECT_EQ(bench.count("GF"), 0);
+    EXPECT_EQ(bench.value(Parameter::steps), 4096);
+    EXPECT_EQ(bench.value(Parameter::scalingFactor), 0x20000000);
+    EXPECT_EQ(bench.outcome->written, (ParameterValues{{Parameter::steps, 4096}}));
+}
+
+TEST(EscCancel, BeforeAnythingIsSentItEndsAtOnce)
+{
+    EscBench bench;
+    bench.settle();
+    ASSERT_TRUE(bench.begin(limits(), Pace::byHand));
+    bench.run(std::chrono::milliseconds(100));
+    bench.driver.cancel(OnCancel::restorePrevious, bench.now);
+    EXPECT_FALSE(bench.driver.busy());
+    bench.step();
+    ASSERT_TRUE(bench.outcome);
+    EXPECT_EQ(bench.outcome->result.error().id, RefusalId::cancelled);
+    EXPECT_EQ(bench.jobLog(), Lines());
+}
+
+TEST(EscCancel, AnEncoderThatMovedIsStillLookedFor)
+{
+    EscBench bench;
+    bench.settle();
+    ASSERT_TRUE(bench.begin(WriteParameters{
+        .values = {{Parameter::lineAddress, 7}, {Parameter::baudRate, 9600}}, .previous = {}}));
+    bench.runUntil([&] { return bench.count("X") == 1; });
+    bench.driver.cancel(OnCancel::leaveAsIs, bench.now);
+    bench.runUntil([&] { return bench.outcome.has_value(); });
+    EXPECT_EQ(bench.driver.address(), LineAddress{7});
+    EXPECT_EQ(bench.count("Y"), 0);
+}
+
+TEST(EscStop, EndsTheJobWhereItStands)
+{
+    EscBench bench;
+    bench.settle();
+    ASSERT_TRUE(bench.begin(limits()));
+    bench.runUntil([&] { return bench.count("GL") == 1; });
+    bench.driver.stop(RefusalId::alarmStop, bench.now);
+    EXPECT_FALSE(bench.driver.busy());
+    bench.run(std::chrono::seconds(1));
+    ASSERT_TRUE(bench.outcome);
+    EXPECT_EQ(bench.outcome->result.error().id, RefusalId::alarmStop);
+    EXPECT_EQ(bench.outcome->written, (ParameterValues{{Parameter::lowerLimit, 0x200}}));
+    EXPECT_EQ(bench.jobLog(), (Lines{"03GL00000200"}));
+    EXPECT_EQ(bench.eepromWrites, 1);
+}
+
+TEST(EscStop, AWriteThatIsAnsweredAfterwardsCounts)
+{
+    EscBench bench;
+    bench.settle();
+    bench.finish(ReadParameters{{Parameter::lowerLimit}});
+    ASSERT_TRUE(bench.begin(limits()));
+    std::optional<esc::Request> request;
+    while (!request || request->command != esc::Command::writeLowerLimit) {
+        if (request)
+            bench.driver.answered(
+                *request, {.answer = esc::Answer{esc::Answer::Kind::value, 0x1235, "00001235"}, .sent = 1},
+                bench.now);
+        bench.now += std::chrono::milliseconds(10);
+        request = bench.driver.next(bench.now);
+    }
+    bench.driver.stop(RefusalId::alarmStop, bench.now);
+    bench.driver.answered(*request, {.answer = esc::Answer{esc::Answer::Kind::accepted, 0, {}}, .sent = 1},
+                          bench.now);
+    bench.step();
+    EXPECT_EQ(bench.eepromWrites, 1);
+    EXPECT_EQ(bench.value(Parameter::lowerLimit), std::nullopt);
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/drivers/esc_bench.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using Fate = EscBench::Fate;
+using Lines = std::vector<std::string>;
+
+constexpr std::int64_t wanted = 0x5200;
+
+// Manual: <ESC>03GP00005200 sets the position of device 03 to 5200h.
+TEST(EscPreset, SetsThePositionAndTellsItBeforeAndAfter)
+{
+    EscBench bench;
+    bench.settle();
+    const Outcome &outcome = bench.finish(SetPreset{.value = wanted});
+    EXPECT_TRUE(outcome.result);
+    EXPECT_EQ(bench.jobLog(), (Lines{"03S", "03S", "03GP00005200", "03S", "03S"}));
+    EXPECT_EQ(outcome.positionBefore, 0x1235);
+    EXPECT_EQ(outcome.positionAfter, wanted);
+    EXPECT_EQ(outcome.eepromWrites, 1);
+    EXPECT_EQ(bench.value(Parameter::preset), wanted);
+    EXPECT_EQ(bench.driver.figures().suspect, 0) << "the jump is ours";
+}
+
+TEST(EscPreset, TurningOnMeanwhileIsNoFault)
+{
+    EscBench bench;
+    const auto turned = [&](Instant at) { return static_cast<std::uint32_t>(at.count() / 50); }; // 20 a ms
+    std::uint32_t offset = 0x1000;
+    bench.position = [&](Instant at) {
+        if (bench.has["S"] == "00800000" && offset == 0x1000)
+            offset = 0x800000 - turned(at);
+        return turned(at) + offset;
+    };
+    bench.settle();
+    const Outcome &outcome = bench.finish(SetPreset{.value = 0x800000});
+    EXPECT_TRUE(outcome.result);
+    EXPECT_GE(outcome.positionAfter, 0x800000);
+}
+
+TEST(EscPreset, AcceptedAndNotThereIsNotBelieved)
+{
+    EscBench bench;
+    bench.settle();
+    bench.answerNext("GP", "");
+    const Outcome &outcome = bench.finish(SetPreset{.value = 0x800000});
+    ASSERT_FALSE(outcome.result);
+    EXPECT_EQ(outcome.result.error().id, RefusalId::verificationFailed);
+    EXPECT_EQ(outcome.positionAfter, 0x1235);
+}
+
+TEST(EscPreset, WithoutAnAnswerItIsFoundDoneAndNeverRepeated)
+{
+    EscBench bench;
+    bench.settle();
+    bench.next("GP", Fate::unanswered);
+    const Outcome &outcome = bench.finish(SetPreset{.value = wanted});
+    EXPECT_TRUE(outcome.result);
+    EXPECT_EQ(bench.count("GP"), 1);
+    EXPECT_EQ(outcome.positionAfter, wanted);
+    EXPECT_EQ(outcome.eepromWrites, 1);
+}
+
+TEST(EscPreset, WithoutAnAnswerItIsFoundNotDone)
+{
+    for (const std::int64_t value : {wanted, std::int64_t{0x1800000}}) {
+        EscBench bench;
+        bench.settle();
+        bench.next("GP", Fate::lost);
+        const Outcome &outcome = bench.finish(SetPreset{.value = value});
+        ASSERT_FALSE(outcome.result);
+        EXPECT_EQ(outcome.result.error().id, RefusalId::escWriteNotDone) << value;
+        EXPECT_EQ(bench.count("GP"), 1);
+        EXPECT_EQ(outcome.positionAfter, 0x1235);
+        EXPECT_EQ(outcome.eepromWrites, 0);
+    }
+}
+
+// The position was at the preset already, and the preset value is the old one: nothing tells them apart.
+TEST(EscPreset, WithoutAnAnswerItMayStayUnknown)
+{
+    EscBench bench;
+    bench.has["S"] = "00001235";
+    bench.settle();
+    bench.next("GP", Fate::lost);
+    const Outcome &outcome = bench.finish(SetPreset{.value = 0x1235});
+    ASSERT_FALSE(outcome.result);
+    EXPECT_EQ(outcome.result.error().id, RefusalId::escWriteUnknown);
+    EXPECT_EQ(outcome.result.error().arguments,
+              (std::vector<RefusalArgument>{QStringLiteral("03GP00001235")}));
+    EXPECT_EQ(bench.count("GP"), 1);
+}
+
+TEST(EscPreset, WhatContradictsItselfIsUnknown)
+{
+    EscBench bench;
+    bench.settle();
+    bench.next("GP", Fate::lost);
+    ASSERT_TRUE(bench.begin(SetPreset{.value = 0x800000}));
+    bench.runUntil([&] { return bench.count("GP") == 1; });
+    bench.has["S"] = "00800000"; // it says the preset was taken, and the position did not move
+    bench.runUntil([&] { return bench.outcome.has_value(); });
+    EXPECT_EQ(bench.outcome->result.error().id, RefusalId::escWriteUnknown);
+}
+
+TEST(EscPreset, SilenceAfterwardsLeavesItUnknown)
+{
+    EscBench bench;
+    bench.settle();
+    ASSERT_TRUE(bench.begin(SetPreset{.value = wanted}));
+    bench.next("GP", Fate::unanswered);
+    bench.runUntil([&] { return bench.count("GP") == 1; });
+    bench.isOn = false;
+    bench.runUntil([&] { return bench.outcome.has_value(); });
+    ASSERT_FALSE(bench.outcome->result);
+    EXPECT_EQ(bench.outcome->result.error().id, RefusalId::escWriteUnknown);
+    EXPECT_EQ(bench.outcome->eepromWrites, 1);
+    EXPECT_EQ(bench.value(Parameter::preset), std::nullopt);
+}
+
+TEST(EscPreset, ByHandTheCommandWaits)
+{
+    EscBench bench;
+    bench.settle();
+    ASSERT_TRUE(bench.begin(SetPreset{.value = wanted}, Pace::byHand));
+    bench.run(std::chrono::seconds(1));
+    EXPECT_TRUE(bench.progress.waitsForUser);
+    EXPECT_EQ(bench.progress.steps.at(static_cast<std::size_t>(bench.progress.index)).line, "03GP00005200");
+    EXPECT_EQ(bench.count("GP"), 0);
+    bench.driver.proceed();
+    bench.runUntil([&] { return bench.outcome.has_value(); });
+    EXPECT_TRUE(bench.outcome->result);
+}
+
+TEST(EscPreset, IsRefused)
+{
+    EscBench bench;
+    bench.settle();
+    bench.answerNext("GP", "05");
+    const Outcome &outcome = bench.finish(SetPreset{.value = wanted});
+    ASSERT_FALSE(outcome.result);
+    EXPECT_EQ(outcome.result.error().id, RefusalId::escOutOfRange);
+    EXPECT_EQ(outcome.eepromWrites, 0);
+}
+
+} // namespace
+} // namespace codewheel
