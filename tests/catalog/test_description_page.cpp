@@ -49,9 +49,9 @@ TEST(DescriptionPage, NamesEverythingTheReaderKnows)
     const Row rows[] = {
         {R"("manual")", 24},                                      // the device
         {R"("profile": "LA-66")", 6, R"("profile": "nonsense")"}, // profiles
-        {R"("direction")", 35},                                   // parameters
-        {R"("readOut")", 11},                                     // a parameter
-        {R"("micrometres")", 6},                                  // units
+        {R"("direction")", 45},                                   // parameters
+        {R"("readOut")", 14},                                     // a parameter
+        {R"("micrometres")", 7},                                  // units
         {R"("magnetOutOfRange")", 9},                             // meanings of errors
         {R"("text")", 4},                                         // an error
         {R"("presetNeedsValue")", 11},                            // capabilities
