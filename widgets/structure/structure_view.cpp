@@ -17,8 +17,15 @@
 namespace codewheel {
 namespace {
 
-constexpr int narrowestName = 20 * grid::unit;
 constexpr int indentation = 3 * grid::unit; // a ring is wide and flat, and the panel narrow
+
+int levelsBelow(const QAbstractItemModel &model, const QModelIndex &parent = {})
+{
+    int levels = 0;
+    for (int row = 0; row < model.rowCount(parent); ++row)
+        levels = std::max(levels, 1 + levelsBelow(model, model.index(row, 0, parent)));
+    return levels;
+}
 
 // Nobody named the device, and the catalog has some that it could be.
 bool makeIsOpen(const BusSession &bus, DeviceNumber number)
@@ -94,13 +101,20 @@ StructureView::StructureView(QWidget *parent)
     setFocusProxy(m_tree);
 }
 
-// The state is seen before the whole name is; the tooltip has that too.
+// The number of a device has its room.
+int StructureView::narrowestName() const
+{
+    return m_levels * indentation + grid::smallIcon + 2 * grid::margin +
+           m_tree->fontMetrics().horizontalAdvance(QStringLiteral("10.10 ..."));
+}
+
+// The state is seen before the whole name is, and the number before a long state; the tooltip has all of it.
 void StructureView::fitColumns()
 {
     m_tree->resizeColumnToContents(StructureModel::deviceColumn);
     const int whole = m_tree->columnWidth(StructureModel::deviceColumn);
     const int left = m_tree->viewport()->width() - m_tree->columnWidth(StructureModel::stateColumn);
-    m_tree->setColumnWidth(StructureModel::deviceColumn, std::min(whole, std::max(left, narrowestName)));
+    m_tree->setColumnWidth(StructureModel::deviceColumn, std::min(whole, std::max(left, narrowestName())));
 }
 
 void StructureView::resizeEvent(QResizeEvent *event)
@@ -131,6 +145,7 @@ void StructureView::setProject(const ProjectDocument &project, const Catalog &ca
 void StructureView::showWhetherEmpty()
 {
     const bool isEmpty = m_model->rowCount() == 0;
+    m_levels = levelsBelow(*m_model);
     m_tree->expandAll();
     m_tree->setVisible(!isEmpty);
     m_empty->setVisible(isEmpty);

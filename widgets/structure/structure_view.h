@@ -45,6 +45,7 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
+    int narrowestName() const;
     void fitColumns();
     void showWhetherEmpty();
     void askForMake();
@@ -54,6 +55,7 @@ private:
     QTreeView *m_tree;
     EmptyState *m_empty;
     InlineMessage *m_question;
+    int m_levels = 0; // of the tree, the master one of them
 };
 
 } // namespace codewheel

@@ -201,5 +201,21 @@ TEST_F(StructureTest, TheStateIsSeenInANarrowPanelWhateverTheNames)
         << "the name has its room again";
 }
 
+TEST_F(StructureTest, TheNumbersAreSeenInANarrowPanelHoweverLongTheStates)
+{
+    StructureView view;
+    view.resize(200, 300);
+    view.show();
+    view.setBus(&ring.bus);
+    const auto &tree = *view.findChild<QTreeView *>();
+    ring.controls->setFault(TrainingFault::wireBreak, {4, 0}, 1);
+    ring.bus.advance(40);
+    const auto &shown = static_cast<const StructureModel &>(*tree.model());
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return tree.columnWidth(StructureModel::stateColumn) > tree.viewport()->width(); }));
+    const int number = tree.fontMetrics().horizontalAdvance(QStringLiteral("6.1"));
+    EXPECT_GT(tree.visualRect(shown.indexOf(test::onLoop)).width(), tree.iconSize().width() + number);
+}
+
 } // namespace
 } // namespace codewheel
