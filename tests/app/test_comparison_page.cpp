@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The comparison with what a fault of the ring changed, and with what the master keeps.
+#include "project/project_take_over.h"
 #include "tests/app/window_test.h"
 #include "widgets/comparison/comparison_page.h"
 #include "widgets/look/inline_message.h"
@@ -89,6 +90,26 @@ TEST_F(ComparisonPageTest, TheProjectIsDownloadedLoadedBackAndTakenBack)
     QTest::mouseClick(message().findChild<QPushButton *>(), Qt::LeftButton);
     advance(200);
     EXPECT_EQ(kept(), before);
+}
+
+TEST_F(ComparisonPageTest, WhatTheMasterKeepsIsLoadedIntoTheProject)
+{
+    auto *load = page().findChild<QPushButton *>(QStringLiteral("keptIntoProject"));
+    EXPECT_FALSE(load->isEnabled()) << "the project is the same";
+    Project other = shown->project().project();
+    other.devices.at(0).station = QStringLiteral("Hoist");
+    other.devices.erase(other.devices.begin() + 1, other.devices.end());
+    shown->project().setProject(other, {});
+    EXPECT_EQ(page().differences(), 6);
+    click("keptIntoProject");
+    EXPECT_EQ(structureOf(shown->project().project()).size(), kept()->structure.size());
+    EXPECT_EQ(page().differences(), 0);
+    EXPECT_EQ(shown->project().device(test::fraba).station, QStringLiteral("Hoist"))
+        << "what stayed keeps it";
+    EXPECT_TRUE(message().sentence().contains(QStringLiteral("training.json")));
+    EXPECT_FALSE(load->isEnabled());
+    shown->project().undoStack().undo();
+    EXPECT_EQ(shown->project().project().devices.size(), 1U);
 }
 
 } // namespace

@@ -20,6 +20,21 @@
 #include <numeric>
 
 namespace codewheel {
+namespace {
+
+std::vector<std::size_t> allOf(const Comparison &comparison)
+{
+    std::vector<std::size_t> lines(comparison.size());
+    std::iota(lines.begin(), lines.end(), 0U);
+    return lines;
+}
+
+QString nameOf(const KeptConfiguration &kept)
+{
+    return kept.fileName.isEmpty() ? ComparisonPage::tr("a configuration without a name") : kept.fileName;
+}
+
+} // namespace
 
 ComparisonPage::ComparisonPage(ProjectDocument &document, BusSession &bus, QWidget *parent)
     : QWidget(parent)
@@ -34,6 +49,7 @@ ComparisonPage::ComparisonPage(ProjectDocument &document, BusSession &bus, QWidg
     , m_allIntoProject(new QPushButton(tr("&All into the project"), this))
     , m_lineIntoMaster(new QPushButton(tr("Chosen lines into the &master"), this))
     , m_allIntoMaster(new QPushButton(tr("Project into the mas&ter"), this))
+    , m_keptIntoProject(new QPushButton(tr("What the master &keeps into the project"), this))
     , m_message(new InlineMessage(this))
     , m_empty(new EmptyState(Icon::compare, tr("No ring is connected."),
                              tr("Connect to compare it with the project."), this))
@@ -53,6 +69,9 @@ ComparisonPage::ComparisonPage(ProjectDocument &document, BusSession &bus, QWidg
         tr("Downloads the connected ring with the chosen lines as they are planned; the master keeps it"));
     m_allIntoMaster->setObjectName(QStringLiteral("allIntoMaster"));
     m_allIntoMaster->setToolTip(tr("Downloads the planned ring, which the master keeps, and loads it back"));
+    m_keptIntoProject->setObjectName(QStringLiteral("keptIntoProject"));
+    m_keptIntoProject->setToolTip(
+        tr("Loads the configuration that the master keeps, and plans the ring as it says; can be undone"));
     m_message->setObjectName(QStringLiteral("comparisonMessage"));
     m_table->setObjectName(QStringLiteral("comparison"));
     m_table->setAccessibleName(tr("Configured and connected ring"));
@@ -68,11 +87,13 @@ ComparisonPage::ComparisonPage(ProjectDocument &document, BusSession &bus, QWidg
     connect(m_onlyDifferences, &QCheckBox::toggled, this, &ComparisonPage::compare);
     connect(m_readIn, &QPushButton::clicked, this, &ComparisonPage::readInRequested);
     connect(m_lineIntoProject, &QPushButton::clicked, this, [this] { takeIntoProject(selectedLines()); });
-    connect(m_allIntoProject, &QPushButton::clicked, this, [this] { takeIntoProject(allLines()); });
+    connect(m_allIntoProject, &QPushButton::clicked, this,
+            [this] { takeIntoProject(allOf(m_model->comparison())); });
     connect(m_lineIntoMaster, &QPushButton::clicked, this, [this] { takeIntoMaster(selectedLines()); });
     connect(m_allIntoMaster, &QPushButton::clicked, this, [this] {
         keep({QFileInfo(m_document.file()).fileName(), structureOf(m_document.project())});
     });
+    connect(m_keptIntoProject, &QPushButton::clicked, this, &ComparisonPage::loadBack);
     connect(m_message, &InlineMessage::actionTriggered, this, [this] {
         if (m_before)
             keep(*m_before);
@@ -100,6 +121,7 @@ void ComparisonPage::arrange()
     buttons->addWidget(m_allIntoProject, 0, 1);
     buttons->addWidget(m_lineIntoMaster, 1, 0);
     buttons->addWidget(m_allIntoMaster, 1, 1);
+    buttons->addWidget(m_keptIntoProject, 2, 0, 1, 2);
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(grid::margin, grid::margin, grid::margin, grid::margin);
     rows->setSpacing(grid::unit);
@@ -143,13 +165,6 @@ void ComparisonPage::compare()
     showWhatIsPossible();
 }
 
-std::vector<std::size_t> ComparisonPage::allLines() const
-{
-    std::vector<std::size_t> lines(m_model->comparison().size());
-    std::iota(lines.begin(), lines.end(), 0U);
-    return lines;
-}
-
 std::vector<std::size_t> ComparisonPage::selectedLines() const
 {
     std::vector<std::size_t> lines;
@@ -160,13 +175,27 @@ std::vector<std::size_t> ComparisonPage::selectedLines() const
 
 void ComparisonPage::takeIntoProject(const std::vector<std::size_t> &lines)
 {
-    const RingStructure connected = m_bus.structure();
-    const Comparison comparison = m_model->comparison();
+    plan(m_bus.structure(), m_model->comparison(), lines, tr("Take over from the ring"));
+}
+
+// As `ring` has it, in these lines of the comparison of the project with it. By value: the page compares anew
+// while the project changes.
+void ComparisonPage::plan(RingStructure ring, Comparison comparison, const std::vector<std::size_t> &lines,
+                          const QString &what)
+{
     ProjectDocument::Origins origins;
     for (const TakenDevice &device : takeOver(comparison, lines))
         origins.push_back(device.own);
-    m_document.edit(takenOver(m_document.project(), connected, comparison, lines), origins,
-                    tr("Take over from the ring"));
+    m_document.edit(takenOver(m_document.project(), ring, comparison, lines), origins, what);
+}
+
+void ComparisonPage::loadBack()
+{
+    const Comparison comparison = compareRings(structureOf(m_document.project()), m_kept->structure);
+    plan(m_kept->structure, comparison, allOf(comparison), tr("Load the configuration of the master"));
+    m_message->showMessage(Role::running, tr("The ring is planned as the master keeps it: %1, %n devices.",
+                                             nullptr, static_cast<int>(m_kept->structure.size()))
+                                              .arg(nameOf(*m_kept)));
 }
 
 void ComparisonPage::takeIntoMaster(const std::vector<std::size_t> &lines)
@@ -189,13 +218,14 @@ void ComparisonPage::keep(KeptConfiguration configuration)
 void ComparisonPage::showKept(const std::optional<KeptConfiguration> &configuration)
 {
     m_kept = configuration;
+    showWhatIsPossible();
     if (!std::exchange(m_isDownloading, false) || !m_kept)
         return;
     const int others =
         codewheel::differences(compareRings(structureOf(m_document.project()), m_kept->structure));
     const QString kept =
         tr("The master keeps %1 with %n devices.", nullptr, static_cast<int>(m_kept->structure.size()))
-            .arg(m_kept->fileName.isEmpty() ? tr("a configuration without a name") : m_kept->fileName);
+            .arg(nameOf(*m_kept));
     const QString loaded = others == 0
                                ? tr("Loaded back, it is the project's.")
                                : tr("Loaded back, %n lines differ from the project.", nullptr, others);
@@ -212,6 +242,9 @@ void ComparisonPage::showWhatIsPossible()
     m_allIntoProject->setEnabled(m_isConnected && m_model->differences() > 0);
     m_lineIntoMaster->setEnabled(isSelected && hasMaster);
     m_allIntoMaster->setEnabled(hasMaster && !m_document.project().devices.empty());
+    m_keptIntoProject->setEnabled(
+        m_isConnected && m_kept &&
+        codewheel::differences(compareRings(structureOf(m_document.project()), m_kept->structure)) > 0);
 }
 
 } // namespace codewheel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ring/comparison.h"
 #include "ring/master_link.h"
 #include "widgets/project/project_document.h"
 
@@ -19,7 +20,7 @@ class EmptyState;
 class InlineMessage;
 
 // The configured ring beside the connected one. Lines are taken over into the project, or into the
-// configuration that the master keeps; either can be taken back.
+// configuration that the master keeps, and that one is loaded back; all can be taken back.
 class ComparisonPage : public QWidget
 {
     Q_OBJECT
@@ -38,10 +39,12 @@ private:
     void arrange();
     void compare();
     void takeIntoProject(const std::vector<std::size_t> &lines);
+    void plan(RingStructure ring, Comparison comparison, const std::vector<std::size_t> &lines,
+              const QString &what);
+    void loadBack();
     void takeIntoMaster(const std::vector<std::size_t> &lines);
     void keep(KeptConfiguration configuration);
     void showKept(const std::optional<KeptConfiguration> &configuration);
-    std::vector<std::size_t> allLines() const;
     std::vector<std::size_t> selectedLines() const;
     void showWhatIsPossible();
 
@@ -57,6 +60,7 @@ private:
     QPushButton *m_allIntoProject;
     QPushButton *m_lineIntoMaster;
     QPushButton *m_allIntoMaster;
+    QPushButton *m_keptIntoProject;
     InlineMessage *m_message;
     EmptyState *m_empty;
     std::optional<KeptConfiguration> m_kept;   // by the master, as it told
