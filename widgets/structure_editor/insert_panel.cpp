@@ -7,6 +7,7 @@
 #include "ring/ring_tree.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
 #include "widgets/structure_editor/plan_row.h"
 
 #include <QComboBox>
@@ -15,6 +16,8 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QShortcut>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -138,12 +141,31 @@ void InsertPanel::makeFields()
     fields->setContentsMargins({});
     fields->setVerticalSpacing(grid::unit);
     fields->addWidget(label(tr("C&atalog"), m_search), 0, 0);
-    fields->addWidget(m_search, 0, 1);
+    fields->addLayout(makeSearchRow(), 0, 1);
     fields->addWidget(m_devices, 1, 1);
     fields->addWidget(label(tr("I&D code"), m_idCode), 2, 0);
     fields->addLayout(codes, 2, 1);
     fields->addWidget(label(tr("&Place"), m_where), 3, 0);
     fields->addLayout(buttons, 3, 1);
+}
+
+QHBoxLayout *InsertPanel::makeSearchRow()
+{
+    auto *close = new QToolButton(this);
+    close->setObjectName(QStringLiteral("closeInsert"));
+    close->setIcon(lineIcon(Icon::cancel));
+    close->setAutoRaise(true);
+    close->setAccessibleName(tr("Close the insert panel"));
+    close->setToolTip(tr("Closes this panel (Esc)"));
+    connect(close, &QToolButton::clicked, this, &InsertPanel::closeRequested);
+    auto *escape = new QShortcut(Qt::Key_Escape, this);
+    escape->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(escape, &QShortcut::activated, this, &InsertPanel::closeRequested);
+    auto *row = new QHBoxLayout;
+    row->setSpacing(grid::unit);
+    row->addWidget(m_search, 1);
+    row->addWidget(close);
+    return row;
 }
 
 void InsertPanel::focusSearch()

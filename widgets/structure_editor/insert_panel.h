@@ -6,6 +6,7 @@
 #include <QWidget>
 
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QListWidget;
@@ -31,9 +32,11 @@ public:
 Q_SIGNALS:
     void insertRequested(const codewheel::Participant &device, const codewheel::RingPlace &place);
     void changeRequested(const codewheel::Participant &device); // the current one into this
+    void closeRequested();
 
 private:
     void makeFields();
+    QHBoxLayout *makeSearchRow();
     void fillCatalog();
     void readCodes();
     void choose();

@@ -30,7 +30,8 @@ namespace {
 
 constexpr int widestColumn = 44 * grid::unit;
 constexpr int narrowestStation = 28 * grid::unit;
-constexpr int rowsInSight = 4; // however low the window is; one is below the scroll bar
+constexpr int rowsMeasured = 100; // for the width of columns, also before the page is shown
+constexpr int rowsInSight = 4;    // however low the window is; one is below the scroll bar
 
 } // namespace
 
@@ -160,7 +161,7 @@ void StructureEditor::makeTree()
     m_tree->setAutoExpandDelay(500);
     m_tree->setMinimumHeight(m_tree->header()->sizeHint().height() +
                              rowsInSight * (m_tree->fontMetrics().height() + grid::unit));
-    m_tree->header()->setResizeContentsPrecision(0); // what is seen
+    m_tree->header()->setResizeContentsPrecision(rowsMeasured);
     m_tree->header()->setStretchLastSection(true);
     m_tree->expandAll();
     setFocusProxy(m_tree);
@@ -228,6 +229,10 @@ void StructureEditor::connectParts()
     connect(m_search, &QLineEdit::returnPressed, this, &StructureEditor::findNext);
     connect(m_insert, &InsertPanel::insertRequested, this, &StructureEditor::insert);
     connect(m_insert, &InsertPanel::changeRequested, this, &StructureEditor::changeTo);
+    connect(m_insert, &InsertPanel::closeRequested, this, [this] {
+        m_insert->hide();
+        m_tree->setFocus();
+    });
     connect(m_model, &PlanModel::refused, this, [this](const Refusal &why) { say(tl::unexpected(why)); });
     connect(m_model, &PlanModel::badInput, this,
             [this](const QString &sentence) { m_message->showMessage(Role::attention, sentence); });

@@ -99,6 +99,25 @@ TEST_F(StructureEditorTest, KeysMoveTheChosenDeviceAndItStaysChosen)
     EXPECT_EQ(current(), QStringLiteral("1.0"));
 }
 
+TEST_F(StructureEditorTest, EscapeClosesTheInsertPanel)
+{
+    auto &search = child<QLineEdit>("catalogSearch");
+    key(Qt::Key_Insert);
+    ASSERT_TRUE(search.isVisible());
+    QTest::keyClick(&search, Qt::Key_Escape);
+    EXPECT_FALSE(search.isVisible());
+    EXPECT_TRUE(tree.hasFocus());
+    key(Qt::Key_Insert);
+    child<QAbstractButton>("closeInsert").click();
+    EXPECT_FALSE(search.isVisible());
+}
+
+TEST_F(StructureEditorTest, TheNumbersOfABranchAreSeenFromTheStart)
+{
+    const QModelIndex inBranch = indexOf(QStringLiteral("2.1"));
+    EXPECT_GE(tree.visualRect(inBranch).width(), tree.sizeHintForIndex(inBranch).width());
+}
+
 TEST_F(StructureEditorTest, AKeyRemovesAndUndoBringsBack)
 {
     choose(QStringLiteral("2.0"));
