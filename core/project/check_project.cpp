@@ -2,6 +2,8 @@
 #include "project/check_project.h"
 
 #include "project/project_take_over.h"
+#include "ring/id_code.h"
+#include "ring/numbering.h"
 #include "ring/ring_rules.h"
 
 #include <QCoreApplication>
@@ -48,6 +50,7 @@ public:
     void overlaps(const Direction &direction);
     void alignment(const Direction &direction);
     void step5(const Direction &direction);
+    void localBusDevices();
     void add(Severity severity, std::size_t device, const QString &text)
     {
         m_findings.push_back({severity, device, text});
@@ -115,6 +118,17 @@ void Check::step5(const Direction &direction)
     }
 }
 
+// Loop 2 and Inline have no interface for the remote bus (FRABA manual 3.1). It can be planned all the same:
+// what is connected may be taken over line by line.
+void Check::localBusDevices()
+{
+    for (std::size_t device = 0; device < m_project.devices.size(); ++device)
+        if (const Participant &participant = m_project.devices[device].participant;
+            standsOnLocalBus(participant.idCode) && !isOnLocalBus(participant))
+            add(Severity::attention, device,
+                CheckProject::tr("Devices of this ID code stand on the local bus of a bus terminal."));
+}
+
 } // namespace
 
 std::vector<Finding> checkProject(const Project &project)
@@ -128,6 +142,7 @@ std::vector<Finding> checkProject(const Project &project, const std::vector<Devi
     const RingStructure structure = structureOf(project);
     for (const RingFinding &finding : checkRing(structure))
         check.add(Severity::fault, finding.device, ringFindingText(finding, structure));
+    check.localBusDevices();
     for (const Direction &direction : directions) {
         check.overlaps(direction);
         check.alignment(direction);

@@ -89,6 +89,20 @@ TEST(CheckProject, Step5WantsEncodersAboveP127)
     EXPECT_EQ(findings(project), QStringList());
 }
 
+TEST(CheckProject, ALoop2EncoderStandsOnALocalBus)
+{
+    Project project = encoders(1);
+    project.devices[0].participant = {{1, 0}, 0x0C, 0x000C, 0, 0, {}};
+    ProjectDevice loop2;
+    loop2.participant = {{1, 1}, 0xB3, 0x02B3, 2, 2, {}};
+    project.devices.push_back(loop2);
+    EXPECT_EQ(findings(project), QStringList());
+    project.devices[1].participant.number = {2, 0};
+    EXPECT_EQ(findings(project),
+              (QStringList{QStringLiteral(
+                  "1 attention: Devices of this ID code stand on the local bus of a bus terminal.")}));
+}
+
 TEST(CheckProject, LimitsOfTheRingAreFaults)
 {
     const QStringList found = findings(encoders(129));
