@@ -222,7 +222,7 @@ void MainWindow::addDock(const char *name, const QString &title, QWidget *conten
     auto *dock = new QDockWidget(title, this);
     dock->setObjectName(QLatin1String(name));
     dock->setWidget(content);
-    QAction *toggle = dock->toggleViewAction();
+    QAction *toggle = makePanelAction(*dock);
     toggle->setToolTip(tr("Shows or hides the panel \"%1\"").arg(title));
     toggle->setShortcut(QKeySequence(Qt::ALT | Qt::Key(Qt::Key_1 + static_cast<int>(m_docks.size()))));
     m_actions.docks->addAction(toggle);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/panels.h"
 
+#include <QAction>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QTimer>
@@ -59,6 +60,18 @@ void arrangeLowSides(QMainWindow &window, const Panels &panels)
     window.tabifyDockWidget(panels.device, panels.training);
 }
 
+// Where the keys go in a panel: to itself, or to the first control in it.
+QWidget *firstFocus(QWidget &content)
+{
+    if (content.focusProxy() != nullptr || content.focusPolicy() != Qt::NoFocus)
+        return &content;
+    for (QWidget *each = content.nextInFocusChain(); each != &content; each = each->nextInFocusChain())
+        if (content.isAncestorOf(each) && each->isVisible() && each->isEnabled() &&
+            (each->focusPolicy() & Qt::TabFocus) != 0)
+            return each;
+    return &content;
+}
+
 } // namespace
 
 void arrangePanels(QMainWindow &window)
@@ -84,6 +97,8 @@ void arrangePanels(QMainWindow &window)
                        Qt::Horizontal);
     window.resizeDocks({isLow ? panels.structure : panels.parameters, panels.dial}, {isLow ? 240 : 430, 300},
                        Qt::Vertical);
+    if (!isLow) // the devices of the training bus, and all the rest for what one does with them
+        window.resizeDocks({panels.structure, panels.training}, {240, 500}, Qt::Vertical);
     window.resizeDocks({panels.trace}, {170}, Qt::Vertical);
 }
 
@@ -94,6 +109,23 @@ void raiseFirstPanels(QMainWindow &window)
         for (QDockWidget *first : {panels.trace, panels.training, panels.dial, panels.parameters})
             first->raise();
     });
+}
+
+QAction *makePanelAction(QDockWidget &panel)
+{
+    auto *action = new QAction(panel.windowTitle(), &panel);
+    action->setCheckable(true);
+    QObject::connect(&panel, &QDockWidget::visibilityChanged, action, &QAction::setChecked);
+    QObject::connect(action, &QAction::triggered, &panel, [&panel](bool show) {
+        if (!show) {
+            panel.close();
+            return;
+        }
+        panel.show();
+        panel.raise();
+        firstFocus(*panel.widget())->setFocus(Qt::ShortcutFocusReason);
+    });
+    return action;
 }
 
 } // namespace codewheel

@@ -86,6 +86,23 @@ TEST_F(MainWindowTest, DefaultLayoutBringsThePanelsBack)
     EXPECT_TRUE(dock("dialDock")->isVisible());
 }
 
+TEST_F(MainWindowTest, TheKeyOfAPanelBringsItToTheFrontAndHidesItWhenItIsThere)
+{
+    dock("traceDock")->raise();
+    advance(5);
+    ASSERT_TRUE(dock("messagesDock")->visibleRegion().isEmpty());
+    const auto press = [this] { QTest::keyClick(&window(), Qt::Key_5, Qt::AltModifier); };
+    press();
+    advance(5);
+    EXPECT_FALSE(dock("messagesDock")->visibleRegion().isEmpty());
+    EXPECT_TRUE(dock("messagesDock")->isAncestorOf(QApplication::focusWidget()));
+    press();
+    EXPECT_TRUE(dock("messagesDock")->isHidden());
+    press();
+    advance(5);
+    EXPECT_FALSE(dock("messagesDock")->visibleRegion().isEmpty());
+}
+
 TEST_F(MainWindowTest, InALowWindowTheWholeBusAndTheParametersAreSeen)
 {
     window().resize(1024, 640);
