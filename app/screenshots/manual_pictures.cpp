@@ -107,6 +107,21 @@ QWidget *rodAtWork(TrainingWindow &shown)
     return dock(shown, "dialDock");
 }
 
+// Errors in one segment for some minutes, then the wire to the next device breaks.
+QWidget *busFault(TrainingWindow &shown)
+{
+    constexpr int tenSeconds = 10'000;
+    for (const int perThousand : {1, 3, 2, 0, 4, 7, 5, 12}) {
+        shown.controls().setFault(TrainingFault::crcErrors, {3, 0}, perThousand);
+        shown.advance(tenSeconds);
+    }
+    choose(shown, {4, 0});
+    shown.controls().setFault(TrainingFault::wireBreak, {4, 0}, 1);
+    shown.advance(whileMilliseconds);
+    dock(shown, "messagesDock");
+    return dock(shown, "masterDock");
+}
+
 // What is asked before this function of the encoder begins.
 Picture questionBefore(const char *name, const char *action)
 {
@@ -174,6 +189,12 @@ std::vector<Picture> views()
                       send(shown, baumer, 0x0400'4E20);
                       send(shown, baumer, 0x8000'0000);
                       return dock(shown, "messagesDock");
+                  }),
+        pictureOf("master", busFault, tall),
+        pictureOf("bus-fault",
+                  [](TrainingWindow &shown) {
+                      busFault(shown);
+                      return &shown.window();
                   }),
         pictureOf("training",
                   [](TrainingWindow &shown) {
