@@ -54,7 +54,7 @@ StateNote noteOfState(const DeviceDescription &device, const Reading &reading)
     case EncoderState::unknown:
         return {unknownNote(device, reading)};
     case EncoderState::notSeen:
-        return {DialNote::tr("Nothing came from the encoder yet."), Role::inactive};
+        return {DialNote::tr("Nothing comes from the encoder."), Role::inactive};
     case EncoderState::operation:
         break;
     }
