@@ -96,7 +96,7 @@ void StatusLine::refresh()
 {
     showState();
     if (m_bus == nullptr) {
-        for (QLabel *label : {m_cycle, m_late, m_linkLabel, m_writes})
+        for (QLabel *label : {m_cycle, m_late, m_crc, m_linkLabel, m_writes})
             setTextOf(label, {});
         return;
     }
