@@ -23,6 +23,7 @@ extern const Subcommand cloneCommand;
 extern const Subcommand reportCommand;
 extern const Subcommand monitorCommand;
 extern const Subcommand masterCommand;
+extern const Subcommand serveCommand;
 extern const Subcommand messagesCommand;
 extern const Subcommand ledgerCommand;
 
