@@ -70,7 +70,7 @@ QString Explain::choice(Command command, std::uint32_t value)
 QString Explain::number(Command command, std::uint32_t value)
 {
     const CommandShape &shape = shapeOf(command);
-    const QString both = sentence(QStringLiteral("%1 = %2"), {hex(value, 0), decimal(value)});
+    QString both = sentence(QStringLiteral("%1 = %2"), {hex(value, 0), decimal(value)});
     if (value < shape.minimum || value > shape.maximum)
         return sentence(tr("%1, outside %2 to %3"), {both, decimal(shape.minimum), decimal(shape.maximum)});
     return both;

@@ -63,6 +63,18 @@ TEST(EscWrites, ALateReadAnswerInTwoPacketsIsNoAcceptance)
     EXPECT_EQ(conversation.result.answer, std::nullopt);
 }
 
+// When the last of its bytes came in, the silence was long enough; when the first one did, it was not.
+TEST(EscWrites, APacketIsAsOldAsItsFirstByte)
+{
+    Exchange exchange(presetOf03(), noDelay);
+    EXPECT_TRUE(std::holds_alternative<Exchange::Send>(exchange.next(Instant{})));
+    const Instant accepting = requestTime + 2 * millisecond;
+    exchange.received("\r\n", accepting);
+    exchange.received("00001235\r\n", accepting + 10 * character);
+    EXPECT_TRUE(std::holds_alternative<Exchange::Wait>(exchange.next(accepting + 20 * character)));
+    EXPECT_EQ(exchange.result().answer, std::nullopt);
+}
+
 TEST(EscWrites, TheLineEndCountsWhenNothingFollowsForTwoCharacters)
 {
     const auto followedAfter = [](Instant gap) {
