@@ -15,12 +15,12 @@ namespace {
 void clickButton(QWidget &dialog, const QString &beginning)
 {
     for (QAbstractButton *button : dialog.findChildren<QAbstractButton *>()) {
-        if (button->isVisible() && button->text().remove(u'&').startsWith(beginning)) {
+        if (button->isVisible() && button->isEnabled() && button->text().remove(u'&').startsWith(beginning)) {
             QTest::mouseClick(button, Qt::LeftButton);
             return;
         }
     }
-    ADD_FAILURE() << "the question has no button " << beginning.toStdString();
+    ADD_FAILURE() << "the question has no button that can be pressed, " << beginning.toStdString();
     dialog.close();
 }
 

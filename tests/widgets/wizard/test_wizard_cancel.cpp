@@ -80,7 +80,7 @@ TEST_P(WizardCancelTable, LeavesTheEncoderAsWasChosen)
     const CancelRow &row = GetParam();
     begin();
     step(row.stepsTaken);
-    answer(row.button);
+    const auto question = test::Question::answeredBy(QString::fromLatin1(row.button));
     click("wizardCancel");
     settle();
     EXPECT_FALSE(wizard.isBusy());
@@ -111,7 +111,7 @@ TEST_F(WizardHandshake, AValueOnItsWayIsRestoredToo)
     click("nextStep");
     bus.advance(8); // confirmed, and not settled yet
     ASSERT_EQ(fraba().latest().state, EncoderState::parameterization);
-    answer("Restore");
+    const auto question = test::Question::answeredBy(QStringLiteral("Restore"));
     click("wizardCancel");
     settle();
     EXPECT_EQ(fraba().latest().state, EncoderState::operation);
@@ -122,7 +122,7 @@ TEST_F(WizardHandshake, GoingOnAfterTheQuestionEndsVerified)
 {
     begin();
     step(1);
-    answer("Go on");
+    const auto question = test::Question::answeredBy(QStringLiteral("Go on"));
     click("wizardCancel");
     EXPECT_TRUE(wizard.isBusy());
     stepByHand();
@@ -133,7 +133,7 @@ TEST_F(WizardHandshake, LeftInParameterizationItCanBeBroughtBack)
 {
     begin();
     step(1);
-    answer("Leave");
+    const auto question = test::Question::answeredBy(QStringLiteral("Leave"));
     click("wizardCancel");
     settle();
     click("recoverRestore");
@@ -158,10 +158,12 @@ TEST_F(WizardHandshake, ClosingAsksTheSameAndWaitsForTheEncoder)
     begin();
     EXPECT_TRUE(wizard.isBusy());
     step(1);
-    answer("Go on");
-    EXPECT_EQ(wizard.askBeforeClosing(), ParameterWizard::Closing::stay);
+    {
+        const auto question = test::Question::answeredBy(QStringLiteral("Go on"));
+        EXPECT_EQ(wizard.askBeforeClosing(), ParameterWizard::Closing::stay);
+    }
     QSignalSpy ready(&wizard, &ParameterWizard::readyToClose);
-    answer("Restore");
+    const auto question = test::Question::answeredBy(QStringLiteral("Restore"));
     EXPECT_EQ(wizard.askBeforeClosing(), ParameterWizard::Closing::whenReady);
     EXPECT_TRUE(ready.isEmpty());
     settle();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The main job: 255 steps, 1 revolution, clockwise, preset 0 at device 1.0, by mouse, by keys, by
 // accessibility.
+#include "tests/app/screen_reader.h"
 #include "tests/widgets/wizard/wizard_test.h"
 
 #include <QAccessible>
@@ -132,78 +133,33 @@ TEST_F(WizardByKeys, TheWholeJob)
     turnTo(ParameterWizard::report, Qt::Key_R);
 }
 
-// All that is there for a screen reader, by role and name.
-class Reader
-{
-public:
-    explicit Reader(QWidget &top)
-        : m_top(QAccessible::queryAccessibleInterface(&top))
-    {}
-    QAccessibleInterface *find(QAccessible::Role role, const char *name) const
-    {
-        QAccessibleInterface *found = find(m_top, role, QString::fromLatin1(name));
-        EXPECT_NE(found, nullptr) << name;
-        return found;
-    }
-    // A button is pressed visibly; the click comes a little later.
-    void press(const char *name) const
-    {
-        QAccessibleInterface *found = find(QAccessible::Button, name);
-        ASSERT_NE(found, nullptr) << name;
-        ASSERT_FALSE(found->state().disabled) << name;
-        QSignalSpy clicked(found->object(), SIGNAL(clicked(bool)));
-        found->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
-        EXPECT_TRUE(clicked.count() == 1 || clicked.wait()) << name;
-    }
-    void type(const char *name, const char *text) const
-    {
-        QAccessibleInterface *found = find(QAccessible::EditableText, name);
-        ASSERT_NE(found, nullptr) << name;
-        found->setText(QAccessible::Value, QString::fromLatin1(text));
-    }
-
-private:
-    static QAccessibleInterface *find(QAccessibleInterface *in, QAccessible::Role role, const QString &name)
-    {
-        if (in == nullptr || in->state().invisible)
-            return nullptr;
-        if (in->role() == role && in->text(QAccessible::Name) == name)
-            return in;
-        for (int i = 0; i < in->childCount(); ++i)
-            if (QAccessibleInterface *found = find(in->child(i), role, name))
-                return found;
-        return nullptr;
-    }
-    QAccessibleInterface *m_top;
-};
-
 TEST_F(WizardMainJob, ByAccessibilityAlone)
 {
-    const Reader reader(wizard);
-    QAccessibleInterface *list = reader.find(QAccessible::List, "Encoders of the bus");
+    const test::ScreenReader reader(wizard);
+    QAccessibleInterface *list = reader.find(QAccessible::List, QStringLiteral("Encoders of the bus"));
     ASSERT_NE(list, nullptr);
     ASSERT_EQ(list->childCount(), 6);
     list->child(0)->actionInterface()->doAction(QAccessibleActionInterface::toggleAction());
     EXPECT_EQ(wizard.encoder(), &fraba());
-    reader.press("Next");
-    reader.press("Read from the encoder");
+    reader.press(QStringLiteral("Next"));
+    reader.press(QStringLiteral("Read from the encoder"));
     bus.advance(2000);
-    reader.press("It is in position mode");
+    reader.press(QStringLiteral("It is in position mode"));
     bus.advance(5);
-    reader.press("Next");
-    reader.press("Next");
-    reader.type("Steps", "255");
-    reader.type("Revolutions", "1");
-    reader.type("Preset", "0");
-    reader.press("Next");
-    reader.press("Start the handshake");
+    reader.press(QStringLiteral("Next"));
+    reader.press(QStringLiteral("Next"));
+    reader.type(QStringLiteral("Steps"), QStringLiteral("255"));
+    reader.type(QStringLiteral("Revolutions"), QStringLiteral("1"));
+    reader.type(QStringLiteral("Preset"), QStringLiteral("0"));
+    reader.press(QStringLiteral("Next"));
+    reader.press(QStringLiteral("Start the handshake"));
     for (int i = 0; i < 50 && wizard.isBusy(); ++i) {
         bus.advance(60);
         if (wizard.isBusy())
-            reader.press("Next step");
+            reader.press(QStringLiteral("Next step"));
     }
     expectDone();
-    reader.press("Report");
+    reader.press(QStringLiteral("Report"));
     EXPECT_EQ(wizard.page(), ParameterWizard::report);
 }
 

@@ -169,7 +169,7 @@ TEST_F(WizardRod, CancelledInTheMiddleItIsLeftWithWhatItHas)
     click("byHand");
     next();
     stepByHand(4); // the measuring length is written
-    answer("Leave it with what it has");
+    const auto question = test::Question::answeredBy(QStringLiteral("Leave it with what it has"));
     click("wizardCancel");
     bus.advance(500);
     EXPECT_FALSE(wizard.isBusy());

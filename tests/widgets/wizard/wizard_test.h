@@ -5,6 +5,7 @@
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
 #include "simulator/training_bus.h"
+#include "tests/app/question.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/project/project_document.h"
@@ -84,22 +85,6 @@ protected:
         }
         bus.advance(60);
         return pressed;
-    }
-    // Answers the next question with the button whose text begins so (without &).
-    void answer(const char *button)
-    {
-        QTimer::singleShot(0, qApp, [button = QString::fromLatin1(button)] {
-            auto *box = qobject_cast<QMessageBox *>(QApplication::activeModalWidget());
-            ASSERT_NE(box, nullptr);
-            for (QAbstractButton *one : box->buttons())
-                if (one->text().remove(QLatin1Char('&')).startsWith(button)) {
-                    EXPECT_TRUE(one->isEnabled());
-                    QTest::mouseClick(one, Qt::LeftButton);
-                    return;
-                }
-            ADD_FAILURE() << "no button " << button.toStdString();
-            box->reject();
-        });
     }
     Word out(DeviceNumber number = {1, 0}) const { return bus.channel(number)->out(); }
 
