@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/parameter_panel.h"
 
+#include "drivers/esc_values.h"
+#include "drivers/values_to_write.h"
 #include "encoder/refusal_text.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/functions/encoder_functions.h"
@@ -323,12 +325,19 @@ void ParameterPanel::askWhatItHas()
                known ? std::optional(known->value) : std::nullopt);
 }
 
-// Where the command brings its value along: any position, stored at once.
+// Where the command brings its value along: any position, stored at once. An encoder on a serial line has
+// positions from 1 to its measuring range, an LA-66 all of 24 bit.
 void ParameterPanel::askWherePositionIs()
 {
     ParameterDescription position;
     position.parameter = Parameter::preset;
     position.maximum = la66::dataMask;
+    if (const EncoderSession *encoder = session(); encoder && encoder->device().profile == Profile::esc) {
+        ParameterValues known;
+        for (const Known &one : allKnown(*encoder))
+            known.push_back({one.parameter, one.value});
+        position = escNarrowed(encoder->device(), Parameter::preset, known);
+    }
     m_bar->ask({.parameter = position,
                 .label = tr("The position here is to be"),
                 .ifEmpty = tr("position"),
