@@ -40,12 +40,12 @@ public:
     void setSettings(const EscSettings &settings);
     const EscSettings &settings() const { return m_encoder.settings; }
     // The rate at which the line speaks to this encoder, in Bd.
-    void setLineBaudRate(int baudRate);
+    void setLineBaudRate(int baudRate) override;
     // The other encoders of the line by a name for the user: no job takes an encoder to one of their
     // addresses.
-    void setTaken(const EscPlan::Taken &taken) { m_encoder.taken = taken; }
+    void setTaken(const EscPlan::Taken &taken) override { m_encoder.taken = taken; }
     // What somebody else asked this encoder, at a terminal.
-    void observe(const esc::Request &request, const esc::ExchangeResult &result, Instant now);
+    void observe(const esc::Request &request, const esc::ExchangeResult &result, Instant now) override;
 
     const Figures &figures() const { return m_encoder.guard.figures(); }
     const QString &version() const { return m_encoder.version; }

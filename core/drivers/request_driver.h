@@ -5,6 +5,7 @@
 #include "encoder/message.h"
 #include "esc/esc_exchange.h"
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -36,6 +37,14 @@ public:
     // again.
     virtual std::optional<esc::Request> next(Instant now) = 0;
     virtual void answered(const esc::Request &request, const esc::ExchangeResult &result, Instant now) = 0;
+
+    // What else its line knows: the rate it speaks at, in Bd, the devices at its other addresses by a name
+    // for the user, and what somebody else asked this device, as at the terminal.
+    virtual void setLineBaudRate(int /*baudRate*/) {}
+    virtual void setTaken(const std::map<LineAddress, QString> & /*others*/) {}
+    virtual void observe(const esc::Request & /*request*/, const esc::ExchangeResult & /*result*/,
+                         Instant /*now*/)
+    {}
 
     // The address at which the device is asked now; another after the job that changed it.
     virtual LineAddress address() const = 0;

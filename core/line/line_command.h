@@ -37,6 +37,7 @@ struct SetKnown
 struct AddDevice
 {
     std::unique_ptr<RequestDriver> driver;
+    QString name; // for the user
 };
 struct RemoveDevice // its place stays empty
 {

@@ -152,7 +152,7 @@ void LineRunner::Private::end(UnderWay ended)
     const Instant now = link.now();
     switch (ended.asker) {
     case Asker::terminal:
-        events.post({.what = TypedAnswered{ended.exchange.request(), result}, .at = now});
+        typedEnded(ended.exchange.request(), result);
         break;
     case Asker::scan:
         if (!scan) // cancelled meanwhile
@@ -164,11 +164,32 @@ void LineRunner::Private::end(UnderWay ended)
         if (!driver(ended.device)) // removed meanwhile
             break;
         devices[ended.device].counter.note(result);
-        driver(ended.device)->answered(ended.exchange.request(), result, now);
-        collect(ended.device);
+        deviceAnswered(ended.device, ended.exchange.request(), result);
         break;
     }
     publish();
+}
+
+void LineRunner::Private::deviceAnswered(std::size_t device, const esc::Request &request,
+                                         const esc::ExchangeResult &result)
+{
+    const LineAddress before = driver(device)->address();
+    driver(device)->answered(request, result, link.now());
+    collect(device);
+    if (driver(device)->address() != before)
+        tellTaken();
+}
+
+// What was typed may have changed what the driver knows.
+void LineRunner::Private::typedEnded(const esc::Request &request, const esc::ExchangeResult &result)
+{
+    events.post({.what = TypedAnswered{request, result}, .at = link.now()});
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        if (!driver(i) || (driver(i)->address() != request.to && !request.to.isMaster()))
+            continue;
+        driver(i)->observe(request, result, link.now());
+        collect(i);
+    }
 }
 
 void LineRunner::Private::listen(Instant until)

@@ -68,7 +68,9 @@ void LineRunner::Private::carryOut(line_command::SetKnown &c)
 
 void LineRunner::Private::carryOut(line_command::AddDevice &c)
 {
-    devices.push_back({.driver = std::move(c.driver), .counter = {}, .turn = 0});
+    c.driver->setLineBaudRate(settings.baudRate);
+    devices.push_back({.driver = std::move(c.driver), .name = std::move(c.name), .counter = {}, .turn = 0});
+    tellTaken();
 }
 
 void LineRunner::Private::carryOut(line_command::RemoveDevice &c)
@@ -79,6 +81,7 @@ void LineRunner::Private::carryOut(line_command::RemoveDevice &c)
         driver(c.device)->stop(RefusalId::busStopped, link.now());
     collect(c.device);
     devices[c.device].driver.reset();
+    tellTaken();
 }
 
 void LineRunner::Private::carryOut(line_command::SetPolling &c)
@@ -149,6 +152,20 @@ void LineRunner::Private::endScan(bool cancelled)
           .arguments = {static_cast<std::int64_t>(scan->found().size()),
                         static_cast<std::int64_t>(scan->requests())}});
     scan.reset();
+}
+
+// Each driver knows the addresses of the others, so that no job takes its device to one of them.
+void LineRunner::Private::tellTaken()
+{
+    for (const Device &device : devices) {
+        if (!device.driver)
+            continue;
+        std::map<LineAddress, QString> others;
+        for (const Device &other : devices)
+            if (other.driver && &other != &device)
+                others.emplace(other.driver->address(), other.name);
+        device.driver->setTaken(others);
+    }
 }
 
 void LineRunner::Private::stopJobs(RefusalId why)

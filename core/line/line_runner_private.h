@@ -17,6 +17,7 @@ struct LineRunner::Private
     struct Device
     {
         std::unique_ptr<RequestDriver> driver; // null: removed
+        QString name;
         LineCounter counter;
         std::uint64_t turn = 0; // when it was asked last, in requests of the line
     };
@@ -47,6 +48,7 @@ struct LineRunner::Private
     Result<void> mayStart(std::size_t device, const Job &job) const;
     void stopJobs(RefusalId why);
     void endScan(bool cancelled);
+    void tellTaken();
 
     // line_runner.cpp
     void step(Instant until);
@@ -59,6 +61,8 @@ struct LineRunner::Private
     std::optional<Instant> nextWish() const;
     void goOn(Instant until); // with the request under way
     void end(UnderWay ended);
+    void deviceAnswered(std::size_t device, const esc::Request &request, const esc::ExchangeResult &result);
+    void typedEnded(const esc::Request &request, const esc::ExchangeResult &result);
     void listen(Instant until); // to what comes without having been asked for
     bool useBaudRate(int baudRate);
     void portIsGone(const Refusal &why);

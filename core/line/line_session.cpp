@@ -218,7 +218,7 @@ Result<void> LineSession::add(LineAddress address, const QString &deviceKey)
     auto driver = d->makeDriver(*description, address);
     auto session = std::make_unique<LineEncoderSession>(*this, d->encoders.size(), address, *description);
     d->encoders.push_back({std::move(description), std::move(session)});
-    post(line_command::AddDevice{std::move(driver)});
+    post(line_command::AddDevice{std::move(driver), described->fullName()});
     Q_EMIT devicesChanged();
     return {};
 }

@@ -26,7 +26,8 @@ protected:
 
     void add(std::uint8_t address, Instant period = 10ms)
     {
-        runner.post(line_command::AddDevice{std::make_unique<PollingDriver>(LineAddress{address}, period)});
+        runner.post(line_command::AddDevice{std::make_unique<PollingDriver>(LineAddress{address}, period),
+                                            QStringLiteral("encoder")});
     }
     void poll() { runner.post(line_command::SetPolling{true}); }
     void run(Instant duration) { runner.run(link.now() + duration); }
