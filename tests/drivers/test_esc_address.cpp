@@ -58,16 +58,16 @@ TEST(EscAddress, IsFoundAtTheDecimalReadingAndReported)
     EXPECT_EQ(outcome.eepromWrites, 1);
 }
 
-TEST(EscAddress, AnotherEncoderThereIsNotTakenForIt)
+TEST(EscAddress, AnotherSerialNumberIsNotTakenForIt)
 {
     EscBench bench;
     bench.readsAddressAsDecimal = true;
     bench.settle();
-    bench.runUntil([&] { return bench.value(Parameter::serialNumber).has_value(); });
     ASSERT_TRUE(bench.begin(address(0x15)));
     bench.runUntil([&] { return bench.count("X") == 1; });
-    bench.answerNext("N", "00000009"); // a stranger answers once, wherever it is
+    bench.answerNext("N", "00000009"); // a stranger, or a damaged answer: the search goes on
     bench.runUntil([&] { return bench.outcome.has_value(); });
+    EXPECT_EQ(bench.jobLog(), (Lines{"03N", "03N", "03X15", "15N", "0FN", "03N", "15N", "0FN"}));
     EXPECT_EQ(bench.driver.address(), LineAddress{15});
 }
 
