@@ -326,6 +326,7 @@ void LineSession::setOperate(bool on)
 void LineSession::alarmStop()
 {
     post(line_command::AlarmStop{});
+    Q_EMIT alarmStopped();
 }
 
 void LineSession::scan(const ScanWish &wish)

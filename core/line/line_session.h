@@ -85,6 +85,7 @@ public:
 Q_SIGNALS:
     void updated();      // a new snapshot; at most once per pump
     void stateChanged(); // connected, polling, Watch / Operate
+    void alarmStopped(); // by alarmStop(): nothing is to be sent on its own any more
     void devicesChanged();
     // The encoder has another address now: encoder() finds it by that one.
     void moved(codewheel::DeviceNumber from, codewheel::DeviceNumber to);
