@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/line/line_bench.h"
+#include "widgets/line/line_settings_form.h"
+#include "widgets/look/inline_message.h"
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QSpinBox>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+class LineSettingsFormTest : public testing::Test
+{
+protected:
+    LineSettingsFormTest()
+    {
+        form.resize(600, 500);
+        form.show();
+        QObject::connect(&form, &LineSettingsForm::connectWanted, &form,
+                         [this](const LineWish &wish) { wanted.push_back(wish); });
+    }
+    template <typename Field>
+    Field &field(const char *name) const
+    {
+        for (auto *found : form.findChildren<Field *>())
+            if (found->accessibleName() == QLatin1String(name))
+                return *found;
+        ADD_FAILURE() << "no field " << name;
+        return *form.findChild<Field *>();
+    }
+    void connectNow() { test::button(form, QStringLiteral("Connect"))->click(); }
+    QString said() const
+    {
+        for (const auto *message : form.findChildren<InlineMessage *>())
+            if (message->isVisible())
+                return message->sentence();
+        return {};
+    }
+
+    LineSettingsForm form;
+    std::vector<LineWish> wanted;
+    const std::vector<PortRow> ports{
+        {QStringLiteral("/dev/ttyUSB0"), QStringLiteral("USB Serial"), QStringLiteral("FT12345")},
+        {QStringLiteral("/dev/ttyS0"), {}, {}}};
+};
+
+TEST_F(LineSettingsFormTest, BeginsWithTheSettingsOfTheFactory)
+{
+    form.setPorts(ports);
+    connectNow();
+    ASSERT_EQ(wanted.size(), 1U);
+    LineWish factory;
+    factory.port = QStringLiteral("/dev/ttyUSB0");
+    EXPECT_EQ(wanted.front(), factory);
+    EXPECT_EQ(field<QComboBox>("Port").currentText(),
+              QStringLiteral("/dev/ttyUSB0, USB Serial, serial number FT12345"));
+}
+
+TEST_F(LineSettingsFormTest, APathMayBeTyped)
+{
+    form.setPorts(ports);
+    field<QComboBox>("Port").setEditText(QStringLiteral(" /dev/pts/7 "));
+    EXPECT_EQ(form.wish().port, QStringLiteral("/dev/pts/7"));
+    form.setPorts({ports.back()});
+    EXPECT_EQ(form.wish().port, QStringLiteral("/dev/pts/7"));
+}
+
+TEST_F(LineSettingsFormTest, WhatWasChosenStaysWhenTheListIsMadeAnew)
+{
+    form.setPorts(ports);
+    field<QComboBox>("Port").setCurrentIndex(1);
+    form.setPorts({ports.back(), ports.front()});
+    EXPECT_EQ(form.wish().port, QStringLiteral("/dev/ttyS0"));
+}
+
+TEST_F(LineSettingsFormTest, AnyBaudRateMayBeTyped)
+{
+    form.setPorts(ports);
+    field<QComboBox>("Baud rate").setEditText(QStringLiteral("38400"));
+    EXPECT_EQ(form.wish().line.baudRate, 38'400);
+    EXPECT_EQ(form.wish().timing.character, LineSettings{.baudRate = 38'400}.timeOf(1));
+    field<QComboBox>("Baud rate").setEditText(QString());
+    connectNow();
+    EXPECT_TRUE(wanted.empty());
+    EXPECT_TRUE(said().contains(QLatin1String("baud rate"))) << said().toStdString();
+}
+
+TEST_F(LineSettingsFormTest, WithoutAPortItAsksForOne)
+{
+    connectNow();
+    EXPECT_TRUE(wanted.empty());
+    EXPECT_TRUE(said().startsWith(QLatin1String("Choose a serial port")));
+}
+
+TEST_F(LineSettingsFormTest, SaysWhenTheListIsEmptyOrRightsAreMissing)
+{
+    form.setPorts({});
+    EXPECT_TRUE(said().startsWith(QLatin1String("No serial port was found."))) << said().toStdString();
+    form.setPorts(ports, QStringLiteral("You lack the group dialout."));
+    EXPECT_EQ(said(), QStringLiteral("You lack the group dialout."));
+    form.setPorts(ports);
+    EXPECT_EQ(said(), QString());
+}
+
+TEST_F(LineSettingsFormTest, GivesBackWhatItWasGiven)
+{
+    LineWish wish;
+    wish.port = QStringLiteral("/dev/ttyS4");
+    wish.line = {.baudRate = 57'600, .dataBits = 7, .parity = LineSettings::Parity::even, .stopBits = 1};
+    wish.timing.character = wish.line.timeOf(1);
+    wish.timing.answerTimeOut = 250ms;
+    wish.timing.retries = 5;
+    wish.timing.quietAfterWrite = 300ms;
+    wish.timing.adapterDelay = 18ms; // not in the form
+    wish.pollInterval = 50ms;
+    wish.fractionBits = 30;
+    wish.topSpeed = 3'000;
+    form.setWish(wish);
+    EXPECT_EQ(form.wish(), wish);
+}
+
+TEST_F(LineSettingsFormTest, PositionsAreNotAskedForFasterThanTheManualAllows)
+{
+    field<QSpinBox>("Poll interval").setValue(1);
+    EXPECT_EQ(form.wish().pollInterval, 10ms);
+}
+
+TEST_F(LineSettingsFormTest, AProblemGoesWithItsCause)
+{
+    form.setPorts(ports);
+    form.setProblem(QStringLiteral("The port is used by another program."));
+    EXPECT_EQ(said(), QStringLiteral("The port is used by another program."));
+    field<QComboBox>("Port").setEditText(QStringLiteral("/dev/ttyS1"));
+    EXPECT_EQ(said(), QString());
+}
+
+TEST_F(LineSettingsFormTest, RefreshIsTheCallers)
+{
+    const QSignalSpy refresh(&form, &LineSettingsForm::refreshWanted);
+    test::button(form, QStringLiteral("Refresh"))->click();
+    EXPECT_EQ(refresh.count(), 1);
+    test::expectAccessible(form);
+}
+
+} // namespace
+} // namespace codewheel

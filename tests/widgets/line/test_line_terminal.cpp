@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/line/line_bench.h"
+#include "widgets/line/line_row_table.h"
+#include "widgets/line/line_terminal.h"
+#include "widgets/line/request_field.h"
+#include "widgets/look/inline_message.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+namespace codewheel {
+namespace {
+
+class LineTerminalTest : public testing::Test
+{
+protected:
+    LineTerminalTest()
+    {
+        terminal.resize(900, 400);
+        terminal.show();
+        terminal.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&terminal));
+        terminal.setLine(bench.line.get());
+    }
+    void type(const char *text)
+    {
+        field.setText(QLatin1String(text));
+        QTest::keyClick(&field, Qt::Key_Return);
+        bench.pass(300);
+    }
+    QString said() const
+    {
+        QStringList sentences;
+        for (const auto *message : terminal.findChildren<InlineMessage *>())
+            if (message->isVisible())
+                sentences << message->sentence();
+        return sentences.join(u'|');
+    }
+    QString cell(int row, int column) const { return table.model()->index(row, column).data().toString(); }
+    QPushButton *button(const char *text) const { return test::button(terminal, QLatin1String(text)); }
+
+    test::LineBench bench;
+    LineTerminal terminal;
+    RequestField &field = *terminal.findChild<RequestField *>();
+    LineRowTable &table = *liveTable();
+
+private:
+    LineRowTable *liveTable() const
+    {
+        for (auto *found : terminal.findChildren<LineRowTable *>())
+            if (found->accessibleName() == QLatin1String("What passed on the line"))
+                return found;
+        return nullptr;
+    }
+};
+
+TEST_F(LineTerminalTest, ATypedRequestAndItsAnswerAreSeenAmongThePolls)
+{
+    bench.open();
+    bench.addEncoder();
+    bench.pass(200);
+    EXPECT_EQ(table.model()->rowCount(), 0);
+    type("05p");
+    ASSERT_EQ(table.model()->rowCount(), 2);
+    EXPECT_EQ(cell(0, LineRowModel::kind), QStringLiteral("sent, typed"));
+    EXPECT_EQ(cell(1, LineRowModel::meaning).remove(u','), QStringLiteral("1235h = 4661"));
+    EXPECT_EQ(field.text(), QString());
+    EXPECT_EQ(terminal.history(), QStringList{QStringLiteral("05P")});
+}
+
+TEST_F(LineTerminalTest, ABadRequestIsRefusedOnTheSpot)
+{
+    bench.open();
+    type("05Q");
+    EXPECT_TRUE(said().contains(QLatin1String("There is no command \"Q\""))) << said().toStdString();
+    EXPECT_TRUE(bench.link->sent.empty());
+    EXPECT_EQ(field.text(), QStringLiteral("05Q"));
+    QTest::keyClick(&field, Qt::Key_Backspace);
+    EXPECT_EQ(said(), QString());
+}
+
+TEST_F(LineTerminalTest, AWriteIsRefusedInWatch)
+{
+    bench.open();
+    type("05GP5200");
+    EXPECT_TRUE(said().contains(QLatin1String("Operate"))) << said().toStdString();
+    EXPECT_TRUE(bench.link->sent.empty());
+}
+
+TEST_F(LineTerminalTest, AWriteIsAskedForWithItsBytes)
+{
+    bench.open(LineSession::Start::operating);
+    type("05GP5200");
+    EXPECT_TRUE(bench.link->sent.empty());
+    EXPECT_TRUE(said().contains(QLatin1String("1B 30 35 47 50 30 30 30 30 35 32 30 30 0D 0A")))
+        << said().toStdString();
+    EXPECT_TRUE(said().contains(QLatin1String("The position becomes this value at once.")));
+    button("Do not send")->click();
+    EXPECT_EQ(said(), QString());
+    EXPECT_TRUE(bench.link->sent.empty());
+
+    QTest::keyClick(&field, Qt::Key_Return);
+    button("Send and write")->click();
+    bench.pass(300);
+    EXPECT_EQ(bench.link->sentTexts(), std::vector<QByteArray>{"05GP00005200"});
+    EXPECT_EQ(cell(1, LineRowModel::meaning), QStringLiteral("accepted"));
+}
+
+TEST_F(LineTerminalTest, TheQuestionGoesWithOperateAndWithAlarmStop)
+{
+    bench.open(LineSession::Start::operating);
+    type("05GP5200");
+    bench.line->setOperate(false);
+    bench.pass(20);
+    EXPECT_EQ(button("Send and write"), nullptr);
+    bench.line->setOperate(true);
+    bench.pass(20);
+    type("05GP5200");
+    ASSERT_NE(button("Send and write"), nullptr);
+    bench.line->alarmStop();
+    EXPECT_EQ(button("Send and write"), nullptr);
+}
+
+TEST_F(LineTerminalTest, SaysWhenNoAnswerCame)
+{
+    bench.open(LineSession::Start::operating);
+    type("03N");
+    EXPECT_TRUE(said().startsWith(QLatin1String("No answer to 03N."))) << said().toStdString();
+    type("03GP1");
+    button("Send and write")->click();
+    bench.pass(1'000);
+    EXPECT_TRUE(said().contains(QLatin1String("unknown"))) << said().toStdString();
+}
+
+TEST_F(LineTerminalTest, WithoutALineNothingCanBeTyped)
+{
+    EXPECT_FALSE(field.isEnabled());
+    EXPECT_TRUE(field.toolTip().contains(QLatin1String("not open"))) << field.toolTip().toStdString();
+    bench.open();
+    EXPECT_TRUE(field.isEnabled());
+    bench.line->close();
+    EXPECT_FALSE(field.isEnabled());
+}
+
+TEST_F(LineTerminalTest, PausedItHoldsTheTable)
+{
+    bench.open();
+    test::action(terminal, QStringLiteral("Pause"))->trigger();
+    type("05N");
+    EXPECT_EQ(table.model()->rowCount(), 0);
+    test::action(terminal, QStringLiteral("Pause"))->trigger();
+    EXPECT_EQ(table.model()->rowCount(), 2);
+}
+
+TEST_F(LineTerminalTest, CopiesAndExportsWhatIsShown)
+{
+    bench.open();
+    bench.addEncoder();
+    type("05N");
+    test::action(terminal, QStringLiteral("Copy"))->trigger();
+    const QStringList lines = QApplication::clipboard()->text().split(u'\n', Qt::SkipEmptyParts);
+    ASSERT_EQ(lines.size(), 2);
+    EXPECT_TRUE(lines.at(1).contains(QLatin1String("0BADCAFEh"))) << lines.at(1).toStdString();
+
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("line.txt"));
+    ASSERT_TRUE(terminal.exportText(path));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QString text = QString::fromUtf8(file.readAll());
+    EXPECT_TRUE(text.startsWith(QLatin1String("2026-11-21T12:00:00."))) << text.toStdString();
+    EXPECT_TRUE(
+        text.contains(QStringLiteral("\u241B05N\u240D\u240A\t05: serial number?\t1B 30 35 4E 0D 0A")));
+    EXPECT_FALSE(terminal.exportText(folder.filePath(QStringLiteral("no/such/line.txt"))));
+    EXPECT_TRUE(said().contains(QLatin1String("was not saved")));
+}
+
+TEST_F(LineTerminalTest, ColumnsAreChosen)
+{
+    for (auto *box : terminal.findChildren<QCheckBox *>())
+        if (box->text().remove(u'&') == QLatin1String("Hex") && box->isVisible())
+            box->click();
+    EXPECT_TRUE(table.isColumnHidden(LineRowModel::bytes));
+    EXPECT_FALSE(table.isColumnHidden(LineRowModel::text));
+}
+
+TEST_F(LineTerminalTest, ASessionIsSavedWithItsPollsAndOpened)
+{
+    bench.open();
+    bench.addEncoder();
+    bench.pass(100);
+    type("05N");
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.json"));
+    ASSERT_TRUE(terminal.save(path));
+    ASSERT_TRUE(terminal.open(path));
+    EXPECT_NE(button("Replay"), nullptr);
+    EXPECT_FALSE(field.isVisible());
+    button("Back to the line")->click();
+    EXPECT_TRUE(field.isVisible());
+
+    QFile broken(path);
+    ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
+    broken.write("{\n\"format\": 1}");
+    broken.close();
+    EXPECT_FALSE(terminal.open(path));
+    EXPECT_TRUE(said().contains(QLatin1String("a.json, line 1"))) << said().toStdString();
+}
+
+TEST_F(LineTerminalTest, WhatWasCollectedOutlivesTheConnection)
+{
+    bench.open();
+    type("05N");
+    terminal.setLine(nullptr);
+    EXPECT_EQ(table.model()->rowCount(), 2);
+    bench.line.reset();
+    EXPECT_EQ(cell(0, LineRowModel::time).left(6), QStringLiteral("12:00:"));
+}
+
+TEST_F(LineTerminalTest, EveryButtonHasATooltip)
+{
+    test::expectAccessible(terminal);
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "esc/esc_command.h"
+#include "widgets/models/table_model_base.h"
+
+namespace codewheel {
+
+// Every command of the protocol behind an address, with what it does: what the field of the terminal offers
+// while one types.
+class CommandList : public TableModelBase<esc::CommandShape>
+{
+    Q_OBJECT
+
+public:
+    enum Column { request, meaning };
+
+    explicit CommandList(QObject *parent = nullptr);
+
+    // Two hexadecimal digits; the requests begin with them.
+    void setAddress(const QString &digits);
+    const QString &address() const { return m_address; }
+
+protected:
+    int columns() const override { return meaning + 1; }
+    QVariant headerCell(int column, int role) const override;
+    QVariant cell(const esc::CommandShape &shape, int column, int role) const override;
+
+private:
+    QString meaningOf(const esc::CommandShape &shape) const;
+
+    QString m_address = QStringLiteral("01");
+};
+
+} // namespace codewheel

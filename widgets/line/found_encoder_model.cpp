@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/line/found_encoder_model.h"
+
+#include "encoder/hex.h"
+#include "widgets/look/fonts.h"
+
+#include <QLocale>
+
+namespace codewheel {
+namespace {
+
+constexpr int deviceCodeDigits = 4;
+
+} // namespace
+
+void FoundEncoderModel::show(const std::vector<FoundEncoder> &found)
+{
+    const std::size_t before = rows().size();
+    for (std::size_t i = 0; i < std::min(before, found.size()); ++i)
+        if (rows()[i] != found[i])
+            replace(static_cast<int>(i), found[i]);
+    if (found.size() > before)
+        append({found.begin() + static_cast<std::ptrdiff_t>(before), found.end()});
+    if (found.size() != before)
+        Q_EMIT chosenChanged();
+}
+
+void FoundEncoderModel::clear()
+{
+    m_left.clear();
+    setRows({});
+    Q_EMIT chosenChanged();
+}
+
+std::vector<FoundEncoder> FoundEncoderModel::chosen() const
+{
+    std::vector<FoundEncoder> chosen;
+    for (const FoundEncoder &found : rows())
+        if (!found.address.isMaster() && !m_left.contains(keyOf(found)))
+            chosen.push_back(found);
+    return chosen;
+}
+
+// What answered at the master address alone cannot be taken over: its own address is not known.
+Qt::ItemFlags FoundEncoderModel::flags(const QModelIndex &index) const
+{
+    const Qt::ItemFlags usual = TableModelBase::flags(index);
+    const bool canBeTaken = index.isValid() && !rowAt(index.row()).address.isMaster();
+    return index.column() == address && canBeTaken ? usual | Qt::ItemIsUserCheckable : usual;
+}
+
+bool FoundEncoderModel::setData(const QModelIndex &index, const QVariant &value, int role)
+{
+    if (!index.isValid() || index.column() != address || role != Qt::CheckStateRole ||
+        !(flags(index) & Qt::ItemIsUserCheckable))
+        return false;
+    const Key key = keyOf(rowAt(index.row()));
+    if (value.toInt() == Qt::Checked)
+        m_left.erase(key);
+    else
+        m_left.insert(key);
+    Q_EMIT dataChanged(index, index, {Qt::CheckStateRole});
+    Q_EMIT chosenChanged();
+    return true;
+}
+
+QString FoundEncoderModel::text(const FoundEncoder &row, int column) const
+{
+    const QString unknown = QStringLiteral("\u2013");
+    switch (column) {
+    case address:
+        return row.address.isMaster() ? tr("unknown, answers to 00") : row.address.shown();
+    case baudRate:
+        return QLocale().toString(row.baudRate);
+    case serialNumber:
+        return row.serialNumber ? hexWord(*row.serialNumber) : unknown;
+    case deviceCode:
+        return row.deviceCode ? hexWord(*row.deviceCode).right(deviceCodeDigits) + u'h' : unknown;
+    default:
+        return row.version.isEmpty() ? unknown : row.version;
+    }
+}
+
+QVariant FoundEncoderModel::headerCell(int column, int role) const
+{
+    if (role == Qt::TextAlignmentRole)
+        return QVariant((column == baudRate ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (column) {
+    case address:
+        return tr("Address");
+    case baudRate:
+        return tr("Baud rate");
+    case serialNumber:
+        return tr("Serial number");
+    case deviceCode:
+        return tr("Device code");
+    default:
+        return tr("Version");
+    }
+}
+
+QVariant FoundEncoderModel::cell(const FoundEncoder &row, int column, int role) const
+{
+    switch (role) {
+    case Qt::DisplayRole:
+    case Qt::ToolTipRole:
+        return text(row, column);
+    case Qt::CheckStateRole:
+        if (column != address || row.address.isMaster())
+            return {};
+        return m_left.contains(keyOf(row)) ? Qt::Unchecked : Qt::Checked;
+    case Qt::FontRole:
+        return column == version ? QVariant() : QVariant(numberFont());
+    case Qt::TextAlignmentRole:
+        return QVariant((column == baudRate ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    default:
+        return {};
+    }
+}
+
+} // namespace codewheel

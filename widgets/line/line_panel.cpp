@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/line/line_panel.h"
+
+#include "encoder/sentence.h"
+#include "line/line_session.h"
+#include "widgets/line/line_figures_model.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/look/role_label.h"
+
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QScrollBar>
+#include <QTableView>
+
+namespace codewheel {
+namespace {
+
+constexpr int usualHeight = 300; // the rest is scrolled to
+
+void setTextOf(QLabel *label, const QString &text)
+{
+    if (label->text() != text)
+        label->setText(text);
+}
+
+QString characterText(const LineSettings &settings)
+{
+    const QString parity = settings.parity == LineSettings::Parity::none   ? QStringLiteral("N")
+                           : settings.parity == LineSettings::Parity::even ? QStringLiteral("E")
+                                                                           : QStringLiteral("O");
+    return QString::number(settings.dataBits) + parity + QString::number(settings.stopBits);
+}
+
+} // namespace
+
+LinePanel::LinePanel(QWidget *parent)
+    : QScrollArea(parent)
+    , m_content(new QWidget(this))
+    , m_state(new RoleLabel(m_content))
+    , m_note(new InlineMessage(m_content))
+    , m_figures(new LineFiguresModel(this))
+    , m_table(new QTableView(m_content))
+    , m_dropped(new QLabel(m_content))
+{
+    setAccessibleName(tr("Serial line"));
+    setFrameShape(QFrame::NoFrame);
+    setWidgetResizable(true);
+    auto *column = new QVBoxLayout(m_content);
+    column->setContentsMargins(grid::unit, grid::unit, grid::unit, grid::unit);
+    column->setSpacing(grid::margin);
+    column->addWidget(m_state);
+    column->addWidget(m_note);
+    auto *form = new QFormLayout;
+    form->setHorizontalSpacing(grid::groupGap);
+    form->setVerticalSpacing(grid::unit);
+    m_port = addLine(*form, tr("Port"), tr("The serial port of this line"));
+    m_rate = addLine(*form, tr("Baud rate"), tr("Bits per second; data bits, parity, stop bits"));
+    m_polling = addLine(*form, tr("Polling"), tr("Whether the encoders are asked by turns"));
+    m_mode = addLine(*form, tr("Writing"), tr("In Watch only reads are sent"));
+    column->addLayout(form);
+    makeTable();
+    column->addWidget(m_table);
+    m_dropped->setWordWrap(true);
+    m_dropped->hide();
+    column->addWidget(m_dropped);
+    column->addStretch(1);
+    setWidget(m_content);
+    showState();
+}
+
+LinePanel::~LinePanel()
+{
+    m_table->setModel(nullptr);
+}
+
+QLabel *LinePanel::addLine(QFormLayout &form, const QString &caption, const QString &toolTip)
+{
+    auto *value = new QLabel(m_content);
+    value->setTextFormat(Qt::PlainText);
+    value->setWordWrap(true);
+    value->setAccessibleName(caption);
+    value->setToolTip(toolTip);
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    form.addRow(caption, value);
+    return value;
+}
+
+void LinePanel::makeTable()
+{
+    m_table->setModel(m_figures);
+    m_table->setAccessibleName(tr("Figures of the line and its encoders"));
+    m_table->setToolTip(tr("Since the line was opened. Times are from the end of a request to the end of its "
+                           "answer; the median is that of the newest 1000."));
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setTabKeyNavigation(false);
+    m_table->setShowGrid(false);
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->verticalHeader()->setHighlightSections(false);
+    // Calm: columns are as wide as their headers and ten digits, whatever the figures are.
+    m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + grid::unit);
+    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_table->setFixedHeight(LineFiguresModel::figureCount * m_table->verticalHeader()->defaultSectionSize() +
+                            m_table->horizontalHeader()->sizeHint().height() +
+                            m_table->horizontalScrollBar()->sizeHint().height() + grid::unit);
+}
+
+void LinePanel::setLine(LineSession *line)
+{
+    if (m_line)
+        m_line->disconnect(this);
+    m_line = line;
+    if (line) {
+        connect(line, &LineSession::stateChanged, this, &LinePanel::showState);
+        connect(line, &LineSession::updated, this, &LinePanel::showFigures);
+        connect(line, &QObject::destroyed, this, [this] { setLine(nullptr); });
+    }
+    showState();
+    showFigures();
+}
+
+void LinePanel::setNote(const QString &sentence)
+{
+    if (sentence.isEmpty())
+        m_note->withdraw();
+    else
+        m_note->showMessage(Role::attention, sentence);
+}
+
+void LinePanel::showState()
+{
+    const bool isOpen = m_line && m_line->isOpen();
+    const bool isConnected = isOpen && m_line->latest().connected;
+    if (isConnected)
+        m_state->setState(Role::running, tr("Open"));
+    else if (isOpen)
+        m_state->setState(Role::fault, tr("The port is gone; it is looked for each second"));
+    else
+        m_state->setState(Role::inactive, tr("Not connected"));
+    const QString none = QStringLiteral("\u2013");
+    setTextOf(m_port, m_line ? m_line->linkName() : none);
+    setTextOf(m_rate, m_line ? sentence(tr("%1 Bd, %2"), {QLocale().toString(m_line->settings().baudRate),
+                                                          characterText(m_line->settings())})
+                             : none);
+    setTextOf(m_polling, !isConnected ? none : m_line->isPolling() ? tr("runs") : tr("stopped"));
+    setTextOf(m_mode, !isConnected            ? none
+                      : m_line->isOperating() ? tr("Operate: allowed")
+                                              : tr("Watch: only reads are sent"));
+}
+
+void LinePanel::showFigures()
+{
+    const LineSnapshot shown = m_line ? m_line->latest() : LineSnapshot();
+    m_figures->show(shown);
+    m_dropped->setVisible(shown.droppedRows > 0);
+    if (shown.droppedRows > 0)
+        setTextOf(m_dropped,
+                  sentence(tr("%1 rows of the terminal were lost: the window was busy for too long."),
+                           {QLocale().toString(qulonglong{shown.droppedRows})}));
+}
+
+QSize LinePanel::sizeHint() const
+{
+    const QSize content = m_content->sizeHint();
+    return {content.width() + verticalScrollBar()->sizeHint().width(),
+            std::min(content.height(), usualHeight)};
+}
+
+} // namespace codewheel

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/line/line_row_options.h"
+
+#include "widgets/line/line_row_table.h"
+#include "widgets/look/grid.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+
+namespace codewheel {
+
+LineRowOptions::LineRowOptions(LineRowTable &table, QWidget *parent)
+    : QWidget(parent)
+{
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins({});
+    row->setSpacing(grid::margin);
+    auto *polls = addBox(tr("Hide position &polls"),
+                         tr("Leaves out the position requests of the polling and their answers. They are "
+                            "kept, and shown again when this is cleared."),
+                         table.filter().hidesPolls());
+    auto *text = addBox(tr("&Text"), tr("Shows the bytes as text, control characters as pictures"), true);
+    auto *hex = addBox(tr("He&x"), tr("Shows the bytes as hexadecimal numbers"), true);
+    row->addStretch(1);
+    connect(polls, &QCheckBox::toggled, this, [this, &table](bool on) {
+        table.filter().hidePolls(on);
+        Q_EMIT changed();
+    });
+    connect(text, &QCheckBox::toggled, &table,
+            [&table](bool on) { table.showColumn(LineRowModel::text, on); });
+    connect(hex, &QCheckBox::toggled, &table,
+            [&table](bool on) { table.showColumn(LineRowModel::bytes, on); });
+}
+
+QCheckBox *LineRowOptions::addBox(const QString &text, const QString &toolTip, bool isOn)
+{
+    auto *box = new QCheckBox(text, this);
+    box->setToolTip(toolTip);
+    box->setAccessibleDescription(toolTip);
+    box->setChecked(isOn);
+    layout()->addWidget(box);
+    return box;
+}
+
+} // namespace codewheel

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/line/line_search.h"
+
+#include "encoder/sentence.h"
+#include "line/line_session.h"
+#include "widgets/line/found_encoder_model.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/wizard/quiet_table.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStackedWidget>
+
+namespace codewheel {
+namespace {
+
+const std::vector<int> allRates{19'200, 9'600, 4'800};
+
+// An address as it stands on the encoder: both readings.
+class AddressSpin : public QSpinBox
+{
+public:
+    using QSpinBox::QSpinBox;
+
+protected:
+    QString textFromValue(int value) const override
+    {
+        return LineAddress{static_cast<std::uint8_t>(value)}.shown();
+    }
+    int valueFromText(const QString &text) const override
+    {
+        const auto address = LineAddress::fromWire(text.left(text.indexOf(u'h')).trimmed());
+        return address ? address->value : minimum();
+    }
+    QValidator::State validate(QString &, int &) const override { return QValidator::Acceptable; }
+};
+
+QSpinBox *addressField(int value, const QString &name, QWidget *parent)
+{
+    auto *field = new AddressSpin(parent);
+    field->setRange(1, LineAddress::last);
+    field->setValue(value);
+    field->setAccessibleName(name);
+    field->setToolTip(LineSearch::tr("Two hexadecimal digits, 01 to 1F"));
+    return field;
+}
+
+} // namespace
+
+LineSearch::LineSearch(QWidget *parent)
+    : QWidget(parent)
+    , m_first(addressField(1, tr("First address"), this))
+    , m_last(addressField(LineAddress::last, tr("Last address"), this))
+    , m_rates(new QComboBox(this))
+    , m_master(new QCheckBox(tr("Ask at the &master address 00 first"), this))
+    , m_progress(new QProgressBar(this))
+    , m_message(new InlineMessage(this))
+    , m_found(new FoundEncoderModel(this))
+    , m_content(new QStackedWidget(this))
+    , m_table(new QTableView(this))
+    , m_empty(new EmptyState(Icon::search, tr("No search yet"),
+                             tr("Each address is asked for its serial number. Nothing is written."), this))
+{
+    setAccessibleName(tr("Search for encoders"));
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins(grid::unit, grid::unit, grid::unit, grid::unit);
+    rows->setSpacing(grid::margin);
+    makeFields();
+    rows->addWidget(m_progress);
+    rows->addWidget(m_message);
+    makeTable();
+    rows->addWidget(m_content, 1);
+    auto *below = new QHBoxLayout;
+    below->addStretch(1);
+    m_take = addButton(*below, lineIcon(Icon::add), tr("&Take over"),
+                       tr("Adds the ticked encoders to the bus structure"));
+    rows->addLayout(below);
+    connect(m_start, &QPushButton::clicked, this, &LineSearch::start);
+    connect(m_cancel, &QPushButton::clicked, this, [this] {
+        if (m_line)
+            m_line->cancelScan();
+    });
+    connect(m_take, &QPushButton::clicked, this, [this] { Q_EMIT takeOverWanted(m_found->chosen()); });
+    connect(m_found, &FoundEncoderModel::chosenChanged, this, &LineSearch::showWhatIsPossible);
+    showWhatIsPossible();
+}
+
+LineSearch::~LineSearch()
+{
+    m_table->setModel(nullptr);
+}
+
+void LineSearch::makeFields()
+{
+    auto *form = new QFormLayout;
+    form->setHorizontalSpacing(grid::groupGap);
+    form->setVerticalSpacing(grid::unit);
+    auto *addresses = new QHBoxLayout;
+    addresses->setSpacing(grid::groupGap);
+    addresses->addWidget(m_first);
+    auto *to = new QLabel(tr("t&o"), this);
+    to->setBuddy(m_last);
+    addresses->addWidget(to);
+    addresses->addWidget(m_last);
+    addresses->addStretch(1);
+    form->addRow(tr("&Addresses"), addresses);
+    qobject_cast<QLabel *>(form->labelForField(addresses))->setBuddy(m_first);
+    for (const int rate : allRates)
+        m_rates->addItem(sentence(tr("%1 Bd"), {QLocale().toString(rate)}), rate);
+    m_rates->addItem(tr("All three baud rates"));
+    m_rates->setAccessibleName(tr("Baud rates of the search"));
+    m_rates->setToolTip(tr("An encoder answers at its own baud rate alone; 19200 is that of the factory"));
+    form->addRow(tr("Baud &rate"), m_rates);
+    m_master->setToolTip(
+        tr("Any encoder answers there: only where a single one is on the line, since several "
+           "would answer at once"));
+    m_master->setAccessibleDescription(m_master->toolTip());
+    form->addRow(m_master);
+    auto *condition = new QLabel(m_master->toolTip(), this);
+    condition->setWordWrap(true);
+    condition->setVisible(false);
+    form->addRow(condition);
+    connect(m_master, &QCheckBox::toggled, condition, &QWidget::setVisible);
+    auto *buttons = new QHBoxLayout;
+    buttons->setSpacing(grid::unit);
+    m_start = addButton(*buttons, lineIcon(Icon::search), tr("&Search"), {});
+    m_cancel = addButton(*buttons, lineIcon(Icon::cancel), tr("&Cancel"), tr("Ends the search"));
+    buttons->addStretch(1);
+    form->addRow(buttons);
+    static_cast<QVBoxLayout *>(layout())->addLayout(form);
+    m_progress->setAccessibleName(tr("Progress of the search"));
+    m_progress->hide();
+}
+
+void LineSearch::makeTable()
+{
+    setUpQuietTable(*m_table, *m_found, tr("Encoders found"));
+    m_table->setToolTip(tr("Space chooses an encoder"));
+    m_table->horizontalHeader()->setSectionResizeMode(FoundEncoderModel::address,
+                                                      QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_content->addWidget(m_empty);
+    m_content->addWidget(m_table);
+}
+
+QPushButton *LineSearch::addButton(QLayout &row, const QIcon &icon, const QString &text,
+                                   const QString &toolTip)
+{
+    auto *button = new QPushButton(icon, text, this);
+    button->setAutoDefault(false);
+    button->setToolTip(toolTip);
+    button->setAccessibleDescription(toolTip);
+    row.addWidget(button);
+    return button;
+}
+
+void LineSearch::setLine(LineSession *line)
+{
+    if (m_line)
+        m_line->disconnect(this);
+    m_line = line;
+    m_isSearching = false;
+    m_progress->hide();
+    if (line) {
+        connect(line, &LineSession::scanProgressed, this, &LineSearch::showProgress);
+        connect(line, &LineSession::scanEnded, this, &LineSearch::showEnd);
+        connect(line, &LineSession::stateChanged, this, &LineSearch::showWhatIsPossible);
+        connect(line, &QObject::destroyed, this, [this] { setLine(nullptr); });
+    }
+    showWhatIsPossible();
+}
+
+ScanWish LineSearch::wish() const
+{
+    ScanWish wish;
+    const QVariant rate = m_rates->currentData();
+    wish.baudRates = rate.isValid() ? std::vector{rate.toInt()} : allRates;
+    const auto [first, last] = std::minmax(m_first->value(), m_last->value());
+    wish.first = {static_cast<std::uint8_t>(first)};
+    wish.last = {static_cast<std::uint8_t>(last)};
+    wish.throughMaster = m_master->isChecked();
+    return wish;
+}
+
+void LineSearch::setWish(const ScanWish &wish)
+{
+    m_first->setValue(wish.first.value);
+    m_last->setValue(wish.last.value);
+    m_master->setChecked(wish.throughMaster);
+    if (wish.baudRates.size() > 1) {
+        m_rates->setCurrentIndex(m_rates->count() - 1);
+        return;
+    }
+    const int rate = wish.baudRates.front();
+    if (m_rates->findData(rate) < 0)
+        m_rates->insertItem(0, sentence(tr("%1 Bd"), {QLocale().toString(rate)}), rate);
+    m_rates->setCurrentIndex(m_rates->findData(rate));
+}
+
+bool LineSearch::isConnected() const
+{
+    return m_line && m_line->isOpen() && m_line->latest().connected;
+}
+
+void LineSearch::start()
+{
+    m_message->withdraw();
+    m_found->clear();
+    m_empty->setTexts(tr("Searching"),
+                      tr("Each address is asked for its serial number. Nothing is written."));
+    m_content->setCurrentWidget(m_empty);
+    m_isSearching = true;
+    m_progress->setRange(0, 0);
+    m_progress->show();
+    m_line->scan(wish());
+    showWhatIsPossible();
+}
+
+void LineSearch::showProgress(const ScanProgress &progress)
+{
+    m_isSearching = true;
+    m_progress->show();
+    m_progress->setRange(0, progress.total);
+    m_progress->setValue(progress.asked);
+    m_progress->setFormat(tr("%1 of %2 asked").arg(progress.asked).arg(progress.total));
+    m_found->show(progress.found);
+    if (!progress.found.empty())
+        m_content->setCurrentWidget(m_table);
+    showWhatIsPossible();
+}
+
+void LineSearch::showEnd(const ScanEnded &ended)
+{
+    m_isSearching = false;
+    m_progress->hide();
+    m_found->show(ended.found);
+    const QString requests = tr("Requests sent: %n.", nullptr, ended.requests);
+    if (!ended.found.empty()) {
+        m_content->setCurrentWidget(m_table);
+        const QString found = tr("Encoders found: %n.", nullptr, static_cast<int>(ended.found.size()));
+        m_message->showMessage(ended.cancelled ? Role::attention : Role::running,
+                               ended.cancelled ? tr("The search was cancelled.") + u' ' + found : found);
+    } else {
+        m_content->setCurrentWidget(m_empty);
+        m_empty->setTexts(ended.cancelled ? tr("The search was cancelled") : tr("No encoder has answered"),
+                          requests + u' ' +
+                              tr("Check: the address and the baud rate (search all three); the wiring, both "
+                                 "pairs the right way "
+                                 "round, termination; the supply of the encoder; with RS-422 that the input "
+                                 "ST (pin 7) is tied "
+                                 "to +UB, without it no command works."));
+    }
+    showWhatIsPossible();
+}
+
+void LineSearch::showWhatIsPossible()
+{
+    const bool isConnectedNow = isConnected();
+    for (QWidget *field : std::initializer_list<QWidget *>{m_first, m_last, m_rates, m_master})
+        field->setEnabled(!m_isSearching);
+    m_start->setEnabled(isConnectedNow && !m_isSearching);
+    m_start->setToolTip(isConnectedNow ? tr("Asks one address after the other (Alt+S)")
+                                       : tr("The serial line is not open. Connect it first."));
+    m_cancel->setEnabled(m_isSearching);
+    m_take->setEnabled(!m_isSearching && !m_found->chosen().empty());
+}
+
+} // namespace codewheel

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "line/line_event.h"
+
+#include <QPointer>
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QLayout;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+class QStackedWidget;
+class QTableView;
+
+namespace codewheel {
+
+class EmptyState;
+class FoundEncoderModel;
+class InlineMessage;
+class LineSession;
+
+// Looks for the encoders on a serial line, shows what each tells of itself, and hands over those that are
+// chosen. Sends reads only.
+class LineSearch : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit LineSearch(QWidget *parent = nullptr);
+    ~LineSearch() override;
+
+    void setLine(codewheel::LineSession *line); // null: none
+    ScanWish wish() const;
+    void setWish(const ScanWish &wish);
+
+Q_SIGNALS:
+    // Encoders of the line's own baud rate and of others; none of address 0.
+    void takeOverWanted(const std::vector<codewheel::FoundEncoder> &encoders);
+
+private:
+    void makeFields();
+    void makeTable();
+    QPushButton *addButton(QLayout &row, const QIcon &icon, const QString &text, const QString &toolTip);
+    void start();
+    void showProgress(const ScanProgress &progress);
+    void showEnd(const ScanEnded &ended);
+    void showWhatIsPossible();
+    bool isConnected() const;
+
+    QPointer<LineSession> m_line;
+    bool m_isSearching = false;
+    QSpinBox *m_first;
+    QSpinBox *m_last;
+    QComboBox *m_rates;
+    QCheckBox *m_master;
+    QPushButton *m_start = nullptr;
+    QPushButton *m_cancel = nullptr;
+    QPushButton *m_take = nullptr;
+    QProgressBar *m_progress;
+    InlineMessage *m_message;
+    FoundEncoderModel *m_found;
+    QStackedWidget *m_content;
+    QTableView *m_table;
+    EmptyState *m_empty;
+};
+
+} // namespace codewheel

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/line/line_settings_form.h"
+
+#include "encoder/sentence.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/icons.h"
+#include "widgets/look/inline_message.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QIntValidator>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QSpinBox>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+constexpr int longestPort = 4'096; // characters of a path
+constexpr int fastestRate = 10'000'000;
+constexpr int longestInterval = 60'000; // ms
+constexpr int longestTime = 10'000;     // ms
+constexpr int mostRetries = 10;
+constexpr double highestSpeed = 100'000.0;
+
+int milliseconds(Instant time)
+{
+    return static_cast<int>(std::chrono::duration_cast<std::chrono::milliseconds>(time).count());
+}
+
+void choose(QComboBox &box, int value)
+{
+    box.setCurrentIndex(std::max(0, box.findData(value)));
+}
+
+void setPeriod(QSpinBox &field)
+{
+    field.setSuffix(LineSettingsForm::tr(" ms", "unit of a time"));
+}
+
+} // namespace
+
+LineSettingsForm::LineSettingsForm(QWidget *parent)
+    : QScrollArea(parent)
+    , m_content(new QWidget(this))
+    , m_trouble(new InlineMessage(m_content))
+    , m_problem(new InlineMessage(m_content))
+    , m_connect(new QPushButton(lineIcon(Icon::start), tr("&Connect"), m_content))
+{
+    setAccessibleName(tr("Settings of the serial line"));
+    setFrameShape(QFrame::NoFrame);
+    setWidgetResizable(true);
+    auto *column = new QVBoxLayout(m_content);
+    column->setContentsMargins(grid::margin, grid::margin, grid::margin, grid::margin);
+    column->setSpacing(grid::margin);
+    auto *form = new QFormLayout;
+    form->setHorizontalSpacing(grid::groupGap);
+    form->setVerticalSpacing(grid::unit);
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    makePort(*form);
+    makeCharacter(*form);
+    makeTimes(*form);
+    makeEncoder(*form);
+    column->addLayout(form);
+    column->addWidget(m_problem);
+    m_connect->setToolTip(tr("Opens the line, and asks positions from then on. Nothing is written (Alt+C)"));
+    m_connect->setAccessibleDescription(m_connect->toolTip());
+    m_connect->setAutoDefault(false);
+    auto *buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(m_connect);
+    column->addLayout(buttons);
+    column->addStretch(1);
+    setWidget(m_content);
+    connect(m_connect, &QPushButton::clicked, this, &LineSettingsForm::connectNow);
+    setWish({});
+    showPorts();
+}
+
+QComboBox *LineSettingsForm::addChoice(QFormLayout &form, const QString &label, const QString &toolTip)
+{
+    auto *box = new QComboBox(m_content);
+    box->setToolTip(toolTip);
+    box->setAccessibleDescription(toolTip);
+    form.addRow(label, box);
+    box->setAccessibleName(QString(label).remove(u'&'));
+    return box;
+}
+
+QSpinBox *LineSettingsForm::addNumber(QFormLayout &form, const QString &label, const QString &toolTip,
+                                      int least, int most)
+{
+    auto *field = new QSpinBox(m_content);
+    field->setRange(least, most);
+    field->setToolTip(toolTip);
+    field->setAccessibleDescription(toolTip);
+    form.addRow(label, field);
+    field->setAccessibleName(QString(label).remove(u'&'));
+    return field;
+}
+
+void LineSettingsForm::makePort(QFormLayout &form)
+{
+    m_port = new QComboBox(m_content);
+    m_port->setEditable(true);
+    m_port->setInsertPolicy(QComboBox::NoInsert);
+    m_port->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_port->setMinimumContentsLength(20);
+    m_port->lineEdit()->setMaxLength(longestPort);
+    m_port->lineEdit()->setPlaceholderText(QStringLiteral("/dev/ttyUSB0"));
+    m_port->setAccessibleName(tr("Port"));
+    m_port->setToolTip(tr("Choose the adapter, or type the path of a port or a pseudo terminal"));
+    m_refresh = new QPushButton(lineIcon(Icon::refresh), tr("&Refresh"), m_content);
+    m_refresh->setAutoDefault(false);
+    m_refresh->setToolTip(tr("Looks for serial ports again (Alt+R)"));
+    m_refresh->setAccessibleDescription(m_refresh->toolTip());
+    auto *row = new QHBoxLayout;
+    row->setSpacing(grid::unit);
+    row->addWidget(m_port, 1);
+    row->addWidget(m_refresh);
+    form.addRow(tr("&Port"), row);
+    qobject_cast<QLabel *>(form.labelForField(row))->setBuddy(m_port);
+    form.addRow(m_trouble);
+    connect(m_refresh, &QPushButton::clicked, this, &LineSettingsForm::refreshWanted);
+    connect(m_port, &QComboBox::editTextChanged, m_problem, &InlineMessage::withdraw);
+}
+
+void LineSettingsForm::makeCharacter(QFormLayout &form)
+{
+    m_baudRate = addChoice(form, tr("Ba&ud rate"),
+                           tr("19200, 9600 or 4800; any other may be typed. 19200 is that of the factory"));
+    m_baudRate->setEditable(true);
+    m_baudRate->setInsertPolicy(QComboBox::NoInsert);
+    for (const int rate : {19'200, 9'600, 4'800})
+        m_baudRate->addItem(QString::number(rate), rate);
+    m_baudRate->lineEdit()->setValidator(new QIntValidator(1, fastestRate, this));
+    m_dataBits = addChoice(form, tr("Dat&a bits"), tr("8 for these encoders"));
+    m_parity = addChoice(form, tr("Parit&y"), tr("None for these encoders"));
+    m_stopBits = addChoice(form, tr("&Stop bits"), tr("2 for these encoders"));
+    for (const int bits : {8, 7})
+        m_dataBits->addItem(QString::number(bits), bits);
+    m_parity->addItem(tr("none", "parity"), static_cast<int>(LineSettings::Parity::none));
+    m_parity->addItem(tr("even", "parity"), static_cast<int>(LineSettings::Parity::even));
+    m_parity->addItem(tr("odd", "parity"), static_cast<int>(LineSettings::Parity::odd));
+    for (const int bits : {2, 1})
+        m_stopBits->addItem(QString::number(bits), bits);
+}
+
+void LineSettingsForm::makeTimes(QFormLayout &form)
+{
+    m_pollInterval =
+        addNumber(form, tr("Poll &interval"),
+                  tr("Between position requests of one encoder; 10 ms is the shortest of the manual"),
+                  milliseconds(LineWish::shortestInterval), longestInterval);
+    m_timeOut = addNumber(form, tr("&Time-out"),
+                          tr("From the end of a request to the beginning of its answer"), 1, longestTime);
+    m_retries = addNumber(form, tr("&Number of retries"),
+                          tr("How often a read is sent again. A write never is"), 0, mostRetries);
+    m_quiet = addNumber(form, tr("&Quiet time after a write"),
+                        tr("How long nothing is sent after a write: the encoder stores it"), 0, longestTime);
+    for (QSpinBox *field : {m_pollInterval, m_timeOut, m_quiet})
+        setPeriod(*field);
+}
+
+void LineSettingsForm::makeEncoder(QFormLayout &form)
+{
+    m_fractionBits = addNumber(form, tr("Fraction bits of the scalin&g factor"),
+                               tr("29 fits the example of the manual; it can be determined from a device"),
+                               esc::fewestFractionBits, esc::mostFractionBits);
+    m_topSpeed = new QDoubleSpinBox(m_content);
+    m_topSpeed->setRange(1.0, highestSpeed);
+    m_topSpeed->setDecimals(0);
+    m_topSpeed->setSingleStep(100.0);
+    m_topSpeed->setSuffix(tr(" 1/min", "unit of a speed"));
+    m_topSpeed->setAccessibleName(tr("Top speed"));
+    m_topSpeed->setToolTip(
+        tr("A position that jumps further than this speed allows is marked suspect and asked "
+           "for again"));
+    m_topSpeed->setAccessibleDescription(m_topSpeed->toolTip());
+    form.addRow(tr("T&op speed"), m_topSpeed);
+}
+
+QString LineSettingsForm::chosenPort() const
+{
+    const QString typed = m_port->currentText().trimmed();
+    const int listed = m_port->findText(typed, Qt::MatchExactly);
+    return listed < 0 ? typed : m_port->itemData(listed).toString();
+}
+
+void LineSettingsForm::setPorts(const std::vector<PortRow> &ports, const QString &trouble)
+{
+    const QString chosen = chosenPort();
+    m_ports = ports;
+    showPorts();
+    LineWish kept = wish();
+    kept.port = chosen.isEmpty() && !ports.empty() ? ports.front().name : chosen;
+    setWish(kept);
+    if (!trouble.isEmpty())
+        m_trouble->showMessage(Role::attention, trouble);
+    else if (ports.empty())
+        m_trouble->showMessage(Role::attention,
+                               tr("No serial port was found. Plug the adapter in and refresh the "
+                                  "list, or type the path of a port."));
+    else
+        m_trouble->withdraw();
+}
+
+void LineSettingsForm::showPorts()
+{
+    m_port->clear();
+    for (const PortRow &port : m_ports) {
+        QStringList parts{port.name};
+        if (!port.description.isEmpty())
+            parts << port.description;
+        if (!port.serialNumber.isEmpty())
+            parts << sentence(tr("serial number %1"), {port.serialNumber});
+        m_port->addItem(parts.join(QStringLiteral(", ")), port.name);
+    }
+}
+
+LineWish LineSettingsForm::wish() const
+{
+    using std::chrono::milliseconds;
+    LineWish wish;
+    wish.port = chosenPort();
+    wish.timing = m_timing;
+    wish.line.baudRate = m_baudRate->currentText().toInt();
+    wish.line.dataBits = m_dataBits->currentData().toInt();
+    wish.line.parity = static_cast<LineSettings::Parity>(m_parity->currentData().toInt());
+    wish.line.stopBits = m_stopBits->currentData().toInt();
+    if (wish.line.baudRate > 0)
+        wish.timing.character = wish.line.timeOf(1);
+    wish.timing.answerTimeOut = milliseconds(m_timeOut->value());
+    wish.timing.retries = m_retries->value();
+    wish.timing.quietAfterWrite = milliseconds(m_quiet->value());
+    wish.pollInterval = milliseconds(m_pollInterval->value());
+    wish.fractionBits = m_fractionBits->value();
+    wish.topSpeed = m_topSpeed->value();
+    return wish;
+}
+
+void LineSettingsForm::setWish(const LineWish &wish)
+{
+    const int listed = m_port->findData(wish.port);
+    m_port->setCurrentIndex(listed);
+    if (listed < 0)
+        m_port->setEditText(wish.port);
+    m_port->lineEdit()->setCursorPosition(0); // the name of the port is what counts
+    m_baudRate->setEditText(QString::number(wish.line.baudRate));
+    choose(*m_dataBits, wish.line.dataBits);
+    choose(*m_parity, static_cast<int>(wish.line.parity));
+    choose(*m_stopBits, wish.line.stopBits);
+    m_timing = wish.timing;
+    m_pollInterval->setValue(milliseconds(wish.pollInterval));
+    m_timeOut->setValue(milliseconds(wish.timing.answerTimeOut));
+    m_retries->setValue(wish.timing.retries);
+    m_quiet->setValue(milliseconds(wish.timing.quietAfterWrite));
+    m_fractionBits->setValue(wish.fractionBits);
+    m_topSpeed->setValue(wish.topSpeed);
+}
+
+void LineSettingsForm::setProblem(const QString &sentence)
+{
+    if (sentence.isEmpty())
+        m_problem->withdraw();
+    else
+        m_problem->showMessage(Role::fault, sentence);
+}
+
+void LineSettingsForm::connectNow()
+{
+    const LineWish wanted = wish();
+    if (wanted.port.isEmpty())
+        m_problem->showMessage(Role::attention, tr("Choose a serial port, or type the path of one."));
+    else if (wanted.line.baudRate < 1)
+        m_problem->showMessage(Role::attention, tr("The baud rate is a number from 1 to 10000000."));
+    else {
+        m_problem->withdraw();
+        Q_EMIT connectWanted(wanted);
+    }
+}
+
+} // namespace codewheel

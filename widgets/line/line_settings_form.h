@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/line/line_wish.h"
+
+#include <QScrollArea>
+
+#include <vector>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QPushButton;
+class QSpinBox;
+
+namespace codewheel {
+
+class InlineMessage;
+
+// How a serial line is to be opened: the port by list or by its path, what the bytes look like, and the times
+// that the manual leaves open. Knows no ports by itself: the list is given.
+class LineSettingsForm : public QScrollArea
+{
+    Q_OBJECT
+
+public:
+    explicit LineSettingsForm(QWidget *parent = nullptr);
+
+    // `trouble`: a sentence that stands at the list, such as missing rights; empty: none. What is chosen
+    // stays chosen, also where it is not in the list.
+    void setPorts(const std::vector<PortRow> &ports, const QString &trouble = {});
+    LineWish wish() const;
+    void setWish(const LineWish &wish);
+    // What went wrong when it was opened; empty: nothing.
+    void setProblem(const QString &sentence);
+
+Q_SIGNALS:
+    void refreshWanted();
+    void connectWanted(const codewheel::LineWish &wish);
+
+private:
+    void makePort(QFormLayout &form);
+    void makeCharacter(QFormLayout &form);
+    void makeTimes(QFormLayout &form);
+    void makeEncoder(QFormLayout &form);
+    QSpinBox *addNumber(QFormLayout &form, const QString &label, const QString &toolTip, int least, int most);
+    QComboBox *addChoice(QFormLayout &form, const QString &label, const QString &toolTip);
+    QString chosenPort() const;
+    void connectNow();
+    void showPorts();
+
+    std::vector<PortRow> m_ports;
+    QWidget *m_content;
+    QComboBox *m_port = nullptr;
+    QPushButton *m_refresh = nullptr;
+    InlineMessage *m_trouble;
+    QComboBox *m_baudRate = nullptr;
+    QComboBox *m_dataBits = nullptr;
+    QComboBox *m_parity = nullptr;
+    QComboBox *m_stopBits = nullptr;
+    QSpinBox *m_pollInterval = nullptr;
+    QSpinBox *m_timeOut = nullptr;
+    QSpinBox *m_retries = nullptr;
+    QSpinBox *m_quiet = nullptr;
+    QSpinBox *m_fractionBits = nullptr;
+    QDoubleSpinBox *m_topSpeed = nullptr;
+    InlineMessage *m_problem;
+    QPushButton *m_connect;
+    esc::Timing m_timing; // with what the form does not show
+};
+
+} // namespace codewheel

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/line/line_terminal.h"
+
+#include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
+#include "line/line_session.h"
+#include "line/typed_request.h"
+#include "widgets/line/line_record_io.h"
+#include "widgets/line/line_record_view.h"
+#include "widgets/line/line_row_table.h"
+#include "widgets/line/request_field.h"
+#include "widgets/line/write_consequence.h"
+#include "widgets/look/inline_message.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QStackedWidget>
+
+#include <algorithm>
+
+namespace codewheel {
+
+void LineTerminal::setLine(LineSession *line)
+{
+    if (m_line)
+        m_line->disconnect(this);
+    m_rows->showWaiting();
+    m_line = line;
+    m_typed.reset();
+    m_question->withdraw();
+    m_record->setLine(line);
+    if (line) {
+        if (m_rows->isEmpty())
+            m_rows->setBegin(line->dateTime({}));
+        m_clockOffset = std::chrono::milliseconds(m_rows->begin().msecsTo(line->dateTime({})));
+        connect(line, &LineSession::passed, this, [this](const esc::LineRow &row) {
+            esc::LineRow shifted = row;
+            shifted.at += m_clockOffset;
+            m_rows->add(shifted);
+        });
+        connect(line, &LineSession::updated, this, [this] { m_rows->showWaiting(); });
+        connect(line, &LineSession::typedAnswered, this, &LineTerminal::takeAnswer);
+        connect(line, &LineSession::stateChanged, this, [this] {
+            m_question->withdraw();
+            showWhatIsPossible();
+        });
+        connect(line, &LineSession::alarmStopped, this, [this] {
+            m_question->withdraw();
+            m_typed.reset();
+        });
+        connect(line, &QObject::destroyed, this, [this] { setLine(nullptr); });
+    }
+    showWhatIsPossible();
+}
+
+void LineTerminal::setExplainOptions(const esc::ExplainOptions &options)
+{
+    m_options = options;
+    m_rows->setExplainOptions(options);
+    m_record->setExplainOptions(options);
+}
+
+QStringList LineTerminal::history() const
+{
+    return m_field->history();
+}
+
+void LineTerminal::setHistory(const QStringList &history)
+{
+    m_field->setHistory(history);
+}
+
+bool LineTerminal::isConnected() const
+{
+    return m_line && m_line->isOpen() && m_line->latest().connected;
+}
+
+bool LineTerminal::hasJob() const
+{
+    return std::ranges::any_of(m_line->latest().devices, &LineSnapshot::Device::hasJob);
+}
+
+void LineTerminal::send()
+{
+    m_question->withdraw();
+    m_message->withdraw();
+    const auto request = typedRequest(m_field->text());
+    if (!request) {
+        m_message->showMessage(Role::attention, request.error());
+        return;
+    }
+    if (!isConnected())
+        m_message->showMessage(Role::attention, refusalText({RefusalKind::link, RefusalId::lineClosed, {}}));
+    else if (esc::shapeOf(request->command).writes)
+        askBeforeWrite(*request);
+    else
+        sendNow(*request);
+}
+
+void LineTerminal::askBeforeWrite(const esc::Request &request)
+{
+    const QString place = DeviceNumber::onLine(request.to).toString();
+    if (!m_line->isOperating())
+        m_message->showMessage(Role::attention,
+                               refusalText({RefusalKind::busy, RefusalId::watchOnly, {place}}));
+    else if (hasJob())
+        m_message->showMessage(Role::attention,
+                               tr("Nothing was sent: a job is running on this line. Wait until "
+                                  "it has ended, or cancel it."));
+    else {
+        m_asked = request;
+        m_question->showMessage(Role::attention, writeQuestion(request, m_options), tr("Send and &write"),
+                                tr("Do &not send"));
+    }
+}
+
+void LineTerminal::sendNow(const esc::Request &request)
+{
+    m_typed = request;
+    m_line->send(request);
+    m_field->keep();
+    m_field->setFocus();
+    Q_EMIT historyChanged();
+}
+
+void LineTerminal::takeAnswer(const TypedAnswered &answer)
+{
+    m_rows->markTyped(answer.request);
+    if (m_typed != answer.request)
+        return;
+    m_typed.reset();
+    if (answer.result.answer)
+        return;
+    const bool isWrite = esc::shapeOf(answer.request.command).writes;
+    m_message->showMessage(
+        Role::attention,
+        sentence(
+            isWrite ? tr("No answer to %1. Whether it was carried out is unknown: read the value back. It is "
+                         "not sent again by itself.")
+                    : tr("No answer to %1. Check address and baud rate, or look for encoders."),
+            {QString::fromLatin1(answer.request.text())}));
+}
+
+bool LineTerminal::save(const QString &path)
+{
+    LineRecord record{.begin = m_rows->begin(), .port = {}, .rows = m_rows->recordRows()};
+    if (m_line) {
+        record.port = m_line->linkName();
+        record.baudRate = m_line->settings().baudRate;
+    }
+    const auto saved = saveLineRecord(path, record);
+    if (!saved)
+        m_message->showMessage(Role::attention, saved.error());
+    else
+        m_message->withdraw();
+    return saved.has_value();
+}
+
+bool LineTerminal::open(const QString &path)
+{
+    const auto record = loadLineRecord(path);
+    if (!record) {
+        m_message->showMessage(Role::attention, record.error());
+        return false;
+    }
+    m_message->withdraw();
+    m_record->showRecord(*record, QFileInfo(path).fileName());
+    m_pages->setCurrentWidget(m_record);
+    return true;
+}
+
+bool LineTerminal::exportText(const QString &path)
+{
+    const auto written = writeWholeFile(path, m_table->exportText().toUtf8());
+    if (!written)
+        m_message->showMessage(Role::attention, written.error());
+    else
+        m_message->withdraw();
+    return written.has_value();
+}
+
+void LineTerminal::askSave()
+{
+    const QString path =
+        QFileDialog::getSaveFileName(this, tr("Save the session"), tr("line-session.json", "name of a file"),
+                                     tr("Line sessions (*.json)"));
+    if (!path.isEmpty())
+        save(path);
+}
+
+void LineTerminal::askOpen()
+{
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Open a session"), {}, tr("Line sessions (*.json)"));
+    if (!path.isEmpty())
+        open(path);
+}
+
+void LineTerminal::askExport()
+{
+    const QString path = QFileDialog::getSaveFileName(this, tr("Export the rows"),
+                                                      tr("line.txt", "name of a file"), tr("Texts (*.txt)"));
+    if (!path.isEmpty())
+        exportText(path);
+}
+
+void LineTerminal::clear()
+{
+    m_rows->clear();
+    if (m_line) {
+        m_rows->setBegin(m_line->dateTime({}));
+        m_clockOffset = {};
+    }
+}
+
+void LineTerminal::showCounts()
+{
+    const int shown = m_table->model()->rowCount();
+    QStringList texts{tr("%n rows", nullptr, m_rows->rowCount())};
+    if (shown != m_rows->rowCount())
+        texts << sentence(tr("%1 shown"), {QLocale().toString(shown)});
+    if (m_rows->isHeld())
+        texts << tr("paused, %n new", nullptr, m_rows->waiting());
+    if (m_rows->dropped() > 0)
+        texts << sentence(tr("%1 oldest dropped"), {QLocale().toString(m_rows->dropped())});
+    m_counts->setText(texts.join(QStringLiteral("; ")));
+    m_content->setCurrentIndex(m_rows->isEmpty() ? 1 : 0);
+    m_save->setEnabled(!m_rows->isEmpty());
+    if (m_follow->isChecked() && !m_rows->isHeld())
+        m_table->scrollToBottom();
+}
+
+void LineTerminal::showWhatIsPossible()
+{
+    const bool connected = isConnected();
+    m_field->setEnabled(connected);
+    m_send->setEnabled(connected);
+    const QString why = refusalText({RefusalKind::link, RefusalId::lineClosed, {}});
+    m_field->setToolTip(connected ? tr("Address and command, as in 05P. Up and Down: what was typed before. "
+                                       "Ctrl+Space: all commands.")
+                                  : why);
+    m_send->setToolTip(connected ? tr("Sends the request (Enter)") : why);
+}
+
+} // namespace codewheel

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "esc/esc_explain.h"
+#include "line/line_event.h"
+#include "widgets/look/roles.h"
+
+#include <QPointer>
+#include <QWidget>
+
+class QAction;
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+class QToolBar;
+class QVBoxLayout;
+
+namespace codewheel {
+
+class InlineMessage;
+class LineRecordView;
+class LineRowModel;
+class LineRowTable;
+class LineSession;
+class RequestField;
+
+// The terminal of a serial line: what passed both ways, as text, as bytes and in words; requests are typed
+// and sent; the session is kept in a file, looked at and sent again. What was collected outlives the
+// connection.
+class LineTerminal : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit LineTerminal(QWidget *parent = nullptr);
+
+    void setLine(codewheel::LineSession *line); // null: none
+    void setExplainOptions(const esc::ExplainOptions &options);
+    // What was typed, oldest first; to be kept in the settings.
+    QStringList history() const;
+    void setHistory(const QStringList &history);
+
+    // Say on the spot what went wrong.
+    bool save(const QString &path);       // all rows, docs/line-sessions.md
+    bool open(const QString &path);       // to be looked at and sent again
+    bool exportText(const QString &path); // the rows shown, UTF-8, tabs between the columns
+
+Q_SIGNALS:
+    void historyChanged();
+
+private:
+    QWidget *makePage();
+    void makeTools(QToolBar &bar);
+    void makeSending(QVBoxLayout &rows);
+    void send();
+    void sendNow(const esc::Request &request);
+    void askBeforeWrite(const esc::Request &request);
+    void takeAnswer(const TypedAnswered &answer);
+    void askSave();
+    void askOpen();
+    void askExport();
+    void clear();
+    void showCounts();
+    void showWhatIsPossible();
+    bool isConnected() const;
+    bool hasJob() const;
+
+    QPointer<LineSession> m_line;
+    Instant m_clockOffset{}; // from the line's clock to that of the rows
+    esc::ExplainOptions m_options;
+    std::optional<esc::Request> m_asked; // in the question
+    std::optional<esc::Request> m_typed; // sent from the field and not answered yet
+    LineRowModel *m_rows;
+    QStackedWidget *m_pages;
+    QStackedWidget *m_content = nullptr; // the table, or what belongs there
+    LineRowTable *m_table;
+    LineRecordView *m_record;
+    QAction *m_follow = nullptr;
+    QAction *m_hold = nullptr;
+    QAction *m_save = nullptr;
+    QLabel *m_counts;
+    RequestField *m_field;
+    QPushButton *m_send;
+    InlineMessage *m_question;
+    InlineMessage *m_message;
+};
+
+} // namespace codewheel

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/line/line_record_view.h"
+#include "widgets/line/line_row_options.h"
+#include "widgets/line/line_row_table.h"
+#include "widgets/line/line_terminal.h"
+#include "widgets/line/request_field.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/look/tool.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+namespace codewheel {
+
+LineTerminal::LineTerminal(QWidget *parent)
+    : QWidget(parent)
+    , m_rows(new LineRowModel(this))
+    , m_pages(new QStackedWidget(this))
+    , m_table(new LineRowTable(*m_rows, tr("What passed on the line"), this))
+    , m_record(new LineRecordView(this))
+    , m_counts(new QLabel(this))
+    , m_field(new RequestField(this))
+    , m_send(new QPushButton(lineIcon(Icon::start), tr("&Send"), this))
+    , m_question(new InlineMessage(this))
+    , m_message(new InlineMessage(this))
+{
+    setAccessibleName(tr("Line terminal"));
+    m_pages->addWidget(makePage());
+    m_pages->addWidget(m_record);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins({});
+    layout->setSpacing(0);
+    layout->addWidget(m_pages, 1);
+
+    connect(m_rows, &LineRowModel::countsChanged, this, &LineTerminal::showCounts);
+    connect(m_field, &QLineEdit::returnPressed, this, &LineTerminal::send);
+    connect(m_field, &QLineEdit::textChanged, this, [this] {
+        m_question->withdraw();
+        m_message->withdraw();
+    });
+    connect(m_send, &QPushButton::clicked, this, &LineTerminal::send);
+    connect(m_question, &InlineMessage::actionTriggered, this, [this] {
+        m_question->withdraw();
+        sendNow(*m_asked);
+    });
+    connect(m_question, &InlineMessage::otherActionTriggered, m_question, &InlineMessage::withdraw);
+    connect(m_record, &LineRecordView::left, this, [this] { m_pages->setCurrentIndex(0); });
+    showCounts();
+    showWhatIsPossible();
+}
+
+QWidget *LineTerminal::makePage()
+{
+    auto *page = new QWidget(this);
+    auto *rows = new QVBoxLayout(page);
+    rows->setContentsMargins(grid::unit, 0, grid::unit, grid::unit);
+    rows->setSpacing(grid::unit);
+    auto *tools = new QToolBar(tr("Line terminal"), page);
+    makeTools(*tools);
+    rows->addWidget(tools);
+    m_content = new QStackedWidget(page);
+    m_content->addWidget(m_table);
+    m_content->addWidget(
+        new EmptyState(Icon::trace, tr("Nothing has passed on the line yet"),
+                       tr("What is sent and answered on a serial line stands here. Connect one, "
+                          "or open a saved session."),
+                       page));
+    rows->addWidget(m_content, 1);
+    auto *options = new QHBoxLayout;
+    options->setSpacing(grid::margin);
+    auto *columns = new LineRowOptions(*m_table, page);
+    connect(columns, &LineRowOptions::changed, this, &LineTerminal::showCounts);
+    options->addWidget(columns);
+    m_counts->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    options->addWidget(m_counts, 1);
+    rows->addLayout(options);
+    makeSending(*rows);
+    return page;
+}
+
+void LineTerminal::makeTools(QToolBar &bar)
+{
+    setUpToolBar(bar);
+    const auto make = [this, &bar](const Tool &tool) { return addTool(*this, bar, tool); };
+    m_follow = make(
+        {Icon::next, tr("Follow"), QKeySequence(Qt::CTRL | Qt::Key_End), tr("Keep the newest row in view")});
+    m_hold = make({Icon::stop, tr("Pause"), QKeySequence(Qt::CTRL | Qt::Key_P),
+                   tr("Hold the table; rows that come are kept and shown afterwards")});
+    m_follow->setCheckable(true);
+    m_follow->setChecked(true);
+    m_hold->setCheckable(true);
+    const QAction *copying =
+        make({Icon::copy, tr("Copy"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
+              tr("Copy the selected rows, or all shown, with tabs between the columns")});
+    m_save = make({Icon::save, tr("Save"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
+                   tr("Keep all rows in a file, to be looked at and sent again")});
+    const QAction *opening = make({Icon::open, tr("Open"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
+                                   tr("Look at a saved session, and send it again")});
+    const QAction *exporting = make({Icon::exportData, tr("Export"), QKeySequence(Qt::CTRL | Qt::Key_E),
+                                     tr("Write the rows shown to a text file")});
+    const QAction *clearing =
+        make({Icon::remove, tr("Clear"), QKeySequence(Qt::CTRL | Qt::Key_Delete), tr("Remove all rows")});
+    connect(m_follow, &QAction::toggled, this, &LineTerminal::showCounts);
+    connect(m_hold, &QAction::toggled, m_rows, &LineRowModel::setHeld);
+    connect(copying, &QAction::triggered, m_table, &LineRowTable::copy);
+    connect(m_save, &QAction::triggered, this, &LineTerminal::askSave);
+    connect(opening, &QAction::triggered, this, &LineTerminal::askOpen);
+    connect(exporting, &QAction::triggered, this, &LineTerminal::askExport);
+    connect(clearing, &QAction::triggered, this, &LineTerminal::clear);
+}
+
+void LineTerminal::makeSending(QVBoxLayout &rows)
+{
+    rows.addWidget(m_question);
+    rows.addWidget(m_message);
+    auto *label = new QLabel(tr("Re&quest"), this);
+    label->setBuddy(m_field);
+    m_field->setAccessibleName(tr("Request to send"));
+    m_field->setPlaceholderText(QStringLiteral("05P"));
+    m_send->setAccessibleName(tr("Send the request"));
+    m_send->setAutoDefault(false);
+    auto *row = new QHBoxLayout;
+    row->setSpacing(grid::groupGap);
+    row->addWidget(label);
+    row->addWidget(m_field, 1);
+    row->addWidget(m_send);
+    rows.addLayout(row);
+}
+
+} // namespace codewheel

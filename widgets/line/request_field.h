@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLineEdit>
+#include <QStringList>
+
+namespace codewheel {
+
+class CommandList;
+
+// Where a request is typed: Up and Down bring back what was typed before, Ctrl+Space lists all commands with
+// their meaning, and so does typing. Used by the terminal.
+class RequestField : public QLineEdit
+{
+    Q_OBJECT
+
+public:
+    static constexpr qsizetype mostKept = 200;
+
+    explicit RequestField(QWidget *parent = nullptr);
+
+    // Oldest first.
+    const QStringList &history() const { return m_history; }
+    void setHistory(const QStringList &history);
+    // Keeps what was typed and empties the field.
+    void keep();
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    void makeCompletion();
+    void followAddress(const QString &text);
+    void goThroughHistory(qsizetype by);
+
+    CommandList *m_commands;
+    QStringList m_history;
+    qsizetype m_place = 0; // in the history; behind its end: what is being typed
+    QString m_typed;       // while one looks at older ones
+};
+
+} // namespace codewheel
