@@ -27,6 +27,7 @@
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/project/device_names.h"
 #include "widgets/project/project_document.h"
+#include "widgets/project/project_page.h"
 #include "widgets/sequence/project_sequences.h"
 #include "widgets/sequence/sequence_view.h"
 #include "widgets/structure/structure_view.h"
@@ -119,9 +120,10 @@ void MainWindow::makePages()
     m_cams = new CamEditor(m_bus->catalog(), m_project, this);
     m_editor = new StructureEditor(m_project, m_bus->catalog(), this);
     m_comparison = new ComparisonPage(m_project, *m_bus, this);
+    m_projectPage = new ProjectPage(m_project, this);
     for (QWidget *page : {static_cast<QWidget *>(m_monitors), static_cast<QWidget *>(m_wizard),
                           static_cast<QWidget *>(m_cams), static_cast<QWidget *>(m_editor),
-                          static_cast<QWidget *>(m_comparison)})
+                          static_cast<QWidget *>(m_comparison), static_cast<QWidget *>(m_projectPage)})
         m_pages->addWidget(page);
     m_transfer = new TransferPages(*m_bus, m_project, m_findBefore, m_actions, *m_pages, this);
 }
@@ -258,6 +260,7 @@ void MainWindow::connectActions()
     connect(m_actions.cams, &QAction::triggered, this, &MainWindow::showCams);
     connect(m_actions.structureEditor, &QAction::triggered, this, &MainWindow::showStructureEditor);
     connect(m_actions.compare, &QAction::triggered, this, &MainWindow::showComparison);
+    connect(m_actions.projectPage, &QAction::triggered, this, &MainWindow::showProjectPage);
     const auto open = [this](MonitorKind kind) {
         return [this, kind] {
             if (const auto number = currentNumber()) {
@@ -426,10 +429,19 @@ void MainWindow::showComparison()
     m_comparison->setFocus();
 }
 
+void MainWindow::showProjectPage()
+{
+    if (m_projectPage == nullptr)
+        return;
+    m_pages->setCurrentWidget(m_projectPage);
+    m_projectPage->setFocus();
+}
+
 void MainWindow::showBusState()
 {
     const bool connected = m_bus != nullptr && m_bus->isOpen();
-    for (QAction *page : {m_actions.structureEditor, m_actions.compare, m_actions.transfer})
+    for (QAction *page :
+         {m_actions.projectPage, m_actions.structureEditor, m_actions.compare, m_actions.transfer})
         page->setEnabled(m_bus != nullptr);
     for (QAction *action : {m_actions.connectBus, m_actions.disconnectBus, m_actions.readIn})
         if (m_bus == nullptr)

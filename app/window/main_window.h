@@ -36,6 +36,7 @@ class ParameterPanel;
 class ParameterWizard;
 class ProjectDocument;
 class ProjectFiles;
+class ProjectPage;
 class ProjectRecovery;
 class ReportExport;
 class RingConnection;
@@ -77,6 +78,7 @@ public:
     void showCams();
     void showStructureEditor();
     void showComparison();
+    void showProjectPage();
     ProjectFiles &files() { return *m_files; }
     void askForRecovery(ProjectRecovery &recovery);
     RingConnection *connection() { return m_connection; } // null before attach()
@@ -128,6 +130,7 @@ private:
     QJsonObject m_openMonitors; // while offline
     StructureEditor *m_editor = nullptr;
     ComparisonPage *m_comparison = nullptr;
+    ProjectPage *m_projectPage = nullptr;
     std::vector<QDockWidget *> m_docks;
     StructureView *m_structure = nullptr;
     DeviceChoice *m_choice = nullptr;

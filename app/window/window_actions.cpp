@@ -69,6 +69,8 @@ void WindowActions::makeFileMenu()
                             tr("Saves the project"));
     saveProjectAs = described(menu->addAction(tr("Save &as...")), Qt::CTRL | Qt::SHIFT | Qt::Key_S,
                               tr("Saves the project in another file"));
+    projectPage = described(menu->addAction(lineIcon(Icon::information), tr("&Project...")),
+                            Qt::SHIFT | Qt::Key_F4, tr("Title, note and link of the project"));
     menu->addSeparator();
     exportReport =
         described(menu->addAction(lineIcon(Icon::exportData), tr("&Commissioning report...")), {},

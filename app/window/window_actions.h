@@ -35,6 +35,7 @@ public:
     QMenu *recentFiles;
     QAction *saveProject;
     QAction *saveProjectAs;
+    QAction *projectPage;
     QAction *exportReport;
     QAction *exportTrace;
     QAction *exportMessages;

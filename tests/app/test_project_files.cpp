@@ -10,6 +10,7 @@
 
 #include <QAction>
 #include <QFile>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
@@ -84,6 +85,18 @@ TEST_F(ProjectFilesTest, AProjectIsOpenedSavedAndNamedInTheTitle)
     actions().saveProject->trigger();
     EXPECT_FALSE(window().isWindowModified());
     EXPECT_EQ(loadProject(path("crane.codewheel"))->devices.front().station, QStringLiteral("trolley"));
+}
+
+TEST_F(ProjectFilesTest, TheTitleIsTypedIntoAPageAndSaved)
+{
+    ASSERT_TRUE(window().files().open(saved("crane.codewheel", QStringLiteral("hoist"))));
+    QTest::keyClick(&window(), Qt::Key_F4, Qt::ShiftModifier);
+    auto *title = window().findChild<QLineEdit *>(QStringLiteral("projectTitle"));
+    ASSERT_TRUE(title->hasFocus());
+    QTest::keyClicks(title, QStringLiteral("Crane 1"));
+    EXPECT_TRUE(window().isWindowModified());
+    actions().saveProject->trigger();
+    EXPECT_EQ(loadProject(path("crane.codewheel"))->title, QStringLiteral("Crane 1"));
 }
 
 TEST_F(ProjectFilesTest, WhatCannotBeOpenedIsSaidAndChangesNothing)

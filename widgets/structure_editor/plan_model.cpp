@@ -57,6 +57,7 @@ std::vector<PlanModel::Id> PlanModel::find(const QString &text) const
         const QStringList places{row.station,
                                  row.group,
                                  row.note,
+                                 row.serialNumber,
                                  row.name,
                                  hexCode(row.participant.idCode, 2),
                                  hexCode(row.participant.deviceCode, 4)};

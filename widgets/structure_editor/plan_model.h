@@ -15,7 +15,7 @@ namespace codewheel {
 
 // The planned ring as a tree: below a bus terminal its local bus, then its branch. Follows the project by the
 // smallest changes of rows, so that a view keeps what is open and selected, whatever was done or undone.
-// Station, group, note and addresses are edited in place; devices are moved by dragging.
+// Station, group, serial number, note and addresses are edited in place; devices are moved by dragging.
 class PlanModel : public QAbstractItemModel
 {
     Q_OBJECT
@@ -32,6 +32,7 @@ public:
         wordsColumn,
         inColumn,
         outColumn,
+        serialColumn,
         noteColumn,
         findingsColumn,
         columns
@@ -44,7 +45,8 @@ public:
     std::optional<Id> idAt(const QModelIndex &index) const;
     QModelIndex indexOf(Id id, int column = numberColumn) const;
     const PlanRow &rowAt(const QModelIndex &index) const;
-    // Devices whose number, station, group, note, name or ID code have this text, in ring order.
+    // Devices whose number, station, group, serial number, note, name or ID code have this text, in ring
+    // order.
     std::vector<Id> find(const QString &text) const;
     std::vector<Id> withFindings() const; // in ring order
 

@@ -7,6 +7,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <functional>
 
 namespace codewheel {
 namespace {
@@ -62,6 +63,8 @@ QVariant PlanModel::headerData(int section, Qt::Orientation orientation, int rol
         return inBytes ? tr("IN byte") : tr("IN word");
     case outColumn:
         return inBytes ? tr("OUT byte") : tr("OUT word");
+    case serialColumn:
+        return tr("Serial number");
     case noteColumn:
         return tr("Note");
     case findingsColumn:
@@ -115,6 +118,8 @@ QVariant PlanModel::display(const PlanRow &row, int column) const
         return addressCell(row.addresses.in, row.unit);
     case outColumn:
         return addressCell(row.addresses.out, row.unit);
+    case serialColumn:
+        return row.serialNumber;
     case noteColumn:
         return row.note;
     case findingsColumn:
@@ -170,9 +175,9 @@ bool PlanModel::setData(const QModelIndex &index, const QVariant &value, int rol
         return true;
     }
     const DeviceNumber number = rowAt(index).participant.number;
-    const auto edit = [&](const QString &what, QString ProjectDevice::*field) {
+    const auto edit = [&](const QString &what, auto field) {
         m_document.editDevice(number, what.arg(number.toString()),
-                              [&](ProjectDevice &device) { device.*field = text; });
+                              [&](ProjectDevice &device) { std::invoke(field, device) = text; });
         return true;
     };
     switch (index.column()) {
@@ -180,6 +185,9 @@ bool PlanModel::setData(const QModelIndex &index, const QVariant &value, int rol
         return edit(tr("Station of %1"), &ProjectDevice::station);
     case groupColumn:
         return edit(tr("Group of %1"), &ProjectDevice::group);
+    case serialColumn:
+        return edit(tr("Serial number of %1"),
+                    [](ProjectDevice &device) -> QString & { return device.label.serialNumber; });
     case noteColumn:
         return edit(tr("Note on %1"), &ProjectDevice::note);
     default:
@@ -223,7 +231,9 @@ Qt::ItemFlags PlanModel::flags(const QModelIndex &index) const
     const int column = index.column();
     const bool hasAddress =
         (column == inColumn && row.addresses.in) || (column == outColumn && row.addresses.out);
-    if (column == stationColumn || column == groupColumn || column == noteColumn || hasAddress)
+    const bool isText = column == stationColumn || column == groupColumn || column == noteColumn;
+    const bool hasLabel = row.participant.idCode != busTerminalIdCode;
+    if (isText || hasAddress || (column == serialColumn && hasLabel))
         flags |= Qt::ItemIsEditable;
     return flags;
 }

@@ -41,6 +41,7 @@ std::vector<PlanRow> planRows(const Project &project, const Catalog &catalog)
                         .station = device.station,
                         .group = device.group,
                         .note = device.note,
+                        .serialNumber = device.label.serialNumber,
                         .name = planName(device.participant, catalog),
                         .profile = described ? profileName(described->profile) : QString(),
                         .addresses = addresses[place],

@@ -16,6 +16,7 @@ struct PlanRow
     QString station;
     QString group;
     QString note;
+    QString serialNumber; // of its label
     QString name;
     QString profile;
     DeviceAddresses addresses;

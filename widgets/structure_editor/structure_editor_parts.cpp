@@ -146,8 +146,8 @@ void StructureEditor::makeTree()
 {
     m_tree->setObjectName(QStringLiteral("plan"));
     m_tree->setAccessibleName(tr("Planned bus structure"));
-    m_tree->setToolTip(
-        tr("Drag devices to move them. F2 or a double click edits station, group, note and addresses."));
+    m_tree->setToolTip(tr("Drag devices to move them. F2 or a double click edits station, group, serial "
+                          "number, note and addresses."));
     m_tree->setModel(m_model);
     m_tree->setIconSize({grid::smallIcon, grid::smallIcon});
     m_tree->setUniformRowHeights(true);

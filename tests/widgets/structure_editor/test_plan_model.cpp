@@ -103,6 +103,13 @@ TEST_F(PlanModelTest, StationGroupAndAddressesAreEditedInPlace)
     EXPECT_EQ(device.inAddress, 128);
     EXPECT_EQ(document.undoStack().count(), 3);
     EXPECT_TRUE(edit(QStringLiteral("2.0"), PlanModel::noteColumn, QStringLiteral("behind the door")));
+    EXPECT_TRUE(edit(QStringLiteral("1.0"), PlanModel::serialColumn, QStringLiteral("20417")));
+    EXPECT_EQ(document.device({1, 0}).label.serialNumber, QStringLiteral("20417"));
+    EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("Serial number of 1.0"));
+    EXPECT_EQ(model.find(QStringLiteral("2041")), std::vector{id(QStringLiteral("1.0"))});
+    EXPECT_FALSE(model.flags(model.indexOf(id(QStringLiteral("2.0")), PlanModel::serialColumn)) &
+                 Qt::ItemIsEditable)
+        << "a bus terminal";
     EXPECT_EQ(document.device({2, 0}).note, QStringLiteral("behind the door"));
     EXPECT_EQ(model.find(QStringLiteral("door")), std::vector{id(QStringLiteral("2.0"))});
     EXPECT_TRUE(edit(QStringLiteral("1.0"), PlanModel::inColumn, {}));

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/project/project_page.h"
+
+#include <QAccessible>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QtTest>
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+Project projectWith(const QString &title, const QString &note)
+{
+    Project project;
+    project.title = title;
+    project.note = note;
+    return project;
+}
+
+class ProjectPageTest : public testing::Test
+{
+protected:
+    ProjectPageTest()
+    {
+        page.resize(600, 400);
+        page.show();
+        page.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&page));
+    }
+
+    template <typename Widget>
+    Widget &child(const char *name) const
+    {
+        return *page.findChild<Widget *>(QLatin1String(name));
+    }
+    QLineEdit &title() const { return child<QLineEdit>("projectTitle"); }
+    QPlainTextEdit &note() const { return child<QPlainTextEdit>("projectNote"); }
+    QComboBox &link() const { return child<QComboBox>("projectLink"); }
+
+    ProjectDocument document;
+    ProjectPage page{document};
+};
+
+TEST_F(ProjectPageTest, WhatIsTypedInOneGoIsOneStepOfUndo)
+{
+    title().setFocus();
+    QTest::keyClicks(&title(), QStringLiteral("Crane 1"));
+    EXPECT_EQ(document.project().title, QStringLiteral("Crane 1"));
+    QTest::keyClick(&title(), Qt::Key_Tab);
+    note().setFocus();
+    QTest::keyClicks(&note(), QStringLiteral("spare part"));
+    QTest::keyClick(&note(), Qt::Key_Return);
+    QTest::keyClicks(&note(), QStringLiteral("in cabinet 3"));
+    EXPECT_EQ(document.project().note, QStringLiteral("spare part\nin cabinet 3"));
+    EXPECT_EQ(document.undoStack().count(), 2);
+    EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("Note on the project"));
+    document.undoStack().undo();
+    EXPECT_EQ(note().toPlainText(), QString());
+    EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("Title of the project"));
+    document.undoStack().undo();
+    EXPECT_EQ(title().text(), QString());
+    document.undoStack().redo();
+    EXPECT_EQ(title().text(), QStringLiteral("Crane 1"));
+}
+
+TEST_F(ProjectPageTest, TypingInTheMiddleStaysThere)
+{
+    document.edit(projectWith(QStringLiteral("Crane 1"), QStringLiteral("cabinet")), {});
+    title().setFocus();
+    title().setCursorPosition(5);
+    QTest::keyClicks(&title(), QStringLiteral("s"));
+    EXPECT_EQ(title().cursorPosition(), 6);
+    note().setFocus();
+    note().moveCursor(QTextCursor::Start);
+    QTest::keyClicks(&note(), QStringLiteral("a "));
+    EXPECT_EQ(document.project().note, QStringLiteral("a cabinet"));
+    EXPECT_EQ(note().textCursor().position(), 2);
+}
+
+TEST_F(ProjectPageTest, AnotherProjectShowsItsOwn)
+{
+    QTest::keyClicks(&title(), QStringLiteral("Crane 1"));
+    document.setProject(projectWith(QStringLiteral("Press"), QStringLiteral("hot")),
+                        QStringLiteral("/tmp/press.codewheel"));
+    EXPECT_EQ(title().text(), QStringLiteral("Press"));
+    EXPECT_EQ(note().toPlainText(), QStringLiteral("hot"));
+    EXPECT_TRUE(child<QLabel>("projectFile").text().contains(QStringLiteral("press.codewheel")));
+    EXPECT_EQ(document.undoStack().count(), 0) << "showing is no edit";
+}
+
+TEST_F(ProjectPageTest, ALinkThisProgramDoesNotHaveIsKeptUntilAnotherIsChosen)
+{
+    Project project;
+    project.link = {.kind = QStringLiteral("modbus"),
+                    .settings = {{QStringLiteral("port"), QStringLiteral("/dev/ttyUSB0")}}};
+    document.setProject(project, {});
+    EXPECT_TRUE(link().currentText().startsWith(QStringLiteral("modbus")));
+    EXPECT_EQ(child<QLabel>("linkSettings").text(), QStringLiteral("port: /dev/ttyUSB0"));
+    link().setFocus();
+    QTest::keyClick(&link(), Qt::Key_Up);
+    EXPECT_EQ(document.project().link, ProjectLink());
+    document.undoStack().undo();
+    EXPECT_EQ(document.project().link.settings.size(), 1U);
+    EXPECT_TRUE(link().currentText().startsWith(QStringLiteral("modbus")));
+}
+
+TEST_F(ProjectPageTest, EveryFieldHasANameAndATip)
+{
+    for (QWidget *field : {static_cast<QWidget *>(&title()), static_cast<QWidget *>(&note()),
+                           static_cast<QWidget *>(&link())}) {
+        EXPECT_FALSE(field->toolTip().isEmpty());
+        EXPECT_FALSE(QAccessible::queryAccessibleInterface(field)->text(QAccessible::Name).isEmpty());
+    }
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/project/project_page.h"
+
+#include "widgets/look/grid.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QEvent>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QSignalBlocker>
+
+namespace codewheel {
+namespace {
+
+constexpr int widestTitle = 140 * grid::unit;
+
+} // namespace
+
+ProjectPage::ProjectPage(ProjectDocument &document, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_typing(document.newGesture())
+    , m_title(new QLineEdit(this))
+    , m_link(new QComboBox(this))
+    , m_settings(new QLabel(this))
+    , m_note(new QPlainTextEdit(this))
+    , m_file(new QLabel(this))
+{
+    makeFields();
+    arrange();
+    connect(m_title, &QLineEdit::textEdited, this, &ProjectPage::setTitle);
+    connect(m_link, &QComboBox::activated, this, &ProjectPage::setLink);
+    connect(m_note, &QPlainTextEdit::textChanged, this, &ProjectPage::setNote);
+    connect(&m_document, &ProjectDocument::changed, this, &ProjectPage::showProject);
+    connect(&m_document, &ProjectDocument::fileChanged, this, &ProjectPage::showProject);
+    showProject();
+}
+
+void ProjectPage::makeFields()
+{
+    m_title->setObjectName(QStringLiteral("projectTitle"));
+    m_title->setAccessibleName(tr("Title of the project"));
+    m_title->setToolTip(tr("Stands at the head of the commissioning report"));
+    m_title->setPlaceholderText(tr("Crane 1"));
+    m_title->setMaximumWidth(widestTitle);
+    m_link->setObjectName(QStringLiteral("projectLink"));
+    m_link->setAccessibleName(tr("Link of the project"));
+    m_link->setToolTip(tr("The link the project is used with. Choosing one connects nothing."));
+    m_settings->setObjectName(QStringLiteral("linkSettings"));
+    m_settings->setAccessibleName(tr("Settings of the link"));
+    m_note->setObjectName(QStringLiteral("projectNote"));
+    m_note->setAccessibleName(tr("Note on the project"));
+    m_note->setToolTip(tr("What whoever opens the project next should know"));
+    m_note->setPlaceholderText(tr("What whoever opens the project next should know"));
+    m_note->setTabChangesFocus(true);
+    m_note->setUndoRedoEnabled(false); // the project's undo has it
+    m_file->setObjectName(QStringLiteral("projectFile"));
+    for (QLabel *label : {m_settings, m_file}) {
+        label->setWordWrap(true);
+        label->setTextFormat(Qt::PlainText);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    }
+    for (QWidget *field : {static_cast<QWidget *>(m_title), static_cast<QWidget *>(m_note)})
+        field->installEventFilter(this);
+    setFocusProxy(m_title);
+}
+
+void ProjectPage::arrange()
+{
+    auto *form = new QFormLayout(this);
+    form->setContentsMargins(grid::margin, grid::margin, grid::margin, grid::margin);
+    form->setHorizontalSpacing(2 * grid::groupGap);
+    form->setVerticalSpacing(grid::margin);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form->addRow(tr("&Title"), m_title);
+    form->addRow(tr("File"), m_file);
+    form->addRow(tr("Lin&k"), m_link);
+    form->addRow(QString(), m_settings);
+    form->addRow(tr("&Note"), m_note);
+    m_note->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+bool ProjectPage::eventFilter(QObject *field, QEvent *event)
+{
+    if (event->type() == QEvent::FocusIn)
+        m_typing = m_document.newGesture();
+    return QWidget::eventFilter(field, event);
+}
+
+void ProjectPage::edit(const QString &what, const std::function<void(Project &)> &change)
+{
+    Project after = m_document.project();
+    change(after);
+    m_document.edit(std::move(after), what, m_typing);
+}
+
+void ProjectPage::setTitle(const QString &title)
+{
+    edit(tr("Title of the project"), [&](Project &project) { project.title = title; });
+}
+
+void ProjectPage::setNote()
+{
+    edit(tr("Note on the project"), [&](Project &project) { project.note = m_note->toPlainText(); });
+}
+
+// The settings are those of the link: another one has none of them.
+void ProjectPage::setLink()
+{
+    const QString kind = m_link->currentData().toString();
+    m_typing = m_document.newGesture();
+    edit(tr("Link of the project"), [&](Project &project) {
+        if (project.link.kind != kind)
+            project.link = {.kind = kind, .settings = {}};
+    });
+}
+
+void ProjectPage::showProject()
+{
+    const Project &project = m_document.project();
+    if (m_title->text() != project.title)
+        m_title->setText(project.title);
+    if (m_note->toPlainText() != project.note) {
+        const QSignalBlocker blocker(m_note);
+        m_note->setPlainText(project.note);
+    }
+    m_file->setText(m_document.file().isEmpty() ? tr("not saved yet")
+                                                : QDir::toNativeSeparators(m_document.file()));
+    showLink();
+}
+
+// A project of another version or program may name a link that this one does not have: it is kept.
+void ProjectPage::showLink()
+{
+    const ProjectLink &link = m_document.project().link;
+    const QString training = ProjectLink().kind;
+    m_link->clear();
+    m_link->addItem(tr("Training bus"), training);
+    if (link.kind != training)
+        m_link->addItem(tr("%1 (this program has no such link)").arg(link.kind), link.kind);
+    m_link->setCurrentIndex(m_link->findData(link.kind));
+    QStringList settings;
+    for (const auto &[name, value] : link.settings)
+        settings << tr("%1: %2", "setting of a link, value").arg(name, value);
+    m_settings->setText(settings.isEmpty() ? tr("It has no settings.") : settings.join(u'\n'));
+}
+
+} // namespace codewheel
