@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
+#include "cli/consent.h"
 #include "cli/json.h"
 #include "cli/master_text.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
+#include "encoder/hex.h"
 #include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
 #include "ring/bus_session.h"
+#include "ring/segment_reach.h"
+#include "ring/word_channel.h"
 
 #include <QJsonArray>
 
@@ -14,7 +19,7 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"master", "master segment 6 off",
+constexpr const char *examples[] = {"master", "master segment 6 off --yes",
                                     "master --after 31000 --fault-plan resources/examples/faults.json"};
 
 constexpr int longestTime = 86'400'000; // ms
@@ -23,17 +28,43 @@ constexpr int afterwards = 10;          // cycles, for what comes back at once
 constexpr std::array options{
     Option{"--after", "MS",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "let so many milliseconds pass on the bus first")},
+    Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "do it without asking")},
 };
 
 constexpr const char *actions = "status, start, stop, alarm-stop, read-in, confirm, segment N on|off";
 
-using Action = std::function<void(BusSession &)>;
+// What is asked of the master; and the question before it, where it changes what the ring does: made when the
+// bus has come as far.
+struct Action
+{
+    std::function<void(BusSession &)> carryOut;
+    std::function<QString(const BusSession &)> question{}; // none: nothing has to be asked
+};
 
 tl::unexpected<Complaint> unknownAction(const QString &text)
 {
     return badInput(QStringLiteral("unknownAction"),
                     CommandLine::tr("\"%1\" is no action of the master. There are: %2."),
                     {text, QString::fromLatin1(actions)});
+}
+
+// The devices that go with the segment, and the words they have now.
+QString segmentQuestion(const BusSession &bus, int segment, bool on)
+{
+    if (on)
+        return sentence(CommandLine::tr("Put segment %1 back into the data cycles?"),
+                        {QString::number(segment)});
+    QStringList devices;
+    for (const std::size_t place : placesBehindSegment(bus.structure(), segment)) {
+        const DeviceNumber number = bus.structure()[place].number;
+        const WordChannel *channel = bus.channel(number);
+        devices << (channel && channel->out() != 0 ? sentence(CommandLine::tr("%1 (OUT %2)"),
+                                                              {number.toString(), hexWord(channel->out())})
+                                                   : number.toString());
+    }
+    return sentence(
+        CommandLine::tr("Switch segment %1 off? Out of the data cycles go, with outputs at 0: %2."),
+        {QString::number(segment), devices.join(QStringLiteral(", "))});
 }
 
 Checked<Action> segmentAction(const QStringList &words)
@@ -43,8 +74,15 @@ Checked<Action> segmentAction(const QStringList &words)
     const QString how = words.value(2);
     if (words.size() != 3 || !isNumber || (how != QStringLiteral("on") && how != QStringLiteral("off")))
         return unknownAction(words.join(u' '));
-    return Action(
-        [segment, on = how == QStringLiteral("on")](BusSession &bus) { bus.switchSegment(segment, on); });
+    const bool on = how == QStringLiteral("on");
+    return Action{[segment, on](BusSession &bus) { bus.switchSegment(segment, on); },
+                  [segment, on](const BusSession &bus) { return segmentQuestion(bus, segment, on); }};
+}
+
+Action asking(void (BusSession::*service)(), const QString &question)
+{
+    return {[service](BusSession &bus) { (bus.*service)(); },
+            [question](const BusSession &) { return question; }};
 }
 
 Checked<Action> actionOf(const QStringList &words)
@@ -55,17 +93,17 @@ Checked<Action> actionOf(const QStringList &words)
     if (words.size() > 1)
         return unknownAction(words.join(u' '));
     if (name == QStringLiteral("status"))
-        return Action([](BusSession &) {});
+        return Action{[](BusSession &) {}};
     if (name == QStringLiteral("start"))
-        return Action(&BusSession::startBus);
+        return Action{&BusSession::startBus};
     if (name == QStringLiteral("stop"))
-        return Action(&BusSession::stopBus);
+        return Action{&BusSession::stopBus};
     if (name == QStringLiteral("alarm-stop"))
-        return Action(&BusSession::alarmStop);
+        return Action{&BusSession::alarmStop};
     if (name == QStringLiteral("read-in"))
-        return Action(&BusSession::readIn);
+        return asking(&BusSession::readIn, CommandLine::tr("Read in the ring? Data cycles stop meanwhile."));
     if (name == QStringLiteral("confirm"))
-        return Action(&BusSession::confirmDiagnostics);
+        return asking(&BusSession::confirmDiagnostics, CommandLine::tr("Confirm diagnostics?"));
     return unknownAction(name);
 }
 
@@ -106,15 +144,26 @@ QJsonArray messagesJson(const std::vector<Message> &messages)
     return rows;
 }
 
-Told carryOut(BusSession &bus, int after, const Action &action)
+Checked<void> agreed(const Call &call, const Action &action)
 {
+    if (!action.question)
+        return {};
+    return consent(call, action.question(*call.bus),
+                   CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to do it."));
+}
+
+Checked<Told> carryOut(const Call &call, int after, const Action &action)
+{
+    BusSession &bus = *call.bus;
     Told told;
     QObject scope;
     QObject::connect(&bus, &BusSession::messaged, &scope,
                      [&](const Message &message) { told.messages.push_back(message); });
     bus.advance(std::max(after, 1));
+    if (const auto may = agreed(call, action); !may)
+        return tl::unexpected(may.error());
     const std::size_t before = told.messages.size();
-    action(bus);
+    action.carryOut(bus);
     do
         bus.advance(afterwards);
     while (bus.isReadingIn());
@@ -133,12 +182,14 @@ Checked<Answer> run(const Call &call)
     const auto after = call.arguments.number("--after", 0, 0, longestTime);
     if (!after)
         return tl::unexpected(after.error());
-    const Told told = carryOut(*call.bus, *after, *action);
-    Answer answer{messageLines(told.messages) + u'\n' + masterLines(*call.bus),
+    const auto told = carryOut(call, *after, *action);
+    if (!told)
+        return tl::unexpected(told.error());
+    Answer answer{messageLines(told->messages) + u'\n' + masterLines(*call.bus),
                   {{QStringLiteral("master"), masterJson(*call.bus)},
-                   {QStringLiteral("messages"), messagesJson(told.messages)}}};
-    if (told.refusal)
-        answer.complaint = complaintAbout(*told.refusal);
+                   {QStringLiteral("messages"), messagesJson(told->messages)}}};
+    if (told->refusal)
+        answer.complaint = complaintAbout(*told->refusal);
     return answer;
 }
 
@@ -146,13 +197,15 @@ Checked<Answer> run(const Call &call)
 
 const Subcommand masterCommand{
     .name = "master",
-    .usage = "[status|start|stop|alarm-stop|read-in|confirm|segment N on|off] [--after MS]",
+    .usage = "[status|start|stop|alarm-stop|read-in|confirm|segment N on|off] [--after MS] [--yes]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "what the master says, and its services"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
         "Lets time pass, does what is asked for, and prints what the bus told meanwhile and how the "
-        "master stands\nthen. As each call has a new training bus, this makes most sense with a fault "
-        "plan."),
+        "master stands\nthen. What changes what the ring does (read-in, confirm, segment) is asked for "
+        "first; "
+        "where nobody can\nbe asked, --yes is needed. As each call has a new training bus, this makes most "
+        "sense with a fault plan."),
     .examples = examples,
     .options = options,
     .minimumArguments = 0,

@@ -249,8 +249,6 @@ void MainWindow::connectActions()
             withBus([](BusSession &bus) { bus.alarmStop(); }));
     connect(m_actions.stop, &QAction::triggered, this,
             [this] { m_leaving->ask(Leaving::Why::stop, [this] { m_bus->stopBus(); }); });
-    connect(m_actions.confirmDiagnostics, &QAction::triggered, this,
-            withBus([](BusSession &bus) { bus.confirmDiagnostics(); }));
     connect(m_actions.switchSegment, &QAction::triggered, this, [this] {
         if (const auto number = currentNumber())
             m_master->toggleSegment(number->segment);
@@ -331,6 +329,11 @@ void MainWindow::connectViews()
     connect(m_master, &MasterPanel::startRequested, m_actions.start, &QAction::trigger);
     connect(m_master, &MasterPanel::stopRequested, m_actions.stop, &QAction::trigger);
     connect(m_master, &MasterPanel::readInRequested, m_actions.readIn, &QAction::trigger);
+    connect(m_master, &MasterPanel::asked, this, [this] {
+        auto *dock = findChild<QDockWidget *>(QStringLiteral("masterDock"));
+        dock->show();
+        dock->raise();
+    });
     connect(m_parameters, &ParameterPanel::wizardRequested, this, &MainWindow::showWizard);
     connect(m_parameters, &ParameterPanel::refusalShown, this, [this] {
         auto *dock = findChild<QDockWidget *>(QStringLiteral("parametersDock"));

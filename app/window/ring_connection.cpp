@@ -7,11 +7,14 @@
 #include "project/project_take_over.h"
 #include "ring/bus_session.h"
 #include "ring/comparison.h"
+#include "ring/send_permission.h"
 #include "widgets/comparison/comparison_model.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
 
 #include <QAction>
+
+#include <utility>
 
 namespace codewheel {
 
@@ -27,7 +30,12 @@ RingConnection::RingConnection(BusSession &bus, ProjectDocument &project, Leavin
     connect(actions.connectBus, &QAction::triggered, this, &RingConnection::connectRing);
     connect(actions.disconnectBus, &QAction::triggered, this, &RingConnection::disconnectRing);
     connect(actions.readIn, &QAction::triggered, this, &RingConnection::readIn);
-    connect(&bus, &BusSession::stateChanged, this, &RingConnection::showActions);
+    connect(actions.confirmDiagnostics, &QAction::triggered, this, &RingConnection::confirmDiagnostics);
+    connect(&bus, &BusSession::stateChanged, this, [this] {
+        showActions();
+        if (m_bus.isOperating() && std::exchange(m_isRefused, false))
+            m_notice.withdraw();
+    });
     connect(&bus, &BusSession::readInProgressed, this, [this](int devices) {
         m_notice.showMessage(Role::attention, tr("Reading in the ring: %n devices found.", nullptr, devices));
     });
@@ -89,8 +97,25 @@ void RingConnection::disconnectRing()
     });
 }
 
+bool RingConnection::mayChangeRing()
+{
+    const auto allowed = codewheel::mayChangeRing(m_bus.latest());
+    m_isRefused = !allowed;
+    if (m_isRefused)
+        m_notice.showMessage(Role::attention, refusalText(allowed.error()));
+    return !m_isRefused;
+}
+
+void RingConnection::confirmDiagnostics()
+{
+    if (mayChangeRing())
+        m_bus.confirmDiagnostics();
+}
+
 void RingConnection::readIn()
 {
+    if (!mayChangeRing())
+        return;
     m_leaving.ask(Leaving::Why::stop, [this] {
         m_bus.readIn();
         showActions();

@@ -29,8 +29,9 @@ public:
 
     bool isOnline() const;
     void connectRing();
-    void disconnectRing(); // asks first for handshakes on their way and OUT words that are not 0
-    void readIn();         // likewise: the data cycles stop meanwhile
+    void disconnectRing();     // asks first for handshakes on their way and OUT words that are not 0
+    void readIn();             // likewise: the data cycles stop meanwhile; needs Operate
+    void confirmDiagnostics(); // needs Operate
     // Says whether the ring is as it is configured.
     void tellComparison();
 
@@ -44,12 +45,14 @@ private:
     void rememberTold();
     void tellAgain();
     void showActions();
+    bool mayChangeRing(); // else it says why not
 
     BusSession &m_bus;
     ProjectDocument &m_project;
     Leaving &m_leaving;
     const WindowActions &m_actions;
     InlineMessage &m_notice;
+    bool m_isRefused = false;            // as the notice says
     std::chrono::nanoseconds m_period{}; // of the bus thread; 0: cycles by hand
     // What the user told of each device, with the make it was taken for.
     struct Told

@@ -109,7 +109,8 @@ void WindowActions::makeBusMenu()
                               Qt::CTRL | Qt::SHIFT | Qt::Key_F5, tr("Leaves the ring: work goes on offline"));
     readIn = described(menu->addAction(lineIcon(Icon::read), tr("&Read in the ring")),
                        Qt::CTRL | Qt::SHIFT | Qt::Key_R,
-                       tr("The master finds the devices of the ring anew; data cycles stop meanwhile"));
+                       tr("The master finds the devices of the ring anew; data cycles stop meanwhile. "
+                          "Needs Operate."));
     menu->addSeparator();
     auto *mode = new QActionGroup(this);
     watch = described(choice(mode, tr("&Watch"), {}, {}), Qt::CTRL | Qt::Key_W, tr("Watch: nothing is sent"));
@@ -126,11 +127,12 @@ void WindowActions::makeBusMenu()
     menu->addSeparator();
     confirmDiagnostics =
         described(menu->addAction(lineIcon(Icon::ok), tr("&Confirm diagnostics")), Qt::CTRL | Qt::Key_F9,
-                  tr("Confirms peripheral faults; one whose cause is still there comes back"));
+                  tr("Confirms peripheral faults; one whose cause is still there comes back. Needs "
+                     "Operate."));
     switchSegment = described(
         menu->addAction(lineIcon(Icon::power), tr("Switch se&gment off or on")), Qt::SHIFT | Qt::Key_F9,
         tr("Takes the segment of the chosen device, and what is behind it, out of the data "
-           "cycles, or puts it back"));
+           "cycles, after asking, or puts it back. Needs Operate."));
     menu->addSeparator();
     transfer = described(menu->addAction(lineIcon(Icon::parameters), tr("T&ransfer")), Qt::CTRL | Qt::Key_T,
                          tr("Values of several encoders: written from the project, stored in it, given from "

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ring/ring_runner_private.h"
+#include "ring/send_permission.h"
 
 #include <algorithm>
 
@@ -11,6 +12,16 @@ bool RingRunner::Private::reaches(MasterService service)
         refuseOfRing(
             {RefusalKind::notSupported, RefusalId::masterServiceNotSupported, {masterServiceName(service)}});
     return master != nullptr;
+}
+
+bool RingRunner::Private::mayUse(MasterService service)
+{
+    if (!reaches(service))
+        return false;
+    const auto allowed = mayChangeRing(ring);
+    if (!allowed)
+        refuseOfRing(allowed.error());
+    return allowed.has_value();
 }
 
 // 0711 where no configuration is active, then 0701.
@@ -49,6 +60,11 @@ void RingRunner::Private::carryOut(command::ReadIn)
     if (!reaches(MasterService::createConfiguration)) {
         endReadIn(refuse(RefusalKind::notSupported, RefusalId::masterServiceNotSupported,
                          {masterServiceName(MasterService::createConfiguration)}));
+        return;
+    }
+    if (const auto allowed = mayChangeRing(ring); !allowed) {
+        refuseOfRing(allowed.error());
+        endReadIn(tl::unexpected(allowed.error()));
         return;
     }
     if (const auto ended = endActiveConfiguration(); !ended) {
@@ -91,7 +107,7 @@ void RingRunner::Private::endReadIn(Result<RingStructure> found)
 
 void RingRunner::Private::carryOut(const command::SwitchSegment &c)
 {
-    if (!reaches(MasterService::switchSegment))
+    if (!mayUse(MasterService::switchSegment))
         return;
     if (const auto switched = master->switchSegment(c.segment, c.on); !switched)
         refuseOfRing(switched.error());
@@ -101,7 +117,7 @@ void RingRunner::Private::carryOut(const command::SwitchSegment &c)
 // What comes back at once is told again.
 void RingRunner::Private::carryOut(command::ConfirmDiagnostics)
 {
-    if (!reaches(MasterService::confirmDiagnostics))
+    if (!mayUse(MasterService::confirmDiagnostics))
         return;
     if (const auto confirmed = master->confirmDiagnostics(); confirmed)
         tellOfRing({.id = MessageId::diagnosticsConfirmed});
@@ -112,7 +128,7 @@ void RingRunner::Private::carryOut(command::ConfirmDiagnostics)
 
 void RingRunner::Private::carryOut(const command::KeepConfiguration &c)
 {
-    if (!reaches(MasterService::loadConfiguration))
+    if (!mayUse(MasterService::loadConfiguration))
         return;
     if (const auto kept = master->keepConfiguration(c.configuration); !kept) {
         refuseOfRing(kept.error());

@@ -49,6 +49,7 @@ struct RingRunner::Private
 
     // With a master (ring_runner_master.cpp).
     bool reaches(MasterService service);
+    bool mayUse(MasterService service); // of those that change what the ring does
     Result<void> startTransfer();
     Result<void> endActiveConfiguration();
     void readInStep();

@@ -17,4 +17,9 @@ Result<void> maySend(const Snapshot &ring, std::size_t device, DeviceNumber plac
     return {};
 }
 
+Result<void> mayChangeRing(const Snapshot &ring)
+{
+    return ring.operate ? Result<void>() : refuse(RefusalKind::busy, RefusalId::watchOnly);
+}
+
 } // namespace codewheel

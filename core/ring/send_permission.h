@@ -12,4 +12,9 @@ namespace codewheel {
 // it again when the command arrives. `whenHeld` is jobRunning or wordHeldByJob.
 Result<void> maySend(const Snapshot &ring, std::size_t device, DeviceNumber place, RefusalId whenHeld);
 
+// Whether the master may be asked now for a service that changes what the ring does: read it in, switch a
+// segment, confirm diagnostics, keep another configuration. Asked twice like the above. Stop and ALARM STOP
+// need no permission.
+Result<void> mayChangeRing(const Snapshot &ring);
+
 } // namespace codewheel

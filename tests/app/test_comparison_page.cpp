@@ -112,5 +112,20 @@ TEST_F(ComparisonPageTest, WhatTheMasterKeepsIsLoadedIntoTheProject)
     EXPECT_EQ(shown->project().project().devices.size(), 1U);
 }
 
+TEST_F(ComparisonPageTest, InWatchNothingIsDownloaded)
+{
+    const auto before = kept();
+    actions().watch->trigger();
+    advance(40);
+    for (const char *button : {"allIntoMaster", "readIn"}) {
+        click(button);
+        EXPECT_TRUE(message().sentence().contains(QStringLiteral("Switch to Operate first"))) << button;
+    }
+    EXPECT_EQ(kept(), before);
+    actions().operate->trigger();
+    advance(40);
+    EXPECT_FALSE(message().isVisible());
+}
+
 } // namespace
 } // namespace codewheel

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/window_test.h"
+#include "widgets/look/inline_message.h"
 #include "widgets/structure/structure_view.h"
 
 #include <QAction>
+#include <QPushButton>
 
 namespace codewheel {
 namespace {
@@ -61,10 +63,35 @@ TEST_F(OtherRingTest, ASegmentIsSwitchedByItsAction)
     window().findChild<StructureView *>()->choose({6, 1});
     actions().switchSegment->trigger();
     advance(10);
+    EXPECT_TRUE(bus().latest().devices[6].inRing) << "it is asked for";
+    auto *question = window().findChild<InlineMessage *>(QStringLiteral("masterMessage"));
+    ASSERT_TRUE(question->isVisible()) << "the panel was brought to the front";
+    QTest::mouseClick(question->findChild<QPushButton *>(), Qt::LeftButton);
+    advance(10);
     EXPECT_FALSE(bus().latest().devices[6].inRing);
     actions().switchSegment->trigger();
     advance(10);
     EXPECT_TRUE(bus().latest().devices[6].inRing);
+}
+
+TEST_F(OtherRingTest, InWatchNeitherIsReadInNorConfirmed)
+{
+    actions().watch->trigger();
+    advance(10);
+    const auto *notice = window().findChild<InlineMessage *>(QStringLiteral("notice"));
+    for (QAction *action : {actions().readIn, actions().confirmDiagnostics}) {
+        action->trigger();
+        advance(50);
+        EXPECT_TRUE(notice->isVisible());
+        EXPECT_TRUE(notice->sentence().contains(QStringLiteral("Switch to Operate first")));
+        EXPECT_TRUE(bus().isRunning());
+    }
+    actions().stop->trigger();
+    advance(10);
+    EXPECT_FALSE(bus().isRunning()) << "that is always possible";
+    actions().operate->trigger();
+    advance(10);
+    EXPECT_FALSE(notice->isVisible());
 }
 
 } // namespace

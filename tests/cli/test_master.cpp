@@ -71,7 +71,7 @@ TEST_F(CliMaster, CannotBeStartedWhileTheFaultIsThere)
 TEST_F(CliMaster, ReadsInTheRingAsItIs)
 {
     const QString broken = plan(R"({"at": 100, "fault": "wireBreak", "place": "4.0"})");
-    const CliRun run = runLine(QStringLiteral("master read-in --after 200") + broken);
+    const CliRun run = runLine(QStringLiteral("master read-in --yes --after 200") + broken);
     EXPECT_EQ(run.exit, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("The ring was read in: 3 devices."));
     EXPECT_THAT(run.out, HasSubstr("Master:         RUN"));
@@ -80,11 +80,34 @@ TEST_F(CliMaster, ReadsInTheRingAsItIs)
 
 TEST_F(CliMaster, SwitchesASegmentOff)
 {
-    const CliRun run = runLine(QStringLiteral("master segment 6 off"));
+    const CliRun run = runLine(QStringLiteral("master segment 6 off --yes"));
     EXPECT_EQ(run.exit, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("01E0h"));
     EXPECT_THAT(run.out, HasSubstr("Segment 6:      switched off"));
-    EXPECT_EQ(runLine(QStringLiteral("master segment 9 off")).exit, 2);
+    EXPECT_EQ(runLine(QStringLiteral("master segment 9 off --yes")).exit, 2);
+}
+
+TEST_F(CliMaster, WhatChangesTheRingIsNotDoneWithoutConsent)
+{
+    for (const char *line :
+         {"master read-in", "master confirm", "master segment 6 off", "master segment 6 on"}) {
+        const CliRun run = runLine(QString::fromLatin1(line) + QStringLiteral(" --json"));
+        EXPECT_EQ(run.exit, 2) << line;
+        EXPECT_EQ(errorKey(run), "noConsent") << line;
+    }
+    for (const char *line : {"master start", "master stop", "master alarm-stop", "master confirm --yes"})
+        EXPECT_EQ(runLine(QString::fromLatin1(line)).exit, 0) << line;
+}
+
+TEST_F(CliMaster, TheQuestionNamesWhatGoesWithASegment)
+{
+    const CliRun no = runLine(QStringLiteral("master segment 6 off"), {true, "no\n"});
+    EXPECT_EQ(no.exit, 2);
+    EXPECT_THAT(no.out + no.err,
+                HasSubstr("Switch segment 6 off? Out of the data cycles go, with outputs at 0: 6.0, 6.1."));
+    const CliRun yes = runLine(QStringLiteral("master segment 6 off"), {true, "yes\n"});
+    EXPECT_EQ(yes.exit, 0) << yes.err;
+    EXPECT_THAT(yes.out, HasSubstr("Segment 6:      switched off"));
 }
 
 TEST_F(CliMaster, TakesNoOtherAction)

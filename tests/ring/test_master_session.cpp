@@ -9,6 +9,8 @@
 
 #include <QPointer>
 
+#include <array>
+#include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <thread>
@@ -352,6 +354,35 @@ TEST_F(ASessionWithAMaster, AConfigurationThatIsActivatedAnewIsTakenOver)
     m_bus.advance(3);
     EXPECT_TRUE(m_bus.isRunning());
     EXPECT_EQ(m_bus.structure().size(), 7U);
+}
+
+TEST_F(ASessionWithAMaster, InWatchNothingChangesWhatTheRingDoesButStop)
+{
+    m_bus.setOperate(false);
+    m_bus.advance(2);
+    const KeptConfiguration other{QStringLiteral("other.codewheel"), m_bus.structure()};
+    const std::array<std::function<void()>, 4> services{
+        [&] { m_bus.readIn(); }, [&] { m_bus.switchSegment(6, false); }, [&] { m_bus.confirmDiagnostics(); },
+        [&] { m_bus.keepConfiguration(other); }};
+    for (const auto &service : services) {
+        m_messages.clear();
+        service();
+        m_bus.advance(3);
+        ASSERT_EQ(m_messages.size(), 1U);
+        ASSERT_TRUE(m_messages.front().refusal);
+        EXPECT_EQ(m_messages.front().refusal->id, RefusalId::watchOnly);
+    }
+    EXPECT_EQ(m_failure, RefusalId::watchOnly) << "of reading in";
+    EXPECT_FALSE(m_bus.isReadingIn());
+    EXPECT_TRUE(m_bus.isRunning());
+    EXPECT_TRUE(m_bus.latest().devices.back().inRing);
+    EXPECT_EQ(m_bus.master()->configurationName, QStringLiteral("plant.codewheel"));
+    m_bus.stopBus();
+    m_bus.advance(2);
+    EXPECT_FALSE(m_bus.isRunning());
+    m_bus.alarmStop();
+    m_bus.advance(2);
+    EXPECT_EQ(m_bus.latest().state, MasterState::ready);
 }
 
 TEST(ASessionWithoutAMaster, RefusesItsServicesInWords)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/comparison/comparison_page.h"
 
+#include "encoder/refusal_text.h"
 #include "project/project_take_over.h"
 #include "ring/bus_session.h"
+#include "ring/send_permission.h"
 #include "ring/take_over.h"
 #include "widgets/comparison/comparison_model.h"
 #include "widgets/look/empty_state.h"
@@ -85,7 +87,14 @@ ComparisonPage::ComparisonPage(ProjectDocument &document, BusSession &bus, QWidg
     setFocusProxy(m_table);
     arrange();
     connect(m_onlyDifferences, &QCheckBox::toggled, this, &ComparisonPage::compare);
-    connect(m_readIn, &QPushButton::clicked, this, &ComparisonPage::readInRequested);
+    connect(m_readIn, &QPushButton::clicked, this, [this] {
+        if (mayChangeRing())
+            Q_EMIT readInRequested();
+    });
+    connect(&bus, &BusSession::stateChanged, this, [this] {
+        if (m_isRefused && m_bus.isOperating() && !m_before)
+            m_message->withdraw();
+    });
     connect(m_lineIntoProject, &QPushButton::clicked, this, [this] { takeIntoProject(selectedLines()); });
     connect(m_allIntoProject, &QPushButton::clicked, this,
             [this] { takeIntoProject(allOf(m_model->comparison())); });
@@ -205,9 +214,21 @@ void ComparisonPage::takeIntoMaster(const std::vector<std::size_t> &lines)
           takenOver(m_bus.structure(), configured, mirrored(m_model->comparison()), lines)});
 }
 
+bool ComparisonPage::mayChangeRing()
+{
+    const auto allowed = codewheel::mayChangeRing(m_bus.latest());
+    m_isRefused = !allowed;
+    if (m_isRefused)
+        m_message->showMessage(Role::attention, refusalText(allowed.error()),
+                               m_before ? tr("Take back") : QString());
+    return !m_isRefused;
+}
+
 // Downloads it, and loads back what the master keeps then. By value: taking back passes m_before itself.
 void ComparisonPage::keep(KeptConfiguration configuration)
 {
+    if (!mayChangeRing())
+        return;
     m_before = m_kept;
     m_isDownloading = true;
     m_message->withdraw();

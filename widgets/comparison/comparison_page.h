@@ -44,6 +44,7 @@ private:
     void loadBack();
     void takeIntoMaster(const std::vector<std::size_t> &lines);
     void keep(KeptConfiguration configuration);
+    bool mayChangeRing(); // else it says why not
     void showKept(const std::optional<KeptConfiguration> &configuration);
     std::vector<std::size_t> selectedLines() const;
     void showWhatIsPossible();
@@ -66,6 +67,7 @@ private:
     std::optional<KeptConfiguration> m_kept;   // by the master, as it told
     std::optional<KeptConfiguration> m_before; // what a download replaced
     bool m_isDownloading = false;
+    bool m_isRefused = false; // as the message says
 };
 
 } // namespace codewheel

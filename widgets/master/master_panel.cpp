@@ -2,14 +2,18 @@
 #include "widgets/master/master_panel.h"
 
 #include "catalog/hex_code.h"
+#include "encoder/refusal_text.h"
 #include "ring/bus_session.h"
 #include "ring/master_text.h"
+#include "ring/send_permission.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
 #include "widgets/master/crc_bars.h"
 #include "widgets/master/master_look.h"
 #include "widgets/master/segment_model.h"
+#include "widgets/master/segment_question.h"
 #include "widgets/master/status_bits.h"
 
 #include <QFormLayout>
@@ -47,6 +51,7 @@ MasterPanel::MasterPanel(BusSession &bus, QWidget *parent)
     , m_progress(new QProgressBar(m_content))
     , m_segments(new SegmentModel(this))
     , m_table(new QTableView(m_content))
+    , m_message(new InlineMessage(m_content))
 {
     setAccessibleName(tr("Master"));
     setFrameShape(QFrame::NoFrame);
@@ -54,6 +59,7 @@ MasterPanel::MasterPanel(BusSession &bus, QWidget *parent)
     auto *column = new QVBoxLayout(m_content);
     column->setContentsMargins(grid::unit, grid::unit, grid::unit, grid::unit);
     column->setSpacing(grid::margin);
+    column->addWidget(m_message);
     makeState(column);
     makeButtons(column);
     column->addWidget(m_bits);
@@ -63,7 +69,11 @@ MasterPanel::MasterPanel(BusSession &bus, QWidget *parent)
 
     connect(&bus, &BusSession::updated, this, &MasterPanel::refresh);
     connect(&bus, &BusSession::stateChanged, this, &MasterPanel::refresh);
-    connect(&bus, &BusSession::structureChanged, this, &MasterPanel::refresh);
+    connect(&bus, &BusSession::structureChanged, this, [this] {
+        m_askedSegment = 0; // whatever was named may be gone
+        m_message->withdraw();
+        refresh();
+    });
     connect(&bus, &BusSession::readInProgressed, this, [this](int devices) {
         m_progress->setMaximum(std::max(m_progress->maximum(), devices));
         m_progress->setValue(devices);
@@ -71,6 +81,9 @@ MasterPanel::MasterPanel(BusSession &bus, QWidget *parent)
     });
     connect(&bus, &BusSession::readInEnded, this, &MasterPanel::refresh);
     connect(&bus, &BusSession::readInFailed, this, &MasterPanel::refresh);
+    m_message->setObjectName(QStringLiteral("masterMessage"));
+    connect(m_message, &InlineMessage::actionTriggered, this, &MasterPanel::switchAskedSegmentOff);
+    connect(m_message, &InlineMessage::otherActionTriggered, m_message, &InlineMessage::withdraw);
     refresh();
 }
 
@@ -137,8 +150,14 @@ void MasterPanel::makeButtons(QVBoxLayout *column)
     column->addWidget(m_progress);
     connect(m_start, &QPushButton::clicked, this, &MasterPanel::startRequested);
     connect(m_stop, &QPushButton::clicked, this, &MasterPanel::stopRequested);
-    connect(m_readIn, &QPushButton::clicked, this, &MasterPanel::readInRequested);
-    connect(m_confirm, &QPushButton::clicked, this, [this] { m_bus.confirmDiagnostics(); });
+    connect(m_readIn, &QPushButton::clicked, this, [this] {
+        if (mayChangeRing())
+            Q_EMIT readInRequested();
+    });
+    connect(m_confirm, &QPushButton::clicked, this, [this] {
+        if (mayChangeRing())
+            m_bus.confirmDiagnostics();
+    });
 }
 
 void MasterPanel::makeSegments(QVBoxLayout *column)
@@ -166,11 +185,62 @@ void MasterPanel::makeSegments(QVBoxLayout *column)
     connect(m_switch, &QPushButton::clicked, this, [this] { toggleSegment(chosenSegment()); });
 }
 
-void MasterPanel::toggleSegment(int segment)
+const SegmentRow *MasterPanel::findSegment(int segment) const
 {
     const auto found = std::ranges::find(m_segments->rows(), segment, &SegmentRow::segment);
-    if (found != m_segments->rows().end())
-        m_bus.switchSegment(segment, found->switchedOff);
+    return found == m_segments->rows().end() ? nullptr : &*found;
+}
+
+bool MasterPanel::mayChangeRing()
+{
+    const auto allowed = codewheel::mayChangeRing(m_bus.latest());
+    m_askedSegment = 0;
+    if (allowed) {
+        m_message->withdraw();
+        return true;
+    }
+    m_message->showMessage(Role::attention, refusalText(allowed.error()));
+    ensureWidgetVisible(m_message);
+    Q_EMIT asked();
+    return false;
+}
+
+void MasterPanel::toggleSegment(int segment)
+{
+    const SegmentRow *found = findSegment(segment);
+    if (found == nullptr || !mayChangeRing())
+        return;
+    if (found->switchedOff)
+        m_bus.switchSegment(segment, true);
+    else
+        askForSegment(segment);
+}
+
+void MasterPanel::askForSegment(int segment)
+{
+    m_askedSegment = segment;
+    m_message->showMessage(Role::attention, segmentQuestion(m_bus, segment), tr("Switch o&ff"),
+                           tr("&Leave it on"));
+    ensureWidgetVisible(m_message);
+    Q_EMIT asked();
+}
+
+void MasterPanel::switchAskedSegmentOff()
+{
+    const int segment = std::exchange(m_askedSegment, 0);
+    if (segment > 0 && mayChangeRing())
+        m_bus.switchSegment(segment, false);
+}
+
+// A refusal goes once writing is allowed; a question, once there is nothing to be switched off any more.
+void MasterPanel::withdrawWhatIsOver()
+{
+    const SegmentRow *segment = findSegment(m_askedSegment);
+    const bool canBeSwitched = segment != nullptr && !segment->switchedOff && m_bus.isOperating();
+    if (m_askedSegment > 0 ? !canBeSwitched : m_bus.isOperating()) {
+        m_askedSegment = 0;
+        m_message->withdraw();
+    }
 }
 
 int MasterPanel::chosenSegment() const
@@ -198,6 +268,7 @@ void MasterPanel::refresh()
     if (!m_table->currentIndex().isValid() && m_segments->rowCount() > 0)
         m_table->setCurrentIndex(m_segments->index(0, 0));
     showSegmentButton();
+    withdrawWhatIsOver();
 }
 
 void MasterPanel::showFault()
@@ -234,8 +305,8 @@ void MasterPanel::showSegmentButton()
     const int segment = chosenSegment();
     m_switch->setVisible(m_bus.master() != nullptr);
     m_switch->setEnabled(m_bus.isOpen() && segment > 0 && m_bus.latest().state != MasterState::ready);
-    const auto found = std::ranges::find(m_segments->rows(), segment, &SegmentRow::segment);
-    const bool isOff = found != m_segments->rows().end() && found->switchedOff;
+    const SegmentRow *found = findSegment(segment);
+    const bool isOff = found != nullptr && found->switchedOff;
     const QString text =
         isOff ? tr("Switch segment %1 on").arg(segment) : tr("Switch segment %1 off").arg(segment);
     if (m_switch->text() == text)

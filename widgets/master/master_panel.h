@@ -15,13 +15,15 @@ class QVBoxLayout;
 namespace codewheel {
 
 class BusSession;
-class EmptyState;
+class InlineMessage;
 class RoleLabel;
 class SegmentModel;
+struct SegmentRow;
 class StatusBits;
 
 // What the ring's master says: state, status bits, fault and where it is, the configuration it keeps, and the
-// segments with their CRC errors; and what can be asked of it. Used by the master dock.
+// segments with their CRC errors; and what can be asked of it. What changes what the ring does needs Operate;
+// before a segment is switched off, the devices that go with it are named. Used by the master dock.
 class MasterPanel : public QScrollArea
 {
     Q_OBJECT
@@ -31,7 +33,7 @@ public:
     explicit MasterPanel(BusSession &bus, QWidget *parent = nullptr);
     ~MasterPanel() override;
 
-    // Switches the segment off, or on again.
+    // Switches the segment on again; or asks whether it shall be off.
     void toggleSegment(int segment);
 
     QSize sizeHint() const override;
@@ -41,6 +43,7 @@ Q_SIGNALS:
     void startRequested();
     void stopRequested();
     void readInRequested();
+    void asked(); // a question or a refusal stands in the panel
 
 private:
     void makeState(QVBoxLayout *column);
@@ -53,6 +56,11 @@ private:
     void showReadIn();
     void showSegmentButton();
     int chosenSegment() const; // 0: none
+    const SegmentRow *findSegment(int segment) const;
+    bool mayChangeRing(); // else it says why not
+    void askForSegment(int segment);
+    void switchAskedSegmentOff();
+    void withdrawWhatIsOver();
 
     BusSession &m_bus;
     QWidget *m_content;
@@ -70,6 +78,8 @@ private:
     SegmentModel *m_segments;
     QTableView *m_table;
     QPushButton *m_switch = nullptr;
+    InlineMessage *m_message;
+    int m_askedSegment = 0; // by the message; 0: it is a refusal, or there is none
 };
 
 } // namespace codewheel

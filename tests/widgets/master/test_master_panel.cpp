@@ -3,6 +3,7 @@
 #include "tests/support/model_tester.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/device/device_panel.h"
+#include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
 #include "widgets/master/led_row.h"
 #include "widgets/master/master_panel.h"
@@ -53,6 +54,7 @@ protected:
         ring.controls->setFault(fault, place, value);
         ring.bus.advance(40);
     }
+    InlineMessage &message() const { return *panel.findChild<InlineMessage *>(); }
     QTableView &table() const { return *panel.findChild<QTableView *>(); }
 
     test::TrainingBusSession ring;
@@ -102,12 +104,59 @@ TEST_F(MasterPanelTest, SwitchesTheChosenSegmentByKey)
     off.setFocus();
     QTest::keyClick(&off, Qt::Key_Space);
     ring.bus.advance(5);
+    EXPECT_TRUE(ring.bus.latest().devices[6].inRing) << "it is asked for";
+    QTest::mouseClick(&button(QStringLiteral("Switch o&ff")), Qt::LeftButton);
+    ring.bus.advance(5);
     EXPECT_FALSE(ring.bus.latest().devices[6].inRing);
     EXPECT_EQ(table().model()->index(5, SegmentModel::stateColumn).data().toString(),
               QStringLiteral("switched off"));
     QTest::mouseClick(&button(QStringLiteral("Switch segment 6 on")), Qt::LeftButton);
     ring.bus.advance(5);
     EXPECT_TRUE(ring.bus.latest().devices[6].inRing);
+}
+
+TEST_F(MasterPanelTest, NamesWhatGoesBeforeASegmentIsSwitchedOff)
+{
+    ring.channel(test::onLoop).stage(0x0200'00FF);
+    ASSERT_TRUE(ring.channel(test::onLoop).write());
+    ring.bus.advance(5);
+    panel.toggleSegment(6);
+    EXPECT_EQ(message().sentence(),
+              QStringLiteral("Switch segment 6 off? Out of the data cycles go: 6.0 bus terminal, 6.1 FRABA "
+                             "OCD-IB K3 Loop 2. The outputs of 1 devices go to 0. Not 0 now: OUT 6.1 is "
+                             "020000FF."));
+    QTest::mouseClick(&button(QStringLiteral("&Leave it on")), Qt::LeftButton);
+    EXPECT_FALSE(message().isVisible());
+    ring.bus.advance(5);
+    EXPECT_TRUE(ring.bus.latest().devices[6].inRing);
+    panel.toggleSegment(6);
+    ring.bus.setOperate(false);
+    ring.bus.advance(5);
+    EXPECT_FALSE(message().isVisible()) << "nothing can be switched now";
+}
+
+TEST_F(MasterPanelTest, InWatchItSaysThatOperateIsNeeded)
+{
+    befall(TrainingFault::peripheralFault, fraba);
+    befall(TrainingFault::peripheralFault, fraba, 0);
+    ring.bus.setOperate(false);
+    ring.bus.advance(5);
+    bool asked = false;
+    QObject::connect(&panel, &MasterPanel::readInRequested, &panel, [&] { asked = true; });
+    table().setCurrentIndex(table().model()->index(5, 0));
+    for (const char *text : {"Read in the ring", "Confirm diagnostics", "Switch segment 6 off"}) {
+        QTest::mouseClick(&button(QLatin1String(text)), Qt::LeftButton);
+        ring.bus.advance(5);
+        EXPECT_TRUE(message().isVisible()) << text;
+        EXPECT_EQ(message().sentence(),
+                  QStringLiteral("Nothing was sent: the program only watches. Switch to Operate first."));
+    }
+    EXPECT_FALSE(asked);
+    EXPECT_EQ(value("Fault"), QStringLiteral("0BB1 peripheral fault at 1.0"));
+    EXPECT_TRUE(ring.bus.latest().devices[6].inRing);
+    ring.bus.setOperate(true);
+    ring.bus.advance(5);
+    EXPECT_FALSE(message().isVisible());
 }
 
 TEST_F(MasterPanelTest, ConfirmsPeripheralFaults)

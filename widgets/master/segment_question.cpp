@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/master/segment_question.h"
+
+#include "encoder/hex.h"
+#include "ring/bus_session.h"
+#include "ring/segment_reach.h"
+#include "ring/word_channel.h"
+#include "widgets/master/master_panel.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+constexpr qsizetype mostNamed = 8;
+
+QString deviceText(const BusSession &bus, const Participant &device)
+{
+    const EncoderSession *encoder = bus.encoder(device.number);
+    return QStringLiteral("%1 %2").arg(device.number.toString(),
+                                       participantName(device, encoder ? &encoder->device() : nullptr));
+}
+
+QString listText(const QStringList &texts)
+{
+    const QString named = texts.first(std::min(texts.size(), mostNamed)).join(QStringLiteral(", "));
+    const auto more = static_cast<int>(texts.size() - mostNamed);
+    return more > 0 ? MasterPanel::tr("%1 and %n more", nullptr, more).arg(named) : named;
+}
+
+} // namespace
+
+QString segmentQuestion(const BusSession &bus, int segment)
+{
+    QStringList devices;
+    QStringList outputs;
+    int withOutputs = 0;
+    for (const std::size_t place : placesBehindSegment(bus.structure(), segment)) {
+        const Participant &device = bus.structure()[place];
+        devices << deviceText(bus, device);
+        withOutputs += device.outWords > 0 ? 1 : 0;
+        if (const WordChannel *channel = bus.channel(device.number); channel && channel->out() != 0)
+            outputs << MasterPanel::tr("OUT %1 is %2").arg(device.number.toString(), hexWord(channel->out()));
+    }
+    QStringList sentences{MasterPanel::tr("Switch segment %1 off? Out of the data cycles go: %2.")
+                              .arg(segment)
+                              .arg(listText(devices))};
+    if (withOutputs > 0)
+        sentences << MasterPanel::tr("The outputs of %n devices go to 0.", nullptr, withOutputs);
+    if (!outputs.isEmpty())
+        sentences << MasterPanel::tr("Not 0 now: %1.").arg(listText(outputs));
+    return sentences.join(u' ');
+}
+
+} // namespace codewheel
