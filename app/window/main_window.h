@@ -94,6 +94,8 @@ protected:
     bool event(QEvent *event) override;
 
 private:
+    static constexpr int layoutVersion = 2; // of docks and tool bar: another one is not restored
+
     void makeDocks(MessageModel &messages);
     void addDock(const char *name, const QString &title, QWidget *content);
     void connectActions();
@@ -107,8 +109,6 @@ private:
     void showOnline();
     void tell(const Message &message);
     void showBusState();
-    void showKeys();
-    void showAbout();
     std::optional<DeviceNumber> currentNumber() const;
 
     WindowSettings &m_settings;

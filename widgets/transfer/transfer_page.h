@@ -56,8 +56,6 @@ private:
     void finishStoring();
     void finishWriting();
     void backToChoice();
-    std::vector<TransferWish> wishes() const;
-    std::vector<ProjectDevice> plannedDevices() const;
     TransferPlan chosenPlan() const;
     std::vector<EncoderJobs> jobsToDo() const;
     TransferPlan planOfCost() const;
