@@ -383,6 +383,10 @@
         <source>%1 is not above P127: with Step 5, the process image overwrites it.</source>
         <translation>%1 liegt nicht über P127: bei Step 5 überschreibt es das Prozessabbild.</translation>
     </message>
+    <message>
+        <source>Devices of this ID code stand on the local bus of a bus terminal.</source>
+        <translation>Geräte mit diesem ID-Code stehen am Lokalbus einer Busklemme.</translation>
+    </message>
 </context>
 <context>
     <name>Choice</name>
@@ -474,6 +478,14 @@
         <source>magnet outside the measuring range</source>
         <translation>Magnet außerhalb des Messbereichs</translation>
     </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
 </context>
 <context>
     <name>DeviceDescription</name>
@@ -557,12 +569,257 @@
         <translation>IN %1 steht in keinem Handbuch: keine Position.</translation>
     </message>
     <message>
-        <source>Nothing came from the encoder yet.</source>
-        <translation>Vom Geber kam noch nichts.</translation>
-    </message>
-    <message>
         <source>The encoder does not answer: the last position is shown.</source>
         <translation>Der Geber antwortet nicht: Gezeigt wird die letzte Position.</translation>
+    </message>
+    <message>
+        <source>Nothing comes from the encoder.</source>
+        <translation>Vom Geber kommt nichts.</translation>
+    </message>
+</context>
+<context>
+    <name>EscBit</name>
+    <message>
+        <source>direction CCW</source>
+        <translation>Drehrichtung CCW</translation>
+    </message>
+    <message>
+        <source>direction CW</source>
+        <translation>Drehrichtung CW</translation>
+    </message>
+    <message>
+        <source>diagnostic active</source>
+        <translation>Diagnose aktiv</translation>
+    </message>
+    <message>
+        <source>scaling on</source>
+        <translation>Skalierung ein</translation>
+    </message>
+    <message>
+        <source>scaling off</source>
+        <translation>Skalierung aus</translation>
+    </message>
+    <message>
+        <source>calculated factor</source>
+        <translation>berechneter Faktor</translation>
+    </message>
+    <message>
+        <source>resolution per revolution</source>
+        <translation>Auflösung pro Umdrehung</translation>
+    </message>
+    <message>
+        <source>total measuring range</source>
+        <translation>gesamter Messbereich</translation>
+    </message>
+    <message>
+        <source>limit switch active</source>
+        <translation>Endschalter aktiv</translation>
+    </message>
+    <message>
+        <source>position error</source>
+        <translation>Positionsfehler</translation>
+    </message>
+    <message>
+        <source>general fault</source>
+        <translation>allgemeiner Fehler</translation>
+    </message>
+    <message>
+        <source>battery flat</source>
+        <translation>Batterie leer</translation>
+    </message>
+    <message>
+        <source>temperature exceeded</source>
+        <translation>Temperatur überschritten</translation>
+    </message>
+    <message>
+        <source>frequency exceeded</source>
+        <translation>Frequenz überschritten</translation>
+    </message>
+    <message>
+        <source>light control</source>
+        <translation>Lichtregelung</translation>
+    </message>
+    <message>
+        <source>battery limit reached</source>
+        <translation>Batteriegrenze erreicht</translation>
+    </message>
+    <message>
+        <source>reference point reached</source>
+        <translation>Referenzpunkt erreicht</translation>
+    </message>
+    <message>
+        <source>turning CCW</source>
+        <translation>dreht CCW</translation>
+    </message>
+    <message>
+        <source>lower limit switch on</source>
+        <translation>unterer Endschalter ein</translation>
+    </message>
+    <message>
+        <source>upper limit switch on</source>
+        <translation>oberer Endschalter ein</translation>
+    </message>
+    <message>
+        <source>position warning</source>
+        <translation>Positionswarnung</translation>
+    </message>
+    <message>
+        <source>standstill</source>
+        <translation>Stillstand</translation>
+    </message>
+    <message>
+        <source>bit %1 (not described)</source>
+        <translation>Bit %1 (nicht beschrieben)</translation>
+    </message>
+</context>
+<context>
+    <name>EscCommand</name>
+    <message>
+        <source>operating parameters</source>
+        <translation>Betriebsparameter</translation>
+    </message>
+    <message>
+        <source>version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>total measuring range</source>
+        <translation>gesamter Messbereich</translation>
+    </message>
+    <message>
+        <source>steps per revolution</source>
+        <translation>Schritte pro Umdrehung</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>Preset</translation>
+    </message>
+    <message>
+        <source>alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>operating time</source>
+        <translation>Betriebszeit</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>Offset</translation>
+    </message>
+    <message>
+        <source>serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>upper limit switch</source>
+        <translation>oberer Endschalter</translation>
+    </message>
+    <message>
+        <source>lower limit switch</source>
+        <translation>unterer Endschalter</translation>
+    </message>
+    <message>
+        <source>scaling factor</source>
+        <translation>Skalierungsfaktor</translation>
+    </message>
+    <message>
+        <source>device code</source>
+        <translation>Gerätecode</translation>
+    </message>
+    <message>
+        <source>number of revolutions</source>
+        <translation>Anzahl der Umdrehungen</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>Drehrichtung</translation>
+    </message>
+    <message>
+        <source>scaling</source>
+        <translation>Skalierung</translation>
+    </message>
+    <message>
+        <source>device address</source>
+        <translation>Geräteadresse</translation>
+    </message>
+    <message>
+        <source>baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+</context>
+<context>
+    <name>EscExplain</name>
+    <message>
+        <source>00 (any encoder)</source>
+        <translation>00 (jeder Geber)</translation>
+    </message>
+    <message>
+        <source>%1, bytes swapped %2</source>
+        <translation>%1, Bytes vertauscht %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>CCW</source>
+        <translation>CCW</translation>
+    </message>
+    <message>
+        <source>CW</source>
+        <translation>CW</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>%1 Bd</source>
+        <translation>%1 Bd</translation>
+    </message>
+    <message>
+        <source>%1, outside %2 to %3</source>
+        <translation>%1, außerhalb von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 = %2 h</source>
+        <translation>%1 = %2 h</translation>
+    </message>
+    <message>
+        <source>%1: %2?</source>
+        <translation>%1: %2?</translation>
+    </message>
+    <message>
+        <source>%1: set %2 to %3</source>
+        <translation>%1: %2 auf %3 setzen</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>command unknown (03)</source>
+        <translation>Befehl unbekannt (03)</translation>
+    </message>
+    <message>
+        <source>incomplete or out of range (05)</source>
+        <translation>unvollständig oder außerhalb des Bereichs (05)</translation>
     </message>
 </context>
 <context>
@@ -704,6 +961,14 @@
     <message>
         <source>The encoder does not answer any more.</source>
         <translation>Der Geber antwortet nicht mehr.</translation>
+    </message>
+    <message>
+        <source>It has the values from before again: they were read back, and are equal.</source>
+        <translation>Er hat wieder die Werte von vorher: Sie wurden zurückgelesen und sind gleich.</translation>
+    </message>
+    <message>
+        <source>It has confirmed the values from before and runs with them; it cannot be read.</source>
+        <translation>Er hat die Werte von vorher bestätigt und läuft damit; lesen lässt er sich nicht.</translation>
     </message>
 </context>
 <context>
@@ -1132,7 +1397,7 @@
     </message>
     <message>
         <source>No position: %1 should be 0, since the position has %2 bits</source>
-        <translation>Keine Position: %1 müsste 0 sein, denn die Position hat %2 Bits</translation>
+        <translation>Keine Position: Bei %1 wird 0 erwartet, denn die Position hat %2 Bits</translation>
     </message>
     <message>
         <source>position %1 (signed)</source>
@@ -1282,10 +1547,6 @@
         <translation>Der Peripheriefehler wurde quittiert.</translation>
     </message>
     <message>
-        <source>Segment %1: %2 CRC errors since the last message, %3 since the start.</source>
-        <translation>Segment %1: %2 CRC-Fehler seit der letzten Meldung, %3 seit dem Start.</translation>
-    </message>
-    <message>
         <source>Segment %1 was switched off.</source>
         <translation>Segment %1 wurde abgeschaltet.</translation>
     </message>
@@ -1320,10 +1581,6 @@
     <message>
         <source>The ring is as the project says: %1 devices.</source>
         <translation>Der Ring ist wie im Projekt: %1 Teilnehmer.</translation>
-    </message>
-    <message>
-        <source>The ring differs from the project at %1 places. Compare them.</source>
-        <translation>Der Ring weicht an %1 Stellen vom Projekt ab. Beide vergleichen.</translation>
     </message>
     <message>
         <source>Fault plan: %1</source>
@@ -1424,6 +1681,22 @@
     <message>
         <source>Encoders found on the serial line: %1 (requests: %2).</source>
         <translation>Geber auf der seriellen Leitung gefunden: %1 (Anfragen: %2).</translation>
+    </message>
+    <message>
+        <source>The values from before were written again, and read back: %1 (EEPROM writes: %2).</source>
+        <translation>Die Werte von vorher wurden wieder geschrieben und zurückgelesen: %1 (EEPROM-Schreibvorgänge: %2).</translation>
+    </message>
+    <message>
+        <source>The values from before were written again, confirmed and activated, but cannot be read: %1 (EEPROM writes: %2).</source>
+        <translation>Die Werte von vorher wurden wieder geschrieben, bestätigt und übernommen, lassen sich aber nicht lesen: %1 (EEPROM-Schreibvorgänge: %2).</translation>
+    </message>
+    <message>
+        <source>CRC errors in segment %1: %2 since the last message, %3 since the start.</source>
+        <translation>CRC-Fehler in Segment %1: %2 seit der letzten Meldung, %3 seit dem Start.</translation>
+    </message>
+    <message>
+        <source>The ring differs from the project (lines: %1). Compare them.</source>
+        <translation>Der Ring weicht vom Projekt ab (Zeilen: %1). Bitte vergleichen.</translation>
     </message>
 </context>
 <context>
@@ -2229,6 +2502,14 @@
         <source>The serial line is not open. Connect it first.</source>
         <translation>Die serielle Leitung ist nicht offen. Zuerst verbinden.</translation>
     </message>
+    <message>
+        <source>The encoder took no cam word (OUT %1, IN %2): it was in a parameterization that was begun before. Run was not sent, since it makes valid what was confirmed there. End that parameterization first, then try again.</source>
+        <translation>Der Geber hat kein Nockenwort angenommen (OUT %1, IN %2): Er war in einer früher begonnenen Parametrierung. Run wurde nicht gesendet, denn es macht gültig, was dort bestätigt wurde. Erst diese Parametrierung beenden, dann noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>is a wrong command</source>
+        <translation>ist ein falscher Befehl</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>
@@ -2385,6 +2666,27 @@
     <message>
         <source>Line %1, %2: %3</source>
         <translation>Zeile %1, %2: %3</translation>
+    </message>
+</context>
+<context>
+    <name>SerialPortLink</name>
+    <message>
+        <source>baud rates that the adapter has, 7 or 8 data bits, parity none, even or odd, 1 or 2 stop bits</source>
+        <translation>Baudraten, die der Adapter kann, 7 oder 8 Datenbits, Parität keine, gerade oder ungerade, 1 oder 2 Stoppbits</translation>
+    </message>
+</context>
+<context>
+    <name>SerialPorts</name>
+    <message>
+        <source>This computer has no serial port. Plug a USB adapter in, or type the path of a port.</source>
+        <translation>Dieser Rechner hat keinen seriellen Anschluss. Einen USB-Adapter einstecken oder den Pfad eines Anschlusses eintippen.</translation>
+    </message>
+</context>
+<context>
+    <name>SimulatedLine</name>
+    <message>
+        <source>training line</source>
+        <translation>Übungsleitung</translation>
     </message>
 </context>
 <context>
@@ -2601,6 +2903,10 @@
     <message>
         <source>Position set to</source>
         <translation>Position gesetzt auf</translation>
+    </message>
+    <message>
+        <source>Restored</source>
+        <translation>Wiederhergestellt</translation>
     </message>
 </context>
 <context>
@@ -2962,6 +3268,14 @@
     <message>
         <source>Keep all eight programs in a file of their own</source>
         <translation>Alle acht Programme in einer eigenen Datei ablegen</translation>
+    </message>
+    <message>
+        <source>Not connected: what the encoder has and shows is not known. The cams are kept in the project.</source>
+        <translation>Nicht verbunden: Was der Geber hat und zeigt, ist nicht bekannt. Die Nocken bleiben im Projekt.</translation>
+    </message>
+    <message>
+        <source>Not connected: nothing can be read or written.</source>
+        <translation>Nicht verbunden: Nichts lässt sich lesen oder schreiben.</translation>
     </message>
 </context>
 <context>
@@ -4691,6 +5005,62 @@ Parameter: steps revolutions direction coding preset zero-offset offset measurin
 Lineargeber direction measuring-length external-preset; soweit der Geber sie hat (devices NAME).
 VALUE ist eine Zahl oder ein Name: 255, 0xFF, FFh, cw.</translation>
     </message>
+    <message>
+        <source>of 1000 bytes, so many are lost</source>
+        <translation>so viele von 1000 Bytes gehen verloren</translation>
+    </message>
+    <message>
+        <source>of 1000 bytes, so many are wrong in one bit</source>
+        <translation>so viele von 1000 Bytes sind in einem Bit falsch</translation>
+    </message>
+    <message>
+        <source>of 1000 bytes, so many come twice</source>
+        <translation>so viele von 1000 Bytes kommen doppelt</translation>
+    </message>
+    <message>
+        <source>of 1000 bytes, so many come later, with all that follow them</source>
+        <translation>so viele von 1000 Bytes kommen später, mit allen, die ihnen folgen</translation>
+    </message>
+    <message>
+        <source>how much later (20)</source>
+        <translation>wie viel später (20)</translation>
+    </message>
+    <message>
+        <source>from a request to its answer (0)</source>
+        <translation>von einer Anfrage bis zu ihrer Antwort (0)</translation>
+    </message>
+    <message>
+        <source>send back what comes in, as a half-duplex adapter</source>
+        <translation>zurücksenden, was ankommt, wie ein Halbduplex-Adapter</translation>
+    </message>
+    <message>
+        <source>an encoder that does not answer; several as 03,12; all for all of them</source>
+        <translation>ein Geber, der nicht antwortet; mehrere als 03,12; all für alle</translation>
+    </message>
+    <message>
+        <source>another run of the same faults (1)</source>
+        <translation>ein anderer Verlauf derselben Fehler (1)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be served. There is: esc.</source>
+        <translation>&quot;%1&quot; lässt sich nicht anbieten. Es gibt: esc.</translation>
+    </message>
+    <message>
+        <source>This computer gives no pseudo terminal. Close programs that use some.</source>
+        <translation>Dieser Rechner gibt kein Pseudoterminal her. Programme schließen, die welche benutzen.</translation>
+    </message>
+    <message>
+        <source>offer the simulated serial line to other programs</source>
+        <translation>die simulierte serielle Leitung anderen Programmen anbieten</translation>
+    </message>
+    <message>
+        <source>Prints the path of a pseudo terminal, which any program on this computer opens as a serial port, and serves the
+encoders 03, 05 and 12 there, at the speed of a real line, until it is ended with Ctrl+C (SIGINT or SIGTERM).
+Baud rates other than that of the encoders give junk.</source>
+        <translation>Gibt den Pfad eines Pseudoterminals aus, das jedes Programm auf diesem Rechner als seriellen Anschluss öffnet, und
+bietet dort die Geber 03, 05 und 12 an, so schnell wie eine echte Leitung, bis Strg+C (SIGINT oder SIGTERM) es
+beendet. Andere Baudraten als die der Geber ergeben Unsinn.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Comparison</name>
@@ -4869,6 +5239,25 @@ VALUE ist eine Zahl oder ein Name: 255, 0xFF, FFh, cw.</translation>
         <source>Take back</source>
         <translation>Zurücknehmen</translation>
     </message>
+    <message>
+        <source>What the master &amp;keeps into the project</source>
+        <translation>Was der Master &amp;hält, ins Projekt</translation>
+    </message>
+    <message>
+        <source>Loads the configuration that the master keeps, and plans the ring as it says; can be undone</source>
+        <translation>Lädt die Konfiguration, die der Master hält, und plant den Ring danach; lässt sich rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Load the configuration of the master</source>
+        <translation>Konfiguration des Masters laden</translation>
+    </message>
+    <message numerus="yes">
+        <source>The ring is planned as the master keeps it: %1, %n devices.</source>
+        <translation>
+            <numerusform>Der Ring ist geplant, wie ihn der Master hält: %1, %n Gerät.</numerusform>
+            <numerusform>Der Ring ist geplant, wie ihn der Master hält: %1, %n Geräte.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DescriptionReader</name>
@@ -4921,14 +5310,6 @@ VALUE ist eine Zahl oder ein Name: 255, 0xFF, FFh, cw.</translation>
         <translation>Nur ein K3 hat einen Dialekt. Weglassen.</translation>
     </message>
     <message>
-        <source>What only the label tells has neither number nor readOut code.</source>
-        <translation>Was nur das Typenschild sagt, hat weder Nummer noch readOut-Code.</translation>
-    </message>
-    <message>
-        <source>A parameter needs a number to write it, a readOut code to read it, both, or onLabel.</source>
-        <translation>Ein Parameter braucht eine Nummer zum Schreiben, einen readOut-Code zum Lesen, beides oder onLabel.</translation>
-    </message>
-    <message>
         <source>Only a description of the generic dialect has no vendor.</source>
         <translation>Nur eine Beschreibung mit dem Dialekt generic hat keinen Hersteller.</translation>
     </message>
@@ -4943,6 +5324,30 @@ VALUE ist eine Zahl oder ein Name: 255, 0xFF, FFh, cw.</translation>
     <message>
         <source>There is no device with the key &quot;%1&quot; before this one.</source>
         <translation>Vor diesem gibt es kein Gerät mit dem Schlüssel „%1“.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no command that writes a value.</source>
+        <translation>&quot;%1&quot; ist kein Befehl, der einen Wert schreibt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no command that reads a value.</source>
+        <translation>&quot;%1&quot; ist kein Befehl, der einen Wert liest.</translation>
+    </message>
+    <message>
+        <source>A bit is one of the answer to a command read, and there is none.</source>
+        <translation>Ein Bit gehört zur Antwort auf einen Befehl read, und den gibt es hier nicht.</translation>
+    </message>
+    <message>
+        <source>What only the label tells can be neither written nor read.</source>
+        <translation>Was nur das Typenschild sagt, lässt sich weder schreiben noch lesen.</translation>
+    </message>
+    <message>
+        <source>A parameter needs a number to write it, a readOut code to read it, both, or onLabel; on a serial line the commands read or write.</source>
+        <translation>Ein Parameter braucht number zum Schreiben, einen Code readOut zum Lesen, beides oder onLabel; auf einer seriellen Leitung die Befehle read oder write.</translation>
+    </message>
+    <message>
+        <source>This command stands here twice.</source>
+        <translation>Dieser Befehl steht hier zweimal.</translation>
     </message>
 </context>
 <context>
@@ -4982,6 +5387,22 @@ VALUE ist eine Zahl oder ein Name: 255, 0xFF, FFh, cw.</translation>
     <message>
         <source>Parameter number %1 sets all values to default. It cannot be the number of a parameter, too.</source>
         <translation>Parameternummer %1 setzt alle Werte zurück. Sie kann nicht zugleich die Nummer eines Parameters sein.</translation>
+    </message>
+    <message>
+        <source>An encoder on a serial line has the commands read and write. Leave it out.</source>
+        <translation>Ein Geber auf einer seriellen Leitung hat die Befehle read und write. Weglassen.</translation>
+    </message>
+    <message>
+        <source>What is written must be read, too: a write without an answer is checked.</source>
+        <translation>Was geschrieben wird, muss sich auch lesen lassen: Ein Schreiben ohne Antwort wird nachgeprüft.</translation>
+    </message>
+    <message>
+        <source>A value that is written must be between 0 and %1.</source>
+        <translation>Ein Wert, der geschrieben wird, muss zwischen 0 und %1 liegen.</translation>
+    </message>
+    <message>
+        <source>Only an encoder on a serial line has commands. Leave it out.</source>
+        <translation>Nur ein Geber auf einer seriellen Leitung hat Befehle. Weglassen.</translation>
     </message>
 </context>
 <context>
@@ -6099,6 +6520,14 @@ VALUE ist eine Zahl oder ein Name: 255, 0xFF, FFh, cw.</translation>
     <message>
         <source>In the branch of %1</source>
         <translation>Im Abzweig von %1</translation>
+    </message>
+    <message>
+        <source>Close the insert panel</source>
+        <translation>Einfügefeld schließen</translation>
+    </message>
+    <message>
+        <source>Closes this panel (Esc)</source>
+        <translation>Schließt dieses Feld (Esc)</translation>
     </message>
 </context>
 <context>
@@ -7254,6 +7683,16 @@ VALUE ist eine Zahl oder ein Name: 255, 0xFF, FFh, cw.</translation>
         <source>from its label</source>
         <translation>vom Typenschild</translation>
     </message>
+    <message>
+        <source>%1
+It is told of an encoder that is connected.</source>
+        <translation>%1
+Mitgeteilt wird er von einem verbundenen Geber.</translation>
+    </message>
+    <message>
+        <source>Not connected: what the encoder has is not known.</source>
+        <translation>Nicht verbunden: Was der Geber hat, ist nicht bekannt.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ParameterPanel</name>
@@ -7415,6 +7854,22 @@ VALUE ist eine Zahl oder ein Name: 255, 0xFF, FFh, cw.</translation>
     <message>
         <source>End the service</source>
         <translation>Dienst beenden</translation>
+    </message>
+    <message>
+        <source>Not connected: nothing can be read or written. What is wanted is kept in the project.</source>
+        <translation>Nicht verbunden: Nichts lässt sich lesen oder schreiben. Was gewünscht ist, bleibt im Projekt.</translation>
+    </message>
+    <message>
+        <source>From its papers or its label; nothing is sent</source>
+        <translation>Aus seinen Papieren oder vom Typenschild; nichts wird gesendet</translation>
+    </message>
+    <message>
+        <source>What the encoder is known to have is wanted from now on</source>
+        <translation>Was der Geber bekanntermaßen hat, ist ab jetzt gewünscht</translation>
+    </message>
+    <message>
+        <source>The place where it stands becomes the position you type</source>
+        <translation>Die Stelle, an der er steht, wird zur eingetippten Position</translation>
     </message>
 </context>
 <context>
@@ -8578,6 +9033,10 @@ ID-Code %3, Gerätecode %4
     <message>
         <source>the position is set to it</source>
         <translation>die Position wird darauf gesetzt</translation>
+    </message>
+    <message>
+        <source>The encoder is in cam mode, which refuses parameters. Switch it to position mode first, with the functions of the parameter panel.</source>
+        <translation>Der Geber ist im Nockenbetrieb, der Parameter ablehnt. Erst mit den Funktionen des Parameterfelds in den Positionsbetrieb schalten.</translation>
     </message>
 </context>
 <context>
@@ -10320,6 +10779,10 @@ Zustand: %7</translation>
         <source>Shows what the encoder had before this program wrote to it, and writes it again</source>
         <translation>Zeigt, was der Geber hatte, bevor dieses Programm in ihn schrieb, und schreibt es wieder</translation>
     </message>
+    <message>
+        <source>Not connected: nothing can be sent.</source>
+        <translation>Nicht verbunden: Nichts lässt sich senden.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TransferProgress</name>
@@ -11061,6 +11524,14 @@ Zustand: %7</translation>
     <message>
         <source>Restore &amp;values from before...</source>
         <translation>&amp;Werte von vorher wiederherstellen...</translation>
+    </message>
+    <message>
+        <source>Not connected: nothing can be sent.</source>
+        <translation>Nicht verbunden: Nichts lässt sich senden.</translation>
+    </message>
+    <message>
+        <source>Edits the cam programs planned for the chosen encoder</source>
+        <translation>Bearbeitet die Nockenprogramme, die für den gewählten Geber geplant sind</translation>
     </message>
 </context>
 <context>

@@ -41,6 +41,13 @@
             <numerusform>Loaded back, %n lines differ from the project.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>The ring is planned as the master keeps it: %1, %n devices.</source>
+        <translation>
+            <numerusform>The ring is planned as the master keeps it: %1, %n device.</numerusform>
+            <numerusform>The ring is planned as the master keeps it: %1, %n devices.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>codewheel::FaultPlanBar</name>

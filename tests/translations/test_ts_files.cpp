@@ -79,6 +79,10 @@ const QStringList sameInGerman{
     QStringLiteral("Station"),
     QStringLiteral("Status:         %1 (%2)"),
     QStringLiteral("Step &5"),
+    QStringLiteral("%1 Bd"),
+    QStringLiteral("%1 = %2 h"),
+    QStringLiteral("%1: %2"),
+    QStringLiteral("%1: %2?"),
 };
 
 void expectNoFaults(const std::vector<TsText> &texts, const QStringList &sameInBoth)
