@@ -987,6 +987,100 @@
     </message>
 </context>
 <context>
+    <name>LineRecordFile</name>
+    <message>
+        <source>This is no session of a serial line: &quot;format&quot; is not &quot;%1&quot;.</source>
+        <translation>Das ist keine Sitzung einer seriellen Leitung: &quot;format&quot; ist nicht &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>Only version %1 of the format can be read.</source>
+        <translation>Nur Version %1 des Formats lässt sich lesen.</translation>
+    </message>
+    <message>
+        <source>A date and time is expected here, as in 2026-11-21T12:00:00.000+01:00.</source>
+        <translation>Hier wird Datum und Zeit erwartet, wie in 2026-11-21T12:00:00.000+01:00.</translation>
+    </message>
+    <message>
+        <source>Bytes are expected here, as in &quot;1B 30 35 50 0D 0A&quot;.</source>
+        <translation>Hier werden Bytes erwartet, wie in &quot;1B 30 35 50 0D 0A&quot;.</translation>
+    </message>
+    <message>
+        <source>A row has %1 bytes at most.</source>
+        <translation>Eine Zeile hat höchstens %1 Bytes.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1, Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>%1, line %2, %3: %4</source>
+        <translation>%1, Zeile %2, %3: %4</translation>
+    </message>
+</context>
+<context>
+    <name>LineRecordFiles</name>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation>%1 lässt sich nicht lesen: %2</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a session of a serial line.</source>
+        <translation>%1 ist zu groß für eine Sitzung einer seriellen Leitung.</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: %2</source>
+        <comment>file, reason</comment>
+        <translation>%1 wurde nicht gespeichert: %2</translation>
+    </message>
+</context>
+<context>
+    <name>LineRowText</name>
+    <message>
+        <source>no request of this protocol</source>
+        <translation>keine Anfrage dieses Protokolls</translation>
+    </message>
+    <message>
+        <source>no well-formed answer</source>
+        <translation>keine wohlgeformte Antwort</translation>
+    </message>
+    <message>
+        <source>sent</source>
+        <translation>gesendet</translation>
+    </message>
+    <message>
+        <source>answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>echo</source>
+        <translation>Echo</translation>
+    </message>
+    <message>
+        <source>garbage</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>late</source>
+        <translation>verspätet</translation>
+    </message>
+    <message>
+        <source>what was sent, echoed by the adapter: dropped</source>
+        <translation>das Gesendete, vom Adapter zurückgegeben: verworfen</translation>
+    </message>
+    <message>
+        <source>no well-formed answer to &quot;%1&quot;: dropped</source>
+        <translation>keine wohlgeformte Antwort auf &quot;%1&quot;: verworfen</translation>
+    </message>
+    <message>
+        <source>nobody asked for it: dropped</source>
+        <translation>danach hat niemand gefragt: verworfen</translation>
+    </message>
+    <message>
+        <source>came after its time-out: dropped</source>
+        <translation>kam nach der Zeitüberschreitung: verworfen</translation>
+    </message>
+</context>
+<context>
     <name>Master</name>
     <message>
         <source>A user error: a service was called wrongly.</source>
@@ -2752,6 +2846,45 @@
     </message>
 </context>
 <context>
+    <name>TypedRequest</name>
+    <message>
+        <source>Type a request: two hexadecimal digits for the address, then the command, as in 05P.</source>
+        <translation>Eine Anfrage eintippen: zwei Hexziffern für die Adresse, dann der Befehl, wie in 05P.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address. A request begins with two hexadecimal digits: 01 to 1F, or 00 for whichever encoder is alone on the line.</source>
+        <translation>&quot;%1&quot; ist keine Adresse. Eine Anfrage beginnt mit zwei Hexziffern: 01 bis 1F, oder 00 für den Geber, der allein an der Leitung ist.</translation>
+    </message>
+    <message>
+        <source>The command is missing behind the address %1, as in %1P.</source>
+        <translation>Hinter der Adresse %1 fehlt der Befehl, wie in %1P.</translation>
+    </message>
+    <message>
+        <source>There is no command &quot;%1&quot;. The commands are %2.</source>
+        <translation>Es gibt keinen Befehl &quot;%1&quot;. Die Befehle sind %2.</translation>
+    </message>
+    <message>
+        <source>%1 reads (%2) and takes no data: &quot;%3&quot; is too much.</source>
+        <translation>%1 liest (%2) und nimmt keine Daten: &quot;%3&quot; ist zu viel.</translation>
+    </message>
+    <message>
+        <source>%1 writes (%2) and needs a value behind it, in hexadecimal digits.</source>
+        <translation>%1 schreibt (%2) und braucht dahinter einen Wert in Hexziffern.</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 hexadecimal digits at most; these are %3.</source>
+        <translation>%1 nimmt höchstens %2 Hexziffern; das sind %3.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no hexadecimal number.</source>
+        <translation>&quot;%1&quot; ist keine Hexzahl.</translation>
+    </message>
+    <message>
+        <source>%1 is outside of what %2 takes: %3 to %4. All numbers are hexadecimal.</source>
+        <translation>%1 liegt außerhalb dessen, was %2 nimmt: %3 bis %4. Alle Zahlen sind hexadezimal.</translation>
+    </message>
+</context>
+<context>
     <name>Unit</name>
     <message>
         <source>steps</source>
@@ -2918,6 +3051,45 @@
     <message>
         <source>&quot;%1&quot; is no hexadecimal word. Type up to 8 of the digits 0 to 9 and A to F, such as 020000FF.</source>
         <translation>„%1“ ist kein hexadezimales Wort. Bis zu 8 Ziffern 0 bis 9 und A bis F eingeben, etwa 020000FF.</translation>
+    </message>
+</context>
+<context>
+    <name>WriteConsequence</name>
+    <message>
+        <source>The position becomes this value at once.</source>
+        <translation>Die Position wird sofort zu diesem Wert.</translation>
+    </message>
+    <message>
+        <source>The position may count the other way and jump.</source>
+        <translation>Die Position kann andersherum zählen und springen.</translation>
+    </message>
+    <message>
+        <source>The position may jump.</source>
+        <translation>Die Position kann springen.</translation>
+    </message>
+    <message>
+        <source>The limit switch may change its state.</source>
+        <translation>Der Endschalter kann seinen Zustand ändern.</translation>
+    </message>
+    <message>
+        <source>The encoder answers at the new address from then on.</source>
+        <translation>Der Geber antwortet ab dann auf der neuen Adresse.</translation>
+    </message>
+    <message>
+        <source>The encoder answers at the new baud rate from then on.</source>
+        <translation>Der Geber antwortet ab dann mit der neuen Baudrate.</translation>
+    </message>
+    <message>
+        <source>%1 (%2).</source>
+        <translation>%1 (%2).</translation>
+    </message>
+    <message>
+        <source>These bytes are sent once: %1.</source>
+        <translation>Diese Bytes werden einmal gesendet: %1.</translation>
+    </message>
+    <message>
+        <source>The address 00 is that of every encoder: all on the line take it.</source>
+        <translation>Die Adresse 00 gilt für jeden Geber: Alle an der Leitung nehmen es an.</translation>
     </message>
 </context>
 <context>
@@ -4765,12 +4937,6 @@ Braucht keinen Bus.</translation>
         <translation>was der Master sagt, und seine Dienste</translation>
     </message>
     <message>
-        <source>Lets time pass, does what is asked for, and prints what the bus told meanwhile and how the master stands
-then. As each call has a new training bus, this makes most sense with a fault plan.</source>
-        <translation>Lässt Zeit vergehen, tut das Verlangte und gibt aus, was der Bus dabei gemeldet hat und wie der Master
-dann steht. Da jeder Aufruf einen neuen Übungsbus hat, ist das vor allem mit einem Fehlerplan sinnvoll.</translation>
-    </message>
-    <message>
         <source>information, attention or fault: this or worse</source>
         <translation>information, attention oder fault: dies oder schlimmer</translation>
     </message>
@@ -5060,6 +5226,62 @@ Baud rates other than that of the encoders give junk.</source>
         <translation>Gibt den Pfad eines Pseudoterminals aus, das jedes Programm auf diesem Rechner als seriellen Anschluss öffnet, und
 bietet dort die Geber 03, 05 und 12 an, so schnell wie eine echte Leitung, bis Strg+C (SIGINT oder SIGTERM) es
 beendet. Andere Baudraten als die der Geber ergeben Unsinn.</translation>
+    </message>
+    <message>
+        <source>do it without asking</source>
+        <translation>ohne Rückfrage ausführen</translation>
+    </message>
+    <message>
+        <source>Put segment %1 back into the data cycles?</source>
+        <translation>Segment %1 wieder in die Datenzyklen nehmen?</translation>
+    </message>
+    <message>
+        <source>%1 (OUT %2)</source>
+        <translation>%1 (OUT %2)</translation>
+    </message>
+    <message>
+        <source>Switch segment %1 off? Out of the data cycles go, with outputs at 0: %2.</source>
+        <translation>Segment %1 abschalten? Aus den Datenzyklen gehen, mit Ausgängen auf 0: %2.</translation>
+    </message>
+    <message>
+        <source>Read in the ring? Data cycles stop meanwhile.</source>
+        <translation>Den Ring einlesen? Die Datenzyklen stehen so lange still.</translation>
+    </message>
+    <message>
+        <source>Confirm diagnostics?</source>
+        <translation>Diagnose quittieren?</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: there is nobody to ask. Add --yes to do it.</source>
+        <translation>Nichts wurde gesendet: Es ist niemand da, der gefragt werden kann. Mit --yes wird es ausgeführt.</translation>
+    </message>
+    <message>
+        <source>Lets time pass, does what is asked for, and prints what the bus told meanwhile and how the master stands
+then. What changes what the ring does (read-in, confirm, segment) is asked for first; where nobody can
+be asked, --yes is needed. As each call has a new training bus, this makes most sense with a fault plan.</source>
+        <translation>Lässt Zeit vergehen, tut, was verlangt ist, und gibt aus, was der Bus inzwischen gemeldet hat und wie der
+Master dann steht. Was ändert, was der Ring tut (read-in, confirm, segment), wird zuvor erfragt; wo niemand
+gefragt werden kann, ist --yes nötig. Da jeder Aufruf einen neuen Übungsbus hat, ist das vor allem mit einem
+Fehlerplan sinnvoll.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CommandList</name>
+    <message>
+        <source>reads: %1</source>
+        <translation>liest: %1</translation>
+    </message>
+    <message>
+        <source>writes: %1; %2 to %3, up to %4 hexadecimal digits</source>
+        <translation>schreibt: %1; %2 bis %3, bis zu %4 Hexziffern</translation>
+    </message>
+    <message>
+        <source>Request</source>
+        <translation>Anfrage</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
     </message>
 </context>
 <context>
@@ -6183,6 +6405,33 @@ beendet. Andere Baudraten als die der Geber ergeben Unsinn.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::FoundEncoderModel</name>
+    <message>
+        <source>unknown, answers to 00</source>
+        <translation>unbekannt, antwortet auf 00</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>Device code</source>
+        <translation>Gerätecode</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::GearPanel</name>
     <message>
         <source>Travel per turn of the driven part</source>
@@ -6879,6 +7128,757 @@ beendet. Andere Baudraten als die der Geber ergeben Unsinn.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::LineFiguresModel</name>
+    <message>
+        <source>Line</source>
+        <translation>Leitung</translation>
+    </message>
+    <message>
+        <source>Requests</source>
+        <translation>Anfragen</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Time-outs</source>
+        <translation>Zeitüberschreitungen</translation>
+    </message>
+    <message>
+        <source>Retries</source>
+        <translation>Wiederholungen</translation>
+    </message>
+    <message>
+        <source>Unanswered</source>
+        <translation>Unbeantwortet</translation>
+    </message>
+    <message>
+        <source>Garbage bytes</source>
+        <translation>Störbytes</translation>
+    </message>
+    <message>
+        <source>Late bytes</source>
+        <translation>Verspätete Bytes</translation>
+    </message>
+    <message>
+        <source>Answer time, shortest, ms</source>
+        <translation>Antwortzeit, kürzeste, ms</translation>
+    </message>
+    <message>
+        <source>Answer time, median, ms</source>
+        <translation>Antwortzeit, Median, ms</translation>
+    </message>
+    <message>
+        <source>Answer time, longest, ms</source>
+        <translation>Antwortzeit, längste, ms</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LinePanel</name>
+    <message>
+        <source>Serial line</source>
+        <translation>Serielle Leitung</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Anschluss</translation>
+    </message>
+    <message>
+        <source>The serial port of this line</source>
+        <translation>Der serielle Anschluss dieser Leitung</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+    <message>
+        <source>Bits per second; data bits, parity, stop bits</source>
+        <translation>Bits pro Sekunde; Datenbits, Parität, Stoppbits</translation>
+    </message>
+    <message>
+        <source>Polling</source>
+        <translation>Abfrage</translation>
+    </message>
+    <message>
+        <source>Whether the encoders are asked by turns</source>
+        <translation>Ob die Geber reihum abgefragt werden</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>In Watch only reads are sent</source>
+        <translation>In Beobachten wird nur gelesen</translation>
+    </message>
+    <message>
+        <source>Figures of the line and its encoders</source>
+        <translation>Zahlen der Leitung und ihrer Geber</translation>
+    </message>
+    <message>
+        <source>Since the line was opened. Times are from the end of a request to the end of its answer; the median is that of the newest 1000.</source>
+        <translation>Seit dem Öffnen der Leitung. Zeiten gehen vom Ende einer Anfrage bis zum Ende ihrer Antwort; der Median ist der der neuesten 1000.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
+        <source>The port is gone; it is looked for each second</source>
+        <translation>Der Anschluss ist weg; er wird jede Sekunde gesucht</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Nicht verbunden</translation>
+    </message>
+    <message>
+        <source>%1 Bd, %2</source>
+        <translation>%1 Bd, %2</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>Operate: allowed</source>
+        <translation>Bedienen: erlaubt</translation>
+    </message>
+    <message>
+        <source>Watch: only reads are sent</source>
+        <translation>Beobachten: nur Lesen wird gesendet</translation>
+    </message>
+    <message>
+        <source>%1 rows of the terminal were lost: the window was busy for too long.</source>
+        <translation>%1 Zeilen des Terminals gingen verloren: Das Fenster war zu lange beschäftigt.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LineRecordView</name>
+    <message>
+        <source>Rows of the saved session</source>
+        <translation>Zeilen der gespeicherten Sitzung</translation>
+    </message>
+    <message>
+        <source>Requests sent again</source>
+        <translation>Wieder gesendete Anfragen</translation>
+    </message>
+    <message>
+        <source>&amp;Replay</source>
+        <translation>&amp;Wiedergeben</translation>
+    </message>
+    <message>
+        <source>Sends the requests of this session again, and compares the answers (Alt+R)</source>
+        <translation>Sendet die Anfragen dieser Sitzung noch einmal und vergleicht die Antworten (Alt+W)</translation>
+    </message>
+    <message>
+        <source>Cance&amp;l</source>
+        <translation>A&amp;bbrechen</translation>
+    </message>
+    <message>
+        <source>Sends no more of them (Alt+L)</source>
+        <translation>Sendet keine weiteren (Alt+B)</translation>
+    </message>
+    <message>
+        <source>Bac&amp;k to the line</source>
+        <translation>&amp;Zurück zur Leitung</translation>
+    </message>
+    <message>
+        <source>Closes this session (Alt+K)</source>
+        <translation>Schließt diese Sitzung (Alt+Z)</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 Bd, %4; %5 rows</source>
+        <comment>file, port, baud rate, date and time, count</comment>
+        <translation>%1: %2, %3 Bd, %4; %5 Zeilen</translation>
+    </message>
+    <message>
+        <source>This session holds no request to send, except position polls: clear &quot;Hide position polls&quot; to send those again.</source>
+        <translation>Diese Sitzung enthält außer Positionsabfragen keine Anfrage zum Senden: &quot;Positionsabfragen ausblenden&quot; abwählen, um diese zu senden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more, listed below</source>
+        <translation>
+            <numerusform>und %n weitere, unten aufgeführt</numerusform>
+            <numerusform>und %n weitere, unten aufgeführt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of the %2 requests write to encoders: %3.</source>
+        <translation>%1 der %2 Anfragen schreiben in Geber: %3.</translation>
+    </message>
+    <message>
+        <source>Send re&amp;ads only</source>
+        <translation>&amp;Nur Lesen senden</translation>
+    </message>
+    <message>
+        <source>Send &amp;writes too</source>
+        <translation>Auch &amp;Schreiben senden</translation>
+    </message>
+    <message>
+        <source>The program only watches: they are left out. Switch to Operate to send them.</source>
+        <translation>Das Programm beobachtet nur: Sie werden ausgelassen. Zum Senden auf Bedienen schalten.</translation>
+    </message>
+    <message>
+        <source>Sent: %1 of %2. The answer was the same: %3, another: %4, none came: %5.</source>
+        <translation>Gesendet: %1 von %2. Die Antwort war gleich: %3, anders: %4, blieb aus: %5.</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The serial line is gone.</source>
+        <translation>Die serielle Leitung ist weg.</translation>
+    </message>
+    <message>
+        <source>The program only watches now: the next request writes.</source>
+        <translation>Das Programm beobachtet jetzt nur: Die nächste Anfrage schreibt.</translation>
+    </message>
+    <message>
+        <source>The serial line is not open. Connect it first.</source>
+        <translation>Die serielle Leitung ist nicht offen. Zuerst verbinden.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LineRowModel</name>
+    <message>
+        <source>%1, typed</source>
+        <comment>sent, answer ...</comment>
+        <translation>%1, getippt</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Hex</source>
+        <translation>Hex</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LineRowOptions</name>
+    <message>
+        <source>Hide position &amp;polls</source>
+        <translation>&amp;Positionsabfragen ausblenden</translation>
+    </message>
+    <message>
+        <source>Leaves out the position requests of the polling and their answers. They are kept, and shown again when this is cleared.</source>
+        <translation>Lässt die Positionsanfragen der Abfrage und ihre Antworten weg. Sie bleiben erhalten und erscheinen wieder, wenn dies abgewählt wird.</translation>
+    </message>
+    <message>
+        <source>&amp;Text</source>
+        <translation>&amp;Text</translation>
+    </message>
+    <message>
+        <source>Shows the bytes as text, control characters as pictures</source>
+        <translation>Zeigt die Bytes als Text, Steuerzeichen als Bilder</translation>
+    </message>
+    <message>
+        <source>He&amp;x</source>
+        <translation>He&amp;x</translation>
+    </message>
+    <message>
+        <source>Shows the bytes as hexadecimal numbers</source>
+        <translation>Zeigt die Bytes als Hexzahlen</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LineRowTable</name>
+    <message>
+        <source>%1, typed</source>
+        <translation>%1, getippt</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LineSearch</name>
+    <message>
+        <source>Two hexadecimal digits, 01 to 1F</source>
+        <translation>Zwei Hexziffern, 01 bis 1F</translation>
+    </message>
+    <message>
+        <source>First address</source>
+        <translation>Erste Adresse</translation>
+    </message>
+    <message>
+        <source>Last address</source>
+        <translation>Letzte Adresse</translation>
+    </message>
+    <message>
+        <source>Ask at the &amp;master address 00 first</source>
+        <translation>Zuerst an der &amp;Masteradresse 00 fragen</translation>
+    </message>
+    <message>
+        <source>No search yet</source>
+        <translation>Noch keine Suche</translation>
+    </message>
+    <message>
+        <source>Each address is asked for its serial number. Nothing is written.</source>
+        <translation>Jede Adresse wird nach ihrer Seriennummer gefragt. Nichts wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>Search for encoders</source>
+        <translation>Geber suchen</translation>
+    </message>
+    <message>
+        <source>&amp;Take over</source>
+        <translation>Ü&amp;bernehmen</translation>
+    </message>
+    <message>
+        <source>Adds the ticked encoders to the bus structure</source>
+        <translation>Nimmt die angekreuzten Geber in die Busstruktur auf</translation>
+    </message>
+    <message>
+        <source>t&amp;o</source>
+        <translation>&amp;bis</translation>
+    </message>
+    <message>
+        <source>&amp;Addresses</source>
+        <translation>&amp;Adressen</translation>
+    </message>
+    <message>
+        <source>%1 Bd</source>
+        <translation>%1 Bd</translation>
+    </message>
+    <message>
+        <source>All three baud rates</source>
+        <translation>Alle drei Baudraten</translation>
+    </message>
+    <message>
+        <source>Baud rates of the search</source>
+        <translation>Baudraten der Suche</translation>
+    </message>
+    <message>
+        <source>An encoder answers at its own baud rate alone; 19200 is that of the factory</source>
+        <translation>Ein Geber antwortet nur mit seiner eigenen Baudrate; ab Werk sind es 19200</translation>
+    </message>
+    <message>
+        <source>Baud &amp;rate</source>
+        <translation>Baud&amp;rate</translation>
+    </message>
+    <message>
+        <source>Any encoder answers there: only where a single one is on the line, since several would answer at once</source>
+        <translation>Dort antwortet jeder Geber: nur, wo ein einziger an der Leitung ist, denn mehrere antworten zugleich</translation>
+    </message>
+    <message>
+        <source>&amp;Search</source>
+        <translation>&amp;Suchen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Ends the search</source>
+        <translation>Beendet die Suche</translation>
+    </message>
+    <message>
+        <source>Progress of the search</source>
+        <translation>Fortschritt der Suche</translation>
+    </message>
+    <message>
+        <source>Encoders found</source>
+        <translation>Gefundene Geber</translation>
+    </message>
+    <message>
+        <source>Space chooses an encoder</source>
+        <translation>Die Leertaste wählt einen Geber</translation>
+    </message>
+    <message>
+        <source>Searching</source>
+        <translation>Sucht</translation>
+    </message>
+    <message>
+        <source>%1 of %2 asked</source>
+        <translation>%1 von %2 gefragt</translation>
+    </message>
+    <message numerus="yes">
+        <source>Requests sent: %n.</source>
+        <translation>
+            <numerusform>Gesendete Anfragen: %n.</numerusform>
+            <numerusform>Gesendete Anfragen: %n.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Encoders found: %n.</source>
+        <translation>
+            <numerusform>Gefundene Geber: %n.</numerusform>
+            <numerusform>Gefundene Geber: %n.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The search was cancelled.</source>
+        <translation>Die Suche wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The search was cancelled</source>
+        <translation>Die Suche wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>No encoder has answered</source>
+        <translation>Kein Geber hat geantwortet</translation>
+    </message>
+    <message>
+        <source>Check: the address and the baud rate (search all three); the wiring, both pairs the right way round, termination; the supply of the encoder; with RS-422 that the input ST (pin 7) is tied to +UB, without it no command works.</source>
+        <translation>Prüfen: Adresse und Baudrate (alle drei absuchen); die Verdrahtung, beide Paare richtig herum, Abschluss; die Versorgung des Gebers; bei RS-422, dass der Eingang ST (Pin 7) an +UB liegt, ohne das geht kein Befehl.</translation>
+    </message>
+    <message>
+        <source>Asks one address after the other (Alt+S)</source>
+        <translation>Fragt eine Adresse nach der anderen (Alt+S)</translation>
+    </message>
+    <message>
+        <source>The serial line is not open. Connect it first.</source>
+        <translation>Die serielle Leitung ist nicht offen. Zuerst verbinden.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LineSettingsForm</name>
+    <message>
+        <source> ms</source>
+        <comment>unit of a time</comment>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>&amp;Connect</source>
+        <translation>&amp;Verbinden</translation>
+    </message>
+    <message>
+        <source>Settings of the serial line</source>
+        <translation>Einstellungen der seriellen Leitung</translation>
+    </message>
+    <message>
+        <source>Opens the line, and asks positions from then on. Nothing is written (Alt+C)</source>
+        <translation>Öffnet die Leitung und fragt ab dann Positionen ab. Nichts wird geschrieben (Alt+V)</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Anschluss</translation>
+    </message>
+    <message>
+        <source>Choose the adapter, or type the path of a port or a pseudo terminal</source>
+        <translation>Den Adapter wählen oder den Pfad eines Anschlusses oder Pseudoterminals eintippen</translation>
+    </message>
+    <message>
+        <source>&amp;Refresh</source>
+        <translation>&amp;Neu suchen</translation>
+    </message>
+    <message>
+        <source>Looks for serial ports again (Alt+R)</source>
+        <translation>Sucht noch einmal nach seriellen Anschlüssen (Alt+N)</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>An&amp;schluss</translation>
+    </message>
+    <message>
+        <source>Ba&amp;ud rate</source>
+        <translation>Ba&amp;udrate</translation>
+    </message>
+    <message>
+        <source>19200, 9600 or 4800; any other may be typed. 19200 is that of the factory</source>
+        <translation>19200, 9600 oder 4800; jede andere lässt sich eintippen. Ab Werk sind es 19200</translation>
+    </message>
+    <message>
+        <source>Dat&amp;a bits</source>
+        <translation>&amp;Datenbits</translation>
+    </message>
+    <message>
+        <source>8 for these encoders</source>
+        <translation>8 bei diesen Gebern</translation>
+    </message>
+    <message>
+        <source>Parit&amp;y</source>
+        <translation>&amp;Parität</translation>
+    </message>
+    <message>
+        <source>None for these encoders</source>
+        <translation>Keine bei diesen Gebern</translation>
+    </message>
+    <message>
+        <source>&amp;Stop bits</source>
+        <translation>S&amp;toppbits</translation>
+    </message>
+    <message>
+        <source>2 for these encoders</source>
+        <translation>2 bei diesen Gebern</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>parity</comment>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <comment>parity</comment>
+        <translation>gerade</translation>
+    </message>
+    <message>
+        <source>odd</source>
+        <comment>parity</comment>
+        <translation>ungerade</translation>
+    </message>
+    <message>
+        <source>Poll &amp;interval</source>
+        <translation>Abfrage&amp;intervall</translation>
+    </message>
+    <message>
+        <source>Between position requests of one encoder; 10 ms is the shortest of the manual</source>
+        <translation>Zwischen den Positionsanfragen eines Gebers; 10 ms sind nach dem Handbuch das kürzeste</translation>
+    </message>
+    <message>
+        <source>&amp;Time-out</source>
+        <translation>&amp;Zeitgrenze</translation>
+    </message>
+    <message>
+        <source>From the end of a request to the beginning of its answer</source>
+        <translation>Vom Ende einer Anfrage bis zum Anfang ihrer Antwort</translation>
+    </message>
+    <message>
+        <source>&amp;Number of retries</source>
+        <translation>Anzahl der &amp;Wiederholungen</translation>
+    </message>
+    <message>
+        <source>How often a read is sent again. A write never is</source>
+        <translation>Wie oft ein Lesen noch einmal gesendet wird. Ein Schreiben nie</translation>
+    </message>
+    <message>
+        <source>&amp;Quiet time after a write</source>
+        <translation>&amp;Ruhe nach einem Schreiben</translation>
+    </message>
+    <message>
+        <source>How long nothing is sent after a write: the encoder stores it</source>
+        <translation>Wie lange nach einem Schreiben nichts gesendet wird: Der Geber speichert es</translation>
+    </message>
+    <message>
+        <source>Fraction bits of the scalin&amp;g factor</source>
+        <translation>Nachkommabits des Skalierun&amp;gsfaktors</translation>
+    </message>
+    <message>
+        <source>29 fits the example of the manual; it can be determined from a device</source>
+        <translation>29 passt zum Beispiel des Handbuchs; am Gerät lässt es sich bestimmen</translation>
+    </message>
+    <message>
+        <source> 1/min</source>
+        <comment>unit of a speed</comment>
+        <translation> 1/min</translation>
+    </message>
+    <message>
+        <source>Top speed</source>
+        <translation>Höchstdrehzahl</translation>
+    </message>
+    <message>
+        <source>A position that jumps further than this speed allows is marked suspect and asked for again</source>
+        <translation>Eine Position, die weiter springt, als diese Drehzahl erlaubt, gilt als verdächtig und wird noch einmal abgefragt</translation>
+    </message>
+    <message>
+        <source>T&amp;op speed</source>
+        <translation>&amp;Höchstdrehzahl</translation>
+    </message>
+    <message>
+        <source>No serial port was found. Plug the adapter in and refresh the list, or type the path of a port.</source>
+        <translation>Kein serieller Anschluss gefunden. Den Adapter einstecken und neu suchen oder den Pfad eines Anschlusses eintippen.</translation>
+    </message>
+    <message>
+        <source>serial number %1</source>
+        <translation>Seriennummer %1</translation>
+    </message>
+    <message>
+        <source>Choose a serial port, or type the path of one.</source>
+        <translation>Einen seriellen Anschluss wählen oder den Pfad eintippen.</translation>
+    </message>
+    <message>
+        <source>The baud rate is a number from 1 to 10000000.</source>
+        <translation>Die Baudrate ist eine Zahl von 1 bis 10000000.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LineTerminal</name>
+    <message>
+        <source>Nothing was sent: a job is running on this line. Wait until it has ended, or cancel it.</source>
+        <translation>Nichts wurde gesendet: Auf dieser Leitung läuft ein Auftrag. Sein Ende abwarten oder ihn abbrechen.</translation>
+    </message>
+    <message>
+        <source>Send and &amp;write</source>
+        <translation>Senden und sch&amp;reiben</translation>
+    </message>
+    <message>
+        <source>Do &amp;not send</source>
+        <translation>&amp;Nicht senden</translation>
+    </message>
+    <message>
+        <source>No answer to %1. Whether it was carried out is unknown: read the value back. It is not sent again by itself.</source>
+        <translation>Keine Antwort auf %1. Ob es ausgeführt wurde, ist unbekannt: den Wert zurücklesen. Von selbst wird es nicht noch einmal gesendet.</translation>
+    </message>
+    <message>
+        <source>No answer to %1. Check address and baud rate, or look for encoders.</source>
+        <translation>Keine Antwort auf %1. Adresse und Baudrate prüfen oder Geber suchen.</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>line-session.json</source>
+        <comment>name of a file</comment>
+        <translation>leitungssitzung.json</translation>
+    </message>
+    <message>
+        <source>Line sessions (*.json)</source>
+        <translation>Leitungssitzungen (*.json)</translation>
+    </message>
+    <message>
+        <source>Open a session</source>
+        <translation>Sitzung öffnen</translation>
+    </message>
+    <message>
+        <source>Export the rows</source>
+        <translation>Zeilen exportieren</translation>
+    </message>
+    <message>
+        <source>line.txt</source>
+        <comment>name of a file</comment>
+        <translation>leitung.txt</translation>
+    </message>
+    <message>
+        <source>Texts (*.txt)</source>
+        <translation>Texte (*.txt)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rows</source>
+        <translation>
+            <numerusform>%n Zeile</numerusform>
+            <numerusform>%n Zeilen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 shown</source>
+        <translation>%1 gezeigt</translation>
+    </message>
+    <message numerus="yes">
+        <source>paused, %n new</source>
+        <translation>
+            <numerusform>angehalten, %n neue</numerusform>
+            <numerusform>angehalten, %n neue</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 oldest dropped</source>
+        <translation>%1 älteste verworfen</translation>
+    </message>
+    <message>
+        <source>Address and command, as in 05P. Up and Down: what was typed before. Ctrl+Space: all commands.</source>
+        <translation>Adresse und Befehl, wie in 05P. Auf und Ab: zuvor Getipptes. Strg+Leertaste: alle Befehle.</translation>
+    </message>
+    <message>
+        <source>Sends the request (Enter)</source>
+        <translation>Sendet die Anfrage (Eingabe)</translation>
+    </message>
+    <message>
+        <source>What passed on the line</source>
+        <translation>Was über die Leitung ging</translation>
+    </message>
+    <message>
+        <source>&amp;Send</source>
+        <translation>&amp;Senden</translation>
+    </message>
+    <message>
+        <source>Line terminal</source>
+        <translation>Leitungsterminal</translation>
+    </message>
+    <message>
+        <source>Nothing has passed on the line yet</source>
+        <translation>Noch ging nichts über die Leitung</translation>
+    </message>
+    <message>
+        <source>What is sent and answered on a serial line stands here. Connect one, or open a saved session.</source>
+        <translation>Hier steht, was auf einer seriellen Leitung gesendet und geantwortet wird. Eine verbinden oder eine gespeicherte Sitzung öffnen.</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Mitlaufen</translation>
+    </message>
+    <message>
+        <source>Keep the newest row in view</source>
+        <translation>Die neueste Zeile im Blick behalten</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Hold the table; rows that come are kept and shown afterwards</source>
+        <translation>Die Tabelle anhalten; neue Zeilen bleiben erhalten und erscheinen danach</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows, or all shown, with tabs between the columns</source>
+        <translation>Die gewählten oder alle gezeigten Zeilen kopieren, mit Tabulatoren zwischen den Spalten</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Keep all rows in a file, to be looked at and sent again</source>
+        <translation>Alle Zeilen in einer Datei behalten, zum Ansehen und Wiedersenden</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Look at a saved session, and send it again</source>
+        <translation>Eine gespeicherte Sitzung ansehen und noch einmal senden</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Write the rows shown to a text file</source>
+        <translation>Die gezeigten Zeilen in eine Textdatei schreiben</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Remove all rows</source>
+        <translation>Alle Zeilen entfernen</translation>
+    </message>
+    <message>
+        <source>Re&amp;quest</source>
+        <translation>An&amp;frage</translation>
+    </message>
+    <message>
+        <source>Request to send</source>
+        <translation>Anfrage zum Senden</translation>
+    </message>
+    <message>
+        <source>Send the request</source>
+        <translation>Die Anfrage senden</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::MainWindow</name>
     <message>
         <source>Bus structure</source>
@@ -7065,6 +8065,40 @@ beendet. Andere Baudraten als die der Geber ergeben Unsinn.</translation>
     <message>
         <source>Its devices, and those behind them, take no part in the data cycles; their outputs go to 0</source>
         <translation>Seine Teilnehmer und die dahinter nehmen nicht mehr an den Datenzyklen teil; ihre Ausgänge gehen auf 0</translation>
+    </message>
+    <message>
+        <source>Switch o&amp;ff</source>
+        <translation>A&amp;bschalten</translation>
+    </message>
+    <message>
+        <source>&amp;Leave it on</source>
+        <translation>&amp;Eingeschaltet lassen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 und %n weiteres</numerusform>
+            <numerusform>%1 und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>OUT %1 is %2</source>
+        <translation>OUT %1 ist %2</translation>
+    </message>
+    <message>
+        <source>Switch segment %1 off? Out of the data cycles go: %2.</source>
+        <translation>Segment %1 abschalten? Aus den Datenzyklen gehen: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The outputs of %n devices go to 0.</source>
+        <translation>
+            <numerusform>Die Ausgänge von %n Gerät gehen auf 0.</numerusform>
+            <numerusform>Die Ausgänge von %n Geräten gehen auf 0.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not 0 now: %1.</source>
+        <translation>Jetzt nicht 0: %1.</translation>
     </message>
 </context>
 <context>
@@ -8016,6 +9050,14 @@ ID-Code %3, Gerätecode %4
         <source>Note on %1</source>
         <translation>Notiz zu %1</translation>
     </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>Serial number of %1</source>
+        <translation>Seriennummer von %1</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::PlanSummary</name>
@@ -8147,6 +9189,78 @@ ID-Code %3, Gerätecode %4
     <message>
         <source>Goes on; what was changed is lost</source>
         <translation>Macht weiter; die Änderungen gehen verloren</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ProjectPage</name>
+    <message>
+        <source>Title of the project</source>
+        <translation>Titel des Projekts</translation>
+    </message>
+    <message>
+        <source>Stands at the head of the commissioning report</source>
+        <translation>Steht über dem Inbetriebnahmebericht</translation>
+    </message>
+    <message>
+        <source>Crane 1</source>
+        <translation>Kran 1</translation>
+    </message>
+    <message>
+        <source>Link of the project</source>
+        <translation>Verbindung des Projekts</translation>
+    </message>
+    <message>
+        <source>The link the project is used with. Choosing one connects nothing.</source>
+        <translation>Die Verbindung, mit der das Projekt benutzt wird. Die Wahl verbindet nichts.</translation>
+    </message>
+    <message>
+        <source>Settings of the link</source>
+        <translation>Einstellungen der Verbindung</translation>
+    </message>
+    <message>
+        <source>Note on the project</source>
+        <translation>Notiz zum Projekt</translation>
+    </message>
+    <message>
+        <source>What whoever opens the project next should know</source>
+        <translation>Was wissen soll, wer das Projekt als Nächstes öffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Title</source>
+        <translation>&amp;Titel</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Lin&amp;k</source>
+        <translation>&amp;Verbindung</translation>
+    </message>
+    <message>
+        <source>&amp;Note</source>
+        <translation>&amp;Notiz</translation>
+    </message>
+    <message>
+        <source>not saved yet</source>
+        <translation>noch nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>Training bus</source>
+        <translation>Übungsbus</translation>
+    </message>
+    <message>
+        <source>%1 (this program has no such link)</source>
+        <translation>%1 (diese Verbindung hat dieses Programm nicht)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>setting of a link, value</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>It has no settings.</source>
+        <translation>Sie hat keine Einstellungen.</translation>
     </message>
 </context>
 <context>
@@ -8442,6 +9556,58 @@ ID-Code %3, Gerätecode %4
     <message>
         <source>&amp;Write</source>
         <translation>&amp;Schreiben</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ReplayModel</name>
+    <message>
+        <source>none</source>
+        <comment>answer</comment>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>not sent; writes</source>
+        <translation>nicht gesendet; schreibt</translation>
+    </message>
+    <message>
+        <source>not sent</source>
+        <translation>nicht gesendet</translation>
+    </message>
+    <message>
+        <source>same</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>anders</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>keine Antwort</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>Request</source>
+        <translation>Anfrage</translation>
+    </message>
+    <message>
+        <source>Saved answer</source>
+        <translation>Gespeicherte Antwort</translation>
+    </message>
+    <message>
+        <source>Answer now</source>
+        <translation>Antwort jetzt</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
     </message>
 </context>
 <context>
@@ -8942,6 +10108,13 @@ ID-Code %3, Gerätecode %4
     <message>
         <source>%1, perhaps %2 more</source>
         <translation>%1, vielleicht %2 mehr</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RequestField</name>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
     </message>
 </context>
 <context>
@@ -10070,8 +11243,8 @@ ID-Code %3, Gerätecode %4
         <translation>Keine Befunde</translation>
     </message>
     <message>
-        <source>Drag devices to move them. F2 or a double click edits station, group, note and addresses.</source>
-        <translation>Teilnehmer ziehen, um sie zu verschieben. F2 oder Doppelklick ändert Station, Gruppe, Notiz und Adressen.</translation>
+        <source>Drag devices to move them. F2 or a double click edits station, group, serial number, note and addresses.</source>
+        <translation>Geräte ziehen, um sie zu verschieben. F2 oder ein Doppelklick ändert Station, Gruppe, Seriennummer, Notiz und Adressen.</translation>
     </message>
 </context>
 <context>
@@ -11482,24 +12655,12 @@ Zustand: %7</translation>
         <translation>&amp;Ring einlesen</translation>
     </message>
     <message>
-        <source>The master finds the devices of the ring anew; data cycles stop meanwhile</source>
-        <translation>Der Master sucht die Teilnehmer des Rings neu; die Datenzyklen stehen so lange</translation>
-    </message>
-    <message>
         <source>&amp;Confirm diagnostics</source>
         <translation>Diagnose &amp;quittieren</translation>
     </message>
     <message>
-        <source>Confirms peripheral faults; one whose cause is still there comes back</source>
-        <translation>Quittiert Peripheriefehler; einer, dessen Ursache noch da ist, kommt wieder</translation>
-    </message>
-    <message>
         <source>Switch se&amp;gment off or on</source>
         <translation>Se&amp;gment ab- oder zuschalten</translation>
-    </message>
-    <message>
-        <source>Takes the segment of the chosen device, and what is behind it, out of the data cycles, or puts it back</source>
-        <translation>Nimmt das Segment des gewählten Teilnehmers und was dahinter liegt aus den Datenzyklen oder fügt es wieder ein</translation>
     </message>
     <message>
         <source>&amp;Commissioning report...</source>
@@ -11532,6 +12693,26 @@ Zustand: %7</translation>
     <message>
         <source>Edits the cam programs planned for the chosen encoder</source>
         <translation>Bearbeitet die Nockenprogramme, die für den gewählten Geber geplant sind</translation>
+    </message>
+    <message>
+        <source>&amp;Project...</source>
+        <translation>Pro&amp;jekt...</translation>
+    </message>
+    <message>
+        <source>Title, note and link of the project</source>
+        <translation>Titel, Notiz und Verbindung des Projekts</translation>
+    </message>
+    <message>
+        <source>The master finds the devices of the ring anew; data cycles stop meanwhile. Needs Operate.</source>
+        <translation>Der Master sucht die Geräte des Rings neu; die Datenzyklen stehen so lange still. Braucht Bedienen.</translation>
+    </message>
+    <message>
+        <source>Confirms peripheral faults; one whose cause is still there comes back. Needs Operate.</source>
+        <translation>Quittiert Peripheriefehler; einer, dessen Ursache noch da ist, kommt wieder. Braucht Bedienen.</translation>
+    </message>
+    <message>
+        <source>Takes the segment of the chosen device, and what is behind it, out of the data cycles, after asking, or puts it back. Needs Operate.</source>
+        <translation>Nimmt das Segment des gewählten Geräts mit allem dahinter nach einer Rückfrage aus den Datenzyklen oder setzt es wieder ein. Braucht Bedienen.</translation>
     </message>
 </context>
 <context>

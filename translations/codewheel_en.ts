@@ -60,12 +60,70 @@
     </message>
 </context>
 <context>
+    <name>codewheel::LineRecordView</name>
+    <message numerus="yes">
+        <source>and %n more, listed below</source>
+        <translation>
+            <numerusform>and %n more, listed below</numerusform>
+            <numerusform>and %n more, listed below</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LineSearch</name>
+    <message numerus="yes">
+        <source>Requests sent: %n.</source>
+        <translation>
+            <numerusform>Requests sent: %n.</numerusform>
+            <numerusform>Requests sent: %n.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Encoders found: %n.</source>
+        <translation>
+            <numerusform>Encoders found: %n.</numerusform>
+            <numerusform>Encoders found: %n.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LineTerminal</name>
+    <message numerus="yes">
+        <source>%n rows</source>
+        <translation type="unfinished">
+            <numerusform>%n row</numerusform>
+            <numerusform>%n rows</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>paused, %n new</source>
+        <translation type="unfinished">
+            <numerusform>paused, %n new</numerusform>
+            <numerusform>paused, %n new</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::MasterPanel</name>
     <message numerus="yes">
         <source>%n devices found</source>
         <translation>
             <numerusform>%n device found</numerusform>
             <numerusform>%n devices found</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 and %n more</numerusform>
+            <numerusform>%1 and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The outputs of %n devices go to 0.</source>
+        <translation>
+            <numerusform>The outputs of %n device go to 0.</numerusform>
+            <numerusform>The outputs of %n devices go to 0.</numerusform>
         </translation>
     </message>
 </context>

@@ -83,6 +83,16 @@ const QStringList sameInGerman{
     QStringLiteral("%1 = %2 h"),
     QStringLiteral("%1: %2"),
     QStringLiteral("%1: %2?"),
+    QStringLiteral(" ms"),
+    QStringLiteral(" 1/min"),
+    QStringLiteral("%1 (%2)."),
+    QStringLiteral("%1 Bd, %2"),
+    QStringLiteral("%1 (OUT %2)"),
+    QStringLiteral("&Text"),
+    QStringLiteral("Hex"),
+    QStringLiteral("He&x"),
+    QStringLiteral("Text"),
+    QStringLiteral("Version"),
 };
 
 void expectNoFaults(const std::vector<TsText> &texts, const QStringList &sameInBoth)
