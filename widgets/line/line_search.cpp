@@ -184,7 +184,7 @@ ScanWish LineSearch::wish() const
     ScanWish wish;
     const QVariant rate = m_rates->currentData();
     wish.baudRates = rate.isValid() ? std::vector{rate.toInt()} : allRates;
-    const auto [first, last] = std::minmax(m_first->value(), m_last->value());
+    const auto [first, last] = std::minmax({m_first->value(), m_last->value()});
     wish.first = {static_cast<std::uint8_t>(first)};
     wish.last = {static_cast<std::uint8_t>(last)};
     wish.throughMaster = m_master->isChecked();
