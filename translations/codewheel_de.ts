@@ -7940,6 +7940,18 @@ Fehlerplan sinnvoll.</translation>
         <source>Master</source>
         <translation>Master</translation>
     </message>
+    <message>
+        <source>Pages in the middle</source>
+        <translation>Seiten in der Mitte</translation>
+    </message>
+    <message>
+        <source>The whole window</source>
+        <translation>Das ganze Fenster</translation>
+    </message>
+    <message>
+        <source>All keys, by the part of the window in which they work</source>
+        <translation>Alle Tasten, nach dem Teil des Fensters, in dem sie wirken</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::MasterPanel</name>
