@@ -68,6 +68,8 @@ private:
     void notAnswered();
     void readBackAnswered(const esc::ExchangeResult &result, Instant now);
     void readBackAgreed(Instant now);
+    void isThere(const ParameterValue &value);
+    void isNotThere(std::int64_t has);
     void notRead(const Refusal &why);
     void fail(Refusal why);
 
@@ -83,7 +85,6 @@ private:
     void searchAnswered(const esc::ExchangeResult &result, Instant now);
     void foundAtAddress(LineAddress found, Instant now);
     void foundAtBaudRate(std::optional<int> found, Instant now);
-    void notWhereItShouldBe(std::int64_t has);
 
     // esc_job_cancel.cpp
     void dropFrom(std::size_t first, std::optional<Parameter> refused = {});

@@ -74,16 +74,13 @@ void EscJob::foundAtAddress(LineAddress found, Instant now)
     m_encoder.values.learn({Parameter::lineAddress, found.value, Evidence::read, now});
     const bool isWanted = found.value == current().value;
     if (found == before && !isWanted) {
-        notWhereItShouldBe(found.value);
+        isNotThere(found.value);
         return;
     }
     if (found != before)
         m_encoder.tell(now, isWanted ? Severity::information : Severity::attention,
                        MessageId::lineAddressChanged, {before.shown(), found.shown()});
-    if (m_unanswered)
-        m_encoder.values.countEepromWrite();
-    m_unanswered.reset();
-    replaceValue(m_outcome.written, {Parameter::lineAddress, found.value});
+    isThere({Parameter::lineAddress, found.value});
     if (isWanted)
         stepDone();
     else
@@ -98,7 +95,7 @@ void EscJob::foundAtBaudRate(std::optional<int> found, Instant now)
     if (found != wanted) {
         if (found)
             m_encoder.values.learn({Parameter::baudRate, *found, Evidence::read, now});
-        notWhereItShouldBe(found.value_or(0));
+        isNotThere(found.value_or(0));
         return;
     }
     RefusalArgument before = QString();
@@ -107,23 +104,8 @@ void EscJob::foundAtBaudRate(std::optional<int> found, Instant now)
     m_encoder.values.learn({Parameter::baudRate, wanted, Evidence::read, now});
     if (m_rateBefore != wanted)
         m_encoder.tell(now, Severity::information, MessageId::baudRateChanged, {before, current().value});
-    if (m_unanswered)
-        m_encoder.values.countEepromWrite();
-    m_unanswered.reset();
-    replaceValue(m_outcome.written, {Parameter::baudRate, wanted});
+    isThere({Parameter::baudRate, wanted});
     stepDone();
-}
-
-// It answers where it was before.
-void EscJob::notWhereItShouldBe(std::int64_t has)
-{
-    const EscStep step = current();
-    std::erase_if(m_outcome.written,
-                  [&](const ParameterValue &value) { return value.parameter == *step.parameter; });
-    if (m_unanswered)
-        fail({RefusalKind::device, RefusalId::escWriteNotDone, {QString::fromLatin1(m_unanswered->line)}});
-    else
-        fail({RefusalKind::device, RefusalId::verificationFailed, {*step.parameter, step.value, has}});
 }
 
 } // namespace codewheel

@@ -69,14 +69,26 @@ void EscJob::readBackAgreed(Instant now)
     const EscStep step = current();
     m_encoder.take(step.request.command, m_reads.last(), now);
     const std::int64_t has = *m_encoder.values.value(*step.parameter);
-    if (has == step.value) {
-        if (m_unanswered)
-            m_encoder.values.countEepromWrite();
-        m_unanswered.reset();
-        replaceValue(m_outcome.written, {*step.parameter, step.value});
-        stepDone();
+    if (has != step.value) {
+        isNotThere(has);
         return;
     }
+    isThere({*step.parameter, has});
+    stepDone();
+}
+
+// What was written was seen in the encoder: a write without an answer was carried out.
+void EscJob::isThere(const ParameterValue &value)
+{
+    if (m_unanswered)
+        m_encoder.values.countEepromWrite();
+    m_unanswered.reset();
+    replaceValue(m_outcome.written, value);
+}
+
+void EscJob::isNotThere(std::int64_t has)
+{
+    const EscStep step = current();
     std::erase_if(m_outcome.written,
                   [&](const ParameterValue &value) { return value.parameter == *step.parameter; });
     if (m_unanswered)
