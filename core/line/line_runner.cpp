@@ -9,12 +9,6 @@ namespace {
 constexpr std::chrono::seconds betweenTries{1}; // of opening a port that is gone
 constexpr std::size_t maximumRows = 10'000;     // that nobody took
 
-template <typename... Handlers>
-struct Overloaded : Handlers...
-{
-    using Handlers::operator()...;
-};
-
 } // namespace
 
 LineRunner::Private::Private(ByteLink &usedLink, const LineSettings &lineSettings,
@@ -125,23 +119,20 @@ bool LineRunner::Private::useBaudRate(int wanted)
 void LineRunner::Private::goOn(Instant until)
 {
     const esc::Exchange::Action action = underWay->exchange.next(link.now());
-    const Overloaded carryOutAction{[&](const esc::Exchange::Send &send) {
-                                        if (const auto written = link.write(send.bytes); !written)
-                                            portIsGone(written.error());
-                                    },
-                                    [&](const esc::Exchange::Wait &wait) {
-                                        auto bytes = link.read(std::min(wait.until, until));
-                                        if (!bytes)
-                                            portIsGone(bytes.error());
-                                        else if (!bytes->isEmpty())
-                                            underWay->exchange.received(*bytes, link.now());
-                                    },
-                                    [&](const esc::Exchange::Done &) {
-                                        UnderWay ended = std::move(*underWay);
-                                        underWay.reset();
-                                        end(std::move(ended));
-                                    }};
-    std::visit(carryOutAction, action);
+    if (const auto *send = std::get_if<esc::Exchange::Send>(&action)) {
+        if (const auto written = link.write(send->bytes); !written)
+            portIsGone(written.error());
+    } else if (const auto *wait = std::get_if<esc::Exchange::Wait>(&action)) {
+        const auto bytes = link.read(std::min(wait->until, until));
+        if (!bytes)
+            portIsGone(bytes.error());
+        else if (!bytes->isEmpty())
+            underWay->exchange.received(*bytes, link.now());
+    } else {
+        UnderWay ended = std::move(*underWay);
+        underWay.reset();
+        end(std::move(ended));
+    }
 }
 
 void LineRunner::Private::end(UnderWay ended)
