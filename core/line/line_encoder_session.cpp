@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line/line_encoder_session.h"
 
+#include "line/line_permission.h"
 #include "line/line_session.h"
 
 namespace codewheel {
@@ -19,19 +20,11 @@ QDateTime LineEncoderSession::dateTime(Instant at) const
     return m_line.dateTime(at);
 }
 
-// The runner asks again when the command arrives.
 Result<void> LineEncoderSession::mayStart(const Job &job) const
 {
-    const LineSnapshot &line = m_line.latest();
     if (!m_line.isOpen())
         return refuse(RefusalKind::link, RefusalId::lineClosed);
-    if (!line.connected)
-        return refuse(RefusalKind::link, RefusalId::portLost, {m_line.linkName()});
-    if (!line.polling)
-        return refuse(RefusalKind::busy, RefusalId::notRunning, {number().toString()});
-    if (!line.operate && !std::holds_alternative<ReadParameters>(job))
-        return refuse(RefusalKind::busy, RefusalId::watchOnly, {number().toString()});
-    return {};
+    return codewheel::mayStart(m_line.latest(), job, number().line, m_line.linkName());
 }
 
 void LineEncoderSession::postStart(JobId id, const Job &job, Pace pace)

@@ -57,7 +57,7 @@ bool LineRunner::Private::beginScanStep()
 
 bool LineRunner::Private::beginDevice()
 {
-    const auto device = polling ? deviceInTurn() : std::nullopt;
+    const auto device = state.polling ? deviceInTurn() : std::nullopt;
     if (!device)
         return false;
     devices[*device].turn = ++turns;
@@ -82,7 +82,7 @@ std::optional<Instant> LineRunner::Private::nextWish() const
 {
     std::optional<Instant> first;
     for (const Device &device : devices) {
-        const auto wakes = device.driver && polling ? device.driver->wakesAt() : std::nullopt;
+        const auto wakes = device.driver && state.polling ? device.driver->wakesAt() : std::nullopt;
         if (wakes && (!first || *wakes < *first))
             first = wakes;
     }
@@ -199,7 +199,7 @@ void LineRunner::Private::listen(Instant until)
 
 void LineRunner::Private::portIsGone(const Refusal &why)
 {
-    connected = false;
+    state.connected = false;
     reopenAt = link.now() + betweenTries;
     underWay.reset();
     typed.clear();
@@ -218,7 +218,7 @@ void LineRunner::Private::tryToReopen()
     if (!link.open(settings))
         return;
     baudRate = settings.baudRate;
-    connected = true;
+    state.connected = true;
     tell({.id = MessageId::portBack, .arguments = {link.name()}});
     publish();
 }
@@ -256,9 +256,7 @@ void LineRunner::Private::publish()
 {
     auto made = std::make_shared<LineSnapshot>();
     made->at = link.now();
-    made->connected = connected;
-    made->polling = polling;
-    made->operate = operate;
+    static_cast<LineState &>(*made) = state;
     made->scanning = scan.has_value();
     made->figures = counter.figures();
     made->droppedRows = droppedRows;
@@ -285,9 +283,9 @@ LineRunner::~LineRunner() = default;
 void LineRunner::run(Instant until)
 {
     while (d->link.now() < until) {
-        if (!d->connected)
+        if (!d->state.connected)
             d->tryToReopen();
-        if (!d->connected) {
+        if (!d->state.connected) {
             d->carryOutCommands();
             return;
         }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "line/line_permission.h"
 #include "line/line_runner_private.h"
 
 #include <algorithm>
@@ -16,15 +17,11 @@ void LineRunner::Private::carryOutCommands()
 
 Result<void> LineRunner::Private::mayStart(std::size_t device, const Job &job) const
 {
-    const QString place = DeviceNumber::onLine(driver(device)->address()).toString();
-    if (!connected)
-        return refuse(RefusalKind::link, RefusalId::portLost, {link.name()});
-    if (!polling)
-        return refuse(RefusalKind::busy, RefusalId::notRunning, {place});
-    if (!operate && !std::holds_alternative<ReadParameters>(job))
-        return refuse(RefusalKind::busy, RefusalId::watchOnly, {place});
+    const LineAddress place = driver(device)->address();
+    if (auto allowed = codewheel::mayStart(state, job, place, link.name()); !allowed)
+        return allowed;
     if (driver(device)->busy())
-        return refuse(RefusalKind::busy, RefusalId::jobRunning, {place});
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {DeviceNumber::onLine(place).toString()});
     return {};
 }
 
@@ -86,17 +83,17 @@ void LineRunner::Private::carryOut(line_command::RemoveDevice &c)
 
 void LineRunner::Private::carryOut(line_command::SetPolling &c)
 {
-    if (c.on == polling)
+    if (c.on == state.polling)
         return;
-    polling = c.on;
-    if (!polling)
+    state.polling = c.on;
+    if (!state.polling)
         stopJobs(RefusalId::busStopped);
     tell({.id = c.on ? MessageId::busStarted : MessageId::busStopped});
 }
 
 void LineRunner::Private::carryOut(line_command::SetOperate &c)
 {
-    if (c.on == operate)
+    if (c.on == state.operate)
         return;
     const auto busy = std::ranges::find_if(
         devices, [](const Device &device) { return device.driver && device.driver->busy(); });
@@ -106,7 +103,7 @@ void LineRunner::Private::carryOut(line_command::SetOperate &c)
               .refusal = Refusal{RefusalKind::busy, RefusalId::jobRunning, {place.toString()}}});
         return;
     }
-    operate = c.on;
+    state.operate = c.on;
     tell({.id = c.on ? MessageId::operateOn : MessageId::watchOn});
 }
 
@@ -120,21 +117,16 @@ void LineRunner::Private::carryOut(line_command::AlarmStop &)
 
 void LineRunner::Private::carryOut(line_command::Send &c)
 {
-    const bool allowed = operate || !esc::shapeOf(c.request.command).writes;
-    if (connected && allowed) {
+    if (const auto allowed = maySend(state, c.request, link.name()); allowed)
         typed.push_back(c.request);
-        return;
-    }
-    const auto place = DeviceNumber::onLine(c.request.to).toString();
-    tell({.severity = Severity::attention,
-          .refusal = connected ? Refusal{RefusalKind::busy, RefusalId::watchOnly, {place}}
-                               : Refusal{RefusalKind::link, RefusalId::portLost, {link.name()}}});
+    else
+        tell({.severity = Severity::attention, .refusal = allowed.error()});
 }
 
 void LineRunner::Private::carryOut(line_command::Scan &c)
 {
     endScan(true);
-    if (connected)
+    if (state.connected)
         scan.emplace(std::move(c.wish));
 }
 

@@ -84,9 +84,7 @@ struct LineRunner::Private
     std::optional<LineScan> scan;
     LineCounter counter;
     std::uint64_t turns = 0;
-    bool connected = true;
-    bool polling = false;
-    bool operate = false;
+    LineState state{.connected = true};
     Instant reopenAt{};
     std::uint64_t droppedRows = 0;
 

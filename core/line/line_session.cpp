@@ -96,9 +96,8 @@ Result<void> LineSession::open(const LineSettings &settings, const esc::Timing &
 
     // As it will be when the thread has carried this out.
     auto expected = std::make_shared<LineSnapshot>();
-    expected->connected = true;
-    expected->polling = true;
-    expected->operate = start == Start::operating;
+    static_cast<LineState &>(*expected) = {
+        .connected = true, .polling = true, .operate = start == Start::operating};
     d->latest = std::move(expected);
     Q_EMIT messaged({.at = d->latest->at,
                      .id = MessageId::lineOpened,
@@ -117,9 +116,7 @@ void LineSession::close()
     d->runner.reset();
 
     auto closed = std::make_shared<LineSnapshot>(*d->latest);
-    closed->connected = false;
-    closed->polling = false;
-    closed->operate = false;
+    static_cast<LineState &>(*closed) = {};
     d->latest = std::move(closed);
     Q_EMIT messaged({.at = d->latest->at, .id = MessageId::lineClosed, .arguments = {d->link->name()}});
     Q_EMIT stateChanged();
@@ -143,9 +140,8 @@ void LineSession::pump()
     if (auto newest = d->runner->takeLatest()) {
         d->latestIsNew = true;
         const auto before = std::exchange(d->latest, std::move(newest));
-        const bool isOther = before->connected != d->latest->connected ||
-                             before->polling != d->latest->polling || before->operate != d->latest->operate;
-        if (isOther)
+        const LineState &stateBefore = *before;
+        if (stateBefore != *d->latest)
             Q_EMIT stateChanged();
     }
     if (d->pumping)

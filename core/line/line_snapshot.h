@@ -9,8 +9,18 @@
 
 namespace codewheel {
 
+// What decides whether anything may be sent.
+struct LineState
+{
+    bool connected = false; // false: the port is gone
+    bool polling = false;
+    bool operate = false; // writing is allowed
+
+    friend bool operator==(const LineState &, const LineState &) = default;
+};
+
 // The line as it stood after one exchange.
-struct LineSnapshot
+struct LineSnapshot : LineState
 {
     struct Device
     {
@@ -22,9 +32,6 @@ struct LineSnapshot
     };
 
     Instant at{};
-    bool connected = false; // false: the port is gone
-    bool polling = false;
-    bool operate = false; // writing is allowed
     bool scanning = false;
     LineFigures figures;
     std::uint64_t droppedRows = 0; // terminal rows lost because nobody took them
