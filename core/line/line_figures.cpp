@@ -22,34 +22,26 @@ void LineCounter::note(const esc::ExchangeResult &result)
 
 void LineCounter::noteTime(Instant time)
 {
+    if (m_times.size() < samples) {
+        m_times.push_back(time);
+    } else {
+        m_sorted.erase(std::ranges::lower_bound(m_sorted, m_times[m_oldest]));
+        m_times[m_oldest] = time;
+        m_oldest = (m_oldest + 1) % samples;
+    }
+    m_sorted.insert(std::ranges::upper_bound(m_sorted, time), time);
+
     auto &told = m_figures.answerTime;
     if (!told)
         told = {.shortest = time, .median = time, .longest = time};
     told->shortest = std::min(told->shortest, time);
+    told->median = m_sorted[m_sorted.size() / 2];
     told->longest = std::max(told->longest, time);
-    if (m_times.size() < samples) {
-        m_times.push_back(time);
-        return;
-    }
-    m_times[m_oldest] = time;
-    m_oldest = (m_oldest + 1) % samples;
 }
 
 Instant LineCounter::longestAnswer() const
 {
     return m_figures.answerTime ? m_figures.answerTime->longest : Instant{};
-}
-
-LineFigures LineCounter::figures() const
-{
-    LineFigures figures = m_figures;
-    if (!figures.answerTime)
-        return figures;
-    std::vector<Instant> sorted = m_times;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::ranges::nth_element(sorted, middle);
-    figures.answerTime->median = *middle;
-    return figures;
 }
 
 } // namespace codewheel

@@ -42,7 +42,7 @@ public:
 
     void note(const esc::ExchangeResult &result);
     void noteGarbage(std::size_t bytes) { m_figures.garbageBytes += bytes; }
-    LineFigures figures() const;
+    const LineFigures &figures() const { return m_figures; }
     Instant longestAnswer() const; // 0: no answer yet
 
 private:
@@ -51,6 +51,7 @@ private:
     LineFigures m_figures;
     std::vector<Instant> m_times; // a ring of the newest
     std::size_t m_oldest = 0;
+    std::vector<Instant> m_sorted; // the same, so that the median needs no sorting in each exchange
 };
 
 } // namespace codewheel
