@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/hex.h"
 
+#include <algorithm>
+
 namespace codewheel {
 namespace {
 
@@ -65,6 +67,11 @@ std::optional<Word> parseHexWord(QStringView text)
     digits.removeIf([](QChar c) { return c.isSpace(); });
     const auto number = digitsToNumber(digits, 16, digitsOfWord);
     return number ? std::optional(static_cast<Word>(*number)) : std::nullopt;
+}
+
+std::optional<std::int64_t> parseHexDigits(QStringView digits, qsizetype longest)
+{
+    return digitsToNumber(digits, 16, std::min(longest, longestHexadecimal));
 }
 
 std::optional<std::int64_t> parseNumber(QStringView text)

@@ -16,6 +16,9 @@ QString hexWord(Word word);
 // else: no sign, not both prefix and suffix.
 std::optional<Word> parseHexWord(QStringView text);
 
+// Nothing but 1 to `longest` hexadecimal digits, at most 15. Nothing for anything else.
+std::optional<std::int64_t> parseHexDigits(QStringView digits, qsizetype longest);
+
 // A whole number, 0 or more: decimal, or hexadecimal as "0x.." or "..h". Spaces around it are allowed, signs
 // are not. Nothing for anything else.
 std::optional<std::int64_t> parseNumber(QStringView text);

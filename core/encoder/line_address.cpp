@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/line_address.h"
 
-#include <algorithm>
+#include "encoder/hex.h"
 
 namespace codewheel {
-namespace {
-
-bool isHexDigit(QChar c)
-{
-    return (c >= u'0' && c <= u'9') || (c >= u'A' && c <= u'F') || (c >= u'a' && c <= u'f');
-}
-
-} // namespace
 
 QString LineAddress::onWire() const
 {
@@ -25,12 +17,11 @@ QString LineAddress::shown() const
 
 std::optional<LineAddress> LineAddress::fromWire(QStringView digits)
 {
-    if (digits.isEmpty() || digits.size() > 2 || !std::all_of(digits.begin(), digits.end(), isHexDigit))
+    constexpr qsizetype digitsOnWire = 2;
+    const auto value = parseHexDigits(digits, digitsOnWire);
+    if (!value || *value > last)
         return std::nullopt;
-    const uint value = digits.toUInt(nullptr, 16);
-    if (value > last)
-        return std::nullopt;
-    return LineAddress{static_cast<std::uint8_t>(value)};
+    return LineAddress{static_cast<std::uint8_t>(*value)};
 }
 
 } // namespace codewheel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line/typed_request.h"
 
+#include "encoder/hex.h"
 #include "encoder/sentence.h"
 #include "esc/esc_explain.h"
 #include "esc/esc_frame.h"
@@ -88,12 +89,8 @@ QString TypedParts::dataFault(const esc::CommandShape &shape) const
     if (m_data.size() > shape.digits)
         return sentence(tr("%1 takes %2 hexadecimal digits at most; these are %3."),
                         {m_letters, QLocale().toString(shape.digits), QLocale().toString(m_data.size())});
-    bool isNumber = false;
-    m_data.toUInt(&isNumber, 16);
-    // toUInt() takes signs and prefixes too.
-    for (const QChar digit : m_data)
-        isNumber = isNumber && QStringLiteral("0123456789ABCDEF").contains(digit);
-    return isNumber ? QString() : sentence(tr("\"%1\" is no hexadecimal number."), {m_data});
+    return parseHexDigits(m_data, shape.digits) ? QString()
+                                                : sentence(tr("\"%1\" is no hexadecimal number."), {m_data});
 }
 
 QString TypedParts::valueFault(const esc::CommandShape &shape) const
