@@ -5,8 +5,10 @@
 
 namespace codewheel {
 
-DrivenEncoderSession::DrivenEncoderSession(DeviceNumber number, const DeviceDescription &description)
-    : m_number(number)
+DrivenEncoderSession::DrivenEncoderSession(std::size_t device, DeviceNumber number,
+                                           const DeviceDescription &description)
+    : m_place(device)
+    , m_number(number)
     , m_description(description)
     , m_can(description.capabilities)
 {}
@@ -38,7 +40,7 @@ void DrivenEncoderSession::postAllKnown()
     std::vector<Known> all;
     for (const auto &[parameter, known] : m_known)
         all.push_back(known);
-    postKnown(std::move(all));
+    post(command::SetKnown{m_place, std::move(all)});
 }
 
 Result<JobId> DrivenEncoderSession::start(const Job &job, Pace pace)
@@ -51,7 +53,7 @@ Result<JobId> DrivenEncoderSession::start(const Job &job, Pace pace)
     m_runningJob = id;
     m_job = job;
     Q_EMIT jobAboutToStart(job);
-    postStart(id, job, pace);
+    post(command::StartJob{m_place, id, job, pace});
     Q_EMIT jobStarted(id);
     return id;
 }
@@ -59,13 +61,13 @@ Result<JobId> DrivenEncoderSession::start(const Job &job, Pace pace)
 void DrivenEncoderSession::proceed()
 {
     if (m_runningJob)
-        postProceed();
+        post(command::Proceed{m_place});
 }
 
 void DrivenEncoderSession::cancel(OnCancel how)
 {
     if (m_runningJob)
-        postCancel(how);
+        post(command::Cancel{m_place, how});
 }
 
 void DrivenEncoderSession::show(const Reading &reading)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalog/device_description.h"
+#include "drivers/job_command.h"
 #include "encoder/encoder_session.h"
 #include "encoder/message.h"
 
@@ -17,8 +18,8 @@ class DrivenEncoderSession : public EncoderSession
     Q_OBJECT
 
 public:
-    // `description` must outlive the session.
-    DrivenEncoderSession(DeviceNumber number, const DeviceDescription &description);
+    // `device` is its place in the runner of the bus. `description` must outlive the session.
+    DrivenEncoderSession(std::size_t device, DeviceNumber number, const DeviceDescription &description);
 
     DeviceNumber number() const override { return m_number; }
     const DeviceDescription &device() const override { return m_description; }
@@ -44,16 +45,15 @@ public:
 protected:
     // Whether the bus lets the job out now.
     virtual Result<void> mayStart(const Job &job) const = 0;
-    virtual void postStart(JobId id, const Job &job, Pace pace) = 0;
-    virtual void postProceed() = 0;
-    virtual void postCancel(OnCancel how) = 0;
-    virtual void postKnown(std::vector<Known> known) = 0;
+    virtual void post(JobCommand command) = 0;
     // Message without time and place.
     virtual void report(Message message, Instant at) = 0;
     virtual Instant now() const = 0;
 
     void limitTo(const Capabilities &can) { m_can = can; }
     void moveTo(DeviceNumber number) { m_number = number; }
+    std::size_t place() const { return m_place; } // in the runner
+    void movePlaceTo(std::size_t place) { m_place = place; }
     bool knowsAnything() const { return !m_known.empty(); }
     void forgetAll();
 
@@ -62,6 +62,7 @@ private:
     void take(const KnowledgeChanged &change);
     void postAllKnown();
 
+    std::size_t m_place;
     DeviceNumber m_number;
     const DeviceDescription &m_description;
     Capabilities m_can;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "drivers/job_command.h"
 #include "drivers/request_driver.h"
 #include "line/line_scan.h"
 
@@ -13,27 +14,10 @@ namespace codewheel {
 // What the window asks of the line thread. A device is given by its place in the order in which they were
 // added.
 namespace line_command {
-struct StartJob
-{
-    std::size_t device;
-    JobId id;
-    Job job;
-    Pace pace;
-};
-struct Proceed
-{
-    std::size_t device;
-};
-struct Cancel
-{
-    std::size_t device;
-    OnCancel how;
-};
-struct SetKnown
-{
-    std::size_t device;
-    std::vector<Known> known;
-};
+using command::Cancel;
+using command::Proceed;
+using command::SetKnown;
+using command::StartJob;
 struct AddDevice
 {
     std::unique_ptr<RequestDriver> driver;

@@ -8,9 +8,8 @@ namespace codewheel {
 
 LineEncoderSession::LineEncoderSession(LineSession &line, std::size_t device, LineAddress address,
                                        const DeviceDescription &description)
-    : DrivenEncoderSession(DeviceNumber::onLine(address), description)
+    : DrivenEncoderSession(device, DeviceNumber::onLine(address), description)
     , m_line(line)
-    , m_device(device)
 {
     connect(&line, &LineSession::stateChanged, this, &EncoderSession::permissionChanged);
 }
@@ -27,24 +26,9 @@ Result<void> LineEncoderSession::mayStart(const Job &job) const
     return codewheel::mayStart(m_line.latest(), job, number().line, m_line.linkName());
 }
 
-void LineEncoderSession::postStart(JobId id, const Job &job, Pace pace)
+void LineEncoderSession::post(JobCommand command)
 {
-    m_line.post(line_command::StartJob{m_device, id, job, pace});
-}
-
-void LineEncoderSession::postProceed()
-{
-    m_line.post(line_command::Proceed{m_device});
-}
-
-void LineEncoderSession::postCancel(OnCancel how)
-{
-    m_line.post(line_command::Cancel{m_device, how});
-}
-
-void LineEncoderSession::postKnown(std::vector<Known> known)
-{
-    m_line.post(line_command::SetKnown{m_device, std::move(known)});
+    std::visit([this](auto &one) { m_line.post(std::move(one)); }, command);
 }
 
 void LineEncoderSession::report(Message message, Instant at)

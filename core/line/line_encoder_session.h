@@ -22,15 +22,11 @@ public:
 private:
     friend class LineSession;
     Result<void> mayStart(const Job &job) const override;
-    void postStart(JobId id, const Job &job, Pace pace) override;
-    void postProceed() override;
-    void postCancel(OnCancel how) override;
-    void postKnown(std::vector<Known> known) override;
+    void post(JobCommand command) override;
     void report(Message message, Instant at) override;
     Instant now() const override;
 
     LineSession &m_line;
-    std::size_t m_device; // the runner's place for it
 };
 
 } // namespace codewheel

@@ -32,13 +32,10 @@ void LineRunner::Private::carryOut(line_command::StartJob &c)
     auto taken = mayStart(c.device, c.job);
     if (taken)
         taken = driver(c.device)->begin(c.id, c.job, c.pace, link.now());
-    if (!taken) {
-        Outcome outcome;
-        outcome.job = c.id;
-        outcome.result = std::move(taken);
-        outcome.leftIn = driver(c.device)->reading().state;
-        events.post({.device = c.device, .what = Event(std::move(outcome)), .at = link.now()});
-    }
+    if (!taken)
+        events.post({.device = c.device,
+                     .what = Event(notTaken(c.id, taken.error(), driver(c.device)->reading().state)),
+                     .at = link.now()});
     collect(c.device);
 }
 

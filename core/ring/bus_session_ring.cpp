@@ -43,7 +43,7 @@ RingRunner::Drivers BusSession::Private::takeOver(BusSession &bus, RingStructure
         channels[i]->moveTo(i);
         sessions[i] = std::move(sessionsBefore[j]);
         if (sessions[i])
-            sessions[i]->moveTo(i);
+            sessions[i]->movePlaceTo(i);
     }
     std::ranges::move(sessionsBefore, std::back_inserter(retired));
     std::ranges::move(channelsBefore, std::back_inserter(retiredChannels));

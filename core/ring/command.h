@@ -2,8 +2,7 @@
 #pragma once
 
 #include "drivers/cyclic_driver.h"
-#include "encoder/job.h"
-#include "encoder/known.h"
+#include "drivers/job_command.h"
 #include "ring/master_link.h"
 
 #include <memory>
@@ -12,33 +11,12 @@
 
 namespace codewheel {
 
-// What the window asks of the bus thread.
+// What the window asks of the bus thread, besides what a session asks its driver.
 namespace command {
 struct SetOut
 {
     std::size_t device;
     Word word;
-};
-struct StartJob
-{
-    std::size_t device;
-    JobId id;
-    Job job;
-    Pace pace;
-};
-struct Proceed
-{
-    std::size_t device;
-};
-struct Cancel
-{
-    std::size_t device;
-    OnCancel how;
-};
-struct SetKnown
-{
-    std::size_t device;
-    std::vector<Known> known;
 };
 // The user named the device: another driver from now on, or none. No job runs.
 struct SetDriver

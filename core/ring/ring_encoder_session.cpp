@@ -11,9 +11,8 @@ namespace codewheel {
 
 RingEncoderSession::RingEncoderSession(BusSession &bus, std::size_t device, DeviceNumber number,
                                        const DeviceDescription &description, bool linkBoundsCycles)
-    : DrivenEncoderSession(number, description)
+    : DrivenEncoderSession(device, number, description)
     , m_bus(bus)
-    , m_place(device)
     , m_linkBoundsCycles(linkBoundsCycles)
 {
     Capabilities can = description.capabilities;
@@ -29,7 +28,7 @@ QDateTime RingEncoderSession::dateTime(Instant at) const
 
 Result<void> RingEncoderSession::mayStart(const Job &job) const
 {
-    if (auto allowed = maySend(m_bus.latest(), m_place, number(), RefusalId::jobRunning); !allowed)
+    if (auto allowed = maySend(m_bus.latest(), place(), number(), RefusalId::jobRunning); !allowed)
         return allowed;
     return checkLink(job);
 }
@@ -50,24 +49,9 @@ Result<void> RingEncoderSession::checkLink(const Job &job) const
     return {};
 }
 
-void RingEncoderSession::postStart(JobId id, const Job &job, Pace pace)
+void RingEncoderSession::post(JobCommand command)
 {
-    m_bus.post(command::StartJob{m_place, id, job, pace});
-}
-
-void RingEncoderSession::postProceed()
-{
-    m_bus.post(command::Proceed{m_place});
-}
-
-void RingEncoderSession::postCancel(OnCancel how)
-{
-    m_bus.post(command::Cancel{m_place, how});
-}
-
-void RingEncoderSession::postKnown(std::vector<Known> known)
-{
-    m_bus.post(command::SetKnown{m_place, std::move(known)});
+    std::visit([this](auto &one) { m_bus.post(std::move(one)); }, command);
 }
 
 Instant RingEncoderSession::now() const

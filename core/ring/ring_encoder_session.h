@@ -23,10 +23,7 @@ public:
 private:
     friend class BusSession;
     Result<void> mayStart(const Job &job) const override;
-    void postStart(JobId id, const Job &job, Pace pace) override;
-    void postProceed() override;
-    void postCancel(OnCancel how) override;
-    void postKnown(std::vector<Known> known) override;
+    void post(JobCommand command) override;
     void report(Message message, Instant at) override;
     Instant now() const override;
 
@@ -34,10 +31,8 @@ private:
     // An error the encoder shows may say that it has lost its parameters.
     Refusal nameOf(const Message &fault) const;
     void takeFault(const Message &fault);
-    void moveTo(std::size_t device) { m_place = device; } // the ring is another
 
     BusSession &m_bus;
-    std::size_t m_place; // in the ring
     bool m_linkBoundsCycles;
 };
 

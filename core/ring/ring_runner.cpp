@@ -67,13 +67,8 @@ void RingRunner::Private::carryOut(const command::StartJob &c)
     if (taken)
         taken = driver.begin(c.id, c.job, c.pace, device.in, image[c.device], ring.at);
     device.heldByJob = driver.busy();
-    if (taken)
-        return;
-    Outcome outcome;
-    outcome.job = c.id;
-    outcome.result = std::move(taken);
-    outcome.leftIn = device.reading.state;
-    tell(c.device, Event(std::move(outcome)));
+    if (!taken)
+        tell(c.device, Event(notTaken(c.id, taken.error(), device.reading.state)));
 }
 
 // The job may have ended while the command was on its way.

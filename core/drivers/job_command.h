@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/event.h"
+
+#include <variant>
+#include <vector>
+
+namespace codewheel {
+
+// What a session asks the driver of its device, whatever the bus; the runner of the bus carries it there. The
+// device is given by its place in that runner.
+namespace command {
+struct StartJob
+{
+    std::size_t device;
+    JobId id;
+    Job job;
+    Pace pace;
+};
+struct Proceed
+{
+    std::size_t device;
+};
+struct Cancel
+{
+    std::size_t device;
+    OnCancel how;
+};
+struct SetKnown
+{
+    std::size_t device;
+    std::vector<Known> known;
+};
+} // namespace command
+using JobCommand = std::variant<command::StartJob, command::Proceed, command::Cancel, command::SetKnown>;
+
+// How a job ended that was not taken.
+inline Outcome notTaken(JobId job, Refusal why, EncoderState leftIn)
+{
+    Outcome outcome;
+    outcome.job = job;
+    outcome.result = tl::unexpected(std::move(why));
+    outcome.leftIn = leftIn;
+    return outcome;
+}
+
+} // namespace codewheel
