@@ -136,10 +136,11 @@ void serve(SimulatedLine &line, PseudoTerminal &port, StopSignals &stop)
     const auto begin = steady_clock::now();
     while (!stop.came()) {
         const auto now = std::chrono::duration_cast<Instant>(steady_clock::now() - begin);
-        line.setBaudRate(usableRate(port.baudRate()));
         for (auto arrived = line.advance(now); !arrived.bytes.isEmpty(); arrived = line.advance(now))
             port.write(arrived.bytes);
-        if (const QByteArray bytes = port.read(); !bytes.isEmpty())
+        const QByteArray bytes = port.read();
+        line.setBaudRate(usableRate(port.baudRate())); // after reading: it was set before they were written
+        if (!bytes.isEmpty())
             line.send(bytes, now);
         const Instant next = line.nextEnd().value_or(now + longestWait);
         port.wait(stop.descriptor(), std::clamp(next - now, Instant{}, longestWait));
