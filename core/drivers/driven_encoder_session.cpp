@@ -66,8 +66,11 @@ void DrivenEncoderSession::proceed()
 
 void DrivenEncoderSession::cancel(OnCancel how)
 {
-    if (m_runningJob)
-        post(command::Cancel{m_place, how});
+    if (!m_runningJob)
+        return;
+    if (how == OnCancel::restorePrevious)
+        Q_EMIT restoreAboutToStart();
+    post(command::Cancel{m_place, how});
 }
 
 void DrivenEncoderSession::show(const Reading &reading)

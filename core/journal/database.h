@@ -84,6 +84,8 @@ public:
     }
 
     static DatabaseError errorOf(const QSqlError &error);
+    // Qt's driver is there.
+    static bool isAvailable();
 
 private:
     explicit Database(QSqlDatabase connection)

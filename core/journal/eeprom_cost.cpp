@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/eeprom_cost.h"
 
-#include "words/k3_word.h"
+#include "catalog/device_description.h"
+#include "drivers/values_to_write.h"
+#include "words/k3_cam_word.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
+#include <numeric>
 
 namespace codewheel {
 namespace {
@@ -16,10 +19,44 @@ struct Eeprom
     Q_DECLARE_TR_FUNCTIONS(codewheel::Eeprom)
 };
 
+// While the mode is not known it may be cam mode, and an encoder whose make is not known a FRABA.
+bool mayBeInCamMode(const EncoderSession &encoder)
+{
+    return encoder.device().mayHaveModes() && encoder.latest().mode.value_or(Mode::cam) == Mode::cam;
+}
+
+// One word after the other, as far as what it does depends on those before.
+class WordCost
+{
+public:
+    explicit WordCost(const EncoderSession &encoder)
+        : m_encoder(encoder)
+        , m_mayBeInCamMode(mayBeInCamMode(encoder))
+    {}
+
+    int operator()(Word out)
+    {
+        if (m_encoder.device().profile == Profile::la66)
+            return la66::isServiceMode(out) && la66::isWrite(out) ? 1 : 0;
+        if (k3::isProgramWord(out)) // leaves the program there was, and stores it
+            return std::exchange(m_mayBeInCamMode, m_encoder.device().mayHaveModes()) ? 1 : 0;
+        if ((out & k3::startBit) != 0)
+            return 0;
+        if ((out & k3::presetBit) != 0) // in cam mode a cam, which is stored with its program
+            return m_encoder.can().presetIsStored || m_encoder.device().isGeneric() ? 1 : 0;
+        return k3::isParameterWord(out) ? 1 : 0;
+    }
+
+private:
+    const EncoderSession &m_encoder;
+    bool m_mayBeInCamMode;
+};
+
 struct Cost
 {
     const EncoderSession &encoder;
     const Capabilities &can = encoder.can();
+    const Quirks &quirks = encoder.device().quirks;
 
     static int size(const auto &list) { return static_cast<int>(std::ssize(list)); }
 
@@ -30,21 +67,22 @@ struct Cost
     }
     int operator()(const SetPreset &job) const
     {
-        const bool isWritten = can.presetIsStored || job.command == PresetCommand::manufacturer;
-        return (job.value ? 1 : 0) + (isWritten ? 1 : 0);
+        if (can.presetNeedsValue) // the command brings it along
+            return 1;
+        const bool isManufacturers = job.command == PresetCommand::manufacturer;
+        const bool isProgrammed = job.value || (quirks.presetNeedsRearming && !isManufacturers);
+        const bool isActivated = can.presetIsStored || isManufacturers;
+        return (isProgrammed ? 1 : 0) + (isActivated ? 1 : 0);
     }
-    // What words do by hand depends on all that went before: each may be one.
     int operator()(const SendWords &job) const
     {
-        return static_cast<int>(std::ranges::count_if(
-            job.words, [](Word word) { return word != k3::normalRunning && word != k3::run; }));
+        WordCost cost(encoder);
+        return std::accumulate(job.words.begin(), job.words.end(), 0,
+                               [&](int sum, Word word) { return sum + cost(word); });
     }
     int operator()(const EndParameterization &job) const { return size(job.restore); }
     // Leaving cam mode stores a program that was changed.
-    int operator()(const SwitchMode &) const
-    {
-        return can.cams && encoder.latest().mode.value_or(Mode::cam) == Mode::cam ? 1 : 0;
-    }
+    int operator()(const SwitchMode &) const { return mayBeInCamMode(encoder) ? 1 : 0; }
     int operator()(const ResetToDefault &) const { return 1 + (*this)(SwitchMode{}); }
     int operator()(const ReadCams &job) const { return size(job.programs) + 1; }
     int operator()(const WriteCams &job) const { return size(job.programs) + 1; }
@@ -75,6 +113,22 @@ QString dateText(const QDateTime &at)
 int mostEepromWrites(const EncoderSession &encoder, const Job &job)
 {
     return std::visit(Cost{encoder}, job);
+}
+
+int mostEepromWrites(const EncoderSession &encoder, Word word)
+{
+    return WordCost(encoder)(word);
+}
+
+int mostWritesToRestore(const Progress &progress)
+{
+    const auto done = std::min(std::ssize(progress.steps), std::ptrdiff_t{progress.index} + 1);
+    const auto end = progress.steps.begin() + done;
+    const auto count = [&](auto counts) { return std::count_if(progress.steps.begin(), end, counts); };
+    const auto values = count([](const Step &step) { return takesValue(step); });
+    const auto cams = count([](const Step &step) { return step.kind == StepKind::camParameter; });
+    const auto programs = count([](const Step &step) { return step.kind == StepKind::switchMode; });
+    return static_cast<int>(values + (cams > 0 ? std::max(programs, std::ptrdiff_t{1}) : 0));
 }
 
 EepromConcern eepromConcern(int writesSoFar, int planned, const Capabilities &can)

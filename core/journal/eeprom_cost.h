@@ -8,6 +8,10 @@ namespace codewheel {
 // How often a job writes to the encoder's EEPROM at most; 0: not at all. What is found to be there already,
 // or is refused, costs less (docs/protocols/k3.md, "EEPROM").
 int mostEepromWrites(const EncoderSession &encoder, const Job &job);
+// 0 or 1: a word that goes out by hand.
+int mostEepromWrites(const EncoderSession &encoder, Word word);
+// What a running job costs beside that, if it is cancelled and the values from before are written again.
+int mostWritesToRestore(const Progress &progress);
 
 // What has to be said or asked before so many writes are added to those there were, by what the manual of the
 // encoder states.

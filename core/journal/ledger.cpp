@@ -131,6 +131,24 @@ EepromCount countOf(const QSqlQuery &row, int column)
     return count;
 }
 
+std::vector<Ledger::Value> beforeOf(const Database &database, qint64 id)
+{
+    QSqlQuery query = database.query(QStringLiteral("SELECT before FROM entry WHERE id = ?"));
+    query.addBindValue(id);
+    return query.exec() && query.next() ? valuesFrom(query.value(0).toString())
+                                        : std::vector<Ledger::Value>();
+}
+
+// What was read goes before what was known.
+std::vector<Ledger::Value> merged(const std::vector<Ledger::Value> &known, std::vector<Ledger::Value> read)
+{
+    for (const Ledger::Value &value : known)
+        if (std::ranges::find(read, value.parameter, &Ledger::Value::parameter) == read.end())
+            read.push_back(value);
+    std::ranges::sort(read, {}, &Ledger::Value::parameter);
+    return read;
+}
+
 constexpr QLatin1String serialPrefix("serial/");
 
 } // namespace
@@ -173,9 +191,24 @@ Stored<void> Ledger::count(qint64 id, int writes)
     return done(query);
 }
 
-Stored<void> Ledger::settle(qint64 id, const ParameterValues &written)
+Stored<void> Ledger::plan(qint64 id, int more)
+{
+    QSqlQuery query = m_database.query(QStringLiteral("UPDATE entry SET planned = planned + ? WHERE id = ?"));
+    query.addBindValue(more);
+    query.addBindValue(id);
+    return done(query);
+}
+
+Stored<void> Ledger::settle(qint64 id, const ParameterValues &written, const std::vector<Value> &readBefore)
 {
     return m_database.inTransaction([&]() -> Stored<void> {
+        if (!readBefore.empty()) {
+            QSqlQuery before = m_database.query(QStringLiteral("UPDATE entry SET before = ? WHERE id = ?"));
+            before.addBindValue(toJson(merged(beforeOf(m_database, id), readBefore)));
+            before.addBindValue(id);
+            if (auto added = done(before); !added)
+                return added;
+        }
         QSqlQuery query =
             m_database.query(QStringLiteral("UPDATE entry SET settled = 1, written = ? WHERE id = ?"));
         query.addBindValue(toJson(written));
@@ -203,18 +236,17 @@ Stored<void> Ledger::attribute(const std::vector<qint64> &ids, const EncoderIden
     });
 }
 
-EepromCount Ledger::writes(const EncoderIdentity &identity, std::optional<qint64> running) const
+EepromCount Ledger::writes(const EncoderIdentity &identity, const std::vector<qint64> &running) const
 {
     QSqlQuery query = m_database.query(QStringLiteral("SELECT %1 FROM entry WHERE identity = ?").arg(sums));
     query.addBindValue(identity.key());
     EepromCount count;
     if (query.exec() && query.next())
         count = countOf(query, 0);
-    if (running)
+    for (const qint64 id : running)
         count.perhaps -= static_cast<int>(
             m_database
-                .number(
-                    QStringLiteral("SELECT max(planned - writes, 0) FROM entry WHERE id = %1").arg(*running))
+                .number(QStringLiteral("SELECT max(planned - writes, 0) FROM entry WHERE id = %1").arg(id))
                 .value_or(0));
     count.by = identity.by;
     count.serialNumber = identity.by == CountedBy::place ? QString() : identity.serialNumber;

@@ -37,7 +37,7 @@ public:
 
         friend bool operator==(const Value &, const Value &) = default;
     };
-    // One job, or a word written by hand.
+    // One job, or words sent by hand.
     struct Entry
     {
         qint64 id = 0;
@@ -50,7 +50,7 @@ public:
         int writes = 0;       // seen
         bool settled = false; // its end was seen: there were no more
         std::vector<Value> before{};
-        ParameterValues written{};
+        ParameterValues written{}; // by hand: sent
 
         friend bool operator==(const Entry &, const Entry &) = default;
     };
@@ -67,13 +67,16 @@ public:
     // Before a job sends its first word, and for words by hand. Returns the id.
     Stored<qint64> begin(const Entry &entry);
     Stored<void> count(qint64 id, int writes);
-    // The job has ended. An entry of which nothing was written is dropped.
-    Stored<void> settle(qint64 id, const ParameterValues &written);
+    // More may come of it than was planned.
+    Stored<void> plan(qint64 id, int more);
+    // The job has ended, and has read these values before it wrote. An entry of which nothing was written is
+    // dropped.
+    Stored<void> settle(qint64 id, const ParameterValues &written, const std::vector<Value> &readBefore = {});
     // It became known which encoder that was.
     Stored<void> attribute(const std::vector<qint64> &ids, const EncoderIdentity &identity);
 
-    // `running`: a job on its way, which is no doubt of the past.
-    EepromCount writes(const EncoderIdentity &identity, std::optional<qint64> running = {}) const;
+    // `running`: what is on its way, which is no doubt of the past.
+    EepromCount writes(const EncoderIdentity &identity, const std::vector<qint64> &running = {}) const;
     QDateTime since(const EncoderIdentity &identity) const; // null: never written
     // With what the encoder had before each, the newest first; those of which nothing is known are left out.
     std::vector<Entry> valuesBefore(const EncoderIdentity &identity) const;

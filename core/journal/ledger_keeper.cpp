@@ -2,8 +2,10 @@
 #include "journal/ledger_keeper.h"
 
 #include "catalog/device_description.h"
+#include "drivers/driven_encoder_session.h"
 #include "journal/eeprom_cost.h"
 #include "ring/bus_session.h"
+#include "ring/word_channel.h"
 
 namespace codewheel {
 
@@ -13,10 +15,13 @@ LedgerKeeper::LedgerKeeper(BusSession &bus, const DatabasePlace &place, QObject 
 {
     open(place);
     connect(&bus, &BusSession::named, this, [this](DeviceNumber number) {
-        const std::vector<qint64> unassigned = m_watched[number].unassigned; // it is the same encoder
+        const Watched before = m_watched[number]; // it is the same encoder
         watch(number);
-        m_watched[number].unassigned = unassigned;
+        m_watched[number].unassigned = before.unassigned;
+        m_watched[number].byHand = before.byHand;
+        showCount(number);
     });
+    connect(&bus, &BusSession::updated, this, qOverload<>(&LedgerKeeper::settleByHand));
     connect(&bus, &BusSession::structureChanged, this, &LedgerKeeper::watchAll);
     connect(&bus, &BusSession::stateChanged, this, [this] { // connected again, it has other sessions
         for (const DeviceNumber number : m_bus.numbers())
@@ -28,7 +33,12 @@ LedgerKeeper::LedgerKeeper(BusSession &bus, const DatabasePlace &place, QObject 
     watchAll();
 }
 
-LedgerKeeper::~LedgerKeeper() = default;
+LedgerKeeper::~LedgerKeeper()
+{
+    for (auto &[place, watched] : m_watched)
+        if (watched.byHand && watched.encoder && standsStill(place, *watched.encoder))
+            settleByHand(place, watched);
+}
 
 // A damaged file is put aside and another one begun; whatever else is wrong with it, it stays as it is.
 void LedgerKeeper::open(const DatabasePlace &place)
@@ -67,6 +77,7 @@ void LedgerKeeper::failed(const DatabaseError &error)
         m_ledger = std::move(*memory);
     for (auto &[place, watched] : m_watched) {
         watched.job.reset();
+        watched.byHand.reset();
         watched.unassigned.clear();
     }
     if (isOpen)
@@ -98,20 +109,31 @@ void LedgerKeeper::watchAll()
     for (const DeviceNumber place : m_bus.numbers()) {
         watch(place);
         const auto same = before.find(place);
-        if (same != before.end() && same->second.encoder && same->second.encoder == m_watched[place].encoder)
-            m_watched[place].job = same->second.job; // the session was kept, with its job
+        if (same == before.end() || !same->second.encoder || same->second.encoder != m_watched[place].encoder)
+            continue;
+        m_watched[place].job = same->second.job; // the session was kept, with its job
+        m_watched[place].byHand = same->second.byHand;
+        showCount(place);
     }
 }
 
 void LedgerKeeper::watch(DeviceNumber place)
 {
     EncoderSession *encoder = m_bus.encoder(place);
-    m_watched[place] = {.encoder = encoder, .identity = {}, .job = {}, .unassigned = {}};
+    m_watched[place] = {.encoder = encoder, .identity = {}};
     if (encoder == nullptr)
         return;
     m_watched[place].identity = identity(place);
     connect(encoder, &EncoderSession::jobAboutToStart, this,
             [this, place](const Job &job) { begin(place, job); });
+    connect(encoder, &EncoderSession::progressed, this,
+            [this, place](const Progress &progress) { m_watched[place].progress = progress; });
+    if (const auto *driven = qobject_cast<DrivenEncoderSession *>(encoder)) {
+        connect(driven, &DrivenEncoderSession::wordAboutToBeSent, this,
+                [this, place](Word word) { beginByHand(place, word); });
+        connect(driven, &DrivenEncoderSession::restoreAboutToStart, this,
+                [this, place] { planToRestore(place); });
+    }
     connect(encoder, &EncoderSession::eepromWritten, this,
             [this, place](int writes) { count(place, writes); });
     connect(encoder, &EncoderSession::finished, this,
@@ -184,8 +206,13 @@ void LedgerKeeper::begin(DeviceNumber place, const Job &job)
 {
     Watched &watched = m_watched[place];
     const int planned = watched.encoder && m_ledger ? mostEepromWrites(*watched.encoder, job) : 0;
-    if (planned == 0)
-        return;
+    watched.progress = {};
+    if (planned > 0)
+        watched.job = beginEntry(watched, planned);
+}
+
+std::optional<qint64> LedgerKeeper::beginEntry(Watched &watched, int planned)
+{
     Ledger::Entry entry = entryAt(watched);
     entry.planned = planned;
     auto id = m_ledger->begin(entry);
@@ -195,9 +222,40 @@ void LedgerKeeper::begin(DeviceNumber place, const Job &job)
             id = m_ledger->begin(entry);
     }
     if (!id)
-        return;
-    watched.job = *id;
+        return std::nullopt;
     note(watched, *id);
+    return *id;
+}
+
+void LedgerKeeper::beginByHand(DeviceNumber place, Word word)
+{
+    Watched &watched = m_watched[place];
+    const int planned = watched.encoder && m_ledger ? mostEepromWrites(*watched.encoder, word) : 0;
+    if (planned == 0)
+        return;
+    if (watched.byHand)
+        if (auto more = m_ledger->plan(watched.byHand->id, planned); !more)
+            failed(more.error()); // and forgets the entry
+    if (!watched.byHand && m_ledger)
+        if (const auto id = beginEntry(watched, planned))
+            watched.byHand = ByHand{.id = *id, .at = {}, .sent = {}};
+    if (!watched.byHand)
+        return;
+    watched.byHand->at = m_bus.latest().at;
+    const auto *parameter =
+        k3::isParameterWord(word) ? watched.encoder->device().findNumber(k3::number(word)) : nullptr;
+    if (parameter != nullptr)
+        replaceValue(watched.byHand->sent, {parameter->parameter, k3::data(word)});
+}
+
+// Beside what the job was to write.
+void LedgerKeeper::planToRestore(DeviceNumber place)
+{
+    const Watched &watched = m_watched[place];
+    const int more = mostWritesToRestore(watched.progress);
+    if (watched.job && m_ledger && more > 0)
+        if (auto planned = m_ledger->plan(*watched.job, more); !planned)
+            failed(planned.error());
 }
 
 // What a job writes is part of it; all else are words by hand.
@@ -207,10 +265,13 @@ void LedgerKeeper::count(DeviceNumber place, int writes)
     if (!watched.encoder || !m_ledger)
         return;
     const int before = watched.encoder->eepromCount().atMost();
-    if (watched.job)
-        if (auto counted = m_ledger->count(*watched.job, writes); !counted)
-            failed(counted.error()); // and forgets the job
-    if (!watched.job && m_ledger) {
+    const auto noted = watched.job      ? watched.job
+                       : watched.byHand ? std::optional(watched.byHand->id)
+                                        : std::nullopt;
+    if (noted)
+        if (auto counted = m_ledger->count(*noted, writes); !counted)
+            failed(counted.error()); // and forgets the entry
+    if (!watched.job && !watched.byHand && m_ledger) {
         Ledger::Entry entry = entryAt(watched);
         entry.planned = writes;
         entry.writes = writes;
@@ -232,18 +293,59 @@ void LedgerKeeper::settle(DeviceNumber place, const Outcome &outcome)
     const auto job = std::exchange(watched.job, std::nullopt);
     if (!job || !m_ledger)
         return;
-    if (auto settled = m_ledger->settle(*job, outcome.written); !settled)
+    std::vector<Ledger::Value> read;
+    if (watched.encoder)
+        for (const ParameterValue &value : outcome.read)
+            if (const auto *known = watched.encoder->device().find(value.parameter); known && known->number)
+                read.push_back({value.parameter, value.value, Evidence::read,
+                                m_bus.dateTime(m_bus.latest().at).toUTC()});
+    if (auto settled = m_ledger->settle(*job, outcome.written, read); !settled)
         failed(settled.error());
     showCount(place);
 }
 
-// While a job runs, what it may still write is no doubt of the past.
+bool LedgerKeeper::standsStill(DeviceNumber place, const EncoderSession &encoder) const
+{
+    const WordChannel *channel = m_bus.channel(place);
+    return channel != nullptr && !encoder.runningJob() && encoder.latest().state == EncoderState::operation &&
+           mostEepromWrites(encoder, channel->out()) == 0;
+}
+
+void LedgerKeeper::settleByHand()
+{
+    const Instant now = m_bus.latest().at;
+    for (auto &[place, watched] : m_watched) {
+        if (!watched.byHand || !watched.encoder)
+            continue;
+        if (!m_bus.isRunning() || !standsStill(place, *watched.encoder))
+            watched.byHand->at = now;
+        else if (now - watched.byHand->at >= untilSettled)
+            settleByHand(place, watched);
+    }
+}
+
+void LedgerKeeper::settleByHand(DeviceNumber place, Watched &watched)
+{
+    const ByHand done = *std::exchange(watched.byHand, std::nullopt);
+    if (!m_ledger)
+        return;
+    if (auto settled = m_ledger->settle(done.id, done.sent); !settled)
+        failed(settled.error());
+    showCount(place);
+}
+
+// While something is on its way, what it may still write is no doubt of the past.
 void LedgerKeeper::showCount(DeviceNumber place)
 {
     const Watched &watched = m_watched[place];
     if (!watched.encoder || !m_ledger)
         return;
-    watched.encoder->setEepromCount(m_ledger->writes(watched.identity, watched.job));
+    std::vector<qint64> running;
+    if (watched.job)
+        running.push_back(*watched.job);
+    if (watched.byHand)
+        running.push_back(watched.byHand->id);
+    watched.encoder->setEepromCount(m_ledger->writes(watched.identity, running));
 }
 
 void LedgerKeeper::warn(DeviceNumber place, int before)

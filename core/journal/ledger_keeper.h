@@ -14,9 +14,12 @@ namespace codewheel {
 
 class BusSession;
 
-// Keeps the ledger of one ring: notes each job that may write to an EEPROM before it sends anything, what was
-// written as it is seen, and its end; and tells each encoder session its count. Window and command line
-// alike, in the thread of their sessions.
+// Keeps the ledger of one ring: notes each job, and each word by hand, that may write to an EEPROM before
+// anything is sent, what was written as it is seen, and the end; and tells each encoder session its count.
+// Window and command line alike, in the thread of their sessions.
+//
+// Words by hand have no end of their own. They are one entry until the encoder has been in operation again,
+// and no word that may write has stood in OUT, for untilSettled.
 //
 // Which encoder it was: by the serial number the encoder told, else by that of its label, else by place. What
 // was noted at a place before a serial number was told belongs to the encoder that tells it, as long as
@@ -27,6 +30,8 @@ class LedgerKeeper : public QObject
     Q_OBJECT
 
 public:
+    static constexpr std::chrono::milliseconds untilSettled{1000};
+
     // The ring outlives the keeper, or is closed before. A file that cannot be used is replaced by memory,
     // and messaged() says so once the event loop runs.
     LedgerKeeper(BusSession &bus, const DatabasePlace &place, QObject *parent = nullptr);
@@ -49,20 +54,34 @@ Q_SIGNALS:
     void messaged(const codewheel::Message &message);
 
 private:
+    struct ByHand
+    {
+        qint64 id;
+        Instant at; // of the last word
+        ParameterValues sent;
+    };
     struct Watched
     {
         QPointer<EncoderSession> encoder;
         EncoderIdentity identity;
-        std::optional<qint64> job;      // its entry, while it runs
-        std::vector<qint64> unassigned; // entries of an encoder whose serial number was not told
+        std::optional<qint64> job{}; // its entry, while it runs
+        Progress progress{};         // of the job
+        std::optional<ByHand> byHand{};
+        std::vector<qint64> unassigned{}; // entries of an encoder whose serial number was not told
     };
 
     void open(const DatabasePlace &place);
     void watchAll();
     void watch(DeviceNumber place);
     void begin(DeviceNumber place, const Job &job);
+    void beginByHand(DeviceNumber place, Word word);
+    std::optional<qint64> beginEntry(Watched &watched, int planned);
+    void planToRestore(DeviceNumber place);
     void count(DeviceNumber place, int writes);
     void settle(DeviceNumber place, const Outcome &outcome);
+    void settleByHand();
+    void settleByHand(DeviceNumber place, Watched &watched);
+    bool standsStill(DeviceNumber place, const EncoderSession &encoder) const;
     void identify(DeviceNumber place);
     void showCount(DeviceNumber place);
     Ledger::Entry entryAt(const Watched &watched) const;

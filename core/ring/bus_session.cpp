@@ -59,8 +59,10 @@ std::unique_ptr<CyclicDriver> BusSession::Private::makeSession(BusSession &bus, 
 void BusSession::Private::fetch()
 {
     for (RingEvent &event : runner->takeEvents()) {
-        if (isStale(event.device) && std::holds_alternative<Event>(event.what))
+        if (isStale(event.device) && std::holds_alternative<Event>(event.what)) {
+            keepEepromWrites(event);
             continue;
+        }
         const auto *message = std::get_if<Message>(&event.what);
         if (message && message->id == MessageId::deviceNamed)
             --renamings[event.device];
@@ -72,6 +74,18 @@ void BusSession::Private::fetch()
         latest = std::move(newest);
         latestIsNew = true;
     }
+}
+
+// Of what was told by the driver from before the device was named.
+void BusSession::Private::keepEepromWrites(const RingEvent &event)
+{
+    const auto *told = std::get_if<Event>(&event.what);
+    const auto *change = told ? std::get_if<KnowledgeChanged>(told) : nullptr;
+    if (change == nullptr || change->eepromWrites == 0)
+        return;
+    events.push_back(event);
+    events.back().what =
+        Event(KnowledgeChanged{.known = {}, .noLongerKnown = {}, .eepromWrites = change->eepromWrites});
 }
 
 std::size_t BusSession::Private::indexOf(DeviceNumber number) const
@@ -247,6 +261,8 @@ Result<void> BusSession::write(std::size_t device, Word word)
         return allowed;
     if (session && session->runningJob()) // started, and not shown by a snapshot yet
         return refuse(RefusalKind::busy, RefusalId::wordHeldByJob, {participant.number.toString()});
+    if (session)
+        Q_EMIT session->wordAboutToBeSent(word);
     post(command::SetOut{device, word});
     return {};
 }
@@ -289,9 +305,11 @@ Result<void> BusSession::name(DeviceNumber number, const QString &deviceKey, int
     if (d->sessions[i])
         d->sessions[i]->countEepromWrites(writes);
     ++d->renamings[i];
-    std::erase_if(d->events, [i](const RingEvent &event) {
-        return event.device == i && std::holds_alternative<Event>(event.what);
-    });
+    for (const RingEvent &event : std::exchange(d->events, {}))
+        if (event.device == i && std::holds_alternative<Event>(event.what))
+            d->keepEepromWrites(event);
+        else
+            d->events.push_back(event);
     post(command::SetDriver{i, std::move(driver), described ? described->fullName() : number.toString()});
     Q_EMIT named(number);
     if (!d->pumping)

@@ -32,6 +32,7 @@ struct BusSession::Private
                                               const DeviceDescription *description);
     bool isStale(std::size_t place) const { return renamings[place] > 0; }
     void fetch();
+    void keepEepromWrites(const RingEvent &event);
     // The ring that was read in takes the place of this one (bus_session_ring.cpp).
     RingRunner::Drivers takeOver(BusSession &bus, RingStructure found, RingRunner::Drivers drivers);
     std::size_t indexOf(DeviceNumber number) const; // structure.size(): no such device

@@ -56,13 +56,86 @@ TEST_F(EepromCost, IsTheMostAJobMayWrite)
                                         .previous = {},
                                         .initialisePreset = true}),
               3);
-    EXPECT_EQ(of(fraba, SetPreset{}), 1);
+    EXPECT_EQ(of(fraba, SetPreset{}), 2); // a preset that is used up is programmed again
+    EXPECT_EQ(of(fraba, SetPreset{.value = {}, .command = PresetCommand::manufacturer}), 1);
     EXPECT_EQ(of(fraba, SetPreset{.value = 7, .command = PresetCommand::manufacturer}), 2);
     EXPECT_EQ(of(fraba, ResetToDefault{}), 2); // it may be in a cam program that was changed
     EXPECT_EQ(of(2, ResetToDefault{}), 1);
     EXPECT_EQ(of(fraba, ReadCams{{1, 2, 3}, {}}), 4);
     EXPECT_EQ(of(fraba, SendWords{{0x020000FF, 0x80000000, 0}}), 1);
     EXPECT_EQ(of(2, SwitchMode{}), 0);
+}
+
+// No kind of job is left out: whoever adds one says here what it costs at most.
+TEST_F(EepromCost, IsStatedForEachKindOfJob)
+{
+    const std::vector<std::pair<Job, int>> all{
+        {ReadParameters{{Parameter::steps}}, 0},
+        {WriteParameters{.values = {{Parameter::steps, 255}}, .previous = {}}, 1},
+        {SetPreset{}, 2},
+        {SendWords{{0x020000FF}}, 1},
+        {EndParameterization{{{Parameter::steps, 255}, {Parameter::revolutions, 1}}}, 2},
+        {SwitchMode{}, 1},
+        {ResetToDefault{}, 2},
+        {ReadCams{{1, 2}, {}}, 3},
+        {WriteCams{{CamProgram{.number = 3}}, true, {}}, 2}};
+    ASSERT_EQ(all.size(), std::variant_size_v<Job>);
+    for (std::size_t kind = 0; kind < all.size(); ++kind) {
+        EXPECT_EQ(all[kind].first.index(), kind);
+        EXPECT_EQ(of(1, all[kind].first), all[kind].second) << kind;
+    }
+}
+
+struct WordRow
+{
+    Word word;
+    int baumer;
+    int fraba; // the mode not known
+    int rod;
+};
+
+TEST_F(EepromCost, OfAWordByHand)
+{
+    bus.advance(1);
+    for (const WordRow &row : {
+             WordRow{0x00000000, 0, 0, 0}, // normal running
+             WordRow{0x80000000, 0, 0, 0}, // run
+             WordRow{0x020000FF, 1, 1, 0}, // parameter 1 = 255
+             WordRow{0x0E000000, 1, 1, 0}, // set to default
+             WordRow{0x40000000, 0, 1, 0}, // initialise the preset: stored by FRABA
+             WordRow{0x60000000, 0, 1, 0}, // FRABA preset
+             WordRow{0x20400001, 0, 0, 0}, // velocity on
+             WordRow{0x20210001, 0, 0, 0}, // read-out
+             WordRow{0x20800000, 0, 1, 0}, // position mode: leaves a cam program, perhaps
+             WordRow{0x42000005, 0, 1, 0}, // LA-66 write, the service bit still 0
+             WordRow{0xC2000005, 0, 0, 1}, // LA-66: measuring length
+             WordRow{0x82000000, 0, 0, 0}, // LA-66: reads it
+         }) {
+        const auto cost = [&](int segment) { return mostEepromWrites(*bus.encoder({segment, 0}), row.word); };
+        EXPECT_EQ(cost(2), row.baumer) << std::hex << row.word;
+        EXPECT_EQ(cost(5), row.rod) << std::hex << row.word;
+        EXPECT_EQ(cost(1), row.fraba) << std::hex << row.word;
+    }
+    bus.encoder({1, 0})->tell(Parameter::startUpMode, 1);
+    bus.advance(10);
+    ASSERT_EQ(bus.encoder({1, 0})->latest().mode, Mode::position);
+    EXPECT_EQ(mostEepromWrites(*bus.encoder({1, 0}), Word{0x20800001}), 0);
+    EXPECT_EQ(of(1, SendWords{{0x20800001, 0x46000015, 0x80000000, 0x20800000}}), 2); // the second leaves it
+}
+
+TEST_F(EepromCost, OfWritingBackWhatWasBefore)
+{
+    const auto step = [](StepKind kind, Word out) { return Step{kind, out, {}}; };
+    Progress progress{.index = 2,
+                      .steps = {step(StepKind::readOut, 0x20210001), step(StepKind::parameter, 0x020000FF),
+                                step(StepKind::parameter, 0x04000001), step(StepKind::parameter, 0x06000003)},
+                      .confirmed = {}};
+    EXPECT_EQ(mostWritesToRestore(progress), 2); // the one that is on its way as well
+    progress.index = 4;
+    EXPECT_EQ(mostWritesToRestore(progress), 3);
+    EXPECT_EQ(mostWritesToRestore(Progress{}), 0);
+    progress.steps = {step(StepKind::switchMode, 0x20800001), step(StepKind::camParameter, 0x46000015)};
+    EXPECT_EQ(mostWritesToRestore(progress), 1);
 }
 
 TEST_F(EepromCost, SaysWhoseWritesAndByWhat)

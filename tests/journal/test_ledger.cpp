@@ -58,7 +58,7 @@ TEST_F(LedgerTest, WhatNeverEndedMayHaveBeenWritten)
     EXPECT_TRUE(ledger.count(job, 1));
     EXPECT_EQ(ledger.writes(serial("1")).writes, 1);
     EXPECT_EQ(ledger.writes(serial("1")).perhaps, 3);
-    EXPECT_EQ(ledger.writes(serial("1"), job).perhaps, 0); // it runs
+    EXPECT_EQ(ledger.writes(serial("1"), {job}).perhaps, 0); // it runs
 }
 
 TEST_F(LedgerTest, ForgetsAJobThatWroteNothing)

@@ -78,6 +78,107 @@ TEST_F(LedgerKeeperTest, CountsWordsByHand)
     EXPECT_EQ(countAt(fraba).perhaps, 0);
 }
 
+TEST_F(LedgerKeeperTest, NotesAWordByHandBeforeItIsSent)
+{
+    keep(file.place());
+    const auto noted = [&] { return Ledger::open(file.place())->writes(keeper->identity(fraba)); };
+    const auto send = [&](Word word) {
+        bus.channel(fraba)->stage(word);
+        ASSERT_TRUE(bus.channel(fraba)->write());
+    };
+    send(0x020000FF);
+    EXPECT_EQ(bus.channel(fraba)->out(), 0U);
+    EXPECT_EQ(noted().perhaps, 1);
+    EXPECT_EQ(countAt(fraba).perhaps, 0); // it is on its way
+    bus.advance(50);
+    send(0x04000002);
+    EXPECT_EQ(noted().atMost(), 2);
+    bus.advance(50);
+    EXPECT_EQ(noted().writes, 1); // the first one, as it left OUT
+    send(0x80000000);
+    bus.advance(50);
+    send(0);
+    bus.advance(50);
+    EXPECT_EQ(noted().writes, 2);
+    EXPECT_EQ(noted().perhaps, 0);
+    EXPECT_FALSE(keeper->ledger()->valuesBefore(keeper->identity(fraba))[0].settled);
+    for (int i = 0; i < 11; ++i)
+        bus.advance(100);
+    const Ledger::Entry entry = keeper->ledger()->valuesBefore(keeper->identity(fraba))[0];
+    EXPECT_TRUE(entry.settled);
+    EXPECT_EQ(entry.written, (ParameterValues{{Parameter::steps, 255}, {Parameter::revolutions, 2}}));
+    EXPECT_EQ(keeper->ledger()->accounts()[0].count.writes, 2);
+}
+
+// 0x46000015 is refused in position mode: nothing was stored.
+TEST_F(LedgerKeeperTest, ForgetsAWordByHandThatStoredNothing)
+{
+    keep(file.place());
+    for (const Word word : {0x46000015U, 0x80000000U, 0U}) {
+        bus.channel(fraba)->stage(word);
+        ASSERT_TRUE(bus.channel(fraba)->write());
+        bus.advance(50);
+    }
+    EXPECT_EQ(Ledger::open(file.place())->writes(keeper->identity(fraba)).perhaps, 1);
+    for (int i = 0; i < 11; ++i)
+        bus.advance(100);
+    EXPECT_TRUE(keeper->ledger()->accounts().empty());
+}
+
+TEST_F(LedgerKeeperTest, AWordThatStillStandsMayBeStoredAfterwards)
+{
+    keep(file.place());
+    bus.channel(fraba)->stage(0x020000FF);
+    ASSERT_TRUE(bus.channel(fraba)->write());
+    bus.advance(3'000);
+    const EncoderIdentity identity = keeper->identity(fraba);
+    keeper.reset();
+    EXPECT_EQ(Ledger::open(file.place())->writes(identity).perhaps, 1);
+}
+
+TEST_F(LedgerKeeperTest, NotesWhatRestoringWillWriteBeside)
+{
+    keep(file.place());
+    EncoderSession &encoder = *bus.encoder(fraba);
+    ASSERT_TRUE(
+        encoder.start(WriteParameters{.values = {{Parameter::steps, 255}, {Parameter::revolutions, 1}},
+                                      .previous = {{Parameter::steps, 8192}}},
+                      Pace::byHand));
+    const auto noted = [&] { return Ledger::open(file.place())->writes(keeper->identity(fraba)).atMost(); };
+    bus.advance(100);
+    encoder.proceed();
+    bus.advance(100);
+    EXPECT_EQ(noted(), 2);
+    encoder.cancel(OnCancel::restorePrevious);
+    EXPECT_GE(noted(), 3);
+    for (int i = 0; i < 100 && encoder.runningJob(); ++i)
+        bus.advance(10);
+    EXPECT_EQ(noted(), 2); // steps, and steps as they were
+    EXPECT_EQ(countAt(fraba).perhaps, 0);
+}
+
+// The confirmation is on its way from the bus as the encoder is named.
+TEST_F(LedgerKeeperTest, CountsWhatComesWhileADeviceIsNamed)
+{
+    keep(DatabasePlace::memory());
+    bus.channel(fraba)->stage(0x020000FF);
+    ASSERT_TRUE(bus.channel(fraba)->write());
+    bus.advance(50);
+    bus.channel(fraba)->stage(0x80000000);
+    bool wasNamed = false;
+    QObject::connect(&bus, &BusSession::updated, &bus, [&] {
+        if (!std::exchange(wasNamed, true)) {
+            EXPECT_TRUE(bus.name(fraba, QStringLiteral("fraba-ocd-ib")));
+        }
+    });
+    ASSERT_TRUE(bus.channel(fraba)->write());
+    bus.advance(50);
+    EXPECT_TRUE(wasNamed);
+    bus.advance(50);
+    EXPECT_EQ(countAt(fraba).writes, 1);
+    EXPECT_EQ(bus.encoder(fraba)->eepromWrites(), 1);
+}
+
 TEST_F(LedgerKeeperTest, NotesAJobBeforeItSendsAnything)
 {
     keep(file.place());
