@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal_files.h"
 
+#include "journal/database.h"
+
+#include <QCoreApplication>
 #include <QStandardPaths>
 
 namespace codewheel {
@@ -19,6 +22,16 @@ QString messageFile(const QString &folder)
 QString ledgerFile(const QString &folder)
 {
     return folder + QStringLiteral("/eeprom-writes.sqlite");
+}
+
+QString nothingIsKept()
+{
+    return Database::isAvailable()
+               ? QString()
+               : QCoreApplication::translate("JournalFiles",
+                                             "Messages are not kept, and EEPROM writes are counted for this "
+                                             "connection only: Qt's driver for SQLite is missing on this "
+                                             "computer. Install the package libqt6sql6-sqlite.");
 }
 
 } // namespace codewheel

@@ -13,4 +13,8 @@ QString userJournalFolder();
 QString messageFile(const QString &folder);
 QString ledgerFile(const QString &folder);
 
+// What has to be told where neither messages nor EEPROM writes can be kept, not even in memory, since Qt's
+// driver for SQLite is missing; empty: it is there.
+QString nothingIsKept();
+
 } // namespace codewheel

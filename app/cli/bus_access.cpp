@@ -22,35 +22,11 @@ QString placesOf(const BusSession &bus)
     return places.join(QStringLiteral(", "));
 }
 
-// A name of the catalog, or the key on a label that belongs to one device of this place's device code.
-struct NamedDevice
-{
-    QString key;
-    int turns = 0;
-    int stepsPerTurn = 0;
-};
-
-Checked<NamedDevice> deviceMeant(const Catalog &catalog, const Participant &participant, const QString &typed)
-{
-    if (catalog.find(typed))
-        return NamedDevice{typed};
-    const auto matches = findByLabel(catalog, typed);
-    if (!matches)
-        return tl::unexpected(deviceNamed(catalog, typed).error());
-    const auto found = std::ranges::find_if(*matches, [&](const LabelMatch &match) {
-        return match.device->deviceCode == participant.deviceCode;
-    });
-    const LabelMatch &match = found == matches->end() ? matches->front() : *found;
-    return NamedDevice{match.device->key, match.turns, match.stepsPerTurn};
-}
-
 Checked<void> nameDevice(const Call &call, DeviceNumber number, const QString &typed)
 {
-    const RingStructure &ring = call.bus->structure();
-    const auto participant = std::ranges::find(ring, number, &Participant::number);
-    if (participant == ring.end())
+    if (call.bus->channel(number) == nullptr)
         return {};
-    const auto meant = deviceMeant(call.catalog, *participant, typed);
+    const auto meant = deviceMeant(call, number, typed);
     if (!meant)
         return tl::unexpected(meant.error());
     const DeviceDescription *device = call.catalog.find(meant->key);
@@ -65,6 +41,26 @@ Checked<void> nameDevice(const Call &call, DeviceNumber number, const QString &t
 }
 
 } // namespace
+
+Checked<NamedDevice> deviceMeant(const Call &call, DeviceNumber place, const QString &typed)
+{
+    if (call.catalog.find(typed))
+        return NamedDevice{typed};
+    const auto matches = findByLabel(call.catalog, typed);
+    if (!matches)
+        return tl::unexpected(deviceNamed(call.catalog, typed).error());
+    const auto found = std::ranges::find_if(
+        *matches, [&](const LabelMatch &match) { return call.bus->canBe(place, *match.device).has_value(); });
+    const LabelMatch &match = found == matches->end() ? matches->front() : *found;
+    return NamedDevice{match.device->key, match.turns, match.stepsPerTurn};
+}
+
+Checked<EncoderSession *> encoderMeant(const Call &call)
+{
+    return placeMeant(call, call.arguments.rest.front()).and_then([&](const QString &place) {
+        return encoderAt(*call.bus, place);
+    });
+}
 
 Checked<EncoderSession *> encoderAt(const Call &call)
 {
@@ -103,11 +99,12 @@ Exchange currentRow(const BusSession &bus, const EncoderSession &encoder)
     return {bus.latest().cycle, bus.latest().at, channel.out(), channel.in(), reading.mode, reading.coding};
 }
 
-FinishedJob runToEnd(BusSession &bus, EncoderSession &encoder, const Job &job)
+FinishedJob runToEnd(BusSession &bus, const AllowedJob &allowed)
 {
+    EncoderSession &encoder = allowed.encoder();
     FinishedJob finished;
     finished.rows.push_back(currentRow(bus, encoder));
-    const auto started = encoder.start(job);
+    const auto started = encoder.start(allowed.job());
     if (!started) {
         finished.outcome.result = tl::unexpected(started.error());
         return finished;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cli/allowed_jobs.h"
 #include "cli/arguments.h"
 #include "cli/complaint.h"
-#include "encoder/encoder_session.h"
 
 #include <QtGlobal>
 
@@ -19,11 +19,23 @@ struct Call;
 // call.
 Checked<EncoderSession *> encoderAt(const Call &call);
 
+// The same, whatever --device says.
+Checked<EncoderSession *> encoderMeant(const Call &call);
+
 // --device of the commands that work on a PLACE.
 inline constexpr Option deviceOption{
     "--device", "NAME",
     QT_TRANSLATE_NOOP("codewheel::CommandLine",
                       "take the encoder for this one: a name of \"devices\", or the key on its label")};
+
+// What a name of the catalog, or the key on a label, means at a place of the bus. 0: the key does not tell.
+struct NamedDevice
+{
+    QString key;
+    int turns = 0;
+    int stepsPerTurn = 0;
+};
+Checked<NamedDevice> deviceMeant(const Call &call, DeviceNumber place, const QString &typed);
 
 // The encoder at PLACE, with at least one bus cycle behind it, so that it shows where it stands.
 Checked<EncoderSession *> encoderAt(BusSession &bus, const QString &place);
@@ -39,6 +51,6 @@ struct FinishedJob
 };
 
 // Runs a job to its end, cycle by cycle in virtual time. `rows` begins with how the encoder stood before.
-FinishedJob runToEnd(BusSession &bus, EncoderSession &encoder, const Job &job);
+FinishedJob runToEnd(BusSession &bus, const AllowedJob &allowed);
 
 } // namespace codewheel

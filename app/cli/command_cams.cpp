@@ -38,7 +38,8 @@ constexpr std::array options{
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
                              "leave the encoder in cam mode, in the last of the programs")},
     Option{"--yes", nullptr,
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "write without asking; replace FILE when reading")},
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "write without asking, also where the budget of the "
+                                                       "EEPROM is used; replace FILE when reading")},
     Option{"--trace", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
 };
@@ -51,12 +52,12 @@ struct CamCall
     Answer answer{};
     std::vector<Exchange> rows{};
 
-    Result<Outcome> carryOut(const Job &job)
+    Checked<Outcome> carryOut(const AllowedJob &job)
     {
-        const FinishedJob finished = runToEnd(*call.bus, encoder, job);
+        const FinishedJob finished = runToEnd(*call.bus, job);
         rows.insert(rows.end(), finished.rows.begin(), finished.rows.end());
         if (!finished.outcome.result)
-            return tl::unexpected(finished.outcome.result.error());
+            return tl::unexpected(complaintAbout(finished.outcome.result.error()));
         return finished.outcome;
     }
     // Where it was before, as far as that is known; else it stays in the last program, which is saved.
@@ -75,11 +76,16 @@ struct CamCall
                 values.push_back({parameter, known->value});
         return totalRange(encoder.device(), values);
     }
-    Result<std::vector<CamProgram>> readPrograms(const std::vector<unsigned> &programs)
+    // Costs EEPROM writes where a program was changed before.
+    Checked<std::vector<CamProgram>> readPrograms(const std::vector<unsigned> &programs)
     {
-        auto read = carryOut(ReadParameters{{Parameter::steps, Parameter::revolutions}});
+        const auto allowed =
+            eepromConsent(call, encoder, ReadCams{programs, afterwards(programs)}, AsksAnyway::no);
+        if (!allowed)
+            return tl::unexpected(allowed.error());
+        auto read = carryOut({encoder, ReadParameters{{Parameter::steps, Parameter::revolutions}}});
         if (read)
-            read = carryOut(ReadCams{programs, afterwards(programs)});
+            read = carryOut(*allowed);
         if (!read)
             return tl::unexpected(read.error());
         std::ranges::sort(read->camsRead, {}, &CamProgram::number);
@@ -173,7 +179,7 @@ void read(CamCall &cams, std::optional<unsigned> program)
         programs = {*program};
     const auto read = cams.readPrograms(programs);
     if (!read) {
-        cams.answer.complaint = complaintAbout(read.error());
+        cams.answer.complaint = read.error();
         return;
     }
     cams.answer.text += camTable(*read);
@@ -187,7 +193,7 @@ std::optional<std::vector<CamDifference>> compareWith(CamCall &cams, const std::
 {
     const auto read = cams.readPrograms(numbersOf(wanted));
     if (!read) {
-        cams.answer.complaint = complaintAbout(read.error());
+        cams.answer.complaint = read.error();
         return std::nullopt;
     }
     auto differences = differencesOf(*read, wanted);
@@ -253,11 +259,11 @@ void show(CamCall &cams)
         cams.call.terminal.print(std::exchange(cams.answer.text, {}));
 }
 
-void carryOutWrite(CamCall &cams, const WriteCams &job)
+void carryOutWrite(CamCall &cams, const AllowedJob &job)
 {
     const auto outcome = cams.carryOut(job);
     if (!outcome) {
-        cams.answer.complaint = complaintAbout(outcome.error());
+        cams.answer.complaint = outcome.error();
         return;
     }
     QStringList numbers;
@@ -284,8 +290,9 @@ void write(CamCall &cams, const std::vector<CamProgram> &wanted)
     }
     cams.answer.text += *review + costText(*differences);
     show(cams);
-    if (const auto may = eepromConsent(cams.call, cams.encoder, job, AsksAnyway::yes); !may) {
-        cams.answer.complaint = may.error();
+    const auto allowed = eepromConsent(cams.call, cams.encoder, job, AsksAnyway::yes);
+    if (!allowed) {
+        cams.answer.complaint = allowed.error();
         return;
     }
     const auto agreed = consent(
@@ -293,7 +300,7 @@ void write(CamCall &cams, const std::vector<CamProgram> &wanted)
         CommandLine::tr("Nothing was written: there is nobody to ask. Add --yes to write, or use compare "
                         "to look only."));
     if (agreed)
-        carryOutWrite(cams, job);
+        carryOutWrite(cams, *allowed);
     else
         cams.answer.complaint = agreed.error();
 }

@@ -33,7 +33,10 @@ Checked<void> readFirst(const Call &call, const EncoderSession &from)
     const EncoderJobs jobs = jobsToStore(from, call.arguments.has("--cams"));
     if (jobs.jobs.empty())
         return {};
-    const FinishedRound round = runToEnd(*call.bus, {jobs}, JobRound::AfterRefusal::stop);
+    const auto allowed = eepromConsent(call, {jobs}, AsksAnyway::no);
+    if (!allowed)
+        return tl::unexpected(allowed.error());
+    const FinishedRound round = runToEnd(*call.bus, *allowed, JobRound::AfterRefusal::stop);
     if (round.results.front().why)
         return tl::unexpected(complaintAbout(*round.results.front().why));
     return {};

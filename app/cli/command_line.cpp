@@ -9,6 +9,7 @@
 #include "cli/texts.h"
 #include "encoder/refusal_text.h"
 #include "journal/ledger_keeper.h"
+#include "journal_files.h"
 #include "simulator/fault_plan_file.h"
 #include "training_session.h"
 #include "user_devices.h"
@@ -125,10 +126,12 @@ int runOnTrainingBus(const Subcommand &command, const Arguments &arguments, cons
         training.controls->startFaultPlan(*std::move(plan));
     }
     const auto file = arguments.value("--ledger");
-    const LedgerKeeper ledger(*training.bus, file ? DatabasePlace::file(*file) : DatabasePlace::memory());
-    if (ledger.problem())
+    LedgerKeeper ledger(*training.bus, file ? DatabasePlace::file(*file) : DatabasePlace::memory());
+    if (const QString warning = nothingIsKept(); !warning.isEmpty())
+        terminal.complain(warning);
+    else if (ledger.problem())
         terminal.complain(messageText(*ledger.problem()));
-    return runCommand(command, arguments, catalog, training.bus.get(), terminal);
+    return runCommand(command, arguments, catalog, training.bus.get(), terminal, &ledger);
 }
 
 int printed(const QString &text, const Terminal &terminal)
@@ -152,15 +155,16 @@ int withoutCommand(const QStringList &words, const Terminal &terminal)
 } // namespace
 
 int runCommand(const Subcommand &command, const Arguments &arguments, const Catalog &catalog, BusSession *bus,
-               const Terminal &terminal)
+               const Terminal &terminal, LedgerKeeper *ledger)
 {
     const QString name = QString::fromLatin1(command.name);
     const bool asJson = arguments.has("--json");
     const auto project = projectNamed(arguments);
     if (!project)
         return fail(project.error(), name, asJson, {}, terminal);
-    const Call call{arguments, catalog, bus, terminal, *project ? &**project : nullptr};
-    nameEncoders(call);
+    const Call call{arguments, catalog, bus, terminal, *project ? &**project : nullptr, ledger};
+    if (call.project != nullptr)
+        useProject(call, *call.project, *arguments.value("--project"));
     const auto answer = command.run(call);
     if (!answer)
         return fail(answer.error(), name, asJson, {}, terminal);

@@ -7,6 +7,7 @@ namespace codewheel {
 
 class BusSession;
 class Catalog;
+class LedgerKeeper;
 struct Subcommand;
 struct Arguments;
 struct Terminal;
@@ -18,8 +19,9 @@ int runCommandLine(const QStringList &words, const Terminal &terminal);
 // Whether this call may write a PDF: that needs fonts, and so a QGuiApplication.
 bool makesPdf(const QStringList &words);
 
-// One command on a bus that is there already (null for commands that need none).
+// One command on a bus that is there already (null for commands that need none), with the ledger of its
+// encoders, if one is kept.
 int runCommand(const Subcommand &command, const Arguments &arguments, const Catalog &catalog, BusSession *bus,
-               const Terminal &terminal);
+               const Terminal &terminal, LedgerKeeper *ledger = nullptr);
 
 } // namespace codewheel

@@ -25,8 +25,7 @@ constexpr std::array options{
         QT_TRANSLATE_NOOP("codewheel::CommandLine", "send the FRABA preset, which works as often as wanted")},
     inPositionModeOption,
     deviceOption,
-    Option{"--yes", nullptr,
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "do not ask where the budget of the EEPROM is used")},
+    budgetYesOption,
     beyondLimitOption,
     ledgerOption,
     Option{"--trace", nullptr,
@@ -71,11 +70,12 @@ Checked<Answer> run(const Call &call)
     if (!preset)
         return tl::unexpected(preset.error());
 
-    if (const auto may = eepromConsent(call, **encoder, *preset, AsksAnyway::no); !may)
-        return tl::unexpected(may.error());
     tellMode(**encoder, call.arguments);
+    const auto allowed = eepromConsent(call, **encoder, *preset, AsksAnyway::no);
+    if (!allowed)
+        return tl::unexpected(allowed.error());
     const Reading before = (*encoder)->latest();
-    const FinishedJob job = runToEnd(*call.bus, **encoder, *preset);
+    const FinishedJob job = runToEnd(*call.bus, *allowed);
     Answer answer;
     answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
                    {QStringLiteral("device"), device.key},

@@ -58,7 +58,7 @@ Answer whatIsKnown(const EncoderSession &encoder)
 Answer readFrom(BusSession &bus, EncoderSession &encoder, std::vector<Parameter> parameters, bool trace)
 {
     const DeviceDescription &device = encoder.device();
-    const FinishedJob job = runToEnd(bus, encoder, ReadParameters{std::move(parameters)});
+    const FinishedJob job = runToEnd(bus, {encoder, ReadParameters{std::move(parameters)}});
     Answer answer;
     answer.json = {{QStringLiteral("values"), valuesJson(device, job.outcome.read)}};
     if (trace) {

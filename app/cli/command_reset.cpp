@@ -59,9 +59,10 @@ ParameterValues valuesNow(const EncoderSession &encoder)
     return values;
 }
 
-void carryOut(const Call &call, EncoderSession &encoder, Answer &answer)
+void carryOut(const Call &call, const AllowedJob &reset, Answer &answer)
 {
-    const FinishedJob job = runToEnd(*call.bus, encoder, ResetToDefault{});
+    const EncoderSession &encoder = reset.encoder();
+    const FinishedJob job = runToEnd(*call.bus, reset);
     const DeviceDescription &device = encoder.device();
     if (call.arguments.has("--trace")) {
         answer.text += u'\n' + traceText(device, job.rows);
@@ -108,15 +109,16 @@ Checked<Answer> run(const Call &call)
     Answer answer;
     answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
                    {QStringLiteral("device"), device.key}};
-    if (const auto may = eepromConsent(call, **encoder, ResetToDefault{}, AsksAnyway::yes); !may) {
-        answer.complaint = may.error();
+    const auto allowed = eepromConsent(call, **encoder, ResetToDefault{}, AsksAnyway::yes);
+    if (!allowed) {
+        answer.complaint = allowed.error();
         return answer;
     }
     const auto agreed =
         consent(call, sentence(CommandLine::tr("Reset %1?"), {(*encoder)->number().toString()}),
                 CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to reset."));
     if (agreed)
-        carryOut(call, **encoder, answer);
+        carryOut(call, *allowed, answer);
     else
         answer.complaint = agreed.error();
     return answer;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
+#include "cli/eeprom_consent.h"
 #include "cli/json.h"
 #include "cli/parameter_text.h"
 #include "cli/text_table.h"
@@ -22,6 +23,9 @@ constexpr const char *examples[] = {"store crane.codewheel", "store crane.codewh
 
 constexpr std::array options{
     Option{"--cams", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "read the cam programs as well")},
+    budgetYesOption,
+    beyondLimitOption,
+    ledgerOption,
     transferTrace,
 };
 
@@ -83,10 +87,13 @@ Checked<Answer> run(const Call &call)
     auto project = loadProject(file);
     if (!project)
         return tl::unexpected(complaintAbout(project.error()));
-    const auto devices = devicesMeant(call, *project);
+    const auto devices = devicesMeant(call, *project, file);
     if (!devices)
         return tl::unexpected(devices.error());
-    const FinishedRound round = runToEnd(*call.bus, jobsFor(call, *devices), JobRound::AfterRefusal::goOn);
+    const auto allowed = eepromConsent(call, jobsFor(call, *devices), AsksAnyway::no);
+    if (!allowed)
+        return tl::unexpected(allowed.error());
+    const FinishedRound round = runToEnd(*call.bus, *allowed, JobRound::AfterRefusal::goOn);
     Answer answer;
     QJsonArray encoders;
     addTrace(call, round, answer);

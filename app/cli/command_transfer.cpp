@@ -33,7 +33,7 @@ Checked<Answer> run(const Call &call)
     const auto project = loadProject(file);
     if (!project)
         return tl::unexpected(complaintAbout(project.error()));
-    const auto devices = devicesMeant(call, *project);
+    const auto devices = devicesMeant(call, *project, file);
     if (!devices)
         return tl::unexpected(devices.error());
     const bool all = call.arguments.rest.size() == 1;

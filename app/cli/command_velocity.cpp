@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/bus_access.h"
 #include "cli/commands.h"
+#include "cli/eeprom_consent.h"
 #include "cli/json.h"
 #include "cli/position_text.h"
 #include "cli/texts.h"
@@ -19,6 +20,9 @@ constexpr const char *examples[] = {"velocity 1.0 on", "velocity 1.0 off --trace
 constexpr std::array options{
     deviceOption,
     inPositionModeOption,
+    budgetYesOption,
+    beyondLimitOption,
+    ledgerOption,
     Option{"--trace", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
 };
@@ -49,12 +53,16 @@ Checked<Answer> run(const Call &call)
         return tl::unexpected(wanted.error());
 
     tellMode(**encoder, call.arguments);
-    const FinishedJob job = runToEnd(*call.bus, **encoder, *wanted);
+    const auto allowed = eepromConsent(call, **encoder, *wanted, AsksAnyway::no);
+    if (!allowed)
+        return tl::unexpected(allowed.error());
+    const FinishedJob job = runToEnd(*call.bus, *allowed);
     const DeviceDescription &device = (*encoder)->device();
     const Reading &reading = (*encoder)->latest();
     Answer answer;
     answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
                    {QStringLiteral("device"), device.key},
+                   {QStringLiteral("eepromWrites"), job.outcome.eepromWrites},
                    {QStringLiteral("mode"), modeJson(reading.mode)},
                    {QStringLiteral("velocity"), numberJson(reading.velocity)},
                    {QStringLiteral("position"), numberJson(reading.position)}};
@@ -81,8 +89,8 @@ const Subcommand velocityCommand{
         "In velocity mode an encoder shows whole revolutions per minute instead of its position, and goes on "
         "so\n"
         "after power-off, until it is switched off. Sends at once, without asking; writes nothing to the "
-        "EEPROM.\n"
-        "\"off\" ends cam mode, too."),
+        "EEPROM,\n"
+        "but \"off\" ends cam mode, too: a cam program that was changed is stored when it is left."),
     .examples = examples,
     .options = options,
     .minimumArguments = 2,

@@ -21,8 +21,7 @@ constexpr const char *examples[] = {
 
 constexpr std::array options{
     deviceOption,
-    Option{"--yes", nullptr,
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "do not ask where the budget of the EEPROM is used")},
+    budgetYesOption,
     beyondLimitOption,
     ledgerOption,
     Option{
@@ -56,10 +55,10 @@ Checked<Answer> run(const Call &call)
     if (!encoder)
         return tl::unexpected(encoder.error());
 
-    const SendWords sending{*words, *hold};
-    if (const auto may = eepromConsent(call, **encoder, sending, AsksAnyway::no); !may)
-        return tl::unexpected(may.error());
-    const FinishedJob job = runToEnd(*call.bus, **encoder, sending);
+    const auto allowed = eepromConsent(call, **encoder, SendWords{*words, *hold}, AsksAnyway::no);
+    if (!allowed)
+        return tl::unexpected(allowed.error());
+    const FinishedJob job = runToEnd(*call.bus, *allowed);
     Answer answer;
     answer.text = traceText((*encoder)->device(), job.rows);
     answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},

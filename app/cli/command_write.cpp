@@ -132,10 +132,11 @@ QString whereItWasLeft(const Reading &left)
     }
 }
 
-void carryOut(const Call &call, EncoderSession &encoder, const WritePlan &plan, Answer &answer)
+void carryOut(const Call &call, const AllowedJob &write, const WritePlan &plan, Answer &answer)
 {
+    const EncoderSession &encoder = write.encoder();
     const Before before{encoder.latest(), rodScale(encoder)};
-    const FinishedJob job = runToEnd(*call.bus, encoder, plan.job());
+    const FinishedJob job = runToEnd(*call.bus, write);
     if (call.arguments.has("--trace")) {
         answer.text += u'\n' + traceText(encoder.device(), job.rows);
         answer.json.insert(QStringLiteral("trace"), traceJson(encoder.device(), job.rows));
@@ -174,8 +175,9 @@ Checked<Answer> run(const Call &call)
                    {QStringLiteral("plan"), plan->toJson()}};
     if (call.arguments.has("--dry-run") || plan->isEmpty())
         return answer;
-    if (const auto may = eepromConsent(call, **encoder, plan->job(), AsksAnyway::yes); !may) {
-        answer.complaint = may.error();
+    const auto allowed = eepromConsent(call, **encoder, plan->job(), AsksAnyway::yes);
+    if (!allowed) {
+        answer.complaint = allowed.error();
         return answer;
     }
     const QString question =
@@ -184,7 +186,7 @@ Checked<Answer> run(const Call &call)
                                 CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to "
                                                 "write, or --dry-run to look only."));
     if (agreed)
-        carryOut(call, **encoder, *plan, answer);
+        carryOut(call, *allowed, *plan, answer);
     else
         answer.complaint = agreed.error();
     return answer;

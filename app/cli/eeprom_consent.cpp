@@ -5,6 +5,9 @@
 #include "cli/texts.h"
 #include "encoder/sentence.h"
 #include "journal/eeprom_cost.h"
+#include "ring/bus_session.h"
+
+#include <numeric>
 
 namespace codewheel {
 namespace {
@@ -35,11 +38,8 @@ Checked<void> askForPlace(const Call &call, const EncoderSession &encoder)
     return refused(encoder, RefusalId::eepromLimitPassed, encoder.can().eepromLimit);
 }
 
-} // namespace
-
-Checked<void> eepromConsent(const Call &call, const EncoderSession &encoder, const Job &job, AsksAnyway asks)
+Checked<void> askFor(const Call &call, const EncoderSession &encoder, int planned, AsksAnyway asks)
 {
-    const int planned = mostEepromWrites(encoder, job);
     const EepromConcern concern = eepromConcern(encoder, planned);
     if (concern == EepromConcern::none)
         return {};
@@ -51,6 +51,28 @@ Checked<void> eepromConsent(const Call &call, const EncoderSession &encoder, con
     if (canAsk(call) && call.terminal.confirms(CommandLine::tr("Write to the EEPROM nevertheless?")))
         return {};
     return refused(encoder, RefusalId::eepromBudgetUsed, encoder.can().eepromBudget);
+}
+
+} // namespace
+
+Checked<AllowedJob> eepromConsent(const Call &call, EncoderSession &encoder, const Job &job, AsksAnyway asks)
+{
+    return askFor(call, encoder, mostEepromWrites(encoder, job), asks).map([&] {
+        return AllowedJob(encoder, job);
+    });
+}
+
+Checked<AllowedRound> eepromConsent(const Call &call, std::vector<EncoderJobs> encoders, AsksAnyway asks)
+{
+    for (const EncoderJobs &one : encoders) {
+        const EncoderSession &encoder = *call.bus->encoder(one.place);
+        const int planned =
+            std::accumulate(one.jobs.begin(), one.jobs.end(), 0,
+                            [&](int sum, const Job &job) { return sum + mostEepromWrites(encoder, job); });
+        if (const auto may = askFor(call, encoder, planned, asks); !may)
+            return tl::unexpected(may.error());
+    }
+    return AllowedRound(std::move(encoders));
 }
 
 } // namespace codewheel

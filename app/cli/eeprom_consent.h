@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cli/allowed_jobs.h"
 #include "cli/arguments.h"
-#include "cli/complaint.h"
-#include "encoder/encoder_session.h"
 
 #include <QtGlobal>
 
@@ -16,6 +15,9 @@ inline constexpr Option beyondLimitOption{
     "--beyond-eeprom-limit", "PLACE",
     QT_TRANSLATE_NOOP("codewheel::CommandLine", "write even where the manual guarantees nothing any more: "
                                                 "the place (or places, as 1.0,2.0) once more")};
+inline constexpr Option budgetYesOption{
+    "--yes", nullptr,
+    QT_TRANSLATE_NOOP("codewheel::CommandLine", "do not ask where the budget of the EEPROM is used")};
 inline constexpr Option ledgerOption{
     "--ledger", "FILE",
     QT_TRANSLATE_NOOP("codewheel::CommandLine",
@@ -23,8 +25,10 @@ inline constexpr Option ledgerOption{
 
 enum class AsksAnyway { yes, no };
 
-// What has to be said and agreed to before `job`, by how often this program has written to the EEPROM
+// What has to be said and agreed to before a job, by how often this program has written to the EEPROM
 // (journal/eeprom_cost.h). `asks`: the command asks before it writes; --yes answers.
-Checked<void> eepromConsent(const Call &call, const EncoderSession &encoder, const Job &job, AsksAnyway asks);
+Checked<AllowedJob> eepromConsent(const Call &call, EncoderSession &encoder, const Job &job, AsksAnyway asks);
+// Of each encoder, for all of its jobs together.
+Checked<AllowedRound> eepromConsent(const Call &call, std::vector<EncoderJobs> encoders, AsksAnyway asks);
 
 } // namespace codewheel

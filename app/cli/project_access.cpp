@@ -5,19 +5,17 @@
 #include "catalog/hex_code.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
+#include "journal/ledger_keeper.h"
 #include "project/project_file.h"
 #include "project/project_take_over.h"
 #include "ring/bus_session.h"
+
+#include <QFileInfo>
 
 #include <algorithm>
 
 namespace codewheel {
 namespace {
-
-Comparison comparisonWith(const Call &call)
-{
-    return compareRings(structureOf(*call.project), call.bus->structure());
-}
 
 // A name given anew would forget what is known of the encoder.
 bool isNamedSo(const Participant &connected, const DeviceDescription &device, const DeviceLabel &label)
@@ -79,7 +77,7 @@ Checked<DeviceNumber> placeOfStation(const Call &call, const QString &station)
                         CommandLine::tr("The project has several devices at the station \"%1\": %2. Give the "
                                         "device number."),
                         {station, texts.join(QStringLiteral(", "))});
-    if (!areSame(comparisonWith(call)))
+    if (!areSame(compareRings(structureOf(*call.project), call.bus->structure())))
         return tl::unexpected(Complaint{
             ExitCode::refused,
             QStringLiteral("busDiffers"),
@@ -103,16 +101,16 @@ Checked<std::optional<Project>> projectNamed(const Arguments &arguments)
     return *std::move(project);
 }
 
-void nameEncoders(const Call &call)
+void useProject(const Call &call, const Project &project, const QString &file)
 {
-    if (call.project == nullptr || call.bus == nullptr)
+    if (call.bus == nullptr)
         return;
     const RingStructure connected = call.bus->structure();
-    const Comparison comparison = comparisonWith(call);
+    const Comparison comparison = compareRings(structureOf(project), connected);
     for (const ComparisonLine &line : comparison) {
         if (line.kind != ComparisonKind::same)
             continue;
-        const ProjectDevice &planned = call.project->devices[*line.configured];
+        const ProjectDevice &planned = project.devices[*line.configured];
         const Participant &found = connected[*line.connected];
         if (planned.participant.number == found.number && !planned.participant.deviceKey.isEmpty())
             nameDevice(call, planned, found);
@@ -120,6 +118,11 @@ void nameEncoders(const Call &call)
     if (!areSame(comparison))
         call.terminal.complain(
             CommandLine::tr("The bus differs from the project. See codewheel-cli compare."));
+    if (call.ledger == nullptr)
+        return;
+    call.ledger->setProject(QFileInfo(file).absoluteFilePath());
+    for (const ProjectDevice &device : project.devices)
+        call.ledger->setLabel(device.participant.number, device.label.serialNumber);
 }
 
 Checked<QString> placeMeant(const Call &call, const QString &typed)

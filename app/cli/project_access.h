@@ -12,9 +12,10 @@ namespace codewheel {
 // The project that --project names; nothing where it names none.
 Checked<std::optional<Project>> projectNamed(const Arguments &arguments);
 
-// Names the encoders of the bus as the call's project does, where the bus has the same device at the same
-// place, for this call. Tells where it has not.
-void nameEncoders(const Call &call);
+// Takes the encoders of the bus, for this call, for those of the project: names them as it does where the bus
+// has the same device at the same place, tells where it has not, and counts their EEPROM writes as of its
+// places and labels.
+void useProject(const Call &call, const Project &project, const QString &file);
 
 // The place of the bus that PLACE means: a device number, or the station name of a device of the project.
 // Refused where the project has another device at that place; a station name also where the bus differs from

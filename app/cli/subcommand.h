@@ -11,6 +11,7 @@ namespace codewheel {
 
 class BusSession;
 class Catalog;
+class LedgerKeeper;
 struct Project;
 
 // What a command works with.
@@ -21,6 +22,7 @@ struct Call
     BusSession *bus; // null for commands that need none
     const Terminal &terminal;
     const Project *project; // of --project; null without it
+    LedgerKeeper *ledger;   // of the bus; null without one
 };
 
 // One command of the command line: how it is called, how it is explained, and what it does. Texts are

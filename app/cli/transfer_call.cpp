@@ -66,11 +66,12 @@ std::optional<Complaint> complaintAboutAccount(const TransferAccount &account)
 
 } // namespace
 
-Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project &project)
+Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project &project,
+                                                 const QString &file)
 {
     if (project.devices.empty())
         return tl::unexpected(complaintAbout({RefusalKind::badInput, RefusalId::projectEmpty, {}}));
-    nameEncoders({call.arguments, call.catalog, call.bus, call.terminal, &project});
+    useProject(call, project, file);
     call.bus->advance(1); // so that each encoder shows where it stands
     if (call.arguments.rest.size() == 1)
         return project.devices;
@@ -87,17 +88,17 @@ Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project
     return devices;
 }
 
-FinishedRound runToEnd(BusSession &bus, std::vector<EncoderJobs> jobs, JobRound::AfterRefusal afterRefusal)
+FinishedRound runToEnd(BusSession &bus, const AllowedRound &allowed, JobRound::AfterRefusal afterRefusal)
 {
     FinishedRound finished;
     JobRound round(bus);
     QObject scope;
-    for (const EncoderJobs &one : jobs)
+    for (const EncoderJobs &one : allowed.encoders())
         if (EncoderSession *encoder = bus.encoder(one.place))
             QObject::connect(
                 encoder, &EncoderSession::exchanged, &scope,
                 [&rows = finished.rows[one.place]](const Exchange &row) { rows.push_back(row); });
-    round.start(std::move(jobs), afterRefusal);
+    round.start(allowed.encoders(), afterRefusal);
     while (round.isRunning())
         bus.advance(1);
     finished.results = round.results();
@@ -118,21 +119,8 @@ void addTrace(const Call &call, const FinishedRound &round, Answer &answer)
     answer.json.insert(QStringLiteral("trace"), json);
 }
 
-namespace {
-
-// Of each job of each encoder.
-Checked<void> eepromConsentOfAll(const Call &call, const std::vector<EncoderJobs> &encoders)
-{
-    for (const EncoderJobs &encoder : encoders)
-        for (const Job &job : encoder.jobs)
-            if (auto may = eepromConsent(call, *call.bus->encoder(encoder.place), job, AsksAnyway::yes); !may)
-                return may;
-    return {};
-}
-
-} // namespace
-
-Answer transfer(const Call &call, TransferKind kind, const QString &source, const TransferPlan &plan)
+Answer transfer(const Call &call, TransferKind kind, const QString &source, const TransferPlan &plan,
+                const std::function<Checked<void>()> &agreed)
 {
     Answer answer;
     answer.json.insert(QStringLiteral("plan"), planJson(*call.bus, plan));
@@ -141,25 +129,30 @@ Answer transfer(const Call &call, TransferKind kind, const QString &source, cons
     const std::vector<EncoderJobs> jobs = jobsOf(plan);
     if (call.arguments.has("--dry-run"))
         return answer;
+    const auto allowed = eepromConsent(call, jobs, AsksAnyway::yes);
+    if (!allowed) {
+        answer.complaint = allowed.error();
+        return answer;
+    }
     if (!jobs.empty()) {
-        if (const auto may = eepromConsentOfAll(call, jobs); !may) {
-            answer.complaint = may.error();
-            return answer;
-        }
-        const auto agreed =
+        const auto agrees =
             consent(call,
                     sentence(CommandLine::tr("Write this to encoders: %1, with at most so many EEPROM "
                                              "writes: %2?"),
                              {QString::number(jobs.size()), QString::number(eepromWritesOf(plan))}),
                     CommandLine::tr("Nothing was written: there is nobody to ask. Add --yes to write, or "
                                     "--dry-run to look only."));
-        if (!agreed) {
-            answer.complaint = agreed.error();
+        if (!agrees) {
+            answer.complaint = agrees.error();
             return answer;
         }
     }
+    if (const auto mayGoOn = agreed ? agreed() : Checked<void>(); !mayGoOn) {
+        answer.complaint = mayGoOn.error();
+        return answer;
+    }
     const FinishedRound round =
-        runToEnd(*call.bus, jobs,
+        runToEnd(*call.bus, *allowed,
                  call.arguments.has("--stop") ? JobRound::AfterRefusal::stop : JobRound::AfterRefusal::goOn);
     addTrace(call, round, answer);
     TransferAccount account = accountOf(*call.bus, kind, plan, round.results);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cli/allowed_jobs.h"
 #include "cli/subcommand.h"
 #include "encoder/exchange.h"
 #include "project/project.h"
 #include "transfer/transfer_account.h"
 
+#include <functional>
 #include <map>
 
 namespace codewheel {
@@ -13,8 +15,10 @@ namespace codewheel {
 // What the commands about several encoders have in common.
 
 // The devices of the project named in the call by place or station, from its second argument on; without any,
-// all. Refuses a place that the project does not have. Names the encoders of the bus as the project does.
-Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project &project);
+// all. Refuses a place that the project does not have. Takes the encoders of the bus for those of the
+// project.
+Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project &project,
+                                                 const QString &file);
 
 // A round of jobs in virtual time.
 struct FinishedRound
@@ -22,12 +26,14 @@ struct FinishedRound
     std::vector<EncoderResult> results;
     std::map<DeviceNumber, std::vector<Exchange>> rows; // the words that went over the bus
 };
-FinishedRound runToEnd(BusSession &bus, std::vector<EncoderJobs> jobs, JobRound::AfterRefusal afterRefusal);
+FinishedRound runToEnd(BusSession &bus, const AllowedRound &allowed, JobRound::AfterRefusal afterRefusal);
 void addTrace(const Call &call, const FinishedRound &round, Answer &answer); // with --trace
 
 // Shows the plan, asks, writes, accounts. With --dry-run the plan only; with --stop the rest is not begun
-// after a refusal; with --report FILE the account is saved.
-Answer transfer(const Call &call, TransferKind kind, const QString &source, const TransferPlan &plan);
+// after a refusal; with --report FILE the account is saved. `agreed` is called before anything is written;
+// what it complains about ends the transfer there.
+Answer transfer(const Call &call, TransferKind kind, const QString &source, const TransferPlan &plan,
+                const std::function<Checked<void>()> &agreed = {});
 
 // The options of all of them but deviceOption.
 inline constexpr Option transferYes{"--yes", nullptr,

@@ -2,6 +2,7 @@
 #include "app/window/leaving.h"
 
 #include "encoder/hex.h"
+#include "journal/eeprom_cost.h"
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
 #include "widgets/models/device_traits.h"
@@ -122,6 +123,7 @@ bool Leaving::endJob(EncoderSession &encoder)
                                     {.taken = progress.confirmed,
                                      .isActive = isActive,
                                      .canRestore = progress.canRestore,
+                                     .writesToRestore = mostWritesToRestore(progress),
                                      .positionNote = {}});
     if (how && encoder.runningJob())
         encoder.cancel(*how);

@@ -6,6 +6,7 @@
 #include "drivers/parameter_check.h"
 #include "drivers/planned_words.h"
 #include "drivers/values_to_write.h"
+#include "journal/eeprom_cost.h"
 #include "ring/bus_session.h"
 
 #include <algorithm>
@@ -158,9 +159,10 @@ void EncoderComparison::plan()
 void EncoderComparison::addPositionMode()
 {
     const bool isElsewhere = m_device.quirks.hasModes && m_encoder.latest().mode != Mode::position;
-    if (m_wish.toPositionMode && isElsewhere)
+    if (m_wish.toPositionMode && isElsewhere) {
         takeSteps(SwitchMode{});
-    else if (m_encoder.latest().mode == Mode::cam && !m_plan.rows.empty())
+        m_plan.eepromWrites += mostEepromWrites(m_encoder, SwitchMode{}); // leaves a cam program, perhaps
+    } else if (m_encoder.latest().mode == Mode::cam && !m_plan.rows.empty())
         setHindrance(
             Refusal{RefusalKind::notSupported, RefusalId::inCamMode, {wordFor(m_plan.rows.front().wanted)}});
     else if (m_wish.position && isElsewhere)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is kept on disk: messages listed and exported, EEPROM writes counted and asked for.
+#include "encoder/job.h"
 #include "journal/ledger.h"
 #include "journal/message_store.h"
 #include "tests/cli/cli_run.h"
@@ -21,13 +22,13 @@ protected:
     {
         return runLine(QString::fromLatin1(line).arg(folder.path()), person);
     }
-    // The encoder at 1.0 of no project was written to so often.
-    void count(int writes) const
+    // The encoder at 1.0 of this project, or of none, was written to so often.
+    void count(int writes, const QString &project = {}) const
     {
         auto ledger = Ledger::open(DatabasePlace::file(path("ledger.sqlite")));
         ASSERT_TRUE(ledger);
         const EncoderIdentity fraba{
-            .by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = {}, .place = {1, 0}};
+            .by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = project, .place = {1, 0}};
         ASSERT_TRUE(ledger->begin({.at = QDateTime(QDate(2026, 3, 1), QTime(12, 0), Qt::UTC),
                                    .identity = fraba.key(),
                                    .place = {1, 0},
@@ -38,7 +39,11 @@ protected:
     }
     int counted() const
     {
-        return Ledger::open(DatabasePlace::file(path("ledger.sqlite")))->accounts()[0].count.writes;
+        int writes = 0;
+        for (const Ledger::Account &account :
+             Ledger::open(DatabasePlace::file(path("ledger.sqlite")))->accounts())
+            writes += account.count.atMost();
+        return writes;
     }
 
     QTemporaryDir folder;
@@ -166,6 +171,66 @@ TEST_F(CliJournal, WantsThePlaceTypedBeyondTheLimit)
     EXPECT_EQ(run("write 1.0 steps=255 --ledger %1/ledger.sqlite", {true, "1.0\ny\n"}).exit, 0);
     EXPECT_EQ(run("write 1.0 steps=256 --yes --beyond-eeprom-limit 1.0 --ledger %1/ledger.sqlite").exit, 0);
     EXPECT_EQ(counted(), 502);
+}
+
+// What each kind of job is called by, and whether it may write to an EEPROM, in the order of Job: whoever
+// adds one enters it here. %2 is a project with the encoder at 1.0.
+struct JobRow
+{
+    std::vector<const char *> calls; // none: no command does this
+    bool writes;
+};
+const std::vector<JobRow> jobRows{
+    {{"read 1.0 steps", "velocity 1.0 on", "store %2 1.0", "report %2 -o %1/report.html --read"}, false},
+    {{"write 1.0 steps=255 --yes", "transfer %2 1.0 --yes"}, true},
+    {{"preset 1.0", "preset 1.0 1000", "preset 1.0 --fraba"}, true},
+    {{"words 1.0 020000FF", "words 1.0 40000000", "words 1.0 20800001 46000015 20800000"}, true},
+    {{}, true},                                         // EndParameterization
+    {{"velocity 1.0 off --device fraba-ocd-ib"}, true}, // so its mode is not known
+    {{"reset 1.0 --yes"}, true},
+    {{"cams 1.0 read --program 1", "cams 1.0 compare %3/cams.json", "clone 1.0 6.1 --cams --yes",
+      "store %2 1.0 --cams"},
+     true},
+    {{"cams 1.0 write %3/cams.json --yes"}, true}};
+
+TEST_F(CliJournal, NoKindOfJobWritesPastTheLimitUnlessThePlaceIsTyped)
+{
+    ASSERT_EQ(jobRows.size(), std::variant_size_v<Job>);
+    const QString examples = QStringLiteral(CODEWHEEL_ROOT "/docs/examples");
+    const QString project = path("training.codewheel");
+    for (const JobRow &row : jobRows)
+        for (const char *line : row.calls) {
+            for (const char *made : {"ledger.sqlite", "training.codewheel", "report.html"})
+                QFile::remove(path(made));
+            ASSERT_TRUE(QFile::copy(examples + QStringLiteral("/training.codewheel"), project));
+            count(500);
+            count(500, project);
+            QString call = QString::fromLatin1(line) + QStringLiteral(" --json --ledger %1/ledger.sqlite");
+            call.replace(QStringLiteral("%1"), folder.path());
+            call.replace(QStringLiteral("%2"), project);
+            call.replace(QStringLiteral("%3"), examples);
+            const CliRun first = runLine(call);
+            EXPECT_EQ(first.exit, row.writes ? 1 : 0) << line << first.out;
+            EXPECT_EQ(errorKey(first), row.writes ? "eepromLimitPassed" : "") << line;
+            EXPECT_EQ(counted(), 1000) << line;
+            if (row.writes) {
+                EXPECT_NE(errorKey(runLine(call + QStringLiteral(" --beyond-eeprom-limit 1.0,6.1"))),
+                          "eepromLimitPassed")
+                    << line;
+            }
+        }
+}
+
+// Not each job for itself: the position is set with two writes, the values before it are two more.
+TEST_F(CliJournal, AsksOnceForAllThatIsWrittenToAnEncoder)
+{
+    const QString project = QStringLiteral(CODEWHEEL_ROOT "/docs/examples/training.codewheel");
+    count(199, project);
+    const QString call =
+        QStringLiteral("transfer %1 1.0 --ledger %2/ledger.sqlite").arg(project, folder.path());
+    const CliRun written = runLine(call + QStringLiteral(" --yes"));
+    EXPECT_EQ(written.exit, 0);
+    EXPECT_NE(written.err.find("199 writes by this program and 2 more"), std::string::npos) << written.err;
 }
 
 } // namespace

@@ -127,6 +127,25 @@ TEST(CliProgram, MakesAPdfWithoutAScreen)
     EXPECT_TRUE(pdf.readAll().startsWith("%PDF-"));
 }
 
+// A Qt without its driver for SQLite.
+TEST(CliProgram, SaysThatNothingIsKeptWithoutTheDriver)
+{
+    const QTemporaryDir folder;
+    const QString program = folder.filePath(QStringLiteral("codewheel-cli"));
+    ASSERT_TRUE(QFile::copy(QStringLiteral(CODEWHEEL_CLI), program));
+    QFile settings(folder.filePath(QStringLiteral("qt.conf")));
+    ASSERT_TRUE(settings.open(QIODevice::WriteOnly));
+    settings.write("[Paths]\nPlugins = nowhere\n");
+    settings.close();
+    QProcess process;
+    process.start(program, {QStringLiteral("scan")});
+    ASSERT_TRUE(process.waitForFinished());
+    EXPECT_EQ(process.exitCode(), 0);
+    EXPECT_THAT(process.readAllStandardError().toStdString(),
+                HasSubstr("codewheel-cli: Messages are not kept, and EEPROM writes are counted for this "
+                          "connection only: Qt's driver for SQLite is missing on this computer."));
+}
+
 TEST(CliProgram, ExitCodesTellWhoRefused)
 {
     EXPECT_EQ(start(QStringLiteral("--version")).exit, 0);

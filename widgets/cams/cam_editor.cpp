@@ -11,6 +11,7 @@
 #include "widgets/cams/cam_range_bar.h"
 #include "widgets/cams/cam_review.h"
 #include "widgets/cams/cam_texts.h"
+#include "widgets/eeprom/eeprom_question.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/parameters/job_strip.h"
@@ -271,7 +272,8 @@ void CamEditor::bringBack()
 
 void CamEditor::start(CamJobs::Purpose purpose, const Job &job)
 {
-    if (!session())
+    const bool wasAsked = purpose == CamJobs::Purpose::write; // in its review
+    if (!session() || (!wasAsked && !askForEeprom(window(), *session(), job)) || !session())
         return;
     m_message->withdraw();
     if (const auto taken = m_jobs->start(*session(), purpose, job); !taken)

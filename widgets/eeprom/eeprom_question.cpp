@@ -25,7 +25,11 @@ constexpr int textWidth = 420; // a comfortable line
 
 bool askForEeprom(QWidget *window, EncoderSession &encoder, const Job &job)
 {
-    const int planned = mostEepromWrites(encoder, job);
+    return askForEeprom(window, encoder, mostEepromWrites(encoder, job));
+}
+
+bool askForEeprom(QWidget *window, EncoderSession &encoder, int planned)
+{
     const EepromConcern concern = eepromConcern(encoder, planned);
     if (concern != EepromConcern::question && concern != EepromConcern::typed)
         return true;

@@ -11,5 +11,7 @@ namespace codewheel {
 // of, and lets the place be typed beyond what it guarantees. True, without a question, where nothing is to be
 // asked.
 bool askForEeprom(QWidget *window, EncoderSession &encoder, const Job &job);
+// Before a word that goes out by hand, and before a cancelled job writes the values from before again.
+bool askForEeprom(QWidget *window, EncoderSession &encoder, int planned);
 
 } // namespace codewheel

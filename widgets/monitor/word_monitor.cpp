@@ -4,6 +4,8 @@
 #include "catalog/explain_word.h"
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
+#include "journal/eeprom_cost.h"
+#include "widgets/eeprom/eeprom_question.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -147,6 +149,9 @@ QLabel *WordMonitor::makeNoOutNote()
 void WordMonitor::makeSender()
 {
     m_sender = new WordSender(*m_channel, m_place, wordForm(m_kind, m_device), this);
+    m_sender->setGate([this](Word word) {
+        return !m_encoder || askForEeprom(window(), *m_encoder, mostEepromWrites(*m_encoder, word));
+    });
     connect(m_channel, &WordChannel::stagedChanged, this, [this] {
         if (!m_channel->staged())
             m_hasSent = false;

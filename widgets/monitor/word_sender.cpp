@@ -54,6 +54,9 @@ void WordSender::write()
 {
     if (!m_channel || m_blocked)
         return;
+    const Word word = m_channel->shownOut();
+    if (m_mayBeSent && (!m_mayBeSent(word) || !m_channel || m_channel->shownOut() != word))
+        return;
     if (const Result<void> written = m_channel->write(); !written)
         Q_EMIT refused(written.error());
     else

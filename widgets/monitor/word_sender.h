@@ -7,6 +7,8 @@
 #include <QPointer>
 #include <QWidget>
 
+#include <functional>
+
 class QCheckBox;
 class QPushButton;
 
@@ -25,6 +27,8 @@ public:
     // place: "OUT 1.0"
     WordSender(WordChannel &channel, const QString &place, const WordForm &form, QWidget *parent = nullptr);
 
+    // Asked before a word is sent: whether it may be.
+    void setGate(std::function<bool(Word)> mayBeSent) { m_mayBeSent = std::move(mayBeSent); }
     void setBlocked(bool blocked); // by bad input, which must not be taken for what is sent
     void write();
     void discard();
@@ -40,6 +44,7 @@ Q_SIGNALS:
 private:
     QPointer<WordChannel> m_channel;
     Word m_commandBits;
+    std::function<bool(Word)> m_mayBeSent;
     QPushButton *m_write;
     QPushButton *m_discard;
     QCheckBox *m_atOnce;

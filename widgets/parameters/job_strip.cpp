@@ -2,6 +2,8 @@
 #include "widgets/parameters/job_strip.h"
 
 #include "catalog/explain_word.h"
+#include "journal/eeprom_cost.h"
+#include "widgets/eeprom/eeprom_question.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/models/device_traits.h"
@@ -166,6 +168,9 @@ void JobStrip::showChoices(bool visible)
 
 void JobStrip::leave(OnCancel how)
 {
+    const bool restores = how == OnCancel::restorePrevious;
+    if (restores && m_encoder && !askForEeprom(window(), *m_encoder, mostWritesToRestore(m_progress)))
+        return;
     showChoices(false);
     m_cancel->setEnabled(false);
     if (m_encoder)

@@ -12,12 +12,22 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace codewheel {
 namespace {
 
 constexpr int mostTold = 4; // encoders; the table above needs the room
+
+// Of the plan's jobs: to the cost told above that of leaving a cam program that was changed is added.
+int writesOf(const EncoderSession &encoder, const EncoderPlan &plan)
+{
+    const int ofJobs = std::accumulate(plan.jobs.begin(), plan.jobs.end(), 0, [&](int sum, const Job &job) {
+        return sum + mostEepromWrites(encoder, job);
+    });
+    return std::max(plan.eepromWrites, ofJobs);
+}
 
 QString placesOf(const std::vector<DeviceNumber> &numbers)
 {
@@ -62,12 +72,11 @@ void EepromGates::setPlan(const TransferPlan &plan)
     std::vector<DeviceNumber> typed;
     for (const EncoderPlan &one : plan) {
         const EncoderSession *encoder = m_bus.encoder(one.place);
-        const EepromConcern concern =
-            encoder ? eepromConcern(*encoder, one.eepromWrites) : EepromConcern::none;
+        const int planned = encoder ? writesOf(*encoder, one) : 0;
+        const EepromConcern concern = encoder ? eepromConcern(*encoder, planned) : EepromConcern::none;
         if (concern == EepromConcern::none)
             continue;
-        texts << QStringLiteral("%1: %2").arg(one.place.toString(),
-                                              eepromConcernText(*encoder, one.eepromWrites));
+        texts << QStringLiteral("%1: %2").arg(one.place.toString(), eepromConcernText(*encoder, planned));
         if (concern == EepromConcern::question)
             asked.push_back(one.place);
         if (concern == EepromConcern::typed)

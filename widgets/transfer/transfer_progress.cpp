@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/transfer_progress.h"
 
+#include "journal/eeprom_cost.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/models/device_traits.h"
@@ -86,6 +87,7 @@ void TransferProgress::cancel()
              .isActive = !activatesByRun(encoder->device()) ||
                          (progress.confirmed.empty() && encoder->latest().state == EncoderState::operation),
              .canRestore = progress.canRestore,
+             .writesToRestore = mostWritesToRestore(progress),
              .positionNote = {}});
     if (how)
         m_round.cancel(*how);

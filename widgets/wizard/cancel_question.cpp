@@ -3,6 +3,7 @@
 
 #include "catalog/value_text.h"
 #include "encoder/encoder_session.h"
+#include "widgets/eeprom/eeprom_question.h"
 
 #include <QCoreApplication>
 #include <QMessageBox>
@@ -53,7 +54,7 @@ QString explanation(const EncoderSession &encoder, const CancelSituation &situat
 
 } // namespace
 
-std::optional<OnCancel> askHowToCancel(QWidget *parent, const EncoderSession &encoder,
+std::optional<OnCancel> askHowToCancel(QWidget *parent, EncoderSession &encoder,
                                        const CancelSituation &situation)
 {
     QMessageBox box(parent);
@@ -81,7 +82,9 @@ std::optional<OnCancel> askHowToCancel(QWidget *parent, const EncoderSession &en
 
     box.exec();
     if (box.clickedButton() == restore)
-        return OnCancel::restorePrevious;
+        return askForEeprom(parent, encoder, situation.writesToRestore)
+                   ? std::optional(OnCancel::restorePrevious)
+                   : std::nullopt;
     if (run != nullptr && box.clickedButton() == run)
         return OnCancel::runWithWhatItHas;
     if (box.clickedButton() == leave)

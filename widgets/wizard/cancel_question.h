@@ -19,13 +19,15 @@ struct CancelSituation
     ParameterValues taken;   // by the encoder so far
     bool isActive = false;   // what it has taken is valid already: run was sent, and nothing since
     bool canRestore = false; // the values from before are known
+    int writesToRestore = 0; // to the EEPROM, at most
     QString positionNote;    // what the position will read if it runs with what it has; may be empty
 };
 
 // Cancel of a job after the encoder has taken something: restore the values from before, run with what it
-// has, or leave it in parameterization. Nothing: go on with the handshake. Also closes, with nothing, when
-// the job ends meanwhile. Used by the wizard, the parameter panel and the window on closing.
-std::optional<OnCancel> askHowToCancel(QWidget *parent, const EncoderSession &encoder,
+// has, or leave it in parameterization. Restoring writes to the EEPROM: where that has to be agreed to, it is
+// asked for as well. Nothing: go on with the handshake. Also closes, with nothing, when the job ends
+// meanwhile. Used by the wizard and by transfers.
+std::optional<OnCancel> askHowToCancel(QWidget *parent, EncoderSession &encoder,
                                        const CancelSituation &situation);
 
 } // namespace codewheel

@@ -4,7 +4,9 @@
 #include "catalog/explain_word.h"
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
+#include "journal/eeprom_cost.h"
 #include "ring/bus_session.h"
+#include "widgets/eeprom/eeprom_question.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -295,6 +297,7 @@ bool HandshakePage::cancel()
                          (record.progress.confirmed.empty() &&
                           m_setup.encoder->latest().state == EncoderState::operation),
              .canRestore = record.progress.canRestore,
+             .writesToRestore = mostWritesToRestore(record.progress),
              .positionNote = position ? tr("The position will then read %1%2.")
                                             .arg(position->exact ? QString() : tr("about "),
                                                  QLocale().toString(qlonglong{position->position}))
@@ -310,6 +313,8 @@ void HandshakePage::bringBack(bool restore)
     EndParameterization job;
     if (restore)
         job.restore = valuesToRestore(m_setup.record);
+    if (!askForEeprom(window(), *m_setup.encoder, job))
+        return;
     const auto started = m_setup.encoder->start(job);
     if (!started) {
         m_problem->showMessage(Role::attention, refusalText(started.error()));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cam editor and FRABA 1.0 of the training bus: read, write, compare, run.
+#include "tests/app/question.h"
 #include "tests/widgets/cams/cam_editor_test.h"
 #include "widgets/cams/cam_mode_bar.h"
 #include "widgets/cams/cam_review.h"
@@ -40,6 +41,26 @@ protected:
         return there ? std::optional(there->program) : std::nullopt;
     }
 };
+
+// The program the encoder is in is stored when it is left, if it was changed.
+TEST_F(CamEditorJobs, ReadingAnEepromThatIsUsedUpIsAskedFor)
+{
+    tellAll();
+    encoder().setEepromCount({.writes = 500});
+    {
+        const auto cancels = test::Question::answeredBy(QStringLiteral("Cancel"));
+        trigger("Read");
+    }
+    EXPECT_FALSE(encoder().runningJob());
+    encoder().setEepromCount({.writes = 200});
+    const test::Question agrees([](QWidget &dialog) {
+        dialog.findChild<QCheckBox *>(QStringLiteral("writeNevertheless"))->click();
+        dialog.findChild<QPushButton *>(QStringLiteral("writeToEeprom"))->click();
+    });
+    trigger("Read");
+    EXPECT_TRUE(encoder().runningJob());
+    finishJob();
+}
 
 TEST_F(CamEditorJobs, WritingShowsTheWordsOfTheManualBeforeItSendsThem)
 {

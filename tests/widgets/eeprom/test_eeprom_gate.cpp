@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A FRABA of the training bus whose ledger says that it was written to often: every place that starts a job.
+#include "tests/app/question.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/eeprom/eeprom_question.h"
+#include "widgets/monitor/word_field.h"
+#include "widgets/monitor/word_monitor.h"
+#include "widgets/parameters/job_strip.h"
 #include "widgets/parameters/write_review.h"
+#include "widgets/wizard/cancel_question.h"
 
 namespace codewheel {
 namespace {
@@ -122,6 +127,104 @@ TEST_F(EepromGateTest, AQuestionIsAskedOnlyWhereThereIsOne)
     EXPECT_TRUE(wasAsked);
     QTimer::singleShot(0, &window, [] { QApplication::activeModalWidget()->close(); });
     EXPECT_FALSE(askForEeprom(&window, ring.encoder(fraba), SetPreset{}));
+}
+
+TEST_F(EepromGateTest, HoldsBackAWordByHandThatIsStored)
+{
+    EncoderSession &encoder = ring.encoder(fraba);
+    WordMonitor monitor(ring.channel(fraba), &encoder, &encoder.device(), MonitorKind::out32);
+    count(500);
+    const auto send = [&](Word word) {
+        ring.channel(fraba).stage(word);
+        for (auto *button : monitor.findChildren<QPushButton *>())
+            if (button->accessibleName() == QStringLiteral("Write OUT 1.0"))
+                button->click();
+        ring.bus.advance(1);
+        return ring.channel(fraba).out() == word;
+    };
+    EXPECT_TRUE(send(0x20210001)); // reads
+    EXPECT_TRUE(send(0));
+    {
+        const auto cancels = test::Question::answeredBy(QStringLiteral("Cancel"));
+        EXPECT_FALSE(send(0x020000FF));
+    }
+    const test::Question types([](QWidget &dialog) {
+        find<QLineEdit>(dialog, "typedPlace").setText(QStringLiteral("1.0"));
+        find<QPushButton>(dialog, "writeToEeprom").click();
+    });
+    EXPECT_TRUE(send(0x020000FF));
+}
+
+// A job that has taken a value, in the wizard, a transfer or on quitting: restoring it is one more write.
+TEST_F(EepromGateTest, HoldsBackWritingTheValuesFromBeforeAgain)
+{
+    QWidget window;
+    count(500);
+    const auto cancel = [&] {
+        return askHowToCancel(&window, ring.encoder(fraba),
+                              {.taken = {{Parameter::steps, 255}},
+                               .canRestore = true,
+                               .writesToRestore = 1,
+                               .positionNote = {}});
+    };
+    const auto restoreThen = [&](const char *button) {
+        QTimer::singleShot(0, &window, [this, button] {
+            const QPointer<QWidget> first(QApplication::activeModalWidget());
+            QTimer::singleShot(0, first, [button] {
+                auto &second = *QApplication::activeModalWidget();
+                find<QLineEdit>(second, "typedPlace").setText(QStringLiteral("1.0"));
+                for (auto *each : second.findChildren<QPushButton *>())
+                    if (each->text().remove(u'&') == QLatin1String(button))
+                        each->click();
+            });
+            for (auto *each : first->findChildren<QPushButton *>())
+                if (each->text().contains(QStringLiteral("Restore")))
+                    each->click();
+        });
+        return cancel();
+    };
+    EXPECT_EQ(restoreThen("Cancel"), std::nullopt);
+    EXPECT_EQ(restoreThen("Write"), OnCancel::restorePrevious);
+    const auto runs = test::Question::answeredBy(QStringLiteral("Run"));
+    EXPECT_EQ(cancel(), OnCancel::runWithWhatItHas);
+}
+
+TEST_F(EepromGateTest, HoldsBackRestoringInTheJobStrip)
+{
+    JobStrip strip;
+    EncoderSession &encoder = ring.encoder(fraba);
+    encoder.tell(Parameter::startUpMode, 1);
+    encoder.tell(Parameter::steps, 8192);
+    strip.setEncoder(&encoder);
+    strip.begin();
+    strip.show();
+    ASSERT_TRUE(encoder.start(
+        WriteParameters{.values = {{Parameter::steps, 255}}, .previous = {{Parameter::steps, 8192}}},
+        Pace::byHand));
+    for (int i = 0; i < 3; ++i) {
+        ring.bus.advance(40);
+        if (i == 0)
+            encoder.proceed();
+    }
+    count(500);
+    find<QPushButton>(strip, "cancelJob").click();
+    const auto restore = [&] {
+        for (auto *each : strip.findChildren<QPushButton *>())
+            if (each->text().contains(QStringLiteral("Restore")))
+                each->click();
+        ring.bus.advance(500);
+    };
+    {
+        const auto cancels = test::Question::answeredBy(QStringLiteral("Cancel"));
+        restore();
+    }
+    EXPECT_TRUE(encoder.runningJob());
+    const test::Question types([](QWidget &dialog) {
+        find<QLineEdit>(dialog, "typedPlace").setText(QStringLiteral("1.0"));
+        find<QPushButton>(dialog, "writeToEeprom").click();
+    });
+    restore();
+    EXPECT_FALSE(encoder.runningJob());
 }
 
 } // namespace
