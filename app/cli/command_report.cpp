@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
+#include "cli/eeprom_consent.h"
 #include "cli/project_access.h"
 #include "cli/texts.h"
 #include "cli/transfer_call.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
+#include "journal/ledger.h"
+#include "journal_files.h"
 #include "pdf/save_report.h"
 #include "project/project_file.h"
 #include "report/deviations.h"
+#include "report/kept_counts.h"
 #include "report/live_encoders.h"
 #include "report/make_report.h"
 #include "ring/bus_session.h"
@@ -31,7 +35,11 @@ constexpr std::array options{
            QT_TRANSLATE_NOOP(
                "codewheel::CommandLine",
                "ask the encoders of the bus what they have; takes their positions away meanwhile")},
-    Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "replace FILE if it is there")},
+    Option{"--yes", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "replace FILE if it is there; do not ask where "
+                                                       "the budget of an EEPROM is used")},
+    beyondLimitOption,
+    ledgerOption,
 };
 
 struct Target
@@ -80,14 +88,19 @@ EncoderJobs jobsToRead(const ProjectDevice &planned, const EncoderSession &encod
     return jobs;
 }
 
-// Reads what the encoders of the project have; why one could not be read, or nothing.
-std::optional<Complaint> readEncoders(BusSession &bus, const Project &project)
+Checked<AllowedRound> roundToRead(const Call &call, const Project &project)
 {
     std::vector<EncoderJobs> jobs;
-    bus.advance(1);
-    for (const auto &[planned, encoder] : connectedEncoders(project, bus))
+    call.bus->advance(1);
+    for (const auto &[planned, encoder] : connectedEncoders(project, *call.bus))
         jobs.push_back(jobsToRead(*planned, *encoder));
-    for (const EncoderResult &result : runToEnd(bus, std::move(jobs), JobRound::AfterRefusal::goOn).results)
+    return eepromConsent(call, std::move(jobs), AsksAnyway::no);
+}
+
+// Reads what the encoders of the project have; why one could not be read, or nothing.
+std::optional<Complaint> readEncoders(BusSession &bus, const AllowedRound &round)
+{
+    for (const EncoderResult &result : runToEnd(bus, round, JobRound::AfterRefusal::goOn).results)
         if (result.why)
             return Complaint{ExitCode::refused, refusalKey(result.why->id),
                              sentence(CommandLine::tr("%1 could not be read: %2"),
@@ -131,6 +144,20 @@ Answer save(const Call &call, const ReportInput &input, const Target &target)
     return answer;
 }
 
+// Of the file that keeps the writes to encoders of this world, or the one named. Looking makes none.
+Checked<void> addLedger(const Call &call, const QString &project, ReportInput &input)
+{
+    const QString file = call.arguments.value("--ledger").value_or(ledgerFile(userJournalFolder()));
+    if (!QFileInfo::exists(file))
+        return {};
+    const auto ledger = Ledger::open(DatabasePlace::file(file));
+    if (!ledger)
+        return tl::unexpected(
+            complaintAbout({RefusalKind::link, RefusalId::databaseFailed, {file, ledger.error().reason}}));
+    addKept(input, *ledger, call.catalog, QFileInfo(project).absoluteFilePath());
+    return {};
+}
+
 Checked<Answer> run(const Call &call)
 {
     const QString &name = call.arguments.rest.front();
@@ -147,10 +174,15 @@ Checked<Answer> run(const Call &call)
                       .now = QDateTime::currentDateTime()};
     std::optional<Complaint> notRead;
     if (call.arguments.has("--read")) {
-        nameEncoders({call.arguments, call.catalog, call.bus, call.terminal, &input.project});
-        notRead = readEncoders(*call.bus, input.project);
+        useProject(call, input.project, name);
+        const auto round = roundToRead(call, input.project);
+        if (!round)
+            return tl::unexpected(round.error());
+        notRead = readEncoders(*call.bus, *round);
         addConnected(input, *call.bus);
     }
+    if (const auto added = addLedger(call, name, input); !added)
+        return tl::unexpected(added.error());
     Answer answer = save(call, input, *target);
     if (!answer.complaint)
         answer.complaint = notRead;

@@ -7,11 +7,11 @@
 namespace codewheel {
 namespace {
 
-constexpr std::array commands{&devicesCommand,  &scanCommand,  &compareCommand,  &explainCommand,
-                              &wordsCommand,    &readCommand,  &writeCommand,    &presetCommand,
-                              &velocityCommand, &resetCommand, &camsCommand,     &storeCommand,
-                              &transferCommand, &cloneCommand, &reportCommand,   &monitorCommand,
-                              &masterCommand,   &serveCommand, &messagesCommand, &ledgerCommand};
+constexpr std::array commands{
+    &devicesCommand,  &scanCommand,   &compareCommand,  &explainCommand, &wordsCommand,  &readCommand,
+    &writeCommand,    &presetCommand, &velocityCommand, &resetCommand,   &camsCommand,   &storeCommand,
+    &transferCommand, &cloneCommand,  &replaceCommand,  &restoreCommand, &reportCommand, &monitorCommand,
+    &masterCommand,   &serveCommand,  &messagesCommand, &ledgerCommand};
 
 constexpr std::array common{
     Option{"--json", nullptr,

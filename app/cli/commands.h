@@ -20,6 +20,8 @@ extern const Subcommand camsCommand;
 extern const Subcommand storeCommand;
 extern const Subcommand transferCommand;
 extern const Subcommand cloneCommand;
+extern const Subcommand replaceCommand;
+extern const Subcommand restoreCommand;
 extern const Subcommand reportCommand;
 extern const Subcommand monitorCommand;
 extern const Subcommand masterCommand;

@@ -204,4 +204,21 @@ QJsonArray accountJson(const BusSession &bus, const TransferAccount &account)
     return encoders;
 }
 
+QJsonObject differencesJson(const ReplacementDifferences &differences)
+{
+    const auto pair = [](const std::optional<std::pair<int, int>> &change) {
+        return change ? QJsonValue(QJsonObject{{QStringLiteral("before"), change->first},
+                                               {QStringLiteral("now"), change->second}})
+                      : QJsonValue();
+    };
+    QJsonArray notTaken;
+    for (const ParameterValue &value : differences.notTaken)
+        notTaken.append(QJsonObject{{QStringLiteral("parameter"), parameterKey(value.parameter)},
+                                    {QStringLiteral("value"), numberJson(value.value)}});
+    return {{QStringLiteral("stepsPerTurn"), pair(differences.stepsPerTurn)},
+            {QStringLiteral("turns"), pair(differences.turns)},
+            {QStringLiteral("notTaken"), notTaken},
+            {QStringLiteral("camsNotTaken"), differences.camsNotTaken}};
+}
+
 } // namespace codewheel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "transfer/replacement.h"
 #include "transfer/transfer_account.h"
 
 #include <QJsonArray>
@@ -16,5 +17,7 @@ QString planText(const BusSession &bus, const TransferPlan &plan);
 QJsonArray planJson(const BusSession &bus, const TransferPlan &plan);
 QString accountText(const BusSession &bus, const TransferAccount &account);
 QJsonArray accountJson(const BusSession &bus, const TransferAccount &account);
+// Of `replace`.
+QJsonObject differencesJson(const ReplacementDifferences &differences);
 
 } // namespace codewheel

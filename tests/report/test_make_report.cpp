@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
+#include "journal/ledger.h"
 #include "project/project_take_over.h"
 #include "report/deviations.h"
+#include "report/kept_counts.h"
 #include "tests/report/report_example.h"
 
 #include <QLocale>
@@ -166,6 +169,52 @@ TEST(CommissioningReport, EepromWritesSayHowTheEncoderIsTold)
     input.writes.clear();
     EXPECT_THAT(rowsOf(sectionOf(reportOf(input), "EEPROM writes by this program")),
                 Contains("2.0 | Crane 1, trolley | unknown |  |  | not stated"));
+}
+
+// Of encoders that are not connected the ledger knows what was written to them.
+TEST(CommissioningReport, EepromWritesOfTheLedgerAreAddedByTheBestThatIsKnown)
+{
+    const Catalog catalog = Catalog::builtIn();
+    auto ledger = Ledger::open(DatabasePlace::memory());
+    ASSERT_TRUE(ledger);
+    const QString file = QStringLiteral("/crane.codewheel");
+    const auto note = [&](const EncoderIdentity &identity, int writes) {
+        EXPECT_TRUE(ledger->begin({.at = QDateTime(QDate(2026, 1, 30), QTime(14, 0), Qt::UTC),
+                                   .identity = identity.key(),
+                                   .by = identity.by,
+                                   .place = identity.place,
+                                   .planned = writes,
+                                   .writes = writes,
+                                   .settled = true}));
+    };
+    const QString fraba = QStringLiteral("FRABA");
+    note({CountedBy::serialNumber, fraba, QStringLiteral("4711"), {}, {1, 0}}, 12);
+    note({CountedBy::labelSerialNumber, fraba, QStringLiteral("20417"), {}, {1, 0}}, 7);
+    note({CountedBy::place, fraba, {}, file, {1, 0}}, 5);
+
+    const DeviceNumber encoder{1, 0};
+    ReportInput input = exampleInput();
+    input.writes.clear();
+    ProjectDevice &planned = input.project.devices[0];
+    planned.participant.deviceKey = QStringLiteral("fraba-ocd-ib");
+    planned.label.serialNumber.clear();
+    planned.stored.clear();
+    const auto counted = [&] {
+        input.writes.clear();
+        addKept(input, *ledger, catalog, file);
+        return input.writes[{1, 0}];
+    };
+    EXPECT_EQ(counted().writes, 5);
+    EXPECT_EQ(counted().by, CountedBy::place);
+    planned.label.serialNumber = QStringLiteral("20417");
+    EXPECT_EQ(counted().writes, 7);
+    planned.stored = {{Parameter::serialNumber, 4711, Evidence::read, {}}};
+    EXPECT_EQ(counted().writes, 12);
+    EXPECT_EQ(counted().serialNumber, QStringLiteral("4711"));
+    EXPECT_EQ(input.writes.size(), 1u);    // of the others nobody knows
+    input.writes[{1, 0}] = {.writes = 99}; // the connected encoder says it itself
+    addKept(input, *ledger, catalog, file);
+    EXPECT_EQ(input.writes.at(encoder).writes, 99);
 }
 
 TEST(CommissioningReport, SerialNumberIsOfTheEncoderOrOfItsLabelOrUnknown)

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
+#include "cli/bus_access.h"
+#include "cli/commands.h"
+#include "cli/eeprom_consent.h"
+#include "cli/project_access.h"
+#include "cli/texts.h"
+#include "cli/transfer_call.h"
+#include "cli/transfer_text.h"
+#include "encoder/hex.h"
+#include "encoder/sentence.h"
+#include "journal/ledger_keeper.h"
+#include "project/project_file.h"
+#include "ring/bus_session.h"
+#include "transfer/replacement.h"
+#include "transfer/transfer_words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *examples[] = {
+    "replace 1.0 --project crane.codewheel --label OCD-IBA1B-1213-C100-PRI --serial 4711 --position 12345",
+    "replace Hoist --project crane.codewheel --dry-run"};
+
+constexpr std::array options{
+    Option{"--device", "NAME",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "the new encoder: a name of \"devices\"; else it is like the one before")},
+    Option{"--label", "KEY",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "the new encoder: the key on its label")},
+    Option{"--serial", "NUMBER",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "the serial number on the label of the new encoder")},
+    Option{
+        "--position", "N",
+        QT_TRANSLATE_NOOP("codewheel::CommandLine", "set the position to this, in steps, at the end of it")},
+    transferDryRun,
+    transferReport,
+    transferTrace,
+    transferYes,
+    beyondLimitOption,
+    ledgerOption,
+};
+
+Checked<ProjectDevice> plannedAt(const Call &call, DeviceNumber place)
+{
+    const auto &devices = call.project->devices;
+    const auto found = std::ranges::find_if(
+        devices, [&](const ProjectDevice &device) { return device.participant.number == place; });
+    if (found != devices.end())
+        return *found;
+    QStringList places;
+    for (const ProjectDevice &device : devices)
+        places << device.participant.number.toString();
+    return tl::unexpected(complaintAbout({RefusalKind::badInput,
+                                          RefusalId::noSuchProjectDevice,
+                                          {place.toString(), places.join(QStringLiteral(", "))}}));
+}
+
+Checked<NamedDevice> newDevice(const Call &call, const ProjectDevice &planned)
+{
+    const DeviceNumber place = planned.participant.number;
+    const auto named = call.arguments.value("--device");
+    const auto label = call.arguments.value("--label");
+    if (named && label)
+        return badInput(QStringLiteral("deviceAndLabel"),
+                        CommandLine::tr("Give --device or --label, not both: each names the new encoder."));
+    if (named || label)
+        return deviceMeant(call, place, label.value_or(named.value_or(QString())));
+    if (planned.participant.deviceKey.isEmpty())
+        return badInput(QStringLiteral("deviceNotNamed"),
+                        CommandLine::tr("The project does not name the encoder at %1. Name the new one with "
+                                        "--device or --label."),
+                        {place.toString()});
+    return NamedDevice{planned.participant.deviceKey, planned.label.turns, planned.label.stepsPerTurn};
+}
+
+Checked<Replacement> replacementMeant(const Call &call, const ProjectDevice &planned)
+{
+    const auto meant = newDevice(call, planned);
+    if (!meant)
+        return tl::unexpected(meant.error());
+    const DeviceDescription *device = call.catalog.find(meant->key);
+    if (device == nullptr)
+        return tl::unexpected(deviceMeant(call, planned.participant.number, meant->key).error());
+    if (const auto can = call.bus->canBe(planned.participant.number, *device); !can)
+        return tl::unexpected(complaintAbout(can.error()));
+    if (!device->capabilities.writes)
+        return tl::unexpected(complaintAbout(
+            {RefusalKind::notSupported, RefusalId::writingNotSupported, {device->fullName()}}));
+    return Replacement{device, meant->turns, meant->stepsPerTurn,
+                       call.arguments.value("--serial").value_or(QString()).trimmed()};
+}
+
+Checked<std::optional<std::int64_t>> positionMeant(const Call &call)
+{
+    const auto typed = call.arguments.value("--position");
+    if (!typed)
+        return std::nullopt;
+    const auto position = parseNumber(*typed);
+    if (!position)
+        return badInput(QStringLiteral("badPosition"),
+                        CommandLine::tr("\"%1\" is no position. Give a whole number, 0 or more."), {*typed});
+    return position;
+}
+
+// The new one stands there, whatever becomes of the writing.
+Checked<void> putIntoProject(const Call &call, const ProjectDevice &planned, const Replacement &now)
+{
+    Project project = *call.project;
+    for (ProjectDevice &device : project.devices)
+        if (device.participant.number == planned.participant.number)
+            device = replaced(planned, now);
+    if (const auto saved = saveProject(project, *call.arguments.value("--project")); !saved)
+        return tl::unexpected(complaintAbout(saved.error()));
+    if (call.ledger != nullptr)
+        call.ledger->setLabel(planned.participant.number, now.serialNumber);
+    return {};
+}
+
+void showDifferences(const Call &call, const ProjectDevice &planned, const Replacement &now)
+{
+    if (call.arguments.has("--json"))
+        return;
+    const auto differences = differencesOf(planned, call.catalog.find(planned.participant.deviceKey), now);
+    const QStringList lines =
+        differences.areNone()
+            ? QStringList{CommandLine::tr("It fits: as far as the project tells, it is like the one before.")}
+            : transfer_words::differences(differences, now);
+    call.terminal.print(lines.join(u'\n') + u'\n');
+}
+
+Checked<Answer> run(const Call &call)
+{
+    if (call.project == nullptr)
+        return badInput(QStringLiteral("missingProject"),
+                        CommandLine::tr("Name the project with --project FILE: the values are taken from it, "
+                                        "and the new encoder is put into it."));
+    const auto encoder = encoderMeant(call);
+    if (!encoder)
+        return tl::unexpected(encoder.error());
+    const DeviceNumber place = (*encoder)->number();
+    const auto planned = plannedAt(call, place);
+    if (!planned)
+        return tl::unexpected(planned.error());
+    const auto now = replacementMeant(call, *planned);
+    if (!now)
+        return tl::unexpected(now.error());
+    const auto position = positionMeant(call);
+    if (!position)
+        return tl::unexpected(position.error());
+
+    // Nothing that was known of the encoder before may be taken for the new one's.
+    if (const auto named = call.bus->name(place, now->device->key, now->turns, now->stepsPerTurn); !named)
+        return tl::unexpected(complaintAbout(named.error()));
+    call.bus->advance(1);
+    showDifferences(call, *planned, *now);
+    const TransferPlan plan = planTransfer(*call.bus, {wishToReplace(*planned, *now, *position)});
+    const auto agreed = [&] {
+        return plan.front().hindrance ? Checked<void>() : putIntoProject(call, *planned, *now);
+    };
+    Answer answer = transfer(call, TransferKind::replace, *call.arguments.value("--project"), plan, agreed);
+    answer.json.insert(QStringLiteral("device"), now->device->key);
+    answer.json.insert(QStringLiteral("deviceBefore"), planned->participant.deviceKey);
+    answer.json.insert(
+        QStringLiteral("differences"),
+        differencesJson(differencesOf(*planned, call.catalog.find(planned->participant.deviceKey), *now)));
+    return answer;
+}
+
+} // namespace
+
+const Subcommand replaceCommand{
+    .name = "replace",
+    .usage =
+        "PLACE --project FILE [--device NAME | --label KEY] [--serial NUMBER] [--position N] [--dry-run] "
+        "[--report FILE] [--yes] [--trace]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                                 "give a new encoder the values and the position of the one before"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Tells how the new encoder differs from the one the project has at PLACE, shows what will be "
+        "written,\n"
+        "asks, puts the new one into the project (make, label and serial number; the file that was there is\n"
+        "kept as FILE~), and writes what the project wants, and where nothing is wanted what was stored of "
+        "the\n"
+        "one before. With --position the position is set at the end of it: the shaft must stand where it "
+        "stood\n"
+        "then. The old zero offset is not written in that case, since setting the position makes a new one.\n"
+        "An encoder with several modes is brought to position mode first. Exit code 1 if the encoder has "
+        "not\n"
+        "got all of it."),
+    .examples = examples,
+    .options = options,
+    .minimumArguments = 1,
+    .maximumArguments = 1,
+    .needsBus = true,
+    .run = run,
+};
+
+} // namespace codewheel

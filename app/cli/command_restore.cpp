@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bus_access.h"
+#include "cli/commands.h"
+#include "cli/eeprom_consent.h"
+#include "cli/parameter_text.h"
+#include "cli/text_table.h"
+#include "cli/texts.h"
+#include "cli/transfer_call.h"
+#include "cli/value_lines.h"
+#include "encoder/sentence.h"
+#include "journal/ledger_keeper.h"
+#include "ring/bus_session.h"
+#include "transfer/values_before.h"
+
+#include <QTimeZone>
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *examples[] = {"restore 1.0 --list", "restore 1.0 --at 14:02 --dry-run",
+                                    "restore 1.0 --at 2026-03-01T14:02 --yes"};
+
+constexpr std::array options{
+    Option{"--at", "TIME",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "of the write at this time: 2026-03-01T14:02, or 14:02 of today; else of the "
+                             "newest")},
+    Option{"--list", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "tell what there is, and write nothing")},
+    transferDryRun,
+    transferReport,
+    transferTrace,
+    transferYes,
+    beyondLimitOption,
+    ledgerOption,
+};
+
+// Of an encoder that can tell its serial number the ledger keeps the values by that.
+Checked<std::vector<ValuesBefore>> valuesBefore(const Call &call, EncoderSession &encoder)
+{
+    if (call.ledger == nullptr)
+        return std::vector<ValuesBefore>();
+    const FindValuesBefore find = valuesBeforeOf(*call.ledger);
+    auto all = find(encoder.number());
+    if (!all.empty() || !encoder.can().serialNumber || encoder.known(Parameter::serialNumber))
+        return all;
+    const FinishedJob read =
+        runToEnd(*call.bus, {encoder, ReadParameters{.parameters = {Parameter::serialNumber}}});
+    if (!read.outcome.result)
+        return tl::unexpected(complaintAbout(read.outcome.result.error()));
+    return find(encoder.number());
+}
+
+struct TimeSpan
+{
+    QDateTime from;
+    QDateTime until;
+};
+
+// To the minute, or to the second where one is given.
+Checked<TimeSpan> timeMeant(const QString &typed, const QDateTime &now)
+{
+    const QString text = typed.contains(u'T') ? typed : now.date().toString(Qt::ISODate) + u'T' + typed;
+    const bool toTheMinute = text.count(u':') == 1;
+    auto at = QDateTime::fromString(text, Qt::ISODate);
+    if (!at.isValid() || text.count(u':') < 1)
+        return badInput(QStringLiteral("badTime"),
+                        CommandLine::tr("\"%1\" is no time. Write it as 14:02 or 2026-03-01T14:02."),
+                        {typed});
+    if (at.timeSpec() == Qt::LocalTime)
+        at.setTimeZone(now.timeZone());
+    return TimeSpan{at, at.addSecs(toTheMinute ? 60 : 1)};
+}
+
+Checked<ValuesBefore> valuesMeant(const Call &call, const std::vector<ValuesBefore> &all)
+{
+    const auto typed = call.arguments.value("--at");
+    if (!typed)
+        return all.front();
+    const auto span = timeMeant(*typed, call.bus->dateTime(call.bus->latest().at));
+    if (!span)
+        return tl::unexpected(span.error());
+    const auto found = std::ranges::find_if(
+        all, [&](const ValuesBefore &one) { return one.at >= span->from && one.at < span->until; });
+    if (found == all.end())
+        return badInput(QStringLiteral("noWriteThen"),
+                        CommandLine::tr("Nothing was written to %1 at %2 of which the values from before are "
+                                        "kept. See codewheel-cli restore %1 --list."),
+                        {all.front().place.toString(), *typed});
+    return *found;
+}
+
+QString localTime(const ValuesBefore &before, const QDateTime &now)
+{
+    return before.at.toTimeZone(now.timeZone()).toString(QStringLiteral("yyyy-MM-ddTHH:mm:ss"));
+}
+
+QString assignments(const DeviceDescription &device, const ParameterValues &values)
+{
+    QStringList texts;
+    for (const ParameterValue &value : values) {
+        const ParameterDescription *parameter = device.find(value.parameter);
+        texts << parameterKey(value.parameter) + u'=' +
+                     (parameter ? typedValue(*parameter, value.value) : QString::number(value.value));
+    }
+    return texts.join(QStringLiteral(", "));
+}
+
+Answer listed(const Call &call, const EncoderSession &encoder, const std::vector<ValuesBefore> &all)
+{
+    const QDateTime now = call.bus->dateTime(call.bus->latest().at);
+    TextTable table;
+    QJsonArray json;
+    for (const ValuesBefore &before : all) {
+        table.add({localTime(before, now), assignments(encoder.device(), before.values)});
+        json.append(QJsonObject{{QStringLiteral("at"), before.at.toUTC().toString(Qt::ISODateWithMs)},
+                                {QStringLiteral("device"), before.deviceKey},
+                                {QStringLiteral("values"), valuesJson(encoder.device(), before.values)}});
+    }
+    return {.text = table.toString(),
+            .json = {{QStringLiteral("place"), encoder.number().toString()},
+                     {QStringLiteral("valuesBefore"), json}}};
+}
+
+Checked<Answer> run(const Call &call)
+{
+    const auto encoder = encoderMeant(call);
+    if (!encoder)
+        return tl::unexpected(encoder.error());
+    const auto all = valuesBefore(call, **encoder);
+    if (!all)
+        return tl::unexpected(all.error());
+    if (all->empty())
+        return tl::unexpected(complaintAbout(
+            {RefusalKind::device, RefusalId::noValuesFromBefore, {(*encoder)->number().toString()}}));
+    if (call.arguments.has("--list"))
+        return listed(call, **encoder, *all);
+    const auto before = valuesMeant(call, *all);
+    if (!before)
+        return tl::unexpected(before.error());
+    return transfer(call, TransferKind::restore, timeOf(*before, call.bus->dateTime(call.bus->latest().at)),
+                    planTransfer(*call.bus, {wishToRestore(*before)}));
+}
+
+} // namespace
+
+const Subcommand restoreCommand{
+    .name = "restore",
+    .usage = "PLACE [--at TIME | --list] [--dry-run] [--report FILE] [--yes] [--trace]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                                 "write the values again that an encoder had before a write"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "The ledger of EEPROM writes keeps with each write what was known of the encoder before, and what "
+        "was\n"
+        "read then. --list tells what there is, the newest first. Without --at the newest is restored: what\n"
+        "differs is shown, asked for, written as by \"transfer\", and accounted for. An encoder that can "
+        "tell "
+        "its\n"
+        "serial number is asked for that where nothing is kept for its place."),
+    .examples = examples,
+    .options = options,
+    .minimumArguments = 1,
+    .maximumArguments = 1,
+    .needsBus = true,
+    .run = run,
+};
+
+} // namespace codewheel
