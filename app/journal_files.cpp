@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal_files.h"
 
-#include "journal/database.h"
+#include "ring/bus_session.h"
 
 #include <QCoreApplication>
 #include <QStandardPaths>
@@ -32,6 +32,11 @@ QString nothingIsKept()
                                              "Messages are not kept, and EEPROM writes are counted for this "
                                              "connection only: Qt's driver for SQLite is missing on this "
                                              "computer. Install the package libqt6sql6-sqlite.");
+}
+
+DatabasePlace ledgerPlace(const BusSession &bus, const QString &folder)
+{
+    return bus.isSimulated() ? DatabasePlace::memory() : DatabasePlace::file(ledgerFile(folder));
 }
 
 } // namespace codewheel

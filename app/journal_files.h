@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
+#include "journal/database.h"
 
 namespace codewheel {
+
+class BusSession;
 
 // The folder of the user's messages and EEPROM counts, the same for the window and the command line:
 // ~/.local/share/codewheel. Need not exist.
@@ -12,6 +14,10 @@ QString userJournalFolder();
 // In such a folder.
 QString messageFile(const QString &folder);
 QString ledgerFile(const QString &folder);
+
+// Where EEPROM writes to the encoders of this bus are counted: in the user's ledger. Simulated encoders are
+// new with each start, and counted in memory.
+DatabasePlace ledgerPlace(const BusSession &bus, const QString &folder);
 
 // What has to be told where neither messages nor EEPROM writes can be kept, not even in memory, since Qt's
 // driver for SQLite is missing; empty: it is there.

@@ -126,7 +126,8 @@ int runOnTrainingBus(const Subcommand &command, const Arguments &arguments, cons
         training.controls->startFaultPlan(*std::move(plan));
     }
     const auto file = arguments.value("--ledger");
-    LedgerKeeper ledger(*training.bus, file ? DatabasePlace::file(*file) : DatabasePlace::memory());
+    LedgerKeeper ledger(*training.bus,
+                        file ? DatabasePlace::file(*file) : ledgerPlace(*training.bus, userJournalFolder()));
     if (const QString warning = nothingIsKept(); !warning.isEmpty())
         terminal.complain(warning);
     else if (ledger.problem())

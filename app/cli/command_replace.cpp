@@ -22,7 +22,7 @@ namespace codewheel {
 namespace {
 
 constexpr const char *examples[] = {
-    "replace 1.0 --project crane.codewheel --label OCD-IBA1B-1213-C100-PRI --serial 4711 --position 12345",
+    "replace 1.0 --project crane.codewheel --label OCD-IBA1B-1213-C100-PRI --serial 4711 --position last",
     "replace Hoist --project crane.codewheel --dry-run"};
 
 constexpr std::array options{
@@ -33,9 +33,9 @@ constexpr std::array options{
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "the new encoder: the key on its label")},
     Option{"--serial", "NUMBER",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "the serial number on the label of the new encoder")},
-    Option{
-        "--position", "N",
-        QT_TRANSLATE_NOOP("codewheel::CommandLine", "set the position to this, in steps, at the end of it")},
+    Option{"--position", "N",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "set the position to this, in steps; \"last\" is the one the project knows")},
     transferDryRun,
     transferReport,
     transferTrace,
@@ -94,11 +94,18 @@ Checked<Replacement> replacementMeant(const Call &call, const ProjectDevice &pla
                        call.arguments.value("--serial").value_or(QString()).trimmed()};
 }
 
-Checked<std::optional<std::int64_t>> positionMeant(const Call &call)
+Checked<std::optional<std::int64_t>> positionMeant(const Call &call, const ProjectDevice &planned)
 {
     const auto typed = call.arguments.value("--position");
     if (!typed)
         return std::nullopt;
+    if (*typed == QStringLiteral("last")) {
+        if (planned.lastPosition)
+            return planned.lastPosition->position;
+        return badInput(QStringLiteral("noLastPosition"),
+                        CommandLine::tr("The project knows no last position of %1. Give it as a number."),
+                        {planned.participant.number.toString()});
+    }
     const auto position = parseNumber(*typed);
     if (!position)
         return badInput(QStringLiteral("badPosition"),
@@ -124,6 +131,11 @@ void showDifferences(const Call &call, const ProjectDevice &planned, const Repla
 {
     if (call.arguments.has("--json"))
         return;
+    if (call.arguments.value("--position") == QStringLiteral("last"))
+        call.terminal.print(sentence(CommandLine::tr("The position that the project keeps: %1, seen at %2."),
+                                     {QString::number(planned.lastPosition->position),
+                                      planned.lastPosition->at.toLocalTime().toString(Qt::ISODate)}) +
+                            u'\n');
     const auto differences = differencesOf(planned, call.catalog.find(planned.participant.deviceKey), now);
     const QStringList lines =
         differences.areNone()
@@ -148,7 +160,7 @@ Checked<Answer> run(const Call &call)
     const auto now = replacementMeant(call, *planned);
     if (!now)
         return tl::unexpected(now.error());
-    const auto position = positionMeant(call);
+    const auto position = positionMeant(call, *planned);
     if (!position)
         return tl::unexpected(position.error());
 

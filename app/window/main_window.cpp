@@ -11,6 +11,7 @@
 #include "app/window/transfer_pages.h"
 #include "ring/bus_session.h"
 #include "simulator/training_controls.h"
+#include "transfer/last_positions.h"
 #include "widgets/cams/cam_editor.h"
 #include "widgets/comparison/comparison_page.h"
 #include "widgets/device/device_panel.h"
@@ -79,13 +80,17 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
 MainWindow::~MainWindow() = default;
 
 void MainWindow::attach(BusSession &bus, std::shared_ptr<TrainingControls> training, const QString &link,
-                        MessageModel &messages, FindValuesBefore findBefore)
+                        MessageModel &messages, const LedgerKeeper &ledger, const LastPositions &positions)
 {
     m_bus = &bus;
     m_training = std::move(training);
     m_messageModel = &messages;
     m_link = link;
-    m_findBefore = std::move(findBefore);
+    m_ledger = &ledger;
+    m_positions = &positions;
+    m_files->setBeforeSaving([&bus, &positions](Project project) {
+        return withLastPositions(std::move(project), positions, bus);
+    });
     new DeviceNames(m_project, bus, this);
     makePages();
     makeDocks(messages);
@@ -107,6 +112,14 @@ void MainWindow::askForRecovery(ProjectRecovery &recovery)
     question->setObjectName(QStringLiteral("recoveryQuestion"));
     static_cast<QVBoxLayout *>(centralWidget()->layout())->insertWidget(0, question);
     recovery.ask(*question, *m_files);
+}
+
+void MainWindow::warn(const QString &sentence)
+{
+    auto *warning = new InlineMessage(this);
+    warning->setObjectName(QStringLiteral("warning"));
+    static_cast<QVBoxLayout *>(centralWidget()->layout())->insertWidget(0, warning);
+    warning->showMessage(Role::attention, sentence);
 }
 
 void MainWindow::tell(const Message &message)

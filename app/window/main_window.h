@@ -4,7 +4,6 @@
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
 #include "encoder/device_number.h"
-#include "transfer/values_before.h"
 
 #include <QJsonObject>
 #include <QMainWindow>
@@ -26,7 +25,9 @@ class DeviceChoice;
 class DevicePanel;
 class DialPanel;
 class InlineMessage;
+class LastPositions;
 class Leaving;
+class LedgerKeeper;
 class MasterPanel;
 class MessageModel;
 struct Message;
@@ -64,10 +65,12 @@ public:
     ~MainWindow() override;
 
     // The bus must outlive the window, or the window be closed first. link: its name in the status line.
-    // findBefore: what there is to restore. The messages outlive it: they are kept when the window is made
-    // anew in another language.
+    // ledger: of the EEPROM writes of its encoders. It, messages and positions outlive the window: they are
+    // kept when it is made anew in another language.
     void attach(BusSession &bus, std::shared_ptr<TrainingControls> training, const QString &link,
-                MessageModel &messages, FindValuesBefore findBefore);
+                MessageModel &messages, const LedgerKeeper &ledger, const LastPositions &positions);
+    // What has to be known before all else, such as that messages are not kept. Stands until it is closed.
+    void warn(const QString &sentence);
 
     // Takes a picture of the bus and shows it. Called 30 times a second by the program, by hand in tests.
     void showPicture();
@@ -126,7 +129,8 @@ private:
     RingConnection *m_connection = nullptr;
     ReportExport *m_report = nullptr;
     QString m_link;
-    FindValuesBefore m_findBefore;
+    const LedgerKeeper *m_ledger = nullptr;
+    const LastPositions *m_positions = nullptr;
     QJsonObject m_openMonitors; // while offline
     StructureEditor *m_editor = nullptr;
     ComparisonPage *m_comparison = nullptr;

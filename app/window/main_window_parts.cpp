@@ -8,6 +8,7 @@
 #include "app/window/ring_connection.h"
 #include "app/window/transfer_pages.h"
 #include "ring/bus_session.h"
+#include "transfer/values_before.h"
 #include "widgets/cams/cam_editor.h"
 #include "widgets/comparison/comparison_page.h"
 #include "widgets/device/device_panel.h"
@@ -46,7 +47,8 @@ void MainWindow::makePages()
                           static_cast<QWidget *>(m_cams), static_cast<QWidget *>(m_editor),
                           static_cast<QWidget *>(m_comparison), static_cast<QWidget *>(m_projectPage)})
         m_pages->addWidget(page);
-    m_transfer = new TransferPages(*m_bus, m_project, m_findBefore, m_actions, *m_pages, this);
+    m_transfer = new TransferPages(*m_bus, m_project, valuesBeforeOf(*m_ledger), *m_positions, m_actions,
+                                   *m_pages, this);
 }
 
 void MainWindow::makeDocks(MessageModel &messages)
@@ -102,7 +104,7 @@ void MainWindow::connectProject()
     connect(m_connection, &RingConnection::ringChanged, this, &MainWindow::showOtherRing);
     connect(m_connection, &RingConnection::told, this, &MainWindow::tell);
     connect(m_files, &ProjectFiles::told, this, &MainWindow::tell);
-    m_report = new ReportExport(*this, m_project, *m_bus, *m_notice);
+    m_report = new ReportExport(*this, m_project, *m_bus, *m_ledger, *m_notice);
     connect(m_report, &ReportExport::told, this, &MainWindow::tell);
     connect(m_actions.exportReport, &QAction::triggered, m_report, &ReportExport::askWhere);
     connect(m_transfer, &TransferPages::told, this, &MainWindow::tell);

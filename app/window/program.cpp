@@ -11,6 +11,7 @@
 #include "app/window/start_probe.h"
 #include "journal/ledger_keeper.h"
 #include "project/project_take_over.h"
+#include "transfer/last_positions.h"
 #include "widgets/messages/message_model.h"
 
 #include <QApplication>
@@ -79,10 +80,12 @@ void Program::startBus()
     m_training = openTrainingSession(*m_catalog, QDateTime::currentDateTime());
     m_messages->setBus(*m_training.bus);
     m_project.setProject(projectOf(m_training.bus->structure()), {}); // nothing differs at first
-    // The training bus is new with each start: what it stores is counted in memory.
-    m_ledger = std::make_unique<LedgerKeeper>(*m_training.bus, DatabasePlace::memory());
+    m_ledger = std::make_unique<LedgerKeeper>(*m_training.bus, ledgerPlace(*m_training.bus, m_dataFolder));
     connect(m_ledger.get(), &LedgerKeeper::messaged, m_messages.get(), &MessageModel::addNow);
+    if (m_ledger->problem())
+        m_messages->addNow(*m_ledger->problem());
     keepAccountOf(m_project, *m_ledger);
+    m_positions = std::make_unique<LastPositions>(*m_training.bus);
     for (const Catalog::Fault &fault : faults)
         m_messages->addNow(
             {.severity = Severity::attention,
@@ -111,8 +114,10 @@ void Program::openProject()
 
 void Program::attach()
 {
-    m_window->attach(*m_training.bus, m_training.controls, tr("training bus"), *m_messages,
-                     valuesBeforeOf(*m_ledger));
+    m_window->attach(*m_training.bus, m_training.controls, tr("training bus"), *m_messages, *m_ledger,
+                     *m_positions);
+    if (const auto warning = nothingIsKept(); !warning.isEmpty())
+        m_window->warn(warning);
 }
 
 // All texts are made with the window, so it is made again; bus, jobs and messages go on.

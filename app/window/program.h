@@ -17,6 +17,7 @@ class QApplication;
 namespace codewheel {
 
 class MainWindow;
+class LastPositions;
 class LedgerKeeper;
 class MessageModel;
 class MessageStore;
@@ -62,6 +63,7 @@ private:
     QString m_recoveryFolder;
     QString m_file; // to be opened once the bus is there
     std::unique_ptr<LedgerKeeper> m_ledger;
+    std::unique_ptr<LastPositions> m_positions;
     std::unique_ptr<MainWindow> m_window;
     QTimer m_pictures;
 };

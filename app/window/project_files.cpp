@@ -119,7 +119,8 @@ bool ProjectFiles::saveAs()
 
 bool ProjectFiles::keep(const QString &path)
 {
-    if (const auto saved = saveProject(m_document.project(), path); !saved) {
+    const Project &edited = m_document.project();
+    if (const auto saved = saveProject(m_complete ? m_complete(edited) : edited, path); !saved) {
         refuse(saved.error());
         return false;
     }

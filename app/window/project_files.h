@@ -2,8 +2,11 @@
 #pragma once
 
 #include "encoder/message.h"
+#include "project/project.h"
 
 #include <QObject>
+
+#include <functional>
 
 class QMainWindow;
 class QMenu;
@@ -25,6 +28,9 @@ public:
     // All must outlive it; notice stands in the window.
     ProjectFiles(QMainWindow &window, ProjectDocument &document, WindowSettings &settings,
                  const WindowActions &actions, InlineMessage &notice);
+
+    // What the file gets beside what was edited.
+    void setBeforeSaving(std::function<Project(Project)> complete) { m_complete = std::move(complete); }
 
     // Each asks first what shall become of changes that are not saved. False: nothing was opened.
     bool open(const QString &path);
@@ -55,6 +61,7 @@ private:
     WindowSettings &m_settings;
     InlineMessage &m_notice;
     QMenu &m_recent;
+    std::function<Project(Project)> m_complete;
 };
 
 } // namespace codewheel

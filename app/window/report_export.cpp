@@ -2,7 +2,9 @@
 #include "app/window/report_export.h"
 
 #include "encoder/refusal_text.h"
+#include "journal/ledger_keeper.h"
 #include "pdf/save_report.h"
+#include "report/kept_counts.h"
 #include "report/live_encoders.h"
 #include "report/make_report.h"
 #include "ring/bus_session.h"
@@ -17,11 +19,12 @@
 namespace codewheel {
 
 ReportExport::ReportExport(QWidget &window, const ProjectDocument &document, const BusSession &bus,
-                           InlineMessage &notice)
+                           const LedgerKeeper &ledger, InlineMessage &notice)
     : QObject(&window)
     , m_window(window)
     , m_document(document)
     , m_bus(bus)
+    , m_ledger(ledger)
     , m_notice(notice)
 {}
 
@@ -60,6 +63,8 @@ bool ReportExport::saveTo(const QString &path)
                       .now = QDateTime::currentDateTime()};
     if (m_bus.isOpen())
         addConnected(input, m_bus);
+    if (m_ledger.ledger() != nullptr)
+        addKept(input, *m_ledger.ledger(), m_bus.catalog(), m_document.file());
     const auto saved = saveReport(makeReport(input, m_bus.catalog()), path, *format);
     if (!saved) {
         m_notice.showMessage(Role::fault, refusalText(saved.error()));

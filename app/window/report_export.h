@@ -11,6 +11,7 @@ namespace codewheel {
 
 class BusSession;
 class InlineMessage;
+class LedgerKeeper;
 class ProjectDocument;
 
 // File > Commissioning report: saves the report of the open project, with what is known of the connected
@@ -22,7 +23,7 @@ class ReportExport : public QObject
 public:
     // All must outlive it; notice stands in the window.
     ReportExport(QWidget &window, const ProjectDocument &document, const BusSession &bus,
-                 InlineMessage &notice);
+                 const LedgerKeeper &ledger, InlineMessage &notice);
 
     void askWhere();
     // In place of a file that may be there. False: it was not saved, and says why.
@@ -37,6 +38,7 @@ private:
     QWidget &m_window;
     const ProjectDocument &m_document;
     const BusSession &m_bus;
+    const LedgerKeeper &m_ledger;
     InlineMessage &m_notice;
 };
 

@@ -20,6 +20,7 @@ TrainingWindow::TrainingWindow(const QString &settingsFile, QSize size)
     : m_settings(settingsFile)
     , m_training(openTrainingSession(m_catalog, begin()))
     , m_ledger(*m_training.bus, DatabasePlace::memory())
+    , m_positions(*m_training.bus)
 {
     m_messages.setBus(*m_training.bus);
     QObject::connect(&m_ledger, &LedgerKeeper::messaged, &m_messages, &MessageModel::addNow);
@@ -29,7 +30,7 @@ TrainingWindow::TrainingWindow(const QString &settingsFile, QSize size)
     if (size.isValid())
         m_window->resize(size);
     m_window->attach(*m_training.bus, m_training.controls, MainWindow::tr("training bus"), m_messages,
-                     valuesBeforeOf(m_ledger));
+                     m_ledger, m_positions);
     advance(picturePeriod);
 }
 

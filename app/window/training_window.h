@@ -5,6 +5,7 @@
 #include "app/window/main_window.h"
 #include "catalog/catalog.h"
 #include "journal/ledger_keeper.h"
+#include "transfer/last_positions.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/project/project_document.h"
 
@@ -37,6 +38,7 @@ private:
     TrainingSession m_training;
     ProjectDocument m_project;
     LedgerKeeper m_ledger;
+    LastPositions m_positions;
     std::unique_ptr<MainWindow> m_window;
 };
 

@@ -25,14 +25,15 @@ void describe(QAction &action, const QString &what)
 } // namespace
 
 TransferPages::TransferPages(BusSession &bus, ProjectDocument &project, FindValuesBefore findBefore,
-                             const WindowActions &actions, QStackedWidget &pages, QObject *parent)
+                             const LastPositions &positions, const WindowActions &actions,
+                             QStackedWidget &pages, QObject *parent)
     : QObject(parent)
     , m_bus(bus)
     , m_findBefore(std::move(findBefore))
     , m_actions(actions)
     , m_pages(pages)
     , m_transfer(new TransferPage(bus, project, m_findBefore, &pages))
-    , m_replace(new ReplacePage(bus, project, &pages))
+    , m_replace(new ReplacePage(bus, project, positions, &pages))
 {
     pages.addWidget(m_transfer);
     pages.addWidget(m_replace);

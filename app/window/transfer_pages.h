@@ -11,6 +11,7 @@ class QStackedWidget;
 namespace codewheel {
 
 class BusSession;
+class LastPositions;
 class ProjectDocument;
 class ReplacePage;
 class ShownEncoder;
@@ -26,7 +27,8 @@ class TransferPages : public QObject
 public:
     // All must outlive it; the pages are put into `pages`.
     TransferPages(BusSession &bus, ProjectDocument &project, FindValuesBefore findBefore,
-                  const WindowActions &actions, QStackedWidget &pages, QObject *parent = nullptr);
+                  const LastPositions &positions, const WindowActions &actions, QStackedWidget &pages,
+                  QObject *parent = nullptr);
 
     // The encoder that is chosen in the window.
     void setEncoder(const ShownEncoder &shown);

@@ -44,6 +44,15 @@ struct StoredCams
     friend bool operator==(const StoredCams &, const StoredCams &) = default;
 };
 
+// The position an encoder showed last, for the one that replaces it.
+struct LastPosition
+{
+    std::int64_t position = 0; // steps
+    QDateTime at;              // UTC
+
+    friend bool operator==(const LastPosition &, const LastPosition &) = default;
+};
+
 // One device of the planned bus, and what is wanted and known of it.
 struct ProjectDevice
 {
@@ -58,6 +67,7 @@ struct ProjectDevice
     std::vector<CamProgram> wantedCams; // by number
     std::vector<StoredValue> stored;    // by parameter
     std::vector<StoredCams> storedCams; // by number
+    std::optional<LastPosition> lastPosition;
 
     friend bool operator==(const ProjectDevice &, const ProjectDevice &) = default;
 };

@@ -51,7 +51,7 @@ Project ProjectReader::read(const Json::Value &root, FaultKeeper &faults)
     for (const JsonObject &row : json.array("devices",
                                             {"place", "level", "deviceCode", "inWords", "outWords", "device",
                                              "station", "group", "note", "label", "inAddress", "outAddress",
-                                             "wanted", "stored", "wantedCams", "storedCams"},
+                                             "wanted", "stored", "wantedCams", "storedCams", "lastPosition"},
                                             ring_limit::devices))
         project.devices.push_back(reader.readDevice(row));
     if (json.has("sequences"))
@@ -91,6 +91,8 @@ ProjectDevice ProjectReader::readDevice(const JsonObject &json)
     device.stored = readStored(json);
     device.wantedCams = readWantedCams(json);
     device.storedCams = readStoredCams(json);
+    if (json.has("lastPosition"))
+        device.lastPosition = readLastPosition(json.object("lastPosition", {"position", "at"}));
     return device;
 }
 
@@ -128,6 +130,15 @@ DeviceLabel ProjectReader::readLabel(const JsonObject &json)
 {
     return {numberOr(json, "turns", 0, largestNumber), numberOr(json, "stepsPerTurn", 0, largestNumber),
             json.freeText("serialNumber")};
+}
+
+// Without its time nobody can tell whether the shaft still stands there.
+LastPosition ProjectReader::readLastPosition(const JsonObject &json)
+{
+    const LastPosition last{json.number("position"), readTime(json)};
+    if (!json.has("at"))
+        json.report("at", tr("A time such as \"2026-03-01T14:02:00.000Z\" is expected here (UTC)."));
+    return last;
 }
 
 QDateTime ProjectReader::readTime(const JsonObject &json)

@@ -26,6 +26,7 @@ private:
     static std::vector<StoredValue> readStored(const JsonObject &json);
     static std::vector<CamProgram> readWantedCams(const JsonObject &json);
     static std::vector<StoredCams> readStoredCams(const JsonObject &json);
+    static LastPosition readLastPosition(const JsonObject &json);
     static QDateTime readTime(const JsonObject &json);
 
     DeviceNumber m_lastPlace;

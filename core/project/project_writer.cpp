@@ -103,6 +103,11 @@ void ProjectWriter::writeDevice(const ProjectDevice &device)
     writeNumber("outAddress", device.outAddress);
     writeValues(device);
     writeCams(device);
+    if (device.lastPosition)
+        m_json.object("lastPosition", [&] {
+            m_json.member("position", device.lastPosition->position);
+            m_json.member("at", device.lastPosition->at.toUTC().toString(Qt::ISODateWithMs));
+        });
 }
 
 void ProjectWriter::writeParticipant(const Participant &participant)

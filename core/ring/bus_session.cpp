@@ -333,6 +333,11 @@ bool BusSession::isOpen() const
     return d->runner != nullptr;
 }
 
+bool BusSession::isSimulated() const
+{
+    return d->link->isSimulated();
+}
+
 const RingStructure &BusSession::structure() const
 {
     return d->structure;

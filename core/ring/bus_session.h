@@ -56,7 +56,8 @@ public:
     // Takes what came from the bus since the last call and emits it. The window calls this 30 times a second.
     void pump();
 
-    bool isOpen() const; // connected
+    bool isOpen() const;      // connected
+    bool isSimulated() const; // the link's encoders are
     const RingStructure &structure() const;
     std::vector<DeviceNumber> numbers() const;
     EncoderSession *encoder(DeviceNumber number) const; // null: no driver for it, or no such device

@@ -28,6 +28,9 @@ public:
     // Whether each word given to exchange() goes out in that one bus cycle and in no other. A gateway that
     // runs the ring by itself repeats a word until it gets the next one.
     virtual bool boundsWordsToCycles() const = 0;
+    // Whether its encoders are none of this world, and new with each start: what is written to them is not
+    // kept (app/journal_files.h). Those of a real link are.
+    virtual bool isSimulated() const { return false; }
     // Ends the blocking call under way, or else the next one, early with a refusal of kind `stopped`: the
     // cycle is skipped, the link has not failed. A link that never blocks may ignore it. Any thread.
     virtual void interrupt() = 0;

@@ -22,6 +22,7 @@ public:
     // Refused (linkFailed) while it is not open, and for words that are not one per device.
     Result<void> exchange(std::span<const Word> out, std::span<Word> in) override;
     bool boundsWordsToCycles() const override { return true; }
+    bool isSimulated() const override { return true; }
     void interrupt() override {}
     MasterLink *master() override { return this; }
 

@@ -2,6 +2,9 @@
 #include "transfer/last_positions.h"
 
 #include "ring/bus_session.h"
+#include "ring/comparison.h"
+
+#include <algorithm>
 
 namespace codewheel {
 
@@ -19,6 +22,14 @@ std::optional<SeenPosition> LastPositions::at(DeviceNumber number) const
     if (found == m_watched.end())
         return std::nullopt;
     return found->second.beforeGone ? found->second.beforeGone : found->second.last;
+}
+
+std::optional<SeenPosition> LastPositions::newest(DeviceNumber number) const
+{
+    const auto found = m_watched.find(number);
+    if (found == m_watched.end())
+        return std::nullopt;
+    return found->second.last ? found->second.last : found->second.beforeGone;
 }
 
 void LastPositions::look()
@@ -41,6 +52,27 @@ void LastPositions::look()
         watched.last = SeenPosition{*reading.position, m_bus.dateTime(reading.at)};
         watched.lastAt = now;
     }
+}
+
+std::optional<LastPosition> positionToKeep(const EncoderSession &encoder)
+{
+    const Reading &reading = encoder.latest();
+    if (reading.state != EncoderState::operation || reading.in == 0 || !reading.position)
+        return std::nullopt;
+    return LastPosition{*reading.position, encoder.dateTime(reading.at).toUTC()};
+}
+
+Project withLastPositions(Project project, const LastPositions &positions, const BusSession &bus)
+{
+    for (ProjectDevice &device : project.devices) {
+        const auto connected =
+            std::ranges::find(bus.structure(), device.participant.number, &Participant::number);
+        if (connected == bus.structure().end() || !isSameKind(device.participant, *connected))
+            continue;
+        if (const auto seen = positions.newest(device.participant.number))
+            device.lastPosition = LastPosition{seen->position, seen->at.toUTC()};
+    }
+    return project;
 }
 
 } // namespace codewheel

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "encoder/encoder_session.h"
+#include "project/project.h"
 
 #include <map>
 
@@ -19,8 +20,12 @@ struct SeenPosition
     friend bool operator==(const SeenPosition &, const SeenPosition &) = default;
 };
 
+// What the encoder shows, to be kept in a project; nothing for one that shows no position, or 00000000, as it
+// would without power.
+std::optional<LastPosition> positionToKeep(const EncoderSession &encoder);
+
 // Watches where the encoders of a ring stand, so that one that is replaced can be given the position of the
-// one before. Kept as long as the ring is connected; nothing is sent. An encoder without power shows
+// one before, and so that they are kept with the project. Nothing is sent. An encoder without power shows
 // 00000000: after a second of that, or of a bus that stands, it is taken to have gone, and the position
 // before is kept until the next time.
 class LastPositions : public QObject
@@ -32,7 +37,10 @@ public:
 
     explicit LastPositions(BusSession &bus, QObject *parent = nullptr);
 
+    // The one to give to a new encoder: that before the encoder went away, if it did.
     std::optional<SeenPosition> at(DeviceNumber number) const;
+    // The newest one, of whichever encoder is there.
+    std::optional<SeenPosition> newest(DeviceNumber number) const;
 
 private:
     struct Watched
@@ -47,5 +55,8 @@ private:
     BusSession &m_bus;
     std::map<DeviceNumber, Watched> m_watched;
 };
+
+// The project as it is to be saved: with the newest position of each encoder that stands where it has one.
+Project withLastPositions(Project project, const LastPositions &positions, const BusSession &bus);
 
 } // namespace codewheel

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "drivers/values_to_write.h"
+#include "transfer/last_positions.h"
 
 #include <algorithm>
 
@@ -68,6 +69,8 @@ ProjectDevice withStored(ProjectDevice device, const EncoderSession &encoder)
                            [](const StoredValue &value) { return value.parameter; });
     device.storedCams = merged(camsToStore(encoder), device.storedCams,
                                [](const StoredCams &cams) { return cams.program.number; });
+    if (const auto position = positionToKeep(encoder))
+        device.lastPosition = position;
     return device;
 }
 

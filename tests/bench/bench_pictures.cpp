@@ -4,8 +4,10 @@
 // share of one core.
 #include "app/window/main_window.h"
 #include "catalog/catalog.h"
+#include "journal/ledger_keeper.h"
 #include "ring/bus_session.h"
 #include "simulator/training_bus.h"
+#include "transfer/last_positions.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/monitor/word_monitor.h"
@@ -65,9 +67,12 @@ int main(int argc, char **argv)
     MessageStore store({});
     MessageModel messages(store);
     ProjectDocument project;
+    const LastPositions positions(bus);
+    const LedgerKeeper ledger(bus, DatabasePlace::memory());
     MainWindow window(settings, project);
-    window.attach(bus, ring.controls, QStringLiteral("moving ring"), messages,
-                  [](DeviceNumber) { return std::vector<ValuesBefore>(); });
+    window.attach(
+        bus, ring.controls, QStringLiteral("moving ring"), messages,
+        [](DeviceNumber) { return std::vector<ValuesBefore>(); }, positions);
     auto *monitors = window.findChild<MonitorArea *>();
     monitors->closeAll();
     for (const DeviceNumber number : bus.numbers()) {

@@ -3,7 +3,9 @@
 #include "encoder/job.h"
 #include "journal/ledger.h"
 #include "journal/message_store.h"
+#include "journal_files.h"
 #include "tests/cli/cli_run.h"
+#include "tests/support/scripted_link.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -107,6 +109,17 @@ TEST_F(CliMessages, BadInputIsTold)
     EXPECT_EQ(errorKey(runLine(QStringLiteral("messages --severity bad --json"))), "badSeverity");
     EXPECT_EQ(errorKey(runLine(QStringLiteral("messages --place here --json"))), "badPlace");
     EXPECT_EQ(errorKey(runLine(QStringLiteral("messages --from yesterday --json"))), "badTime");
+}
+
+// The same for window and command line: what is written to an encoder of this world is kept.
+TEST_F(CliJournal, OnlySimulatedEncodersAreCountedInMemory)
+{
+    const Catalog catalog = Catalog::builtIn();
+    BusSession real(std::make_unique<ScriptedLink>(1), catalog, QDateTime::currentDateTime());
+    EXPECT_FALSE(ledgerPlace(real, folder.path()).inMemory);
+    EXPECT_EQ(ledgerPlace(real, folder.path()).name, ledgerFile(folder.path()));
+    const TrainingSession training = openTrainingSession(catalog, QDateTime::currentDateTime());
+    EXPECT_TRUE(ledgerPlace(*training.bus, folder.path()).inMemory);
 }
 
 TEST_F(CliJournal, LookingMakesNoFile)

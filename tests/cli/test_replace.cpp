@@ -80,6 +80,20 @@ TEST_F(CliReplace, TheNewEncoderGetsTheValuesAndIsPutIntoTheProject)
     EXPECT_TRUE(QFile::exists(file + u'~'));
 }
 
+TEST_F(CliReplace, TheLastPositionOfTheProjectIsGiven)
+{
+    EXPECT_EQ(errorKey(run("replace 1.0 --project @ --position last --yes --json")), "noLastPosition");
+    EXPECT_EQ(run("store @ 1.0").exit, 0);
+    ASSERT_TRUE(saved().devices[0].lastPosition);
+    EXPECT_EQ(saved().devices[0].lastPosition->position, 12345);
+    shared.controls().turnBy({1, 0}, 500);
+    shared.bus().advance(5);
+    const CliRun done = run("replace Hoist --project @ --position last --yes");
+    EXPECT_EQ(done.exit, 0) << done.err;
+    EXPECT_THAT(done.out, HasSubstr("The position that the project keeps: 12345, seen at 2026-03-01T"));
+    EXPECT_EQ(fraba().latest().position, 12345);
+}
+
 TEST_F(CliReplace, NothingIsDoneWithoutConsent)
 {
     EXPECT_EQ(run("replace 1.0 --project @ --serial 4711 --dry-run").exit, 0);

@@ -107,6 +107,8 @@ void Maker::addCams(ProjectDevice &device)
             device.wantedCams.push_back(cams(number));
         if (below(16) == 0)
             device.storedCams.push_back({cams(number), evidence(), time()});
+        if (below(2) == 0)
+            device.lastPosition = {below(1 << 25), QDateTime({2026, 3, 1}, QTime(14, 2, 0, 7), Qt::UTC)};
     }
 }
 

@@ -43,6 +43,7 @@ TEST(ProjectJson, ReadsWhatThePageShows)
     first.inAddress = 128;
     first.wanted = {{Parameter::steps, 8192}, {Parameter::revolutions, 16}};
     first.stored = {{Parameter::steps, 8192, Evidence::read, QDateTime({2026, 3, 1}, QTime(14, 2), Qt::UTC)}};
+    first.lastPosition = {12345, QDateTime({2026, 3, 1}, QTime(14, 2), Qt::UTC)};
     CamProgram cams;
     cams.cam[0] = {21, 531, true};
     cams.cam[7] = {8000, 100, false};
@@ -185,9 +186,11 @@ INSTANTIATE_TEST_SUITE_P(
                  "not between 1 and 8"},
         Breakage{"\"cam\": 7", "\"cam\": 0", 49, "devices[0].wantedCams[0].cams[7].cam", "above already"},
         Breakage{"8000", "33554432", 49, "devices[0].wantedCams[0].cams[7].start", "not between"},
-        Breakage{"\"holdCycles\": 3", "\"holdCycles\": 0", 73, "sequences[0].holdCycles", "not between"},
-        Breakage{"\"020000FF\"", "\"020000FG\"", 75, "sequences[0].words[0]", "8 hexadecimal digits"},
-        Breakage{"\"words\"", "\"word\"", 74, "sequences[0].word", "not known"}));
+        Breakage{"\"position\": 12345", "\"position\": 1.5", 54, "devices[0].lastPosition.position",
+                 "whole number"},
+        Breakage{"\"holdCycles\": 3", "\"holdCycles\": 0", 77, "sequences[0].holdCycles", "not between"},
+        Breakage{"\"020000FF\"", "\"020000FG\"", 79, "sequences[0].words[0]", "8 hexadecimal digits"},
+        Breakage{"\"words\"", "\"word\"", 78, "sequences[0].word", "not known"}));
 
 // Whatever key is taken away, or given a value of another kind: there is a sentence, or it may be left out.
 void breakEverywhere(Json::Value &part, const Json::Value &root, const std::vector<Json::Value> &others)

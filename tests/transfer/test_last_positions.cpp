@@ -54,5 +54,29 @@ TEST_F(LastPositionsOfTheRing, APositionThatIsZeroForAMomentIsNoEncoderThatWent)
     EXPECT_FALSE(positions.at(fraba)->beforeItWent);
 }
 
+TEST_F(LastPositionsOfTheRing, AreKeptWithTheProjectWhenItIsSaved)
+{
+    Project project;
+    for (const Participant &participant : bus.structure()) {
+        project.devices.emplace_back().participant = participant;
+        project.devices.back().lastPosition = {1, QDateTime(QDate(2026, 2, 1), QTime(8, 0), Qt::UTC)};
+    }
+    pass(100);
+    const auto before = encoder(fraba).latest().position;
+    EXPECT_EQ(withLastPositions(project, positions, bus).devices[0].lastPosition->position, before);
+
+    training.controls->setPower(fraba, false); // it dies, and later another one is there
+    pass(3000);
+    EXPECT_EQ(withLastPositions(project, positions, bus).devices[0].lastPosition->position, before);
+    training.controls->turnBy(fraba, 100);
+    training.controls->setPower(fraba, true);
+    pass(3000);
+    EXPECT_EQ(withLastPositions(project, positions, bus).devices[0].lastPosition->position,
+              encoder(fraba).latest().position);
+
+    project.devices[0].participant.deviceCode = 0x0236; // another kind is planned there
+    EXPECT_EQ(withLastPositions(project, positions, bus).devices[0].lastPosition->position, 1);
+}
+
 } // namespace
 } // namespace codewheel

@@ -96,6 +96,7 @@ TEST_F(Replacing, TheProjectKnowsTheNewOneByItsLabel)
     EXPECT_EQ(after.label.serialNumber, QStringLiteral("4711"));
     EXPECT_TRUE(after.stored.empty());
     EXPECT_EQ(after.wanted, before.wanted);
+    EXPECT_EQ(after.lastPosition, before.lastPosition); // for as long as it is not set
     EXPECT_EQ(messageText(encoderReplacedMessage(before, with("baumer-gxp6w"))),
               QStringLiteral("The encoder was replaced (serial number before: 20417, now: 4711)."));
 }

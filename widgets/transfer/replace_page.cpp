@@ -24,10 +24,11 @@ constexpr int widthWithStepList = 560;
 
 } // namespace
 
-ReplacePage::ReplacePage(BusSession &bus, ProjectDocument &project, QWidget *parent)
+ReplacePage::ReplacePage(BusSession &bus, ProjectDocument &project, const LastPositions &positions,
+                         QWidget *parent)
     : QWidget(parent)
     , m_replacing{.bus = bus, .project = project}
-    , m_positions(bus)
+    , m_positions(positions)
     , m_title(new QLabel(this))
     , m_pages(new QStackedWidget(this))
     , m_back(new QPushButton(lineIcon(Icon::back), tr("&Back"), this))

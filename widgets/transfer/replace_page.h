@@ -25,7 +25,9 @@ class ReplacePage : public QWidget
     Q_OBJECT
 
 public:
-    ReplacePage(BusSession &bus, ProjectDocument &project, QWidget *parent = nullptr);
+    // All must outlive it.
+    ReplacePage(BusSession &bus, ProjectDocument &project, const LastPositions &positions,
+                QWidget *parent = nullptr);
 
     // Begins anew; not while something is written.
     void replace(DeviceNumber number);
@@ -53,7 +55,7 @@ private:
     ReplaceStep *current() const;
 
     Replacing m_replacing;
-    LastPositions m_positions;
+    const LastPositions &m_positions;
     std::array<ReplaceStep *, stepCount> m_steps{};
     ReplaceWriteStep *m_write = nullptr;
     ReplaceAccountStep *m_account = nullptr;

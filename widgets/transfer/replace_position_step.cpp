@@ -20,6 +20,7 @@ ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositio
     : ReplaceStep(replacing, tr("Position"), parent)
     , m_positions(positions)
     , m_last(new QRadioButton(tr("&Position of the encoder before"), this))
+    , m_kept(new QRadioButton(tr("Position kept in the pro&ject"), this))
     , m_typed(new QRadioButton(tr("&Set the position to"), this))
     , m_none(new QRadioButton(tr("&Leave the position as the new encoder shows it"), this))
     , m_value(new QLineEdit(this))
@@ -30,10 +31,12 @@ ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositio
     , m_message(new InlineMessage(this))
 {
     m_last->setObjectName(QStringLiteral("positionLast"));
+    m_kept->setObjectName(QStringLiteral("positionKept"));
     m_typed->setObjectName(QStringLiteral("positionTyped"));
     m_none->setObjectName(QStringLiteral("positionNone"));
     m_value->setObjectName(QStringLiteral("positionValue"));
     m_last->setToolTip(tr("The position that was seen last, and when"));
+    m_kept->setToolTip(tr("The position the encoder before showed last when the project was saved"));
     m_typed->setToolTip(tr("From a note, or from what the machine stands at"));
     m_none->setToolTip(tr("Nothing is set: the machine has to be referenced another way"));
     m_value->setAccessibleName(tr("Position in steps"));
@@ -48,6 +51,7 @@ ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositio
     auto *layout = new QVBoxLayout(this);
     layout->setSpacing(grid::margin);
     layout->addWidget(m_last);
+    layout->addWidget(m_kept);
     layout->addLayout(typed);
     layout->addWidget(m_none);
     layout->addWidget(m_message);
@@ -59,13 +63,26 @@ ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositio
 void ReplacePositionStep::enter()
 {
     m_message->withdraw();
-    const bool presets = m_replacing.now.device != nullptr && m_replacing.now.device->capabilities.presets;
     m_seen = m_positions.at(m_replacing.place);
+    showOffers();
+    const bool presets = m_typed->isEnabled();
+    if (chosen() == nullptr) {
+        const bool isOld = m_seen && m_seen->beforeItWent;
+        (presets ? isOld ? m_last : m_typed : m_none)->setChecked(true);
+    }
+    setFocusProxy(chosen() == m_typed ? static_cast<QWidget *>(m_value) : chosen());
+}
+
+void ReplacePositionStep::showOffers()
+{
+    const bool presets = m_replacing.now.device != nullptr && m_replacing.now.device->capabilities.presets;
+    const auto &kept = m_replacing.before.lastPosition;
     m_last->setVisible(m_seen && presets);
+    m_kept->setVisible(kept && presets);
     m_typed->setEnabled(presets);
     m_value->setEnabled(presets);
+    const QLocale locale;
     if (m_seen) {
-        const QLocale locale;
         const QString position = locale.toString(qlonglong{m_seen->position});
         const QString time = locale.toString(m_seen->at, QLocale::ShortFormat);
         m_last->setText(m_seen->beforeItWent
@@ -73,12 +90,18 @@ void ReplacePositionStep::enter()
                             : tr("&Position %1, as shown at %2: the encoder has not been away since")
                                   .arg(position, time));
     }
-    if (!m_last->isChecked() && !m_typed->isChecked() && !m_none->isChecked()) {
-        const bool isOld = m_seen && m_seen->beforeItWent;
-        (presets ? isOld ? m_last : m_typed : m_none)->setChecked(true);
-    }
-    QRadioButton *chosen = m_last->isChecked() ? m_last : m_typed->isChecked() ? m_typed : m_none;
-    setFocusProxy(chosen == m_typed ? static_cast<QWidget *>(m_value) : chosen);
+    if (kept)
+        m_kept->setText(tr("Position %1, kept in the pro&ject: seen at %2")
+                            .arg(locale.toString(qlonglong{kept->position}),
+                                 locale.toString(kept->at.toLocalTime(), QLocale::ShortFormat)));
+}
+
+QRadioButton *ReplacePositionStep::chosen() const
+{
+    for (QRadioButton *one : {m_last, m_kept, m_typed, m_none})
+        if (one->isChecked())
+            return one;
+    return nullptr;
 }
 
 bool ReplacePositionStep::leave()
@@ -87,11 +110,12 @@ bool ReplacePositionStep::leave()
     m_replacing.position.reset();
     if (m_none->isChecked())
         return true;
-    if (m_last->isChecked() && m_seen) {
+    if (m_last->isChecked() && m_seen)
         m_replacing.position = m_seen->position;
-        return true;
-    }
-    m_replacing.position = parseNumber(m_value->text().remove(QLocale().groupSeparator()));
+    else if (m_kept->isChecked() && m_replacing.before.lastPosition)
+        m_replacing.position = m_replacing.before.lastPosition->position;
+    else
+        m_replacing.position = parseNumber(m_value->text().remove(QLocale().groupSeparator()));
     if (!m_replacing.position)
         m_message->showMessage(Role::attention,
                                tr("Give the position as a whole number, 0 or more, or leave it as it is."));

@@ -12,8 +12,8 @@ namespace codewheel {
 
 class InlineMessage;
 
-// Which position the new encoder shall show: that of the one before, as it was seen last, one that is typed,
-// or whatever it shows.
+// Which position the new encoder shall show: that of the one before, as it was seen last or as the project
+// keeps it, one that is typed, or whatever it shows.
 class ReplacePositionStep final : public ReplaceStep
 {
     Q_OBJECT
@@ -25,9 +25,13 @@ public:
     bool leave() override;
 
 private:
+    void showOffers();
+    QRadioButton *chosen() const;
+
     const LastPositions &m_positions;
     std::optional<SeenPosition> m_seen;
     QRadioButton *m_last;
+    QRadioButton *m_kept;
     QRadioButton *m_typed;
     QRadioButton *m_none;
     QLineEdit *m_value;

@@ -42,7 +42,8 @@ protected:
     }
 
     QStringList messages;
-    ReplacePage page{session.bus, project};
+    LastPositions positions{session.bus};
+    ReplacePage page{session.bus, project, positions};
 };
 
 TEST_F(ReplacePageTest, TheTechniciansNight)
@@ -83,6 +84,30 @@ TEST_F(ReplacePageTest, APositionCanBeTypedOrLeft)
     click("replaceNext");
     advanceWhileBusy(page);
     EXPECT_EQ(session.encoder(fraba).latest().position, 3000);
+}
+
+// The encoder died before the program was started.
+TEST_F(ReplacePageTest, ThePositionOfTheProjectIsOffered)
+{
+    page.replace(fraba);
+    click("replaceNext");
+    EXPECT_FALSE(find<QRadioButton>("positionKept")->isVisible());
+    project.editDevice(fraba, QStringLiteral("keep"), [](ProjectDevice &device) {
+        device.lastPosition = {4711, QDateTime(QDate(2026, 2, 28), QTime(17, 30))};
+    });
+    page.replace(fraba);
+    click("replaceNext");
+    auto *kept = find<QRadioButton>("positionKept");
+    EXPECT_TRUE(kept->text().contains(QStringLiteral("4,711")) ||
+                kept->text().contains(QStringLiteral("4711")))
+        << kept->text().toStdString();
+    EXPECT_TRUE(kept->text().contains(QStringLiteral("28"))) << kept->text().toStdString();
+    EXPECT_FALSE(kept->isChecked()); // somebody has to say that the shaft still stands there
+    kept->click();
+    click("replaceNext");
+    click("replaceNext");
+    advanceWhileBusy(page);
+    EXPECT_EQ(session.encoder(fraba).latest().position, 4711);
 }
 
 TEST_F(ReplacePageTest, AnotherMakeIsTold)
