@@ -212,7 +212,7 @@ void BusSession::showLatest()
     if (shown->master)
         d->crcHistory.note(*shown->master, shown->at);
     for (std::size_t i = 0; i < shown->devices.size(); ++i) {
-        d->channels[i]->show(shown->devices[i], shown->at);
+        d->channels[i]->show(*shown);
         if (d->sessions[i] && !d->isStale(i))
             d->sessions[i]->show(shown->devices[i].reading);
     }

@@ -44,17 +44,21 @@ void WordChannel::wasWritten(Word word, Instant at)
     m_written = {word, at};
 }
 
-void WordChannel::show(const Snapshot::Device &device, Instant at)
+void WordChannel::show(const Snapshot &ring)
 {
-    const auto shown = [this] { return std::tuple(m_in, m_out, m_inEdges, m_outEdges, m_heldByJob); };
+    const auto shown = [this] {
+        return std::tuple(m_in, m_out, m_inEdges, m_outEdges, m_heldByJob, m_isUpToDate);
+    };
     const auto before = shown();
+    const Snapshot::Device &device = ring.devices[m_device];
+    m_isUpToDate = ring.state == MasterState::run && device.inRing;
     m_in = device.in;
     m_out = device.out;
     m_inEdges = device.inEdges;
     m_outEdges = device.outEdges;
     m_heldByJob = device.heldByJob;
 
-    if (m_written && m_written->at <= at) {
+    if (m_written && m_written->at <= ring.at) {
         // Not a word staged meanwhile.
         const bool isStaged = m_staged == m_written->word;
         m_written.reset();

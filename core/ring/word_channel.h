@@ -31,6 +31,7 @@ public:
     Word inEdges() const { return m_inEdges; } // bits that changed in any cycle since the last picture
     Word outEdges() const { return m_outEdges; }
     bool heldByJob() const { return m_heldByJob; }
+    bool isUpToDate() const { return m_isUpToDate; } // false: the ring stands, or the device is not in it
 
     std::optional<Word> staged() const { return m_staged; } // nothing: as on the bus
     Word shownOut() const { return m_staged.value_or(m_out); }
@@ -48,7 +49,7 @@ Q_SIGNALS:
 
 private:
     friend class BusSession;
-    void show(const Snapshot::Device &device, Instant at);
+    void show(const Snapshot &ring);
     void wasWritten(Word word, Instant at);
     void moveTo(std::size_t device) { m_device = device; } // the ring is another
 
@@ -68,6 +69,7 @@ private:
     Word m_inEdges = 0;
     Word m_outEdges = 0;
     bool m_heldByJob = false;
+    bool m_isUpToDate = false;
     std::optional<Word> m_staged;
     std::optional<Written> m_written; // told by the bus, not shown by a snapshot yet
 };

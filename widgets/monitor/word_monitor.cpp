@@ -336,7 +336,9 @@ QString WordMonitor::explain() const
         context.coding = m_encoder->latest().coding;
     }
     const QString text = explanationText(*m_device, explainWord(*m_device, shownWord(), context));
-    return isOut() && m_channel->staged() ? tr("Not sent yet: %1", "meaning of a word").arg(text) : text;
+    if (isOut())
+        return m_channel->staged() ? tr("Not sent yet: %1", "meaning of a word").arg(text) : text;
+    return m_channel->isUpToDate() ? text : tr("Not up to date: %1", "meaning of a word").arg(text);
 }
 
 void WordMonitor::showRefusal(const Refusal &why)

@@ -116,6 +116,22 @@ TEST_F(WordMonitorTest, BothMeaningsAreGivenWhereTheModeIsNotKnown)
     EXPECT_TRUE(out.meaning().contains(QLatin1String("Start of cam 0"))) << out.meaning().toStdString();
 }
 
+TEST_F(WordMonitorTest, AWordFromBeforeIsToldAsSuch)
+{
+    const QString upToDate = in.meaning();
+    EXPECT_FALSE(upToDate.startsWith(QStringLiteral("Not up to date")));
+    ring.bus.stopBus();
+    ring.bus.advance(40);
+    EXPECT_EQ(in.meaning(), QStringLiteral("Not up to date: ") + upToDate);
+    EXPECT_FALSE(out.meaning().startsWith(QStringLiteral("Not up to date"))) << "it is what will be sent";
+    ring.bus.startBus();
+    ring.bus.advance(40);
+    EXPECT_EQ(in.meaning(), upToDate);
+    ring.bus.switchSegment(fraba.segment, false);
+    ring.bus.advance(40);
+    EXPECT_TRUE(in.meaning().startsWith(QStringLiteral("Not up to date: "))) << "the ring runs without it";
+}
+
 TEST_F(WordMonitorTest, AClickedBitIsStagedAndSentByWrite)
 {
     click(25);
