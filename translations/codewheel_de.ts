@@ -152,7 +152,7 @@
     </message>
     <message>
         <source>%1 at %2 (see IBS SYS FW G4 UM)</source>
-        <translation>%1 bei %2 (siehe IBS SYS FW G4 UM)</translation>
+        <translation>%1, Ort: %2 (siehe IBS SYS FW G4 UM)</translation>
     </message>
     <message>
         <source>%1 (see IBS SYS FW G4 UM)</source>
@@ -160,7 +160,7 @@
     </message>
     <message>
         <source>%1 %2 at %3</source>
-        <translation>%1 %2 bei %3</translation>
+        <translation>%1 %2, Ort: %3</translation>
     </message>
 </context>
 <context>
@@ -894,6 +894,13 @@
     <message>
         <source>cam program %1</source>
         <translation>Nockenprogramm %1</translation>
+    </message>
+</context>
+<context>
+    <name>JournalFiles</name>
+    <message>
+        <source>Messages are not kept, and EEPROM writes are counted for this connection only: Qt&apos;s driver for SQLite is missing on this computer. Install the package libqt6sql6-sqlite.</source>
+        <translation>Meldungen werden nicht aufbewahrt, und EEPROM-Schreibvorgänge werden nur für diese Verbindung gezählt: Auf diesem Rechner fehlt der Qt-Treiber für SQLite. Installieren Sie das Paket libqt6sql6-sqlite.</translation>
     </message>
 </context>
 <context>
@@ -2138,7 +2145,7 @@
     </message>
     <message>
         <source>%1 cannot be &quot;%2&quot;. Allowed are: %3.</source>
-        <translation>%1 kann nicht „%2“ sein. Erlaubt sind: %3.</translation>
+        <translation>%1 kann nicht &quot;%2&quot; sein. Erlaubt sind: %3.</translation>
     </message>
     <message>
         <source>%1 is given twice. Give it once.</source>
@@ -2170,7 +2177,7 @@
     </message>
     <message>
         <source>The %2 does not have the parameter &quot;%1&quot;. Leave it out, or check which encoder it is.</source>
-        <translation>Der Geber %2 hat den Parameter „%1“ nicht. Weglassen, oder prüfen, welcher Geber es ist.</translation>
+        <translation>Der Geber %2 hat den Parameter &quot;%1&quot; nicht. Weglassen, oder prüfen, welcher Geber es ist.</translation>
     </message>
     <message>
         <source>The %1 has no read-out: its values cannot be read.</source>
@@ -2358,7 +2365,7 @@
     </message>
     <message>
         <source>&quot;%2&quot; in &quot;%1&quot; is not understood. There may stand: %3.</source>
-        <translation>„%2“ in „%1“ ist nicht bekannt. Dort kann stehen: %3.</translation>
+        <translation>&quot;%2&quot; in &quot;%1&quot; ist nicht bekannt. Dort kann stehen: %3.</translation>
     </message>
     <message>
         <source>The %1 has no cams.</source>
@@ -2430,11 +2437,11 @@
     </message>
     <message>
         <source>&quot;%1&quot; ends too early. There may follow: %3.</source>
-        <translation>„%1“ endet zu früh. Es kann folgen: %3.</translation>
+        <translation>&quot;%1&quot; endet zu früh. Es kann folgen: %3.</translation>
     </message>
     <message>
         <source>&quot;%2&quot; in &quot;%1&quot; is too much: the key ends before it. Leave it out.</source>
-        <translation>„%2“ in „%1“ ist zu viel: Der Schlüssel endet davor. Weglassen.</translation>
+        <translation>&quot;%2&quot; in &quot;%1&quot; ist zu viel: Der Schlüssel endet davor. Weglassen.</translation>
     </message>
     <message>
         <source>%1 has no OUT word: nothing can be sent to it.</source>
@@ -2732,7 +2739,7 @@
     <name>Sequence</name>
     <message>
         <source>Nothing was pasted: line %1, &quot;%2&quot;, is no hexadecimal word. Each line takes up to 8 digits of 0 to 9 and A to F.</source>
-        <translation>Nichts eingefügt: Zeile %1, „%2“, ist kein hexadezimales Wort. Je Zeile bis zu 8 Ziffern 0 bis 9 und A bis F.</translation>
+        <translation>Nichts eingefügt: Zeile %1, &quot;%2&quot;, ist kein hexadezimales Wort. Je Zeile bis zu 8 Ziffern 0 bis 9 und A bis F.</translation>
     </message>
     <message>
         <source>There is no word to paste. Copy a column of hexadecimal words first.</source>
@@ -2751,7 +2758,7 @@
     </message>
     <message>
         <source>This is no sequence of words: &quot;format&quot; is not &quot;%1&quot;.</source>
-        <translation>Das ist keine Folge von Worten: „format“ ist nicht „%1“.</translation>
+        <translation>Das ist keine Folge von Worten: &quot;format&quot; ist nicht &quot;%1&quot;.</translation>
     </message>
     <message>
         <source>Only version %1 of the format can be read.</source>
@@ -3050,7 +3057,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is no hexadecimal word. Type up to 8 of the digits 0 to 9 and A to F, such as 020000FF.</source>
-        <translation>„%1“ ist kein hexadezimales Wort. Bis zu 8 Ziffern 0 bis 9 und A bis F eingeben, etwa 020000FF.</translation>
+        <translation>&quot;%1&quot; ist kein hexadezimales Wort. Bis zu 8 Ziffern 0 bis 9 und A bis F eingeben, etwa 020000FF.</translation>
     </message>
 </context>
 <context>
@@ -3226,11 +3233,11 @@
     </message>
     <message>
         <source>Program %1 runs in the encoder. &quot;Now&quot; is what it shows.</source>
-        <translation>Programm %1 läuft im Geber. „Jetzt“ ist, was er zeigt.</translation>
+        <translation>Programm %1 läuft im Geber. &quot;Jetzt&quot; ist, was er zeigt.</translation>
     </message>
     <message>
         <source>&quot;Now&quot; is what the cams of program %1 would be.</source>
-        <translation>„Jetzt“ ist, wie die Nocken von Programm %1 stünden.</translation>
+        <translation>&quot;Jetzt&quot; ist, wie die Nocken von Programm %1 stünden.</translation>
     </message>
     <message>
         <source>What its cams would be is not known.</source>
@@ -3454,7 +3461,7 @@
     <name>codewheel::CamFileReader</name>
     <message>
         <source>This is no file of cam programs: the format is not &quot;%1&quot;.</source>
-        <translation>Dies ist keine Datei mit Nockenprogrammen: Das Format ist nicht „%1“.</translation>
+        <translation>Dies ist keine Datei mit Nockenprogrammen: Das Format ist nicht &quot;%1&quot;.</translation>
     </message>
     <message>
         <source>Only version %1 of the format can be read.</source>
@@ -3869,7 +3876,7 @@
     </message>
     <message>
         <source>A device with the key &quot;%1&quot; is in the catalog already.</source>
-        <translation>Ein Gerät mit dem Schlüssel „%1“ ist schon im Katalog.</translation>
+        <translation>Ein Gerät mit dem Schlüssel &quot;%1&quot; ist schon im Katalog.</translation>
     </message>
     <message>
         <source>%1, line %2</source>
@@ -3943,7 +3950,7 @@
     <name>codewheel::CommandLine</name>
     <message>
         <source>There is no option &quot;%1&quot; of %2. Its options are: %3.</source>
-        <translation>%2 hat keine Option „%1“. Seine Optionen sind: %3.</translation>
+        <translation>%2 hat keine Option &quot;%1&quot;. Seine Optionen sind: %3.</translation>
     </message>
     <message>
         <source>%1 is given twice. Give it once.</source>
@@ -3959,7 +3966,7 @@
     </message>
     <message>
         <source>%1 cannot be &quot;%2&quot;. Give a whole number from %3 to %4.</source>
-        <translation>%1 kann nicht „%2“ sein. Eine ganze Zahl von %3 bis %4 angeben.</translation>
+        <translation>%1 kann nicht &quot;%2&quot; sein. Eine ganze Zahl von %3 bis %4 angeben.</translation>
     </message>
     <message>
         <source>The device at %1 is no encoder this program can drive. See codewheel-cli scan.</source>
@@ -4051,7 +4058,7 @@
     </message>
     <message>
         <source>%1 cannot be &quot;%2&quot;. Allowed are: %3.</source>
-        <translation>%1 kann nicht „%2“ sein. Erlaubt sind: %3.</translation>
+        <translation>%1 kann nicht &quot;%2&quot; sein. Erlaubt sind: %3.</translation>
     </message>
     <message>
         <source>%1 is missing. Give one of: %2.</source>
@@ -4079,7 +4086,7 @@ Wort haben kann. Braucht keinen Bus und sendet nichts.</translation>
     </message>
     <message>
         <source>There is no command &quot;%1&quot;. The commands are: %2. See codewheel-cli --help.</source>
-        <translation>Es gibt keinen Befehl „%1“. Die Befehle sind: %2. Siehe codewheel-cli --help.</translation>
+        <translation>Es gibt keinen Befehl &quot;%1&quot;. Die Befehle sind: %2. Siehe codewheel-cli --help.</translation>
     </message>
     <message>
         <source>Name a command: %1. See codewheel-cli --help.</source>
@@ -4091,11 +4098,11 @@ Wort haben kann. Braucht keinen Bus und sendet nichts.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is too much. It is called so: codewheel-cli %2</source>
-        <translation>„%1“ ist zu viel. Der Aufruf lautet: codewheel-cli %2</translation>
+        <translation>&quot;%1&quot; ist zu viel. Der Aufruf lautet: codewheel-cli %2</translation>
     </message>
     <message>
         <source>There is no link &quot;%1&quot;. This version knows one: training, the simulated bus. Leave --link out, or give --link training.</source>
-        <translation>Es gibt keine Verbindung „%1“. Diese Version kennt eine: training, den simulierten Bus. --link weglassen, oder --link training angeben.</translation>
+        <translation>Es gibt keine Verbindung &quot;%1&quot;. Diese Version kennt eine: training, den simulierten Bus. --link weglassen, oder --link training angeben.</translation>
     </message>
     <message>
         <source>how long to look (10)</source>
@@ -4253,7 +4260,7 @@ Gebers beendet die Folge. Worte sind hexadezimal, wie in den Handbüchern.</tran
     </message>
     <message>
         <source>the way to the bus; &quot;training&quot; (the default) is the simulated one</source>
-        <translation>der Weg zum Bus; „training“ (die Vorgabe) ist der simulierte</translation>
+        <translation>der Weg zum Bus; &quot;training&quot; (die Vorgabe) ist der simulierte</translation>
     </message>
     <message>
         <source>explain this and stop; also -h</source>
@@ -4265,7 +4272,7 @@ Gebers beendet die Folge. Worte sind hexadezimal, wie in den Handbüchern.</tran
     </message>
     <message>
         <source>There is no device named &quot;%1&quot;. The names are: %2.</source>
-        <translation>Es gibt kein Gerät namens „%1“. Die Namen sind: %2.</translation>
+        <translation>Es gibt kein Gerät namens &quot;%1&quot;. Die Namen sind: %2.</translation>
     </message>
     <message>
         <source>codewheel-cli sets up, watches and diagnoses absolute encoders on INTERBUS.</source>
@@ -4301,7 +4308,7 @@ Gebers beendet die Folge. Worte sind hexadezimal, wie in den Handbüchern.</tran
     </message>
     <message>
         <source>There is no parameter &quot;%1&quot;. The %2 has: %3.</source>
-        <translation>Es gibt keinen Parameter „%1“. Der Geber %2 hat: %3.</translation>
+        <translation>Es gibt keinen Parameter &quot;%1&quot;. Der Geber %2 hat: %3.</translation>
     </message>
     <message>
         <source>Hexadecimal numbers are written 0xFF or FFh.</source>
@@ -4309,11 +4316,11 @@ Gebers beendet die Folge. Worte sind hexadezimal, wie in den Handbüchern.</tran
     </message>
     <message>
         <source>&quot;%1&quot; is no word. Give up to 8 hexadecimal digits, such as 020000FF.</source>
-        <translation>„%1“ ist kein Wort. Bis zu 8 hexadezimale Ziffern angeben, etwa 020000FF.</translation>
+        <translation>&quot;%1&quot; ist kein Wort. Bis zu 8 hexadezimale Ziffern angeben, etwa 020000FF.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no PARAMETER=VALUE. Write for example steps=255.</source>
-        <translation>„%1“ hat nicht die Form PARAMETER=VALUE. Zum Beispiel: steps=255.</translation>
+        <translation>&quot;%1&quot; hat nicht die Form PARAMETER=VALUE. Zum Beispiel: steps=255.</translation>
     </message>
     <message>
         <source>read from the encoder</source>
@@ -4468,7 +4475,7 @@ Rückgabewert 2.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is neither on nor off.</source>
-        <translation>„%1“ ist weder on noch off.</translation>
+        <translation>&quot;%1&quot; ist weder on noch off.</translation>
     </message>
     <message>
         <source>Velocity mode: %1 rpm</source>
@@ -4481,14 +4488,6 @@ Rückgabewert 2.</translation>
     <message>
         <source>let an encoder show its speed, or its position again</source>
         <translation>einen Geber seine Drehzahl zeigen lassen, oder wieder seine Position</translation>
-    </message>
-    <message>
-        <source>In velocity mode an encoder shows whole revolutions per minute instead of its position, and goes on so
-after power-off, until it is switched off. Sends at once, without asking; writes nothing to the EEPROM.
-&quot;off&quot; ends cam mode, too.</source>
-        <translation>Im Drehzahlbetrieb zeigt ein Geber ganze Umdrehungen je Minute statt seiner Position, auch nach dem
-Ausschalten, bis der Betrieb beendet wird. Sendet sofort, ohne zu fragen; schreibt nichts ins EEPROM.
-„off“ beendet auch den Nockenbetrieb.</translation>
     </message>
     <message>
         <source>not shown in velocity mode</source>
@@ -4548,7 +4547,7 @@ Ausschalten, bis der Betrieb beendet wird. Sendet sofort, ohne zu fragen; schrei
     </message>
     <message>
         <source>&quot;%1&quot; is no number of a cam program. Choose one from 1 to 8.</source>
-        <translation>„%1“ ist keine Nummer eines Nockenprogramms. Eine von 1 bis 8 wählen.</translation>
+        <translation>&quot;%1&quot; ist keine Nummer eines Nockenprogramms. Eine von 1 bis 8 wählen.</translation>
     </message>
     <message>
         <source>%1 cannot be read: %2.</source>
@@ -4588,7 +4587,7 @@ Ausschalten, bis der Betrieb beendet wird. Sendet sofort, ohne zu fragen; schrei
     </message>
     <message>
         <source>&quot;%1&quot; is none of read, write and compare.</source>
-        <translation>„%1“ ist weder read noch write noch compare.</translation>
+        <translation>&quot;%1&quot; ist weder read noch write noch compare.</translation>
     </message>
     <message>
         <source>Name the file of the cam programs.</source>
@@ -4612,7 +4611,7 @@ Ausschalten, bis der Betrieb beendet wird. Sendet sofort, ohne zu fragen; schrei
     </message>
     <message>
         <source>take the encoder for this one: a name of &quot;devices&quot;, or the key on its label</source>
-        <translation>den Geber für diesen nehmen: ein Name aus „devices“ oder der Schlüssel auf dem Typenschild</translation>
+        <translation>den Geber für diesen nehmen: ein Name aus &quot;devices&quot; oder der Schlüssel auf dem Typenschild</translation>
     </message>
     <message>
         <source>what the key on a label says, and whose it is</source>
@@ -4722,10 +4721,6 @@ codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     <message>
         <source>IN %1, and the mode of the encoder is not known</source>
         <translation>IN %1, und die Betriebsart des Gebers ist unbekannt</translation>
-    </message>
-    <message>
-        <source>write without asking; replace FILE when reading</source>
-        <translation>schreiben, ohne zu fragen; beim Lesen FILE ersetzen</translation>
     </message>
     <message>
         <source>%1 is there already. Nothing was read. Name another file, or add --yes to replace it.</source>
@@ -5264,6 +5259,117 @@ Master dann steht. Was ändert, was der Ring tut (read-in, confirm, segment), wi
 gefragt werden kann, ist --yes nötig. Da jeder Aufruf einen neuen Übungsbus hat, ist das vor allem mit einem
 Fehlerplan sinnvoll.</translation>
     </message>
+    <message>
+        <source>write without asking, also where the budget of the EEPROM is used; replace FILE when reading</source>
+        <translation>ohne Frage schreiben, auch wenn das Budget des EEPROMs verbraucht ist; beim Lesen DATEI ersetzen</translation>
+    </message>
+    <message>
+        <source>the new encoder: a name of &quot;devices&quot;; else it is like the one before</source>
+        <translation>der neue Geber: ein Name aus &quot;devices&quot;; sonst ist er wie der vorige</translation>
+    </message>
+    <message>
+        <source>the new encoder: the key on its label</source>
+        <translation>der neue Geber: der Schlüssel auf seinem Typenschild</translation>
+    </message>
+    <message>
+        <source>the serial number on the label of the new encoder</source>
+        <translation>die Seriennummer auf dem Typenschild des neuen Gebers</translation>
+    </message>
+    <message>
+        <source>set the position to this, in steps; &quot;last&quot; is the one the project knows</source>
+        <translation>die Position auf diesen Wert setzen, in Schritten; &quot;last&quot; ist die, die das Projekt kennt</translation>
+    </message>
+    <message>
+        <source>Give --device or --label, not both: each names the new encoder.</source>
+        <translation>Geben Sie --device oder --label an, nicht beide: Jedes benennt den neuen Geber.</translation>
+    </message>
+    <message>
+        <source>The project does not name the encoder at %1. Name the new one with --device or --label.</source>
+        <translation>Das Projekt benennt den Geber an %1 nicht. Benennen Sie den neuen mit --device oder --label.</translation>
+    </message>
+    <message>
+        <source>The project knows no last position of %1. Give it as a number.</source>
+        <translation>Das Projekt kennt keine letzte Position von %1. Geben Sie sie als Zahl an.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no position. Give a whole number, 0 or more.</source>
+        <translation>&quot;%1&quot; ist keine Position. Geben Sie eine ganze Zahl ab 0 an.</translation>
+    </message>
+    <message>
+        <source>The position that the project keeps: %1, seen at %2.</source>
+        <translation>Die Position, die das Projekt aufbewahrt: %1, gesehen am %2.</translation>
+    </message>
+    <message>
+        <source>It fits: as far as the project tells, it is like the one before.</source>
+        <translation>Er passt: Soweit das Projekt es sagt, ist er wie der vorige.</translation>
+    </message>
+    <message>
+        <source>Name the project with --project FILE: the values are taken from it, and the new encoder is put into it.</source>
+        <translation>Nennen Sie das Projekt mit --project DATEI: Die Werte werden ihm entnommen, und der neue Geber wird darin eingetragen.</translation>
+    </message>
+    <message>
+        <source>give a new encoder the values and the position of the one before</source>
+        <translation>einem neuen Geber die Werte und die Position des vorigen geben</translation>
+    </message>
+    <message>
+        <source>Tells how the new encoder differs from the one the project has at PLACE, shows what will be written,
+asks, puts the new one into the project (make, label and serial number; the file that was there is
+kept as FILE~), and writes what the project wants, and where nothing is wanted what was stored of the
+one before. With --position the position is set at the end of it: the shaft must stand where it stood
+then. The old zero offset is not written in that case, since setting the position makes a new one.
+An encoder with several modes is brought to position mode first. Exit code 1 if the encoder has not
+got all of it.</source>
+        <translation>Sagt, worin sich der neue Geber von dem unterscheidet, den das Projekt an PLATZ hat, zeigt, was
+geschrieben wird, fragt, trägt den neuen im Projekt ein (Fabrikat, Typenschild und Seriennummer; die
+vorige Datei bleibt als DATEI~ erhalten) und schreibt, was das Projekt wünscht, und wo nichts gewünscht
+ist, was vom vorigen gespeichert wurde. Mit --position wird zum Schluss die Position gesetzt: Die Welle
+muss dabei stehen, wo sie damals stand. Der alte Nullpunkt wird dann nicht geschrieben, denn das Setzen
+der Position ergibt einen neuen. Ein Geber mit mehreren Betriebsarten wird zuerst in den
+Positionsbetrieb gebracht. Rückgabewert 1, wenn der Geber nicht alles bekommen hat.</translation>
+    </message>
+    <message>
+        <source>replace FILE if it is there; do not ask where the budget of an EEPROM is used</source>
+        <translation>DATEI ersetzen, falls sie da ist; nicht fragen, wenn das Budget eines EEPROMs verbraucht ist</translation>
+    </message>
+    <message>
+        <source>of the write at this time: 2026-03-01T14:02, or 14:02 of today; else of the newest</source>
+        <translation>des Schreibens zu dieser Zeit: 2026-03-01T14:02, oder 14:02 von heute; sonst des jüngsten</translation>
+    </message>
+    <message>
+        <source>tell what there is, and write nothing</source>
+        <translation>sagen, was es gibt, und nichts schreiben</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no time. Write it as 14:02 or 2026-03-01T14:02.</source>
+        <translation>&quot;%1&quot; ist keine Zeit. Schreiben Sie sie als 14:02 oder 2026-03-01T14:02.</translation>
+    </message>
+    <message>
+        <source>Nothing was written to %1 at %2 of which the values from before are kept. See codewheel-cli restore %1 --list.</source>
+        <translation>Um %2 wurde nichts nach %1 geschrieben, dessen vorige Werte aufbewahrt sind. Siehe codewheel-cli restore %1 --list.</translation>
+    </message>
+    <message>
+        <source>write the values again that an encoder had before a write</source>
+        <translation>die Werte wieder schreiben, die ein Geber vor einem Schreiben hatte</translation>
+    </message>
+    <message>
+        <source>The ledger of EEPROM writes keeps with each write what was known of the encoder before, and what was
+read then. --list tells what there is, the newest first. Without --at the newest is restored: what
+differs is shown, asked for, written as by &quot;transfer&quot;, and accounted for. An encoder that can tell its
+serial number is asked for that where nothing is kept for its place.</source>
+        <translation>Das Verzeichnis der EEPROM-Schreibvorgänge bewahrt zu jedem Schreiben auf, was vorher vom Geber bekannt war
+und was dabei gelesen wurde. --list sagt, was es gibt, das Jüngste zuerst. Ohne --at wird das Jüngste
+wiederhergestellt: Was abweicht, wird gezeigt, gefragt, geschrieben wie bei &quot;transfer&quot; und belegt. Ein
+Geber, der seine Seriennummer sagen kann, wird danach gefragt, wenn für seinen Platz nichts da ist.</translation>
+    </message>
+    <message>
+        <source>In velocity mode an encoder shows whole revolutions per minute instead of its position, and goes on so
+after power-off, until it is switched off. Sends at once, without asking; writes nothing to the EEPROM,
+but &quot;off&quot; ends cam mode, too: a cam program that was changed is stored when it is left.</source>
+        <translation>Im Drehzahlbetrieb zeigt ein Geber ganze Umdrehungen pro Minute statt seiner Position, auch nach
+dem Ausschalten, bis der Betrieb beendet wird. Sendet sofort, ohne zu fragen; schreibt nichts in das
+EEPROM, doch &quot;off&quot; beendet auch den Nockenbetrieb: Ein geändertes Nockenprogramm wird gespeichert, wenn
+es verlassen wird.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -5545,7 +5651,7 @@ Fehlerplan sinnvoll.</translation>
     </message>
     <message>
         <source>There is no device with the key &quot;%1&quot; before this one.</source>
-        <translation>Vor diesem gibt es kein Gerät mit dem Schlüssel „%1“.</translation>
+        <translation>Vor diesem gibt es kein Gerät mit dem Schlüssel &quot;%1&quot;.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no command that writes a value.</source>
@@ -6901,7 +7007,7 @@ Fehlerplan sinnvoll.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not known here. Known are: %2.</source>
-        <translation>„%1“ ist hier unbekannt. Bekannt sind: %2.</translation>
+        <translation>&quot;%1&quot; ist hier unbekannt. Bekannt sind: %2.</translation>
     </message>
     <message>
         <source>This key is missing.</source>
@@ -6925,7 +7031,7 @@ Fehlerplan sinnvoll.</translation>
     </message>
     <message>
         <source>A hexadecimal number such as &quot;37h&quot; is expected here.</source>
-        <translation>Hier wird eine hexadezimale Zahl wie „37h“ erwartet.</translation>
+        <translation>Hier wird eine hexadezimale Zahl wie &quot;37h&quot; erwartet.</translation>
     </message>
     <message>
         <source>A list [ ] is expected here.</source>
@@ -7910,7 +8016,7 @@ Fehlerplan sinnvoll.</translation>
     </message>
     <message>
         <source>Shows or hides the panel &quot;%1&quot;</source>
-        <translation>Zeigt oder verbirgt das Feld „%1“</translation>
+        <translation>Zeigt oder verbirgt das Feld &quot;%1&quot;</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -8149,7 +8255,7 @@ Fehlerplan sinnvoll.</translation>
     </message>
     <message>
         <source>All places</source>
-        <translation>Alle Plätze</translation>
+        <translation>Alle Orte</translation>
     </message>
     <message>
         <source>Bus</source>
@@ -8157,7 +8263,7 @@ Fehlerplan sinnvoll.</translation>
     </message>
     <message>
         <source>Place of messages</source>
-        <translation>Platz der Meldungen</translation>
+        <translation>Ort der Meldungen</translation>
     </message>
     <message>
         <source>Show only messages of this device, or of the bus itself</source>
@@ -8267,7 +8373,7 @@ Fehlerplan sinnvoll.</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation>Platz</translation>
+        <translation>Ort</translation>
     </message>
     <message>
         <source>Message</source>
@@ -8432,7 +8538,7 @@ Fehlerplan sinnvoll.</translation>
     </message>
     <message>
         <source>A monitor shows one word of one device, and lets you set the bits of an OUT word. Use Add monitor, or the menu of a device in the bus structure.</source>
-        <translation>Ein Monitor zeigt ein Wort eines Geräts; in einem OUT-Wort lassen sich die Bits setzen. „Neuer Monitor“ oder das Menü eines Geräts im Busaufbau öffnet einen.</translation>
+        <translation>Ein Monitor zeigt ein Wort eines Geräts; in einem OUT-Wort lassen sich die Bits setzen. &quot;Neuer Monitor&quot; oder das Menü eines Geräts im Busaufbau öffnet einen.</translation>
     </message>
     <message>
         <source>Add &amp;monitor</source>
@@ -8495,7 +8601,7 @@ Fehlerplan sinnvoll.</translation>
     </message>
     <message>
         <source>%1 has been named. Choose &quot;make not known&quot; to take that back.</source>
-        <translation>%1 ist benannt. „Hersteller unbekannt“ nimmt das zurück.</translation>
+        <translation>%1 ist benannt. &quot;Hersteller unbekannt&quot; nimmt das zurück.</translation>
     </message>
     <message>
         <source>make not known</source>
@@ -8616,7 +8722,7 @@ Fehlerplan sinnvoll.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; and &quot;%2&quot; cannot be told apart: one begins with the other.</source>
-        <translation>„%1“ und „%2“ sind nicht zu unterscheiden: Eines beginnt mit dem anderen.</translation>
+        <translation>&quot;%1&quot; und &quot;%2&quot; sind nicht zu unterscheiden: Eines beginnt mit dem anderen.</translation>
     </message>
     <message>
         <source>A part has either codes or any.</source>
@@ -8640,7 +8746,7 @@ Fehlerplan sinnvoll.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; in the example is not understood by the parts.</source>
-        <translation>„%1“ im Beispiel passt zu keinem der Teile.</translation>
+        <translation>&quot;%1&quot; im Beispiel passt zu keinem der Teile.</translation>
     </message>
 </context>
 <context>
@@ -8719,7 +8825,7 @@ Fehlerplan sinnvoll.</translation>
     </message>
     <message>
         <source>Click, or Enter: shows the registers of the INTERBUS chip. While they are shown, Read from encoder reads them, too.</source>
-        <translation>Klick oder Eingabe: zeigt die Register des INTERBUS-Chips. Solange sie gezeigt werden, liest „Auslesen“ sie mit.</translation>
+        <translation>Klick oder Eingabe: zeigt die Register des INTERBUS-Chips. Solange sie gezeigt werden, liest &quot;Auslesen&quot; sie mit.</translation>
     </message>
     <message>
         <source>tell it</source>
@@ -8808,7 +8914,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     </message>
     <message>
         <source>No value is wanted. Enter what you want in the column &quot;Wanted&quot; first.</source>
-        <translation>Kein Wert ist gewünscht. Erst in der Spalte „Gewünscht“ eingeben.</translation>
+        <translation>Kein Wert ist gewünscht. Erst in der Spalte &quot;Gewünscht&quot; eingeben.</translation>
     </message>
     <message>
         <source>Send run</source>
@@ -9539,6 +9645,18 @@ ID-Code %3, Gerätecode %4
         <source>Give the position as a whole number, 0 or more, or leave it as it is.</source>
         <translation>Die Position als ganze Zahl ab 0 angeben oder lassen, wie sie ist.</translation>
     </message>
+    <message>
+        <source>Position kept in the pro&amp;ject</source>
+        <translation>Im Pro&amp;jekt aufbewahrte Position</translation>
+    </message>
+    <message>
+        <source>The position the encoder before showed last when the project was saved</source>
+        <translation>Die Position, die der vorige Geber zuletzt zeigte, als das Projekt gespeichert wurde</translation>
+    </message>
+    <message>
+        <source>Position %1, kept in the pro&amp;ject: seen at %2</source>
+        <translation>Position %1, im Pro&amp;jekt aufbewahrt: gesehen am %2</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ReplaceStep</name>
@@ -10161,7 +10279,7 @@ ID-Code %3, Gerätecode %4
     </message>
     <message>
         <source>Each word waits until you press Next step.</source>
-        <translation>Jedes Wort wartet auf „Nächster Schritt“.</translation>
+        <translation>Jedes Wort wartet auf &quot;Nächster Schritt&quot;.</translation>
     </message>
     <message>
         <source>The words follow each other as the encoder confirms them.</source>
@@ -10189,7 +10307,7 @@ ID-Code %3, Gerätecode %4
     </message>
     <message>
         <source>The position cannot be set: the mode of the encoder is not known, and in cam mode the same word sets a cam. Say on the page What is known that it is in position mode, or do not set the position.</source>
-        <translation>Die Position ist nicht setzbar: Die Betriebsart des Gebers ist unbekannt, und im Nockenbetrieb setzt dasselbe Wort einen Nocken. Auf der Seite „Was bekannt ist“ den Positionsbetrieb angeben, oder die Position nicht setzen.</translation>
+        <translation>Die Position ist nicht setzbar: Die Betriebsart des Gebers ist unbekannt, und im Nockenbetrieb setzt dasselbe Wort einen Nocken. Auf der Seite &quot;Was bekannt ist&quot; den Positionsbetrieb angeben, oder die Position nicht setzen.</translation>
     </message>
     <message>
         <source>EEPROM writes by this program so far: %1. This handshake: %2%3.</source>
@@ -11412,7 +11530,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be on and blink.</source>
-        <translation>„%1“ kann nicht zugleich leuchten und blinken.</translation>
+        <translation>&quot;%1&quot; kann nicht zugleich leuchten und blinken.</translation>
     </message>
 </context>
 <context>
@@ -11663,7 +11781,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>A device number such as &quot;6.1&quot; is expected here.</source>
-        <translation>Hier wird eine Gerätenummer wie „6.1“ erwartet.</translation>
+        <translation>Hier wird eine Gerätenummer wie &quot;6.1&quot; erwartet.</translation>
     </message>
     <message>
         <source>The participants must stand in the order of the ring.</source>
@@ -11675,11 +11793,11 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>There is no device &quot;%1&quot; in the catalog.</source>
-        <translation>Im Katalog gibt es kein Gerät „%1“.</translation>
+        <translation>Im Katalog gibt es kein Gerät &quot;%1&quot;.</translation>
     </message>
     <message>
         <source>The device &quot;%1&quot; cannot be simulated.</source>
-        <translation>Das Gerät „%1“ kann nicht simuliert werden.</translation>
+        <translation>Das Gerät &quot;%1&quot; kann nicht simuliert werden.</translation>
     </message>
     <message>
         <source>Only a FRABA K3 has this.</source>
@@ -11695,7 +11813,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>The device has no parameter &quot;%1&quot;.</source>
-        <translation>Das Gerät hat keinen Parameter „%1“.</translation>
+        <translation>Das Gerät hat keinen Parameter &quot;%1&quot;.</translation>
     </message>
 </context>
 <context>
@@ -12802,6 +12920,11 @@ Zustand: %7</translation>
         <source>%1 has no OUT word: nothing can be sent to it.</source>
         <comment>1.0</comment>
         <translation>%1 hat kein OUT-Wort: Dorthin kann nichts gesendet werden.</translation>
+    </message>
+    <message>
+        <source>Not up to date: %1</source>
+        <comment>meaning of a word</comment>
+        <translation>Nicht aktuell: %1</translation>
     </message>
 </context>
 <context>
