@@ -4,6 +4,7 @@
 #include "catalog/device_description.h"
 #include "drivers/values_to_write.h"
 #include "words/k3_cam_word.h"
+#include "words/la66_word.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -70,9 +70,7 @@ int main(int argc, char **argv)
     const LastPositions positions(bus);
     const LedgerKeeper ledger(bus, DatabasePlace::memory());
     MainWindow window(settings, project);
-    window.attach(
-        bus, ring.controls, QStringLiteral("moving ring"), messages,
-        [](DeviceNumber) { return std::vector<ValuesBefore>(); }, positions);
+    window.attach(bus, ring.controls, QStringLiteral("moving ring"), messages, ledger, positions);
     auto *monitors = window.findChild<MonitorArea *>();
     monitors->closeAll();
     for (const DeviceNumber number : bus.numbers()) {

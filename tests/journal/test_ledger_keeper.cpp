@@ -81,6 +81,7 @@ TEST_F(LedgerKeeperTest, CountsWordsByHand)
 TEST_F(LedgerKeeperTest, NotesAWordByHandBeforeItIsSent)
 {
     keep(file.place());
+    bus.encoder(fraba)->tell(Parameter::steps, 8'192); // something to keep
     const auto noted = [&] { return Ledger::open(file.place())->writes(keeper->identity(fraba)); };
     const auto send = [&](Word word) {
         bus.channel(fraba)->stage(word);
@@ -145,9 +146,13 @@ TEST_F(LedgerKeeperTest, NotesWhatRestoringWillWriteBeside)
                                       .previous = {{Parameter::steps, 8192}}},
                       Pace::byHand));
     const auto noted = [&] { return Ledger::open(file.place())->writes(keeper->identity(fraba)).atMost(); };
-    bus.advance(100);
-    encoder.proceed();
-    bus.advance(100);
+    Progress progress;
+    QObject::connect(&encoder, &EncoderSession::progressed, keeper.get(),
+                     [&](const Progress &now) { progress = now; });
+    for (int i = 0; i < 10 && progress.confirmed.empty(); ++i) {
+        bus.advance(100);
+        encoder.proceed();
+    }
     EXPECT_EQ(noted(), 2);
     encoder.cancel(OnCancel::restorePrevious);
     EXPECT_GE(noted(), 3);

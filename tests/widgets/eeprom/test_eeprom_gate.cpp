@@ -201,11 +201,14 @@ TEST_F(EepromGateTest, HoldsBackRestoringInTheJobStrip)
     ASSERT_TRUE(encoder.start(
         WriteParameters{.values = {{Parameter::steps, 255}}, .previous = {{Parameter::steps, 8192}}},
         Pace::byHand));
-    for (int i = 0; i < 3; ++i) {
-        ring.bus.advance(40);
-        if (i == 0)
-            encoder.proceed();
+    Progress progress;
+    QObject::connect(&encoder, &EncoderSession::progressed, &strip,
+                     [&](const Progress &now) { progress = now; });
+    for (int i = 0; i < 10 && progress.confirmed.empty(); ++i) {
+        ring.bus.advance(100);
+        encoder.proceed();
     }
+    ASSERT_TRUE(progress.canRestore);
     count(500);
     find<QPushButton>(strip, "cancelJob").click();
     const auto restore = [&] {
