@@ -373,6 +373,7 @@ TEST(BuiltInDevices, TheLoop2EncoderDiffersInNothingButItsCodes)
     const DeviceDescription &standard = device(catalog, u"fraba-ocd-ib");
     loop.key = standard.key;
     loop.name = standard.name;
+    loop.notes = standard.notes; // of the fibre optics
     loop.idCode = standard.idCode;
     loop.deviceCode = standard.deviceCode;
     // plugs, LEDs and label are those of the standard encoder alone (3.1, 3.3, 8)
