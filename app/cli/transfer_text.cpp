@@ -105,6 +105,17 @@ QString becameKey(Became became)
     return QStringLiteral("notDone");
 }
 
+QString positionLine(const EncoderAccount &encoder)
+{
+    if (!encoder.positionWanted)
+        return {};
+    const QString wanted = QString::number(*encoder.positionWanted);
+    return QStringLiteral("  ") +
+           (encoder.positionSet ? sentence(CommandLine::tr("Position: set to %1."), {wanted})
+                                : sentence(CommandLine::tr("Position: not set to %1."), {wanted})) +
+           u'\n';
+}
+
 } // namespace
 
 QString planText(const BusSession &bus, const TransferPlan &plan)
@@ -158,7 +169,7 @@ QString accountText(const BusSession &bus, const TransferAccount &account)
                        QStringLiteral("= %1").arg(typed(device, row.wanted)), transfer_words::became(row)});
         for (const AccountCamRow &row : encoder.cams)
             table.add({programName(row.program), {}, transfer_words::became(row)});
-        text += heading(encoder) + table.toString(2) + QStringLiteral("  ") +
+        text += heading(encoder) + table.toString(2) + positionLine(encoder) + QStringLiteral("  ") +
                 transfer_words::outcome(encoder) + u'\n';
         if (encoder.isBegun)
             text +=
@@ -197,6 +208,8 @@ QJsonArray accountJson(const BusSession &bus, const TransferAccount &account)
                                     {QStringLiteral("values"), rows},
                                     {QStringLiteral("cams"), cams},
                                     {QStringLiteral("eepromWrites"), encoder.eepromWrites},
+                                    {QStringLiteral("positionWanted"), numberJson(encoder.positionWanted)},
+                                    {QStringLiteral("positionSet"), encoder.positionSet},
                                     {QStringLiteral("positionBefore"), numberJson(encoder.positionBefore)},
                                     {QStringLiteral("positionAfter"), numberJson(encoder.positionAfter)},
                                     {QStringLiteral("leftIn"), stateKey(encoder.leftIn)}});

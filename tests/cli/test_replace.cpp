@@ -68,6 +68,7 @@ TEST_F(CliReplace, TheNewEncoderGetsTheValuesAndIsPutIntoTheProject)
     EXPECT_EQ(done.exit, 0) << done.err << done.out;
     EXPECT_THAT(done.out, HasSubstr("It fits: as far as the project tells, it is like the one before.\n"));
     EXPECT_THAT(done.out, HasSubstr("  The position is set to 3000 at the end of it.\n"));
+    EXPECT_THAT(done.out, HasSubstr("  Position: set to 3000.\n"));
     EXPECT_THAT(done.out, HasSubstr("  steps        = 4096     Written, and read back\n"));
     EXPECT_THAT(done.out, HasSubstr("  direction    = ccw (4)  Written, and read back\n"));
     EXPECT_THAT(done.out, Not(HasSubstr("0A00000C"))); // the old zero offset
