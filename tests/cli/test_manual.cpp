@@ -43,7 +43,8 @@ void comparePage(const char *name, std::size_t atLeast)
     EXPECT_GE(examples.size(), atLeast);
     for (const Example &example : examples) {
         const CliRun run = runLine(example.line);
-        EXPECT_EQ(QString::fromStdString(run.out + run.err).trimmed(), example.printed.trimmed())
+        EXPECT_EQ(QString::fromStdString(run.out + run.err).trimmed().toStdString(),
+                  example.printed.trimmed().toStdString())
             << name << ": codewheel-cli " << example.line.toStdString();
     }
 }
