@@ -37,7 +37,7 @@ TEST(CliCompare, IsExit1WhereSomethingDiffers)
     const CliRun run = shared.runLine(QStringLiteral("compare ") + example("crane.codewheel"));
     EXPECT_EQ(run.exit, 1);
     EXPECT_THAT(run.out, HasSubstr("differs  3.0: configured K2 36h, found K1 36h\n"));
-    EXPECT_THAT(run.out, HasSubstr("missing  5.0: configured BEh is missing\n"));
+    EXPECT_THAT(run.out, HasSubstr("missing  5.0: configured 02h is missing\n"));
     EXPECT_THAT(run.err, HasSubstr("Lines that differ: 2."));
     EXPECT_EQ(shared.bus().latest().cycle, 0u) << "something was sent";
 }
