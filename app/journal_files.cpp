@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal_files.h"
 
-#include "ring/bus_session.h"
+#include "encoder/encoder_bus.h"
 
 #include <QCoreApplication>
 #include <QStandardPaths>
@@ -34,7 +34,7 @@ QString nothingIsKept()
                                              "computer. Install the package libqt6sql6-sqlite.");
 }
 
-DatabasePlace ledgerPlace(const BusSession &bus, const QString &folder)
+DatabasePlace ledgerPlace(const EncoderBus &bus, const QString &folder)
 {
     return bus.isSimulated() ? DatabasePlace::memory() : DatabasePlace::file(ledgerFile(folder));
 }

@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-class BusSession;
+class EncoderBus;
 
 // The folder of the user's messages and EEPROM counts, the same for the window and the command line:
 // ~/.local/share/codewheel. Need not exist.
@@ -17,7 +17,7 @@ QString ledgerFile(const QString &folder);
 
 // Where EEPROM writes to the encoders of this bus are counted: in the user's ledger. Simulated encoders are
 // new with each start, and counted in memory.
-DatabasePlace ledgerPlace(const BusSession &bus, const QString &folder);
+DatabasePlace ledgerPlace(const EncoderBus &bus, const QString &folder);
 
 // What has to be told where neither messages nor EEPROM writes can be kept, not even in memory, since Qt's
 // driver for SQLite is missing; empty: it is there.

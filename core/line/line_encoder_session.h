@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drivers/driven_encoder_session.h"
+#include "esc/esc_request.h"
 
 namespace codewheel {
 
@@ -18,6 +19,11 @@ public:
                        const DeviceDescription &description);
 
     QDateTime dateTime(Instant at) const override;
+
+Q_SIGNALS:
+    // Nothing of it has been sent: a write that was typed, and that was allowed. For the ledger of EEPROM
+    // writes; its end is LineSession::typedAnswered.
+    void requestAboutToBeSent(const codewheel::esc::Request &request);
 
 private:
     friend class LineSession;

@@ -48,7 +48,7 @@ struct LineSession::Private
 
 LineSession::LineSession(std::unique_ptr<ByteLink> link, const Catalog &catalog, QDateTime begin,
                          DriverFactory makeDriver, QObject *parent)
-    : QObject(parent)
+    : EncoderBus(parent)
     , d(std::make_unique<Private>(Private{std::move(link), catalog, std::move(begin), std::move(makeDriver)}))
 {}
 
@@ -299,6 +299,11 @@ bool LineSession::isPolling() const
     return d->latest->polling;
 }
 
+bool LineSession::isRunning() const
+{
+    return d->latest->connected && d->latest->polling;
+}
+
 QDateTime LineSession::dateTime(Instant at) const
 {
     return d->beginning.addMSecs(std::chrono::duration_cast<std::chrono::milliseconds>(at).count());
@@ -335,8 +340,13 @@ void LineSession::cancelScan()
     post(line_command::CancelScan{});
 }
 
+// A write is accounted for before it is sent. At the master address it is carried out by whoever is there.
 void LineSession::send(const esc::Request &request)
 {
+    if (d->runner && esc::shapeOf(request.command).writes)
+        for (const Private::Encoder &encoder : d->encoders)
+            if (encoder.session && (request.to.isMaster() || encoder.session->number().line == request.to))
+                Q_EMIT encoder.session->requestAboutToBeSent(request);
     post(line_command::Send{request});
 }
 

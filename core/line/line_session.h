@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/encoder_session.h"
-#include "encoder/message.h"
+#include "encoder/encoder_bus.h"
 #include "line/byte_link.h"
 #include "line/line_command.h"
 #include "line/line_event.h"
 #include "line/line_snapshot.h"
-
-#include <QDateTime>
-#include <QObject>
 
 #include <functional>
 #include <memory>
@@ -23,7 +19,7 @@ class Catalog;
 // sessions. All of it lives in the caller's thread; the line thread is hidden behind pump().
 //
 // In Watch only reads are sent: positions are polled, values may be read. Writing needs Operate.
-class LineSession : public QObject
+class LineSession final : public EncoderBus
 {
     Q_OBJECT
 
@@ -54,8 +50,8 @@ public:
     // Takes what came since the last call and emits it. The window calls this 30 times a second.
     void pump();
 
-    bool isOpen() const;
-    bool isSimulated() const;
+    bool isOpen() const override;
+    bool isSimulated() const override;
     QString linkName() const;
     const LineSettings &settings() const;
 
@@ -63,33 +59,33 @@ public:
     // for a device that is not on a serial line.
     Result<void> add(LineAddress address, const QString &deviceKey);
     Result<void> remove(DeviceNumber number);
-    std::vector<DeviceNumber> numbers() const;
-    EncoderSession *encoder(DeviceNumber number) const; // null: no such device
+    std::vector<DeviceNumber> numbers() const override;
+    EncoderSession *encoder(DeviceNumber number) const override;
 
     const LineSnapshot &latest() const;
     const LineSnapshot::Device *shown(DeviceNumber number) const; // null: no such device
-    bool isOperating() const;
+    bool isOperating() const override;
     bool isPolling() const;
-    QDateTime dateTime(Instant at) const;
+    bool isRunning() const override;
+    Instant now() const override { return latest().at; }
+    QDateTime dateTime(Instant at) const override;
 
     void startPolling();
     void stopPolling();
-    void setOperate(bool on);
-    // Ends all jobs, drops what was typed and not sent yet, ends a scan. From every state, at once.
-    void alarmStop();
+    void setOperate(bool on) override;
+    // Ends all jobs, drops what was typed and not sent yet, ends a scan.
+    void alarmStop() override;
     void scan(const ScanWish &wish);
     void cancelScan();
-    // Sends what was typed, once, in its turn; answered by typedAnswered, or refused in a message.
+    // Sends what was typed, once, in its turn; ends with typedAnswered, and where it is refused in a message
+    // too.
     void send(const esc::Request &request);
 
 Q_SIGNALS:
-    void updated();      // a new snapshot; at most once per pump
-    void stateChanged(); // connected, polling, Watch / Operate
     void alarmStopped(); // by alarmStop(): nothing is to be sent on its own any more
     void devicesChanged();
     // The encoder has another address now: encoder() finds it by that one.
     void moved(codewheel::DeviceNumber from, codewheel::DeviceNumber to);
-    void messaged(const codewheel::Message &message);
     void passed(const codewheel::esc::LineRow &row); // what went over the line
     void typedAnswered(const codewheel::TypedAnswered &answer);
     void scanProgressed(const codewheel::ScanProgress &progress);

@@ -96,7 +96,7 @@ std::size_t BusSession::Private::indexOf(DeviceNumber number) const
 
 BusSession::BusSession(std::unique_ptr<ProcessDataLink> link, const Catalog &catalog, QDateTime begin,
                        QObject *parent, DriverFactory makeDriver)
-    : QObject(parent)
+    : EncoderBus(parent)
     , d(std::make_unique<Private>(std::move(link), catalog, std::move(begin), std::move(makeDriver)))
 {}
 

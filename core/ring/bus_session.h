@@ -2,17 +2,13 @@
 #pragma once
 
 #include "drivers/cyclic_driver.h"
-#include "encoder/encoder_session.h"
-#include "encoder/message.h"
+#include "encoder/encoder_bus.h"
 #include "ring/command.h"
 #include "ring/master_link.h"
 #include "ring/participant.h"
 #include "ring/process_data_link.h"
 #include "ring/ring_event.h"
 #include "ring/snapshot.h"
-
-#include <QDateTime>
-#include <QObject>
 
 #include <functional>
 #include <memory>
@@ -26,7 +22,7 @@ class WordChannel;
 
 // A connected ring as the window and the command line see it: owns link, runner, thread, encoder sessions and
 // word channels. All of it lives in the caller's thread; the bus thread is hidden behind pump().
-class BusSession : public QObject
+class BusSession final : public EncoderBus
 {
     Q_OBJECT
 
@@ -56,28 +52,28 @@ public:
     // Takes what came from the bus since the last call and emits it. The window calls this 30 times a second.
     void pump();
 
-    bool isOpen() const;      // connected
-    bool isSimulated() const; // the link's encoders are
+    bool isOpen() const override;
+    bool isSimulated() const override;
     const RingStructure &structure() const;
-    std::vector<DeviceNumber> numbers() const;
-    EncoderSession *encoder(DeviceNumber number) const; // null: no driver for it, or no such device
-    WordChannel *channel(DeviceNumber number) const;    // null: no such device
+    std::vector<DeviceNumber> numbers() const override;
+    EncoderSession *encoder(DeviceNumber number) const override;
+    WordChannel *channel(DeviceNumber number) const; // null: no such device
 
     const Snapshot &latest() const;
     // What the ring's master says; null where the link reaches none.
     const MasterStatus *master() const;
     const CrcHistory &crcHistory() const;
-    bool isOperating() const;
-    bool isRunning() const; // RUN
+    bool isOperating() const override;
+    bool isRunning() const override;
     // Devices whose OUT is not 00000000, to be named on stop, disconnect and quit.
     std::vector<DeviceNumber> devicesWithOut() const;
-    QDateTime dateTime(Instant at) const;
+    Instant now() const override { return latest().at; }
+    QDateTime dateTime(Instant at) const override;
 
     void startBus();
     void stopBus();
-    void setOperate(bool on);
-    // All OUT words of the whole ring to 0; jobs end as stopped. From every state, at once.
-    void alarmStop();
+    void setOperate(bool on) override;
+    void alarmStop() override;
     void zeroOut(DeviceNumber number);
 
     // Services of the ring's master. Each ends in messages; a link that reaches no master refuses them.
@@ -104,9 +100,6 @@ public:
     const Catalog &catalog() const;
 
 Q_SIGNALS:
-    void updated();      // a new snapshot; at most once per pump
-    void stateChanged(); // master state or Watch / Operate
-    void messaged(const codewheel::Message &message);
     void named(codewheel::DeviceNumber number); // its session is another one now
     void readInProgressed(int devices);         // found so far
     void readInEnded();                         // structure() is what was found

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transfer/job_round.h"
 
-#include "ring/bus_session.h"
+#include "encoder/encoder_bus.h"
 
 namespace codewheel {
 namespace {
@@ -9,12 +9,12 @@ namespace {
 // Who stopped this one wants no other begun; without the link there is none.
 bool stopsAll(const Refusal &why)
 {
-    return why.kind == RefusalKind::stopped || why.id == RefusalId::linkFailed;
+    return why.kind == RefusalKind::stopped || why.id == RefusalId::linkFailed || why.id == RefusalId::portLost;
 }
 
 } // namespace
 
-JobRound::JobRound(BusSession &bus, QObject *parent)
+JobRound::JobRound(EncoderBus &bus, QObject *parent)
     : QObject(parent)
     , m_bus(bus)
 {}
@@ -53,7 +53,7 @@ RoundProgress JobRound::progress() const
 
 QDateTime JobRound::now() const
 {
-    return m_bus.dateTime(m_bus.latest().at);
+    return m_bus.dateTime(m_bus.now());
 }
 
 void JobRound::beginEncoder()

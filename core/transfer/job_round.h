@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-class BusSession;
+class EncoderBus;
 
 // The jobs of one encoder, one after the other.
 struct EncoderJobs
@@ -53,7 +53,7 @@ public:
         stop, // the rest is not begun
     };
 
-    explicit JobRound(BusSession &bus, QObject *parent = nullptr);
+    explicit JobRound(EncoderBus &bus, QObject *parent = nullptr);
 
     // Ends with finished(), which may come before start() is back.
     void start(std::vector<EncoderJobs> encoders, AfterRefusal afterRefusal);
@@ -81,7 +81,7 @@ private:
     EncoderResult &current() { return m_results[m_index]; }
     QDateTime now() const;
 
-    BusSession &m_bus;
+    EncoderBus &m_bus;
     std::vector<EncoderJobs> m_encoders;
     std::vector<EncoderResult> m_results; // one for each
     AfterRefusal m_afterRefusal = AfterRefusal::goOn;
