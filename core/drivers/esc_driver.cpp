@@ -49,7 +49,7 @@ void EscDriver::cancel(OnCancel how, Instant)
         endJob();
 }
 
-void EscDriver::stop(RefusalId why, Instant)
+void EscDriver::stop(const Refusal &why, Instant)
 {
     if (!m_job)
         return;
@@ -167,6 +167,7 @@ void EscDriver::contact(Instant now)
     m_encoder.reading.state = EncoderState::operation;
     m_between = EscAgreement(m_encoder.settings.readTries);
     m_polls.contact(now);
+    m_encoder.values.forget(Parameter::serialNumber); // until it tells it: it may be another encoder
     if (m_encoder.address.isDevice())
         m_encoder.values.learn({Parameter::lineAddress, m_encoder.address.value, Evidence::read, now});
     const auto baudRate = m_encoder.wantedBaudRate ? m_encoder.wantedBaudRate : m_encoder.baudRate;
@@ -225,7 +226,7 @@ void EscDriver::betweenAgreed(esc::Command command, const esc::Answer &answer, I
 
 void EscDriver::observe(const esc::Request &request, const esc::ExchangeResult &result, Instant)
 {
-    if (!esc::shapeOf(request.command).writes)
+    if (!esc::shapeOf(request.command).writes || result.sent == 0)
         return;
     const bool isAccepted = result.answer && result.answer->kind == esc::Answer::Kind::accepted;
     if (result.answer && !isAccepted)

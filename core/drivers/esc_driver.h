@@ -28,7 +28,7 @@ public:
     Result<void> begin(JobId id, const Job &job, Pace pace, Instant now) override;
     void proceed() override;
     void cancel(OnCancel how, Instant now) override;
-    void stop(RefusalId why, Instant now) override;
+    void stop(const Refusal &why, Instant now) override;
     std::optional<Instant> wakesAt() const override;
     std::optional<esc::Request> next(Instant now) override;
     void answered(const esc::Request &request, const esc::ExchangeResult &result, Instant now) override;

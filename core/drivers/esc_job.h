@@ -33,7 +33,7 @@ public:
 
     void proceed() { m_mayBegin = m_waits; }
     void cancel(OnCancel how);
-    void stop(RefusalId why);
+    void stop(const Refusal &why);
 
 private:
     // What tells whether a preset that was not answered was done.

@@ -65,13 +65,22 @@ void EscJob::cancel(OnCancel how)
     settle();
 }
 
-void EscJob::stop(RefusalId why)
+// A write that waits for its answer is counted by who hears it, or hears that there is none; one without an
+// answer, which was still to be looked for in the encoder, here.
+void EscJob::stop(const Refusal &why)
 {
     if (m_isDone)
         return;
-    if (m_isUnderWay && current().task == EscStep::Task::write)
+    const bool isWriting = m_isUnderWay && current().task == EscStep::Task::write;
+    if (isWriting)
         m_encoder.mayHaveChanged(current().request.command);
-    finish(refuse(RefusalKind::stopped, why));
+    if (m_unanswered)
+        m_encoder.values.countEepromWrite();
+    if (isWriting || m_unanswered)
+        finish(refuse(RefusalKind::stopped, RefusalId::stoppedInWrite,
+                      {QString::fromLatin1(isWriting ? current().line : m_unanswered->line)}));
+    else
+        finish(tl::unexpected(why));
 }
 
 // What was not written, or was refused, is as it was. Of the scaling it is read all the same: one value of it

@@ -29,7 +29,9 @@ public:
     virtual Result<void> begin(JobId id, const Job &job, Pace pace, Instant now) = 0;
     virtual void proceed() = 0; // Pace::byHand: send the next request of the job
     virtual void cancel(OnCancel how, Instant now) = 0;
-    virtual void stop(RefusalId why, Instant now) = 0; // the job ends where it stands
+    // The job ends where it stands. An answer that is still awaited comes to answered() all the same, or to
+    // observe() where the line is gone.
+    virtual void stop(const Refusal &why, Instant now) = 0;
 
     // When next() will want something; nothing while it waits for the user.
     virtual std::optional<Instant> wakesAt() const = 0;

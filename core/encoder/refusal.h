@@ -114,6 +114,7 @@ enum class RefusalId : std::uint8_t {
     escWriteUnknown,        // command: no answer, and what the encoder has could not be read
     escWriteNotDone,        // command: no answer, and the encoder has the old value
     escNotFoundAgain,       // where it was looked for
+    escFactorFitsNothing,   // factor, steps, measuring range, as the encoder told them
     // link
     linkFailed,     // text of the link
     ringDiffers,    // place, configured, found
@@ -125,14 +126,14 @@ enum class RefusalId : std::uint8_t {
     portNoRights,   // port, group that may use it, command that adds the user to it
     portLost,       // port: the adapter was unplugged
     portOfOther,    // port, the adapter that was expected
-    encoderSilent,  // place, tries without an answer
     lineClosed,     //
     // stopped
-    cancelled,  //
-    alarmStop,  //
-    busStopped, //
+    cancelled,      //
+    alarmStop,      //
+    busStopped,     //
+    stoppedInWrite, // command: whether it was carried out is not known
 };
-inline constexpr std::size_t refusalCount = static_cast<std::size_t>(RefusalId::busStopped) + 1;
+inline constexpr std::size_t refusalCount = static_cast<std::size_t>(RefusalId::stoppedInWrite) + 1;
 
 using RefusalArgument =
     std::variant<std::int64_t, double, Word, Parameter, QString>; // a Word is shown as hex

@@ -292,6 +292,11 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP(
             "Refusal",
             "The encoder does not answer any more at %1. Search the line for it at all baud rates.")},
+    Row{RefusalId::escFactorFitsNothing, "escFactorFitsNothing",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The scaling factor %1 fits %2 steps per turn and a measuring range of %3 in no "
+                          "format, or in more than one. Leave the number of fraction bits as it is, or "
+                          "write the scaling anew.")},
     // link
     Row{RefusalId::linkFailed, "linkFailed", QT_TRANSLATE_NOOP("Refusal", "The link failed: %1")},
     Row{RefusalId::ringDiffers, "ringDiffers",
@@ -318,8 +323,6 @@ constexpr std::array rows{
     Row{RefusalId::portOfOther, "portOfOther",
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 is another adapter than %2. Choose the port again if you mean this one.")},
-    Row{RefusalId::encoderSilent, "encoderSilent",
-        QT_TRANSLATE_NOOP("Refusal", "%1 does not answer any more (%2 tries). Check its supply and wiring.")},
     Row{RefusalId::lineClosed, "lineClosed",
         QT_TRANSLATE_NOOP("Refusal", "The serial line is not open. Connect it first.")},
     // stopped
@@ -330,6 +333,10 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Refusal",
                           "The job ended because the bus was stopped. Start the bus, and check in which "
                           "state the encoder is.")},
+    Row{RefusalId::stoppedInWrite, "stoppedInWrite",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The job ended after %1 was sent and before it was answered: it is not known "
+                          "whether the encoder has the new value. Read it before you go on.")},
 };
 
 static_assert(areInOrder(rows, &Row::id) && rows.size() == refusalCount);

@@ -2,6 +2,7 @@
 #include "journal/eeprom_cost.h"
 
 #include "catalog/device_description.h"
+#include "drivers/esc_plan.h"
 #include "drivers/values_to_write.h"
 #include "words/k3_cam_word.h"
 #include "words/la66_word.h"
@@ -64,7 +65,15 @@ struct Cost
     int operator()(const ReadParameters &) const { return 0; }
     int operator()(const WriteParameters &job) const
     {
-        return size(job.values) + (job.initialisePreset && can.presetIsStored ? 1 : 0);
+        return size(job.values) + (job.initialisePreset && can.presetIsStored ? 1 : 0) + factor(job.values);
+    }
+    // That of a serial encoder is sent along with what acts through it.
+    int factor(const ParameterValues &values) const
+    {
+        const bool isBound = std::ranges::any_of(
+            values, [](const ParameterValue &value) { return isBoundToEscFactor(value.parameter); });
+        const bool isGiven = valueOf(values, Parameter::scalingFactor).has_value();
+        return encoder.device().profile == Profile::esc && isBound && !isGiven ? 1 : 0;
     }
     int operator()(const SetPreset &job) const
     {

@@ -4,26 +4,47 @@
 #include "catalog/device_description.h"
 #include "drivers/driven_encoder_session.h"
 #include "journal/eeprom_cost.h"
+#include "line/line_encoder_session.h"
+#include "line/line_session.h"
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
 
+#include <algorithm>
+
 namespace codewheel {
 
-LedgerKeeper::LedgerKeeper(BusSession &bus, const DatabasePlace &place, QObject *parent)
+LedgerKeeper::LedgerKeeper(EncoderBus &bus, const BusSession *ring, const DatabasePlace &place,
+                           QObject *parent)
     : QObject(parent)
     , m_bus(bus)
+    , m_ring(ring)
 {
     open(place);
-    connect(&bus, &BusSession::named, this, [this](DeviceNumber number) {
+}
+
+LedgerKeeper::LedgerKeeper(LineSession &line, const DatabasePlace &place, QObject *parent)
+    : LedgerKeeper(line, nullptr, place, parent)
+{
+    connect(&line, &LineSession::devicesChanged, this, &LedgerKeeper::watchDevices);
+    connect(&line, &LineSession::moved, this, &LedgerKeeper::move);
+    connect(&line, &LineSession::typedAnswered, this,
+            [this](const TypedAnswered &answer) { settleRequest(answer.request); });
+    watchDevices();
+}
+
+LedgerKeeper::LedgerKeeper(BusSession &ring, const DatabasePlace &place, QObject *parent)
+    : LedgerKeeper(ring, &ring, place, parent)
+{
+    connect(&ring, &BusSession::named, this, [this](DeviceNumber number) {
         const Watched before = m_watched[number]; // it is the same encoder
         watch(number);
         m_watched[number].unassigned = before.unassigned;
         m_watched[number].byHand = before.byHand;
         showCount(number);
     });
-    connect(&bus, &BusSession::updated, this, qOverload<>(&LedgerKeeper::settleByHand));
-    connect(&bus, &BusSession::structureChanged, this, &LedgerKeeper::watchAll);
-    connect(&bus, &BusSession::stateChanged, this, [this] { // connected again, it has other sessions
+    connect(&ring, &BusSession::updated, this, qOverload<>(&LedgerKeeper::settleByHand));
+    connect(&ring, &BusSession::structureChanged, this, &LedgerKeeper::watchAll);
+    connect(&ring, &BusSession::stateChanged, this, [this] { // connected again, it has other sessions
         for (const DeviceNumber number : m_bus.numbers())
             if (m_watched[number].encoder != m_bus.encoder(number)) {
                 watchAll();
@@ -65,7 +86,7 @@ void LedgerKeeper::failed(const DatabaseError &error)
 {
     if (m_place.inMemory && m_ledger)
         return;
-    m_problem = Message{.at = m_bus.latest().at,
+    m_problem = Message{.at = m_bus.now(),
                         .severity = Severity::attention,
                         .id = MessageId::notKept,
                         .arguments = {m_place.name, error.reason}};
@@ -117,6 +138,39 @@ void LedgerKeeper::watchAll()
     }
 }
 
+// Encoders were added to the line or removed from it; the others are as they were.
+void LedgerKeeper::watchDevices()
+{
+    const std::vector<DeviceNumber> there = m_bus.numbers();
+    std::erase_if(m_watched, [&](const auto &entry) {
+        return std::ranges::find(there, entry.first) == there.end() ||
+               entry.second.encoder != m_bus.encoder(entry.first);
+    });
+    for (const DeviceNumber place : there)
+        if (!m_watched.contains(place))
+            watch(place);
+}
+
+// What was counted by its place since the connection was made goes along.
+void LedgerKeeper::move(DeviceNumber from, DeviceNumber to)
+{
+    auto node = m_watched.extract(from);
+    if (!node || !node.mapped().encoder)
+        return;
+    const Watched before = node.mapped();
+    before.encoder->disconnect(this);
+    watch(to);
+    Watched &watched = m_watched[to];
+    watched.job = before.job;
+    watched.progress = before.progress;
+    watched.byHand = before.byHand;
+    watched.unassigned = before.unassigned;
+    if (m_ledger && watched.identity.by == CountedBy::place && !watched.unassigned.empty())
+        if (auto done = m_ledger->attribute(watched.unassigned, watched.identity); !done)
+            failed(done.error());
+    showCount(to);
+}
+
 void LedgerKeeper::watch(DeviceNumber place)
 {
     EncoderSession *encoder = m_bus.encoder(place);
@@ -134,6 +188,9 @@ void LedgerKeeper::watch(DeviceNumber place)
         connect(driven, &DrivenEncoderSession::restoreAboutToStart, this,
                 [this, place] { planToRestore(place); });
     }
+    if (const auto *onLine = qobject_cast<LineEncoderSession *>(encoder))
+        connect(onLine, &LineEncoderSession::requestAboutToBeSent, this,
+                [this, place](const esc::Request &request) { beginByHand(place, request); });
     connect(encoder, &EncoderSession::eepromWritten, this,
             [this, place](int writes) { count(place, writes); });
     connect(encoder, &EncoderSession::finished, this,
@@ -184,7 +241,7 @@ void LedgerKeeper::identify(DeviceNumber place)
 
 Ledger::Entry LedgerKeeper::entryAt(const Watched &watched) const
 {
-    Ledger::Entry entry{.at = m_bus.dateTime(m_bus.latest().at).toUTC(),
+    Ledger::Entry entry{.at = m_bus.dateTime(m_bus.now()).toUTC(),
                         .identity = watched.identity.key(),
                         .by = watched.identity.by,
                         .place = watched.identity.place,
@@ -231,21 +288,40 @@ void LedgerKeeper::beginByHand(DeviceNumber place, Word word)
 {
     Watched &watched = m_watched[place];
     const int planned = watched.encoder && m_ledger ? mostEepromWrites(*watched.encoder, word) : 0;
-    if (planned == 0)
+    ByHand *noted = byHand(watched, planned);
+    if (noted == nullptr)
         return;
+    noted->at = m_bus.now();
+    const auto *parameter =
+        k3::isParameterWord(word) ? watched.encoder->device().findNumber(k3::number(word)) : nullptr;
+    if (parameter != nullptr)
+        replaceValue(noted->sent, {parameter->parameter, k3::data(word)});
+}
+
+void LedgerKeeper::beginByHand(DeviceNumber place, const esc::Request &request)
+{
+    Watched &watched = m_watched[place];
+    ByHand *noted = byHand(watched, watched.encoder && m_ledger ? 1 : 0);
+    if (noted == nullptr)
+        return;
+    ++noted->awaited;
+    for (const ParameterDescription &parameter : watched.encoder->device().parameters)
+        if (parameter.writeCommand == request.command)
+            replaceValue(noted->sent, {parameter.parameter, request.data});
+}
+
+// The entry for what is sent by hand now, with so many writes more; null: there is none.
+LedgerKeeper::ByHand *LedgerKeeper::byHand(Watched &watched, int planned)
+{
+    if (planned == 0)
+        return nullptr;
     if (watched.byHand)
         if (auto more = m_ledger->plan(watched.byHand->id, planned); !more)
             failed(more.error()); // and forgets the entry
     if (!watched.byHand && m_ledger)
         if (const auto id = beginEntry(watched, planned))
-            watched.byHand = ByHand{.id = *id, .at = {}, .sent = {}};
-    if (!watched.byHand)
-        return;
-    watched.byHand->at = m_bus.latest().at;
-    const auto *parameter =
-        k3::isParameterWord(word) ? watched.encoder->device().findNumber(k3::number(word)) : nullptr;
-    if (parameter != nullptr)
-        replaceValue(watched.byHand->sent, {parameter->parameter, k3::data(word)});
+            watched.byHand = ByHand{.id = *id};
+    return watched.byHand ? &*watched.byHand : nullptr;
 }
 
 // Beside what the job was to write.
@@ -296,9 +372,9 @@ void LedgerKeeper::settle(DeviceNumber place, const Outcome &outcome)
     std::vector<Ledger::Value> read;
     if (watched.encoder)
         for (const ParameterValue &value : outcome.read)
-            if (const auto *known = watched.encoder->device().find(value.parameter); known && known->number)
-                read.push_back({value.parameter, value.value, Evidence::read,
-                                m_bus.dateTime(m_bus.latest().at).toUTC()});
+            if (const auto *known = watched.encoder->device().find(value.parameter); known && known->canBeWritten())
+                read.push_back(
+                    {value.parameter, value.value, Evidence::read, m_bus.dateTime(m_bus.now()).toUTC()});
     if (auto settled = m_ledger->settle(*job, outcome.written, read); !settled)
         failed(settled.error());
     showCount(place);
@@ -306,20 +382,31 @@ void LedgerKeeper::settle(DeviceNumber place, const Outcome &outcome)
 
 bool LedgerKeeper::standsStill(DeviceNumber place, const EncoderSession &encoder) const
 {
-    const WordChannel *channel = m_bus.channel(place);
+    const WordChannel *channel = m_ring ? m_ring->channel(place) : nullptr;
     return channel != nullptr && !encoder.runningJob() && encoder.latest().state == EncoderState::operation &&
            mostEepromWrites(encoder, channel->out()) == 0;
 }
 
 void LedgerKeeper::settleByHand()
 {
-    const Instant now = m_bus.latest().at;
+    const Instant now = m_bus.now();
     for (auto &[place, watched] : m_watched) {
         if (!watched.byHand || !watched.encoder)
             continue;
         if (!m_bus.isRunning() || !standsStill(place, *watched.encoder))
             watched.byHand->at = now;
         else if (now - watched.byHand->at >= untilSettled)
+            settleByHand(place, watched);
+    }
+}
+
+void LedgerKeeper::settleRequest(const esc::Request &request)
+{
+    if (!esc::shapeOf(request.command).writes)
+        return;
+    for (auto &[place, watched] : m_watched) {
+        const bool isAsked = request.to.isMaster() || place.line == request.to;
+        if (isAsked && watched.byHand && --watched.byHand->awaited <= 0)
             settleByHand(place, watched);
     }
 }
@@ -357,7 +444,7 @@ void LedgerKeeper::warn(DeviceNumber place, int before)
     const int now = encoder.eepromCount().atMost();
     const auto passed = [&](int mark) { return before < mark && now >= mark; };
     const auto tell = [&](MessageId id) {
-        Q_EMIT messaged({.at = m_bus.latest().at,
+        Q_EMIT messaged({.at = m_bus.now(),
                          .place = place,
                          .severity = Severity::attention,
                          .id = id,

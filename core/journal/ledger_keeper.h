@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/encoder_session.h"
-#include "encoder/message.h"
+#include "encoder/encoder_bus.h"
+#include "esc/esc_request.h"
 #include "journal/ledger.h"
 
 #include <QObject>
@@ -13,18 +13,20 @@
 namespace codewheel {
 
 class BusSession;
+class LineSession;
 
-// Keeps the ledger of one ring: notes each job, and each word by hand, that may write to an EEPROM before
-// anything is sent, what was written as it is seen, and the end; and tells each encoder session its count.
-// Window and command line alike, in the thread of their sessions.
+// Keeps the ledger of one ring or serial line: notes each job, and each word or request by hand, that may
+// write to an EEPROM before anything is sent, what was written as it is seen, and the end; and tells each
+// encoder session its count. Window and command line alike, in the thread of their sessions.
 //
 // Words by hand have no end of their own. They are one entry until the encoder has been in operation again,
-// and no word that may write has stood in OUT, for untilSettled.
+// and no word that may write has stood in OUT, for untilSettled. Requests typed for a serial encoder are one
+// entry until the last of them has ended.
 //
 // Which encoder it was: by the serial number the encoder told, else by that of its label, else by place. What
 // was noted at a place before a serial number was told belongs to the encoder that tells it, as long as
 // nothing speaks against it: from the moment on at which the number was forgotten or the ring became another
-// one.
+// one. An encoder of a serial line that gets another address is the same one.
 class LedgerKeeper : public QObject
 {
     Q_OBJECT
@@ -32,9 +34,10 @@ class LedgerKeeper : public QObject
 public:
     static constexpr std::chrono::milliseconds untilSettled{1000};
 
-    // The ring outlives the keeper, or is closed before. A file that cannot be used is replaced by memory,
+    // The bus outlives the keeper, or is closed before. A file that cannot be used is replaced by memory,
     // and messaged() says so once the event loop runs.
-    LedgerKeeper(BusSession &bus, const DatabasePlace &place, QObject *parent = nullptr);
+    LedgerKeeper(BusSession &ring, const DatabasePlace &place, QObject *parent = nullptr);
+    LedgerKeeper(LineSession &line, const DatabasePlace &place, QObject *parent = nullptr);
     ~LedgerKeeper() override;
 
     // What places count for: the file of the project; empty: none.
@@ -57,8 +60,9 @@ private:
     struct ByHand
     {
         qint64 id;
-        Instant at; // of the last word
-        ParameterValues sent;
+        Instant at{}; // of the last word
+        ParameterValues sent{};
+        int awaited = 0; // requests that have not ended
     };
     struct Watched
     {
@@ -70,17 +74,23 @@ private:
         std::vector<qint64> unassigned{}; // entries of an encoder whose serial number was not told
     };
 
+    LedgerKeeper(EncoderBus &bus, const BusSession *ring, const DatabasePlace &place, QObject *parent);
     void open(const DatabasePlace &place);
     void watchAll();
+    void watchDevices();
     void watch(DeviceNumber place);
+    void move(DeviceNumber from, DeviceNumber to);
     void begin(DeviceNumber place, const Job &job);
     void beginByHand(DeviceNumber place, Word word);
+    void beginByHand(DeviceNumber place, const esc::Request &request);
+    ByHand *byHand(Watched &watched, int planned);
     std::optional<qint64> beginEntry(Watched &watched, int planned);
     void planToRestore(DeviceNumber place);
     void count(DeviceNumber place, int writes);
     void settle(DeviceNumber place, const Outcome &outcome);
     void settleByHand();
     void settleByHand(DeviceNumber place, Watched &watched);
+    void settleRequest(const esc::Request &request);
     bool standsStill(DeviceNumber place, const EncoderSession &encoder) const;
     void identify(DeviceNumber place);
     void showCount(DeviceNumber place);
@@ -89,7 +99,8 @@ private:
     void warn(DeviceNumber place, int before);
     void failed(const DatabaseError &error);
 
-    BusSession &m_bus;
+    EncoderBus &m_bus;
+    const BusSession *m_ring; // null: a serial line
     DatabasePlace m_place;
     std::optional<Ledger> m_ledger;
     std::optional<Message> m_problem;

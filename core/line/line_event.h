@@ -21,7 +21,7 @@ struct ScanEnded
     int requests = 0;
     bool cancelled = false;
 };
-// How a request that was typed ended.
+// How a request that was typed ended. Sent no times: it was refused or dropped.
 struct TypedAnswered
 {
     esc::Request request;

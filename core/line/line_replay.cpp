@@ -71,7 +71,7 @@ void LineReplay::sendNext()
 void LineReplay::take(const TypedAnswered &answer)
 {
     const ReplayStep &step = m_steps[m_next];
-    if (answer.request != step.request)
+    if (answer.request != step.request || answer.result.sent == 0)
         return;
     const auto &came = answer.result.answer;
     Verdict verdict = Verdict::noAnswer;

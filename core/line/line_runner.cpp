@@ -171,15 +171,32 @@ void LineRunner::Private::deviceAnswered(std::size_t device, const esc::Request 
         tellTaken();
 }
 
-// What was typed may have changed what the driver knows.
+// What was typed may have changed what the drivers know: they tell it first, so that its end is the end.
 void LineRunner::Private::typedEnded(const esc::Request &request, const esc::ExchangeResult &result)
 {
-    events.post({.what = TypedAnswered{request, result}, .at = link.now()});
     for (std::size_t i = 0; i < devices.size(); ++i) {
         if (!driver(i) || (driver(i)->address() != request.to && !request.to.isMaster()))
             continue;
         driver(i)->observe(request, result, link.now());
         collect(i);
+    }
+    events.post({.what = TypedAnswered{request, result}, .at = link.now()});
+}
+
+// A write that was sent may have been carried out, though nobody hears it any more.
+void LineRunner::Private::tearOff()
+{
+    if (!underWay)
+        return;
+    UnderWay torn = std::move(*underWay);
+    underWay.reset();
+    keepRows(torn.exchange.takeRows());
+    const esc::ExchangeResult &result = torn.exchange.result();
+    if (torn.asker == Asker::terminal) {
+        typedEnded(torn.exchange.request(), result);
+    } else if (torn.asker == Asker::device && driver(torn.device) && result.sent > 0) {
+        driver(torn.device)->observe(torn.exchange.request(), result, link.now());
+        collect(torn.device);
     }
 }
 
@@ -201,11 +218,14 @@ void LineRunner::Private::portIsGone(const Refusal &why)
 {
     state.connected = false;
     reopenAt = link.now() + betweenTries;
-    underWay.reset();
-    typed.clear();
+    if (why.id == RefusalId::portLost)
+        tell({.severity = Severity::fault, .id = MessageId::portLost, .arguments = {link.name()}});
+    else
+        tell({.severity = Severity::fault, .refusal = why});
+    stopJobs(why);
+    tearOff();
+    dropTyped();
     endScan(true);
-    tell({.severity = Severity::fault, .refusal = why});
-    stopJobs(RefusalId::portLost);
     link.close();
     publish();
 }
@@ -296,9 +316,10 @@ void LineRunner::run(Instant until)
 void LineRunner::finish()
 {
     d->carryOutCommands();
-    d->underWay.reset();
     d->endScan(true);
-    d->stopJobs(RefusalId::busStopped);
+    d->stopJobs({RefusalKind::stopped, RefusalId::busStopped, {}});
+    d->tearOff();
+    d->dropTyped();
     d->publish();
 }
 

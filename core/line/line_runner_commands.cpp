@@ -72,7 +72,7 @@ void LineRunner::Private::carryOut(line_command::RemoveDevice &c)
     if (!driver(c.device))
         return;
     if (driver(c.device)->busy())
-        driver(c.device)->stop(RefusalId::busStopped, link.now());
+        driver(c.device)->stop({RefusalKind::stopped, RefusalId::busStopped, {}}, link.now());
     collect(c.device);
     devices[c.device].driver.reset();
     tellTaken();
@@ -84,7 +84,7 @@ void LineRunner::Private::carryOut(line_command::SetPolling &c)
         return;
     state.polling = c.on;
     if (!state.polling)
-        stopJobs(RefusalId::busStopped);
+        stopJobs({RefusalKind::stopped, RefusalId::busStopped, {}});
     tell({.id = c.on ? MessageId::busStarted : MessageId::busStopped});
 }
 
@@ -107,17 +107,19 @@ void LineRunner::Private::carryOut(line_command::SetOperate &c)
 // Nothing moves by a serial encoder's outputs: what has to stop is what is still to be sent.
 void LineRunner::Private::carryOut(line_command::AlarmStop &)
 {
-    typed.clear();
+    dropTyped();
     endScan(true);
-    stopJobs(RefusalId::alarmStop);
+    stopJobs({RefusalKind::stopped, RefusalId::alarmStop, {}});
 }
 
 void LineRunner::Private::carryOut(line_command::Send &c)
 {
-    if (const auto allowed = maySend(state, c.request, link.name()); allowed)
+    if (const auto allowed = maySend(state, c.request, link.name()); allowed) {
         typed.push_back(c.request);
-    else
+    } else {
         tell({.severity = Severity::attention, .refusal = allowed.error()});
+        events.post({.what = TypedAnswered{c.request, {}}, .at = link.now()});
+    }
 }
 
 void LineRunner::Private::carryOut(line_command::Scan &c)
@@ -157,7 +159,14 @@ void LineRunner::Private::tellTaken()
     }
 }
 
-void LineRunner::Private::stopJobs(RefusalId why)
+// Nothing of it was sent.
+void LineRunner::Private::dropTyped()
+{
+    for (const esc::Request &request : std::exchange(typed, {}))
+        events.post({.what = TypedAnswered{request, {}}, .at = link.now()});
+}
+
+void LineRunner::Private::stopJobs(const Refusal &why)
 {
     for (std::size_t i = 0; i < devices.size(); ++i) {
         if (!driver(i) || !driver(i)->busy())

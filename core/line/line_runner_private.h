@@ -46,7 +46,8 @@ struct LineRunner::Private
     void carryOut(line_command::Scan &c);
     void carryOut(line_command::CancelScan &c);
     Result<void> mayStart(std::size_t device, const Job &job) const;
-    void stopJobs(RefusalId why);
+    void stopJobs(const Refusal &why);
+    void dropTyped();
     void endScan(bool cancelled);
     void tellTaken();
 
@@ -61,6 +62,7 @@ struct LineRunner::Private
     std::optional<Instant> nextWish() const;
     void goOn(Instant until); // with the request under way
     void end(UnderWay ended);
+    void tearOff(); // the request under way: it will get no answer any more
     void deviceAnswered(std::size_t device, const esc::Request &request, const esc::ExchangeResult &result);
     void typedEnded(const esc::Request &request, const esc::ExchangeResult &result);
     void listen(Instant until); // to what comes without having been asked for

@@ -170,6 +170,20 @@ void EscBench::runUntil(const std::function<bool()> &isReached)
     EXPECT_TRUE(isReached()) << "not within a minute";
 }
 
+esc::Request EscBench::goOnTo(esc::Command command)
+{
+    for (const Instant end = now + 60s; now < end; now += 100us) {
+        const auto request = driver.next(now);
+        if (request && request->command == command)
+            return *request;
+        if (request)
+            driver.answered(*request, exchange(*request), now);
+        collect();
+    }
+    ADD_FAILURE() << "not within a minute";
+    return {};
+}
+
 void EscBench::settle()
 {
     run(500ms);

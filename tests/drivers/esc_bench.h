@@ -48,6 +48,8 @@ public:
     Result<void> begin(const Job &job, Pace pace = Pace::byItself);
     void step(); // one request and its answer, or the time until the next
     void runUntil(const std::function<bool()> &isReached);
+    // All is answered before the first request with this command, which has gone out when this is back.
+    esc::Request goOnTo(esc::Command command);
 
     std::vector<std::string> log;      // all requests, between ESC and CR LF
     std::vector<Instant> times;        // of them

@@ -143,7 +143,7 @@ TEST(EscAddress, OnesThatAreTakenAreRefusedBeforehandInBothReadings)
             EXPECT_EQ(begun.error().arguments.front(),
                       RefusalArgument(LineAddress{static_cast<std::uint8_t>(*taken)}.shown()));
         }
-        bench.driver.stop(RefusalId::busStopped, bench.now);
+        bench.driver.stop({RefusalKind::stopped, RefusalId::busStopped, {}}, bench.now);
     }
 }
 

@@ -33,19 +33,11 @@ TEST(EscCancel, AWriteOnItsWayIsWaitedFor)
     EscBench bench;
     bench.settle();
     ASSERT_TRUE(bench.begin(limits()));
-    std::optional<esc::Request> request;
-    while (!request || request->command != esc::Command::writeLowerLimit) {
-        if (request)
-            bench.driver.answered(
-                *request, {.answer = esc::Answer{esc::Answer::Kind::value, 0x1235, "00001235"}, .sent = 1},
-                bench.now);
-        bench.now += std::chrono::milliseconds(10);
-        request = bench.driver.next(bench.now);
-    }
+    const esc::Request request = bench.goOnTo(esc::Command::writeLowerLimit);
     bench.driver.cancel(OnCancel::leaveAsIs, bench.now);
     EXPECT_TRUE(bench.driver.busy());
     bench.has["L"] = "00000200";
-    bench.driver.answered(*request, {.answer = {}, .sent = 1, .timeOuts = 1}, bench.now);
+    bench.driver.answered(request, {.answer = {}, .sent = 1, .timeOuts = 1}, bench.now);
     bench.runUntil([&] { return bench.outcome.has_value(); });
     EXPECT_EQ(bench.outcome->result.error().id, RefusalId::cancelled);
     EXPECT_EQ(bench.outcome->written, (ParameterValues{{Parameter::lowerLimit, 0x200}}));
@@ -121,7 +113,7 @@ TEST(EscStop, EndsTheJobWhereItStands)
     bench.settle();
     ASSERT_TRUE(bench.begin(limits()));
     bench.runUntil([&] { return bench.count("GL") == 1; });
-    bench.driver.stop(RefusalId::alarmStop, bench.now);
+    bench.driver.stop({RefusalKind::stopped, RefusalId::alarmStop, {}}, bench.now);
     EXPECT_FALSE(bench.driver.busy());
     bench.run(std::chrono::seconds(1));
     ASSERT_TRUE(bench.outcome);
@@ -131,27 +123,61 @@ TEST(EscStop, EndsTheJobWhereItStands)
     EXPECT_EQ(bench.eepromWrites, 1);
 }
 
+// Until the write has gone out; its answer is still to come.
+esc::Request requestOfLowerLimit(EscBench &bench)
+{
+    bench.settle();
+    bench.finish(ReadParameters{{Parameter::lowerLimit}});
+    EXPECT_TRUE(bench.begin(limits()));
+    return bench.goOnTo(esc::Command::writeLowerLimit);
+}
+
 TEST(EscStop, AWriteThatIsAnsweredAfterwardsCounts)
 {
     EscBench bench;
-    bench.settle();
-    bench.finish(ReadParameters{{Parameter::lowerLimit}});
-    ASSERT_TRUE(bench.begin(limits()));
-    std::optional<esc::Request> request;
-    while (!request || request->command != esc::Command::writeLowerLimit) {
-        if (request)
-            bench.driver.answered(
-                *request, {.answer = esc::Answer{esc::Answer::Kind::value, 0x1235, "00001235"}, .sent = 1},
-                bench.now);
-        bench.now += std::chrono::milliseconds(10);
-        request = bench.driver.next(bench.now);
-    }
-    bench.driver.stop(RefusalId::alarmStop, bench.now);
-    bench.driver.answered(*request, {.answer = esc::Answer{esc::Answer::Kind::accepted, 0, {}}, .sent = 1},
+    const esc::Request request = requestOfLowerLimit(bench);
+    bench.driver.stop({RefusalKind::stopped, RefusalId::alarmStop, {}}, bench.now);
+    bench.driver.answered(request, {.answer = esc::Answer{esc::Answer::Kind::accepted, 0, {}}, .sent = 1},
                           bench.now);
     bench.step();
     EXPECT_EQ(bench.eepromWrites, 1);
     EXPECT_EQ(bench.value(Parameter::lowerLimit), std::nullopt);
+}
+
+TEST(EscStop, SaysWhichWriteWasUnderWay)
+{
+    EscBench bench;
+    requestOfLowerLimit(bench);
+    bench.driver.stop({RefusalKind::link, RefusalId::portLost, {QStringLiteral("/dev/ttyUSB0")}}, bench.now);
+    bench.step();
+    ASSERT_TRUE(bench.outcome);
+    EXPECT_EQ(bench.outcome->result.error(),
+              (Refusal{RefusalKind::stopped, RefusalId::stoppedInWrite, {QStringLiteral("03GL00000200")}}));
+    EXPECT_EQ(bench.value(Parameter::lowerLimit), std::nullopt);
+}
+
+TEST(EscStop, AWriteWithoutAnAnswerMayHaveBeenCarriedOut)
+{
+    EscBench bench;
+    const esc::Request request = requestOfLowerLimit(bench);
+    bench.driver.answered(request, {.answer = {}, .sent = 1, .timeOuts = 1}, bench.now);
+    bench.driver.stop({RefusalKind::stopped, RefusalId::alarmStop, {}}, bench.now);
+    bench.step();
+    ASSERT_TRUE(bench.outcome);
+    EXPECT_EQ(bench.outcome->result.error().id, RefusalId::stoppedInWrite);
+    EXPECT_EQ(bench.eepromWrites, 1);
+}
+
+TEST(EscStop, BetweenWritesSaysWhatEndedIt)
+{
+    EscBench bench;
+    bench.settle();
+    ASSERT_TRUE(bench.begin(ReadParameters{{Parameter::lowerLimit}}));
+    const Refusal lost{RefusalKind::link, RefusalId::portLost, {QStringLiteral("/dev/ttyUSB0")}};
+    bench.driver.stop(lost, bench.now);
+    bench.step();
+    ASSERT_TRUE(bench.outcome);
+    EXPECT_EQ(bench.outcome->result.error(), lost);
 }
 
 } // namespace

@@ -176,6 +176,8 @@ TEST(EscPolling, NothingIsKnownOfAnotherEncoderAfterASilence)
     EXPECT_EQ(bench.value(Parameter::steps), 8192);
     bench.isOn = true;
     bench.has["N"] = "00000007";
+    bench.goOnTo(esc::Command::serialNumber);
+    EXPECT_EQ(bench.value(Parameter::serialNumber), std::nullopt) << "until it has told it";
     bench.run(3s);
     EXPECT_EQ(bench.value(Parameter::steps), std::nullopt);
     EXPECT_EQ(bench.value(Parameter::serialNumber), 7);

@@ -317,14 +317,19 @@ TEST(EscWrite, WhatATerminalWroteIsCountedAndNotKnownAnyMore)
     bench.settle();
     bench.finish(ReadParameters{{Parameter::lowerLimit}});
     const esc::Request request{{3}, esc::Command::writeLowerLimit, 0x200};
-    bench.driver.observe(request, {.answer = esc::Answer{esc::Answer::Kind::outOfRange, 0, "05"}}, bench.now);
+    bench.driver.observe(request, {.answer = esc::Answer{esc::Answer::Kind::outOfRange, 0, "05"}, .sent = 1},
+                         bench.now);
     bench.step();
     EXPECT_EQ(bench.eepromWrites, 0);
     EXPECT_EQ(bench.value(Parameter::lowerLimit), 0x100);
-    bench.driver.observe(request, {.answer = esc::Answer{esc::Answer::Kind::accepted, 0, {}}}, bench.now);
+    bench.driver.observe(request, {.answer = esc::Answer{esc::Answer::Kind::accepted, 0, {}}, .sent = 1},
+                         bench.now);
     bench.step();
     EXPECT_EQ(bench.eepromWrites, 1);
     EXPECT_EQ(bench.value(Parameter::lowerLimit), std::nullopt);
+    bench.driver.observe(request, {}, bench.now); // dropped before it was sent
+    bench.step();
+    EXPECT_EQ(bench.eepromWrites, 1);
 }
 
 } // namespace

@@ -62,11 +62,11 @@ Result<void> PollingDriver::begin(JobId id, const Job &, Pace, Instant)
     return {};
 }
 
-void PollingDriver::stop(RefusalId why, Instant)
+void PollingDriver::stop(const Refusal &why, Instant)
 {
     Outcome outcome;
     outcome.job = *m_job;
-    outcome.result = refuse(RefusalKind::stopped, why);
+    outcome.result = tl::unexpected(why);
     m_job.reset();
     m_events.emplace_back(std::move(outcome));
 }

@@ -73,7 +73,7 @@ public:
     Result<void> begin(JobId id, const Job &, Pace, Instant) override;
     void proceed() override {}
     void cancel(OnCancel, Instant) override {}
-    void stop(RefusalId why, Instant now) override;
+    void stop(const Refusal &why, Instant now) override;
     std::optional<Instant> wakesAt() const override { return m_wakesAt; }
     std::optional<esc::Request> next(Instant now) override;
     void answered(const esc::Request &request, const esc::ExchangeResult &result, Instant now) override;

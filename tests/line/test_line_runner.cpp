@@ -196,16 +196,18 @@ TEST_F(LineRunnerTest, TellsOnceThatThePortIsGoneAndOpensItAgain)
     link.unplugged = true;
     run(10ms);
     std::vector<MessageId> told;
-    std::vector<RefusalId> why;
+    std::vector<Refusal> why;
     for (const LineEvent &event : runner.takeEvents()) {
         const auto *message = std::get_if<Message>(&event.what);
-        if (message && message->refusal)
-            why.push_back(message->refusal->id);
+        if (message)
+            told.push_back(message->id);
         const auto *what = std::get_if<Event>(&event.what);
         if (const auto *outcome = what ? std::get_if<Outcome>(what) : nullptr)
-            why.push_back(outcome->result.error().id);
+            why.push_back(outcome->result.error());
     }
-    EXPECT_EQ(why, (std::vector{RefusalId::portLost, RefusalId::portLost})); // the message, and the job
+    EXPECT_EQ(told, (std::vector{MessageId::portLost}));
+    const Refusal lost{RefusalKind::link, RefusalId::portLost, {QStringLiteral("scripted line")}};
+    EXPECT_EQ(why, (std::vector{lost})); // of the job
     EXPECT_FALSE(runner.takeLatest()->connected);
 
     run(10ms);

@@ -129,11 +129,12 @@ void LineTerminal::sendNow(const esc::Request &request)
 
 void LineTerminal::takeAnswer(const TypedAnswered &answer)
 {
-    m_rows->markTyped(answer.request);
+    if (answer.result.sent > 0)
+        m_rows->markTyped(answer.request);
     if (m_typed != answer.request)
         return;
     m_typed.reset();
-    if (answer.result.answer)
+    if (answer.result.answer || answer.result.sent == 0)
         return;
     const bool isWrite = esc::shapeOf(answer.request.command).writes;
     m_message->showMessage(

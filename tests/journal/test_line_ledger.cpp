@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is written to the encoders of a serial line, on the simulated one.
+#include "catalog/catalog.h"
+#include "drivers/esc_driver.h"
+#include "journal/ledger_keeper.h"
+#include "line/line_session.h"
+#include "simulator/simulated_line_link.h"
+#include "tests/journal/journal_file.h"
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+using test::JournalFile;
+
+constexpr DeviceNumber three = DeviceNumber::onLine({0x03});
+constexpr DeviceNumber five = DeviceNumber::onLine({0x05});
+const QString rs485 = QStringLiteral("kuebler-esc-rs485");
+
+class LineLedgerTest : public testing::Test
+{
+protected:
+    LineLedgerTest()
+    {
+        EXPECT_TRUE(line.open({}, {}, LineSession::Start::operating, LineSession::Drive::byHand));
+        add(five);
+    }
+
+    void add(DeviceNumber place)
+    {
+        ASSERT_TRUE(line.add(place.line, rs485));
+        line.advance(1s);
+    }
+    void keep(const DatabasePlace &place) { keeper = std::make_unique<LedgerKeeper>(line, place); }
+    void run(DeviceNumber place, const Job &job)
+    {
+        EncoderSession &encoder = *line.encoder(place);
+        ASSERT_TRUE(encoder.start(job));
+        for (int i = 0; i < 1'000 && encoder.runningJob(); ++i)
+            line.advance(10ms);
+        ASSERT_FALSE(encoder.runningJob());
+    }
+    void write(DeviceNumber place, Parameter parameter, std::int64_t value)
+    {
+        run(place, WriteParameters{.values = {{parameter, value}}, .previous = {}});
+    }
+    EepromCount countAt(DeviceNumber place) { return line.encoder(place)->eepromCount(); }
+    EepromCount onDisk(DeviceNumber place)
+    {
+        return Ledger::open(file.place())->writes(keeper->identity(place));
+    }
+
+    const Catalog catalog = Catalog::builtIn();
+    const std::shared_ptr<SimulatedLine> simulated = std::make_shared<SimulatedLine>();
+    LineSession line{std::make_unique<SimulatedLineLink>(simulated), catalog,
+                     QDateTime(QDate(2026, 3, 1), QTime(14, 2)),
+                     [](const DeviceDescription &device, LineAddress address) {
+                         return std::make_unique<EscDriver>(device, address);
+                     }};
+    const JournalFile file;
+    std::unique_ptr<LedgerKeeper> keeper;
+};
+
+TEST_F(LineLedgerTest, CountsEachAcceptedWriteBySerialNumber)
+{
+    keep(DatabasePlace::memory());
+    EXPECT_EQ(countAt(five).by, CountedBy::serialNumber);
+    write(five, Parameter::direction, 1);
+    EXPECT_EQ(countAt(five).writes, 1);
+    write(five, Parameter::steps, 1'000); // and the scaling factor
+    EXPECT_EQ(countAt(five).writes, 3);
+    EXPECT_EQ(countAt(five).perhaps, 0);
+    run(five, SetPreset{.value = 4'660});
+    EXPECT_EQ(countAt(five).writes, 4);
+    EXPECT_EQ(countAt(five).since.toLocalTime().date(), QDate(2026, 3, 1));
+}
+
+TEST_F(LineLedgerTest, CountsNoWriteThatWasRefused)
+{
+    keep(DatabasePlace::memory());
+    line.send({.to = five.line, .command = esc::Command::writeRevolutions, .data = 0}); // 05
+    line.advance(1s);
+    EXPECT_EQ(countAt(five).atMost(), 0);
+    EXPECT_TRUE(keeper->ledger()->accounts().empty());
+}
+
+TEST_F(LineLedgerTest, NotesAJobWithItsFactorBeforeItSendsAnything)
+{
+    keep(file.place());
+    ASSERT_TRUE(
+        line.encoder(five)->start(WriteParameters{.values = {{Parameter::steps, 1'000}}, .previous = {}}));
+    EXPECT_EQ(onDisk(five).perhaps, 2);
+}
+
+TEST_F(LineLedgerTest, NotesATypedWriteBeforeItIsSent)
+{
+    keep(file.place());
+    line.send({.to = five.line, .command = esc::Command::writeDirection, .data = 1});
+    EXPECT_EQ(onDisk(five).perhaps, 1);
+    EXPECT_EQ(countAt(five).perhaps, 0); // it is on its way
+    line.advance(1s);
+    EXPECT_EQ(onDisk(five).writes, 1);
+    EXPECT_EQ(onDisk(five).perhaps, 0);
+    const auto entries = keeper->ledger()->valuesBefore(keeper->identity(five));
+    ASSERT_EQ(entries.size(), 1U);
+    EXPECT_EQ(entries[0].written, (ParameterValues{{Parameter::direction, 1}}));
+    EXPECT_TRUE(entries[0].settled);
+}
+
+TEST_F(LineLedgerTest, ATypedReadCostsNothing)
+{
+    keep(DatabasePlace::memory());
+    line.send({.to = five.line, .command = esc::Command::version});
+    EXPECT_TRUE(keeper->ledger()->accounts().empty());
+}
+
+TEST_F(LineLedgerTest, ATypedWriteThatIsNotAnsweredMayHaveBeenCarriedOut)
+{
+    keep(DatabasePlace::memory());
+    simulated->setSilent(true);
+    line.send({.to = five.line, .command = esc::Command::writeDirection, .data = 1});
+    line.advance(1s);
+    EXPECT_EQ(countAt(five).writes, 1);
+}
+
+TEST_F(LineLedgerTest, WhatWasTypedAndDroppedCostsNothing)
+{
+    keep(DatabasePlace::memory());
+    line.send({.to = five.line, .command = esc::Command::writeDirection, .data = 1});
+    line.alarmStop();
+    line.advance(1s);
+    EXPECT_TRUE(keeper->ledger()->accounts().empty());
+    line.setOperate(false);
+    line.send({.to = five.line, .command = esc::Command::writeDirection, .data = 1});
+    line.advance(1s);
+    EXPECT_TRUE(keeper->ledger()->accounts().empty());
+}
+
+TEST_F(LineLedgerTest, AtTheMasterAddressAWriteIsEachEncoders)
+{
+    add(three);
+    keep(DatabasePlace::memory());
+    line.send({.to = LineAddress::master(), .command = esc::Command::writeDirection, .data = 1});
+    line.advance(1s);
+    EXPECT_EQ(countAt(three).atMost(), 1);
+    EXPECT_EQ(countAt(five).atMost(), 1);
+}
+
+TEST_F(LineLedgerTest, AWriteTornByUnpluggingCounts)
+{
+    keep(file.place());
+    ASSERT_TRUE(
+        line.encoder(five)->start(WriteParameters{.values = {{Parameter::direction, 1}}, .previous = {}}));
+    std::optional<Outcome> outcome;
+    QObject::connect(line.encoder(five), &EncoderSession::finished, &line,
+                     [&](const Outcome &ended) { outcome = ended; });
+    const auto isSent = [&] {
+        bool sent = false;
+        simulated->withEncoder(five.line,
+                               [&](SimulatedEscEncoder &encoder) { sent = encoder.registers().countsCcw; });
+        return sent;
+    };
+    while (!isSent())
+        line.advance(100us);
+    simulated->setUnplugged(true); // before the answer is through
+    line.advance(50ms);
+    ASSERT_TRUE(outcome);
+    EXPECT_EQ(outcome->result.error().id, RefusalId::stoppedInWrite);
+    EXPECT_EQ(onDisk(five).writes, 1);
+    EXPECT_EQ(line.encoder(five)->known(Parameter::direction), std::nullopt);
+}
+
+TEST_F(LineLedgerTest, AnEncoderWithAnotherAddressIsTheSame)
+{
+    keep(DatabasePlace::memory());
+    write(five, Parameter::direction, 1);
+    write(five, Parameter::lineAddress, 7);
+    constexpr DeviceNumber seven = DeviceNumber::onLine({0x07});
+    ASSERT_NE(line.encoder(seven), nullptr);
+    EXPECT_EQ(countAt(seven).writes, 2);
+    write(seven, Parameter::direction, 0);
+    EXPECT_EQ(countAt(seven).writes, 3);
+    EXPECT_EQ(keeper->ledger()->accounts().size(), 1U);
+}
+
+TEST_F(LineLedgerTest, OthersGoOnWhileEncodersComeAndGo)
+{
+    keep(DatabasePlace::memory());
+    write(five, Parameter::direction, 1);
+    add(three);
+    EXPECT_EQ(countAt(five).writes, 1);
+    write(three, Parameter::direction, 1);
+    ASSERT_TRUE(line.remove(three));
+    write(five, Parameter::direction, 0);
+    EXPECT_EQ(countAt(five).writes, 2);
+    EXPECT_EQ(keeper->ledger()->accounts().size(), 2U);
+}
+
+TEST_F(LineLedgerTest, AnEncoderThatWasSilentIsNotTakenForTheSameBeforeItTellsItsNumber)
+{
+    keep(DatabasePlace::memory());
+    simulated->setSilent(true);
+    line.advance(3s);
+    ASSERT_EQ(line.encoder(five)->latest().state, EncoderState::silent);
+    simulated->setSilent(false);
+    std::vector<CountedBy> seen;
+    QObject::connect(line.encoder(five), &EncoderSession::eepromCountChanged, &line,
+                     [&] { seen.push_back(countAt(five).by); });
+    line.advance(3s);
+    EXPECT_EQ(seen, (std::vector{CountedBy::place, CountedBy::serialNumber}));
+}
+
+} // namespace
+} // namespace codewheel
