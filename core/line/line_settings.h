@@ -16,7 +16,8 @@ struct LineSettings
     int baudRate = 19'200; // bit/s
     int dataBits = 8;      // 7, 8
     Parity parity = Parity::none;
-    int stopBits = 2; // 1, 2
+    int stopBits = 2;       // 1, 2
+    bool lowLatency = true; // asked of the adapter
 
     // Start bit, data, parity and stop bits.
     int bitsPerCharacter() const { return 1 + dataBits + (parity == Parity::none ? 0 : 1) + stopBits; }

@@ -3,6 +3,7 @@
 
 #include "encoder/cam_program.h"
 #include "encoder/known.h"
+#include "line/line_wish.h"
 #include "project/word_list.h"
 #include "ring/participant.h"
 
@@ -56,8 +57,9 @@ struct LastPosition
 // One device of the planned bus, and what is wanted and known of it.
 struct ProjectDevice
 {
-    Participant participant; // its number follows from its place and level
-    QString station;         // "Crane 1, hoist"; empty: none
+    Participant
+        participant; // its number follows from its place and level, or is its address on a serial line
+    QString station; // "Crane 1, hoist"; empty: none
     QString group;
     QString note;
     DeviceLabel label;
@@ -70,6 +72,28 @@ struct ProjectDevice
     std::optional<LastPosition> lastPosition;
 
     friend bool operator==(const ProjectDevice &, const ProjectDevice &) = default;
+};
+
+// The USB adapter that a serial line is connected by, as far as it tells: by its serial number, else by its
+// place on USB, it is known again after it was plugged in elsewhere. 0 or empty: not told.
+struct LineAdapter
+{
+    int vendor = 0;
+    int product = 0;
+    QString serialNumber;
+    QString usbPath; // "1-2.4:1.0"
+
+    friend bool operator==(const LineAdapter &, const LineAdapter &) = default;
+};
+
+// A serial line beside the ring.
+struct ProjectLine
+{
+    LineWish wish; // the file keeps of its timing: time-out, retries, and the quiet after a write
+    LineAdapter adapter;
+    std::vector<ProjectDevice> encoders; // by address
+
+    friend bool operator==(const ProjectLine &, const ProjectLine &) = default;
 };
 
 struct ProjectSequence
@@ -101,8 +125,8 @@ struct ProjectLink
     friend bool operator==(const ProjectLink &, const ProjectLink &) = default;
 };
 
-// The document: a planned bus with what is wanted of its encoders. A value; edits make a new one. Its file is
-// documented in docs/project-files.md.
+// The document: a planned bus with what is wanted of its encoders, and a serial line beside it. A value;
+// edits make a new one. Its file is documented in docs/project-files.md.
 struct Project
 {
     QString title;
@@ -112,8 +136,13 @@ struct Project
     double cableKilometres = 0;
     std::vector<ProjectDevice> devices; // in ring order
     std::vector<ProjectSequence> sequences;
+    std::optional<ProjectLine> line;
 
     friend bool operator==(const Project &, const Project &) = default;
 };
+
+// The device of this number in the ring or on the serial line; null: the project has none.
+const ProjectDevice *findDevice(const Project &project, DeviceNumber number);
+ProjectDevice *findDevice(Project &project, DeviceNumber number);
 
 } // namespace codewheel

@@ -19,6 +19,12 @@ inline constexpr NamedValue<AddressRules::Unit> units[] = {
     {"word", AddressRules::Unit::word},
 };
 
+inline constexpr NamedValue<LineSettings::Parity> parities[] = {
+    {"none", LineSettings::Parity::none},
+    {"even", LineSettings::Parity::even},
+    {"odd", LineSettings::Parity::odd},
+};
+
 template <typename Enum, std::size_t size>
 const char *nameOf(const NamedValue<Enum> (&names)[size], Enum value)
 {

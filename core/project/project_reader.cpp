@@ -37,7 +37,7 @@ Project ProjectReader::read(const Json::Value &root, FaultKeeper &faults)
 {
     const JsonObject json(root, QString(),
                           {"format", "version", "title", "note", "link", "addresses", "cableKilometres",
-                           "devices", "sequences"},
+                           "devices", "sequences", "serialLine"},
                           faults);
     Project project;
     project.title = json.freeText("title");
@@ -58,6 +58,11 @@ Project ProjectReader::read(const Json::Value &root, FaultKeeper &faults)
         for (const JsonObject &row :
              json.array("sequences", {"name", "holdCycles", "words"}, mostProjectSequences))
             project.sequences.push_back({row.freeText("name"), readWordList(row)});
+    if (json.has("serialLine"))
+        project.line = readLine(
+            json.object("serialLine", {"port", "adapter", "baudRate", "dataBits", "parity", "stopBits",
+                                       "lowLatency", "pollInterval", "timeOut", "retries", "quietAfterWrite",
+                                       "fractionBits", "topSpeed", "encoders"}));
     return project;
 }
 
@@ -80,20 +85,26 @@ ProjectDevice ProjectReader::readDevice(const JsonObject &json)
 {
     ProjectDevice device;
     device.participant = readParticipant(json);
+    device.inAddress = address(json, "inAddress");
+    device.outAddress = address(json, "outAddress");
+    device.wantedCams = readWantedCams(json);
+    device.storedCams = readStoredCams(json);
+    readWhatIsKnown(json, device);
+    return device;
+}
+
+// What an encoder of a ring and one of a serial line have in common.
+void ProjectReader::readWhatIsKnown(const JsonObject &json, ProjectDevice &device)
+{
     device.station = json.freeText("station");
     device.group = json.freeText("group");
     device.note = json.freeText("note");
     if (json.has("label"))
         device.label = readLabel(json.object("label", {"turns", "stepsPerTurn", "serialNumber"}));
-    device.inAddress = address(json, "inAddress");
-    device.outAddress = address(json, "outAddress");
     device.wanted = readWanted(json);
     device.stored = readStored(json);
-    device.wantedCams = readWantedCams(json);
-    device.storedCams = readStoredCams(json);
     if (json.has("lastPosition"))
         device.lastPosition = readLastPosition(json.object("lastPosition", {"position", "at"}));
-    return device;
 }
 
 Participant ProjectReader::readParticipant(const JsonObject &json)

@@ -19,6 +19,7 @@ private:
     static ProjectLink readLink(const JsonObject &json);
     static AddressRules readAddresses(const JsonObject &json);
     ProjectDevice readDevice(const JsonObject &json);
+    static void readWhatIsKnown(const JsonObject &json, ProjectDevice &device);
     Participant readParticipant(const JsonObject &json);
     DeviceNumber readPlace(const JsonObject &json);
     static DeviceLabel readLabel(const JsonObject &json);
@@ -28,6 +29,11 @@ private:
     static std::vector<StoredCams> readStoredCams(const JsonObject &json);
     static LastPosition readLastPosition(const JsonObject &json);
     static QDateTime readTime(const JsonObject &json);
+
+    // project_reader_line.cpp
+    static ProjectLine readLine(const JsonObject &json);
+    static void readEncoders(const JsonObject &json, std::vector<ProjectDevice> &encoders);
+    static LineAdapter readAdapter(const JsonObject &json);
 
     DeviceNumber m_lastPlace;
 };

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // docs/project-files.md
+#include "project/project_writer.h"
+
 #include "cams/cam_program_json.h"
 #include "catalog/hex_code.h"
 #include "catalog/json_writer.h"
@@ -21,25 +23,7 @@ Rows sorted(Rows rows, Key key)
     return rows;
 }
 
-class ProjectWriter
-{
-public:
-    QByteArray write(const Project &project);
-
-private:
-    void writeText(const char *key, const QString &text);
-    void writeNumber(const char *key, std::optional<std::int64_t> number);
-    void writeLink(const ProjectLink &link);
-    void writeAddresses(const AddressRules &rules);
-    void writeDevice(const ProjectDevice &device);
-    void writeParticipant(const Participant &participant);
-    void writeLabel(const DeviceLabel &label);
-    void writeValues(const ProjectDevice &device);
-    void writeCams(const ProjectDevice &device);
-    void writeEvidence(Evidence evidence, const QDateTime &at);
-
-    JsonWriter m_json;
-};
+} // namespace
 
 QByteArray ProjectWriter::write(const Project &project)
 {
@@ -55,6 +39,8 @@ QByteArray ProjectWriter::write(const Project &project)
         writeText("name", sequence.name);
         writeWordList(m_json, sequence.list);
     });
+    if (project.line)
+        writeLine(*project.line);
     return m_json.finish();
 }
 
@@ -95,14 +81,24 @@ void ProjectWriter::writeAddresses(const AddressRules &rules)
 void ProjectWriter::writeDevice(const ProjectDevice &device)
 {
     writeParticipant(device.participant);
-    writeText("station", device.station);
-    writeText("group", device.group);
-    writeText("note", device.note);
-    writeLabel(device.label);
+    writeNames(device);
     writeNumber("inAddress", device.inAddress);
     writeNumber("outAddress", device.outAddress);
     writeValues(device);
     writeCams(device);
+    writeLastPosition(device);
+}
+
+void ProjectWriter::writeNames(const ProjectDevice &device)
+{
+    writeText("station", device.station);
+    writeText("group", device.group);
+    writeText("note", device.note);
+    writeLabel(device.label);
+}
+
+void ProjectWriter::writeLastPosition(const ProjectDevice &device)
+{
     if (device.lastPosition)
         m_json.object("lastPosition", [&] {
             m_json.member("position", device.lastPosition->position);
@@ -169,8 +165,6 @@ void ProjectWriter::writeEvidence(Evidence evidence, const QDateTime &at)
     if (at.isValid())
         m_json.member("at", at.toUTC().toString(Qt::ISODateWithMs));
 }
-
-} // namespace
 
 QByteArray projectToJson(const Project &project)
 {

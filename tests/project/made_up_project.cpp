@@ -33,6 +33,7 @@ private:
     ProjectDevice device(DeviceNumber before);
     void addValues(ProjectDevice &device);
     void addCams(ProjectDevice &device);
+    ProjectLine line();
 
     std::mt19937 &m_random;
 };
@@ -112,6 +113,36 @@ void Maker::addCams(ProjectDevice &device)
     }
 }
 
+ProjectLine Maker::line()
+{
+    using std::chrono::milliseconds;
+    ProjectLine line;
+    LineWish &wish = line.wish;
+    wish.port = text();
+    wish.line = {static_cast<int>(1 + below(10'000'000)), maybe() ? 7 : 8,
+                 static_cast<LineSettings::Parity>(below(3)), maybe() ? 1 : 2, maybe()};
+    wish.timing.character = wish.line.timeOf(1);
+    wish.timing.answerTimeOut = milliseconds(1 + below(10'000));
+    wish.timing.retries = static_cast<int>(below(11));
+    wish.timing.quietAfterWrite = milliseconds(below(10'001));
+    wish.pollInterval = milliseconds(10 + below(1'000));
+    wish.fractionBits = static_cast<int>(17 + below(14));
+    wish.topSpeed = static_cast<double>(1 + below(20'000)) / 2 + 1;
+    line.adapter = {static_cast<int>(below(0x10000)), static_cast<int>(below(0x10000)), text(), text()};
+    for (std::uint8_t address = 1; address <= LineAddress::last; ++address) {
+        if (below(8) != 0)
+            continue;
+        ProjectDevice encoder;
+        encoder.participant.number = DeviceNumber::onLine({address});
+        encoder.participant.deviceKey = QStringLiteral("kuebler-esc-rs485");
+        encoder.station = text();
+        encoder.label = {0, 0, text()};
+        addValues(encoder);
+        line.encoders.push_back(std::move(encoder));
+    }
+    return line;
+}
+
 Project Maker::project(std::size_t devices)
 {
     Project project;
@@ -134,6 +165,8 @@ Project Maker::project(std::size_t devices)
             list.words.push_back(static_cast<Word>(m_random()));
         project.sequences.push_back({text(), list});
     }
+    if (maybe())
+        project.line = line();
     return project;
 }
 

@@ -55,6 +55,37 @@ TEST(ProjectJson, ReadsWhatThePageShows)
                                            {.words = {0x020000FF, 0x80000000, 0}, .holdCycles = 3}}}));
 }
 
+TEST(ProjectJson, ReadsTheSerialLineThatThePageShows)
+{
+    const auto project = projectFromJson(example(), fileName);
+    ASSERT_TRUE(project && project->line);
+    ProjectLine line;
+    line.wish.port = QStringLiteral("/dev/ttyUSB0");
+    line.adapter = {0x0403, 0x6001, QStringLiteral("A50285BI"), QStringLiteral("1-2.4:1.0")};
+    ProjectDevice encoder;
+    encoder.participant.number = DeviceNumber::onLine({0x12});
+    encoder.participant.deviceKey = QStringLiteral("kuebler-esc-rs422");
+    encoder.station = QStringLiteral("Slide");
+    encoder.wanted = {{Parameter::direction, 1}};
+    line.encoders = {encoder};
+    EXPECT_EQ(*project->line, line);
+    EXPECT_EQ(findDevice(*project, encoder.participant.number), &project->line->encoders[0]);
+    EXPECT_EQ(findDevice(*project, DeviceNumber::onLine({0x13})), nullptr);
+    EXPECT_EQ(findDevice(*project, {2, 1}), &project->devices[2]);
+}
+
+TEST(ProjectJson, WhatIsLeftOutOfASerialLineIsAsDelivered)
+{
+    const auto project = projectFromJson(
+        R"({"format": "codewheel-project", "version": 1, "devices": [], "serialLine": {"baudRate": 4800}})",
+        fileName);
+    ASSERT_TRUE(project && project->line);
+    ProjectLine line;
+    line.wish.line.baudRate = 4'800;
+    line.wish.timing.character = line.wish.line.timeOf(1);
+    EXPECT_EQ(*project->line, line);
+}
+
 TEST(ProjectJson, WritesWhatThePageShows)
 {
     const auto project = projectFromJson(example(), fileName);
@@ -190,7 +221,22 @@ INSTANTIATE_TEST_SUITE_P(
                  "whole number"},
         Breakage{"\"holdCycles\": 3", "\"holdCycles\": 0", 77, "sequences[0].holdCycles", "not between"},
         Breakage{"\"020000FF\"", "\"020000FG\"", 79, "sequences[0].words[0]", "8 hexadecimal digits"},
-        Breakage{"\"words\"", "\"word\"", 78, "sequences[0].word", "not known"}));
+        Breakage{"\"words\"", "\"word\"", 78, "sequences[0].word", "not known"},
+        Breakage{"\"port\": \"/dev/ttyUSB0\"", "\"port\": 1", 86, "serialLine.port", "text"},
+        Breakage{"0403h", "10403h", 88, "serialLine.adapter.vendor", "four digits"},
+        Breakage{"\"baudRate\": 19200", "\"baudRate\": 0", 93, "serialLine.baudRate", "not between"},
+        Breakage{"\"dataBits\": 8", "\"dataBits\": 9", 94, "serialLine.dataBits", "not between 7 and 8"},
+        Breakage{"\"none\"", "\"mark\"", 95, "serialLine.parity", "none, even, odd"},
+        Breakage{"\"pollInterval\": 10", "\"pollInterval\": 9", 98, "serialLine.pollInterval",
+                 "not between 10 and 60000"},
+        Breakage{"\"fractionBits\": 29", "\"fractionBits\": 31", 102, "serialLine.fractionBits",
+                 "not between 17 and 30"},
+        Breakage{"esc:12", "esc:20", 106, "serialLine.encoders[0].place", "esc:1F"},
+        Breakage{"esc:12", "12", 106, "serialLine.encoders[0].place", "esc:1F"},
+        Breakage{"esc:12", "1.0", 106, "serialLine.encoders[0].place", "esc:1F"},
+        Breakage{"\"encoders\": [", "\"encoders\": [{\"place\": \"esc:12\", \"device\": \"x\"},", 106,
+                 "serialLine.encoders[1].place", "above already"},
+        Breakage{"\"device\": \"kuebler-esc-rs422\",", "", 105, "serialLine.encoders[0].device", "missing"}));
 
 // Whatever key is taken away, or given a value of another kind: there is a sentence, or it may be left out.
 void breakEverywhere(Json::Value &part, const Json::Value &root, const std::vector<Json::Value> &others)

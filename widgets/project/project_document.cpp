@@ -39,8 +39,8 @@ std::optional<std::size_t> ProjectDocument::placeOf(DeviceNumber number) const
 const ProjectDevice &ProjectDocument::device(DeviceNumber number) const
 {
     static const ProjectDevice nothingPlanned;
-    if (const auto place = placeOf(number))
-        return m_project.devices[*place];
+    if (const ProjectDevice *planned = findDevice(m_project, number))
+        return *planned;
     const auto other = m_others.find(number);
     return other == m_others.end() ? nothingPlanned : other->second;
 }
@@ -50,8 +50,11 @@ void ProjectDocument::forEachDevice(
 {
     for (const ProjectDevice &device : m_project.devices)
         visit(device.participant.number, device);
+    if (m_project.line)
+        for (const ProjectDevice &encoder : m_project.line->encoders)
+            visit(encoder.participant.number, encoder);
     for (const auto &[number, device] : m_others)
-        if (!placeOf(number))
+        if (!findDevice(m_project, number))
             visit(number, device);
 }
 
@@ -124,9 +127,9 @@ void ProjectDocument::edit(Project after, const Origins &origins, const QString 
 void ProjectDocument::editDevice(DeviceNumber number, const QString &what,
                                  const std::function<void(ProjectDevice &)> &edit, Gesture gesture)
 {
-    if (const auto place = placeOf(number)) {
-        Project after = m_project;
-        edit(after.devices[*place]);
+    Project after = m_project;
+    if (ProjectDevice *planned = findDevice(after, number)) {
+        edit(*planned);
         push(std::move(after), m_ids, m_others, what, gesture);
         return;
     }

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The serial line of a project (docs/project-files.md).
+#include "project/project_keys.h"
+#include "project/project_reader.h"
+
+#include <algorithm>
+#include <set>
+
+namespace codewheel {
+namespace {
+
+using namespace project_keys;
+using std::chrono::milliseconds;
+
+constexpr int fastestRate = 10'000'000;
+constexpr int longestInterval = 60'000; // ms
+constexpr int longestTime = 10'000;     // ms
+constexpr int mostRetries = 10;
+constexpr double highestSpeed = 100'000;
+constexpr int largestUsbNumber = 0xFFFF;
+
+int number(const JsonObject &json, const char *key, int otherwise, int least, int most)
+{
+    return static_cast<int>(json.optionalNumber(key, least, most).value_or(otherwise));
+}
+
+// Of which the file has whole milliseconds.
+Instant time(const JsonObject &json, const char *key, Instant otherwise, int least, int most)
+{
+    const auto usual = std::chrono::duration_cast<milliseconds>(otherwise);
+    return milliseconds(number(json, key, static_cast<int>(usual.count()), least, most));
+}
+
+} // namespace
+
+ProjectLine ProjectReader::readLine(const JsonObject &json)
+{
+    ProjectLine line;
+    LineWish &wish = line.wish;
+    wish.port = json.freeText("port");
+    if (json.has("adapter"))
+        line.adapter = readAdapter(json.object("adapter", {"vendor", "product", "serialNumber", "usbPath"}));
+    wish.line.baudRate = number(json, "baudRate", wish.line.baudRate, 1, fastestRate);
+    wish.line.dataBits = number(json, "dataBits", wish.line.dataBits, 7, 8);
+    if (json.has("parity"))
+        wish.line.parity = json.oneOf("parity", parities);
+    wish.line.stopBits = number(json, "stopBits", wish.line.stopBits, 1, 2);
+    wish.line.lowLatency = json.flagOr("lowLatency", wish.line.lowLatency);
+    wish.pollInterval = time(json, "pollInterval", wish.pollInterval,
+                             static_cast<int>(LineWish::shortestInterval / milliseconds(1)), longestInterval);
+    wish.timing.answerTimeOut = time(json, "timeOut", wish.timing.answerTimeOut, 1, longestTime);
+    wish.timing.retries = number(json, "retries", wish.timing.retries, 0, mostRetries);
+    wish.timing.quietAfterWrite = time(json, "quietAfterWrite", wish.timing.quietAfterWrite, 0, longestTime);
+    wish.fractionBits =
+        number(json, "fractionBits", wish.fractionBits, esc::fewestFractionBits, esc::mostFractionBits);
+    wish.topSpeed = json.decimalOr("topSpeed", wish.topSpeed, 1, highestSpeed);
+    wish.timing.character = wish.line.timeOf(1);
+    if (json.has("encoders"))
+        readEncoders(json, line.encoders);
+    return line;
+}
+
+void ProjectReader::readEncoders(const JsonObject &json, std::vector<ProjectDevice> &encoders)
+{
+    std::set<QString> places;
+    for (const JsonObject &row : json.array(
+             "encoders",
+             {"place", "device", "station", "group", "note", "label", "wanted", "stored", "lastPosition"},
+             LineAddress::last)) {
+        ProjectDevice encoder;
+        const QString told = row.text("place");
+        const auto place = DeviceNumber::parse(told);
+        if (!place || !place->isOnLine() || place->toString() != told)
+            row.report("place", tr("An address from \"esc:01\" to \"esc:1F\" is expected here."));
+        else if (!places.insert(told).second)
+            row.report("place", tr("The address \"%1\" stands above already.").arg(told));
+        encoder.participant.number = place.value_or(DeviceNumber());
+        encoder.participant.deviceKey = row.text("device");
+        readWhatIsKnown(row, encoder);
+        encoders.push_back(std::move(encoder));
+    }
+    std::ranges::sort(encoders, {}, [](const ProjectDevice &encoder) { return encoder.participant.number; });
+}
+
+LineAdapter ProjectReader::readAdapter(const JsonObject &json)
+{
+    const auto usbNumber = [&](const char *key) {
+        const unsigned told = json.has(key) ? json.hexNumber(key) : 0;
+        if (told > largestUsbNumber)
+            json.report(key, tr("A number of USB has at most four digits, such as \"0403h\"."));
+        return static_cast<int>(told);
+    };
+    LineAdapter adapter;
+    adapter.vendor = usbNumber("vendor");
+    adapter.product = usbNumber("product");
+    adapter.serialNumber = json.freeText("serialNumber");
+    adapter.usbPath = json.freeText("usbPath");
+    return adapter;
+}
+
+} // namespace codewheel
