@@ -372,7 +372,8 @@ void LedgerKeeper::settle(DeviceNumber place, const Outcome &outcome)
     std::vector<Ledger::Value> read;
     if (watched.encoder)
         for (const ParameterValue &value : outcome.read)
-            if (const auto *known = watched.encoder->device().find(value.parameter); known && known->canBeWritten())
+            if (const auto *known = watched.encoder->device().find(value.parameter);
+                known && known->canBeWritten())
                 read.push_back(
                     {value.parameter, value.value, Evidence::read, m_bus.dateTime(m_bus.now()).toUTC()});
     if (auto settled = m_ledger->settle(*job, outcome.written, read); !settled)

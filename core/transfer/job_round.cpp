@@ -9,7 +9,8 @@ namespace {
 // Who stopped this one wants no other begun; without the link there is none.
 bool stopsAll(const Refusal &why)
 {
-    return why.kind == RefusalKind::stopped || why.id == RefusalId::linkFailed || why.id == RefusalId::portLost;
+    return why.kind == RefusalKind::stopped || why.id == RefusalId::linkFailed ||
+           why.id == RefusalId::portLost;
 }
 
 } // namespace
