@@ -5888,7 +5888,7 @@ es verlassen wird.</translation>
     </message>
     <message>
         <source>Which en&amp;coder is to be set up?</source>
-        <translation>Welcher D&amp;rehgeber soll eingerichtet werden?</translation>
+        <translation>Welcher G&amp;eber soll eingerichtet werden?</translation>
     </message>
     <message>
         <source>Encoders of the bus</source>

@@ -40,6 +40,11 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     , m_problem(new InlineMessage(this))
 {
     setUpQuietTable(*m_changesView, m_changes, tr("Old and new values"));
+    // What happens may take two lines; a name that is cut could be any parameter's.
+    m_changesView->setWordWrap(true);
+    m_changesView->horizontalHeader()->setSectionResizeMode(ValueChangeTable::name,
+                                                            QHeaderView::ResizeToContents);
+    m_changesView->horizontalHeader()->setSectionResizeMode(ValueChangeTable::action, QHeaderView::Stretch);
     setUpQuietTable(*m_stepsView, m_steps, tr("Words that will be sent"));
     m_changesView->setObjectName(QStringLiteral("changes"));
     m_stepsView->setObjectName(QStringLiteral("plannedWords"));
