@@ -2596,10 +2596,6 @@
         <translation>%1 ist ein anderer Adapter als %2. Den Anschluss neu wählen, wenn dieser gemeint ist.</translation>
     </message>
     <message>
-        <source>%1 does not answer any more (%2 tries). Check its supply and wiring.</source>
-        <translation>%1 antwortet nicht mehr (%2 Versuche). Versorgung und Verdrahtung prüfen.</translation>
-    </message>
-    <message>
         <source>The serial line is not open. Connect it first.</source>
         <translation>Die serielle Leitung ist nicht offen. Zuerst verbinden.</translation>
     </message>
@@ -2610,6 +2606,14 @@
     <message>
         <source>is a wrong command</source>
         <translation>ist ein falscher Befehl</translation>
+    </message>
+    <message>
+        <source>The scaling factor %1 fits %2 steps per turn and a measuring range of %3 in no format, or in more than one. Leave the number of fraction bits as it is, or write the scaling anew.</source>
+        <translation>Der Skalierungsfaktor %1 passt zu %2 Schritten je Umdrehung und einem Messbereich von %3 in keinem Format oder in mehreren. Die Anzahl der Nachkommabits lassen, wie sie ist, oder die Skalierung neu schreiben.</translation>
+    </message>
+    <message>
+        <source>The job ended after %1 was sent and before it was answered: it is not known whether the encoder has the new value. Read it before you go on.</source>
+        <translation>Der Auftrag endete, nachdem %1 gesendet und bevor es beantwortet war: Es ist nicht bekannt, ob der Geber den neuen Wert hat. Vor dem Weitermachen auslesen.</translation>
     </message>
 </context>
 <context>
@@ -4632,7 +4636,7 @@ what its manual&apos;s tables say: pins, LEDs, supply, limits, ordering key. Des
 are read from ~/.local/share/codewheel/devices/*.json; --check tells whether one is sound.</source>
         <translation>Listet die Geber auf, die dieses Programm kennt. Mit NAME: seine Parameter mit Nummern, Auslesecodes,
 Werkseinstellungen und Bereichen, seine Fehler, wie oft sein EEPROM beschreibbar ist, und was die
-Tabellen seines Handbuchs sagen: Anschlüsse, LEDs, Versorgung, Grenzwerte, Bestellschlüssel. Eigene
+Tabellen seines Handbuchs sagen: Anschlüsse, LEDs, Versorgung, Grenzwerte, Typenschlüssel. Eigene
 Beschreibungen kommen aus ~/.local/share/codewheel/devices/*.json; --check prüft eine davon.</translation>
     </message>
     <message>
@@ -4674,7 +4678,7 @@ Beschreibungen kommen aus ~/.local/share/codewheel/devices/*.json; --check prüf
     </message>
     <message>
         <source>Ordering key, e.g. %1</source>
-        <translation>Bestellschlüssel, z. B. %1</translation>
+        <translation>Typenschlüssel, z. B. %1</translation>
     </message>
     <message>
         <source>any, may be missing</source>
@@ -5370,6 +5374,14 @@ dem Ausschalten, bis der Betrieb beendet wird. Sendet sofort, ohne zu fragen; sc
 EEPROM, doch &quot;off&quot; beendet auch den Nockenbetrieb: Ein geändertes Nockenprogramm wird gespeichert, wenn
 es verlassen wird.</translation>
     </message>
+    <message>
+        <source>Position: set to %1.</source>
+        <translation>Position: auf %1 gesetzt.</translation>
+    </message>
+    <message>
+        <source>Position: not set to %1.</source>
+        <translation>Position: nicht auf %1 gesetzt.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -5927,7 +5939,7 @@ es verlassen wird.</translation>
     </message>
     <message>
         <source>Pins, LEDs, limits, label key and parameters, with the chapter of the manual</source>
-        <translation>Anschlüsse, Leuchtdioden, Grenzwerte, Bestellschlüssel und Parameter, mit dem Kapitel des Handbuchs</translation>
+        <translation>Anschlüsse, Leuchtdioden, Grenzwerte, Typenschlüssel und Parameter, mit dem Kapitel des Handbuchs</translation>
     </message>
     <message>
         <source>There is no description of %1.</source>
@@ -8593,7 +8605,7 @@ es verlassen wird.</translation>
     </message>
     <message>
         <source>Label key</source>
-        <translation>Bestellschlüssel</translation>
+        <translation>Typenschlüssel</translation>
     </message>
     <message>
         <source>Which encoder is %1? The bus tells its device code (%2) but not its make.</source>
@@ -9411,6 +9423,18 @@ ID-Code %3, Gerätecode %4
         <source>The parameter &quot;%1&quot; stands above already.</source>
         <translation>Der Parameter &quot;%1&quot; steht schon weiter oben.</translation>
     </message>
+    <message>
+        <source>An address from &quot;esc:01&quot; to &quot;esc:1F&quot; is expected here.</source>
+        <translation>Hier wird eine Adresse von &quot;esc:01&quot; bis &quot;esc:1F&quot; erwartet.</translation>
+    </message>
+    <message>
+        <source>The address &quot;%1&quot; stands above already.</source>
+        <translation>Die Adresse &quot;%1&quot; steht weiter oben schon.</translation>
+    </message>
+    <message>
+        <source>A number of USB has at most four digits, such as &quot;0403h&quot;.</source>
+        <translation>Eine Nummer von USB hat höchstens vier Ziffern, etwa &quot;0403h&quot;.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ProjectRecovery</name>
@@ -9638,10 +9662,6 @@ ID-Code %3, Gerätecode %4
         <translation>&amp;Position %1, gesehen um %2, bevor der Geber verschwand</translation>
     </message>
     <message>
-        <source>&amp;Position %1, as shown at %2: the encoder has not been away since</source>
-        <translation>&amp;Position %1, wie um %2 gezeigt: Der Geber war seither nicht weg</translation>
-    </message>
-    <message>
         <source>Give the position as a whole number, 0 or more, or leave it as it is.</source>
         <translation>Die Position als ganze Zahl ab 0 angeben oder lassen, wie sie ist.</translation>
     </message>
@@ -9656,6 +9676,14 @@ ID-Code %3, Gerätecode %4
     <message>
         <source>Position %1, kept in the pro&amp;ject: seen at %2</source>
         <translation>Position %1, im Pro&amp;jekt aufbewahrt: gesehen am %2</translation>
+    </message>
+    <message>
+        <source>&amp;Position %1, shown at %2; not away since</source>
+        <translation>&amp;Position %1, gezeigt um %2; seither nicht weg</translation>
+    </message>
+    <message>
+        <source>The encoder has not been away since: it may still be the one before</source>
+        <translation>Der Geber war seither nicht weg: Es kann noch der vorige sein</translation>
     </message>
 </context>
 <context>

@@ -35,7 +35,6 @@ ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositio
     m_typed->setObjectName(QStringLiteral("positionTyped"));
     m_none->setObjectName(QStringLiteral("positionNone"));
     m_value->setObjectName(QStringLiteral("positionValue"));
-    m_last->setToolTip(tr("The position that was seen last, and when"));
     m_kept->setToolTip(tr("The position the encoder before showed last when the project was saved"));
     m_typed->setToolTip(tr("From a note, or from what the machine stands at"));
     m_none->setToolTip(tr("Nothing is set: the machine has to be referenced another way"));
@@ -87,8 +86,10 @@ void ReplacePositionStep::showOffers()
         const QString time = locale.toString(m_seen->at, QLocale::ShortFormat);
         m_last->setText(m_seen->beforeItWent
                             ? tr("&Position %1, seen at %2, before the encoder went away").arg(position, time)
-                            : tr("&Position %1, as shown at %2: the encoder has not been away since")
-                                  .arg(position, time));
+                            : tr("&Position %1, shown at %2; not away since").arg(position, time));
+        m_last->setToolTip(m_seen->beforeItWent
+                               ? tr("The position that was seen last, and when")
+                               : tr("The encoder has not been away since: it may still be the one before"));
     }
     if (kept)
         m_kept->setText(tr("Position %1, kept in the pro&ject: seen at %2")
