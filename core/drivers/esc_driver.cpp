@@ -162,6 +162,17 @@ void EscDriver::count(const esc::ExchangeResult &result, Instant now)
     m_encoder.tell(now, Severity::fault, MessageId::encoderSilent, {std::int64_t{m_tries}});
 }
 
+// Neither silence nor its end: what there is to tell is told of the line.
+void EscDriver::lineLost(Instant now)
+{
+    m_encoder.reading.state = EncoderState::notSeen;
+    m_encoder.reading.suspect = false;
+    m_encoder.guard.forget();
+    m_polls.silence(now);
+    m_unanswered = m_tries = 0;
+    m_asks = Asks::nobody;
+}
+
 void EscDriver::contact(Instant now)
 {
     m_encoder.reading.state = EncoderState::operation;
@@ -186,21 +197,19 @@ void EscDriver::betweenAnswered(esc::Command command, const esc::ExchangeResult 
 {
     if (!m_polls.isInContact() || m_polls.between(now) != command)
         return;
-    if (!hasValue(result.answer)) {
-        // 03: the encoder does not know the command, and never will.
-        if (result.answer)
-            m_polls.betweenDone();
-        else
-            m_polls.putOff();
+    if (!result.answer) {
+        m_polls.putOff();
     } else {
         switch (m_between.add(*result.answer)) {
         case EscAgreement::State::wantsMore:
-            if (!m_encoder.saysTheSame(command, *result.answer))
+            if (!hasValue(result.answer) || !m_encoder.saysTheSame(command, *result.answer))
                 return;
             m_polls.betweenDone();
             break;
         case EscAgreement::State::agreed:
-            betweenAgreed(command, *result.answer, now);
+            // 03 twice: the encoder does not know the command, and never will.
+            if (hasValue(result.answer))
+                betweenAgreed(command, *result.answer, now);
             m_polls.betweenDone();
             break;
         case EscAgreement::State::disagreed:

@@ -47,6 +47,9 @@ public:
     // What somebody else asked this encoder, at a terminal.
     void observe(const esc::Request &request, const esc::ExchangeResult &result, Instant now) override;
 
+    void lineLost(Instant now) override;
+    void setFractionBits(int bits) override { m_encoder.settings.fractionBits = bits; }
+
     const Figures &figures() const { return m_encoder.guard.figures(); }
     const QString &version() const { return m_encoder.version; }
 

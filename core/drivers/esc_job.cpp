@@ -119,17 +119,17 @@ void EscJob::readAnswered(const esc::ExchangeResult &result, Instant now)
         fail(refusalOf(result));
         return;
     }
-    if (!hasValue(result.answer)) {
-        if (isForItself && !m_failure)
-            m_failure = refusalOf(result);
-        stepDone();
-        return;
-    }
     switch (m_reads.add(*result.answer)) {
     case EscAgreement::State::wantsMore:
         break;
     case EscAgreement::State::agreed:
-        readAgreed(now);
+        if (hasValue(result.answer)) {
+            readAgreed(now);
+            break;
+        }
+        if (isForItself && !m_failure)
+            m_failure = refusalOf(result);
+        stepDone();
         break;
     case EscAgreement::State::disagreed:
         if (!isForItself) {
@@ -155,11 +155,11 @@ void EscJob::readAgreed(Instant now)
 
 void EscJob::refreshAnswered(const esc::ExchangeResult &result, Instant now)
 {
-    if (hasValue(result.answer)) {
+    if (result.answer) {
         const auto state = m_reads.add(*result.answer);
         if (state == EscAgreement::State::wantsMore)
             return;
-        if (state == EscAgreement::State::agreed) {
+        if (state == EscAgreement::State::agreed && hasValue(result.answer)) {
             m_encoder.take(current().request.command, m_reads.last(), now);
             if (current().parameter == Parameter::preset)
                 (m_preset.sentAt ? m_preset.valueAfter : m_preset.valueBefore) = m_reads.last().value;
@@ -243,10 +243,13 @@ Refusal EscJob::refusalOf(const esc::ExchangeResult &result) const
 
 Refusal EscJob::disagreed() const
 {
+    const auto shown = [](const esc::Answer &answer) {
+        return hasValue(answer) ? RefusalArgument(std::int64_t{answer.value})
+                                : RefusalArgument(QString::fromLatin1(answer.text)); // 03, 05
+    };
     return {RefusalKind::device,
             RefusalId::escReadsDisagree,
-            {current().parameter.value_or(Parameter::preset), std::int64_t{m_reads.first().value},
-             std::int64_t{m_reads.last().value}}};
+            {current().parameter.value_or(Parameter::preset), shown(m_reads.first()), shown(m_reads.last())}};
 }
 
 } // namespace codewheel

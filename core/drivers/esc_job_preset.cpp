@@ -6,18 +6,20 @@ namespace codewheel {
 
 void EscJob::positionAnswered(const esc::ExchangeResult &result, Instant now)
 {
-    if (!hasValue(result.answer)) {
+    if (!result.answer) {
         notRead(refusalOf(result));
         return;
     }
-    const bool isTaken = m_encoder.takePosition(result.answer->value, now);
+    const bool isTaken = hasValue(result.answer) && m_encoder.takePosition(result.answer->value, now);
     const auto state = m_reads.add(*result.answer);
     if (isTaken) {
         positionKnown(now);
         return;
     }
     m_preset.positions = 0;
-    if (state == EscAgreement::State::disagreed) // every time something else
+    if (state == EscAgreement::State::agreed && !hasValue(result.answer))
+        notRead(refusalOf(result));
+    else if (state == EscAgreement::State::disagreed) // every time something else
         notRead(disagreed());
 }
 

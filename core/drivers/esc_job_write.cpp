@@ -48,7 +48,7 @@ void EscJob::notAnswered()
 
 void EscJob::readBackAnswered(const esc::ExchangeResult &result, Instant now)
 {
-    if (!hasValue(result.answer)) {
+    if (!result.answer) {
         notRead(refusalOf(result));
         return;
     }
@@ -56,7 +56,10 @@ void EscJob::readBackAnswered(const esc::ExchangeResult &result, Instant now)
     case EscAgreement::State::wantsMore:
         break;
     case EscAgreement::State::agreed:
-        readBackAgreed(now);
+        if (hasValue(result.answer))
+            readBackAgreed(now);
+        else
+            notRead(refusalOf(result));
         break;
     case EscAgreement::State::disagreed:
         notRead(disagreed());

@@ -48,6 +48,11 @@ public:
                          Instant /*now*/)
     {}
 
+    // The line is gone, and what answers when it is back may be another device. Its job was stopped.
+    virtual void lineLost(Instant /*now*/) {}
+    // Of the scaling factor, from now on.
+    virtual void setFractionBits(int /*bits*/) {}
+
     // The address at which the device is asked now; another after the job that changed it.
     virtual LineAddress address() const = 0;
     // The baud rate that the next request of this device needs, while it is looked for or was told another

@@ -85,9 +85,19 @@ TEST(EscPolling, WhatTheEncoderDoesNotKnowIsNotAskedAgain)
     EscBench bench;
     bench.has["B"] = "03";
     bench.run(5s);
-    EXPECT_EQ(bench.count("B"), 1);
+    EXPECT_EQ(bench.count("B"), 2) << "one might have been a damaged request";
     EXPECT_EQ(bench.value(Parameter::deviceCode), std::nullopt);
     EXPECT_EQ(bench.count("V"), 2);
+}
+
+TEST(EscPolling, OneErrorToAReadIsNotBelieved)
+{
+    EscBench bench;
+    bench.answerNext("N", "03");
+    bench.answerNext("E", "03");
+    bench.run(2s);
+    EXPECT_EQ(bench.value(Parameter::serialNumber), 0x00A1B2C3);
+    EXPECT_EQ(bench.driver.reading().warnings, 0x8000);
 }
 
 // Manual, "Alarm Parameters" and "Warning Parameters"
@@ -182,6 +192,20 @@ TEST(EscPolling, NothingIsKnownOfAnotherEncoderAfterASilence)
     EXPECT_EQ(bench.value(Parameter::steps), std::nullopt);
     EXPECT_EQ(bench.value(Parameter::serialNumber), 7);
     EXPECT_EQ(bench.value(Parameter::lineAddress), 3);
+}
+
+TEST(EscPolling, WhenTheLineIsBackTheEncoderIsAskedWhoItIs)
+{
+    EscBench bench;
+    bench.settle();
+    bench.driver.lineLost(bench.now);
+    EXPECT_EQ(bench.driver.reading().state, EncoderState::notSeen);
+    bench.now += 5s;
+    bench.has["N"] = "00000007";
+    bench.run(1s);
+    EXPECT_EQ(bench.driver.reading().state, EncoderState::operation);
+    EXPECT_EQ(bench.value(Parameter::serialNumber), 7);
+    EXPECT_TRUE(bench.messages.empty()) << "the line tells it";
 }
 
 TEST(EscPolling, TheOnlyEncoderOfALineIsAskedAtTheMasterAddress)

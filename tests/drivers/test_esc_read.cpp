@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivers/esc_fraction_bits.h"
 #include "tests/drivers/esc_bench.h"
 
 #include <gtest/gtest.h>
@@ -107,6 +108,52 @@ TEST(EscRead, ACommandTheEncoderDoesNotKnowLeavesTheOthers)
         EXPECT_EQ(outcome.result.error().arguments, (std::vector<RefusalArgument>{QStringLiteral("03T")}));
         EXPECT_EQ(outcome.read, (ParameterValues{{Parameter::offset, 0}}));
     }
+}
+
+// A request that was damaged on its way gets an error too.
+TEST(EscRead, AnErrorIsBelievedWhenTheNextReadSaysTheSame)
+{
+    for (const char *error : {"03", "05"}) {
+        EscBench bench;
+        bench.settle();
+        bench.answerNext("D", error);
+        const Outcome &outcome = bench.finish(ReadParameters{{Parameter::steps}});
+        EXPECT_TRUE(outcome.result);
+        EXPECT_EQ(valueOf(outcome.read, Parameter::steps), 8192);
+        EXPECT_EQ(bench.count("D"), 4) << "a try of two that agree";
+    }
+}
+
+TEST(EscRead, AnErrorAndAValueDisagree)
+{
+    EscBench bench({.readTries = 1});
+    bench.settle();
+    bench.answerNext("D", "03");
+    const Outcome &outcome = bench.finish(ReadParameters{{Parameter::steps}});
+    ASSERT_FALSE(outcome.result);
+    EXPECT_EQ(outcome.result.error().arguments,
+              (std::vector<RefusalArgument>{Parameter::steps, QStringLiteral("03"), std::int64_t{8192}}));
+}
+
+// Manual, "Scaling factor": 1F400000h is 8000 of 8192 steps with 29 fraction bits
+TEST(EscRead, TheFormatOfTheScalingFactorIsDetermined)
+{
+    EscBench bench;
+    bench.settle();
+    bench.has["F"] = "1F400000";
+    bench.has["D"] = "1F40";
+    bench.has["M"] = "01F40000";
+    EXPECT_EQ(fractionBitsOf(bench.finish(fractionBitsJob())), 29);
+    bench.has["F"] = "0FA00000";
+    EXPECT_EQ(fractionBitsOf(bench.finish(fractionBitsJob())), 28);
+    bench.has["F"] = "12345678";
+    const auto refused = fractionBitsOf(bench.finish(fractionBitsJob()));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error(), (Refusal{RefusalKind::device,
+                                        RefusalId::escFactorFitsNothing,
+                                        {Word{0x12345678}, std::int64_t{8000}, std::int64_t{0x1F40000}}}));
+    bench.isOn = false;
+    EXPECT_EQ(fractionBitsOf(bench.finish(fractionBitsJob())).error().id, RefusalId::escNoAnswer);
 }
 
 TEST(EscRead, SilenceEndsTheJob)

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/event.h"
+
+namespace codewheel {
+
+// "Determine from device": the format of the scaling factor of a serial encoder (esc/esc_scaling.h), by what
+// it tells itself. First the job that reads it ...
+ReadParameters fractionBitsJob();
+// ... then what follows from its outcome: the number of fraction bits. Refused as the job was; and
+// escFactorFitsNothing where no format fits, or more than one.
+Result<int> fractionBitsOf(const Outcome &outcome);
+
+} // namespace codewheel
