@@ -149,6 +149,27 @@ TEST_F(Document, DevicesThatAreNotTheProjectsAreKeptBesideIt)
 }
 
 // Whatever is done is taken back, step by step, and done again.
+TEST_F(Document, AnEncoderOfTheSerialLineIsEditedLikeOneOfTheRing)
+{
+    constexpr DeviceNumber place = DeviceNumber::onLine({0x12});
+    Project after = document.project();
+    after.line.emplace();
+    after.line->encoders.emplace_back().participant.number = place;
+    document.edit(after, QStringLiteral("add"));
+    document.editDevice(place, QStringLiteral("station"),
+                        [](ProjectDevice &device) { device.station = QStringLiteral("Slide"); });
+    EXPECT_EQ(document.project().line->encoders[0].station, QStringLiteral("Slide"));
+    EXPECT_EQ(document.device(place).station, QStringLiteral("Slide"));
+    std::vector<DeviceNumber> visited;
+    document.forEachDevice([&](DeviceNumber number, const ProjectDevice &) { visited.push_back(number); });
+    EXPECT_EQ(visited.back(), place);
+    EXPECT_EQ(visited.size(), 5u);
+    document.undoStack().undo();
+    EXPECT_EQ(document.project(), after);
+    document.undoStack().undo();
+    EXPECT_FALSE(document.project().line);
+}
+
 TEST_F(Document, RandomEditsAreTakenBackToTheSameProject)
 {
     std::mt19937 random(17);
