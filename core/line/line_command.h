@@ -42,6 +42,13 @@ struct Send
 {
     esc::Request request;
 };
+// The adapter that was refused as another one is meant.
+struct TakeOtherAdapter
+{};
+struct SetFractionBits // of the scaling factor, of all devices
+{
+    int bits;
+};
 struct Scan
 {
     ScanWish wish;
@@ -49,9 +56,10 @@ struct Scan
 struct CancelScan
 {};
 } // namespace line_command
-using LineCommand = std::variant<line_command::StartJob, line_command::Proceed, line_command::Cancel,
-                                 line_command::SetKnown, line_command::AddDevice, line_command::RemoveDevice,
-                                 line_command::SetPolling, line_command::SetOperate, line_command::AlarmStop,
-                                 line_command::Send, line_command::Scan, line_command::CancelScan>;
+using LineCommand =
+    std::variant<line_command::StartJob, line_command::Proceed, line_command::Cancel, line_command::SetKnown,
+                 line_command::AddDevice, line_command::RemoveDevice, line_command::SetPolling,
+                 line_command::SetOperate, line_command::AlarmStop, line_command::Send, line_command::Scan,
+                 line_command::CancelScan, line_command::TakeOtherAdapter, line_command::SetFractionBits>;
 
 } // namespace codewheel

@@ -6,8 +6,9 @@
 namespace codewheel {
 namespace {
 
-constexpr std::chrono::seconds betweenTries{1}; // of opening a port that is gone
-constexpr std::size_t maximumRows = 10'000;     // that nobody took
+constexpr std::size_t maximumRows = 10'000; // that nobody took
+// 2 ms at a USB adapter, which collects for 16 ms more.
+constexpr Instant withoutLowLatency = std::chrono::milliseconds(18);
 
 } // namespace
 
@@ -97,6 +98,8 @@ bool LineRunner::Private::ask(Asker asker, std::size_t device, const esc::Reques
     LineSettings used = settings;
     used.baudRate = baudRate;
     asked.character = used.timeOf(1);
+    if (state.lowLatency == LowLatency::refused)
+        asked.adapterDelay = std::max(timing.adapterDelay, withoutLowLatency);
     asked.longestAnswer = std::max(timing.longestAnswer, counter.longestAnswer());
     if (asker != Asker::device) // who looks or types sees for himself
         asked.retries = 0;
@@ -183,23 +186,6 @@ void LineRunner::Private::typedEnded(const esc::Request &request, const esc::Exc
     events.post({.what = TypedAnswered{request, result}, .at = link.now()});
 }
 
-// A write that was sent may have been carried out, though nobody hears it any more.
-void LineRunner::Private::tearOff()
-{
-    if (!underWay)
-        return;
-    UnderWay torn = std::move(*underWay);
-    underWay.reset();
-    keepRows(torn.exchange.takeRows());
-    const esc::ExchangeResult &result = torn.exchange.result();
-    if (torn.asker == Asker::terminal) {
-        typedEnded(torn.exchange.request(), result);
-    } else if (torn.asker == Asker::device && driver(torn.device) && result.sent > 0) {
-        driver(torn.device)->observe(torn.exchange.request(), result, link.now());
-        collect(torn.device);
-    }
-}
-
 void LineRunner::Private::listen(Instant until)
 {
     auto bytes = link.read(until);
@@ -211,35 +197,6 @@ void LineRunner::Private::listen(Instant until)
         return;
     counter.noteGarbage(static_cast<std::size_t>(bytes->size()));
     keepRows({{.at = link.now(), .kind = esc::LineRow::Kind::garbage, .bytes = *bytes}});
-    publish();
-}
-
-void LineRunner::Private::portIsGone(const Refusal &why)
-{
-    state.connected = false;
-    reopenAt = link.now() + betweenTries;
-    if (why.id == RefusalId::portLost)
-        tell({.severity = Severity::fault, .id = MessageId::portLost, .arguments = {link.name()}});
-    else
-        tell({.severity = Severity::fault, .refusal = why});
-    stopJobs(why);
-    tearOff();
-    dropTyped();
-    endScan(true);
-    link.close();
-    publish();
-}
-
-void LineRunner::Private::tryToReopen()
-{
-    if (link.now() < reopenAt)
-        return;
-    reopenAt = link.now() + betweenTries;
-    if (!link.open(settings))
-        return;
-    baudRate = settings.baudRate;
-    state.connected = true;
-    tell({.id = MessageId::portBack, .arguments = {link.name()}});
     publish();
 }
 
@@ -302,14 +259,13 @@ LineRunner::~LineRunner() = default;
 
 void LineRunner::run(Instant until)
 {
+    if (!std::exchange(d->isBegun, true))
+        d->takeLowLatency();
     while (d->link.now() < until) {
-        if (!d->state.connected)
-            d->tryToReopen();
-        if (!d->state.connected) {
-            d->carryOutCommands();
-            return;
-        }
-        d->step(until);
+        if (d->state.connected)
+            d->step(until);
+        else
+            d->waitForPort(until);
     }
 }
 

@@ -17,7 +17,7 @@ namespace codewheel {
 // any thread; all else by the caller of run().
 //
 // It begins in Watch, where only reads are sent, and without polling. When the port is gone it says so once,
-// ends the jobs, and tries to open it again each second.
+// ends the jobs, and tries each second to open it again at the same adapter, and at no other unasked.
 class LineRunner
 {
 public:
@@ -25,7 +25,7 @@ public:
     LineRunner(ByteLink &link, const LineSettings &settings, const esc::Timing &timing);
     ~LineRunner();
 
-    // Works until `until` on the link's clock, or until the port is gone: then it returns at once.
+    // Works until `until` on the link's clock.
     void run(Instant until);
     // Before the link is closed: carries out what was posted, and ends the jobs.
     void finish();

@@ -129,6 +129,21 @@ void LineRunner::Private::carryOut(line_command::Scan &c)
         scan.emplace(std::move(c.wish));
 }
 
+void LineRunner::Private::carryOut(line_command::TakeOtherAdapter &)
+{
+    if (state.connected)
+        return;
+    link.takeOtherAdapter();
+    reopenAt = link.now();
+}
+
+void LineRunner::Private::carryOut(line_command::SetFractionBits &c)
+{
+    for (const Device &device : devices)
+        if (device.driver)
+            device.driver->setFractionBits(c.bits);
+}
+
 void LineRunner::Private::carryOut(line_command::CancelScan &)
 {
     endScan(true);

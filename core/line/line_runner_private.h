@@ -45,6 +45,8 @@ struct LineRunner::Private
     void carryOut(line_command::Send &c);
     void carryOut(line_command::Scan &c);
     void carryOut(line_command::CancelScan &c);
+    void carryOut(line_command::TakeOtherAdapter &c);
+    void carryOut(line_command::SetFractionBits &c);
     Result<void> mayStart(std::size_t device, const Job &job) const;
     void stopJobs(const Refusal &why);
     void dropTyped();
@@ -62,13 +64,18 @@ struct LineRunner::Private
     std::optional<Instant> nextWish() const;
     void goOn(Instant until); // with the request under way
     void end(UnderWay ended);
-    void tearOff(); // the request under way: it will get no answer any more
     void deviceAnswered(std::size_t device, const esc::Request &request, const esc::ExchangeResult &result);
     void typedEnded(const esc::Request &request, const esc::ExchangeResult &result);
     void listen(Instant until); // to what comes without having been asked for
     bool useBaudRate(int baudRate);
+
+    // line_runner_port.cpp
     void portIsGone(const Refusal &why);
+    void tearOff(); // the request under way: it will get no answer any more
+    void waitForPort(Instant until);
     void tryToReopen();
+    void portIsNotBack(const Refusal &why);
+    void takeLowLatency();
 
     RequestDriver *driver(std::size_t device) const { return devices[device].driver.get(); }
     void collect(std::size_t device);
@@ -88,6 +95,9 @@ struct LineRunner::Private
     std::uint64_t turns = 0;
     LineState state{.connected = true};
     Instant reopenAt{};
+    std::optional<Refusal> notBack; // as it was told
+    bool isBegun = false;
+    bool latencyTold = false;
     std::uint64_t droppedRows = 0;
 
     Mailbox<LineCommand> commands;

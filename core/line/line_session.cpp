@@ -2,6 +2,7 @@
 #include "line/line_session.h"
 
 #include "catalog/catalog.h"
+#include "drivers/esc_fraction_bits.h"
 #include "line/line_encoder_session.h"
 #include "line/line_runner.h"
 #include "line/line_thread.h"
@@ -96,8 +97,10 @@ Result<void> LineSession::open(const LineSettings &settings, const esc::Timing &
 
     // As it will be when the thread has carried this out.
     auto expected = std::make_shared<LineSnapshot>();
-    static_cast<LineState &>(*expected) = {
-        .connected = true, .polling = true, .operate = start == Start::operating};
+    static_cast<LineState &>(*expected) = {.connected = true,
+                                           .lowLatency = d->link->lowLatency(),
+                                           .polling = true,
+                                           .operate = start == Start::operating};
     d->latest = std::move(expected);
     Q_EMIT messaged({.at = d->latest->at,
                      .id = MessageId::lineOpened,
@@ -184,7 +187,7 @@ void LineSession::dispatch(const LineEvent &event)
         if (auto &session = d->encoders[event.device].session)
             session->take(*ofDriver, event.at);
     } else if (const auto *message = std::get_if<Message>(&event.what)) {
-        Q_EMIT messaged(*message);
+        dispatch(*message);
     } else if (const auto *row = std::get_if<esc::LineRow>(&event.what)) {
         Q_EMIT passed(*row);
     } else if (const auto *progress = std::get_if<ScanProgress>(&event.what)) {
@@ -194,6 +197,13 @@ void LineSession::dispatch(const LineEvent &event)
     } else {
         Q_EMIT typedAnswered(std::get<TypedAnswered>(event.what));
     }
+}
+
+void LineSession::dispatch(const Message &message)
+{
+    Q_EMIT messaged(message);
+    if (message.refusal && message.refusal->id == RefusalId::portOfOther)
+        Q_EMIT otherAdapterFound(*message.refusal);
 }
 
 Result<void> LineSession::add(LineAddress address, const QString &deviceKey)
@@ -307,6 +317,35 @@ bool LineSession::isRunning() const
 QDateTime LineSession::dateTime(Instant at) const
 {
     return d->beginning.addMSecs(std::chrono::duration_cast<std::chrono::milliseconds>(at).count());
+}
+
+void LineSession::takeOtherAdapter()
+{
+    post(line_command::TakeOtherAdapter{});
+}
+
+Result<void> LineSession::determineFractionBits(DeviceNumber number)
+{
+    Private::Encoder *encoder = d->find(number);
+    if (!encoder)
+        return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {number.toString(), QString()});
+    const auto job = encoder->session->start(fractionBitsJob(), Pace::byItself);
+    if (!job)
+        return tl::unexpected(job.error());
+    auto *waiting = new QObject(encoder->session.get());
+    connect(encoder->session.get(), &EncoderSession::finished, waiting,
+            [this, waiting, number, id = *job](const Outcome &outcome) {
+                if (outcome.job != id)
+                    return;
+                waiting->deleteLater();
+                Q_EMIT fractionBitsDetermined(number, fractionBitsOf(outcome));
+            });
+    return {};
+}
+
+void LineSession::setFractionBits(int bits)
+{
+    post(line_command::SetFractionBits{bits});
 }
 
 void LineSession::startPolling()

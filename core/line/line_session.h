@@ -70,6 +70,14 @@ public:
     Instant now() const override { return latest().at; }
     QDateTime dateTime(Instant at) const override;
 
+    // The adapter that otherAdapterFound() told of is meant: it is used from now on.
+    void takeOtherAdapter();
+    // "Determine from device": reads what tells the format of its scaling factor; ends with
+    // fractionBitsDetermined(). Sets nothing.
+    Result<void> determineFractionBits(DeviceNumber number);
+    // Of the scaling factor, for all encoders there are.
+    void setFractionBits(int bits);
+
     void startPolling();
     void stopPolling();
     void setOperate(bool on) override;
@@ -82,6 +90,10 @@ public:
     void send(const esc::Request &request);
 
 Q_SIGNALS:
+    // The port is gone, and what is plugged in is not known to be its adapter (portOfOther): it is not used
+    // unasked.
+    void otherAdapterFound(const codewheel::Refusal &which);
+    void fractionBitsDetermined(codewheel::DeviceNumber number, const codewheel::Result<int> &bits);
     void alarmStopped(); // by alarmStop(): nothing is to be sent on its own any more
     void devicesChanged();
     // The encoder has another address now: encoder() finds it by that one.
@@ -95,6 +107,7 @@ private:
     friend class LineEncoderSession;
     void post(LineCommand command);
     void dispatch(const LineEvent &event);
+    void dispatch(const Message &message);
     void showLatest();
 
     struct Private;

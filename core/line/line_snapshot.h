@@ -3,6 +3,7 @@
 
 #include "encoder/line_address.h"
 #include "encoder/reading.h"
+#include "line/byte_link.h"
 #include "line/line_figures.h"
 
 #include <vector>
@@ -12,7 +13,9 @@ namespace codewheel {
 // What decides whether anything may be sent.
 struct LineState
 {
-    bool connected = false; // false: the port is gone
+    bool connected = false;    // false: the port is gone
+    bool otherAdapter = false; // there is one, and it is not known to be that of this line
+    LowLatency lowLatency = LowLatency::notApplicable;
     bool polling = false;
     bool operate = false; // writing is allowed
 

@@ -10,14 +10,10 @@ namespace {
 // A stop is noticed after this long, even on a quiet line or without a port.
 constexpr std::chrono::milliseconds longestWait{50};
 
-void work(const std::stop_token &stop, LineRunner &runner, ByteLink &link)
+void work(const std::stop_token &stop, LineRunner &runner, const ByteLink &link)
 {
-    while (!stop.stop_requested()) {
-        const Instant until = link.now() + longestWait;
-        runner.run(until);
-        if (link.now() < until) // the port is gone
-            std::this_thread::sleep_for(longestWait);
-    }
+    while (!stop.stop_requested())
+        runner.run(link.now() + longestWait);
 }
 
 } // namespace

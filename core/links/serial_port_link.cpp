@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "links/serial_port_link.h"
 
+#include "links/low_latency.h"
 #include "links/port_access.h"
 
 #include <QCoreApplication>
@@ -71,39 +72,66 @@ struct SerialPortLink::Port
 };
 
 SerialPortLink::SerialPortLink(const QString &port)
-    : m_path(portPath(port))
+    : SerialPortLink(KeptAdapter(portPath(port)))
+{}
+
+SerialPortLink::SerialPortLink(const KeptAdapter &adapter, PortList ports)
+    : m_ports(std::move(ports))
+    , m_adapter(adapter)
 {}
 
 SerialPortLink::~SerialPortLink() = default;
 
+QString SerialPortLink::name() const
+{
+    const std::scoped_lock lock(m_adapterMutex);
+    return m_adapter.path();
+}
+
+void SerialPortLink::takeOtherAdapter()
+{
+    const std::scoped_lock lock(m_adapterMutex);
+    m_adapter.takeOther();
+}
+
+Result<QString> SerialPortLink::findPort()
+{
+    const std::vector<PortInfo> present = m_ports();
+    const std::scoped_lock lock(m_adapterMutex);
+    return m_adapter.find(present);
+}
+
 Result<void> SerialPortLink::open(const LineSettings &settings)
 {
     close();
-    if (const auto hindrance = portHindrance(m_path))
+    const Result<QString> path = findPort();
+    if (!path)
+        return tl::unexpected(path.error());
+    if (const auto hindrance = portHindrance(*path))
         return tl::unexpected(*hindrance);
     auto port = std::make_unique<Port>();
-    if (auto prepared = prepare(port->serial, settings); !prepared)
+    if (auto prepared = prepare(port->serial, *path, settings); !prepared)
         return prepared;
     if (!port->serial.open(QIODevice::ReadWrite))
-        return tl::unexpected(portRefusal(portRefusalOf(errorNumberOf(port->serial.error())), m_path,
+        return tl::unexpected(portRefusal(portRefusalOf(errorNumberOf(port->serial.error())), *path,
                                           port->serial.errorString()));
     // The system lets its administrator into a port that is taken; a lock does not.
     if (::flock(static_cast<int>(port->serial.handle()), LOCK_EX | LOCK_NB) != 0)
         return tl::unexpected(
-            portRefusal(portRefusalOf(errno), m_path, QString::fromLocal8Bit(std::strerror(errno))));
+            portRefusal(portRefusalOf(errno), *path, QString::fromLocal8Bit(std::strerror(errno))));
     if (port->serial.baudRate() != settings.baudRate)
         return settingRefused(QString::number(settings.baudRate));
     port->serial.clear();
-    m_lowLatency = askForLowLatency(static_cast<int>(port->serial.handle()));
+    m_lowLatency = settings.lowLatency ? askForLowLatency(static_cast<int>(port->serial.handle()))
+                                       : LowLatency::notAsked;
     m_port = std::move(port);
-    m_opened = steady_clock::now();
     return {};
 }
 
 // Before it is opened: afterwards a port without modem lines does not take a parity any more.
-Result<void> SerialPortLink::prepare(QSerialPort &port, const LineSettings &settings)
+Result<void> SerialPortLink::prepare(QSerialPort &port, const QString &path, const LineSettings &settings)
 {
-    port.setPortName(m_path);
+    port.setPortName(path);
     if (settings.baudRate <= 0 || !port.setBaudRate(settings.baudRate))
         return settingRefused(QString::number(settings.baudRate));
     if ((settings.dataBits != 7 && settings.dataBits != 8) ||
@@ -132,7 +160,7 @@ Result<void> SerialPortLink::setBaudRate(int baudRate)
 
 Instant SerialPortLink::now() const
 {
-    return std::chrono::duration_cast<Instant>(steady_clock::now() - m_opened);
+    return std::chrono::duration_cast<Instant>(steady_clock::now() - m_begin);
 }
 
 Result<void> SerialPortLink::write(const QByteArray &bytes)
@@ -146,7 +174,7 @@ Result<void> SerialPortLink::write(const QByteArray &bytes)
             if (isFailure(serial.error()))
                 return lost();
             serial.clear(QSerialPort::Output);
-            return tl::unexpected(portRefusal(RefusalId::linkFailed, m_path, serial.errorString()));
+            return tl::unexpected(portRefusal(RefusalId::linkFailed, name(), serial.errorString()));
         }
     return {};
 }
@@ -169,6 +197,11 @@ Result<QByteArray> SerialPortLink::read(Instant until)
     }
 }
 
+void SerialPortLink::wait(Instant until)
+{
+    waitUntil(until);
+}
+
 // For bytes, the flag, or the end of the port. Qt's own wait cannot be ended by another thread.
 SerialPortLink::Waited SerialPortLink::waitUntil(Instant until)
 {
@@ -176,7 +209,8 @@ SerialPortLink::Waited SerialPortLink::waitUntil(Instant until)
     const nanoseconds left = std::max(until - now(), Instant{});
     const timespec timeOut{duration_cast<seconds>(left).count(), (left % 1s).count()};
     std::array<pollfd, 2> waited{
-        {{static_cast<int>(m_port->serial.handle()), POLLIN, 0}, {m_wake.descriptor(), POLLIN, 0}}};
+        {{m_port ? static_cast<int>(m_port->serial.handle()) : -1, POLLIN, 0}, // -1 is passed over
+         {m_wake.descriptor(), POLLIN, 0}}};
     ::ppoll(waited.data(), waited.size(), &timeOut, nullptr);
     const bool woken = m_wake.lower();
     return {woken, (waited[0].revents & (POLLERR | POLLHUP | POLLNVAL)) != 0};
@@ -185,7 +219,7 @@ SerialPortLink::Waited SerialPortLink::waitUntil(Instant until)
 tl::unexpected<Refusal> SerialPortLink::lost()
 {
     close();
-    return refuse(RefusalKind::link, RefusalId::portLost, {m_path});
+    return refuse(RefusalKind::link, RefusalId::portLost, {name()});
 }
 
 } // namespace codewheel

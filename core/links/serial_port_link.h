@@ -2,11 +2,14 @@
 #pragma once
 
 #include "line/byte_link.h"
-#include "links/low_latency.h"
+#include "links/kept_adapter.h"
 #include "links/wake_flag.h"
 
+#include <atomic>
 #include <chrono>
+#include <functional>
 #include <memory>
+#include <mutex>
 
 class QSerialPort;
 
@@ -18,19 +21,25 @@ namespace codewheel {
 class SerialPortLink final : public ByteLink
 {
 public:
+    using PortList = std::function<std::vector<PortInfo>()>;
+
     // A name as in the list of ports, or a path.
     explicit SerialPortLink(const QString &port);
+    // At this adapter from the beginning, wherever it is plugged in.
+    explicit SerialPortLink(const KeptAdapter &adapter, PortList ports = serialPorts);
     ~SerialPortLink() override;
 
-    QString name() const override { return m_path; } // its path
-    // Of the port as it is open now.
-    LowLatency lowLatency() const { return m_lowLatency; }
+    QString name() const override; // the path of the port; another after the adapter was plugged in elsewhere
+    LowLatency lowLatency() const override { return m_lowLatency; }
 
-    // Refused: portNotFound, portNoRights, portInUse, lineSettingWrong, linkFailed (what the system says).
+    // Refused: portNotFound, portOfOther, portNoRights, portInUse, lineSettingWrong, linkFailed (what the
+    // system says).
     Result<void> open(const LineSettings &settings) override;
     void close() override;
     Result<void> setBaudRate(int baudRate) override;
+    void takeOtherAdapter() override;
     Instant now() const override;
+    void wait(Instant until) override;
     // These refuse portLost once when the adapter is gone, and lineClosed from then on.
     Result<void> write(const QByteArray &bytes) override;
     Result<QByteArray> read(Instant until) override;
@@ -44,15 +53,18 @@ private:
         bool hungUp = false;
     };
 
-    Result<void> prepare(QSerialPort &port, const LineSettings &settings);
+    Result<QString> findPort();
+    static Result<void> prepare(QSerialPort &port, const QString &path, const LineSettings &settings);
     Waited waitUntil(Instant until);
     tl::unexpected<Refusal> lost();
 
-    QString m_path;
+    const PortList m_ports;
+    mutable std::mutex m_adapterMutex;
+    KeptAdapter m_adapter;
     std::unique_ptr<Port> m_port; // null: not open
     WakeFlag m_wake;
-    LowLatency m_lowLatency = LowLatency::notApplicable;
-    std::chrono::steady_clock::time_point m_opened;
+    std::atomic<LowLatency> m_lowLatency = LowLatency::notApplicable;
+    const std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
 };
 
 } // namespace codewheel

@@ -17,13 +17,13 @@ SimulatedLine::SimulatedLine(const std::vector<EscEncoderPlan> &encoders, std::u
     , m_wire(seed)
 {}
 
-void SimulatedLine::begin(const LineSettings &settings)
+void SimulatedLine::begin(const LineSettings &settings, Instant now)
 {
     const std::scoped_lock lock(m_mutex);
     m_settings = settings;
     m_wire.clear();
     m_heard.clear();
-    m_cycles = 0;
+    m_cycles = std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
 }
 
 void SimulatedLine::setBaudRate(int baudRate)
@@ -114,6 +114,13 @@ bool SimulatedLine::wait(Instant atMost)
     std::unique_lock lock(m_mutex);
     m_woken.wait_for(lock, atMost, [this] { return m_wake || m_unplugged; });
     return !std::exchange(m_wake, false) && !m_unplugged;
+}
+
+void SimulatedLine::waitForWake(Instant atMost)
+{
+    std::unique_lock lock(m_mutex);
+    m_woken.wait_for(lock, atMost, [this] { return m_wake; });
+    m_wake = false;
 }
 
 bool SimulatedLine::takeWake()

@@ -32,8 +32,8 @@ public:
         Instant at;
     };
 
-    // Its time begins at 0 again, and nothing is on the wire.
-    void begin(const LineSettings &settings);
+    // At this time nothing is on the wire.
+    void begin(const LineSettings &settings, Instant now = {});
     void setBaudRate(int baudRate);
     LineSettings settings() const;
     void send(const QByteArray &bytes, Instant now);
@@ -44,6 +44,7 @@ public:
 
     // Waits, really, for so long; false: wake() ended it, or was called before, or the adapter is unplugged.
     bool wait(Instant atMost);
+    void waitForWake(Instant atMost); // the same while the adapter is unplugged
     // True if wake() was called since the last wait.
     bool takeWake();
     void wake();
@@ -85,7 +86,7 @@ private:
     LineWire m_wire;
     LineSettings m_settings; // of the master
     Instant m_answerDelay = usualAnswerDelay;
-    std::int64_t m_cycles = 0; // ms that the shafts have turned since begin()
+    std::int64_t m_cycles = 0; // of the time in ms, which the shafts have turned up to
     QByteArray m_heard;        // by the master
     bool m_unplugged = false;
 };

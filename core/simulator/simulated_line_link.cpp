@@ -9,16 +9,14 @@ namespace codewheel {
 SimulatedLineLink::SimulatedLineLink(std::shared_ptr<SimulatedLine> line, Clock clock)
     : m_line(std::move(line))
     , m_clock(std::move(clock))
+    , m_begin(m_clock ? m_clock() : Instant())
 {}
 
 Result<void> SimulatedLineLink::open(const LineSettings &settings)
 {
     if (m_line->isUnplugged())
         return refuse(RefusalKind::link, RefusalId::portNotFound, {name()});
-    m_line->begin(settings);
-    m_now = Instant{};
-    if (m_clock)
-        m_begin = m_clock();
+    m_line->begin(settings, now());
     m_open = true;
     return {};
 }
@@ -36,6 +34,14 @@ QString SimulatedLineLink::name() const
 Instant SimulatedLineLink::now() const
 {
     return m_clock ? m_clock() - m_begin : m_now;
+}
+
+void SimulatedLineLink::wait(Instant until)
+{
+    if (!m_clock)
+        m_now = std::max(m_now, until);
+    else
+        m_line->waitForWake(until - now());
 }
 
 Result<void> SimulatedLineLink::write(const QByteArray &bytes)

@@ -9,8 +9,9 @@
 
 namespace codewheel {
 
-// The link to a simulated serial line. Without a clock its time is virtual: it passes in read() alone, which
-// returns at once, and one byte after the other. With one, it keeps that clock's time and waits.
+// The link to a simulated serial line. Without a clock its time is virtual: it passes in read() and wait()
+// alone, which return at once, read() with one byte after the other. With one, it keeps that clock's time and
+// waits.
 class SimulatedLineLink final : public ByteLink
 {
 public:
@@ -23,6 +24,7 @@ public:
     void close() override { m_open = false; }
     Result<void> setBaudRate(int baudRate) override;
     Instant now() const override;
+    void wait(Instant until) override;
     Result<void> write(const QByteArray &bytes) override;
     Result<QByteArray> read(Instant until) override;
     QString name() const override;
@@ -35,9 +37,9 @@ private:
     QByteArray readReally(Instant until);
 
     std::shared_ptr<SimulatedLine> m_line;
-    Clock m_clock;
-    Instant m_now{};   // of virtual time
-    Instant m_begin{}; // on the clock
+    const Clock m_clock;
+    Instant m_now{};       // of virtual time
+    const Instant m_begin; // on the clock
     bool m_open = false;
 };
 

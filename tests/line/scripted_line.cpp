@@ -7,8 +7,11 @@ namespace codewheel {
 
 Result<void> ScriptedLink::open(const LineSettings &settings)
 {
+    ++tries;
     if (unplugged)
         return refuse(RefusalKind::link, RefusalId::portNotFound, {name()});
+    if (isOther)
+        return refuse(RefusalKind::link, RefusalId::portOfOther, {name(), QStringLiteral("ours")});
     ++opened;
     m_baudRate = settings.baudRate;
     m_coming.clear();

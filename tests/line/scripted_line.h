@@ -30,8 +30,11 @@ public:
     std::map<QByteArray, QByteArray> answers;
     std::optional<int> answersAt; // baud rate
     bool unplugged = false;
+    bool isOther = false; // the adapter
+    LowLatency latency = LowLatency::granted;
     std::vector<Sent> sent;
     int opened = 0;
+    int tries = 0; // of opening
 
     Result<void> open(const LineSettings &settings) override;
     void close() override {}
@@ -39,7 +42,10 @@ public:
     Instant now() const override { return m_now; }
     Result<void> write(const QByteArray &bytes) override;
     Result<QByteArray> read(Instant until) override;
+    void wait(Instant until) override { m_now = std::max(m_now, until); }
     void interrupt() override {}
+    void takeOtherAdapter() override { isOther = false; }
+    LowLatency lowLatency() const override { return latency; }
     QString name() const override { return QStringLiteral("scripted line"); }
     bool isSimulated() const override { return true; }
 

@@ -224,6 +224,94 @@ TEST_F(LineRunnerTest, TellsOnceThatThePortIsGoneAndOpensItAgain)
     EXPECT_TRUE(runner.takeLatest()->connected);
 }
 
+TEST_F(LineRunnerTest, LooksForThePortOnceASecond)
+{
+    add(5);
+    poll();
+    run(50ms);
+    link.unplugged = true;
+    run(10s);
+    EXPECT_EQ(link.now(), 10s + 50ms);
+    EXPECT_NEAR(link.tries, 11, 1); // and the first one
+    EXPECT_EQ(messages().size(), 2U) << "polling began, and the port is gone";
+}
+
+TEST_F(LineRunnerTest, AnotherAdapterIsNotUsedUnasked)
+{
+    add(5);
+    poll();
+    run(50ms);
+    link.unplugged = true;
+    run(10ms);
+    messages();
+    link.unplugged = false;
+    link.isOther = true;
+    run(10s);
+    const auto told = messages();
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_EQ(told.front().refusal->id, RefusalId::portOfOther);
+    auto latest = runner.takeLatest();
+    EXPECT_TRUE(latest->otherAdapter);
+    EXPECT_FALSE(latest->connected);
+    EXPECT_EQ(link.opened, 1);
+
+    runner.post(line_command::TakeOtherAdapter{});
+    run(100ms);
+    latest = runner.takeLatest();
+    EXPECT_TRUE(latest->connected);
+    EXPECT_FALSE(latest->otherAdapter);
+    EXPECT_EQ(messages().front().id, MessageId::portBack);
+}
+
+TEST_F(LineRunnerTest, WithoutLowLatencyAnAnswerMayComeLater)
+{
+    link.latency = LowLatency::refused;
+    link.delay = 115ms; // with the request of 6 characters
+    add(5, 1s);
+    poll();
+    run(5s);
+    const auto told = messages();
+    EXPECT_EQ(std::ranges::count(told, MessageId::lowLatencyRefused, &Message::id), 1);
+    const auto latest = runner.takeLatest();
+    EXPECT_EQ(latest->lowLatency, LowLatency::refused);
+    EXPECT_EQ(latest->figures.timeOuts, 0U);
+    EXPECT_GE(latest->figures.answers, 4U);
+}
+
+TEST_F(LineRunnerTest, WithLowLatencyItIsTooLate)
+{
+    link.delay = 115ms;
+    add(5, 1s);
+    poll();
+    run(5s);
+    EXPECT_GT(runner.takeLatest()->figures.timeOuts, 0U);
+}
+
+TEST_F(LineRunnerTest, EveryTypedRequestHasAnEnd)
+{
+    runner.post(line_command::Send{{.to = {5}, .command = esc::Command::writePreset, .data = 1}}); // in Watch
+    runner.post(line_command::Send{{.to = {5}, .command = esc::Command::version}});
+    runner.post(line_command::AlarmStop{});
+    run(50ms);
+    const auto ended = taken<TypedAnswered>();
+    ASSERT_EQ(ended.size(), 2U);
+    for (const TypedAnswered &one : ended)
+        EXPECT_EQ(one.result.sent, 0);
+}
+
+TEST_F(LineRunnerTest, ATypedWriteCutOffByUnpluggingWasSent)
+{
+    runner.post(line_command::SetOperate{true});
+    runner.post(line_command::Send{{.to = {5}, .command = esc::Command::writePreset, .data = 1}});
+    run(2ms);
+    link.unplugged = true;
+    run(50ms);
+    const auto ended = taken<TypedAnswered>();
+    ASSERT_EQ(ended.size(), 1U);
+    EXPECT_EQ(ended.front().result.sent, 1);
+    EXPECT_FALSE(ended.front().result.answer);
+}
+
 TEST_F(LineRunnerTest, CountsWhatComesWithoutHavingBeenAskedFor)
 {
     link.answers = {{"\x1B"

@@ -111,6 +111,28 @@ TEST_F(LineSessionTest, ARemovedEncoderIsAskedNoMore)
     EXPECT_GT(link->sent.size(), sent);
 }
 
+TEST_F(LineSessionTest, AsksBeforeAnotherAdapterIsUsed)
+{
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
+    ASSERT_TRUE(line->add({5}, rs485));
+    line->advance(50ms);
+    std::vector<Refusal> asked;
+    QObject::connect(line.get(), &LineSession::otherAdapterFound, line.get(),
+                     [&](const Refusal &which) { asked.push_back(which); });
+    link->unplugged = true;
+    line->advance(50ms);
+    EXPECT_FALSE(line->isRunning());
+    link->unplugged = false;
+    link->isOther = true;
+    line->advance(5s);
+    ASSERT_EQ(asked.size(), 1U);
+    EXPECT_EQ(asked.front().id, RefusalId::portOfOther);
+    EXPECT_FALSE(line->isRunning());
+    line->takeOtherAdapter();
+    line->advance(50ms);
+    EXPECT_TRUE(line->isRunning());
+}
+
 TEST_F(LineSessionTest, SaysThatItWasOpenedAndClosed)
 {
     ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));

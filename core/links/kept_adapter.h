@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/refusal.h"
+#include "links/serial_ports.h"
+
+#include <optional>
+
+namespace codewheel {
+
+// The port at this path, which may be a link to it, as those of /dev/serial/by-id are.
+std::optional<PortInfo> portAt(const QString &path, const std::vector<PortInfo> &present);
+
+// Which adapter a line is connected by, and where it is after it was plugged in again: by its serial number,
+// else by its place on USB. No other one is taken for it without being asked for. Pure: the ports there are
+// are an argument. Used by SerialPortLink.
+class KeptAdapter
+{
+public:
+    // Whichever adapter is at this path when it is looked for first; a path without any, as of a pseudo
+    // terminal, stays what it is.
+    explicit KeptAdapter(QString path);
+    // This one; `path` of it is where it was last.
+    explicit KeptAdapter(PortInfo adapter);
+
+    const QString &path() const { return m_path; }
+
+    // Where the adapter is now. Refused: portNotFound; portOfOther where another one is at its path, or one
+    // that may be it, which takeOther() makes the one that is meant.
+    Result<QString> find(const std::vector<PortInfo> &present);
+    void takeOther();
+
+private:
+    tl::unexpected<Refusal> other(const PortInfo &there);
+
+    QString m_path;
+    std::optional<PortInfo> m_adapter;
+    std::optional<PortInfo> m_other; // that was refused
+};
+
+} // namespace codewheel
