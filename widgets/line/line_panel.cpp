@@ -34,6 +34,21 @@ QString characterText(const LineSettings &settings)
     return QString::number(settings.dataBits) + parity + QString::number(settings.stopBits);
 }
 
+QString latencyText(LowLatency latency)
+{
+    switch (latency) {
+    case LowLatency::granted:
+        return LinePanel::tr("granted", "low latency, by the adapter");
+    case LowLatency::refused:
+        return LinePanel::tr("refused by the adapter: answers may come up to 16 ms later");
+    case LowLatency::notAsked:
+        return LinePanel::tr("not asked for", "low latency");
+    case LowLatency::notApplicable:
+        break;
+    }
+    return LinePanel::tr("no adapter to be asked");
+}
+
 } // namespace
 
 LinePanel::LinePanel(QWidget *parent)
@@ -58,6 +73,9 @@ LinePanel::LinePanel(QWidget *parent)
     form->setVerticalSpacing(grid::unit);
     m_port = addLine(*form, tr("Port"), tr("The serial port of this line"));
     m_rate = addLine(*form, tr("Baud rate"), tr("Bits per second; data bits, parity, stop bits"));
+    m_latency = addLine(*form, tr("Low latency"),
+                        tr("Whether the adapter hands over bytes at once. Where it does not, time-outs are "
+                           "longer, and positions come more slowly"));
     m_polling = addLine(*form, tr("Polling"), tr("Whether the encoders are asked by turns"));
     m_mode = addLine(*form, tr("Writing"), tr("In Watch only reads are sent"));
     column->addLayout(form);
@@ -135,6 +153,10 @@ void LinePanel::showState()
     const bool isConnected = isOpen && m_line->latest().connected;
     if (isConnected)
         m_state->setState(Role::running, tr("Open"));
+    else if (isOpen && m_line->latest().otherAdapter)
+        m_state->setState(
+            Role::fault,
+            tr("The port is gone. Another adapter is there, and is not used without being asked for"));
     else if (isOpen)
         m_state->setState(Role::fault, tr("The port is gone; it is looked for each second"));
     else
@@ -144,6 +166,7 @@ void LinePanel::showState()
     setTextOf(m_rate, m_line ? sentence(tr("%1 Bd, %2"), {QLocale().toString(m_line->settings().baudRate),
                                                           characterText(m_line->settings())})
                              : none);
+    setTextOf(m_latency, isConnected ? latencyText(m_line->latest().lowLatency) : none);
     setTextOf(m_polling, !isConnected ? none : m_line->isPolling() ? tr("runs") : tr("stopped"));
     setTextOf(m_mode, !isConnected            ? none
                       : m_line->isOperating() ? tr("Operate: allowed")

@@ -41,6 +41,7 @@ private:
     RoleLabel *m_state;
     QLabel *m_port = nullptr;
     QLabel *m_rate = nullptr;
+    QLabel *m_latency = nullptr;
     QLabel *m_polling = nullptr;
     QLabel *m_mode = nullptr;
     InlineMessage *m_note;

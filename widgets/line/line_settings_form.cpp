@@ -6,6 +6,7 @@
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
@@ -149,6 +150,11 @@ void LineSettingsForm::makeCharacter(QFormLayout &form)
     m_parity->addItem(tr("odd", "parity"), static_cast<int>(LineSettings::Parity::odd));
     for (const int bits : {2, 1})
         m_stopBits->addItem(QString::number(bits), bits);
+    m_lowLatency = new QCheckBox(tr("&Low latency"), m_content);
+    m_lowLatency->setToolTip(
+        tr("Asks the adapter to hand over bytes at once. Many collect them for up to 16 ms (Alt+L)"));
+    m_lowLatency->setAccessibleDescription(m_lowLatency->toolTip());
+    form.addRow(QString(), m_lowLatency);
 }
 
 void LineSettingsForm::makeTimes(QFormLayout &form)
@@ -169,9 +175,7 @@ void LineSettingsForm::makeTimes(QFormLayout &form)
 
 void LineSettingsForm::makeEncoder(QFormLayout &form)
 {
-    m_fractionBits = addNumber(form, tr("Fraction bits of the scalin&g factor"),
-                               tr("29 fits the example of the manual; it can be determined from a device"),
-                               esc::fewestFractionBits, esc::mostFractionBits);
+    makeFractionBits(form);
     m_topSpeed = new QDoubleSpinBox(m_content);
     m_topSpeed->setRange(1.0, highestSpeed);
     m_topSpeed->setDecimals(0);
@@ -183,6 +187,39 @@ void LineSettingsForm::makeEncoder(QFormLayout &form)
            "for again"));
     m_topSpeed->setAccessibleDescription(m_topSpeed->toolTip());
     form.addRow(tr("T&op speed"), m_topSpeed);
+}
+
+void LineSettingsForm::makeFractionBits(QFormLayout &form)
+{
+    m_fractionBits = new QSpinBox(m_content);
+    m_fractionBits->setRange(esc::fewestFractionBits, esc::mostFractionBits);
+    m_fractionBits->setAccessibleName(tr("Fraction bits of the scaling factor"));
+    m_fractionBits->setToolTip(tr("29 fits the example of the manual; it can be determined from a device"));
+    m_fractionBits->setAccessibleDescription(m_fractionBits->toolTip());
+    m_determine = new QPushButton(tr("&Determine"), m_content);
+    m_determine->setAutoDefault(false);
+    m_determine->setToolTip(tr(
+        "Reads scaling factor, steps per turn and measuring range of an encoder of the line, and takes the "
+        "format that fits. Nothing is written (Alt+D)"));
+    m_determine->setAccessibleDescription(m_determine->toolTip());
+    m_determine->setEnabled(false); // before the line is open
+    auto *row = new QHBoxLayout;
+    row->setSpacing(grid::unit);
+    row->addWidget(m_fractionBits, 1);
+    row->addWidget(m_determine);
+    form.addRow(tr("Fraction bits of the scalin&g factor"), row);
+    qobject_cast<QLabel *>(form.labelForField(row))->setBuddy(m_fractionBits);
+    connect(m_determine, &QPushButton::clicked, this, &LineSettingsForm::fractionBitsWanted);
+}
+
+void LineSettingsForm::setCanDetermine(bool can)
+{
+    m_determine->setEnabled(can);
+}
+
+void LineSettingsForm::setFractionBits(int bits)
+{
+    m_fractionBits->setValue(bits);
 }
 
 QString LineSettingsForm::chosenPort() const
@@ -233,6 +270,7 @@ LineWish LineSettingsForm::wish() const
     wish.line.dataBits = m_dataBits->currentData().toInt();
     wish.line.parity = static_cast<LineSettings::Parity>(m_parity->currentData().toInt());
     wish.line.stopBits = m_stopBits->currentData().toInt();
+    wish.line.lowLatency = m_lowLatency->isChecked();
     if (wish.line.baudRate > 0)
         wish.timing.character = wish.line.timeOf(1);
     wish.timing.answerTimeOut = milliseconds(m_timeOut->value());
@@ -255,6 +293,7 @@ void LineSettingsForm::setWish(const LineWish &wish)
     choose(*m_dataBits, wish.line.dataBits);
     choose(*m_parity, static_cast<int>(wish.line.parity));
     choose(*m_stopBits, wish.line.stopBits);
+    m_lowLatency->setChecked(wish.line.lowLatency);
     m_timing = wish.timing;
     m_pollInterval->setValue(milliseconds(wish.pollInterval));
     m_timeOut->setValue(milliseconds(wish.timing.answerTimeOut));

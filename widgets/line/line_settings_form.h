@@ -7,6 +7,7 @@
 
 #include <vector>
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
@@ -33,9 +34,13 @@ public:
     void setWish(const LineWish &wish);
     // What went wrong when it was opened; empty: nothing.
     void setProblem(const QString &sentence);
+    // Whether there is an encoder that could tell the format of its scaling factor, and what it told.
+    void setCanDetermine(bool can);
+    void setFractionBits(int bits);
 
 Q_SIGNALS:
     void refreshWanted();
+    void fractionBitsWanted(); // to be determined from an encoder
     void connectWanted(const codewheel::LineWish &wish);
 
 private:
@@ -43,6 +48,7 @@ private:
     void makeCharacter(QFormLayout &form);
     void makeTimes(QFormLayout &form);
     void makeEncoder(QFormLayout &form);
+    void makeFractionBits(QFormLayout &form);
     QSpinBox *addNumber(QFormLayout &form, const QString &label, const QString &toolTip, int least, int most);
     QComboBox *addChoice(QFormLayout &form, const QString &label, const QString &toolTip);
     QString chosenPort() const;
@@ -62,7 +68,9 @@ private:
     QSpinBox *m_timeOut = nullptr;
     QSpinBox *m_retries = nullptr;
     QSpinBox *m_quiet = nullptr;
+    QCheckBox *m_lowLatency = nullptr;
     QSpinBox *m_fractionBits = nullptr;
+    QPushButton *m_determine = nullptr;
     QDoubleSpinBox *m_topSpeed = nullptr;
     InlineMessage *m_problem;
     QPushButton *m_connect;

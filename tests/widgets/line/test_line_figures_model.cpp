@@ -112,6 +112,31 @@ TEST_F(LinePanelTest, SaysThatThePortIsGone)
     EXPECT_TRUE(state.word().contains(QLatin1String("gone")));
 }
 
+TEST_F(LinePanelTest, SaysThatAnotherAdapterIsThere)
+{
+    bench.open();
+    bench.addEncoder();
+    bench.link->unplugged = true;
+    bench.pass(100);
+    bench.link->unplugged = false;
+    bench.link->isOther = true;
+    bench.pass(2'000);
+    EXPECT_EQ(state.role(), Role::fault);
+    EXPECT_TRUE(state.word().contains(QLatin1String("Another adapter"))) << state.word().toStdString();
+    bench.line->takeOtherAdapter();
+    bench.pass(100);
+    EXPECT_EQ(state.role(), Role::running);
+}
+
+TEST_F(LinePanelTest, SaysWhatBecameOfLowLatency)
+{
+    bench.link->latency = LowLatency::refused;
+    bench.open();
+    bench.pass(100);
+    EXPECT_TRUE(value("Low latency").startsWith(QLatin1String("refused")))
+        << value("Low latency").toStdString();
+}
+
 TEST_F(LinePanelTest, ShowsTheFiguresOfEachEncoder)
 {
     bench.open();

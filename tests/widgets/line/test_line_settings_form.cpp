@@ -110,7 +110,11 @@ TEST_F(LineSettingsFormTest, GivesBackWhatItWasGiven)
 {
     LineWish wish;
     wish.port = QStringLiteral("/dev/ttyS4");
-    wish.line = {.baudRate = 57'600, .dataBits = 7, .parity = LineSettings::Parity::even, .stopBits = 1};
+    wish.line = {.baudRate = 57'600,
+                 .dataBits = 7,
+                 .parity = LineSettings::Parity::even,
+                 .stopBits = 1,
+                 .lowLatency = false};
     wish.timing.character = wish.line.timeOf(1);
     wish.timing.answerTimeOut = 250ms;
     wish.timing.retries = 5;
@@ -127,6 +131,18 @@ TEST_F(LineSettingsFormTest, PositionsAreNotAskedForFasterThanTheManualAllows)
 {
     field<QSpinBox>("Poll interval").setValue(1);
     EXPECT_EQ(form.wish().pollInterval, 10ms);
+}
+
+TEST_F(LineSettingsFormTest, TheFormatOfTheFactorIsDeterminedByTheCaller)
+{
+    const QSignalSpy wantedBits(&form, &LineSettingsForm::fractionBitsWanted);
+    auto *determine = test::button(form, QStringLiteral("Determine"));
+    EXPECT_FALSE(determine->isEnabled());
+    form.setCanDetermine(true);
+    determine->click();
+    EXPECT_EQ(wantedBits.count(), 1);
+    form.setFractionBits(28);
+    EXPECT_EQ(form.wish().fractionBits, 28);
 }
 
 TEST_F(LineSettingsFormTest, AProblemGoesWithItsCause)
