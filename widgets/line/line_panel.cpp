@@ -154,9 +154,7 @@ void LinePanel::showState()
     if (isConnected)
         m_state->setState(Role::running, tr("Open"));
     else if (isOpen && m_line->latest().otherAdapter)
-        m_state->setState(
-            Role::fault,
-            tr("The port is gone. Another adapter is there, and is not used without being asked for"));
+        m_state->setState(Role::fault, tr("Another adapter is plugged in"));
     else if (isOpen)
         m_state->setState(Role::fault, tr("The port is gone; it is looked for each second"));
     else
