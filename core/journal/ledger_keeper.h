@@ -81,23 +81,25 @@ private:
     void watch(DeviceNumber place);
     void move(DeviceNumber from, DeviceNumber to);
     void begin(DeviceNumber place, const Job &job);
-    void beginByHand(DeviceNumber place, Word word);
-    void beginByHand(DeviceNumber place, const esc::Request &request);
-    ByHand *byHand(Watched &watched, int planned);
     std::optional<qint64> beginEntry(Watched &watched, int planned);
     void planToRestore(DeviceNumber place);
     void count(DeviceNumber place, int writes);
     void settle(DeviceNumber place, const Outcome &outcome);
-    void settleByHand();
-    void settleByHand(DeviceNumber place, Watched &watched);
-    void settleRequest(const esc::Request &request);
-    bool standsStill(DeviceNumber place, const EncoderSession &encoder) const;
     void identify(DeviceNumber place);
     void showCount(DeviceNumber place);
     Ledger::Entry entryAt(const Watched &watched) const;
     void note(Watched &watched, qint64 id);
     void warn(DeviceNumber place, int before);
     void failed(const DatabaseError &error);
+
+    // ledger_keeper_by_hand.cpp
+    void beginByHand(DeviceNumber place, Word word);
+    void beginByHand(DeviceNumber place, const esc::Request &request);
+    ByHand *byHand(Watched &watched, int planned);
+    void settleByHand();
+    void settleByHand(DeviceNumber place, Watched &watched);
+    void settleRequest(const esc::Request &request);
+    bool standsStill(DeviceNumber place, const EncoderSession &encoder) const;
 
     EncoderBus &m_bus;
     const BusSession *m_ring; // null: a serial line
