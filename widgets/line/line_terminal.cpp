@@ -5,11 +5,11 @@
 #include "encoder/sentence.h"
 #include "line/line_session.h"
 #include "line/typed_request.h"
+#include "line/write_question.h"
 #include "widgets/line/line_record_io.h"
 #include "widgets/line/line_record_view.h"
 #include "widgets/line/line_row_table.h"
 #include "widgets/line/request_field.h"
-#include "widgets/line/write_consequence.h"
 #include "widgets/look/inline_message.h"
 
 #include <QAction>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/line/write_consequence.h"
+#include "line/write_question.h"
 
 #include "encoder/sentence.h"
-#include "widgets/line/line_row_text.h"
+#include "line/row_text.h"
 
 #include <QCoreApplication>
 
