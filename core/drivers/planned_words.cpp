@@ -19,27 +19,28 @@ Result<std::vector<Step>> stepsOf(const Plan &plan, const Job &job, MakeSteps ma
 
 // The encoder is where it is known to be, else at the master address.
 Result<std::vector<Step>> escSteps(const DeviceDescription &device, const std::vector<Known> &known,
-                                   const Job &job)
+                                   const Job &job, const EscSettings &settings)
 {
     ParameterValues values;
     for (const Known &one : known)
         values.push_back({one.parameter, one.value});
     const auto address = valueOf(values, Parameter::lineAddress).value_or(LineAddress::master().value);
-    const EscPlan plan(device, {static_cast<std::uint8_t>(address)}, {}, values);
+    const EscPlan plan(device, {static_cast<std::uint8_t>(address)}, settings, values);
     return stepsOf(plan, job, [&] { return plan.stepsFor(job); });
 }
 
 } // namespace
 
 Result<std::vector<Step>> plannedSteps(const DeviceDescription &device, const std::vector<Known> &known,
-                                       const Job &job, const std::vector<KnownCams> &cams, Word out)
+                                       const Job &job, const std::vector<KnownCams> &cams, Word out,
+                                       const EscSettings &escSettings)
 {
     if (device.profile == Profile::la66) {
         const La66Plan plan(device, {});
         return stepsOf(plan, job, [&] { return plan.stepsFor(job, out); });
     }
     if (device.profile == Profile::esc)
-        return escSteps(device, known, job);
+        return escSteps(device, known, job, escSettings);
     K3Knowledge knowledge(device);
     knowledge.set(known);
     knowledge.setCams(cams);
