@@ -3,9 +3,11 @@
 
 #include "catalog/label_key.h"
 #include "cli/device_text.h"
+#include "cli/line_encoders.h"
 #include "cli/project_access.h"
 #include "cli/subcommand.h"
 #include "cli/texts.h"
+#include "cli/trace.h"
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
 
@@ -58,7 +60,7 @@ Checked<NamedDevice> deviceMeant(const Call &call, DeviceNumber place, const QSt
 Checked<EncoderSession *> encoderMeant(const Call &call)
 {
     return placeMeant(call, call.arguments.rest.front()).and_then([&](const QString &place) {
-        return encoderAt(*call.bus, place);
+        return isOnLine(call, place) ? encoderOnLine(call, place) : encoderAt(*call.bus, place);
     });
 }
 
@@ -67,6 +69,8 @@ Checked<EncoderSession *> encoderAt(const Call &call)
     const auto place = placeMeant(call, call.arguments.rest.front());
     if (!place)
         return tl::unexpected(place.error());
+    if (isOnLine(call, *place))
+        return encoderOnLine(call, *place);
     const auto number = DeviceNumber::parse(*place);
     const auto device = call.arguments.value("--device");
     if (number && device)
@@ -99,9 +103,12 @@ Exchange currentRow(const BusSession &bus, const EncoderSession &encoder)
     return {bus.latest().cycle, bus.latest().at, channel.out(), channel.in(), reading.mode, reading.coding};
 }
 
-FinishedJob runToEnd(BusSession &bus, const AllowedJob &allowed)
+FinishedJob runToEnd(const Call &call, const AllowedJob &allowed)
 {
     EncoderSession &encoder = allowed.encoder();
+    if (encoder.number().isOnLine())
+        return runOnLine(*call.line, allowed);
+    BusSession &bus = *call.bus;
     FinishedJob finished;
     finished.rows.push_back(currentRow(bus, encoder));
     const auto started = encoder.start(allowed.job());
@@ -121,6 +128,25 @@ FinishedJob runToEnd(BusSession &bus, const AllowedJob &allowed)
     while (running)
         bus.advance(1);
     return finished;
+}
+
+Complaint complaintAboutJob(const Call &call, const EncoderSession &encoder, const Refusal &why)
+{
+    return encoder.number().isOnLine() ? call.line->complaint(why) : complaintAbout(why);
+}
+
+QString traceText(const Call &call, const EncoderSession &encoder, const FinishedJob &job)
+{
+    if (encoder.number().isOnLine())
+        return lineTraceText(job.passed, call.line->explainOptions());
+    return traceText(encoder.device(), job.rows);
+}
+
+QJsonArray traceJson(const Call &call, const EncoderSession &encoder, const FinishedJob &job)
+{
+    if (encoder.number().isOnLine())
+        return lineTraceJson(job.passed, call.line->explainOptions());
+    return traceJson(encoder.device(), job.rows);
 }
 
 } // namespace codewheel

@@ -4,6 +4,7 @@
 #include "cli/allowed_jobs.h"
 #include "cli/arguments.h"
 #include "cli/complaint.h"
+#include "cli/line_trace.h"
 
 #include <QtGlobal>
 
@@ -15,11 +16,11 @@ class BusSession;
 
 struct Call;
 
-// The encoder at the PLACE the call names, as encoderAt() below. With --device it is named first, for this
-// call.
+// The encoder at the PLACE the call names, on the bus or on the serial line, so far that it shows where it
+// stands. With --device it is named first, for this call.
 Checked<EncoderSession *> encoderAt(const Call &call);
 
-// The same, whatever --device says.
+// The same on the bus, whatever --device says.
 Checked<EncoderSession *> encoderMeant(const Call &call);
 
 // --device of the commands that work on a PLACE.
@@ -47,10 +48,20 @@ Exchange currentRow(const BusSession &bus, const EncoderSession &encoder);
 struct FinishedJob
 {
     Outcome outcome;
-    std::vector<Exchange> rows;
+    std::vector<Exchange> rows;    // on the bus; begins with how the encoder stood before
+    std::vector<PassedRow> passed; // on a serial line
+    Progress lastStep;             // that was begun; on a serial line
 };
 
-// Runs a job to its end, cycle by cycle in virtual time. `rows` begins with how the encoder stood before.
-FinishedJob runToEnd(BusSession &bus, const AllowedJob &allowed);
+// Runs a job to its end: cycle by cycle in virtual time on the bus, by the line's clock on a serial line,
+// where Ctrl+C cancels it.
+FinishedJob runToEnd(const Call &call, const AllowedJob &allowed);
+
+// About a job that was refused; of an encoder on a serial line about the port too, where it is gone.
+Complaint complaintAboutJob(const Call &call, const EncoderSession &encoder, const Refusal &why);
+
+// Of a job, for --trace.
+QString traceText(const Call &call, const EncoderSession &encoder, const FinishedJob &job);
+QJsonArray traceJson(const Call &call, const EncoderSession &encoder, const FinishedJob &job);
 
 } // namespace codewheel

@@ -54,7 +54,7 @@ struct CamCall
 
     Checked<Outcome> carryOut(const AllowedJob &job)
     {
-        const FinishedJob finished = runToEnd(*call.bus, job);
+        const FinishedJob finished = runToEnd(call, job);
         rows.insert(rows.end(), finished.rows.begin(), finished.rows.end());
         if (!finished.outcome.result)
             return tl::unexpected(complaintAbout(finished.outcome.result.error()));
@@ -373,6 +373,7 @@ const Subcommand camsCommand{
     .minimumArguments = 2,
     .maximumArguments = 3,
     .needsBus = true,
+    .whyNotOnLine = QT_TRANSLATE_NOOP("codewheel::CommandLine", "Encoders on a serial line have no cams."),
     .run = run,
 };
 

@@ -2,6 +2,7 @@
 #include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/eeprom_consent.h"
+#include "cli/line_encoders.h"
 #include "cli/texts.h"
 #include "cli/transfer_call.h"
 #include "encoder/sentence.h"
@@ -42,14 +43,19 @@ Checked<void> readFirst(const Call &call, const EncoderSession &from)
     return {};
 }
 
+Checked<EncoderSession *> encoderNamed(const Call &call, const QString &place)
+{
+    return isOnLine(call, place) ? encoderOnLine(call, place) : encoderAt(*call.bus, place);
+}
+
 Checked<Answer> run(const Call &call)
 {
-    const auto from = encoderAt(*call.bus, call.arguments.rest.front());
+    const auto from = encoderNamed(call, call.arguments.rest.front());
     if (!from)
         return tl::unexpected(from.error());
     std::vector<EncoderSession *> targets;
     for (const QString &place : call.arguments.rest.sliced(1)) {
-        const auto to = encoderAt(*call.bus, place);
+        const auto to = encoderNamed(call, place);
         if (!to)
             return tl::unexpected(to.error());
         targets.push_back(*to);
@@ -84,6 +90,7 @@ const Subcommand cloneCommand{
     .minimumArguments = 2,
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
+    .whyNotOnLine = valuesOfBusOnly,
     .run = run,
 };
 

@@ -74,6 +74,9 @@ const Subcommand compareCommand{
     .minimumArguments = 1,
     .maximumArguments = 1,
     .needsBus = true,
+    .whyNotOnLine =
+        QT_TRANSLATE_NOOP("codewheel::CommandLine", "A serial line has no structure to compare with. See "
+                                                    "codewheel-cli scan."),
     .run = run,
 };
 

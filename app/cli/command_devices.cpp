@@ -57,15 +57,33 @@ QString optionalText(const std::optional<unsigned> &number)
     return number ? QString::number(*number) : QStringLiteral("-");
 }
 
+QString lettersOf(esc::Command command)
+{
+    const std::string_view letters = esc::shapeOf(command).letters;
+    return QString::fromLatin1(letters.data(), static_cast<qsizetype>(letters.size()));
+}
+
+// On a serial line a value is written and read by commands; a preset is set by one of its own.
+QString writtenBy(const ParameterDescription &parameter)
+{
+    return parameter.writeCommand ? lettersOf(*parameter.writeCommand) : optionalText(parameter.number);
+}
+QString readBy(const ParameterDescription &parameter)
+{
+    return parameter.readCommand ? lettersOf(*parameter.readCommand) : optionalText(parameter.readOut);
+}
+
 QString parameterLines(const DeviceDescription &device)
 {
     using enum TextTable::Align;
     TextTable table({left, right, right});
-    table.add({CommandLine::tr("parameter"), CommandLine::tr("number"), CommandLine::tr("read-out"),
-               CommandLine::tr("factory"), CommandLine::tr("unit"), CommandLine::tr("values")});
+    const bool onLine = device.profile == Profile::esc;
+    table.add({CommandLine::tr("parameter"),
+               onLine ? CommandLine::tr("written by") : CommandLine::tr("number"),
+               onLine ? CommandLine::tr("read by") : CommandLine::tr("read-out"), CommandLine::tr("factory"),
+               CommandLine::tr("unit"), CommandLine::tr("values")});
     for (const ParameterDescription &parameter : device.parameters)
-        table.add({parameterKey(parameter.parameter), optionalText(parameter.number),
-                   optionalText(parameter.readOut),
+        table.add({parameterKey(parameter.parameter), writtenBy(parameter), readBy(parameter),
                    parameter.factory ? typedValue(parameter, *parameter.factory) : QStringLiteral("-"),
                    unitText(parameter.unit), rangeText(parameter)});
     return table.toString();
@@ -78,9 +96,14 @@ QJsonObject parameterJson(const ParameterDescription &parameter)
         choices.append(QJsonObject{{QStringLiteral("value"), static_cast<qint64>(choice.value)},
                                    {QStringLiteral("choice"), choice.key}});
     const auto code = [](const std::optional<unsigned> &number) { return numberJson(number); };
+    const auto letters = [](const std::optional<esc::Command> &command) {
+        return command ? QJsonValue(lettersOf(*command)) : QJsonValue();
+    };
     return {{QStringLiteral("parameter"), parameterKey(parameter.parameter)},
             {QStringLiteral("number"), code(parameter.number)},
             {QStringLiteral("readOut"), code(parameter.readOut)},
+            {QStringLiteral("writeCommand"), letters(parameter.writeCommand)},
+            {QStringLiteral("readCommand"), letters(parameter.readCommand)},
             {QStringLiteral("minimum"), static_cast<qint64>(parameter.minimum)},
             {QStringLiteral("maximum"), static_cast<qint64>(parameter.maximum)},
             {QStringLiteral("factory"), numberJson(parameter.factory)},

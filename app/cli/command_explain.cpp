@@ -2,6 +2,7 @@
 #include "catalog/explain_word.h"
 #include "cli/commands.h"
 #include "cli/device_text.h"
+#include "cli/explain_line.h"
 #include "cli/json.h"
 #include "cli/parameter_arguments.h"
 #include "cli/texts.h"
@@ -19,6 +20,8 @@ constexpr const char *examples[] = {
     "explain A0002000 --device fraba-ocd-ib --direction in --other 20210001",
     "explain 40000000 --device fraba-ocd-ib --direction out --mode cam",
     "explain 00003039 --device baumer-gxp6w --direction in --coding gray-cw",
+    "explain 03GP00005200 --device kuebler-esc-rs485",
+    "explain 00001235 --device kuebler-esc-rs485 --other 05P",
 };
 
 constexpr std::array options{
@@ -28,7 +31,8 @@ constexpr std::array options{
     Option{"--mode", "position|cam|velocity",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "the mode the encoder is in, if it has several")},
     Option{"--other", "WORD",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "the word that stands the other way")},
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "the word that stands the other way; of an answer its request")},
     Option{"--coding", "N",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "how positions are coded: 1 to 6, or its name")},
 };
@@ -156,6 +160,9 @@ QString whatMayHelp(const DeviceDescription &device, const k3::ExplainContext &c
 
 Checked<Answer> run(const Call &call)
 {
+    const DeviceDescription *named = call.catalog.find(call.arguments.value("--device").value_or(QString()));
+    if (named != nullptr && named->profile == Profile::esc)
+        return explainLine(call, *named);
     const auto word = wordFrom(call.arguments.rest.front());
     if (!word)
         return tl::unexpected(word.error());
@@ -165,10 +172,6 @@ Checked<Answer> run(const Call &call)
     const auto device = deviceNamed(call.catalog, *key);
     if (!device)
         return tl::unexpected(device.error());
-    if ((*device)->profile == Profile::esc)
-        return badInput(QStringLiteral("noWords"),
-                        CommandLine::tr("The %1 is on a serial line: it has no words of process data."),
-                        {(*device)->fullName()});
     const auto context = contextOf(call, **device);
     if (!context)
         return tl::unexpected(context.error());
@@ -196,11 +199,13 @@ const Subcommand explainCommand{
     .usage =
         "WORD --device NAME --direction in|out [--mode position|cam|velocity] [--other WORD] [--coding N]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "tell what a word means"),
-    .details =
-        QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                          "Tells what a 32-bit word means to an encoder. Every word gets an answer. What "
-                          "is not told\n(mode, coding, the word the other way) widens it to all meanings "
-                          "the word can have.\nNeeds no bus and sends nothing."),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Tells what a 32-bit word means to an encoder. Every word gets an answer. What "
+        "is not told\n(mode, coding, the word the other way) widens it to all meanings "
+        "the word can have.\n\nOf an encoder on a serial line it explains a "
+        "request (03GP00005200), or, with --other REQUEST,\nthe answer to it: its digits, or "
+        "CRLF for a bare line end.\n\nNeeds no bus and sends nothing."),
     .examples = examples,
     .options = options,
     .minimumArguments = 1,

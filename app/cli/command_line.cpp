@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/help.h"
 #include "cli/json.h"
+#include "cli/line_access.h"
 #include "cli/project_access.h"
 #include "cli/texts.h"
 #include "encoder/refusal_text.h"
@@ -21,14 +22,20 @@
 namespace codewheel {
 namespace {
 
-const QString trainingLink = QStringLiteral("training");
-
 QString commandNames()
 {
     QStringList names;
     for (const Subcommand *command : allCommands())
         names << QString::fromLatin1(command->name);
     return names.join(QStringLiteral(", "));
+}
+
+QString jsonText(const QJsonObject &json, const QString &command)
+{
+    const Subcommand *known = findCommand(command);
+    if (known != nullptr && known->answersInLines)
+        return QString::fromUtf8(QJsonDocument(json).toJson(QJsonDocument::Compact)) + u'\n';
+    return QString::fromUtf8(QJsonDocument(json).toJson());
 }
 
 int fail(const Complaint &complaint, const QString &command, bool asJson, QJsonObject json,
@@ -39,7 +46,7 @@ int fail(const Complaint &complaint, const QString &command, bool asJson, QJsonO
             json.insert(QStringLiteral("command"), command);
         json.insert(QStringLiteral("exit"), static_cast<int>(complaint.exit));
         json.insert(QStringLiteral("error"), errorJson(complaint));
-        terminal.print(QString::fromUtf8(QJsonDocument(json).toJson()));
+        terminal.print(jsonText(json, command));
     }
     terminal.complain(complaint.text);
     return static_cast<int>(complaint.exit);
@@ -81,17 +88,6 @@ Checked<void> checkCount(const Subcommand &command, const Arguments &arguments)
     return {};
 }
 
-Checked<void> checkLink(const Arguments &arguments)
-{
-    const QString link = arguments.value("--link").value_or(trainingLink);
-    if (link != trainingLink)
-        return badInput(QStringLiteral("unknownLink"),
-                        CommandLine::tr("There is no link \"%1\". This version knows one: training, the "
-                                        "simulated bus. Leave --link out, or give --link training."),
-                        {link});
-    return {};
-}
-
 bool takesNextWord(const QString &option)
 {
     return std::ranges::any_of(commonOptions(), [&](const Option &common) {
@@ -109,14 +105,33 @@ bool needsBus(const Subcommand &command, const Arguments &arguments)
     return command.needsBus || (command.busOption != nullptr && arguments.has(command.busOption));
 }
 
-int runOnTrainingBus(const Subcommand &command, const Arguments &arguments, const Terminal &terminal)
+// What makes no sense with the link is refused before anything is opened.
+Checked<LinkWish> checkLink(const Subcommand &command, const Arguments &arguments)
 {
-    Catalog catalog = Catalog::builtIn();
-    for (const Catalog::Fault &fault : addUserDevices(catalog, userDeviceFolder()))
-        terminal.complain(
-            refusalText({RefusalKind::badInput, RefusalId::deviceFileBroken, {fault.place(), fault.reason}}));
-    if (!needsBus(command, arguments))
-        return runCommand(command, arguments, catalog, nullptr, terminal);
+    const auto link = linkMeant(arguments.value("--link").value_or(QStringLiteral("training")));
+    if (!link || link->hasRing || !needsBus(command, arguments))
+        return link;
+    if (command.whyNotOnLine != nullptr)
+        return badInput(QStringLiteral("notOnSerialLine"), CommandLine::tr(command.whyNotOnLine));
+    if (arguments.has("--fault-plan"))
+        return badInput(
+            QStringLiteral("faultPlanOnLine"),
+            CommandLine::tr("A fault plan is for the ring of the training bus. Leave --fault-plan "
+                            "out."));
+    return link;
+}
+
+void complainAboutLedger(const LedgerKeeper &ledger, const Terminal &terminal)
+{
+    if (const QString warning = nothingIsKept(); !warning.isEmpty())
+        terminal.complain(warning);
+    else if (ledger.problem())
+        terminal.complain(messageText(*ledger.problem()));
+}
+
+int runOnTrainingBus(const Subcommand &command, const Arguments &arguments, const Catalog &catalog,
+                     const Terminal &terminal)
+{
     const TrainingSession training = openTrainingSession(catalog, QDateTime::currentDateTime());
     if (const auto path = arguments.value("--fault-plan")) {
         auto plan = loadFaultPlan(*path, training.controls->places());
@@ -128,11 +143,27 @@ int runOnTrainingBus(const Subcommand &command, const Arguments &arguments, cons
     const auto file = arguments.value("--ledger");
     LedgerKeeper ledger(*training.bus,
                         file ? DatabasePlace::file(*file) : ledgerPlace(*training.bus, userJournalFolder()));
-    if (const QString warning = nothingIsKept(); !warning.isEmpty())
-        terminal.complain(warning);
-    else if (ledger.problem())
-        terminal.complain(messageText(*ledger.problem()));
-    return runCommand(command, arguments, catalog, training.bus.get(), terminal, &ledger);
+    complainAboutLedger(ledger, terminal);
+    LineAccess line = LineAccess::to({}, catalog);
+    line.keepLedger(file);
+    return runCommand(command, arguments, catalog, {training.bus.get(), &line, &ledger}, terminal);
+}
+
+int runOnLink(const Subcommand &command, const Arguments &arguments, const LinkWish &link,
+              const Terminal &terminal)
+{
+    Catalog catalog = Catalog::builtIn();
+    for (const Catalog::Fault &fault : addUserDevices(catalog, userDeviceFolder()))
+        terminal.complain(
+            refusalText({RefusalKind::badInput, RefusalId::deviceFileBroken, {fault.place(), fault.reason}}));
+    if (!needsBus(command, arguments))
+        return runCommand(command, arguments, catalog, {}, terminal);
+    if (link.hasRing)
+        return runOnTrainingBus(command, arguments, catalog, terminal);
+    LineAccess line = LineAccess::to(link.line, catalog);
+    line.keepLedger(arguments.value("--ledger"));
+    complainAboutLedger(*line.ledger(), terminal);
+    return runCommand(command, arguments, catalog, {.line = &line}, terminal);
 }
 
 int printed(const QString &text, const Terminal &terminal)
@@ -155,15 +186,16 @@ int withoutCommand(const QStringList &words, const Terminal &terminal)
 
 } // namespace
 
-int runCommand(const Subcommand &command, const Arguments &arguments, const Catalog &catalog, BusSession *bus,
-               const Terminal &terminal, LedgerKeeper *ledger)
+int runCommand(const Subcommand &command, const Arguments &arguments, const Catalog &catalog,
+               const Connection &connection, const Terminal &terminal)
 {
     const QString name = QString::fromLatin1(command.name);
     const bool asJson = arguments.has("--json");
     const auto project = projectNamed(arguments);
     if (!project)
         return fail(project.error(), name, asJson, {}, terminal);
-    const Call call{arguments, catalog, bus, terminal, *project ? &**project : nullptr, ledger};
+    const Call call{connection,          arguments, catalog, terminal, *project ? &**project : nullptr,
+                    command.whyNotOnLine};
     if (call.project != nullptr)
         useProject(call, *call.project, *arguments.value("--project"));
     const auto answer = command.run(call);
@@ -177,7 +209,7 @@ int runCommand(const Subcommand &command, const Arguments &arguments, const Cata
         QJsonObject json = answer->json;
         json.insert(QStringLiteral("command"), name);
         json.insert(QStringLiteral("exit"), static_cast<int>(ExitCode::done));
-        terminal.print(QString::fromUtf8(QJsonDocument(json).toJson()));
+        terminal.print(jsonText(json, name));
     }
     return static_cast<int>(ExitCode::done);
 }
@@ -211,12 +243,12 @@ int runCommandLine(const QStringList &words, const Terminal &terminal)
         return printed(versionText(), terminal);
     if (asksForHelp(*arguments))
         return printed(helpOf(*command), terminal);
-    auto checked = checkLink(*arguments);
-    if (checked)
-        checked = checkCount(*command, *arguments);
-    if (!checked)
+    const auto link = checkLink(*command, *arguments);
+    if (!link)
+        return fail(link.error(), name, words, terminal);
+    if (const auto checked = checkCount(*command, *arguments); !checked)
         return fail(checked.error(), name, words, terminal);
-    return runOnTrainingBus(*command, *arguments, terminal);
+    return runOnLink(*command, *arguments, *link, terminal);
 }
 
 } // namespace codewheel

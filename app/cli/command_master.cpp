@@ -211,6 +211,7 @@ const Subcommand masterCommand{
     .minimumArguments = 0,
     .maximumArguments = 3,
     .needsBus = true,
+    .whyNotOnLine = QT_TRANSLATE_NOOP("codewheel::CommandLine", "A serial line has no master."),
     .run = run,
 };
 

@@ -2,6 +2,7 @@
 #include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/json.h"
+#include "cli/monitor_line.h"
 #include "cli/texts.h"
 #include "cli/trace.h"
 #include "ring/bus_session.h"
@@ -12,7 +13,7 @@ namespace codewheel {
 namespace {
 
 constexpr const char *examples[] = {"monitor 2.0", "monitor 2.0 --for 60 --every 1000",
-                                    "monitor 1.0 --for 1 --json"};
+                                    "monitor 1.0 --for 1 --json", "monitor 05 --for 5"};
 
 constexpr int longestTime = 3'600;      // s
 constexpr int longestInterval = 60'000; // ms
@@ -38,6 +39,13 @@ std::vector<Exchange> watch(BusSession &bus, const EncoderSession &encoder, int 
     return rows;
 }
 
+Answer monitorBus(const Call &call, const EncoderSession &encoder, int milliseconds, int interval)
+{
+    const std::vector<Exchange> rows = watch(*call.bus, encoder, milliseconds, interval);
+    return {traceText(encoder.device(), rows, rodScale(encoder)),
+            {{QStringLiteral("samples"), traceJson(encoder.device(), rows, rodScale(encoder))}}};
+}
+
 Checked<Answer> run(const Call &call)
 {
     const auto encoder = encoderAt(call);
@@ -50,11 +58,13 @@ Checked<Answer> run(const Call &call)
     if (!interval)
         return tl::unexpected(interval.error());
 
-    const std::vector<Exchange> rows = watch(*call.bus, **encoder, *seconds * 1000, *interval);
-    return Answer{traceText((*encoder)->device(), rows, rodScale(**encoder)),
-                  {{QStringLiteral("place"), (*encoder)->number().toString()},
-                   {QStringLiteral("device"), (*encoder)->device().key},
-                   {QStringLiteral("samples"), traceJson((*encoder)->device(), rows, rodScale(**encoder))}}};
+    Answer answer = (*encoder)->number().isOnLine()
+                        ? monitorLine(call, **encoder, std::chrono::seconds(*seconds),
+                                      std::chrono::milliseconds(*interval))
+                        : monitorBus(call, **encoder, *seconds * 1000, *interval);
+    answer.json.insert(QStringLiteral("place"), (*encoder)->number().toString());
+    answer.json.insert(QStringLiteral("device"), (*encoder)->device().key);
+    return answer;
 }
 
 } // namespace
@@ -62,13 +72,17 @@ Checked<Answer> run(const Call &call)
 const Subcommand monitorCommand{
     .name = "monitor",
     .usage = "PLACE [--for SECONDS] [--every MS]",
-    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "watch the words of an encoder"),
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "watch the words of an encoder, or its position"),
     .details =
-        QT_TRANSLATE_NOOP("codewheel::CommandLine", "Looks at the words of an encoder every 100 ms and "
-                                                    "prints a row when they differ from the last look.\n"
-                                                    "Sends nothing. The time is the bus's own: on the "
-                                                    "training bus a cycle is 1 ms, and as it runs without\n"
-                                                    "waiting, the answer comes at once."),
+        QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                          "Looks at the words of an encoder every 100 ms and prints a row when they differ "
+                          "from the last look.\n"
+                          "Sends nothing. The time is the bus's own: on the training bus a cycle is 1 ms, "
+                          "and as it runs without\n"
+                          "waiting, the answer comes at once.\n\n"
+                          "Of an encoder on a serial line (PLACE 05) it looks at position, alarms and "
+                          "warnings, which are polled, "
+                          "and\ntells at the end how the line has done. Nothing is written. Ctrl+C ends it."),
     .examples = examples,
     .options = options,
     .minimumArguments = 1,

@@ -75,7 +75,7 @@ Checked<Answer> run(const Call &call)
     if (!allowed)
         return tl::unexpected(allowed.error());
     const Reading before = (*encoder)->latest();
-    const FinishedJob job = runToEnd(*call.bus, *allowed);
+    const FinishedJob job = runToEnd(call, *allowed);
     Answer answer;
     answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
                    {QStringLiteral("device"), device.key},
@@ -83,11 +83,11 @@ Checked<Answer> run(const Call &call)
                    {QStringLiteral("positionAfter"), numberJson(job.outcome.positionAfter)},
                    {QStringLiteral("eepromWrites"), job.outcome.eepromWrites}};
     if (call.arguments.has("--trace")) {
-        answer.text = traceText(device, job.rows) + u'\n';
-        answer.json.insert(QStringLiteral("trace"), traceJson(device, job.rows));
+        answer.text = traceText(call, **encoder, job) + u'\n';
+        answer.json.insert(QStringLiteral("trace"), traceJson(call, **encoder, job));
     }
     if (!job.outcome.result) {
-        answer.complaint = complaintAbout(job.outcome.result.error());
+        answer.complaint = complaintAboutJob(call, **encoder, job.outcome.result.error());
         return answer;
     }
     answer.text +=

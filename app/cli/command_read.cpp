@@ -55,19 +55,19 @@ Answer whatIsKnown(const EncoderSession &encoder)
     return answer;
 }
 
-Answer readFrom(BusSession &bus, EncoderSession &encoder, std::vector<Parameter> parameters, bool trace)
+Answer readFrom(const Call &call, EncoderSession &encoder, std::vector<Parameter> parameters)
 {
     const DeviceDescription &device = encoder.device();
-    const FinishedJob job = runToEnd(bus, {encoder, ReadParameters{std::move(parameters)}});
+    const FinishedJob job = runToEnd(call, {encoder, ReadParameters{std::move(parameters)}});
     Answer answer;
     answer.json = {{QStringLiteral("values"), valuesJson(device, job.outcome.read)}};
-    if (trace) {
-        answer.text = traceText(device, job.rows) + u'\n';
-        answer.json.insert(QStringLiteral("trace"), traceJson(device, job.rows));
+    if (call.arguments.has("--trace")) {
+        answer.text = traceText(call, encoder, job) + u'\n';
+        answer.json.insert(QStringLiteral("trace"), traceJson(call, encoder, job));
     }
     answer.text += valueLines(device, job.outcome.read);
     if (!job.outcome.result)
-        answer.complaint = complaintAbout(job.outcome.result.error());
+        answer.complaint = complaintAboutJob(call, encoder, job.outcome.result.error());
     return answer;
 }
 
@@ -86,7 +86,7 @@ Checked<Answer> run(const Call &call)
             return tl::unexpected(named.error());
         if (named->empty())
             *named = device.readableValues();
-        answer = readFrom(*call.bus, **encoder, std::move(*named), call.arguments.has("--trace"));
+        answer = readFrom(call, **encoder, std::move(*named));
     }
     answer.json.insert(QStringLiteral("place"), (*encoder)->number().toString());
     answer.json.insert(QStringLiteral("device"), device.key);

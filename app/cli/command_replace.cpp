@@ -209,6 +209,7 @@ const Subcommand replaceCommand{
     .minimumArguments = 1,
     .maximumArguments = 1,
     .needsBus = true,
+    .whyNotOnLine = valuesOfBusOnly,
     .run = run,
 };
 

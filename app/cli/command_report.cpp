@@ -213,6 +213,7 @@ const Subcommand reportCommand{
     .maximumArguments = 1,
     .needsBus = false,
     .busOption = "--read",
+    .whyNotOnLine = valuesOfBusOnly,
     .run = run,
 };
 

@@ -62,11 +62,11 @@ ParameterValues valuesNow(const EncoderSession &encoder)
 void carryOut(const Call &call, const AllowedJob &reset, Answer &answer)
 {
     const EncoderSession &encoder = reset.encoder();
-    const FinishedJob job = runToEnd(*call.bus, reset);
+    const FinishedJob job = runToEnd(call, reset);
     const DeviceDescription &device = encoder.device();
     if (call.arguments.has("--trace")) {
-        answer.text += u'\n' + traceText(device, job.rows);
-        answer.json.insert(QStringLiteral("trace"), traceJson(device, job.rows));
+        answer.text += u'\n' + traceText(call, encoder, job);
+        answer.json.insert(QStringLiteral("trace"), traceJson(call, encoder, job));
     }
     answer.json.insert(QStringLiteral("eepromWrites"), job.outcome.eepromWrites);
     answer.json.insert(QStringLiteral("leftIn"), stateKey(job.outcome.leftIn));
@@ -143,6 +143,9 @@ const Subcommand resetCommand{
     .minimumArguments = 1,
     .maximumArguments = 1,
     .needsBus = true,
+    .whyNotOnLine = QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                                      "Encoders on a serial line have no command that resets them to factory "
+                                      "settings. Write the values with codewheel-cli write."),
     .run = run,
 };
 

@@ -48,7 +48,7 @@ Checked<std::vector<ValuesBefore>> valuesBefore(const Call &call, EncoderSession
     if (!all.empty() || !encoder.can().serialNumber || encoder.known(Parameter::serialNumber))
         return all;
     const FinishedJob read =
-        runToEnd(*call.bus, {encoder, ReadParameters{.parameters = {Parameter::serialNumber}}});
+        runToEnd(call, {encoder, ReadParameters{.parameters = {Parameter::serialNumber}}});
     if (!read.outcome.result)
         return tl::unexpected(complaintAbout(read.outcome.result.error()));
     return find(encoder.number());
@@ -166,6 +166,7 @@ const Subcommand restoreCommand{
     .minimumArguments = 1,
     .maximumArguments = 1,
     .needsBus = true,
+    .whyNotOnLine = valuesOfBusOnly,
     .run = run,
 };
 

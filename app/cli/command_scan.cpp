@@ -4,7 +4,9 @@
 #include "cli/commands.h"
 #include "cli/device_text.h"
 #include "cli/json.h"
+#include "cli/line_access.h"
 #include "cli/master_text.h"
+#include "cli/scan_line.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
@@ -21,11 +23,15 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"scan", "scan --json"};
+constexpr const char *examples[] = {"scan", "scan --json", "scan --link esc:training --all-rates"};
 
 constexpr std::array options{
     Option{"--save", "FILE", QT_TRANSLATE_NOOP("codewheel::CommandLine", "save what was found as a project")},
     Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "replace FILE if it is there")},
+    scanLineOptions[0],
+    scanLineOptions[1],
+    scanLineOptions[2],
+    scanLineOptions[3],
 };
 
 // The ID code tells the profile, never the make of an encoder; that is the plan's to name.
@@ -71,10 +77,8 @@ void save(const Call &call, Answer &answer)
     answer.json.insert(QStringLiteral("saved"), *file);
 }
 
-Checked<Answer> run(const Call &call)
+Answer scanRing(const Call &call)
 {
-    if (const auto isFree = checkFileIsFree(call.arguments); !isFree)
-        return tl::unexpected(isFree.error());
     using enum TextTable::Align;
     TextTable table({left, left, left, right, right});
     table.add({CommandLine::tr("place"), CommandLine::tr("ID code"), CommandLine::tr("device code"),
@@ -93,9 +97,34 @@ Checked<Answer> run(const Call &call)
         json.insert(QStringLiteral("profile"), known ? QJsonValue(profile) : QJsonValue());
         devices.append(json);
     }
-    Answer answer{
+    return Answer{
         table.toString() + u'\n' + masterLines(*call.bus),
         {{QStringLiteral("participants"), devices}, {QStringLiteral("master"), masterJson(*call.bus)}}};
+}
+
+// What is found on the line stands beside what is in the ring.
+Checked<void> addLine(const Call &call, Answer &answer)
+{
+    const auto line = scanLine(call);
+    if (!line)
+        return tl::unexpected(line.error());
+    answer.text += u'\n' + CommandLine::tr("On the serial line:") + u'\n' + line->text;
+    answer.json.insert(QStringLiteral("encoders"), line->json[QStringLiteral("encoders")]);
+    return {};
+}
+
+Checked<Answer> run(const Call &call)
+{
+    if (call.bus == nullptr && call.arguments.has("--save"))
+        return badInput(QStringLiteral("notOnSerialLine"), CommandLine::tr(valuesOfBusOnly));
+    if (call.bus == nullptr)
+        return scanLine(call);
+    if (const auto isFree = checkFileIsFree(call.arguments); !isFree)
+        return tl::unexpected(isFree.error());
+    Answer answer = scanRing(call);
+    if (call.line != nullptr)
+        if (const auto added = addLine(call, answer); !added)
+            return tl::unexpected(added.error());
     save(call, answer);
     return answer;
 }
@@ -104,15 +133,20 @@ Checked<Answer> run(const Call &call)
 
 const Subcommand scanCommand{
     .name = "scan",
-    .usage = "[--save FILE] [--yes]",
-    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "list the participants of the bus"),
-    .details = QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                                 "Lists the participants of the bus in ring order, with their ID codes and "
-                                 "words (16 bit each), and tells how the master stands.\nThe ID code tells "
-                                 "the profile but not the make: that "
-                                 "is named where the plan of the bus tells it.\nSends nothing.\n\n"
-                                 "--save makes a project of it. With --project as well, what that project "
-                                 "knows of devices\nthat are still there is taken along."),
+    .usage = "[--save FILE] [--yes] [--all-rates] [--master] [--first ADDRESS] [--last ADDRESS]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                                 "list the participants of the bus, and look for encoders on a serial line"),
+    .details =
+        QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                          "Lists the participants of the bus in ring order, with their ID codes and "
+                          "words (16 bit each), and tells how the master stands.\nThe ID code tells "
+                          "the profile but not the make: that "
+                          "is named where the plan of the bus tells it.\nSends nothing on the bus.\n\n"
+                          "On a serial line each address is asked for its serial number, and who "
+                          "answers for device code and\nversion. Nothing is written. Ctrl+C ends it, and "
+                          "lists what was found until then.\n\n"
+                          "--save makes a project of it. With --project as well, what that project "
+                          "knows of devices\nthat are still there is taken along."),
     .examples = examples,
     .options = options,
     .minimumArguments = 0,

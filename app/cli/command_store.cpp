@@ -132,6 +132,7 @@ const Subcommand storeCommand{
     .minimumArguments = 1,
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
+    .whyNotOnLine = valuesOfBusOnly,
     .run = run,
 };
 

@@ -65,6 +65,7 @@ const Subcommand transferCommand{
     .minimumArguments = 1,
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
+    .whyNotOnLine = valuesOfBusOnly,
     .run = run,
 };
 

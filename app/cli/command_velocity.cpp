@@ -56,7 +56,7 @@ Checked<Answer> run(const Call &call)
     const auto allowed = eepromConsent(call, **encoder, *wanted, AsksAnyway::no);
     if (!allowed)
         return tl::unexpected(allowed.error());
-    const FinishedJob job = runToEnd(*call.bus, *allowed);
+    const FinishedJob job = runToEnd(call, *allowed);
     const DeviceDescription &device = (*encoder)->device();
     const Reading &reading = (*encoder)->latest();
     Answer answer;
@@ -67,8 +67,8 @@ Checked<Answer> run(const Call &call)
                    {QStringLiteral("velocity"), numberJson(reading.velocity)},
                    {QStringLiteral("position"), numberJson(reading.position)}};
     if (call.arguments.has("--trace")) {
-        answer.text = traceText(device, job.rows) + u'\n';
-        answer.json.insert(QStringLiteral("trace"), traceJson(device, job.rows));
+        answer.text = traceText(call, **encoder, job) + u'\n';
+        answer.json.insert(QStringLiteral("trace"), traceJson(call, **encoder, job));
     }
     if (job.outcome.result)
         answer.text += readingText(reading);
@@ -96,6 +96,8 @@ const Subcommand velocityCommand{
     .minimumArguments = 2,
     .maximumArguments = 2,
     .needsBus = true,
+    .whyNotOnLine =
+        QT_TRANSLATE_NOOP("codewheel::CommandLine", "Encoders on a serial line have no velocity mode."),
     .run = run,
 };
 

@@ -58,12 +58,12 @@ Checked<Answer> run(const Call &call)
     const auto allowed = eepromConsent(call, **encoder, SendWords{*words, *hold}, AsksAnyway::no);
     if (!allowed)
         return tl::unexpected(allowed.error());
-    const FinishedJob job = runToEnd(*call.bus, *allowed);
+    const FinishedJob job = runToEnd(call, *allowed);
     Answer answer;
-    answer.text = traceText((*encoder)->device(), job.rows);
+    answer.text = traceText(call, **encoder, job);
     answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
                    {QStringLiteral("device"), (*encoder)->device().key},
-                   {QStringLiteral("trace"), traceJson((*encoder)->device(), job.rows)},
+                   {QStringLiteral("trace"), traceJson(call, **encoder, job)},
                    {QStringLiteral("eepromWrites"), job.outcome.eepromWrites},
                    {QStringLiteral("leftIn"), stateKey(job.outcome.leftIn)}};
     if (!job.outcome.result)
@@ -91,6 +91,9 @@ const Subcommand wordsCommand{
     .minimumArguments = 2,
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
+    .whyNotOnLine = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine", "Encoders on a serial line have no words of process data. Send commands "
+                                  "with codewheel-cli terminal."),
     .run = run,
 };
 

@@ -4,6 +4,9 @@
 #include "cli/consent.h"
 #include "cli/eeprom_consent.h"
 #include "cli/json.h"
+#include "cli/line_access.h"
+#include "cli/line_account.h"
+#include "cli/line_write.h"
 #include "cli/parameter_arguments.h"
 #include "cli/parameter_text.h"
 #include "cli/position_text.h"
@@ -14,6 +17,7 @@
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -24,6 +28,7 @@ constexpr const char *examples[] = {
     "write 1.0 steps=255 revolutions=1 direction=cw preset=0",
     "write 1.0 steps=255 revolutions=1 direction=cw preset=0 --yes --trace",
     "write 2.0 steps=4096 coding=gray-cw --dry-run",
+    "write 05 steps=864 scaling=on direction=ccw --yes --trace",
 };
 
 constexpr std::array options{
@@ -65,8 +70,7 @@ bool showsPosition(const Reading &reading)
     return reading.state == EncoderState::operation || reading.position;
 }
 
-QString accountText(const EncoderSession &encoder, const ParameterValues &wanted, const Outcome &outcome,
-                    const Before &before)
+QString valuesText(const EncoderSession &encoder, const ParameterValues &wanted, const Outcome &outcome)
 {
     TextTable values;
     for (const ParameterValue &value : wanted) {
@@ -75,9 +79,13 @@ QString accountText(const EncoderSession &encoder, const ParameterValues &wanted
                     QStringLiteral("= %1").arg(typedValue(parameter, value.value)),
                     whatBecameOf(value, encoder, outcome)});
     }
+    return values.toString();
+}
+
+QString accountText(const EncoderSession &encoder, const Outcome &outcome, const Before &before)
+{
     const Reading &after = encoder.latest();
-    QString text = values.toString() +
-                   sentence(CommandLine::tr("EEPROM writes:   %1"),
+    QString text = sentence(CommandLine::tr("EEPROM writes:   %1"),
                             argumentTexts({std::int64_t{outcome.eepromWrites}})) +
                    u'\n';
     if (showsPosition(before.reading))
@@ -136,18 +144,28 @@ void carryOut(const Call &call, const AllowedJob &write, const WritePlan &plan, 
 {
     const EncoderSession &encoder = write.encoder();
     const Before before{encoder.latest(), rodScale(encoder)};
-    const FinishedJob job = runToEnd(*call.bus, write);
+    const FinishedJob job = runToEnd(call, write);
     if (call.arguments.has("--trace")) {
-        answer.text += u'\n' + traceText(encoder.device(), job.rows);
-        answer.json.insert(QStringLiteral("trace"), traceJson(encoder.device(), job.rows));
+        answer.text += u'\n' + traceText(call, encoder, job);
+        answer.json.insert(QStringLiteral("trace"), traceJson(call, encoder, job));
     }
-    answer.text += u'\n' + accountText(encoder, plan.job().values, job.outcome, before);
+    const ParameterValues wanted = plan.job().values;
+    const bool isOnLine = encoder.number().isOnLine();
+    const LineAccount onLine(encoder, wanted, job);
+    answer.text += u'\n' + (isOnLine ? onLine.toText() : valuesText(encoder, wanted, job.outcome)) +
+                   accountText(encoder, job.outcome, before);
+    if (isOnLine) {
+        answer.json.insert(QStringLiteral("values"), onLine.toJson());
+        answer.json.insert(QStringLiteral("placeNow"), encoder.number().toString());
+        answer.text += whereItIsNow(call, encoder, wanted);
+    }
     if (job.outcome.onlyZeroSinceRun)
         answer.text += messageText({.id = MessageId::onlyZeroSinceRun}) + u'\n';
     addAccount(answer.json, encoder, job.outcome, before.reading);
     if (!job.outcome.result) {
-        answer.complaint = complaintAbout(job.outcome.result.error());
-        answer.complaint->text += u' ' + whereItWasLeft(encoder.latest());
+        answer.complaint = complaintAboutJob(call, encoder, job.outcome.result.error());
+        answer.complaint->text +=
+            u' ' + (isOnLine ? onLine.whereItWasLeft() : whereItWasLeft(encoder.latest()));
     }
 }
 
@@ -163,7 +181,16 @@ Checked<Answer> run(const Call &call)
     const auto values = valuesToWrite(device, call.arguments.rest.sliced(1));
     if (!values)
         return tl::unexpected(values.error());
-    const auto plan = WritePlan::make(**encoder, *values, call.arguments.has("--all"));
+    if ((*encoder)->number().isOnLine()) {
+        auto ready = readBefore(call, **encoder, *values);
+        if (ready)
+            ready = checkAddressIsFree(call, **encoder, *values);
+        if (!ready)
+            return tl::unexpected(ready.error());
+    }
+    const auto plan =
+        WritePlan::make(**encoder, *values, call.arguments.has("--all"),
+                        (*encoder)->number().isOnLine() ? call.line->link().driver() : EscSettings());
     if (!plan)
         return tl::unexpected(plan.error());
 

@@ -8,17 +8,19 @@ namespace codewheel {
 namespace {
 
 constexpr std::array commands{
-    &devicesCommand,  &scanCommand,   &compareCommand,  &explainCommand, &wordsCommand,  &readCommand,
-    &writeCommand,    &presetCommand, &velocityCommand, &resetCommand,   &camsCommand,   &storeCommand,
-    &transferCommand, &cloneCommand,  &replaceCommand,  &restoreCommand, &reportCommand, &monitorCommand,
-    &masterCommand,   &serveCommand,  &messagesCommand, &ledgerCommand};
+    &devicesCommand,  &scanCommand,     &compareCommand,  &explainCommand,  &wordsCommand,  &readCommand,
+    &writeCommand,    &presetCommand,   &velocityCommand, &resetCommand,    &camsCommand,   &storeCommand,
+    &transferCommand, &cloneCommand,    &replaceCommand,  &restoreCommand,  &reportCommand, &monitorCommand,
+    &masterCommand,   &terminalCommand, &serveCommand,    &messagesCommand, &ledgerCommand};
 
 constexpr std::array common{
     Option{"--json", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "answer as one JSON object, for programs")},
     Option{"--link", "LINK",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                             "the way to the bus; \"training\" (the default) is the simulated one")},
+           QT_TRANSLATE_NOOP(
+               "codewheel::CommandLine",
+               "the way to the encoders: training (the default), the simulated bus; or esc:PORT, a "
+               "serial line, with settings behind the port as in esc:ttyUSB0,baud=9600")},
     Option{"--project", "FILE",
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
                              "name encoders as this project does; PLACE may be the name of a station")},

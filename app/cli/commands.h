@@ -25,6 +25,7 @@ extern const Subcommand restoreCommand;
 extern const Subcommand reportCommand;
 extern const Subcommand monitorCommand;
 extern const Subcommand masterCommand;
+extern const Subcommand terminalCommand;
 extern const Subcommand serveCommand;
 extern const Subcommand messagesCommand;
 extern const Subcommand ledgerCommand;

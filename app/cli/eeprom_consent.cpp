@@ -7,6 +7,7 @@
 #include "journal/eeprom_cost.h"
 #include "ring/bus_session.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace codewheel {
@@ -29,11 +30,12 @@ Checked<void> refused(const EncoderSession &encoder, RefusalId id, std::optional
 Checked<void> askForPlace(const Call &call, const EncoderSession &encoder)
 {
     const QString place = encoder.number().toString();
+    const auto isMeant = [&](const QString &typed) { return DeviceNumber::parse(typed) == encoder.number(); };
     const QString named = call.arguments.value("--beyond-eeprom-limit").value_or(QString());
-    if (named.split(u',').contains(place)) // of commands for several encoders more than one
+    if (std::ranges::any_of(named.split(u','), isMeant)) // of commands for several encoders more than one
         return {};
     if (canAsk(call) &&
-        call.terminal.answer(sentence(CommandLine::tr("Type %1 to write nevertheless:"), {place})) == place)
+        isMeant(call.terminal.answer(sentence(CommandLine::tr("Type %1 to write nevertheless:"), {place}))))
         return {};
     return refused(encoder, RefusalId::eepromLimitPassed, encoder.can().eepromLimit);
 }
@@ -60,6 +62,14 @@ Checked<AllowedJob> eepromConsent(const Call &call, EncoderSession &encoder, con
     return askFor(call, encoder, mostEepromWrites(encoder, job), asks).map([&] {
         return AllowedJob(encoder, job);
     });
+}
+
+Checked<AllowedRequest> eepromConsent(const Call &call, const EncoderSession *encoder,
+                                      const esc::Request &request)
+{
+    constexpr int oneWrite = 1;
+    const auto may = encoder != nullptr ? askFor(call, *encoder, oneWrite, AsksAnyway::yes) : Checked<void>();
+    return may.map([&] { return AllowedRequest(request); });
 }
 
 Checked<AllowedRound> eepromConsent(const Call &call, std::vector<EncoderJobs> encoders, AsksAnyway asks)

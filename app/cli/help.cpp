@@ -36,6 +36,7 @@ constexpr const char *overallExamples[] = {
     "explain C20000FF --device fraba-ocd-ib --direction in",
     "words 1.0 020000FF 04000001 06000003 08000000 80000000 00000000",
     "write 1.0 steps=255 revolutions=1 direction=cw preset=0 --yes --trace",
+    "read 05 --link esc:ttyUSB0,baud=9600",
 };
 
 } // namespace
@@ -45,21 +46,25 @@ QString overallHelp()
     TextTable commands;
     for (const Subcommand *command : allCommands())
         commands.add({QString::fromLatin1(command->name), CommandLine::tr(command->summary)});
-    return CommandLine::tr("codewheel-cli sets up, watches and diagnoses absolute encoders on INTERBUS.") +
+    return CommandLine::tr(
+               "codewheel-cli sets up, watches and diagnoses absolute encoders on INTERBUS and on "
+               "serial lines.") +
            QStringLiteral("\n\n") + CommandLine::tr("Usage: codewheel-cli COMMAND ...") +
            QStringLiteral("\n\n") + CommandLine::tr("Commands:") + u'\n' + commands.toString(2) + u'\n' +
            CommandLine::tr("Options of every command:") + u'\n' + optionLines(commonOptions()) + u'\n' +
            CommandLine::tr("Examples:") + u'\n' + exampleLines(overallExamples) + u'\n' +
            CommandLine::tr(
-               "PLACE is the device number of an encoder, segment.position: 1.0. Numbers are decimal unless\n"
-               "they are written 0x.. or ..h; a WORD is always hexadecimal, as the manuals print it.\n"
+               "PLACE is the device number of an encoder, segment.position: 1.0; on a serial line its "
+               "address,\n"
+               "two hexadecimal digits: 12, or esc:12. Numbers are decimal unless they are written 0x.. or "
+               "..h;\n"
+               "a WORD is always hexadecimal, as the manuals print it.\n"
                "\n"
                "Each call has a new training bus, which always starts the same: 1.0 FRABA K3 that stands\n"
                "still, 2.0 Baumer K3 that turns at 10 rpm, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 on a "
                "rod,\n"
-               "6.0 bus terminal and, behind it, 6.1 FRABA K3 on Loop 2. What one call wrote, the next one "
-               "does\n"
-               "not find.\n"
+               "6.0 bus terminal and, behind it, 6.1 FRABA K3 on Loop 2; and a serial line with the Kübler\n"
+               "encoders 03, 05 and 12. What one call wrote, the next one does not find.\n"
                "\n"
                "Exit code: 0 done, 1 the encoder or the bus refused, 2 bad input.\n"
                "codewheel-cli COMMAND --help explains a command.") +

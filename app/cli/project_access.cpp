@@ -3,6 +3,7 @@
 
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
+#include "cli/line_encoders.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
 #include "journal/ledger_keeper.h"
@@ -59,15 +60,27 @@ Checked<void> checkSameDevice(const Call &call, DeviceNumber number)
                                            hexCode(connected->deviceCode, 4)}}));
 }
 
-Checked<DeviceNumber> placeOfStation(const Call &call, const QString &station)
+// In the ring and on the serial line.
+std::vector<DeviceNumber> placesAt(const Project &project, const QString &station)
 {
     std::vector<DeviceNumber> places;
+    const auto take = [&](const std::vector<ProjectDevice> &devices) {
+        for (const ProjectDevice &device : devices)
+            if (device.station == station)
+                places.push_back(device.participant.number);
+    };
+    take(project.devices);
+    if (project.line)
+        take(project.line->encoders);
+    return places;
+}
+
+Checked<DeviceNumber> placeOfStation(const Call &call, const QString &station)
+{
+    const std::vector<DeviceNumber> places = placesAt(*call.project, station);
     QStringList texts;
-    for (const ProjectDevice &device : call.project->devices)
-        if (device.station == station) {
-            places.push_back(device.participant.number);
-            texts << device.participant.number.toString();
-        }
+    for (const DeviceNumber place : places)
+        texts << place.toString();
     if (places.empty())
         return badInput(QStringLiteral("unknownStation"),
                         CommandLine::tr("\"%1\" is neither a device number nor a station of the project."),
@@ -77,6 +90,14 @@ Checked<DeviceNumber> placeOfStation(const Call &call, const QString &station)
                         CommandLine::tr("The project has several devices at the station \"%1\": %2. Give the "
                                         "device number."),
                         {station, texts.join(QStringLiteral(", "))});
+    if (places.front().isOnLine())
+        return places.front();
+    if (call.bus == nullptr)
+        return badInput(
+            QStringLiteral("stationOnBus"),
+            CommandLine::tr("\"%1\" is a station on INTERBUS, and the link is a serial line. Give "
+                            "the address of an encoder as two hexadecimal digits, as 05."),
+            {station});
     if (!areSame(compareRings(structureOf(*call.project), call.bus->structure())))
         return tl::unexpected(Complaint{
             ExitCode::refused,
@@ -103,6 +124,12 @@ Checked<std::optional<Project>> projectNamed(const Arguments &arguments)
 
 void useProject(const Call &call, const Project &project, const QString &file)
 {
+    if (call.line != nullptr && call.line->ledger() != nullptr) {
+        call.line->ledger()->setProject(QFileInfo(file).absoluteFilePath());
+        if (project.line)
+            for (const ProjectDevice &device : project.line->encoders)
+                call.line->ledger()->setLabel(device.participant.number, device.label.serialNumber);
+    }
     if (call.bus == nullptr)
         return;
     const RingStructure connected = call.bus->structure();
@@ -129,13 +156,17 @@ Checked<QString> placeMeant(const Call &call, const QString &typed)
 {
     if (call.project == nullptr)
         return typed;
+    if (isOnLine(call, typed) && placesAt(*call.project, typed).empty())
+        return typed;
     auto number = DeviceNumber::parse(typed);
-    if (!number) {
+    if (!number || number->isOnLine()) {
         const auto station = placeOfStation(call, typed);
         if (!station)
             return tl::unexpected(station.error());
         number = *station;
     }
+    if (number->isOnLine())
+        return number->toString();
     return checkSameDevice(call, *number).map([&] { return number->toString(); });
 }
 

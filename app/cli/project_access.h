@@ -17,9 +17,10 @@ Checked<std::optional<Project>> projectNamed(const Arguments &arguments);
 // places and labels.
 void useProject(const Call &call, const Project &project, const QString &file);
 
-// The place of the bus that PLACE means: a device number, or the station name of a device of the project.
-// Refused where the project has another device at that place; a station name also where the bus differs from
-// the project at all, since a device may stand elsewhere then.
+// The place that PLACE means: a device number, the station name of a device of the project, or the address of
+// an encoder on the serial line; a station of two hexadecimal digits goes before an address. Refused where
+// the project has another device at that place; a station name also where the bus differs from the project at
+// all, since a device may stand elsewhere then.
 Checked<QString> placeMeant(const Call &call, const QString &typed);
 
 } // namespace codewheel

@@ -5,6 +5,8 @@
 #include "cli/arguments.h"
 #include "cli/terminal.h"
 
+#include <QtGlobal>
+
 #include <span>
 
 namespace codewheel {
@@ -12,18 +14,31 @@ namespace codewheel {
 class BusSession;
 class Catalog;
 class LedgerKeeper;
+class LineAccess;
 struct Project;
 
+// What the link of a call leads to. A command that needs no encoders has nothing of it.
+struct Connection
+{
+    BusSession *bus = nullptr;      // INTERBUS; null where the link is a serial line
+    LineAccess *line = nullptr;     // a serial line; null where there is none
+    LedgerKeeper *ledger = nullptr; // of the bus; null without one
+};
+
 // What a command works with.
-struct Call
+struct Call : Connection
 {
     const Arguments &arguments;
     const Catalog &catalog;
-    BusSession *bus; // null for commands that need none
     const Terminal &terminal;
-    const Project *project; // of --project; null without it
-    LedgerKeeper *ledger;   // of the bus; null without one
+    const Project *project;   // of --project; null without it
+    const char *whyNotOnLine; // as of the command
 };
+
+// Why commands about values of several encoders do not work on a serial line.
+inline constexpr const char *valuesOfBusOnly = QT_TRANSLATE_NOOP(
+    "codewheel::CommandLine", "This works with encoders on INTERBUS only. Use codewheel-cli "
+                              "read and write for an encoder on a serial line.");
 
 // One command of the command line: how it is called, how it is explained, and what it does. Texts are
 // untranslated, in the context codewheel::CommandLine.
@@ -37,8 +52,11 @@ struct Subcommand
     std::span<const Option> options;
     int minimumArguments;
     int maximumArguments;
-    bool needsBus;
+    bool needsBus;                   // or a serial line
     const char *busOption = nullptr; // needs it with this option only
+    // Why it does not work with encoders on a serial line; null: it does.
+    const char *whyNotOnLine = nullptr;
+    bool answersInLines = false; // with --json: a line for each object, the last one as of every command
     Checked<Answer> (*run)(const Call &call);
 };
 

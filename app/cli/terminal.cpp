@@ -18,10 +18,22 @@ void Terminal::complain(const QString &text) const
     err << "codewheel-cli: " << text.toStdString() << std::endl;
 }
 
+void Terminal::showProgress(const QString &text) const
+{
+    constexpr auto eraseLine = "\r\x1B[K";
+    if (isInteractive)
+        err << eraseLine << text.toStdString() << std::flush;
+}
+
 bool Terminal::confirms(const QString &question) const
 {
     const QString choice = QStringLiteral(" [%1]").arg(CommandLine::tr("y/N", "answers to a question"));
-    const QString typed = answer(question + choice).toLower();
+    return isYes(answer(question + choice));
+}
+
+bool Terminal::isYes(const QString &answer)
+{
+    const QString typed = answer.toLower();
     return typed == QStringLiteral("y") || typed == QStringLiteral("yes") ||
            typed == CommandLine::tr("y", "answer to a question") ||
            typed == CommandLine::tr("yes", "answer to a question");

@@ -14,9 +14,13 @@ struct Terminal
     std::ostream &out;
     std::ostream &err;
     bool isInteractive = false; // somebody can answer a question
+    int inputDescriptor = -1;   // of `in`, to wait for what is typed; below 0: it has none
 
     void print(const QString &text) const;    // as it is
     void complain(const QString &text) const; // one line on err
+    // One line on err in place of the one before, where somebody sees it; empty: none any more.
+    void showProgress(const QString &text) const;
+    static bool isYes(const QString &typed);
     // Asks for yes or no. Anything but yes is no, the end of the input too.
     bool confirms(const QString &question) const;
     // What is typed in answer; empty at the end of the input.

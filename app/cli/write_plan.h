@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/complaint.h"
+#include "drivers/esc_settings.h"
 #include "encoder/encoder_session.h"
 
 #include <QJsonArray>
@@ -12,8 +13,8 @@ namespace codewheel {
 
 struct ParameterDescription;
 
-// What `write` is about to do, shown before anything is sent: each value, what is known of it, and the word
-// that will carry it.
+// What `write` is about to do, shown before anything is written: each value, what is known of it, and the
+// word, or the command on a serial line, that will carry it.
 class WritePlan
 {
 public:
@@ -22,12 +23,14 @@ public:
         const ParameterDescription *parameter;
         std::int64_t wanted = 0;
         std::optional<Known> known;
-        Word word = 0;
-        bool leftOut = false; // known to be there already
+        QString sent;           // the word; on a serial line the command
+        bool leftOut = false;   // known to be there already
+        bool goesAlong = false; // computed from the others, and sent with them
     };
 
     // Refuses what the encoder does not have or cannot take. With `all`, nothing is left out.
-    static Checked<WritePlan> make(const EncoderSession &encoder, const ParameterValues &wanted, bool all);
+    static Checked<WritePlan> make(const EncoderSession &encoder, const ParameterValues &wanted, bool all,
+                                   const EscSettings &escSettings = {});
 
     // What the job is to write, in the order given.
     WriteParameters job() const;
@@ -40,6 +43,8 @@ private:
     WritePlan(const EncoderSession &encoder, bool all);
     QString notes() const;
     bool isRod() const;
+    bool isOnLine() const { return m_encoder.number().isOnLine(); }
+    void addWhatGoesAlong(const std::vector<Step> &steps, const ParameterValues &wanted);
 
     const EncoderSession &m_encoder;
     bool m_readsFirst;          // the job asks the encoder and leaves out what it has

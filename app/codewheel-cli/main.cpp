@@ -23,6 +23,6 @@ int main(int argc, char **argv)
     QLocale::setDefault(locale);
 
     const bool isInteractive = isatty(STDIN_FILENO) == 1 && isatty(STDOUT_FILENO) == 1;
-    const codewheel::Terminal terminal{std::cin, std::cout, std::cerr, isInteractive};
+    const codewheel::Terminal terminal{std::cin, std::cout, std::cerr, isInteractive, STDIN_FILENO};
     return codewheel::runCommandLine(QCoreApplication::arguments().sliced(1), terminal);
 }

@@ -7,12 +7,10 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 
-#include <functional>
 #include <gtest/gtest.h>
 #include <sstream>
 
 namespace codewheel {
-namespace {
 
 CliRun runWith(const Person &person, const std::function<int(const Terminal &)> &call)
 {
@@ -22,8 +20,6 @@ CliRun runWith(const Person &person, const std::function<int(const Terminal &)> 
     const int exit = call(Terminal{in, out, err, person.isThere});
     return {exit, out.str(), err.str()};
 }
-
-} // namespace
 
 QJsonObject CliRun::json() const
 {
@@ -53,7 +49,7 @@ CliRun SharedBus::runLine(const QString &line, const Person &person)
     if (!arguments)
         return {};
     return runWith(person, [&](const Terminal &terminal) {
-        return runCommand(*command, *arguments, m_catalog, m_training.bus.get(), terminal);
+        return runCommand(*command, *arguments, m_catalog, {.bus = m_training.bus.get()}, terminal);
     });
 }
 

@@ -7,10 +7,13 @@
 #include <QJsonObject>
 #include <QString>
 
+#include <functional>
 #include <ostream>
 #include <string>
 
 namespace codewheel {
+
+struct Terminal;
 
 // What a call of the command line left behind.
 struct CliRun
@@ -28,6 +31,9 @@ struct Person
     bool isThere = false;
     std::string types{};
 };
+
+// What `call` does for this person.
+CliRun runWith(const Person &person, const std::function<int(const Terminal &)> &call);
 
 // A whole call, in this process. `line` is what stands behind codewheel-cli, split at spaces.
 CliRun runLine(const QString &line, const Person &person = {});

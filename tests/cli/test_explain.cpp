@@ -121,12 +121,5 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"020000FF --device baumer-gxp6w --direction in --other xyz", "notAWord", "\"xyz\""},
         BadCall{"0020000FF --device baumer-gxp6w --direction in", "notAWord", "8 hexadecimal digits"}));
 
-TEST(CliExplain, ASerialEncoderHasNoWords)
-{
-    const CliRun run = runLine(QStringLiteral("explain 0 --device kuebler-esc-rs485 --direction in --json"));
-    EXPECT_EQ(run.exit, 2);
-    EXPECT_EQ(errorKey(run), "noWords");
-}
-
 } // namespace
 } // namespace codewheel

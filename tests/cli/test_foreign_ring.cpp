@@ -34,8 +34,8 @@ protected:
         std::istringstream in;
         std::ostringstream out;
         std::ostringstream err;
-        const int exit =
-            runCommand(command, {.rest = rest, .options = {}}, m_catalog, &m_bus, Terminal{in, out, err});
+        const int exit = runCommand(command, {.rest = rest, .options = {}}, m_catalog, {.bus = &m_bus},
+                                    Terminal{in, out, err});
         return {exit, out.str(), err.str()};
     }
 

@@ -56,7 +56,7 @@ protected:
         std::ostringstream err;
         const auto arguments = parseArguments(words, optionsOf(command), {});
         EXPECT_TRUE(arguments);
-        const int exit = runCommand(command, *arguments, m_catalog, &m_bus, Terminal{in, out, err});
+        const int exit = runCommand(command, *arguments, m_catalog, {.bus = &m_bus}, Terminal{in, out, err});
         return {exit, out.str(), err.str()};
     }
     QString nameAt(DeviceNumber number) const { return m_bus.encoder(number)->device().key; }

@@ -47,8 +47,8 @@ protected:
         std::istringstream in(person.types);
         std::ostringstream out;
         std::ostringstream err;
-        const int exit = runCommand(command, *arguments, catalog, &shared.bus(),
-                                    Terminal{in, out, err, person.isThere}, &ledger);
+        const int exit = runCommand(command, *arguments, catalog, {.bus = &shared.bus(), .ledger = &ledger},
+                                    Terminal{in, out, err, person.isThere});
         return {exit, out.str(), err.str()};
     }
     EncoderSession &fraba() { return *shared.bus().encoder({1, 0}); }

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands.h"
+#include "cli/eeprom_consent.h"
+#include "cli/json.h"
+#include "cli/line_access.h"
+#include "cli/line_encoders.h"
+#include "cli/line_figures_text.h"
+#include "cli/line_trace.h"
+#include "cli/texts.h"
+#include "cli/typed_lines.h"
+#include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
+#include "line/typed_request.h"
+#include "line/write_question.h"
+
+#include <QJsonDocument>
+#include <QScopedValueRollback>
+
+#include <array>
+#include <limits>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Instant lookInterval = 10ms;
+
+constexpr const char *examples[] = {"terminal 05P 05N", "terminal 03GP00005200 03P --yes",
+                                    "terminal 05P --json"};
+
+constexpr std::array options{
+    deviceOption,
+    beyondLimitOption,
+    ledgerOption,
+    Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "send what writes without asking")},
+};
+
+// A row with its own widths, since the rows to come are not known.
+QString rowText(const PassedRow &passed, const esc::ExplainOptions &explain)
+{
+    constexpr int timeWidth = 9;
+    constexpr int kindWidth = 8;
+    constexpr int textWidth = 24; // <1B>03GP00005200<0D><0A>
+    constexpr int bytesWidth = 44;
+    const QString gap = QStringLiteral("  ");
+    return rowTime(passed.row.at).rightJustified(timeWidth) + gap +
+           rowKindWord(passed.row.kind).leftJustified(kindWidth) + gap +
+           controlText(passed.row.bytes, ControlCharacters::numbers).leftJustified(textWidth) + gap +
+           byteText(passed.row.bytes).leftJustified(bytesWidth) + gap +
+           rowMeaning(passed.row, passed.request, explain) + u'\n';
+}
+
+// One call on its way.
+class TypedCall
+{
+public:
+    TypedCall(const Call &call, LineSession &line);
+
+    // Sends what was typed and waits for its answer. False: nothing else is to be sent.
+    bool take(const QString &typed);
+    bool listen() { return m_call.line->advance(lookInterval); }
+    TypedLines &lines() { return m_lines; }
+    Answer answer() const;
+
+private:
+    bool isAnswered() const { return m_call.terminal.isInteractive && !m_call.arguments.has("--json"); }
+    void show(const esc::LineRow &row);
+    Checked<AllowedRequest> allowed(const esc::Request &request);
+    Checked<void> askToWrite(const esc::Request &request);
+    EncoderSession *identified(LineAddress address);
+    void send(const AllowedRequest &request);
+    bool fail(const Complaint &complaint);
+
+    const Call &m_call;
+    LineSession &m_line;
+    TypedLines m_lines;
+    QObject m_scope;
+    std::optional<esc::Request> m_lastRequest;
+    std::optional<TypedAnswered> m_answered;
+    std::optional<Refusal> m_refusal;
+    std::optional<Complaint> m_complaint; // the first
+    bool m_isPolling = false;             // to know an encoder
+};
+
+TypedCall::TypedCall(const Call &call, LineSession &line)
+    : m_call(call)
+    , m_line(line)
+    , m_lines(call.terminal)
+{
+    line.stopPolling();
+    QObject::connect(&line, &LineSession::passed, &m_scope, [this](const esc::LineRow &row) { show(row); });
+    QObject::connect(&line, &LineSession::typedAnswered, &m_scope,
+                     [this](const TypedAnswered &answer) { m_answered = answer; });
+    QObject::connect(&line, &LineSession::messaged, &m_scope, [this](const Message &message) {
+        if (message.refusal)
+            m_refusal = message.refusal;
+    });
+}
+
+void TypedCall::show(const esc::LineRow &row)
+{
+    const PassedRow passed = passedRow(row, m_lastRequest);
+    if (m_isPolling && passed.isPoll())
+        return;
+    const esc::ExplainOptions explain = m_call.line->explainOptions();
+    if (m_call.arguments.has("--json"))
+        m_call.terminal.print(
+            QString::fromUtf8(QJsonDocument(rowJson(passed, explain)).toJson(QJsonDocument::Compact)) +
+            u'\n');
+    else
+        m_call.terminal.print(rowText(passed, explain));
+}
+
+// Who sits there may go on; a script ends with the first that is wrong.
+bool TypedCall::fail(const Complaint &complaint)
+{
+    if (isAnswered()) {
+        m_call.terminal.complain(complaint.text);
+        return m_call.line->isConnected();
+    }
+    m_complaint = complaint;
+    return false;
+}
+
+bool TypedCall::take(const QString &typed)
+{
+    if (typed.trimmed().isEmpty())
+        return true;
+    const auto request = typedRequest(typed);
+    if (!request)
+        return fail({ExitCode::badInput, QStringLiteral("notARequest"), request.error(), {typed}});
+    const auto sendable = allowed(*request);
+    if (!sendable)
+        return fail(sendable.error());
+    send(*sendable);
+    if (m_answered && m_answered->result.answer)
+        return true;
+    if (!m_answered)
+        return fail(m_call.line->isConnected() && m_refusal ? complaintAbout(*m_refusal)
+                                                            : m_call.line->portLost());
+    Complaint complaint = complaintAbout({RefusalKind::device,
+                                          RefusalId::escNoAnswer,
+                                          {QString::fromLatin1(request->text()), std::int64_t{1}}});
+    if (esc::shapeOf(request->command).writes)
+        complaint.text += u' ' + CommandLine::tr("Whether it was carried out is not known: read the value.");
+    return fail(complaint);
+}
+
+Checked<AllowedRequest> TypedCall::allowed(const esc::Request &request)
+{
+    if (const auto reading = AllowedRequest::reading(request))
+        return *reading;
+    if (const auto agreed = askToWrite(request); !agreed)
+        return tl::unexpected(agreed.error());
+    return eepromConsent(m_call, identified(request.to), request);
+}
+
+Checked<void> TypedCall::askToWrite(const esc::Request &request)
+{
+    if (m_call.arguments.has("--yes"))
+        return {};
+    if (!isAnswered())
+        return badInput(QStringLiteral("noConsent"),
+                        CommandLine::tr("%1 writes, and was not sent: there is nobody to ask. Add --yes."),
+                        {QString::fromLatin1(request.text())});
+    m_call.terminal.print(writeQuestion(request, m_call.line->explainOptions()) + u' ' +
+                          CommandLine::tr("Send it?") +
+                          QStringLiteral(" [%1] ").arg(CommandLine::tr("y/N", "answers to a question")));
+    const QString typed = m_lines.next().value_or(QString()).trimmed();
+    if (Terminal::isYes(typed))
+        return {};
+    return badInput(QStringLiteral("declined"), CommandLine::tr("Nothing was sent."));
+}
+
+// By its serial number, which is what its EEPROM writes are counted by. At the master address nobody knows
+// whose EEPROM it is.
+EncoderSession *TypedCall::identified(LineAddress address)
+{
+    constexpr Instant longestPoll = 50ms; // that is under way
+    const auto device = deviceOnLine(m_call, address);
+    if (!address.isDevice() || !device)
+        return nullptr;
+    const QScopedValueRollback polling(m_isPolling, true);
+    m_line.startPolling();
+    static_cast<void>(m_call.line->encoder(address, *device)); // it may be silent
+    m_line.stopPolling();
+    m_call.line->advance(longestPoll);
+    return m_line.encoder(DeviceNumber::onLine(address));
+}
+
+void TypedCall::send(const AllowedRequest &request)
+{
+    m_answered.reset();
+    m_refusal.reset();
+    const bool writes = esc::shapeOf(request.request().command).writes;
+    if (writes)
+        m_line.setOperate(true);
+    m_line.send(request.request());
+    bool isConnected = true;
+    while (!m_answered && !m_refusal && isConnected)
+        isConnected = listen();
+    if (writes)
+        m_line.setOperate(false);
+}
+
+Answer TypedCall::answer() const
+{
+    const LineFigures &figures = m_line.latest().figures;
+    return {.text = {},
+            .json = {{QStringLiteral("port"), m_line.linkName()},
+                     {QStringLiteral("figures"), figuresJson(figures)}},
+            .complaint = m_complaint};
+}
+
+void takeAll(TypedCall &typed, const QStringList &requests)
+{
+    for (const QString &request : requests)
+        if (!typed.take(request))
+            return;
+}
+
+// A simulated line lets no time pass while nobody types.
+void takeTyped(const Call &call, TypedCall &typed)
+{
+    const auto meanwhile =
+        call.line->link().isSimulated() ? std::function<bool()>() : [&typed] { return typed.listen(); };
+    while (const auto line = typed.lines().next(meanwhile))
+        if (!typed.take(*line))
+            return;
+}
+
+Checked<Answer> run(const Call &call)
+{
+    if (const auto device = deviceOnLine(call, LineAddress::master()); !device)
+        return tl::unexpected(device.error());
+    const auto line = call.line->session();
+    if (!line)
+        return tl::unexpected(line.error());
+    TypedCall typed(call, **line);
+    if (!call.arguments.rest.isEmpty())
+        takeAll(typed, call.arguments.rest);
+    else
+        takeTyped(call, typed);
+    Answer answer = typed.answer();
+    if (!answer.complaint && !call.line->isConnected())
+        answer.complaint = call.line->portLost();
+    return answer;
+}
+
+} // namespace
+
+const Subcommand terminalCommand{
+    .name = "terminal",
+    .usage = "[REQUEST...] [--yes]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "send typed requests over a serial line"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Sends each REQUEST once: the address as two hexadecimal digits, the command, and the data of a\n"
+        "write, as 05P or 03GP5200. Without one, requests are read from standard input, a line each, until\n"
+        "its end (Ctrl+D). What passes both ways is printed with its time, as text, as bytes, and in words;\n"
+        "with --json as one object in each line. No position is polled.\n"
+        "\n"
+        "What writes is asked for first; where nobody can be asked, --yes is needed. In a pipe the first\n"
+        "request that is wrong, not answered, or refused for want of --yes is the last."),
+    .examples = examples,
+    .options = options,
+    .minimumArguments = 0,
+    .maximumArguments = std::numeric_limits<int>::max(),
+    .needsBus = true,
+    .answersInLines = true,
+    .run = run,
+};
+
+} // namespace codewheel

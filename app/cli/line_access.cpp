@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/line_access.h"
+
+#include "catalog/catalog.h"
+#include "cli/texts.h"
+#include "drivers/esc_driver.h"
+#include "encoder/sentence.h"
+#include "journal_files.h"
+#include "links/serial_port_link.h"
+#include "simulator/simulated_line_link.h"
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Instant lookInterval = 10ms;
+constexpr Instant longestContact = 30s; // of the slowest settings; silence is noticed long before
+constexpr Instant longestIdentity = 1s;
+
+std::unique_ptr<ByteLink> linkTo(const LineLink &link)
+{
+    if (link.isSimulated())
+        return std::make_unique<SimulatedLineLink>(std::make_shared<SimulatedLine>());
+    return std::make_unique<SerialPortLink>(link.wish.port);
+}
+
+Complaint aboutSilence(LineAddress address, int baudRate)
+{
+    return {
+        ExitCode::refused,
+        QStringLiteral("encoderSilent"),
+        sentence(CommandLine::tr("No encoder answers at %1 at %2 Bd. Check address, baud rate, wiring and "
+                                 "supply; an RS-422 encoder also needs ST (pin 7) at +UB. codewheel-cli "
+                                 "scan --all-rates looks for encoders."),
+                 {address.shown(), QString::number(baudRate)}),
+        {DeviceNumber::onLine(address).toString(), std::int64_t{baudRate}}};
+}
+
+Complaint aboutOpening(const Refusal &why)
+{
+    Complaint complaint = complaintAbout(why);
+    if (why.id == RefusalId::portNotFound)
+        complaint.text += u' ' + presentPortsText();
+    return complaint;
+}
+
+} // namespace
+
+LineAccess::LineAccess(std::unique_ptr<ByteLink> link, LineLink settings, const Catalog &catalog)
+    : m_link(std::move(settings))
+    , m_session(std::make_unique<LineSession>(
+          std::move(link), catalog, QDateTime::currentDateTime(),
+          [settings = m_link.driver()](const DeviceDescription &device, LineAddress address) {
+              return std::make_unique<EscDriver>(device, address, settings);
+          }))
+    , m_lost(
+          std::make_shared<Refusal>(Refusal{RefusalKind::link, RefusalId::portLost, {m_session->linkName()}}))
+{
+    QObject::connect(m_session.get(), &LineSession::messaged, m_session.get(),
+                     [lost = m_lost](const Message &message) {
+                         if (message.refusal && message.refusal->kind == RefusalKind::link)
+                             *lost = *message.refusal;
+                     });
+}
+
+LineAccess LineAccess::to(const LineLink &link, const Catalog &catalog)
+{
+    return {linkTo(link), link, catalog};
+}
+
+Checked<LineSession *> LineAccess::session()
+{
+    if (!m_session->isOpen())
+        if (const auto opened = m_session->open(m_link.wish.line, m_link.wish.timing,
+                                                LineSession::Start::watching, LineSession::Drive::byHand);
+            !opened)
+            return tl::unexpected(aboutOpening(opened.error()));
+    return m_session.get();
+}
+
+void LineAccess::keepLedger(const std::optional<QString> &file)
+{
+    m_ledger = std::make_unique<LedgerKeeper>(
+        *m_session, file ? DatabasePlace::file(*file) : ledgerPlace(*m_session, userJournalFolder()));
+}
+
+Checked<EncoderSession *> LineAccess::encoder(LineAddress address, const QString &deviceKey)
+{
+    const auto line = session();
+    if (!line)
+        return tl::unexpected(line.error());
+    const DeviceNumber number = DeviceNumber::onLine(address);
+    if (EncoderSession *there = (*line)->encoder(number))
+        return there;
+    if (const auto added = (*line)->add(address, deviceKey); !added)
+        return tl::unexpected(complaintAbout(added.error()));
+    EncoderSession *encoder = (*line)->encoder(number);
+    const auto state = [&] { return encoder->latest().state; };
+    if (!waitUntil([&] { return state() == EncoderState::operation || state() == EncoderState::silent; },
+                   longestContact))
+        return tl::unexpected(portLost());
+    if (state() != EncoderState::operation)
+        return tl::unexpected(aboutSilence(address, m_link.wish.line.baudRate));
+    if (!waitUntil([&] { return encoder->known(Parameter::serialNumber).has_value(); }, longestIdentity))
+        return tl::unexpected(portLost());
+    if (m_link.asksForFractionBits)
+        if (const auto determined = determineFractionBits(number); !determined)
+            return tl::unexpected(determined.error());
+    return encoder;
+}
+
+// What the scaling factor of this encoder fits is used for it from then on.
+Checked<void> LineAccess::determineFractionBits(DeviceNumber number)
+{
+    std::optional<Result<int>> bits;
+    QObject scope;
+    QObject::connect(m_session.get(), &LineSession::fractionBitsDetermined, &scope,
+                     [&](DeviceNumber, const Result<int> &determined) { bits = determined; });
+    if (const auto asked = m_session->determineFractionBits(number); !asked)
+        return tl::unexpected(complaintAbout(asked.error()));
+    if (!waitUntil([&] { return bits.has_value(); }, longestContact) || !bits)
+        return tl::unexpected(portLost());
+    if (!*bits)
+        return tl::unexpected(complaint(bits->error()));
+    m_link.wish.fractionBits = **bits;
+    m_session->setFractionBits(**bits);
+    advance(lookInterval);
+    return {};
+}
+
+// False: the port is gone.
+bool LineAccess::waitUntil(const std::function<bool()> &isDone, Instant atMost)
+{
+    for (Instant waited{}; !isDone() && waited < atMost; waited += lookInterval)
+        if (!advance(lookInterval))
+            return false;
+    return true;
+}
+
+bool LineAccess::advance(Instant duration)
+{
+    m_session->advance(duration);
+    return isConnected();
+}
+
+Complaint LineAccess::portLost() const
+{
+    return complaintAbout(*m_lost);
+}
+
+Complaint LineAccess::complaint(const Refusal &why) const
+{
+    Complaint told = complaintAbout(why);
+    if (!isConnected() && why.id != m_lost->id)
+        told.text.prepend(portLost().text + u' ');
+    return told;
+}
+
+} // namespace codewheel

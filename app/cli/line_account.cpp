@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/line_account.h"
+
+#include "cli/json.h"
+#include "cli/parameter_text.h"
+#include "cli/text_table.h"
+#include "cli/texts.h"
+#include "encoder/sentence.h"
+
+#include <algorithm>
+#include <span>
+
+namespace codewheel {
+namespace {
+
+// Whether it says of a write that was sent last that its outcome is not known.
+bool leavesItOpen(const Refusal &why)
+{
+    return why.kind == RefusalKind::link || why.kind == RefusalKind::stopped || // ended where it stood
+           why.id == RefusalId::escWriteUnknown || why.id == RefusalId::escNoAnswer ||
+           why.id == RefusalId::escReadsDisagree;
+}
+
+} // namespace
+
+bool LineAccount::wasSent(Parameter parameter) const
+{
+    const auto begun =
+        std::span(m_job.lastStep.steps)
+            .first(std::min(m_job.lastStep.steps.size(), static_cast<std::size_t>(m_job.lastStep.index) + 1));
+    return std::ranges::any_of(
+        begun, [&](const Step &step) { return writesValue(step) && step.parameter == parameter; });
+}
+
+LineAccount::Fate LineAccount::fateOf(const ParameterValue &value) const
+{
+    const Outcome &outcome = m_job.outcome;
+    if (valueOf(outcome.alreadyThere, value.parameter))
+        return Fate::alreadyThere;
+    const auto known = m_encoder.known(value.parameter);
+    const bool isRead = known && known->evidence == Evidence::read && known->value == value.value;
+    if (valueOf(outcome.written, value.parameter))
+        return isRead ? Fate::readBack : Fate::accepted;
+    if (!wasSent(value.parameter))
+        return Fate::notSent;
+    const bool isOpen = !outcome.result && leavesItOpen(outcome.result.error());
+    return isOpen && !known ? Fate::unknown : Fate::refused;
+}
+
+QString LineAccount::toText() const
+{
+    const auto text = [](Fate fate) {
+        switch (fate) {
+        case Fate::readBack:
+            return CommandLine::tr("written, and read back");
+        case Fate::accepted:
+            return CommandLine::tr("accepted by the encoder, not read back");
+        case Fate::alreadyThere:
+            return CommandLine::tr("was there already");
+        case Fate::unknown:
+            return CommandLine::tr("sent: it is not known whether the encoder has it");
+        case Fate::refused:
+            return CommandLine::tr("not taken: the encoder has another value");
+        case Fate::notSent:
+            break;
+        }
+        return CommandLine::tr("not sent");
+    };
+    TextTable table;
+    for (const ParameterValue &value : m_wanted)
+        table.add(
+            {parameterKey(value.parameter),
+             QStringLiteral("= %1").arg(typedValue(*m_encoder.device().find(value.parameter), value.value)),
+             text(fateOf(value))});
+    return table.toString();
+}
+
+QJsonArray LineAccount::toJson() const
+{
+    const auto key = [](Fate fate) {
+        switch (fate) {
+        case Fate::readBack:
+            return QStringLiteral("readBack");
+        case Fate::accepted:
+            return QStringLiteral("accepted");
+        case Fate::alreadyThere:
+            return QStringLiteral("alreadyThere");
+        case Fate::unknown:
+            return QStringLiteral("unknown");
+        case Fate::refused:
+            return QStringLiteral("refused");
+        case Fate::notSent:
+            break;
+        }
+        return QStringLiteral("notSent");
+    };
+    QJsonArray json;
+    for (const ParameterValue &value : m_wanted) {
+        QJsonObject object = valueJson(*m_encoder.device().find(value.parameter), value.value);
+        object.insert(QStringLiteral("fate"), key(fateOf(value)));
+        json.append(object);
+    }
+    return json;
+}
+
+QString LineAccount::whereItWasLeft() const
+{
+    if (!m_job.outcome.result && m_job.outcome.result.error().id == RefusalId::portLost)
+        return CommandLine::tr(
+            "What the encoder has is known as far as it is told above: connect again and read "
+            "it.");
+    if (!m_job.outcome.result && m_job.outcome.result.error().id == RefusalId::escNotFoundAgain)
+        return {};
+    if (m_encoder.latest().state == EncoderState::silent)
+        return CommandLine::tr("The encoder does not answer any more.");
+    return sentence(CommandLine::tr("The encoder answers at %1."), {m_encoder.number().line.shown()});
+}
+
+} // namespace codewheel

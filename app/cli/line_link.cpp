@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/line_link.h"
+
+#include "cli/texts.h"
+#include "encoder/hex.h"
+#include "encoder/sentence.h"
+#include "esc/esc_scaling.h"
+#include "links/serial_ports.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+const QString trainingLink = QStringLiteral("training");
+const QString linePrefix = QStringLiteral("esc:");
+
+using std::chrono::milliseconds;
+
+// A setting that is a whole number.
+struct NumberSetting
+{
+    const char *key;
+    int minimum;
+    int maximum;
+    void (*apply)(LineLink &link, int value);
+};
+
+constexpr int fastestRate = 4'000'000; // bit/s
+constexpr int longestTime = 60'000;    // ms
+constexpr int mostRetries = 20;
+constexpr int fastestShaft = 100'000; // rpm
+constexpr int shortestPoll = static_cast<int>(LineWish::shortestInterval / milliseconds(1));
+
+constexpr auto fractionBitsKey = "fraction-bits";
+
+constexpr std::array numberSettings{
+    NumberSetting{"baud", 50, fastestRate, [](LineLink &link, int v) { link.wish.line.baudRate = v; }},
+    NumberSetting{"time-out", 1, longestTime,
+                  [](LineLink &link, int v) { link.wish.timing.answerTimeOut = milliseconds(v); }},
+    NumberSetting{"retries", 0, mostRetries, [](LineLink &link, int v) { link.wish.timing.retries = v; }},
+    NumberSetting{"quiet", 0, longestTime,
+                  [](LineLink &link, int v) { link.wish.timing.quietAfterWrite = milliseconds(v); }},
+    NumberSetting{"poll", shortestPoll, longestTime,
+                  [](LineLink &link, int v) { link.wish.pollInterval = milliseconds(v); }},
+    NumberSetting{"top-speed", 1, fastestShaft, [](LineLink &link, int v) { link.wish.topSpeed = v; }},
+    NumberSetting{fractionBitsKey, esc::fewestFractionBits, esc::mostFractionBits,
+                  [](LineLink &link, int v) { link.wish.fractionBits = v; }},
+    NumberSetting{"low-latency", 0, 1, [](LineLink &link, int v) { link.wish.line.lowLatency = v == 1; }},
+    NumberSetting{"swap-warnings", 0, 1, [](LineLink &link, int v) { link.swapWarningBytes = v == 1; }},
+};
+
+const QString fromDevice = QStringLiteral("device");
+const QString formatKey = QStringLiteral("format");
+
+// "8N2": data bits, parity, stop bits.
+Checked<void> takeFormat(LineLink &link, const QString &text)
+{
+    using Parity = LineSettings::Parity;
+    const QString letters = QStringLiteral("NEO");
+    constexpr std::array parities{Parity::none, Parity::even, Parity::odd};
+    const bool isFormat = text.size() == 3 && (text[0] == u'7' || text[0] == u'8') &&
+                          letters.contains(text[1], Qt::CaseInsensitive) &&
+                          (text[2] == u'1' || text[2] == u'2');
+    if (!isFormat)
+        return badInput(QStringLiteral("lineFormatWrong"),
+                        CommandLine::tr("\"%1\" is no format of a serial line. Give data bits (7, 8), parity "
+                                        "(N, E, O) and stop bits (1, 2), as 8N2."),
+                        {text});
+    link.wish.line.dataBits = text[0].digitValue();
+    link.wish.line.parity = parities.at(static_cast<std::size_t>(letters.indexOf(text[1].toUpper())));
+    link.wish.line.stopBits = text[2].digitValue();
+    return {};
+}
+
+Checked<void> takeSetting(LineLink &link, const QString &setting)
+{
+    const QString key = setting.section(u'=', 0, 0);
+    const QString text = setting.section(u'=', 1);
+    if (key == formatKey)
+        return takeFormat(link, text);
+    if (key == QLatin1String(fractionBitsKey) && text == fromDevice) {
+        link.asksForFractionBits = true;
+        return {};
+    }
+    const auto known = std::ranges::find_if(
+        numberSettings, [&](const NumberSetting &one) { return key == QLatin1String(one.key); });
+    if (known == numberSettings.end())
+        return badInput(
+            QStringLiteral("unknownLineSetting"),
+            CommandLine::tr("A serial line has no setting \"%1\". Its settings are: %2. Write them "
+                            "behind the port, as esc:ttyUSB0,baud=9600."),
+            {key, lineSettingKeys()});
+    const auto number = parseNumber(text);
+    if (!number || *number < known->minimum || *number > known->maximum)
+        return badInput(
+            QStringLiteral("lineSettingOutOfRange"),
+            CommandLine::tr("The setting %1 of the line cannot be \"%2\". Give a whole number from "
+                            "%3 to %4."),
+            {key, text, std::int64_t{known->minimum}, std::int64_t{known->maximum}});
+    known->apply(link, static_cast<int>(*number));
+    return {};
+}
+
+Checked<LinkWish> lineMeant(const QString &text)
+{
+    QStringList parts = text.split(u',');
+    const QString port = parts.takeFirst();
+    if (port.isEmpty())
+        return badInput(QStringLiteral("portMissing"),
+                        CommandLine::tr("Name the port of the serial line, as --link esc:ttyUSB0. %1"),
+                        {presentPortsText()});
+    LinkWish wish{.hasRing = false};
+    if (port != trainingLink)
+        wish.line.wish.port = port;
+    for (const QString &setting : parts)
+        if (const auto taken = takeSetting(wish.line, setting); !taken)
+            return tl::unexpected(taken.error());
+    return wish;
+}
+
+} // namespace
+
+EscSettings LineLink::driver() const
+{
+    return {.positionInterval = wish.pollInterval,
+            .topSpeed = wish.topSpeed,
+            .fractionBits = wish.fractionBits,
+            .swapWarningBytes = swapWarningBytes};
+}
+
+esc::ExplainOptions LineLink::explainOptions() const
+{
+    return {.swapWarningBytes = swapWarningBytes, .fractionBits = wish.fractionBits};
+}
+
+Checked<LinkWish> linkMeant(const QString &text)
+{
+    if (text == trainingLink)
+        return LinkWish{};
+    if (text.startsWith(linePrefix))
+        return lineMeant(text.sliced(linePrefix.size()));
+    return badInput(
+        QStringLiteral("unknownLink"),
+        CommandLine::tr("There is no link \"%1\". The links are: training, the simulated bus, and "
+                        "esc:PORT, a serial line with Kübler encoders, as esc:ttyUSB0."),
+        {text});
+}
+
+QString lineSettingKeys()
+{
+    QStringList keys;
+    for (const NumberSetting &setting : numberSettings)
+        keys << QString::fromLatin1(setting.key);
+    keys.insert(1, formatKey);
+    return keys.join(QStringLiteral(", "));
+}
+
+QString presentPortsText()
+{
+    QStringList ports;
+    for (const PortInfo &port : serialPorts())
+        ports << port.label();
+    return ports.isEmpty()
+               ? noSerialPortsText()
+               : sentence(CommandLine::tr("The ports there are: %1."), {ports.join(QStringLiteral("; "))});
+}
+
+} // namespace codewheel

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/complaint.h"
+#include "drivers/esc_settings.h"
+#include "esc/esc_explain.h"
+#include "line/line_wish.h"
+
+#include <QString>
+
+namespace codewheel {
+
+// The serial line that --link names.
+struct LineLink
+{
+    LineWish wish{}; // its port: a name or a path; empty: the simulated line
+    bool swapWarningBytes = false;
+    bool asksForFractionBits = false; // of the scaling factor, from the encoder
+
+    bool isSimulated() const { return wish.port.isEmpty(); }
+    EscSettings driver() const;
+    esc::ExplainOptions explainOptions() const;
+};
+
+// What --link names.
+struct LinkWish
+{
+    bool hasRing = true; // the training bus, which has the simulated line beside its ring
+    LineLink line{};
+};
+
+// "training", "esc:ttyUSB0,baud=9600", "esc:/dev/pts/5", "esc:training".
+Checked<LinkWish> linkMeant(const QString &text);
+
+// The settings of a line, for the help: "baud, format, ...".
+QString lineSettingKeys();
+// The serial ports of this computer in a sentence, or that it has none.
+QString presentPortsText();
+
+} // namespace codewheel

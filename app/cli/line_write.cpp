@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/line_write.h"
+
+#include "catalog/device_description.h"
+#include "cli/bus_access.h"
+#include "cli/line_access.h"
+#include "cli/scan_line.h"
+#include "cli/texts.h"
+#include "drivers/esc_values.h"
+#include "encoder/hex.h"
+#include "encoder/sentence.h"
+
+#include <algorithm>
+
+namespace codewheel {
+
+Checked<void> readBefore(const Call &call, EncoderSession &encoder, const ParameterValues &wanted)
+{
+    ReadParameters read;
+    for (const ParameterValue &value : wanted)
+        if (encoder.device().find(value.parameter)->canBeRead())
+            read.parameters.push_back(value.parameter);
+    for (const Parameter range : {Parameter::revolutions, Parameter::measuringRange})
+        if (std::ranges::count(read.parameters, range) == 0)
+            read.parameters.push_back(range);
+    const FinishedJob job = runToEnd(call, {encoder, std::move(read)});
+    if (!job.outcome.result)
+        return tl::unexpected(complaintAboutJob(call, encoder, job.outcome.result.error()));
+    return {};
+}
+
+Checked<void> checkAddressIsFree(const Call &call, const EncoderSession &encoder,
+                                 const ParameterValues &wanted)
+{
+    const auto address = valueOf(wanted, Parameter::lineAddress);
+    if (!address || *address < 1 || *address > LineAddress::last)
+        return {};
+    for (const LineAddress reading : escReadingsOf({static_cast<std::uint8_t>(*address)})) {
+        if (reading == encoder.number().line)
+            continue;
+        const auto there = whoIsAt(call, reading);
+        if (!there)
+            return tl::unexpected(there.error());
+        if (*there)
+            return tl::unexpected(complaintAbout(
+                {RefusalKind::badInput,
+                 RefusalId::lineAddressTaken,
+                 {reading.shown(), sentence(CommandLine::tr("an encoder with the serial number %1"),
+                                            {hexWord((*there)->serialNumber.value_or(0))})}}));
+    }
+    return {};
+}
+
+QString whereItIsNow(const Call &call, const EncoderSession &encoder, const ParameterValues &wanted)
+{
+    QString text;
+    if (valueOf(wanted, Parameter::lineAddress) && encoder.known(Parameter::lineAddress))
+        text += sentence(CommandLine::tr("The encoder is at %1 now: PLACE %2."),
+                         {encoder.number().line.shown(), encoder.number().line.onWire()}) +
+                u'\n';
+    const auto baudRate = encoder.known(Parameter::baudRate);
+    if (baudRate && baudRate->value != call.line->link().wish.line.baudRate)
+        text += sentence(CommandLine::tr("The encoder has %1 Bd now: give the link as ...,baud=%1."),
+                         {QString::number(baudRate->value)}) +
+                u'\n';
+    return text;
+}
+
+} // namespace codewheel

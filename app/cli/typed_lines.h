@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/stop_signals.h"
+#include "cli/terminal.h"
+
+#include <QByteArray>
+
+#include <functional>
+#include <optional>
+
+namespace codewheel {
+
+// Lines as they are typed or come out of a pipe, while something else goes on. Used by commands that answer
+// each line.
+class TypedLines
+{
+public:
+    explicit TypedLines(const Terminal &terminal)
+        : m_terminal(terminal)
+    {}
+
+    // The next line; nothing at the end of the input, and once Ctrl+C was pressed. `meanwhile` is called
+    // again and again until there is one, and ends the waiting with false; without it the waiting is quiet.
+    std::optional<QString> next(const std::function<bool()> &meanwhile = {});
+
+private:
+    enum class Input { none, some, ended };
+
+    Input wait(bool isQuiet);
+    Input take();
+    std::optional<QString> fromStream();
+
+    const Terminal &m_terminal;
+    StopSignals m_stop;
+    QByteArray m_read;
+    bool m_isEnded = false;
+};
+
+} // namespace codewheel

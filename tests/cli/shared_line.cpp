@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/shared_line.h"
+
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/line_access.h"
+#include "simulator/simulated_line_link.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+// Passes all on, and lets something happen with a certain request.
+class CutLink final : public ByteLink
+{
+public:
+    CutLink(std::shared_ptr<SimulatedLine> line, SharedLine::Cut cut)
+        : m_line(std::move(line))
+        , m_link(m_line)
+        , m_cut(std::move(cut))
+    {}
+
+    Result<void> open(const LineSettings &settings) override { return m_link.open(settings); }
+    void close() override { m_link.close(); }
+    Result<void> setBaudRate(int baudRate) override { return m_link.setBaudRate(baudRate); }
+    Instant now() const override { return m_link.now(); }
+    Result<void> write(const QByteArray &bytes) override
+    {
+        auto written = m_link.write(bytes);
+        if (m_cut.happens && bytes.sliced(1).startsWith(m_cut.request))
+            m_cut.happens(*m_line);
+        return written;
+    }
+    Result<QByteArray> read(Instant until) override { return m_link.read(until); }
+    QString name() const override { return m_link.name(); }
+    bool isSimulated() const override { return true; }
+    void interrupt() override { m_link.interrupt(); }
+    void wait(Instant until) override { m_link.wait(until); }
+
+private:
+    std::shared_ptr<SimulatedLine> m_line;
+    SimulatedLineLink m_link;
+    SharedLine::Cut m_cut;
+};
+
+} // namespace
+
+CliRun SharedLine::runLine(const QString &line, const Person &person)
+{
+    QStringList words = line.split(u' ', Qt::SkipEmptyParts);
+    const Subcommand *command = findCommand(words.takeFirst());
+    const auto arguments = parseArguments(words, optionsOf(*command), {});
+    if (!arguments) {
+        ADD_FAILURE() << line.toStdString();
+        return {};
+    }
+    const auto link = linkMeant(arguments->value("--link").value_or(QStringLiteral("esc:training")));
+    EXPECT_TRUE(link) << line.toStdString();
+    return runWith(person, [&](const Terminal &terminal) {
+        LineAccess access(std::make_unique<CutLink>(m_line, m_cut), link->line, m_catalog);
+        access.keepLedger(arguments->value("--ledger"));
+        return runCommand(*command, *arguments, m_catalog, {.line = &access}, terminal);
+    });
+}
+
+EscRegisters SharedLine::registers(std::uint8_t address)
+{
+    EscRegisters registers;
+    EXPECT_TRUE(m_line->withEncoder(
+        {address}, [&](const SimulatedEscEncoder &encoder) { registers = encoder.registers(); }));
+    return registers;
+}
+
+void SharedLine::mute(std::uint8_t address)
+{
+    m_line->withEncoder({address}, [](SimulatedEscEncoder &encoder) { encoder.condition().mute = true; });
+}
+
+} // namespace codewheel

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simulator/simulated_line.h"
+#include "tests/cli/cli_run.h"
+
+#include <memory>
+
+namespace codewheel {
+
+// Calls that share one simulated serial line, in virtual time, without a ring.
+class SharedLine
+{
+public:
+    explicit SharedLine(Catalog catalog = Catalog::builtIn())
+        : m_catalog(std::move(catalog))
+    {}
+
+    // `line` may have --link esc:training with settings of the line, and --ledger.
+    CliRun runLine(const QString &line, const Person &person = {});
+    SimulatedLine &simulated() { return *m_line; }
+    EscRegisters registers(std::uint8_t address);
+    void mute(std::uint8_t address);
+
+    // The adapter is unplugged as soon as something that begins like this was sent: "05GD".
+    void unplugAfter(const QByteArray &request)
+    {
+        m_cut = {request, [](SimulatedLine &line) { line.setUnplugged(true); }};
+    }
+    // All encoders say nothing any more from then on; they hear and act.
+    void muteAfter(const QByteArray &request)
+    {
+        m_cut = {request, [](SimulatedLine &line) { line.setSilent(true); }};
+    }
+
+    // What happens once a request that begins like this was sent.
+    struct Cut
+    {
+        QByteArray request{};
+        std::function<void(SimulatedLine &)> happens{};
+    };
+
+private:
+    Catalog m_catalog;
+    std::shared_ptr<SimulatedLine> m_line = std::make_shared<SimulatedLine>();
+    Cut m_cut;
+};
+
+} // namespace codewheel

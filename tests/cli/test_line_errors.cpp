@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
+#include "project/project_file.h"
+#include "tests/cli/shared_line.h"
+
+#include <QJsonArray>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::HasSubstr;
+
+struct BadCall
+{
+    const char *line;
+    const char *key;
+    int exit;
+};
+
+class CliLineErrors : public testing::TestWithParam<BadCall>
+{};
+
+TEST_P(CliLineErrors, AreSaidInASentence)
+{
+    const CliRun run = runLine(QString::fromLatin1(GetParam().line) + QStringLiteral(" --json"));
+    EXPECT_EQ(run.exit, GetParam().exit);
+    EXPECT_EQ(errorKey(run), GetParam().key);
+    EXPECT_NE(run.err, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Calls, CliLineErrors,
+    testing::Values(BadCall{"read 00", "lineAddressWrong", 2}, BadCall{"read 20", "lineAddressWrong", 2},
+                    BadCall{"read 32", "lineAddressWrong", 2}, BadCall{"read esc:5", "lineAddressWrong", 2},
+                    BadCall{"read FF", "lineAddressWrong", 2}, BadCall{"read 07", "encoderSilent", 1},
+                    BadCall{"monitor 1F", "encoderSilent", 1}, BadCall{"preset 07 5", "encoderSilent", 1},
+                    BadCall{"read 1.0 --link esc:training", "placeOnBus", 2},
+                    BadCall{"read hoist --link esc:training", "lineAddressWrong", 2},
+                    BadCall{"read 05 coding", "parameterNotSupported", 2},
+                    BadCall{"read 05 --link esc:training,baud=9600", "encoderSilent", 1}));
+
+INSTANTIATE_TEST_SUITE_P(
+    CommandsOfTheBus, CliLineErrors,
+    testing::Values(
+        BadCall{"words 05 020000FF", "notOnSerialLine", 2}, BadCall{"velocity 05 on", "notOnSerialLine", 2},
+        BadCall{"reset 05 --yes", "notOnSerialLine", 2}, BadCall{"cams 05 read", "notOnSerialLine", 2},
+        BadCall{"clone 05 12 --yes", "notOnSerialLine", 2}, BadCall{"restore 05", "notOnSerialLine", 2},
+        BadCall{"master --link esc:training", "notOnSerialLine", 2},
+        BadCall{"compare docs/examples/crane.codewheel --link esc:training", "notOnSerialLine", 2},
+        BadCall{"store x.codewheel --link esc:training", "notOnSerialLine", 2},
+        BadCall{"transfer x.codewheel --link esc:/dev/none", "notOnSerialLine", 2},
+        BadCall{"replace 1.0 --project x.codewheel --link esc:training", "notOnSerialLine", 2},
+        BadCall{"report x.codewheel -o x.html --read --link esc:training", "notOnSerialLine", 2},
+        BadCall{"scan --link esc:training --fault-plan x.json", "faultPlanOnLine", 2}));
+
+// A project with a device of the ring and one of the line whose stations look like addresses.
+class CliLineStations : public testing::Test
+{
+protected:
+    CliLineStations()
+    {
+        Project project = *loadProject(QStringLiteral(CODEWHEEL_ROOT "/docs/examples/training.codewheel"));
+        project.devices.front().station = QStringLiteral("05");
+        ProjectDevice encoder;
+        encoder.participant.number = DeviceNumber::onLine({0x12});
+        encoder.participant.deviceKey = QStringLiteral("kuebler-esc-rs422");
+        encoder.station = QStringLiteral("Slewing gear");
+        project.line = ProjectLine{};
+        project.line->encoders.push_back(encoder);
+        encoder.participant.number = DeviceNumber::onLine({0x03});
+        encoder.station = QStringLiteral("0A");
+        project.line->encoders.insert(project.line->encoders.begin(), encoder);
+        EXPECT_TRUE(saveProject(project, m_file));
+    }
+    CliRun read(const char *place) const
+    {
+        return runLine(QStringLiteral("read %1 serial-number --json --project %2")
+                           .arg(QString::fromLatin1(place), m_file));
+    }
+
+    QTemporaryDir m_folder;
+    QString m_file = m_folder.filePath(QStringLiteral("plant.codewheel"));
+};
+
+TEST_F(CliLineStations, GoBeforeAddresses)
+{
+    EXPECT_EQ(read("05").json()[u"place"], QStringLiteral("1.0"));
+    EXPECT_EQ(read("esc:05").json()[u"place"], QStringLiteral("esc:05"));
+    EXPECT_EQ(read("0A").json()[u"place"], QStringLiteral("esc:03"));
+    EXPECT_EQ(read("12").json()[u"place"], QStringLiteral("esc:12"));
+}
+
+TEST_F(CliLineStations, OfTheLineAreFoundWithTheirMake)
+{
+    const QJsonObject json = read("0A").json();
+    EXPECT_EQ(json[u"device"], QStringLiteral("kuebler-esc-rs422"));
+    EXPECT_EQ(json[u"values"][0][u"value"], 0x12D591);
+}
+
+TEST_F(CliLineStations, OfTheRingAreNotOnASerialLine)
+{
+    EXPECT_EQ(
+        errorKey(runLine(QStringLiteral("read 05 --json --link esc:training --project %1").arg(m_file))),
+        "stationOnBus");
+}
+
+} // namespace
+} // namespace codewheel

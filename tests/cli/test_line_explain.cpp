@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/shared_line.h"
+
+#include <QJsonArray>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::HasSubstr;
+
+QString line(const char *what)
+{
+    return QStringLiteral("explain %1 --device kuebler-esc-rs485").arg(QString::fromLatin1(what));
+}
+
+TEST(CliLineExplain, TellsWhatARequestMeans)
+{
+    const CliRun run = runLine(line("03gp5200"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_EQ(run.out,
+              "03GP00005200 (1B 30 33 47 50 30 30 30 30 35 32 30 30 0D 0A), Kübler 5882 / 5862 / 9081 "
+              "RS-485\n  03: set preset to 5200h = 20992\n");
+    const QJsonObject json = runLine(line("05P --direction out --json")).json();
+    EXPECT_EQ(json[u"letters"], QStringLiteral("P"));
+    EXPECT_EQ(json[u"bytes"], QStringLiteral("1B 30 35 50 0D 0A"));
+    EXPECT_EQ(json[u"direction"], QStringLiteral("out"));
+}
+
+// The vectors of the manual.
+TEST(CliLineExplain, TellsWhatAnAnswerMeans)
+{
+    EXPECT_THAT(runLine(line("00001235 --other 05P")).out, HasSubstr("05: position? -> 1235h = 4661"));
+    EXPECT_THAT(runLine(line("5000 --other 05A --direction in")).out,
+                HasSubstr("5000h: battery flat, general fault"));
+    EXPECT_THAT(runLine(line("CRLF --other 05GD1")).out, HasSubstr("accepted"));
+    EXPECT_THAT(runLine(line("05 --other 05GD1")).out, HasSubstr("out of range (05)"));
+    EXPECT_THAT(runLine(line("03 --other 05P")).out, HasSubstr("command unknown (03)"));
+    const QJsonObject json = runLine(line("7005 --other 05O --json")).json();
+    EXPECT_EQ(json[u"value"], 0x7005);
+    EXPECT_EQ(json[u"bits"].toArray().size(), 5);
+}
+
+TEST(CliLineExplain, SwappedWarningsAreALinksSetting)
+{
+    EXPECT_THAT(runLine(line("0098 --other 05E --link esc:training,swap-warnings=1")).out,
+                HasSubstr("standstill"));
+}
+
+TEST(CliLineExplain, RefusesWhatIsNoneOfThem)
+{
+    EXPECT_EQ(errorKey(runLine(line("P05 --json"))), "notARequest");
+    EXPECT_EQ(errorKey(runLine(line("05P --direction in --json"))), "requestMissing");
+    EXPECT_EQ(errorKey(runLine(line("05P --direction out --other 05P --json"))), "requestTooMuch");
+    EXPECT_EQ(errorKey(runLine(line("1235 --other 05P --json"))), "notAnAnswer");
+    EXPECT_EQ(errorKey(runLine(line("CRLF --other 05P --json"))), "notAnAnswer");
+    EXPECT_EQ(errorKey(runLine(line("05P --mode cam --json"))), "optionOfWords");
+}
+
+TEST(CliDevices, ASerialEncoderHasItsCommands)
+{
+    const CliRun run = runLine(QStringLiteral("devices kuebler-esc-rs485"));
+    EXPECT_THAT(run.out, HasSubstr("steps                         GR        D"));
+    EXPECT_THAT(run.out, HasSubstr("preset                         -        S"));
+}
+
+} // namespace
+} // namespace codewheel

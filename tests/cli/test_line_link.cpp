@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/line_link.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+LineLink line(const char *text)
+{
+    const auto link = linkMeant(QString::fromLatin1(text));
+    EXPECT_TRUE(link) << text;
+    EXPECT_FALSE(link->hasRing);
+    return link->line;
+}
+
+std::string refusal(const char *text)
+{
+    const auto link = linkMeant(QString::fromLatin1(text));
+    return link ? std::string() : link.error().key.toStdString();
+}
+
+TEST(CliLineLink, APortStandsByItselfOrWithSettings)
+{
+    EXPECT_TRUE(linkMeant(QStringLiteral("training"))->hasRing);
+    EXPECT_TRUE(line("esc:training").isSimulated());
+    EXPECT_EQ(line("esc:ttyUSB0").wish.port, QStringLiteral("ttyUSB0"));
+    EXPECT_EQ(line("esc:ttyUSB0").wish.line, LineSettings());
+    const LineLink all = line("esc:/dev/pts/5,baud=9600,format=7e1,time-out=250,retries=0,quiet=0,poll=20,"
+                              "top-speed=3000,fraction-bits=28,swap-warnings=1,low-latency=0");
+    EXPECT_EQ(all.wish.port, QStringLiteral("/dev/pts/5"));
+    EXPECT_EQ(all.wish.line, (LineSettings{9'600, 7, LineSettings::Parity::even, 1, false}));
+    EXPECT_EQ(all.wish.timing.answerTimeOut, 250ms);
+    EXPECT_EQ(all.wish.timing.retries, 0);
+    EXPECT_EQ(all.wish.timing.quietAfterWrite, 0ms);
+    EXPECT_EQ(all.driver().positionInterval, 20ms);
+    EXPECT_EQ(all.driver().topSpeed, 3'000);
+    EXPECT_EQ(all.driver().fractionBits, 28);
+    EXPECT_TRUE(all.driver().swapWarningBytes);
+    EXPECT_TRUE(all.explainOptions().swapWarningBytes);
+    EXPECT_TRUE(line("esc:ttyUSB0,fraction-bits=device").asksForFractionBits);
+}
+
+TEST(CliLineLink, WhatIsWrongIsNamed)
+{
+    EXPECT_EQ(refusal("serial"), "unknownLink");
+    EXPECT_EQ(refusal("esc"), "unknownLink");
+    EXPECT_EQ(refusal("esc:"), "portMissing");
+    EXPECT_EQ(refusal("esc:,baud=9600"), "portMissing");
+    EXPECT_EQ(refusal("esc:ttyUSB0,bauds=9600"), "unknownLineSetting");
+    EXPECT_EQ(refusal("esc:ttyUSB0,"), "unknownLineSetting");
+    EXPECT_EQ(refusal("esc:ttyUSB0,baud"), "lineSettingOutOfRange");
+    EXPECT_EQ(refusal("esc:ttyUSB0,baud=0"), "lineSettingOutOfRange");
+    EXPECT_EQ(refusal("esc:ttyUSB0,poll=9"), "lineSettingOutOfRange"); // the manual's 10 ms
+    EXPECT_EQ(refusal("esc:ttyUSB0,fraction-bits=31"), "lineSettingOutOfRange");
+    EXPECT_EQ(refusal("esc:ttyUSB0,format=9N1"), "lineFormatWrong");
+    EXPECT_EQ(refusal("esc:ttyUSB0,format=8N"), "lineFormatWrong");
+}
+
+} // namespace
+} // namespace codewheel

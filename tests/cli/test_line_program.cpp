@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The real program on real pseudo terminals: against `serve esc`, and against tests/line/esc_peer.py, which
+// knows nothing of this program.
+#include "tests/cli/cli_run.h"
+#include "tests/support/pty_pair.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QProcess>
+
+#include <csignal>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr int patience = 60'000; // ms
+
+// A process that prints the path of a port and serves it.
+class Port
+{
+public:
+    explicit Port(const QString &program, const QStringList &arguments)
+    {
+        m_process.start(program, arguments);
+        while (!m_process.canReadLine())
+            if (!m_process.waitForReadyRead(patience)) {
+                ADD_FAILURE() << m_process.readAllStandardError().toStdString();
+                return;
+            }
+        m_path = QString::fromLocal8Bit(m_process.readLine()).trimmed();
+    }
+    ~Port() { unplug(); }
+
+    QString link() const { return QStringLiteral("esc:") + m_path; }
+    void unplug()
+    {
+        if (m_process.state() == QProcess::NotRunning)
+            return;
+        m_process.kill();
+        EXPECT_TRUE(m_process.waitForFinished(patience));
+    }
+
+private:
+    QProcess m_process;
+    QString m_path;
+};
+
+Port served(const QStringList &options = {})
+{
+    return Port(QStringLiteral(CODEWHEEL_CLI),
+                QStringList{QStringLiteral("serve"), QStringLiteral("esc")} + options);
+}
+
+Port peer(const QString &options = {})
+{
+    return Port(QStringLiteral(CODEWHEEL_PYTHON),
+                QStringList{QStringLiteral(CODEWHEEL_ESC_PEER)} + options.split(u' ', Qt::SkipEmptyParts));
+}
+
+class Call
+{
+public:
+    Call(const QString &line, const QString &link)
+    {
+        m_process.start(QStringLiteral(CODEWHEEL_CLI), line.split(u' ', Qt::SkipEmptyParts)
+                                                           << QStringLiteral("--link") << link);
+    }
+    Call(const QString &line, const Port &port)
+        : Call(line, port.link())
+    {}
+    void type(const QByteArray &text) { m_process.write(text); }
+    QByteArray waitForLine()
+    {
+        while (!m_process.canReadLine())
+            if (!m_process.waitForReadyRead(patience))
+                return {};
+        return m_process.readLine();
+    }
+    void interrupt() { ::kill(static_cast<pid_t>(m_process.processId()), SIGINT); }
+    CliRun end()
+    {
+        m_process.closeWriteChannel();
+        EXPECT_TRUE(m_process.waitForFinished(patience));
+        EXPECT_EQ(m_process.exitStatus(), QProcess::NormalExit);
+        return {m_process.exitCode(), m_process.readAllStandardOutput().toStdString(),
+                m_process.readAllStandardError().toStdString()};
+    }
+
+private:
+    QProcess m_process;
+};
+
+CliRun call(const char *line, const Port &port)
+{
+    return Call(QString::fromLatin1(line), port).end();
+}
+
+TEST(CliLineProgram, ScansReadsWritesAndPresetsAtAServedLine)
+{
+    const Port port = served();
+    EXPECT_THAT(call("scan --first 02 --last 06", port).out, HasSubstr("05           5  19200  0012D5A4"));
+    EXPECT_EQ(call("read 05 serial-number steps", port).out,
+              "serial-number  = 0012D5A4\nsteps          = 8192\n");
+    const CliRun written = call("write 05 steps=864 --yes", port);
+    EXPECT_EQ(written.exit, 0) << written.err;
+    EXPECT_THAT(written.out, HasSubstr("steps  = 864  written, and read back"));
+    EXPECT_THAT(call("preset 05 1000", port).out, HasSubstr("Position after:  1000\n"));
+    EXPECT_EQ(call("read 05 steps", port).out, "steps  = 864\n"); // the port keeps its encoders
+}
+
+TEST(CliLineProgram, UnderstandsAPeerThatSharesNoCodeWithIt)
+{
+    const Port port = peer(QStringLiteral("--garbage 3 --echo"));
+    EXPECT_THAT(call("read 05 serial-number warnings", port).out,
+                HasSubstr("serial-number  = 0012D505\nwarnings       = 8000h (standstill)\n"));
+    EXPECT_THAT(call("preset 05 5200h", port).out,
+                HasSubstr("Position before: 4661\nPosition after:  20992\n"));
+    EXPECT_THAT(call("terminal 05P 03V --json", port).out,
+                HasSubstr("\"version\":\"5882 PEER FOR TESTS V1.00\""));
+}
+
+TEST(CliLineProgram, ATerminalTakesLinesAsTheyAreTyped)
+{
+    const Port port = peer();
+    Call terminal(QStringLiteral("terminal"), port);
+    terminal.type("05P\n");
+    EXPECT_THAT(terminal.waitForLine().toStdString(), HasSubstr("05: position?"));
+    EXPECT_THAT(terminal.waitForLine().toStdString(), HasSubstr("1235h = 4661"));
+    terminal.type("05U\n");
+    EXPECT_THAT(terminal.waitForLine().toStdString(), HasSubstr("05: number of revolutions?"));
+    EXPECT_EQ(terminal.end().exit, 0);
+}
+
+TEST(CliLineProgram, APortThatIsNotThereOrTakenIsSaid)
+{
+    CliRun none = runLine(QStringLiteral("scan --link esc:/dev/there-is-none"));
+    EXPECT_EQ(none.exit, 1);
+    EXPECT_THAT(none.err, HasSubstr("There is no serial port /dev/there-is-none."));
+
+    const Port port = peer();
+    Call first(QStringLiteral("terminal"), port);
+    first.type("05P\n");
+    first.waitForLine();
+    const CliRun second = call("read 05", port);
+    EXPECT_EQ(second.exit, 1);
+    EXPECT_THAT(second.err, HasSubstr("is used by another program"));
+    EXPECT_EQ(first.end().exit, 0);
+}
+
+TEST(CliLineProgram, AnAdapterThatIsUnpluggedEndsTheCall)
+{
+    Port port = peer();
+    Call monitor(QStringLiteral("monitor 05 --for 600 --every 10"), port);
+    monitor.waitForLine();
+    monitor.waitForLine();
+    port.unplug();
+    const CliRun run = monitor.end();
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("is gone: the adapter was unplugged"));
+}
+
+// Nobody answers: the search would take its time.
+TEST(CliLineProgram, CtrlCEndsASearchWithWhatWasFound)
+{
+    PtyPair line;
+    Call search(QStringLiteral("scan --all-rates --json"), QStringLiteral("esc:") + line.path());
+    EXPECT_EQ(line.receive(6), "\x1B" + QByteArray("01N\r\n"));
+    search.interrupt();
+    const CliRun run = search.end();
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(errorKey(run), "scanCancelled");
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/shared_line.h"
+
+#include <QJsonArray>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string fateOf(const QJsonObject &json, const char *parameter)
+{
+    for (const QJsonValue value : json[u"values"].toArray())
+        if (value[u"parameter"] == QString::fromLatin1(parameter))
+            return value[u"fate"].toString().toStdString();
+    return {};
+}
+
+TEST(CliLineWrite, ShowsTheCommandsAndWritesThem)
+{
+    SharedLine line;
+    const CliRun run = line.runLine(QStringLiteral("write 05 direction=ccw steps=864 --yes"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_EQ(run.err, "");
+    EXPECT_THAT(run.out, StartsWith("To be written to esc:05, Kübler 5882 / 5862 / 9081 RS-485:\n"
+                                    "  parameter       known    wanted     command\n"
+                                    "  direction       cw (0)   ccw (1)    05GD1\n"
+                                    "  steps           8192     864        05GR00000360\n"
+                                    "  scaling-factor  unknown  03600000h  05GF03600000\n"));
+    EXPECT_THAT(run.out, HasSubstr("direction  = ccw (1)  written, and read back\n"
+                                   "steps      = 864      written, and read back\n"
+                                   "EEPROM writes:   3\n"));
+    EXPECT_EQ(line.registers(0x05).stepsPerTurn, 864U);
+    EXPECT_EQ(line.registers(0x05).factor, 0x03600000U);
+    EXPECT_TRUE(line.registers(0x05).countsCcw);
+}
+
+// 30 fraction bits: 864 / 8192 is 06C00000h.
+TEST(CliLineWrite, TheFactorHasTheFormatOfTheLinkOrOfTheDevice)
+{
+    SharedLine line;
+    const QString write = QStringLiteral("write 05 steps=864 --dry-run --link esc:training,fraction-bits=");
+    EXPECT_THAT(line.runLine(write + QStringLiteral("30")).out, HasSubstr("05GF06C00000"));
+    EXPECT_THAT(line.runLine(write + QStringLiteral("device")).out, HasSubstr("05GF03600000"));
+}
+
+TEST(CliLineWrite, WithoutConsentNothingIsWritten)
+{
+    SharedLine line;
+    const CliRun nobody = line.runLine(QStringLiteral("write 05 steps=864 --json"));
+    EXPECT_EQ(nobody.exit, 2);
+    EXPECT_EQ(errorKey(nobody), "noConsent");
+    const CliRun no = line.runLine(QStringLiteral("write 05 steps=864"), {true, "n\n"});
+    EXPECT_EQ(no.exit, 2);
+    EXPECT_THAT(no.err, HasSubstr("Nothing was sent."));
+    EXPECT_EQ(line.runLine(QStringLiteral("write 05 steps=864 --dry-run")).exit, 0);
+    EXPECT_EQ(line.registers(0x05).stepsPerTurn, 8'192U);
+
+    EXPECT_EQ(line.runLine(QStringLiteral("write 05 steps=864"), {true, "y\n"}).exit, 0);
+    EXPECT_EQ(line.registers(0x05).stepsPerTurn, 864U);
+}
+
+TEST(CliLineWrite, WhatIsThereIsLeftOut)
+{
+    SharedLine line;
+    const CliRun run = line.runLine(QStringLiteral("write 05 steps=8192 address=5 --yes"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_THAT(run.out, HasSubstr("The encoder has all of it: there is nothing to write."));
+    const QJsonObject all = line.runLine(QStringLiteral("write 05 direction=cw --all --yes --json")).json();
+    EXPECT_EQ(all[u"eepromWrites"], 1);
+    EXPECT_EQ(fateOf(all, "direction"), "readBack");
+}
+
+TEST(CliLineWrite, ValuesOutOfRangeAreRefusedBeforeAnythingIsSent)
+{
+    SharedLine line;
+    for (const char *values : {"steps=0", "steps=8193", "address=0", "address=32", "lower-limit=0",
+                               "upper-limit=33554432", "measuring-range=0"}) {
+        const CliRun run =
+            line.runLine(QStringLiteral("write 05 %1 --yes --json").arg(QString::fromLatin1(values)));
+        EXPECT_EQ(run.exit, 2) << values;
+        EXPECT_EQ(errorKey(run), "valueOutOfRange") << values;
+    }
+    EXPECT_EQ(errorKey(line.runLine(QStringLiteral("write 05 baud-rate=300 --yes --json"))),
+              "valueNotAllowed");
+    EXPECT_EQ(errorKey(line.runLine(QStringLiteral("write 05 preset=5 --yes --json"))), "parameterReadOnly");
+}
+
+TEST(CliLineWrite, AnotherAddressIsToldWithThePlace)
+{
+    SharedLine line;
+    const CliRun run = line.runLine(QStringLiteral("write 05 address=15h --yes"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_THAT(run.out, HasSubstr("  address    5      21      05X15\n"));
+    EXPECT_THAT(run.out, HasSubstr("The encoder is at 15h (21) now: PLACE 15.\n"));
+    EXPECT_EQ(line.runLine(QStringLiteral("read 15 serial-number")).out, "serial-number  = 0012D5A4\n");
+}
+
+// 12h = 18 is there; so is 03, to which the digits "03" lead.
+TEST(CliLineWrite, AnAddressThatIsTakenIsRefused)
+{
+    SharedLine line;
+    const CliRun run = line.runLine(QStringLiteral("write 05 address=18 --yes"));
+    EXPECT_EQ(run.exit, 2);
+    EXPECT_THAT(run.err, HasSubstr("Address 12h (18) is taken: an encoder with the serial number 00130008"));
+    EXPECT_EQ(errorKey(line.runLine(QStringLiteral("write 05 address=3 --yes --json"))), "lineAddressTaken");
+    EXPECT_EQ(line.runLine(QStringLiteral("read 05 steps")).exit, 0);
+}
+
+TEST(CliLineWrite, AnotherBaudRateIsToldWithTheLink)
+{
+    SharedLine line;
+    const CliRun run = line.runLine(QStringLiteral("write 05 baud-rate=4800 --yes"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_THAT(run.out, HasSubstr("The encoder has 4800 Bd now: give the link as ...,baud=4800.\n"));
+}
+
+TEST(CliLineWrite, UnpluggedInTheMiddleEachValueTellsWhatIsKnownOfIt)
+{
+    SharedLine line;
+    line.unplugAfter("05GD");
+    const CliRun run =
+        line.runLine(QStringLiteral("write 05 upper-limit=5000 direction=ccw lower-limit=10 --yes --json"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(fateOf(run.json(), "upper-limit"), "readBack");
+    EXPECT_EQ(fateOf(run.json(), "direction"), "unknown");
+    EXPECT_EQ(fateOf(run.json(), "lower-limit"), "notSent");
+    EXPECT_THAT(run.err, HasSubstr("The serial port training line is gone"));
+    EXPECT_THAT(run.err, HasSubstr("05GD1"));
+}
+
+TEST(CliLineWrite, AWriteOfASilentEncoderIsNotKnown)
+{
+    SharedLine line;
+    line.muteAfter("05GD");
+    const CliRun run = line.runLine(QStringLiteral("write 05 direction=ccw lower-limit=10 --yes --json"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(errorKey(run), "escWriteUnknown");
+    EXPECT_EQ(fateOf(run.json(), "direction"), "unknown");
+    EXPECT_EQ(fateOf(run.json(), "lower-limit"), "notSent");
+    EXPECT_EQ(run.json()[u"eepromWrites"], 1);
+}
+
+TEST(CliLinePreset, SetsThePositionAtOnce)
+{
+    SharedLine line;
+    const CliRun run = line.runLine(QStringLiteral("preset esc:05 3E8h"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_EQ(run.out, "Position before: 4661\nPosition after:  1000\nEEPROM writes:   1\n");
+    EXPECT_EQ(line.registers(0x05).preset, 1'000U);
+}
+
+TEST(CliLinePreset, NeedsAValueInRange)
+{
+    SharedLine line;
+    EXPECT_EQ(errorKey(line.runLine(QStringLiteral("preset 05 --json"))), "presetNeedsValue");
+    EXPECT_EQ(errorKey(line.runLine(QStringLiteral("preset 05 0 --json"))), "valueOutOfRange");
+    EXPECT_EQ(errorKey(line.runLine(QStringLiteral("preset 05 33554432 --json"))), "valueOutOfRange");
+    EXPECT_EQ(line.registers(0x05).preset, 1U);
+}
+
+TEST(CliLinePreset, UnpluggedInTheMiddleItIsNotKnown)
+{
+    SharedLine line;
+    line.unplugAfter("05GP");
+    const CliRun run = line.runLine(QStringLiteral("preset 05 1000"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("The serial port training line is gone"));
+    EXPECT_THAT(run.err, HasSubstr("05GP000003E8 was sent and before it was answered: it is not known"));
+}
+
+} // namespace
+} // namespace codewheel
