@@ -6,6 +6,7 @@
 #include "widgets/dial/code_disc.h"
 #include "widgets/dial/missing_values.h"
 #include "widgets/dial/state_note.h"
+#include "widgets/models/device_traits.h"
 #include "widgets/monitor/position_range.h"
 
 #include <QVBoxLayout>
@@ -15,13 +16,18 @@
 namespace codewheel {
 namespace {
 
-// Codings of the profile with an even number count counter-clockwise (Baumer manual 5); direction 4 is CCW
-// (FRABA 5.3).
+// By what the description calls the value. Where it does not: codings of the profile with an even number
+// count counter-clockwise (Baumer manual 5); direction 4 is CCW (FRABA 5.3).
 bool countsClockwise(const EncoderSession &encoder)
 {
-    for (const Parameter parameter : {Parameter::direction, Parameter::coding})
-        if (const auto known = encoder.known(parameter))
-            return known->value % 2 != 0;
+    for (const Parameter parameter : {Parameter::direction, Parameter::coding}) {
+        const auto known = encoder.known(parameter);
+        if (!known)
+            continue;
+        const ParameterDescription *description = encoder.device().find(parameter);
+        const Choice *choice = description ? description->findChoice(known->value) : nullptr;
+        return choice ? !choice->key.endsWith(QStringLiteral("ccw")) : known->value % 2 != 0;
+    }
     return true;
 }
 
@@ -73,7 +79,9 @@ std::optional<ShaftDial::Scale> ShaftDial::scale() const
     const auto revolutions = m_encoder->known(Parameter::revolutions);
     if (!m_missing->isEmpty() || !steps || !revolutions)
         return std::nullopt;
-    Scale scale{.stepsPerTurn = static_cast<double>(steps->value) / static_cast<double>(revolutions->value),
+    // An encoder on a serial line tells the steps of one turn.
+    const std::int64_t turns = isOnLine(m_encoder->device()) ? 1 : revolutions->value;
+    Scale scale{.stepsPerTurn = static_cast<double>(steps->value) / static_cast<double>(turns),
                 .clockwise = countsClockwise(*m_encoder),
                 .total = {}};
     if (const auto range = positionRange(*m_encoder))

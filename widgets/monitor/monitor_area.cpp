@@ -181,6 +181,11 @@ void MonitorArea::openWords(DeviceNumber number)
 
 QString MonitorArea::whyNot(DeviceNumber number, MonitorKind kind) const
 {
+    if (number.isOnLine())
+        return tr("%1 is on a serial line and has no words: its position stands in the panels, what passes "
+                  "on "
+                  "the line in the terminal.")
+            .arg(number.toString());
     const WordChannel *channel = m_bus.channel(number);
     const EncoderSession *encoder = m_bus.encoder(number);
     if (channel && channel->inWords() == 0 && channel->outWords() == 0)

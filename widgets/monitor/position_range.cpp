@@ -23,6 +23,10 @@ std::optional<PositionRange> positionRange(const EncoderSession &encoder)
         const auto length = encoder.known(Parameter::measuringLength);
         return length ? std::optional(PositionRange{0, length->value}) : std::nullopt;
     }
+    if (device.profile == Profile::esc) {
+        const auto range = encoder.known(Parameter::measuringRange);
+        return range && range->value > 1 ? std::optional(PositionRange{0, range->value - 1}) : std::nullopt;
+    }
     if (onlyTellsPosition(device.profile)) {
         const std::int64_t positions = std::int64_t{device.physicalStepsPerTurn} * device.physicalTurns;
         return positions < 2 ? std::nullopt : std::optional(rangeOf(positions, device.coding));

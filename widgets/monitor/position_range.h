@@ -15,7 +15,8 @@ struct PositionRange
 };
 
 // From the steps, revolutions and measuring range that are known, and the coding, or from the measuring
-// length of a rod; nothing where one is missing.
+// length of a rod; on a serial line from the measuring range, which is in steps there. Nothing where one is
+// missing.
 std::optional<PositionRange> positionRange(const EncoderSession &encoder);
 
 } // namespace codewheel

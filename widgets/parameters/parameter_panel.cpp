@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/parameter_panel.h"
 
-#include "drivers/esc_values.h"
 #include "drivers/values_to_write.h"
 #include "encoder/refusal_text.h"
 #include "widgets/eeprom/eeprom_question.h"
@@ -16,11 +15,11 @@
 #include "widgets/parameters/outcome_text.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/parameter_table.h"
+#include "widgets/parameters/position_to_set.h"
 #include "widgets/parameters/value_bar.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/parameters/write_review.h"
 #include "widgets/wizard/known_text.h"
-#include "words/la66_word.h"
 
 #include <QAction>
 #include <QGridLayout>
@@ -325,25 +324,16 @@ void ParameterPanel::askWhatItHas()
                known ? std::optional(known->value) : std::nullopt);
 }
 
-// Where the command brings its value along: any position, stored at once. An encoder on a serial line has
-// positions from 1 to its measuring range, an LA-66 all of 24 bit.
+// Where the command brings its value along.
 void ParameterPanel::askWherePositionIs()
 {
-    ParameterDescription position;
-    position.parameter = Parameter::preset;
-    position.maximum = la66::dataMask;
-    if (const EncoderSession *encoder = session(); encoder && encoder->device().profile == Profile::esc) {
-        ParameterValues known;
-        for (const Known &one : allKnown(*encoder))
-            known.push_back({one.parameter, one.value});
-        position = escNarrowed(encoder->device(), Parameter::preset, known);
-    }
-    m_bar->ask({.parameter = position,
+    if (!session())
+        return;
+    m_bar->ask({.parameter = positionToSet(*session()),
                 .label = tr("The position here is to be"),
                 .ifEmpty = tr("position"),
                 .button = tr("&Set"),
-                .toolTip = tr("Sends service 6 with this position; it holds at once, and costs an EEPROM "
-                              "write."),
+                .toolTip = positionToSetText(*session()),
                 .answered =
                     [this](std::optional<std::int64_t> value) {
                         if (session())

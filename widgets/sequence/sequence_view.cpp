@@ -8,6 +8,7 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/tool.h"
+#include "widgets/models/device_traits.h"
 #include "widgets/sequence/sequence_model.h"
 
 #include <QApplication>
@@ -67,6 +68,9 @@ SequenceView::SequenceView(QWidget *parent)
                           "the other. Select an encoder in the bus structure."),
                        this));
     m_pages->addWidget(page);
+    m_onLine = new EmptyState(Icon::sequence, {}, {}, this);
+    m_pages->addWidget(m_onLine);
+    connect(m_onLine, &EmptyState::actionTriggered, this, &SequenceView::terminalRequested);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
     layout->addWidget(m_pages);
@@ -162,6 +166,8 @@ void SequenceView::setEncoder(EncoderSession *encoder)
         m_encoder->disconnect(this);
     m_encoder = encoder;
     m_pages->setCurrentIndex(encoder || m_job->isRunning() ? 1 : 0);
+    if (encoder && isOnLine(encoder->device()) && !m_job->isRunning())
+        showOnLine(*encoder);
     if (!m_job->isRunning())
         m_message->withdraw();
     if (encoder) {
@@ -174,6 +180,14 @@ void SequenceView::setEncoder(EncoderSession *encoder)
     }
     explainWords();
     showWhatIsPossible();
+}
+
+void SequenceView::showOnLine(const EncoderSession &encoder)
+{
+    m_onLine->setTexts(tr("%1 is on a serial line").arg(encoder.number().toString()),
+                       tr("It takes requests instead of words. Type them in the terminal."));
+    m_onLine->setAction(tr("Open the &terminal"));
+    m_pages->setCurrentWidget(m_onLine);
 }
 
 void SequenceView::explainWords()

@@ -18,6 +18,7 @@ class QToolBar;
 
 namespace codewheel {
 
+class EmptyState;
 class InlineMessage;
 class SequenceModel;
 
@@ -42,6 +43,7 @@ public:
 Q_SIGNALS:
     void listChanged(); // perhaps: also when a word was sent
     void sendingEnded();
+    void terminalRequested(); // where what an encoder on a serial line is to be sent is typed
 
 private:
     void makeTable();
@@ -60,6 +62,7 @@ private:
     void showEnd(const Outcome &outcome, int words);
     void showWhatIsPossible();
     void explainWords();
+    void showOnLine(const EncoderSession &encoder);
     int selectedRow() const; // -1: none
     void say(Role role, const QString &sentence);
 
@@ -67,6 +70,7 @@ private:
     SequenceModel *m_model;
     SequenceJob *m_job;
     QStackedWidget *m_pages;
+    EmptyState *m_onLine = nullptr; // of an encoder on a serial line
     QToolBar *m_tools;
     QTableView *m_table;
     QSpinBox *m_hold;

@@ -6,6 +6,7 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/tool.h"
+#include "widgets/models/device_traits.h"
 #include "widgets/trace/trace_model.h"
 
 #include <QApplication>
@@ -55,6 +56,9 @@ TraceView::TraceView(BusSession &bus, QWidget *parent)
                                          "encoder. Select an encoder in the bus structure."),
                                       this));
     m_pages->addWidget(page);
+    m_onLine = new EmptyState(Icon::trace, {}, {}, this);
+    m_pages->addWidget(m_onLine);
+    connect(m_onLine, &EmptyState::actionTriggered, this, &TraceView::terminalRequested);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
     layout->addWidget(m_pages);
@@ -155,6 +159,12 @@ void TraceView::setEncoder(EncoderSession *encoder)
     m_shown = encoder ? model(encoder->number()) : nullptr;
     m_message->withdraw();
     showModel();
+    if (encoder == nullptr || !isOnLine(encoder->device()))
+        return;
+    m_onLine->setTexts(tr("%1 is on a serial line").arg(encoder->number().toString()),
+                       tr("It has no words. What passes on its line stands in the terminal."));
+    m_onLine->setAction(tr("Open the &terminal"));
+    m_pages->setCurrentWidget(m_onLine);
 }
 
 TraceModel *TraceView::model(DeviceNumber number) const

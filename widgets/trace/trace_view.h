@@ -16,6 +16,7 @@ class QToolBar;
 
 namespace codewheel {
 
+class EmptyState;
 class InlineMessage;
 class TraceModel;
 
@@ -35,6 +36,9 @@ public:
     // UTF-8, comma separated (docs/manual/sequence-and-trace.md). Says on the spot what went wrong.
     bool exportTo(const QString &path);
     void exportRows(); // asks for the file
+
+Q_SIGNALS:
+    void terminalRequested(); // where what passes on a serial line is shown
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -57,6 +61,7 @@ private:
     TraceModel *m_shown = nullptr;
     std::vector<QPointer<EncoderSession>> m_watched;
     QStackedWidget *m_pages;
+    EmptyState *m_onLine = nullptr; // of an encoder on a serial line
     QToolBar *m_tools;
     QAction *m_follow = nullptr;
     QAction *m_hold = nullptr;

@@ -3,10 +3,10 @@
 
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
-#include "ring/bus_session.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/models/connected_encoders.h"
 
 #include <QLabel>
 #include <QListWidget>
@@ -44,9 +44,9 @@ void DevicePage::enter()
     const QSignalBlocker quiet(m_list);
     m_list->clear();
     m_encoders.clear();
-    if (m_setup.bus)
-        for (const DeviceNumber number : m_setup.bus->numbers())
-            if (EncoderSession *encoder = m_setup.bus->encoder(number)) {
+    if (m_setup.connected)
+        for (const DeviceNumber number : m_setup.connected->numbers())
+            if (EncoderSession *encoder = m_setup.connected->encoder(number)) {
                 m_encoders.push_back(encoder);
                 m_list->addItem(new QListWidgetItem(
                     lineIcon(Icon::encoder),

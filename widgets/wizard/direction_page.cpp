@@ -136,7 +136,11 @@ void DirectionPage::showLatest()
         begin();
         return;
     }
-    if (reading.state != EncoderState::operation) {
+    if (reading.state != EncoderState::operation && isOnLine(m_setup.encoder->device())) {
+        m_position->setText(reading.position ? QLocale().toString(qlonglong{*reading.position})
+                                             : QStringLiteral("\u2013"));
+        m_problem->showMessage(Role::attention, noteOfState(m_setup.encoder->device(), reading).sentence);
+    } else if (reading.state != EncoderState::operation) {
         m_position->setText(hexWord(reading.in));
         m_problem->showMessage(Role::attention,
                                reading.position

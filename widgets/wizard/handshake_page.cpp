@@ -5,7 +5,6 @@
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
 #include "journal/eeprom_cost.h"
-#include "ring/bus_session.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
@@ -67,9 +66,9 @@ HandshakePage::HandshakePage(Setup &setup, QWidget *parent)
     setUpQuietTable(*m_view, m_steps, tr("Steps of the handshake"));
     m_view->setObjectName(QStringLiteral("steps"));
     m_next->setObjectName(QStringLiteral("nextStep"));
-    m_next->setToolTip(tr("Sends the word of the next step."));
+    m_next->setToolTip(tr("Sends the next step."));
     m_byItself->setObjectName(QStringLiteral("runByItself"));
-    m_byItself->setToolTip(tr("The remaining words follow each other as the encoder confirms them."));
+    m_byItself->setToolTip(tr("The remaining steps follow each other as the encoder confirms them."));
     m_problem->setObjectName(QStringLiteral("handshakeProblem"));
     m_leftIn->setObjectName(QStringLiteral("leftIn"));
     m_leftIn->setWordWrap(true);
@@ -130,7 +129,7 @@ void HandshakePage::start()
     record.setPositionTo = m_setup.wish.setPositionTo;
     record.before = allKnown(encoder);
     record.positionBefore = encoder.latest().position;
-    record.begun = m_setup.bus->dateTime(m_setup.bus->latest().at);
+    record.begun = encoder.dateTime(encoder.latest().at);
     m_isRecovery = false;
     m_steps.begin();
     m_problem->withdraw();
@@ -203,6 +202,10 @@ void HandshakePage::showWords()
 {
     const Reading &reading = m_setup.encoder->latest();
     const DeviceDescription &device = m_setup.encoder->device();
+    m_out->setVisible(!isOnLine(device));
+    m_in->setVisible(!isOnLine(device));
+    if (isOnLine(device))
+        return;
     const auto meaning = [&](Word word, Word other, WordDirection direction) {
         return explanationText(device, explainWord(device, word,
                                                    {.direction = direction,
@@ -234,7 +237,7 @@ void HandshakePage::showOutcome(const Outcome &ended)
     (m_isRecovery ? record.recovery : record.outcome) = outcome;
     record.after = allKnown(*m_setup.encoder);
     record.positionAfter = m_setup.encoder->latest().position;
-    record.ended = m_setup.bus->dateTime(m_setup.bus->latest().at);
+    record.ended = m_setup.encoder->dateTime(m_setup.encoder->latest().at);
     record.eepromWritesInAll = m_setup.encoder->eepromCount().writes;
     m_steps.finish(outcome.result.has_value());
     showEnd();

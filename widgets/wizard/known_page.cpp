@@ -49,7 +49,7 @@ KnownPage::KnownPage(Setup &setup, QWidget *parent)
     m_view->setObjectName(QStringLiteral("known"));
     m_explanation->setWordWrap(true);
     m_read->setObjectName(QStringLiteral("readAll"));
-    m_read->setToolTip(tr("Reads all values. The position is away for some cycles each."));
+    m_read->setToolTip(tr("Reads all values."));
     m_tell->setToolTip(tr("Say what the encoder has, for instance from its papers. Nothing is sent."));
     m_isPositionMode->setObjectName(QStringLiteral("isPositionMode"));
     m_isPositionMode->setToolTip(tr("Say that the encoder is in position mode, not in velocity or cam mode. "
@@ -87,8 +87,13 @@ void KnownPage::enter()
     const EncoderSession &encoder = *m_setup.encoder;
     m_problem->withdraw();
     m_read->setVisible(encoder.can().reads);
+    m_read->setToolTip(encoder.can().readingHidesPosition
+                           ? tr("Reads all values. The position is away for some cycles each.")
+                           : tr("Reads all values."));
     m_explanation->setText(
-        encoder.can().reads
+        encoder.can().reads && !encoder.can().readingHidesPosition
+            ? tr("Reading sends requests, which change nothing.")
+        : encoder.can().reads
             ? tr("Reading sends words: the position is away for some cycles. Needs Operate.")
             : tr("The %1 has no read-out. Known is only what was written from here, or what you tell.")
                   .arg(encoder.device().fullName()));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/parameter_wizard.h"
 
-#include "ring/bus_session.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
+#include "widgets/models/connected_encoders.h"
 #include "widgets/wizard/device_page.h"
 #include "widgets/wizard/direction_page.h"
 #include "widgets/wizard/handshake_page.h"
@@ -27,9 +27,9 @@ constexpr int widthWithStepList = 680; // logical pixels
 
 } // namespace
 
-ParameterWizard::ParameterWizard(BusSession &bus, WantedValues &wanted, QWidget *parent)
+ParameterWizard::ParameterWizard(ConnectedEncoders &connected, WantedValues &wanted, QWidget *parent)
     : QWidget(parent)
-    , m_setup(new Setup{.bus = &bus, .encoder = {}, .wanted = wanted, .wish = {}, .record = {}})
+    , m_setup(new Setup{.connected = &connected, .encoder = {}, .wanted = wanted, .wish = {}, .record = {}})
     , m_title(new QLabel(this))
     , m_pages(new QStackedWidget(this))
     , m_cancel(new QPushButton(lineIcon(Icon::cancel), tr("Cance&l"), this))
@@ -65,7 +65,7 @@ ParameterWizard::ParameterWizard(BusSession &bus, WantedValues &wanted, QWidget 
     connect(m_cancel, &QPushButton::clicked, this, &ParameterWizard::cancel);
     connect(m_back, &QPushButton::clicked, this, &ParameterWizard::back);
     connect(m_next, &QPushButton::clicked, this, &ParameterWizard::next);
-    connect(&bus, &BusSession::stateChanged, this, [this] {
+    connect(&connected, &ConnectedEncoders::changed, this, [this] {
         if (page() == device) // there may be other encoders now
             m_devicePage->enter();
     });
@@ -214,7 +214,7 @@ void ParameterWizard::showButtons()
 {
     m_next->setText(current()->nextText());
     m_next->setEnabled(current()->mayGoOn());
-    m_next->setToolTip(page() == review ? tr("Sends the words above to the encoder.")
+    m_next->setToolTip(page() == review ? tr("Sends the steps above to the encoder.")
                                         : tr("To the next page."));
     m_back->setEnabled(page() > device && current()->mayGoBack());
     m_cancel->setVisible(page() != report);

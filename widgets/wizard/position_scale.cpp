@@ -40,6 +40,24 @@ bool isSignedCoding(const DeviceDescription &device, std::int64_t value)
     return choice != nullptr && choice->key.startsWith(QStringLiteral("signed"));
 }
 
+// Its measuring range is in steps, over all its revolutions (manual, commands M and U).
+std::optional<PositionScale> scaleOnLine(const DeviceDescription &device, const ValueOf &valueOf)
+{
+    const auto total = valueOf(Parameter::measuringRange);
+    const auto turns = valueOf(Parameter::revolutions);
+    const auto direction = valueOf(Parameter::direction);
+    if (!total || !turns || !direction || *total < 1 || *turns < 1)
+        return std::nullopt;
+    PositionScale scale;
+    scale.steps = *total;
+    scale.revolutions = *turns;
+    scale.turns = *turns;
+    scale.physicalStepsPerTurn = device.physicalStepsPerTurn;
+    scale.physicalTurns = device.physicalTurns;
+    scale.clockwise = isClockwise(device, *direction, Parameter::direction);
+    return scale;
+}
+
 } // namespace
 
 double PositionScale::resolution() const
@@ -60,6 +78,8 @@ std::int64_t PositionScale::shown(std::int64_t position) const
 
 std::optional<PositionScale> scaleOf(const DeviceDescription &device, const ValueOf &valueOf)
 {
+    if (device.profile == Profile::esc)
+        return scaleOnLine(device, valueOf);
     const auto steps = valueOf(Parameter::steps);
     const auto revolutions = valueOf(Parameter::revolutions);
     if (!steps || !revolutions || *steps < 1 || *revolutions < 1)

@@ -8,6 +8,8 @@
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/models/connected_encoders.h"
+#include "widgets/models/device_traits.h"
 #include "widgets/wizard/known_text.h"
 #include "widgets/wizard/quiet_table.h"
 
@@ -30,6 +32,7 @@ QString number(std::int64_t value)
 ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("Review"), parent)
     , m_changesView(new QTableView(this))
+    , m_words(new QLabel(this))
     , m_stepsView(new QTableView(this))
     , m_writeAll(new QCheckBox(tr("&Write all, also what is there already"), this))
     , m_writes(new QLabel(this))
@@ -51,15 +54,14 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     m_writeAll->setObjectName(QStringLiteral("writeAll"));
     m_writeAll->setToolTip(tr("Each write costs the EEPROM of the encoder one of its writes."));
     m_byHand->setObjectName(QStringLiteral("byHand"));
-    m_byHand->setToolTip(tr("Each word waits until you press Next step."));
+    m_byHand->setToolTip(tr("Each step waits until you press Next step."));
     m_byItself->setObjectName(QStringLiteral("byItself"));
-    m_byItself->setToolTip(tr("The words follow each other as the encoder confirms them."));
+    m_byItself->setToolTip(tr("The steps follow each other as the encoder confirms them."));
     m_writes->setObjectName(QStringLiteral("eepromWrites"));
     m_writes->setWordWrap(true);
     m_note->setWordWrap(true);
     m_problem->setObjectName(QStringLiteral("reviewProblem"));
 
-    auto *words = new QLabel(tr("Words that will be sent, in this order:"), this);
     auto *pace = new QHBoxLayout;
     pace->addWidget(m_byHand);
     pace->addWidget(m_byItself);
@@ -69,7 +71,7 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     layout->addWidget(m_changesView, 2);
     layout->addWidget(m_writeAll);
     layout->addWidget(m_problem);
-    layout->addWidget(words);
+    layout->addWidget(m_words);
     layout->addWidget(m_stepsView, 3);
     layout->addWidget(m_writes);
     layout->addWidget(m_gate);
@@ -87,6 +89,8 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
 
 void ReviewPage::enter()
 {
+    m_words->setText(isOnLine(m_setup.encoder->device()) ? tr("Requests that will be sent, in this order:")
+                                                         : tr("Words that will be sent, in this order:"));
     m_writeAll->setChecked(m_setup.wish.writeAll);
     (m_setup.byHand ? m_byHand : m_byItself)->setChecked(true);
     plan();
@@ -112,8 +116,9 @@ void ReviewPage::plan()
     }
     m_changes.setRows(std::move(rows));
 
-    const WordChannel *channel = m_setup.bus->channel(encoder.number());
-    const auto steps = stepsForJobs(encoder, jobsForWish(encoder, m_setup.wish), channel->out());
+    const WordChannel *channel = m_setup.connected->bus().channel(encoder.number());
+    const auto steps = stepsForJobs(encoder, jobsForWish(encoder, m_setup.wish),
+                                    channel ? channel->out() : k3::normalRunning);
     m_mayGoOn = steps.has_value();
     if (steps) {
         m_steps.showSteps(encoder.device(), *steps);

@@ -36,6 +36,7 @@ private:
     ValueChangeTable m_changes;
     StepTable m_steps{StepTable::Stage::planned};
     QTableView *m_changesView;
+    QLabel *m_words; // what the steps are
     QTableView *m_stepsView;
     QCheckBox *m_writeAll;
     QLabel *m_writes;

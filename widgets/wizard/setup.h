@@ -10,12 +10,12 @@
 
 namespace codewheel {
 
-class BusSession;
+class ConnectedEncoders;
 
 // What the pages of the wizard hand on to each other.
 struct Setup
 {
-    QPointer<BusSession> bus;
+    QPointer<ConnectedEncoders> connected;
     QPointer<EncoderSession> encoder;
     WantedValues &wanted; // shared with the parameter panel
     WriteWish wish;

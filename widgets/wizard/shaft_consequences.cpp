@@ -4,6 +4,7 @@
 #include "encoder/refusal_text.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/models/device_traits.h"
 #include "widgets/wizard/gear_panel.h"
 #include "widgets/wizard/scale_preview.h"
 #include "widgets/wizard/wanted_scale.h"
@@ -46,7 +47,10 @@ ShaftConsequences::ShaftConsequences(Setup &setup, QWidget *parent)
     layout->addWidget(m_warning);
     layout->addLayout(aids);
     connect(m_gear, &GearPanel::chosen, this, [this](qint64 steps, qint64 revolutions) {
-        Q_EMIT chosen({{Parameter::steps, steps}, {Parameter::revolutions, revolutions}});
+        ParameterValues values{{Parameter::steps, steps}};
+        if (!isOnLine(m_setup.encoder->device()))
+            values.push_back({Parameter::revolutions, revolutions});
+        Q_EMIT chosen(values);
     });
 }
 
@@ -54,6 +58,12 @@ void ShaftConsequences::showLimits()
 {
     const DeviceDescription &device = m_setup.encoder->device();
     GearLimits limits{.physicalStepsPerTurn = device.physicalStepsPerTurn};
+    if (isOnLine(device)) { // it takes the steps of one turn
+        limits.maxRevolutions = 1;
+        limits.turns = device.physicalTurns;
+        m_gear->setLimits(limits);
+        return;
+    }
     if (device.physicalTurns != 0)
         limits.turns = m_setup.valueAfter(Parameter::measuringRange).value_or(device.physicalTurns);
     m_gear->setLimits(limits);
@@ -96,7 +106,8 @@ QString ShaftConsequences::warningFor(const PositionScale &scale) const
         return refusalText(
             {RefusalKind::badInput, RefusalId::totalRangeTooLarge, {scale.total(), largestTotalRange}});
     for (const Parameter parameter : {Parameter::preset, Parameter::offset})
-        if (const auto value = m_setup.valueAfter(parameter); value && *value >= scale.total())
+        if (const auto value = m_setup.valueAfter(parameter);
+            value && *value >= scale.total() && !isOnLine(m_setup.encoder->device()))
             return refusalText({RefusalKind::badInput,
                                 RefusalId::valueAboveTotalRange,
                                 {parameter, *value, scale.total() - 1}});

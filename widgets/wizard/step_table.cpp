@@ -3,9 +3,12 @@
 
 #include "catalog/explain_word.h"
 #include "encoder/hex.h"
+#include "esc/esc_explain.h"
+#include "line/typed_request.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
+#include "widgets/models/device_traits.h"
 
 #include <QCoreApplication>
 
@@ -51,6 +54,13 @@ Mode modeOf(StepKind kind)
     return kind == StepKind::camParameter || kind == StepKind::camReadOut ? Mode::cam : Mode::position;
 }
 
+QString requestStepText(const Step &step)
+{
+    const QString line = QString::fromLatin1(step.line);
+    const auto request = typedRequest(line);
+    return request ? esc::requestText(*request) : StepTable::tr("Send %1").arg(line);
+}
+
 } // namespace
 
 QString stepText(const DeviceDescription &device, const Step &step)
@@ -73,7 +83,7 @@ QString stepText(const DeviceDescription &device, const Step &step)
     case StepKind::manufacturerPreset:
         return StepTable::tr("Set the position to the preset, for one bus cycle");
     case StepKind::request:
-        return StepTable::tr("Send %1").arg(QString::fromLatin1(step.line));
+        return requestStepText(step);
     case StepKind::service:
     case StepKind::serviceBit:
     case StepKind::switchMode:
@@ -98,6 +108,10 @@ StepTable::StepTable(Stage stage, QObject *parent)
 
 void StepTable::showSteps(const DeviceDescription &device, const std::vector<Step> &steps)
 {
+    if (m_isOnLine != isOnLine(device)) {
+        m_isOnLine = isOnLine(device);
+        setRows({});
+    }
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const int at = static_cast<int>(i);
         StepRow row{.step = steps[i], .what = stepText(device, steps[i]), .in = {}};
@@ -164,11 +178,11 @@ QVariant StepTable::headerCell(int column, int role) const
         return int(Qt::AlignLeft | Qt::AlignVCenter);
     if (role != Qt::DisplayRole)
         return {};
-    switch (column) {
+    switch (meaningOf(column)) {
     case what:
         return tr("Step");
     case out:
-        return tr("OUT");
+        return m_isOnLine ? tr("Request") : tr("OUT");
     case in:
         return tr("IN");
     default:
@@ -176,8 +190,9 @@ QVariant StepTable::headerCell(int column, int role) const
     }
 }
 
-QVariant StepTable::cell(const StepRow &row, int column, int role) const
+QVariant StepTable::cell(const StepRow &row, int at, int role) const
 {
+    const Column column = meaningOf(at);
     if (role == Qt::FontRole && (column == out || column == in))
         return numberFont();
     if (role == Qt::FontRole && column == what && row.state == StepState::next) {
@@ -193,7 +208,7 @@ QVariant StepTable::cell(const StepRow &row, int column, int role) const
     case what:
         return row.what;
     case out:
-        return hexWord(row.step.out);
+        return m_isOnLine ? QString::fromLatin1(row.step.line) : hexWord(row.step.out);
     case in:
         return row.in ? hexWord(*row.in) : QString();
     default:

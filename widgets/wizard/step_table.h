@@ -22,7 +22,8 @@ struct StepRow
     friend bool operator==(const StepRow &, const StepRow &) = default;
 };
 
-// The steps of a handshake: what, OUT, IN, state. In the review it has no IN and no state.
+// The steps of a handshake: what, OUT, IN, state; on a serial line what, request, state. In the review it has
+// no IN and no state.
 class StepTable final : public TableModelBase<StepRow>
 {
     Q_OBJECT
@@ -43,14 +44,16 @@ public:
     int current() const { return m_current; }
 
 protected:
-    int columns() const override { return m_stage == Stage::planned ? 2 : 4; }
+    int columns() const override { return m_stage == Stage::planned ? 2 : m_isOnLine ? 3 : 4; }
     QVariant headerCell(int column, int role) const override;
     QVariant cell(const StepRow &row, int column, int role) const override;
 
 private:
     void setState(int row, StepState to);
+    Column meaningOf(int column) const { return Column(m_isOnLine && column >= in ? state : column); }
 
     Stage m_stage;
+    bool m_isOnLine = false; // a request instead of OUT, and no IN
     int m_current = -1;
 };
 

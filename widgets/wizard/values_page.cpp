@@ -5,10 +5,11 @@
 #include "encoder/refusal_text.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/models/device_traits.h"
+#include "widgets/parameters/position_to_set.h"
 #include "widgets/parameters/value_field.h"
 #include "widgets/wizard/consequences.h"
 #include "widgets/wizard/known_text.h"
-#include "words/la66_word.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -16,41 +17,24 @@
 #include <QVBoxLayout>
 
 namespace codewheel {
-namespace {
-
-// LA-66 manual 3.4: any position of 24 bit.
-ParameterDescription positionToSet()
-{
-    ParameterDescription description;
-    description.parameter = Parameter::preset;
-    description.maximum = la66::dataMask;
-    description.unit = Unit::steps;
-    return description;
-}
-
-} // namespace
 
 ValuesPage::ValuesPage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("Values"), parent)
     , m_form(new QWidget(this))
     , m_initialise(new QCheckBox(tr("&Set the position to the preset now"), this))
-    , m_position(new ValueField(positionToSet(), tr("position"), this))
+    , m_setting(new QHBoxLayout)
     , m_badInput(new InlineMessage(this))
     , m_layout(new QVBoxLayout(this))
 {
     m_initialise->setObjectName(QStringLiteral("initialisePreset"));
     m_initialise->hide(); // until it is known how this encoder sets its position
-    m_position->focusProxy()->setObjectName(QStringLiteral("positionToSet"));
-    m_position->focusProxy()->setAccessibleName(tr("Position to set now"));
     m_badInput->setObjectName(QStringLiteral("badInput"));
 
-    auto *setting = new QHBoxLayout;
-    setting->addWidget(m_initialise);
-    setting->addWidget(m_position);
-    setting->addStretch();
+    m_setting->addWidget(m_initialise);
+    m_setting->addStretch();
     m_layout->setSpacing(grid::margin);
     m_layout->addWidget(m_form);
-    m_layout->addLayout(setting);
+    m_layout->addLayout(m_setting);
     m_layout->addWidget(m_badInput);
     m_layout->addStretch();
 
@@ -61,7 +45,6 @@ ValuesPage::ValuesPage(Setup &setup, QWidget *parent)
         if (on && needsValue)
             m_position->setFocus();
     });
-    connect(m_position, &ValueField::edited, this, &ValuesPage::readFields);
 }
 
 void ValuesPage::enter()
@@ -84,11 +67,27 @@ void ValuesPage::showSetting()
                                                : tr("&Set the position to the preset now"));
     m_initialise->setToolTip(
         can.presetNeedsValue
-            ? tr("After the values, service 6 makes the place where the magnet stands this position.")
+            ? isOnLine(m_setup.encoder->device())
+                  ? tr("After the values, GP makes the place where the shaft stands this position.")
+                  : tr("After the values, service 6 makes the place where the magnet stands this position.")
             : tr("After run, 40000000 makes the place where the shaft stands the preset value."));
     m_initialise->setChecked(m_setup.wish.initialisePreset || m_setup.wish.setPositionTo);
+    makePositionField();
     m_position->setVisible(can.presetNeedsValue);
     m_position->setValue(m_setup.wish.setPositionTo);
+}
+
+// Its range is that of the encoder, and follows what it tells.
+void ValuesPage::makePositionField()
+{
+    delete m_position;
+    m_position = new ValueField(positionToSet(*m_setup.encoder), tr("position"), this);
+    m_position->focusProxy()->setObjectName(QStringLiteral("positionToSet"));
+    m_position->focusProxy()->setAccessibleName(tr("Position to set now"));
+    m_position->focusProxy()->setToolTip(positionToSetText(*m_setup.encoder));
+    m_setting->insertWidget(1, m_position);
+    connect(m_position, &ValueField::edited, this, &ValuesPage::readFields);
+    setTabOrder(m_initialise, m_position->focusProxy());
 }
 
 void ValuesPage::makeRows()
@@ -139,7 +138,6 @@ void ValuesPage::makeRows()
         before = field->focusProxy();
     }
     setTabOrder(before, m_initialise);
-    setTabOrder(m_initialise, m_position->focusProxy());
     form->setColumnStretch(1, 1);
     form->setColumnStretch(3, 1);
 }

@@ -7,6 +7,7 @@
 
 class QCheckBox;
 class QGridLayout;
+class QHBoxLayout;
 class QLabel;
 class QVBoxLayout;
 
@@ -40,12 +41,14 @@ private:
     void readFields();
     void readPosition();
     void showSetting();
+    void makePositionField();
 
     std::map<Parameter, Row> m_rows;
     QString m_rowsOf; // key of the device
     QWidget *m_form;
     QCheckBox *m_initialise;
-    ValueField *m_position; // that is set where the command needs it
+    QHBoxLayout *m_setting;
+    ValueField *m_position = nullptr; // that is set where the command needs it; of this encoder
     InlineMessage *m_badInput;
     QVBoxLayout *m_layout;
     Consequences *m_consequences = nullptr; // of this kind of encoder

@@ -4,7 +4,9 @@
 #include "catalog/explain_word.h"
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
+#include "widgets/models/device_traits.h"
 #include "widgets/wizard/known_text.h"
+#include "widgets/wizard/step_table.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -100,6 +102,14 @@ Table traceTable(const HandshakeRecord &record, const DeviceDescription &device)
     return table;
 }
 
+Table requestTable(const HandshakeRecord &record, const DeviceDescription &device)
+{
+    Table table{WizardReport::tr("Requests"), {WizardReport::tr("Request"), WizardReport::tr("Means")}, {}};
+    for (const Step &step : record.progress.steps)
+        table.rows.append({QString::fromLatin1(step.line), stepText(device, step)});
+    return table;
+}
+
 Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, const QString &version)
 {
     const QLocale locale;
@@ -131,7 +141,8 @@ Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, 
              .arg(writes)
              .arg(record.eepromWritesInAll));
     fact(WizardReport::tr("Program"), QStringLiteral("Codewheel %1").arg(version));
-    report.tables = {valueTable(record, device), traceTable(record, device)};
+    report.tables = {valueTable(record, device),
+                     isOnLine(device) ? requestTable(record, device) : traceTable(record, device)};
     return report;
 }
 

@@ -7,6 +7,7 @@
 #include "simulator/training_bus.h"
 #include "tests/app/question.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/models/connected_encoders.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/project/project_document.h"
 #include "widgets/wizard/parameter_wizard.h"
@@ -94,7 +95,8 @@ protected:
     BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC)};
     ProjectDocument project;
     WantedValues wanted{project};
-    ParameterWizard wizard{bus, wanted};
+    ConnectedEncoders connected{bus};
+    ParameterWizard wizard{connected, wanted};
 };
 
 } // namespace codewheel::test
