@@ -3,19 +3,18 @@
 
 #include "project/planned_device.h"
 #include "ring/bus_session.h"
+#include "widgets/models/connected_encoders.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/structure_editor.h"
 
 #include <QScopedValueRollback>
 
-#include <algorithm>
-
 namespace codewheel {
 
-DeviceChoice::DeviceChoice(const BusSession &bus, const ProjectDocument &project, StructureView &tree,
-                           StructureEditor &editor, QObject *parent)
+DeviceChoice::DeviceChoice(const ConnectedEncoders &connected, const ProjectDocument &project,
+                           StructureView &tree, StructureEditor &editor, QObject *parent)
     : QObject(parent)
-    , m_bus(bus)
+    , m_connected(connected)
     , m_project(project)
     , m_tree(tree)
     , m_editor(editor)
@@ -26,7 +25,7 @@ DeviceChoice::DeviceChoice(const BusSession &bus, const ProjectDocument &project
             choose(number);
     });
     connect(&project, &ProjectDocument::changed, this, &DeviceChoice::followPlan);
-    connect(&bus, &BusSession::named, this, &DeviceChoice::show);
+    connect(&connected.bus(), &BusSession::named, this, &DeviceChoice::show);
 }
 
 void DeviceChoice::choose(std::optional<DeviceNumber> number)
@@ -35,7 +34,7 @@ void DeviceChoice::choose(std::optional<DeviceNumber> number)
         return;
     const QScopedValueRollback choosing(m_isChoosing, true);
     const auto place = number ? m_project.placeOf(*number) : std::nullopt;
-    const bool isThere = place || (number && isConnected(*number));
+    const bool isThere = place || (number && m_connected.isConnected(*number));
     m_number = isThere ? number : m_tree.current();
     const auto planned = m_number ? m_project.placeOf(*m_number) : std::nullopt;
     m_planned = planned ? std::optional(m_project.ids()[*planned]) : std::nullopt;
@@ -48,22 +47,16 @@ void DeviceChoice::choose(std::optional<DeviceNumber> number)
 
 void DeviceChoice::keep(std::optional<DeviceNumber> before)
 {
-    const bool stays = before && (isConnected(*before) || !m_bus.isOpen());
+    const bool stays = before && (m_connected.isConnected(*before) || !m_connected.bus().isOpen());
     choose(stays ? before : m_tree.current());
-}
-
-bool DeviceChoice::isConnected(DeviceNumber number) const
-{
-    const std::vector<DeviceNumber> numbers = m_bus.numbers();
-    return m_bus.isOpen() && std::ranges::find(numbers, number) != numbers.end();
 }
 
 ShownEncoder DeviceChoice::find() const
 {
-    if (m_number && isConnected(*m_number))
-        return m_bus.encoder(*m_number);
+    if (m_number && m_connected.isConnected(*m_number))
+        return m_connected.encoder(*m_number);
     if (m_number && m_planned)
-        if (auto description = plannedDescription(m_project.device(*m_number), m_bus.catalog()))
+        if (auto description = plannedDescription(m_project.device(*m_number), m_connected.bus().catalog()))
             return {*m_number, std::move(*description)};
     return {};
 }
@@ -71,7 +64,7 @@ ShownEncoder DeviceChoice::find() const
 // The panel of the bus structure may have been made anew, and numbers follow from the places.
 void DeviceChoice::followPlan()
 {
-    if (m_number && isConnected(*m_number)) {
+    if (m_number && m_connected.isConnected(*m_number)) {
         show();
         return;
     }

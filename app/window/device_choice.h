@@ -8,12 +8,12 @@
 
 namespace codewheel {
 
-class BusSession;
+class ConnectedEncoders;
 class StructureEditor;
 class StructureView;
 
 // Which device the panels of the window show: the one chosen in the panel of the bus structure or in the
-// structure editor; each follows the other. Of a connected ring it is the device with that number. What is
+// structure editor; each follows the other. Of a connected bus it is the device with that number. What is
 // only planned stays chosen while the plan is edited, whatever its number becomes.
 class DeviceChoice : public QObject
 {
@@ -21,7 +21,7 @@ class DeviceChoice : public QObject
 
 public:
     // All must outlive it.
-    DeviceChoice(const BusSession &bus, const ProjectDocument &project, StructureView &tree,
+    DeviceChoice(const ConnectedEncoders &connected, const ProjectDocument &project, StructureView &tree,
                  StructureEditor &editor, QObject *parent = nullptr);
 
     std::optional<DeviceNumber> number() const { return m_number; }
@@ -36,12 +36,11 @@ Q_SIGNALS:
     void changed(); // number or encoder, and be it that it is connected now
 
 private:
-    bool isConnected(DeviceNumber number) const;
     ShownEncoder find() const;
     void followPlan();
     void show();
 
-    const BusSession &m_bus;
+    const ConnectedEncoders &m_connected;
     const ProjectDocument &m_project;
     StructureView &m_tree;
     StructureEditor &m_editor;

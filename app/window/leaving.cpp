@@ -5,6 +5,7 @@
 #include "journal/eeprom_cost.h"
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
+#include "widgets/models/connected_encoders.h"
 #include "widgets/models/device_traits.h"
 #include "widgets/wizard/cancel_question.h"
 
@@ -47,29 +48,36 @@ Leaving::Leaving(QWidget &window)
     , m_window(window)
 {}
 
-void Leaving::setBus(BusSession *bus)
+void Leaving::setEncoders(ConnectedEncoders &connected)
 {
-    m_progress.clear();
-    if (m_bus != nullptr)
-        m_bus->disconnect(this);
-    m_bus = bus;
-    if (bus == nullptr)
-        return;
-    for (const DeviceNumber number : bus->numbers()) {
-        EncoderSession *encoder = bus->encoder(number);
-        if (encoder == nullptr)
-            continue;
-        connect(encoder, &EncoderSession::progressed, this,
-                [this, number](const Progress &progress) { m_progress[number] = progress; });
-        connect(encoder, &EncoderSession::finished, this, [this, number] {
-            m_progress.erase(number);
-            QTimer::singleShot(0, this, &Leaving::goOn);
-        });
-    }
-    connect(bus, &BusSession::updated, this, [this] {
+    m_connected = &connected;
+    connect(&connected, &ConnectedEncoders::changed, this, &Leaving::watch);
+    connect(&connected.bus(), &BusSession::updated, this, [this] {
         if (m_waitsForZero)
             goOn();
     });
+    watch();
+}
+
+// Sessions come and go with the connections.
+void Leaving::watch()
+{
+    std::erase(m_watched, nullptr);
+    const auto isWatched = [this](const EncoderSession *encoder) {
+        return std::ranges::any_of(m_watched, [encoder](const auto &watched) { return watched == encoder; });
+    };
+    for (const DeviceNumber number : m_connected->numbers()) {
+        EncoderSession *encoder = m_connected->encoder(number);
+        if (encoder == nullptr || isWatched(encoder))
+            continue;
+        m_watched.emplace_back(encoder);
+        connect(encoder, &EncoderSession::progressed, this,
+                [this, encoder](const Progress &progress) { m_progress[encoder->number()] = progress; });
+        connect(encoder, &EncoderSession::finished, this, [this, encoder] {
+            m_progress.erase(encoder->number());
+            QTimer::singleShot(0, this, &Leaving::goOn);
+        });
+    }
 }
 
 void Leaving::ask(Why why, std::function<void()> then)
@@ -86,14 +94,14 @@ void Leaving::goOn()
 {
     if (!m_then)
         return;
-    if (m_bus != nullptr) {
-        if (EncoderSession *encoder = busyEncoder()) {
-            if (!endJob(*encoder))
-                stay();
-            return; // finished() comes back here
-        }
-        const std::vector<DeviceNumber> devices = m_bus->devicesWithOut();
-        if (!devices.empty() && m_waitsForZero && m_bus->isRunning())
+    if (EncoderSession *encoder = busyEncoder()) {
+        if (!endJob(*encoder))
+            stay();
+        return; // finished() comes back here
+    }
+    if (const BusSession &bus = m_connected->bus(); bus.isOpen() && m_why != Why::disconnectLine) {
+        const std::vector<DeviceNumber> devices = bus.devicesWithOut();
+        if (!devices.empty() && m_waitsForZero && bus.isRunning())
             return; // updated() comes back here
         if (!devices.empty() && !m_outAnswered && !askForOut(devices))
             return;
@@ -102,10 +110,17 @@ void Leaving::goOn()
     std::exchange(m_then, nullptr)();
 }
 
+// Ring and line are left one by one, and both by quitting.
+bool Leaving::concerns(DeviceNumber number) const
+{
+    return m_why == Why::quit || number.isOnLine() == (m_why == Why::disconnectLine);
+}
+
 EncoderSession *Leaving::busyEncoder() const
 {
-    for (const DeviceNumber number : m_bus->numbers())
-        if (EncoderSession *encoder = m_bus->encoder(number); encoder != nullptr && encoder->runningJob())
+    for (const DeviceNumber number : m_connected->numbers())
+        if (EncoderSession *encoder = m_connected->encoder(number);
+            concerns(number) && encoder != nullptr && encoder->runningJob())
             return encoder;
     return nullptr;
 }
@@ -117,8 +132,9 @@ bool Leaving::endJob(EncoderSession &encoder)
         encoder.cancel(OnCancel::leaveAsIs);
         return true;
     }
-    const bool isActive = progress.confirmed.empty() && !isSetting(progress) &&
-                          encoder.latest().state == EncoderState::operation;
+    const bool isActive =
+        !activatesByRun(encoder.device()) || (progress.confirmed.empty() && !isSetting(progress) &&
+                                              encoder.latest().state == EncoderState::operation);
     const auto how = askHowToCancel(&m_window, encoder,
                                     {.taken = progress.confirmed,
                                      .isActive = isActive,
@@ -133,9 +149,10 @@ bool Leaving::endJob(EncoderSession &encoder)
 // True: go on now. False: the user stays, or the zeros are on their way.
 bool Leaving::askForOut(const std::vector<DeviceNumber> &devices)
 {
+    BusSession &bus = m_connected->bus();
     QStringList words;
     for (const DeviceNumber number : devices)
-        words.append(tr("OUT %1 is %2").arg(number.toString(), hexWord(m_bus->channel(number)->out())));
+        words.append(tr("OUT %1 is %2").arg(number.toString(), hexWord(bus.channel(number)->out())));
     const QString title = m_why == Why::quit         ? tr("Quit Codewheel")
                           : m_why == Why::disconnect ? tr("Disconnect")
                                                      : tr("Stop the bus");
@@ -143,7 +160,7 @@ bool Leaving::askForOut(const std::vector<DeviceNumber> &devices)
                     QMessageBox::NoButton, &m_window);
     box.setInformativeText(words.join(u'\n') + QStringLiteral("\n\n") +
                            tr("Shall they be set to 00000000 (normal running) first?"));
-    const bool canSend = m_bus->isRunning() && m_bus->isOperating();
+    const bool canSend = bus.isRunning() && bus.isOperating();
     QPushButton *zero = box.addButton(tr("Set to &00000000"), QMessageBox::AcceptRole);
     zero->setEnabled(canSend);
     zero->setToolTip(canSend ? tr("Sends 00000000 to these devices, then goes on")
@@ -165,7 +182,7 @@ bool Leaving::askForOut(const std::vector<DeviceNumber> &devices)
     m_outAnswered = true;
     m_waitsForZero = true;
     for (const DeviceNumber number : devices)
-        m_bus->zeroOut(number);
+        bus.zeroOut(number);
     return false;
 }
 

@@ -14,6 +14,7 @@ class QWidget;
 namespace codewheel {
 
 class BusSession;
+class ConnectedEncoders;
 
 // What has to be asked before the bus is stopped, left, or the window is closed: how to end a handshake that
 // is on its way, and whether OUT words that are not 0 shall be set to 0. Nothing is lost by saying "no".
@@ -22,11 +23,12 @@ class Leaving : public QObject
     Q_OBJECT
 
 public:
-    enum class Why { stop, disconnect, quit };
+    enum class Why { stop, disconnect, disconnectLine, quit };
 
     explicit Leaving(QWidget &window);
 
-    void setBus(BusSession *bus);
+    // They outlive it. Once, before anything is asked.
+    void setEncoders(ConnectedEncoders &connected);
     // Calls `then` once all is answered and done; not at all if the user stays.
     void ask(Why why, std::function<void()> then);
 
@@ -35,10 +37,13 @@ private:
     bool endJob(EncoderSession &encoder);
     bool askForOut(const std::vector<DeviceNumber> &devices);
     EncoderSession *busyEncoder() const;
+    bool concerns(DeviceNumber number) const;
+    void watch();
     void stay();
 
     QWidget &m_window;
-    QPointer<BusSession> m_bus;
+    ConnectedEncoders *m_connected = nullptr;
+    std::vector<QPointer<EncoderSession>> m_watched;
     std::map<DeviceNumber, Progress> m_progress; // of the jobs on their way
     Why m_why = Why::stop;
     std::function<void()> m_then;

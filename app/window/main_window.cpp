@@ -7,6 +7,7 @@
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
 #include "app/window/ring_connection.h"
+#include "app/window/serial_line.h"
 #include "app/window/status_line.h"
 #include "app/window/transfer_pages.h"
 #include "ring/bus_session.h"
@@ -18,6 +19,7 @@
 #include "widgets/dial/dial_panel.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/messages/message_model.h"
+#include "widgets/models/connected_encoders.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/wanted_values.h"
@@ -79,25 +81,30 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
 
 MainWindow::~MainWindow() = default;
 
-void MainWindow::attach(BusSession &bus, std::shared_ptr<TrainingControls> training, const QString &link,
-                        MessageModel &messages, const LedgerKeeper &ledger, const LastPositions &positions)
+void MainWindow::attach(const Plant &plant)
 {
+    BusSession &bus = plant.bus;
+    const LastPositions &positions = plant.positions;
     m_bus = &bus;
-    m_training = std::move(training);
-    m_messageModel = &messages;
-    m_link = link;
-    m_ledger = &ledger;
+    m_line = &plant.line;
+    m_connected = new ConnectedEncoders(bus, this);
+    m_training = plant.training;
+    m_messageModel = &plant.messages;
+    m_link = plant.link;
+    m_ledger = &plant.ledger;
     m_positions = &positions;
+    m_leaving->setEncoders(*m_connected);
     m_files->setBeforeSaving([&bus, &positions](Project project) {
         return withLastPositions(std::move(project), positions, bus);
     });
     new DeviceNames(m_project, bus, this);
     makePages();
-    makeDocks(messages);
+    makeDocks(plant.messages);
     m_structure->setProject(m_project, bus.catalog());
-    m_choice = new DeviceChoice(bus, m_project, *m_structure, *m_editor, this);
+    m_choice = new DeviceChoice(*m_connected, m_project, *m_structure, *m_editor, this);
     connectViews();
     connectProject();
+    connectLine();
     showOnline();
     openFirstMonitors();
     connect(&bus, &BusSession::stateChanged, this, &MainWindow::showBusState);
@@ -137,7 +144,6 @@ void MainWindow::showOnline()
     } else if (!m_openMonitors.isEmpty()) {
         m_monitors->restoreState(std::exchange(m_openMonitors, {}));
     }
-    m_leaving->setBus(online);
     m_status->setBus(online, m_link);
     const auto chosen = m_choice->number();
     m_structure->setBus(online);
@@ -150,7 +156,6 @@ void MainWindow::showOnline()
 void MainWindow::showOtherRing()
 {
     const auto chosen = m_choice->number();
-    m_leaving->setBus(m_bus);
     m_structure->setBus(m_bus);
     m_choice->keep(chosen);
 }
@@ -169,9 +174,10 @@ void MainWindow::showChosen()
     m_cams->setEncoder(encoder);
     m_actions.showChosen(encoder);
     m_transfer->setEncoder(encoder);
-    m_device->setPlace(m_choice->number(), encoder.isThere() && connected == nullptr
-                                               ? std::optional(encoder.device())
-                                               : std::nullopt);
+    // of one on a serial line the ring knows nothing
+    const bool isOfRing = connected != nullptr && !connected->number().isOnLine();
+    m_device->setPlace(m_choice->number(),
+                       encoder.isThere() && !isOfRing ? std::optional(encoder.device()) : std::nullopt);
     if (m_bus->isOpen() && m_choice->number())
         m_trainingPanel->setDevice(*m_choice->number());
 }
@@ -189,6 +195,8 @@ void MainWindow::showPicture()
     if (m_bus == nullptr)
         return;
     m_bus->pump();
+    if (LineSession *line = m_line->session())
+        line->pump();
     m_trainingPanel->refresh();
 }
 

@@ -21,6 +21,7 @@ class AlarmStopEverywhere;
 class BusSession;
 class CamEditor;
 class ComparisonPage;
+class ConnectedEncoders;
 class DeviceChoice;
 class DevicePanel;
 class DialPanel;
@@ -42,6 +43,7 @@ class ProjectRecovery;
 class ReportExport;
 class RingConnection;
 class SequenceView;
+class SerialLine;
 class StatusLine;
 class StructureEditor;
 class StructureView;
@@ -64,11 +66,19 @@ public:
     MainWindow(WindowSettings &settings, ProjectDocument &project, QWidget *parent = nullptr);
     ~MainWindow() override;
 
-    // The bus must outlive the window, or the window be closed first. link: its name in the status line.
-    // ledger: of the EEPROM writes of its encoders. It, messages and positions outlive the window: they are
-    // kept when it is made anew in another language.
-    void attach(BusSession &bus, std::shared_ptr<TrainingControls> training, const QString &link,
-                MessageModel &messages, const LedgerKeeper &ledger, const LastPositions &positions);
+    // What the window looks at. All of it outlives the window: it is kept when the window is made anew in
+    // another language.
+    struct Plant
+    {
+        BusSession &bus;
+        QString link; // its name in the status line
+        std::shared_ptr<TrainingControls> training;
+        SerialLine &line;
+        MessageModel &messages;
+        const LedgerKeeper &ledger; // of the EEPROM writes of its encoders
+        const LastPositions &positions;
+    };
+    void attach(const Plant &plant);
     // What has to be known before all else, such as that messages are not kept. Stands until it is closed.
     void warn(const QString &sentence);
 
@@ -104,6 +114,9 @@ private:
     void connectActions();
     void connectViewActions();
     void connectViews();
+    void connectLine(); // main_window_line.cpp
+    void leaveLine();
+    void showLine();
     void showChosen();
     void showOtherRing();
     void openFirstMonitors();
@@ -112,11 +125,15 @@ private:
     void showOnline();
     void tell(const Message &message);
     void showBusState();
+    void setOperate(bool on);
+    void alarmStop();
     std::optional<DeviceNumber> currentNumber() const;
 
     WindowSettings &m_settings;
     ProjectDocument &m_project;
     BusSession *m_bus = nullptr;
+    SerialLine *m_line = nullptr;
+    ConnectedEncoders *m_connected = nullptr;
     std::shared_ptr<TrainingControls> m_training;
     WindowActions m_actions;
     AlarmStopEverywhere *m_alarmStop;

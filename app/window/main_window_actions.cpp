@@ -4,6 +4,7 @@
 #include "app/window/leaving.h"
 #include "app/window/main_window.h"
 #include "app/window/panels.h"
+#include "app/window/serial_line.h"
 #include "ring/bus_session.h"
 #include "widgets/master/master_panel.h"
 #include "widgets/messages/messages_view.h"
@@ -25,17 +26,14 @@ void MainWindow::connectActions()
         };
     };
     connect(m_actions.quit, &QAction::triggered, this, &QWidget::close);
-    connect(m_actions.watch, &QAction::triggered, this,
-            withBus([](BusSession &bus) { bus.setOperate(false); }));
-    connect(m_actions.operate, &QAction::triggered, this,
-            withBus([](BusSession &bus) { bus.setOperate(true); }));
+    connect(m_actions.watch, &QAction::triggered, this, [this] { setOperate(false); });
+    connect(m_actions.operate, &QAction::triggered, this, [this] { setOperate(true); });
     connect(m_actions.start, &QAction::triggered, this, withBus([](BusSession &bus) { bus.startBus(); }));
-    connect(m_actions.alarmStop, &QAction::triggered, this,
-            withBus([](BusSession &bus) { bus.alarmStop(); }));
+    connect(m_actions.alarmStop, &QAction::triggered, this, &MainWindow::alarmStop);
     connect(m_actions.stop, &QAction::triggered, this,
             [this] { m_leaving->ask(Leaving::Why::stop, [this] { m_bus->stopBus(); }); });
     connect(m_actions.switchSegment, &QAction::triggered, this, [this] {
-        if (const auto number = currentNumber())
+        if (const auto number = currentNumber(); number && !number->isOnLine())
             m_master->toggleSegment(number->segment);
     });
     connect(m_actions.wizard, &QAction::triggered, this, &MainWindow::showWizard);
@@ -56,11 +54,30 @@ void MainWindow::connectActions()
     connect(m_actions.openOut32, &QAction::triggered, this, open(MonitorKind::out32));
     connect(m_actions.openIn16, &QAction::triggered, this, open(MonitorKind::in16));
     connect(m_actions.zeroOut, &QAction::triggered, this, [this] {
-        if (const auto number = currentNumber())
+        if (const auto number = currentNumber(); number && !number->isOnLine())
             m_bus->zeroOut(*number);
     });
     connect(m_actions.exportTrace, &QAction::triggered, this, [this] { m_trace->exportRows(); });
     connect(m_actions.exportMessages, &QAction::triggered, this, [this] { m_messages->exportRows(); });
+}
+
+// One decision for ring and line.
+void MainWindow::setOperate(bool on)
+{
+    if (m_bus == nullptr)
+        return;
+    m_bus->setOperate(on);
+    if (LineSession *line = m_line->session())
+        line->setOperate(on);
+}
+
+void MainWindow::alarmStop()
+{
+    if (m_bus == nullptr)
+        return;
+    m_bus->alarmStop();
+    if (LineSession *line = m_line->session())
+        line->alarmStop();
 }
 
 void MainWindow::connectViewActions()
@@ -106,9 +123,11 @@ void MainWindow::showBusState()
         if (m_bus == nullptr)
             action->setEnabled(false);
     const bool running = connected && m_bus->isRunning();
-    const bool operating = connected && m_bus->isOperating();
-    m_actions.watch->setEnabled(connected);
-    m_actions.operate->setEnabled(connected);
+    const LineSession *line = m_line == nullptr ? nullptr : m_line->session();
+    const bool onLine = line != nullptr && line->isOpen();
+    const bool operating = (connected && m_bus->isOperating()) || (onLine && line->isOperating());
+    m_actions.watch->setEnabled(connected || onLine);
+    m_actions.operate->setEnabled(connected || onLine);
     m_actions.watch->setChecked(!operating);
     m_actions.operate->setChecked(operating);
     m_actions.start->setEnabled(connected && !running);
@@ -116,7 +135,7 @@ void MainWindow::showBusState()
     const bool hasMaster = connected && m_bus->master() != nullptr;
     m_actions.confirmDiagnostics->setEnabled(hasMaster);
     m_actions.switchSegment->setEnabled(hasMaster);
-    m_actions.alarmStop->setEnabled(connected);
+    m_actions.alarmStop->setEnabled(connected || onLine);
     for (QAction *monitor : {m_actions.openIn32, m_actions.openOut32, m_actions.openIn16})
         monitor->setEnabled(connected);
     m_actions.exportReport->setEnabled(m_bus != nullptr);

@@ -95,10 +95,10 @@ void arrangePanels(QMainWindow &window)
     // In a low window, which is narrow as well, a monitor between them has to have its 16 bits in a row.
     window.resizeDocks({panels.structure, panels.parameters}, {isLow ? 210 : 280, isLow ? 290 : 310},
                        Qt::Horizontal);
-    window.resizeDocks({isLow ? panels.structure : panels.parameters, panels.dial}, {isLow ? 240 : 430, 300},
-                       Qt::Vertical);
+    window.resizeDocks({isLow ? panels.structure : panels.parameters, panels.dial},
+                       {isLow ? 300 : 430, isLow ? 240 : 300}, Qt::Vertical);
     if (!isLow) // the devices of the training bus, and all the rest for what one does with them
-        window.resizeDocks({panels.structure, panels.training}, {240, 500}, Qt::Vertical);
+        window.resizeDocks({panels.structure, panels.training}, {320, 420}, Qt::Vertical);
     window.resizeDocks({panels.trace}, {170}, Qt::Vertical);
 }
 

@@ -8,6 +8,7 @@
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
 #include "app/window/ring_connection.h"
+#include "app/window/serial_line.h"
 #include "app/window/start_probe.h"
 #include "journal/ledger_keeper.h"
 #include "project/project_take_over.h"
@@ -86,12 +87,17 @@ void Program::startBus()
         m_messages->addNow(*m_ledger->problem());
     keepAccountOf(m_project, *m_ledger);
     m_positions = std::make_unique<LastPositions>(*m_training.bus);
+    m_line = std::make_unique<SerialLine>(*m_catalog, LineSession::Drive::byThread,
+                                          [] { return QDateTime::currentDateTime(); });
+    connect(m_line.get(), &SerialLine::changed, m_messages.get(),
+            [this] { m_messages->setLine(m_line->session()); });
     for (const Catalog::Fault &fault : faults)
         m_messages->addNow(
             {.severity = Severity::attention,
              .refusal =
                  Refusal{RefusalKind::badInput, RefusalId::deviceFileBroken, {fault.place(), fault.reason}}});
     attach();
+    m_line->openTraining();
     openProject();
     m_training.bus->startThread(busPeriod);
     m_pictures.start(picturePeriod);
@@ -114,8 +120,13 @@ void Program::openProject()
 
 void Program::attach()
 {
-    m_window->attach(*m_training.bus, m_training.controls, tr("training bus"), *m_messages, *m_ledger,
-                     *m_positions);
+    m_window->attach({.bus = *m_training.bus,
+                      .link = tr("training bus"),
+                      .training = m_training.controls,
+                      .line = *m_line,
+                      .messages = *m_messages,
+                      .ledger = *m_ledger,
+                      .positions = *m_positions});
     if (const auto warning = nothingIsKept(); !warning.isEmpty())
         m_window->warn(warning);
 }

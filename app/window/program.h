@@ -22,6 +22,7 @@ class LedgerKeeper;
 class MessageModel;
 class MessageStore;
 class ProjectRecovery;
+class SerialLine;
 
 // The program with a window, from start to end: language, appearance, the window, and after its first paint
 // the training bus with a thread of its own. The language can be chosen at any time: the window is made anew,
@@ -58,6 +59,7 @@ private:
     std::unique_ptr<MessageStore> m_store;
     std::unique_ptr<MessageModel> m_messages;
     TrainingSession m_training;
+    std::unique_ptr<SerialLine> m_line;
     ProjectDocument m_project;
     std::unique_ptr<ProjectRecovery> m_recovery;
     QString m_recoveryFolder;

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "journal/eeprom_cost.h"
+#include "line/line_session.h"
 #include "ring/bus_session.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
@@ -12,6 +13,8 @@
 #include <QLabel>
 #include <QLocale>
 #include <QStatusBar>
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {
@@ -51,6 +54,7 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
           addLabel(bar, tr("Late cycles"), tr("Cycles that began too late; they are counted, not caught up")))
     , m_crc(addLabel(bar, tr("CRC errors"), tr("Faulty data cycles since the ring was started")))
     , m_linkLabel(addLabel(bar, tr("Link"), tr("How the program is connected to the ring")))
+    , m_lineLabel(new RoleLabel(&bar))
     , m_hint(addLabel(bar, QString(), QString()))
     , m_writes(
           addLabel(bar, tr("EEPROM writes"),
@@ -66,6 +70,8 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     bar.addPermanentWidget(m_late);
     bar.addPermanentWidget(m_crc);
     bar.addPermanentWidget(m_linkLabel);
+    bar.addPermanentWidget(m_lineLabel);
+    m_lineLabel->hide();
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_hint->setIndent(grid::margin);
     bar.addPermanentWidget(m_hint, 1);
@@ -86,6 +92,19 @@ void StatusLine::setBus(BusSession *bus, const QString &link)
     refresh();
 }
 
+void StatusLine::setLine(LineSession *line)
+{
+    if (m_line)
+        m_line->disconnect(this);
+    m_line = line;
+    if (line) {
+        connect(line, &LineSession::updated, this, &StatusLine::showLine);
+        connect(line, &LineSession::stateChanged, this, &StatusLine::refresh);
+        connect(line, &LineSession::devicesChanged, this, &StatusLine::showLine);
+    }
+    refresh();
+}
+
 void StatusLine::setEncoder(EncoderSession *encoder)
 {
     m_encoder = encoder;
@@ -95,8 +114,10 @@ void StatusLine::setEncoder(EncoderSession *encoder)
 void StatusLine::refresh()
 {
     showState();
+    showLine();
+    showWrites();
     if (m_bus == nullptr) {
-        for (QLabel *label : {m_cycle, m_late, m_crc, m_linkLabel, m_writes})
+        for (QLabel *label : {m_cycle, m_late, m_crc, m_linkLabel})
             setTextOf(label, {});
         return;
     }
@@ -110,6 +131,40 @@ void StatusLine::refresh()
     if (snapshot.master)
         setTextOf(m_crc, tr("%n CRC errors", nullptr, crcErrorsOf(*snapshot.master)));
     setTextOf(m_linkLabel, tr("link: %1").arg(m_link));
+}
+
+void StatusLine::showLine()
+{
+    const bool isOpen = m_line && m_line->isOpen();
+    m_lineLabel->setVisible(isOpen);
+    if (!isOpen)
+        return;
+    const LineSnapshot &line = m_line->latest();
+    const QString port = m_line->linkName().section(u'/', -1);
+    if (!line.connected) {
+        m_lineLabel->setState(Role::fault, tr("%1: port is gone", "serial port").arg(port));
+        return;
+    }
+    const auto numbers = m_line->numbers();
+    const auto answering = std::ranges::count_if(numbers, [this](DeviceNumber number) {
+        return m_line->encoder(number)->latest().state == EncoderState::operation;
+    });
+    const bool allAnswer = answering == std::ssize(numbers);
+    m_lineLabel->setState(allAnswer ? Role::running : Role::fault,
+                          tr("%1, %2 Bd, %3 of %4 answer", "serial port, baud rate, encoders")
+                              .arg(port, QString::number(m_line->settings().baudRate))
+                              .arg(answering)
+                              .arg(numbers.size()));
+    const QString figures = tr("Serial line: %1 answers, %2 time-outs, %3 garbage bytes")
+                                .arg(line.figures.answers)
+                                .arg(line.figures.timeOuts)
+                                .arg(line.figures.garbageBytes);
+    if (m_lineLabel->toolTip() != figures)
+        m_lineLabel->setToolTip(figures);
+}
+
+void StatusLine::showWrites()
+{
     setTextOf(m_writes, m_encoder == nullptr || !m_encoder->can().writes
                             ? QString()
                             : tr("%1 %2: %3", "place, make: writes")
@@ -122,13 +177,11 @@ void StatusLine::refresh()
 
 void StatusLine::showState()
 {
-    if (m_bus == nullptr) {
+    if (m_bus == nullptr)
         m_state->setState(Role::inactive, tr("not connected"));
-        m_mode->setState(Role::inactive, tr("Watch"));
-        return;
-    }
-    m_state->setState(masterRole(m_bus->latest()), masterText(m_bus->latest()));
-    if (m_bus->isOperating())
+    else
+        m_state->setState(masterRole(m_bus->latest()), masterText(m_bus->latest()));
+    if ((m_bus != nullptr && m_bus->isOperating()) || (m_line && m_line->isOpen() && m_line->isOperating()))
         m_mode->setState(Role::running, tr("Operate"));
     else
         m_mode->setState(Role::inactive, tr("Watch"));

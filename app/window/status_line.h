@@ -15,6 +15,7 @@ class QStatusBar;
 namespace codewheel {
 
 class BusSession;
+class LineSession;
 class RoleLabel;
 
 // The line at the foot of the window: state of the bus, cycle, link, and what the chosen encoder's memory has
@@ -27,13 +28,17 @@ public:
     StatusLine(QStatusBar &bar, QObject *parent);
 
     void setBus(BusSession *bus, const QString &link);
+    void setLine(LineSession *line); // null: none
     void setEncoder(EncoderSession *encoder);
 
 private:
     void refresh();
     void showState();
+    void showLine();
+    void showWrites();
 
     BusSession *m_bus = nullptr;
+    QPointer<LineSession> m_line;
     QPointer<EncoderSession> m_encoder;
     QString m_link;
     RoleLabel *m_state;
@@ -42,7 +47,8 @@ private:
     QLabel *m_late;
     QLabel *m_crc;
     QLabel *m_linkLabel;
-    QLabel *m_hint; // what the mouse or the focus is on
+    RoleLabel *m_lineLabel; // port, baud rate, and who answers
+    QLabel *m_hint;         // what the mouse or the focus is on
     QLabel *m_writes;
 };
 

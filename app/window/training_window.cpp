@@ -24,13 +24,21 @@ TrainingWindow::TrainingWindow(const QString &settingsFile, QSize size)
 {
     m_messages.setBus(*m_training.bus);
     QObject::connect(&m_ledger, &LedgerKeeper::messaged, &m_messages, &MessageModel::addNow);
+    QObject::connect(&m_line, &SerialLine::changed, &m_messages,
+                     [this] { m_messages.setLine(m_line.session()); });
     keepAccountOf(m_project, m_ledger);
     m_project.setProject(projectOf(m_training.bus->structure()), {});
     m_window = std::make_unique<MainWindow>(m_settings, m_project);
     if (size.isValid())
         m_window->resize(size);
-    m_window->attach(*m_training.bus, m_training.controls, MainWindow::tr("training bus"), m_messages,
-                     m_ledger, m_positions);
+    m_window->attach({.bus = *m_training.bus,
+                      .link = MainWindow::tr("training bus"),
+                      .training = m_training.controls,
+                      .line = m_line,
+                      .messages = m_messages,
+                      .ledger = m_ledger,
+                      .positions = m_positions});
+    m_line.openTraining();
     advance(picturePeriod);
 }
 
@@ -41,6 +49,8 @@ void TrainingWindow::advance(int milliseconds)
     while (milliseconds > 0) {
         const int step = std::min(milliseconds, picturePeriod);
         m_training.bus->advance(step);
+        if (LineSession *line = m_line.session())
+            line->advance(std::chrono::milliseconds(step));
         m_window->showPicture();
         QCoreApplication::processEvents();
         milliseconds -= step;

@@ -3,6 +3,7 @@
 
 #include "app/training_session.h"
 #include "app/window/main_window.h"
+#include "app/window/serial_line.h"
 #include "catalog/catalog.h"
 #include "journal/ledger_keeper.h"
 #include "transfer/last_positions.h"
@@ -11,8 +12,8 @@
 
 namespace codewheel {
 
-// The main window on a training bus in virtual time: nothing moves but by advance(). For tests, and for the
-// pictures of the manual, which agree because each begins at the same date and time.
+// The main window on a training bus and a training line in virtual time: nothing moves but by advance(). For
+// tests, and for the pictures of the manual, which agree because each begins at the same date and time.
 class TrainingWindow
 {
 public:
@@ -22,6 +23,7 @@ public:
 
     MainWindow &window() { return *m_window; }
     BusSession &bus() { return *m_training.bus; }
+    SerialLine &line() { return m_line; }
     TrainingControls &controls() { return *m_training.controls; }
     MessageModel &messages() { return m_messages; }
     ProjectDocument &project() { return m_project; } // of the plant, at first
@@ -36,6 +38,7 @@ private:
     MessageStore m_store{{}}; // in memory
     MessageModel m_messages{m_store};
     TrainingSession m_training;
+    SerialLine m_line{m_catalog, LineSession::Drive::byHand, begin};
     ProjectDocument m_project;
     LedgerKeeper m_ledger;
     LastPositions m_positions;

@@ -138,8 +138,10 @@ void WindowActions::makeBusMenu()
                          tr("Values of several encoders: written from the project, stored in it, given from "
                             "one to others"));
     menu->addSeparator();
-    alarmStop = described(menu->addAction(lineIcon(Icon::alarmStop), tr("&ALARM STOP whole ring")),
-                          alarmStopKey(), tr("Sets all OUT words of the whole ring to 0, at once"));
+    alarmStop =
+        described(menu->addAction(lineIcon(Icon::alarmStop), tr("&ALARM STOP whole ring")), alarmStopKey(),
+                  tr("Sets all OUT words of the whole ring to 0, and ends what is on its way "
+                     "on the serial line, at once"));
 }
 
 void WindowActions::makeDeviceMenu()

@@ -3,6 +3,7 @@
 // many as four monitors of IN and OUT have) and the dial, all in sight. Prints pictures a second and the
 // share of one core.
 #include "app/window/main_window.h"
+#include "app/window/serial_line.h"
 #include "catalog/catalog.h"
 #include "journal/ledger_keeper.h"
 #include "ring/bus_session.h"
@@ -70,7 +71,14 @@ int main(int argc, char **argv)
     const LastPositions positions(bus);
     const LedgerKeeper ledger(bus, DatabasePlace::memory());
     MainWindow window(settings, project);
-    window.attach(bus, ring.controls, QStringLiteral("moving ring"), messages, ledger, positions);
+    SerialLine line(catalog, LineSession::Drive::byThread, [] { return QDateTime::currentDateTime(); });
+    window.attach({.bus = bus,
+                   .link = QStringLiteral("moving ring"),
+                   .training = ring.controls,
+                   .line = line,
+                   .messages = messages,
+                   .ledger = ledger,
+                   .positions = positions});
     auto *monitors = window.findChild<MonitorArea *>();
     monitors->closeAll();
     for (const DeviceNumber number : bus.numbers()) {

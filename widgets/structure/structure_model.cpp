@@ -13,14 +13,16 @@
 #include "widgets/master/master_look.h"
 #include "widgets/models/device_traits.h"
 #include "widgets/project/project_document.h"
+#include "widgets/structure/structure_ids.h"
 
 #include <algorithm>
 #include <iterator>
 
 namespace codewheel {
-namespace {
 
-constexpr quintptr masterId = 0; // of its row; a node has its index + 1
+using namespace structure_ids;
+
+namespace {
 
 QString idCodeText(unsigned code)
 {
@@ -104,6 +106,8 @@ void StructureModel::rebuild()
     m_master = shownOfMaster();
     for (std::size_t place = 0; place < m_nodes.size(); ++place)
         m_nodes[place].shown = shownOf(m_nodes[place], place);
+    m_lineShown = m_line.state();
+    m_lineRows = m_line.rows(m_project);
     endResetModel();
 }
 
@@ -120,6 +124,7 @@ void StructureModel::followProject()
     }
     for (std::size_t place = 0; place < participants.size(); ++place)
         showNames(place, participants[place]);
+    refreshLine();
 }
 
 QString StructureModel::stationOf(const Participant &participant) const
@@ -143,7 +148,8 @@ StructureModel::Node StructureModel::nodeOf(const Participant &participant) cons
             .station = stationOf(participant),
             .profile = profileText(device),
             .children = {},
-            .shown = {}};
+            .shown = {},
+            .position = {}};
 }
 
 void StructureModel::showName(DeviceNumber number)
@@ -186,6 +192,23 @@ void StructureModel::refresh()
             continue;
         m_nodes[place].shown = std::move(shown);
         emitState(indexOf(m_nodes[place].participant.number));
+    }
+    refreshPositions();
+}
+
+void StructureModel::refreshPositions()
+{
+    if (m_bus == nullptr)
+        return;
+    const std::size_t count = std::min(m_nodes.size(), m_bus->latest().devices.size());
+    for (std::size_t place = 0; place < count; ++place) {
+        const auto position = m_bus->latest().devices[place].reading.position;
+        if (position == m_nodes[place].position)
+            continue;
+        m_nodes[place].position = position;
+        const int node = static_cast<int>(place);
+        const QModelIndex cell = createIndex(rowOf(node), positionColumn, static_cast<quintptr>(place) + 1);
+        Q_EMIT dataChanged(cell, cell);
     }
 }
 
@@ -261,6 +284,8 @@ std::optional<StructureModel::Shown> StructureModel::faultOf(const Node &node, s
 
 std::optional<DeviceNumber> StructureModel::numberAt(const QModelIndex &index) const
 {
+    if (const LineBranch::Row *row = lineRow(index))
+        return row->number;
     const int node = nodeOf(index);
     return node < 0 ? std::nullopt
                     : std::optional(m_nodes[static_cast<std::size_t>(node)].participant.number);
@@ -268,6 +293,8 @@ std::optional<DeviceNumber> StructureModel::numberAt(const QModelIndex &index) c
 
 QModelIndex StructureModel::indexOf(DeviceNumber number) const
 {
+    if (number.isOnLine())
+        return lineRowIndex(number, deviceColumn);
     for (std::size_t node = 0; node < m_nodes.size(); ++node)
         if (m_nodes[node].participant.number == number)
             return createIndex(rowOf(static_cast<int>(node)), deviceColumn, static_cast<quintptr>(node) + 1);
@@ -276,7 +303,7 @@ QModelIndex StructureModel::indexOf(DeviceNumber number) const
 
 int StructureModel::nodeOf(const QModelIndex &index) const
 {
-    return index.isValid() ? static_cast<int>(index.internalId()) - 1 : -1;
+    return index.isValid() && index.internalId() < lineId ? static_cast<int>(index.internalId()) - 1 : -1;
 }
 
 int StructureModel::rowOf(int node) const
@@ -298,13 +325,17 @@ QModelIndex StructureModel::index(int row, int column, const QModelIndex &parent
     if (column < 0 || column >= columns || row < 0 || row >= rowCount(parent))
         return {};
     if (!parent.isValid())
-        return createIndex(0, column, masterId);
+        return createIndex(row, column, row == 0 && hasRing() ? masterId : lineId);
+    if (parent.internalId() == lineId)
+        return lineRowIndex(m_lineRows[static_cast<std::size_t>(row)].number, column);
     return createIndex(row, column,
                        static_cast<quintptr>(childrenOf(parent)[static_cast<std::size_t>(row)]) + 1);
 }
 
 QModelIndex StructureModel::parent(const QModelIndex &index) const
 {
+    if (lineRow(index))
+        return lineIndex();
     const int node = nodeOf(index);
     if (node < 0)
         return {};
@@ -315,9 +346,11 @@ QModelIndex StructureModel::parent(const QModelIndex &index) const
 
 int StructureModel::rowCount(const QModelIndex &parent) const
 {
-    if ((m_bus == nullptr && m_nodes.empty()) || parent.column() > 0)
+    if (parent.column() > 0 || lineRow(parent))
         return 0;
-    return parent.isValid() ? static_cast<int>(childrenOf(parent).size()) : 1;
+    if (!parent.isValid())
+        return (hasRing() ? 1 : 0) + (m_line.line() ? 1 : 0);
+    return static_cast<int>(isLine(parent) ? m_lineRows.size() : childrenOf(parent).size());
 }
 
 int StructureModel::columnCount(const QModelIndex &) const
@@ -334,6 +367,8 @@ QVariant StructureModel::headerData(int section, Qt::Orientation orientation, in
         return tr("Device");
     case stateColumn:
         return tr("State");
+    case positionColumn:
+        return tr("Position");
     case profileColumn:
         return tr("Profile");
     case idCodeColumn:
@@ -349,6 +384,12 @@ QVariant StructureModel::data(const QModelIndex &index, int role) const
 {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid))
         return {};
+    if (role == Qt::TextAlignmentRole)
+        return index.column() == positionColumn ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
+    if (isLine(index))
+        return lineCell(index.column(), role);
+    if (const LineBranch::Row *row = lineRow(index))
+        return lineEncoderCell(*row, index.column(), role);
     const int node = nodeOf(index);
     return node < 0 ? masterCell(index.column(), role)
                     : deviceCell(m_nodes[static_cast<std::size_t>(node)], index.column(), role);
@@ -388,9 +429,12 @@ QVariant StructureModel::deviceCell(const Node &node, int column, int role) cons
         return {};
     switch (column) {
     case deviceColumn:
-        return QStringLiteral("%1  %2").arg(node.participant.number.toString(), calledText(node));
+        return QStringLiteral("%1  %2").arg(node.participant.number.toString(),
+                                            calledText(node.station, node.name));
     case stateColumn:
         return node.shown.word;
+    case positionColumn:
+        return positionText(node.position);
     case profileColumn:
         return node.profile;
     case idCodeColumn:
@@ -400,12 +444,6 @@ QVariant StructureModel::deviceCell(const Node &node, int column, int role) cons
     default:
         return {};
     }
-}
-
-// Its station comes first: that is how people at the plant call it.
-QString StructureModel::calledText(const Node &node)
-{
-    return node.station.isEmpty() ? node.name : tr("%1: %2", "station, device").arg(node.station, node.name);
 }
 
 std::size_t StructureModel::placeOf(const Node &node) const
@@ -442,8 +480,8 @@ QString StructureModel::toolTip(const Node &node) const
     more.removeAll(QString());
     const QString text =
         tr("%1  %2\nID code %3, device code %4\n%5 words IN, %6 words OUT\nState: %7")
-            .arg(node.participant.number.toString(), calledText(node), idCodeText(node.participant.idCode),
-                 hexCode(node.participant.deviceCode, 4))
+            .arg(node.participant.number.toString(), calledText(node.station, node.name),
+                 idCodeText(node.participant.idCode), hexCode(node.participant.deviceCode, 4))
             .arg(node.participant.inWords)
             .arg(node.participant.outWords)
             .arg(node.shown.word);

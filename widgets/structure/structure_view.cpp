@@ -9,6 +9,7 @@
 #include "widgets/structure/structure_model.h"
 
 #include <QHeaderView>
+#include <QLocale>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -17,6 +18,7 @@
 namespace codewheel {
 namespace {
 
+constexpr int maxPosition = 33'554'431;     // of 25 bit
 constexpr int indentation = 3 * grid::unit; // a ring is wide and flat, and the panel narrow
 
 int levelsBelow(const QAbstractItemModel &model, const QModelIndex &parent = {})
@@ -67,6 +69,8 @@ StructureView::StructureView(QWidget *parent)
     m_tree->setExpandsOnDoubleClick(false);
     m_tree->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_tree->header()->setSectionResizeMode(StructureModel::deviceColumn, QHeaderView::Interactive);
+    m_tree->header()->setSectionResizeMode(StructureModel::positionColumn, QHeaderView::Fixed);
+    m_tree->header()->resizeSection(StructureModel::positionColumn, widestPosition());
     m_tree->header()->setStretchLastSection(false);
     m_tree->hide();
 
@@ -76,20 +80,32 @@ StructureView::StructureView(QWidget *parent)
                 askForMake();
                 if (const auto number = numberAt(index))
                     Q_EMIT chosen(*number);
+                else if (m_model->isLine(index))
+                    Q_EMIT lineChosen();
             });
     connect(m_tree, &QTreeView::activated, this, [=, this](const QModelIndex &index) {
         if (const auto number = numberAt(index))
             Q_EMIT opened(*number);
+        else if (m_model->isLine(index))
+            Q_EMIT lineOpened();
     });
     connect(m_tree, &QTreeView::customContextMenuRequested, this, [=, this](const QPoint &position) {
-        if (const auto number = numberAt(m_tree->indexAt(position)))
+        const QModelIndex index = m_tree->indexAt(position);
+        if (const auto number = numberAt(index))
             Q_EMIT menuRequested(*number, m_tree->viewport()->mapToGlobal(position));
+        else if (m_model->isLine(index))
+            Q_EMIT lineMenuRequested(m_tree->viewport()->mapToGlobal(position));
+    });
+    connect(m_model, &StructureModel::encoderMoved, this, [this](DeviceNumber from, DeviceNumber to) {
+        if (current() == from)
+            choose(to);
     });
     connect(m_question, &InlineMessage::actionTriggered, this, [this] {
         if (const auto number = current())
             Q_EMIT namingRequested(*number);
     });
     connect(m_model, &QAbstractItemModel::modelReset, this, &StructureView::showWhetherEmpty);
+    connect(m_model, &QAbstractItemModel::rowsInserted, this, &StructureView::showWhetherEmpty);
     // Afterwards: the header is still resizing when it tells.
     connect(
         m_tree->header(), &QHeaderView::sectionResized, this,
@@ -99,6 +115,12 @@ StructureView::StructureView(QWidget *parent)
         },
         Qt::QueuedConnection);
     setFocusProxy(m_tree);
+}
+
+// So that the columns stay where they are while positions run.
+int StructureView::widestPosition() const
+{
+    return m_tree->fontMetrics().horizontalAdvance(QLocale().toString(maxPosition)) + 2 * grid::margin;
 }
 
 // The number of a device has its room.
@@ -135,6 +157,19 @@ void StructureView::setBus(BusSession *bus)
         choose(bus->structure().front().number);
     else
         askForMake();
+}
+
+void StructureView::setLine(LineSession *line)
+{
+    const auto before = current();
+    m_model->setLine(line);
+    if (before && m_model->indexOf(*before).isValid())
+        choose(*before);
+}
+
+void StructureView::chooseLine()
+{
+    m_tree->setCurrentIndex(m_model->lineIndex());
 }
 
 void StructureView::setProject(const ProjectDocument &project, const Catalog &catalog)

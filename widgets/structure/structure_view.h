@@ -15,6 +15,7 @@ class BusSession;
 class Catalog;
 class EmptyState;
 class InlineMessage;
+class LineSession;
 class ProjectDocument;
 class StructureModel;
 
@@ -29,10 +30,14 @@ public:
 
     // Chooses the first encoder. Null: offline, the ring that the project plans.
     void setBus(BusSession *bus);
+    // What is chosen stays so, if it is still there. Null: no serial line.
+    void setLine(codewheel::LineSession *line);
     // Both must outlive the view.
     void setProject(const ProjectDocument &project, const Catalog &catalog);
     std::optional<DeviceNumber> current() const;
     void choose(DeviceNumber number);
+
+    void chooseLine(); // the line itself
 
 Q_SIGNALS:
     void chosen(codewheel::DeviceNumber number);
@@ -40,12 +45,17 @@ Q_SIGNALS:
     // Which make the chosen device is, the bus does not tell: the user wants to.
     void namingRequested(codewheel::DeviceNumber number);
     void menuRequested(codewheel::DeviceNumber number, const QPoint &globalPosition);
+    // The row of the serial line itself.
+    void lineChosen();
+    void lineOpened();
+    void lineMenuRequested(const QPoint &globalPosition);
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
     int narrowestName() const;
+    int widestPosition() const;
     void fitColumns();
     void showWhetherEmpty();
     void askForMake();

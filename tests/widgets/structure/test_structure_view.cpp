@@ -75,9 +75,12 @@ TEST_F(StructureTest, TheTooltipTellsACodingThatIsNotPlain)
 TEST_F(StructureTest, StatesFollowTheBus)
 {
     model.setBus(&ring.bus);
-    QSignalSpy changes(&model, &QAbstractItemModel::dataChanged);
+    int changes = 0;
+    QObject::connect(&model, &QAbstractItemModel::dataChanged, &model, [&](const QModelIndex &first) {
+        changes += first.column() == StructureModel::positionColumn ? 0 : 1;
+    });
     ring.bus.advance(100);
-    EXPECT_EQ(changes.count(), 0) << "a moving position changes no state";
+    EXPECT_EQ(changes, 0) << "a moving position changes no state";
 
     ring.channel(fraba).stage(0x0200'00FF);
     EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("OUT not sent"));

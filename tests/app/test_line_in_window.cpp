@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/serial_line.h"
+#include "tests/app/question.h"
+#include "tests/app/window_test.h"
+#include "widgets/dial/dial_panel.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/look/role_label.h"
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/parameter_table.h"
+#include "widgets/parameters/wanted_values.h"
+#include "widgets/structure/structure_model.h"
+#include "widgets/structure/structure_view.h"
+#include "widgets/wizard/parameter_wizard.h"
+
+namespace codewheel {
+namespace {
+
+const DeviceNumber standing = DeviceNumber::onLine({5}); // at 1235h = 4661
+const DeviceNumber turning = DeviceNumber::onLine({3});
+
+class LineInWindow : public test::WindowTest
+{
+protected:
+    LineInWindow() { advance(200); }
+
+    QTreeView &tree() { return *window().findChild<QTreeView *>(QStringLiteral("structure")); }
+    const StructureModel &model() { return *static_cast<const StructureModel *>(tree().model()); }
+    QString cell(DeviceNumber number, StructureModel::Column column)
+    {
+        return model().indexOf(number).siblingAtColumn(column).data().toString();
+    }
+    void choose(DeviceNumber number)
+    {
+        const QModelIndex row = model().indexOf(number);
+        ASSERT_TRUE(row.isValid());
+        tree().scrollTo(row);
+        QTest::mouseClick(tree().viewport(), Qt::LeftButton, {}, tree().visualRect(row).center());
+        advance(50);
+    }
+    LineSession &line() { return *shown->line().session(); }
+    SimulatedLine &simulated() { return *shown->line().training(); }
+    EncoderSession &encoder(DeviceNumber number) { return *line().encoder(number); }
+    bool isSaidInStatusLine(const QString &text)
+    {
+        for (const QLabel *label : window().statusBar()->findChildren<QLabel *>())
+            if (label->isVisibleTo(window().statusBar()) && label->text().contains(text))
+                return true;
+        return false;
+    }
+};
+
+TEST_F(LineInWindow, StandsBesideTheRingInTheTree)
+{
+    ASSERT_EQ(model().rowCount(), 2);
+    const QModelIndex line = model().lineIndex();
+    EXPECT_EQ(line.row(), 1);
+    EXPECT_TRUE(line.data().toString().startsWith(QStringLiteral("Serial line")));
+    EXPECT_EQ(line.siblingAtColumn(StructureModel::stateColumn).data().toString(), QStringLiteral("open"));
+    EXPECT_EQ(model().rowCount(line), 3);
+    EXPECT_TRUE(tree().isExpanded(line));
+    EXPECT_TRUE(cell(standing, StructureModel::deviceColumn).startsWith(QStringLiteral("esc:05  Kübler")));
+    EXPECT_EQ(cell(standing, StructureModel::stateColumn), QStringLiteral("ok"));
+    EXPECT_EQ(cell(standing, StructureModel::positionColumn), QLocale().toString(0x1235));
+    EXPECT_EQ(cell(DeviceNumber::onLine({0x12}), StructureModel::idCodeColumn), QStringLiteral("12h (18)"));
+    EXPECT_TRUE(isSaidInStatusLine(QStringLiteral("3 of 3 answer")));
+}
+
+TEST_F(LineInWindow, PositionsOfBothBusesRunInTheTree)
+{
+    const QString before = cell(turning, StructureModel::positionColumn);
+    advance(500);
+    EXPECT_NE(cell(turning, StructureModel::positionColumn), before);
+    EXPECT_FALSE(cell(test::fraba, StructureModel::positionColumn).isEmpty());
+}
+
+TEST_F(LineInWindow, ASilentEncoderIsShownAsSuchAndTheOthersGoOn)
+{
+    simulated().withEncoder({5}, [](SimulatedEscEncoder &encoder) { encoder.condition().mute = true; });
+    advance(2000);
+    EXPECT_EQ(cell(standing, StructureModel::stateColumn), QStringLiteral("silent"));
+    EXPECT_EQ(cell(turning, StructureModel::stateColumn), QStringLiteral("ok"));
+    EXPECT_EQ(cell(standing, StructureModel::positionColumn), QLocale().toString(0x1235)) << "the last one";
+    EXPECT_TRUE(isSaidInStatusLine(QStringLiteral("2 of 3 answer")));
+}
+
+TEST_F(LineInWindow, AlarmsAndWarningsAreSeenInTheTree)
+{
+    simulated().withEncoder({3},
+                            [](SimulatedEscEncoder &encoder) { encoder.condition().batteryFlat = true; });
+    ASSERT_TRUE(encoder(standing).start(
+        WriteParameters{.values = {{Parameter::upperLimit, 1000}}, .previous = {}})); // it stands above
+    advance(4000);
+    EXPECT_EQ(cell(turning, StructureModel::stateColumn), QStringLiteral("alarm"));
+    EXPECT_TRUE(
+        model().indexOf(turning).data(Qt::ToolTipRole).toString().contains(QStringLiteral("battery")));
+    EXPECT_EQ(cell(standing, StructureModel::stateColumn), QStringLiteral("warning"));
+}
+
+TEST_F(LineInWindow, ThePanelsShowAnEncoderOfTheLine)
+{
+    choose(standing);
+    const auto &parameters = *window().findChild<ParameterPanel *>();
+    auto *table = parameters.findChild<ParameterTable *>();
+    ASSERT_TRUE(table->isVisible());
+    EXPECT_GT(table->model()->rowCount(), 10);
+    EXPECT_TRUE(actions().wizard->isEnabled());
+    const auto *page = window().findChild<QTextBrowser *>(QStringLiteral("devicePage"));
+    EXPECT_TRUE(page->toPlainText().contains(QStringLiteral("T/R+"))) << "its pins";
+    EXPECT_EQ(window().findChild<ParameterWizard *>()->encoder(), &encoder(standing));
+}
+
+TEST_F(LineInWindow, WhatIsOfWordsAloneIsNotForItAndTheWindowSaysWhy)
+{
+    choose(standing);
+    const std::size_t before = monitors().monitors().size();
+    actions().openIn32->trigger();
+    advance(50);
+    EXPECT_EQ(monitors().monitors().size(), before);
+    const auto *why = monitors().findChild<InlineMessage *>();
+    EXPECT_TRUE(why->sentence().contains(QStringLiteral("serial line")));
+    EXPECT_FALSE(actions().zeroOut->isEnabled());
+    EXPECT_FALSE(actions().cams->isEnabled());
+    EXPECT_TRUE(actions().cams->toolTip().contains(QStringLiteral("no cams")));
+    for (const char *dock : {"traceDock", "sequenceDock"}) {
+        auto *panel = window().findChild<QDockWidget *>(QLatin1String(dock));
+        panel->raise();
+        advance(5);
+        bool isSaid = false;
+        for (const auto *state : panel->findChildren<EmptyState *>())
+            for (const auto *label : state->findChildren<QLabel *>())
+                isSaid =
+                    isSaid || (state->isVisible() && label->text().contains(QStringLiteral("serial line")));
+        EXPECT_TRUE(isSaid) << dock;
+    }
+}
+
+TEST_F(LineInWindow, ValuesAreReadAndTheDialTurns)
+{
+    choose(turning);
+    for (auto *button : window().findChild<ParameterPanel *>()->findChildren<QPushButton *>())
+        if (button->text() == QStringLiteral("&Read from encoder"))
+            QTest::mouseClick(button, Qt::LeftButton);
+    advance(3000);
+    ASSERT_TRUE(encoder(turning).known(Parameter::steps));
+    EXPECT_EQ(encoder(turning).known(Parameter::steps)->value, 8192);
+    EXPECT_EQ(encoder(turning).known(Parameter::measuringRange)->value, 33'554'432);
+}
+
+TEST_F(LineInWindow, OneDecisionForWatchAndOperate)
+{
+    EXPECT_TRUE(line().isOperating());
+    actions().watch->trigger();
+    advance(100);
+    EXPECT_FALSE(line().isOperating());
+    EXPECT_FALSE(bus().isOperating());
+    actions().operate->trigger();
+    advance(100);
+    EXPECT_TRUE(line().isOperating());
+}
+
+TEST_F(LineInWindow, AlarmStopEndsWhatIsOnItsWayOnTheLine)
+{
+    ASSERT_TRUE(encoder(turning).start(ReadParameters{encoder(turning).device().readableValues()}));
+    advance(33);
+    ASSERT_TRUE(encoder(turning).runningJob());
+    QTest::keyClick(&window(), Qt::Key_F12, Qt::ControlModifier);
+    advance(200);
+    EXPECT_FALSE(encoder(turning).runningJob());
+}
+
+TEST_F(LineInWindow, QuittingAsksForAJobOnTheLine)
+{
+    const WriteParameters job{.values = {{Parameter::upperLimit, 1000}}, .previous = {}};
+    ASSERT_TRUE(encoder(standing).start(job, Pace::byHand));
+    advance(500);
+    ASSERT_TRUE(encoder(standing).runningJob());
+    actions().quit->trigger();
+    advance(500);
+    EXPECT_FALSE(encoder(standing).runningJob()) << "nothing was taken: it ended by itself";
+    EXPECT_FALSE(window().isVisible());
+}
+
+TEST_F(LineInWindow, OfAnotherAddressItStaysChosen)
+{
+    choose(standing);
+    ASSERT_TRUE(
+        encoder(standing).start(WriteParameters{.values = {{Parameter::lineAddress, 7}}, .previous = {}}));
+    advance(4000);
+    const DeviceNumber now = DeviceNumber::onLine({7});
+    ASSERT_NE(line().encoder(now), nullptr);
+    EXPECT_EQ(window().findChild<StructureView *>()->current(), now);
+    EXPECT_FALSE(model().indexOf(standing).isValid());
+    EXPECT_EQ(cell(now, StructureModel::stateColumn), QStringLiteral("ok"));
+}
+
+TEST_F(LineInWindow, ItsMessagesStandWithThePlaces)
+{
+    simulated().withEncoder({5}, [](SimulatedEscEncoder &encoder) { encoder.condition().mute = true; });
+    advance(3000);
+    bool isTold = false;
+    for (int row = 0; row < shown->messages().rowCount(); ++row)
+        isTold = isTold || shown->messages().index(row, MessageModel::placeColumn).data().toString() ==
+                               QStringLiteral("esc:05");
+    EXPECT_TRUE(isTold);
+}
+
+TEST_F(LineInWindow, TheLineWorksWhileTheRingIsNotConnected)
+{
+    actions().disconnectBus->trigger();
+    advance(100);
+    ASSERT_FALSE(bus().isOpen());
+    choose(standing);
+    EXPECT_TRUE(actions().alarmStop->isEnabled());
+    EXPECT_TRUE(actions().operate->isEnabled());
+    EXPECT_EQ(window().findChild<ParameterWizard *>()->encoder(), &encoder(standing));
+    actions().connectBus->trigger();
+    advance(100);
+    EXPECT_EQ(window().findChild<StructureView *>()->current(), standing) << "it stays chosen";
+}
+
+TEST_F(LineInWindow, WhenTheLineGoesItsEncodersGoFromEveryView)
+{
+    choose(standing);
+    shown->line().close();
+    advance(100);
+    EXPECT_EQ(model().rowCount(), 1);
+    EXPECT_EQ(window().findChild<StructureView *>()->current(), test::fraba);
+    shown->line().openTraining();
+    advance(200);
+    EXPECT_EQ(model().rowCount(), 2);
+    EXPECT_EQ(cell(standing, StructureModel::stateColumn), QStringLiteral("ok"));
+}
+
+} // namespace
+} // namespace codewheel
