@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/training/training_panel.h"
 
+#include "simulator/simulated_line.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/training/fault_plan_bar.h"
+#include "widgets/training/line_encoder_box.h"
+#include "widgets/training/line_faults_box.h"
 #include "widgets/training/ring_faults.h"
 #include "widgets/training/rod_controls.h"
 #include "widgets/training/shaft_controls.h"
@@ -39,6 +42,8 @@ TrainingPanel::TrainingPanel(TrainingControls &controls, QWidget *parent)
     , m_rod(new RodControls(controls, m_content))
     , m_ringFaults(new RingFaults(controls, m_content))
     , m_plan(new FaultPlanBar(controls, m_content))
+    , m_lineFaults(new LineFaultsBox(m_content))
+    , m_lineEncoder(new LineEncoderBox(m_content))
     , m_writesCaption(new QLabel(tr("EEPROM writes"), m_content))
     , m_writes(numberLabel(tr("EEPROM writes"), m_content))
 {
@@ -52,6 +57,8 @@ TrainingPanel::TrainingPanel(TrainingControls &controls, QWidget *parent)
     makeTroubles(column);
     column->addWidget(m_ringFaults);
     column->addWidget(m_plan);
+    column->addWidget(m_lineFaults);
+    column->addWidget(m_lineEncoder);
     column->addStretch(1);
     setWidget(m_content);
 
@@ -60,6 +67,8 @@ TrainingPanel::TrainingPanel(TrainingControls &controls, QWidget *parent)
     connect(m_shaft, &ShaftControls::acted, this, &TrainingPanel::act);
     connect(m_rod, &RodControls::acted, this, &TrainingPanel::act);
     connect(m_ringFaults, &RingFaults::acted, this, &TrainingPanel::act);
+    connect(m_lineFaults, &LineFaultsBox::acted, this, &TrainingPanel::act);
+    connect(m_lineEncoder, &LineEncoderBox::acted, this, &TrainingPanel::act);
     connect(m_plan, &FaultPlanBar::carriedOut, this, &TrainingPanel::planned);
     choose();
 }
@@ -124,11 +133,45 @@ void TrainingPanel::makeTroubles(QVBoxLayout *column)
 
 void TrainingPanel::listDevices()
 {
+    const QSignalBlocker silent(m_device);
+    m_devices.clear();
+    m_device->clear();
     for (const TrainingPlace &place : m_controls.places())
         m_devices.push_back(place.number);
+    if (m_line != nullptr) {
+        m_devices.push_back({});
+        for (const LineAddress address : m_line->addresses())
+            m_devices.push_back(DeviceNumber::onLine(address));
+    }
     for (const DeviceNumber number : m_devices)
-        m_device->addItem(number.toString());
+        m_device->addItem(number == DeviceNumber{} ? tr("Serial line") : number.toString());
     m_content->setEnabled(!m_devices.empty());
+}
+
+void TrainingPanel::setLine(SimulatedLine *line)
+{
+    const auto chosen = m_number;
+    m_line = line;
+    listDevices();
+    m_device->setCurrentIndex(0);
+    if (chosen)
+        setDevice(*chosen);
+    choose();
+}
+
+bool TrainingPanel::isOnLine() const
+{
+    return m_number && (m_number->isOnLine() || *m_number == DeviceNumber{});
+}
+
+void TrainingPanel::refreshLine()
+{
+    if (m_line == nullptr)
+        return;
+    if (m_number->isOnLine())
+        m_lineEncoder->showEncoder(*m_line, m_number->line);
+    else
+        m_lineFaults->showLine(*m_line);
 }
 
 void TrainingPanel::setDevice(DeviceNumber number)
@@ -147,6 +190,15 @@ void TrainingPanel::choose()
     const int index = m_device->currentIndex();
     m_number = index < 0 ? std::nullopt : std::optional(m_devices[static_cast<std::size_t>(index)]);
     m_shown.reset();
+    m_plan->setVisible(!isOnLine());
+    m_ringFaults->setVisible(!isOnLine());
+    m_lineFaults->setVisible(isOnLine() && !m_number->isOnLine());
+    m_lineEncoder->setVisible(isOnLine() && m_number->isOnLine());
+    if (isOnLine()) {
+        m_shaft->hide();
+        m_rod->hide();
+        hideCommon();
+    }
     refresh();
 }
 
@@ -154,6 +206,10 @@ void TrainingPanel::refresh()
 {
     if (!m_number)
         return;
+    if (isOnLine()) {
+        refreshLine();
+        return;
+    }
     const std::vector<TrainingControls::Shaft> shafts = m_controls.shafts();
     const auto shaft = std::ranges::find(shafts, *m_number, &TrainingControls::Shaft::number);
     m_shaft->setVisible(shaft != shafts.end());

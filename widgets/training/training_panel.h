@@ -19,12 +19,16 @@ class QVBoxLayout;
 namespace codewheel {
 
 class FaultPlanBar;
+class LineEncoderBox;
+class LineFaultsBox;
 class RingFaults;
 class RodControls;
 class ShaftControls;
+class SimulatedLine;
 
 // What a trainer does to the simulated encoders: turn a shaft or move a magnet, switch the power, cause
-// faults. Of each device only what it has is shown. Used by the training dock.
+// faults; and to the simulated serial line. Of each device only what it has is shown. Used by the training
+// dock.
 class TrainingPanel : public QScrollArea
 {
     Q_OBJECT
@@ -33,7 +37,10 @@ public:
     // The controls outlive the panel.
     explicit TrainingPanel(TrainingControls &controls, QWidget *parent = nullptr);
 
-    // Chooses this device, if it has anything to train with.
+    // The simulated serial line, and its encoders, beside the devices of the ring. It outlives the panel, or
+    // is taken away first; null: none.
+    void setLine(SimulatedLine *line);
+    // Chooses this device, if it has anything to train with. The number of none is the serial line itself.
     void setDevice(DeviceNumber number);
     // Shows how the encoder stands; called by the window with every picture.
     void refresh();
@@ -64,6 +71,8 @@ private:
     void makeTroubles(QVBoxLayout *column);
     QPushButton *addCommand(QVBoxLayout *column, Icon icon, const QString &text, const QString &toolTip);
     void listDevices();
+    bool isOnLine() const;
+    void refreshLine();
     void choose();
     void showCommon(const Common &common);
     void hideCommon();
@@ -75,7 +84,8 @@ private:
     void act(const QString &what);
 
     TrainingControls &m_controls;
-    std::vector<DeviceNumber> m_devices; // by index of the field
+    SimulatedLine *m_line = nullptr;
+    std::vector<DeviceNumber> m_devices; // by index of the field; the number of none is the serial line
     std::optional<DeviceNumber> m_number;
     std::optional<Common> m_shown; // what the fields say of the encoder
 
@@ -85,6 +95,8 @@ private:
     RodControls *m_rod;
     RingFaults *m_ringFaults;
     FaultPlanBar *m_plan;
+    LineFaultsBox *m_lineFaults;
+    LineEncoderBox *m_lineEncoder;
     QLabel *m_writesCaption;
     QLabel *m_writes;
     QCheckBox *m_power = nullptr;
