@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivers/make_driver.h"
+#include "line/line_session.h"
+#include "simulator/simulated_line_link.h"
+#include "tests/widgets/wizard/wizard_test.h"
+#include "widgets/monitor/position_range.h"
+#include "widgets/parameters/position_to_set.h"
+#include "widgets/wizard/position_scale.h"
+
+// The wizard with a Kübler encoder on the simulated line: requests of its manual, chapter 2.
+namespace codewheel {
+namespace {
+
+const DeviceNumber place = DeviceNumber::onLine({5}); // at 1235h
+
+class WizardLine : public test::WizardTest
+{
+protected:
+    WizardLine()
+    {
+        EXPECT_TRUE(line.open({}, {}, LineSession::Start::operating, LineSession::Drive::byHand));
+        EXPECT_TRUE(line.add({5}, QStringLiteral("kuebler-esc-rs485")));
+        connected.setLine(&line);
+        pass(500);
+    }
+    ~WizardLine() override { connected.setLine(nullptr); }
+
+    void pass(int milliseconds)
+    {
+        for (; milliseconds > 0; milliseconds -= 33)
+            line.advance(std::chrono::milliseconds(33));
+    }
+    EncoderSession &encoder() { return *line.encoder(place); }
+    void toValues()
+    {
+        wizard.setEncoder(&encoder());
+        next();
+        click("readAll");
+        pass(4000);
+        next();
+        next();
+    }
+    QStringList plannedRequests() const
+    {
+        const QAbstractItemModel &model = *find<QTableView>("plannedWords")->model();
+        QStringList requests;
+        for (int row = 0; row < model.rowCount(); ++row)
+            requests.append(model.index(row, 1).data().toString());
+        return requests;
+    }
+
+    std::shared_ptr<SimulatedLine> simulated = std::make_shared<SimulatedLine>();
+    LineSession line{std::make_unique<SimulatedLineLink>(simulated), catalog,
+                     QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC), makeRequestDriver};
+};
+
+TEST_F(WizardLine, ItsEncodersStandBehindThoseOfTheRing)
+{
+    wizard.setEncoder(&encoder());
+    auto *list = find<QListWidget>("encoders");
+    EXPECT_TRUE(list->item(list->count() - 1)->text().startsWith(QStringLiteral("esc:05")));
+    EXPECT_TRUE(isEnabled("wizardNext"));
+}
+
+TEST_F(WizardLine, StepsPerTurnMakeTheRange)
+{
+    toValues();
+    wanted.set(place, Parameter::steps, 360);
+    EXPECT_TRUE(wanted.values(place).size() == 1);
+    next();
+    wizard.findChild<QAbstractButton *>(QStringLiteral("wizardBack"))->click(); // fields show what is wanted
+    EXPECT_TRUE(text("scaleText").contains(QStringLiteral("360"))) << text("scaleText").toStdString();
+    EXPECT_TRUE(text("scaleText").contains(QLocale().toString(360 * 4096)));
+}
+
+TEST_F(WizardLine, RequestsAreReviewedSentAndReadBack)
+{
+    toValues();
+    wanted.set(place, Parameter::upperLimit, 0x2000);
+    next();
+    const QStringList requests = plannedRequests();
+    EXPECT_TRUE(requests.contains(QStringLiteral("05GH00002000"))) << requests.join(u' ').toStdString();
+    click("byItself");
+    next();
+    pass(4000);
+    EXPECT_FALSE(wizard.isBusy());
+    EXPECT_EQ(encoder().known(Parameter::upperLimit)->value, 0x2000);
+    EXPECT_EQ(encoder().known(Parameter::upperLimit)->evidence, Evidence::read);
+}
+
+TEST_F(WizardLine, ThePositionIsSetWithinTheRangeOfTheEncoder)
+{
+    toValues();
+    const ParameterDescription position = positionToSet(encoder());
+    EXPECT_EQ(position.minimum, 1);
+    EXPECT_EQ(position.maximum, 33'554'431);
+    click("initialisePreset");
+    type("positionToSet", "0");
+    EXPECT_FALSE(isEnabled("wizardNext"));
+    type("positionToSet", "1000");
+    next();
+    EXPECT_TRUE(plannedRequests().contains(QStringLiteral("05GP000003E8")));
+    click("byItself");
+    next();
+    pass(4000);
+    EXPECT_EQ(encoder().latest().position, 1000);
+}
+
+TEST_F(WizardLine, DirectionAndRangeAreThoseOfItsManual)
+{
+    wizard.setEncoder(&encoder());
+    ASSERT_TRUE(encoder().start(ReadParameters{encoder().device().readableValues()}));
+    pass(4000);
+    EXPECT_EQ(positionRange(encoder()), (PositionRange{0, 33'554'431}));
+    const auto scale = scaleOf(encoder().device(), [this](Parameter parameter) {
+        const auto known = encoder().known(parameter);
+        return known ? std::optional(known->value) : std::nullopt;
+    });
+    ASSERT_TRUE(scale);
+    EXPECT_EQ(scale->total(), 33'554'432);
+    EXPECT_DOUBLE_EQ(scale->resolution(), 8192);
+    EXPECT_TRUE(scale->clockwise);
+}
+
+} // namespace
+} // namespace codewheel
