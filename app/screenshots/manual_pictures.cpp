@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/screenshots/manual_pictures.h"
 
+#include "app/screenshots/line_pictures.h"
 #include "app/screenshots/project_pictures.h"
 #include "app/screenshots/report_picture.h"
 #include "app/screenshots/scene.h"
@@ -232,8 +233,8 @@ bool makeManualPictures(QApplication &application, const QDir &folder)
 {
     QApplication::setCursorFlashTime(0); // a cursor is there or not, by chance
     std::vector<Picture> pictures = views();
-    for (const Picture &picture : wizardPictures())
-        pictures.push_back(picture);
+    for (const auto &more : {wizardPictures(), linePictures()})
+        pictures.insert(pictures.end(), more.begin(), more.end());
     bool saved = true;
     for (const Scheme scheme : {Scheme::light, Scheme::dark}) {
         applyAppearance(application, {.scheme = scheme, .largeControls = false, .lessMotion = true});

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/screenshots/line_pictures.h"
+
+#include "app/screenshots/scene.h"
+#include "catalog/device_description.h"
+#include "esc/esc_request.h"
+#include "widgets/line/line_panel.h"
+#include "widgets/line/line_search.h"
+#include "widgets/line/line_settings_form.h"
+#include "widgets/line/line_terminal.h"
+#include "widgets/structure/structure_view.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QPushButton>
+
+namespace codewheel {
+namespace {
+
+using namespace scene;
+
+constexpr QSize tall(1280, 1150);
+constexpr LineAddress turning{3};
+constexpr LineAddress standing{5};
+constexpr int untilRead = 3'000;    // ms
+constexpr int untilFound = 20'000;  // ms
+constexpr int someThousandths = 20; // of all bytes
+
+void readAllOf(TrainingWindow &shown, LineAddress address)
+{
+    EncoderSession &encoder = *shown.line().session()->encoder(DeviceNumber::onLine(address));
+    if (encoder.start(ReadParameters{encoder.device().readableValues()}))
+        shown.advance(untilRead);
+}
+
+void press(QWidget &view, const QString &text)
+{
+    for (auto *button : view.findChildren<QPushButton *>())
+        if (button->text().remove(u'&') == text && button->isEnabled())
+            button->click();
+}
+
+// What the manual shows of it: a read, an alarm, and a line that is not the best.
+void typeSome(TrainingWindow &shown)
+{
+    LineSession &line = *shown.line().session();
+    shown.line().training()->withEncoder(
+        turning, [](SimulatedEscEncoder &encoder) { encoder.condition().batteryFlat = true; });
+    for (const auto command : {esc::Command::serialNumber, esc::Command::alarms, esc::Command::warnings}) {
+        line.send({turning, command, 0});
+        shown.advance(whileMilliseconds);
+    }
+    LineFaults faults;
+    faults.corrupted = someThousandths;
+    shown.line().training()->setFaults(faults);
+    shown.advance(untilRead);
+}
+
+QWidget *terminalAtWork(TrainingWindow &shown)
+{
+    typeSome(shown);
+    shown.window().findChild<QAction *>(QStringLiteral("lineTerminal"))->trigger();
+    shown.advance(whileMilliseconds);
+    return dock(shown, "terminalDock");
+}
+
+QWidget *wholeWindow(TrainingWindow &shown)
+{
+    readAllOf(shown, turning);
+    choose(shown, DeviceNumber::onLine(turning));
+    terminalAtWork(shown);
+    return &shown.window();
+}
+
+QWidget *settingsAtWork(TrainingWindow &shown)
+{
+    shown.window().findChild<QAction *>(QStringLiteral("lineSettings"))->trigger();
+    auto *form = shown.window().findChild<LineSettingsForm *>();
+    form->setPorts(
+        {{QStringLiteral("/dev/ttyUSB0"), QStringLiteral("FT232R USB UART"), QStringLiteral("A50285BI")}});
+    shown.advance(whileMilliseconds);
+    return form;
+}
+
+QWidget *searchAtWork(TrainingWindow &shown)
+{
+    shown.window().findChild<QAction *>(QStringLiteral("lineSearch"))->trigger();
+    auto *search = shown.window().findChild<LineSearch *>();
+    press(*search, LineSearch::tr("&Search").remove(u'&'));
+    shown.advance(untilFound);
+    return search;
+}
+
+} // namespace
+
+std::vector<Picture> linePictures()
+{
+    return {
+        pictureOf("line", wholeWindow),
+        pictureOf("line-small", wholeWindow, {1024, 640}),
+        pictureOf("line-terminal", terminalAtWork, tall),
+        pictureOf(
+            "line-figures",
+            [](TrainingWindow &shown) {
+                typeSome(shown);
+                return dock(shown, "lineDock");
+            },
+            tall),
+        pictureOf("line-settings", settingsAtWork),
+        pictureOf("line-search", searchAtWork),
+        pictureOf("line-parameters",
+                  [](TrainingWindow &shown) {
+                      choose(shown, DeviceNumber::onLine(standing));
+                      readAllOf(shown, standing);
+                      return dock(shown, "parametersDock");
+                  }),
+        pictureOf(
+            "training-line",
+            [](TrainingWindow &shown) {
+                QWidget *seen = dock(shown, "trainingDock");
+                shown.window().findChild<StructureView *>()->chooseLine();
+                shown.advance(whileMilliseconds);
+                return seen;
+            },
+            tall),
+    };
+}
+
+} // namespace codewheel
