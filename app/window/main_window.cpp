@@ -178,7 +178,7 @@ void MainWindow::showChosen()
     const bool isOfRing = connected != nullptr && !connected->number().isOnLine();
     m_device->setPlace(m_choice->number(),
                        encoder.isThere() && !isOfRing ? std::optional(encoder.device()) : std::nullopt);
-    if (m_bus->isOpen() && m_choice->number())
+    if (m_choice->number() && m_connected->isConnected(*m_choice->number()))
         m_trainingPanel->setDevice(*m_choice->number());
 }
 

@@ -28,6 +28,7 @@ class DialPanel;
 class InlineMessage;
 class LastPositions;
 class Leaving;
+class LineViews;
 class LedgerKeeper;
 class MasterPanel;
 class MessageModel;
@@ -107,14 +108,16 @@ protected:
     bool event(QEvent *event) override;
 
 private:
-    static constexpr int layoutVersion = 2; // of docks and tool bar: another one is not restored
+    static constexpr int layoutVersion = 3; // of docks and tool bar: another one is not restored
 
     void makeDocks(MessageModel &messages);
-    void addDock(const char *name, const QString &title, QWidget *content);
+    void addDock(const char *name, const QString &title, QWidget *content, const QKeySequence &key);
+    void showDock(const char *name);
     void connectActions();
     void connectViewActions();
     void connectViews();
-    void connectLine(); // main_window_line.cpp
+    void makeLineViews(); // main_window_line.cpp
+    void connectLine();
     void leaveLine();
     void showLine();
     void showChosen();
@@ -134,6 +137,7 @@ private:
     BusSession *m_bus = nullptr;
     SerialLine *m_line = nullptr;
     ConnectedEncoders *m_connected = nullptr;
+    LineViews *m_lineViews = nullptr;
     std::shared_ptr<TrainingControls> m_training;
     WindowActions m_actions;
     AlarmStopEverywhere *m_alarmStop;

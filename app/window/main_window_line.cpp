@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The serial line in the window.
 #include "app/window/device_choice.h"
+#include "app/window/line_views.h"
 #include "app/window/main_window.h"
 #include "app/window/serial_line.h"
 #include "app/window/status_line.h"
 #include "ring/bus_session.h"
+#include "widgets/line/line_panel.h"
+#include "widgets/line/line_terminal.h"
 #include "widgets/models/connected_encoders.h"
+#include "widgets/sequence/sequence_view.h"
 #include "widgets/structure/structure_view.h"
+#include "widgets/trace/trace_view.h"
+#include "widgets/training/training_panel.h"
+
+#include <QAction>
+#include <QMenu>
 
 namespace codewheel {
 
@@ -19,10 +28,36 @@ std::optional<DeviceNumber> firstOf(const RingStructure &ring)
 
 } // namespace
 
+void MainWindow::makeLineViews()
+{
+    m_lineViews = new LineViews(*m_line, m_project, m_settings, *m_leaving, m_actions, *m_pages);
+    connect(m_lineViews, &LineViews::terminalRequested, this, [this] {
+        showDock("terminalDock");
+        m_lineViews->terminal().setFocus();
+    });
+    connect(m_lineViews, &LineViews::panelRequested, this, [this] {
+        showDock("lineDock");
+        m_lineViews->panel().setFocus();
+    });
+    // One decision for both, and Watch after every connection but the training bus.
+    connect(m_lineViews, &LineViews::portConnected, this, [this] { setOperate(false); });
+    connect(m_lineViews, &LineViews::removalRequested, this, [this] {
+        if (const auto number = currentNumber(); number && number->isOnLine())
+            m_lineViews->remove(*number);
+    });
+}
+
 void MainWindow::connectLine()
 {
     connect(m_line, &SerialLine::aboutToChange, this, &MainWindow::leaveLine);
     connect(m_line, &SerialLine::changed, this, &MainWindow::showLine);
+    connect(m_structure, &StructureView::lineOpened, m_lineViews, &LineViews::panelRequested);
+    connect(m_structure, &StructureView::lineMenuRequested, this,
+            [this](const QPoint &position) { m_actions.lineMenu->popup(position); });
+    connect(m_structure, &StructureView::lineChosen, m_trainingPanel,
+            [this] { m_trainingPanel->setDevice({}); });
+    connect(m_trace, &TraceView::terminalRequested, m_actions.lineTerminal, &QAction::trigger);
+    connect(m_sequence, &SequenceView::terminalRequested, m_actions.lineTerminal, &QAction::trigger);
     showLine();
 }
 
@@ -33,6 +68,8 @@ void MainWindow::leaveLine()
     m_connected->setLine(nullptr);
     m_structure->setLine(nullptr);
     m_status->setLine(nullptr);
+    m_trainingPanel->setLine(nullptr);
+    m_lineViews->setLine(nullptr);
     if (chosen && chosen->isOnLine())
         m_choice->choose(firstOf(m_bus->structure()));
 }
@@ -43,6 +80,8 @@ void MainWindow::showLine()
     m_connected->setLine(line);
     m_structure->setLine(line);
     m_status->setLine(line);
+    m_trainingPanel->setLine(m_line->training());
+    m_lineViews->setLine(line);
     if (line != nullptr)
         connect(line, &LineSession::stateChanged, this, &MainWindow::showBusState);
     showBusState();

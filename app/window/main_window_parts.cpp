@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window is made of, and how its parts are connected.
 #include "app/window/device_choice.h"
+#include "app/window/line_views.h"
 #include "app/window/main_window.h"
 #include "app/window/panels.h"
 #include "app/window/project_files.h"
@@ -13,6 +14,8 @@
 #include "widgets/comparison/comparison_page.h"
 #include "widgets/device/device_panel.h"
 #include "widgets/dial/dial_panel.h"
+#include "widgets/line/line_panel.h"
+#include "widgets/line/line_terminal.h"
 #include "widgets/master/master_panel.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/messages/messages_view.h"
@@ -49,6 +52,7 @@ void MainWindow::makePages()
         m_pages->addWidget(page);
     m_transfer = new TransferPages(*m_bus, m_project, valuesBeforeOf(*m_ledger), *m_positions, m_actions,
                                    *m_pages, this);
+    makeLineViews();
 }
 
 void MainWindow::makeDocks(MessageModel &messages)
@@ -70,31 +74,40 @@ void MainWindow::makeDocks(MessageModel &messages)
     m_master = new MasterPanel(*m_bus, this);
     m_actions.deviceMenu->insertActions(m_actions.zeroOut, m_parameters->functionActions());
     m_actions.deviceMenu->insertSeparator(m_actions.zeroOut);
-    addDock("structureDock", tr("Bus structure"), m_structure);
-    addDock("trainingDock", tr("Training"), m_trainingPanel);
-    addDock("parametersDock", tr("Parameters"), m_parameters);
-    addDock("dialDock", tr("Encoder"), m_dial);
-    addDock("messagesDock", tr("Messages"), m_messages);
-    addDock("traceDock", tr("Handshake trace"), m_trace);
-    addDock("sequenceDock", tr("Sequence"), sequences);
-    addDock("deviceDock", tr("Device"), m_device);
-    addDock("masterDock", tr("Master"), m_master);
+    addDock("structureDock", tr("Bus structure"), m_structure, Qt::ALT | Qt::Key_1);
+    addDock("trainingDock", tr("Training"), m_trainingPanel, Qt::ALT | Qt::Key_2);
+    addDock("parametersDock", tr("Parameters"), m_parameters, Qt::ALT | Qt::Key_3);
+    addDock("dialDock", tr("Encoder"), m_dial, Qt::ALT | Qt::Key_4);
+    addDock("messagesDock", tr("Messages"), m_messages, Qt::ALT | Qt::Key_5);
+    addDock("traceDock", tr("Handshake trace"), m_trace, Qt::ALT | Qt::Key_6);
+    addDock("sequenceDock", tr("Sequence"), sequences, Qt::ALT | Qt::Key_7);
+    addDock("deviceDock", tr("Device"), m_device, Qt::ALT | Qt::Key_8);
+    addDock("masterDock", tr("Master"), m_master, Qt::ALT | Qt::Key_9);
+    addDock("terminalDock", tr("Line terminal"), &m_lineViews->terminal(), Qt::ALT | Qt::Key_0);
+    addDock("lineDock", tr("Serial line"), &m_lineViews->panel(), Qt::ALT | Qt::SHIFT | Qt::Key_L);
     arrangePanels(*this);
     m_defaultLayout = saveState(layoutVersion);
     if (!restoreState(m_settings.layout(), layoutVersion))
         raiseFirstPanels(*this);
 }
 
-void MainWindow::addDock(const char *name, const QString &title, QWidget *content)
+void MainWindow::addDock(const char *name, const QString &title, QWidget *content, const QKeySequence &key)
 {
     auto *dock = new QDockWidget(title, this);
     dock->setObjectName(QLatin1String(name));
     dock->setWidget(content);
     QAction *toggle = makePanelAction(*dock);
     toggle->setToolTip(tr("Shows or hides the panel \"%1\"").arg(title));
-    toggle->setShortcut(QKeySequence(Qt::ALT | Qt::Key(Qt::Key_1 + static_cast<int>(m_docks.size()))));
+    toggle->setShortcut(key);
     m_actions.docks->addAction(toggle);
     m_docks.push_back(dock);
+}
+
+void MainWindow::showDock(const char *name)
+{
+    auto *dock = findChild<QDockWidget *>(QLatin1String(name));
+    dock->show();
+    dock->raise();
 }
 
 void MainWindow::connectProject()
@@ -116,34 +129,28 @@ void MainWindow::connectViews()
 {
     connect(m_choice, &DeviceChoice::changed, this, &MainWindow::showChosen);
     connect(m_structure, &StructureView::opened, this, [this](DeviceNumber number) {
+        if (number.isOnLine()) {
+            m_actions.lineTerminal->trigger();
+            return;
+        }
         showMonitors();
         m_monitors->openWords(number);
     });
     connect(m_structure, &StructureView::menuRequested, this,
             [this](DeviceNumber, const QPoint &position) { m_actions.deviceMenu->popup(position); });
     connect(m_structure, &StructureView::namingRequested, this, [this] {
-        auto *dock = findChild<QDockWidget *>(QStringLiteral("deviceDock"));
-        dock->show();
-        dock->raise();
+        showDock("deviceDock");
         m_device->focusNaming();
     });
     connect(m_master, &MasterPanel::startRequested, m_actions.start, &QAction::trigger);
     connect(m_master, &MasterPanel::stopRequested, m_actions.stop, &QAction::trigger);
     connect(m_master, &MasterPanel::readInRequested, m_actions.readIn, &QAction::trigger);
-    connect(m_master, &MasterPanel::asked, this, [this] {
-        auto *dock = findChild<QDockWidget *>(QStringLiteral("masterDock"));
-        dock->show();
-        dock->raise();
-    });
+    connect(m_master, &MasterPanel::asked, this, [this] { showDock("masterDock"); });
     connect(m_parameters, &ParameterPanel::wizardRequested, this, &MainWindow::showWizard);
-    connect(m_parameters, &ParameterPanel::refusalShown, this, [this] {
-        auto *dock = findChild<QDockWidget *>(QStringLiteral("parametersDock"));
-        dock->show();
-        dock->raise();
-    });
+    connect(m_parameters, &ParameterPanel::refusalShown, this, [this] { showDock("parametersDock"); });
     connect(m_wizard, &ParameterWizard::closeRequested, this, &MainWindow::showMonitors);
     connect(m_trainingPanel, &TrainingPanel::acted, this, [this](DeviceNumber number, const QString &what) {
-        m_messageModel->addNow({.place = number,
+        m_messageModel->addNow({.place = number == DeviceNumber{} ? std::nullopt : std::optional(number),
                                 .severity = Severity::information,
                                 .id = MessageId::training,
                                 .arguments = {what}});

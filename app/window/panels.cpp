@@ -25,11 +25,14 @@ struct Panels
         , trace(window.findChild<QDockWidget *>(QStringLiteral("traceDock")))
         , sequence(window.findChild<QDockWidget *>(QStringLiteral("sequenceDock")))
         , master(window.findChild<QDockWidget *>(QStringLiteral("masterDock")))
+        , terminal(window.findChild<QDockWidget *>(QStringLiteral("terminalDock")))
+        , line(window.findChild<QDockWidget *>(QStringLiteral("lineDock")))
     {}
 
-    std::array<QDockWidget *, 9> all() const
+    std::array<QDockWidget *, 11> all() const
     {
-        return {structure, training, parameters, device, dial, messages, trace, sequence, master};
+        return {structure, training, parameters, device,   dial, messages,
+                trace,     sequence, master,     terminal, line};
     }
 
     QDockWidget *structure;
@@ -41,12 +44,15 @@ struct Panels
     QDockWidget *trace;
     QDockWidget *sequence;
     QDockWidget *master;
+    QDockWidget *terminal;
+    QDockWidget *line;
 };
 
 void arrangeSides(QMainWindow &window, const Panels &panels)
 {
     window.splitDockWidget(panels.structure, panels.training, Qt::Vertical);
     window.tabifyDockWidget(panels.training, panels.master);
+    window.tabifyDockWidget(panels.master, panels.line);
     window.splitDockWidget(panels.parameters, panels.dial, Qt::Vertical);
     window.tabifyDockWidget(panels.parameters, panels.device);
 }
@@ -56,6 +62,7 @@ void arrangeLowSides(QMainWindow &window, const Panels &panels)
 {
     window.splitDockWidget(panels.structure, panels.dial, Qt::Vertical);
     window.tabifyDockWidget(panels.dial, panels.master);
+    window.tabifyDockWidget(panels.master, panels.line);
     window.tabifyDockWidget(panels.parameters, panels.device);
     window.tabifyDockWidget(panels.device, panels.training);
 }
@@ -85,6 +92,7 @@ void arrangePanels(QMainWindow &window)
     window.addDockWidget(Qt::BottomDockWidgetArea, panels.messages);
     window.tabifyDockWidget(panels.messages, panels.trace);
     window.tabifyDockWidget(panels.trace, panels.sequence);
+    window.tabifyDockWidget(panels.sequence, panels.terminal);
     if (isLow)
         arrangeLowSides(window, panels);
     else

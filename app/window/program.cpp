@@ -87,17 +87,17 @@ void Program::startBus()
         m_messages->addNow(*m_ledger->problem());
     keepAccountOf(m_project, *m_ledger);
     m_positions = std::make_unique<LastPositions>(*m_training.bus);
-    m_line = std::make_unique<SerialLine>(*m_catalog, LineSession::Drive::byThread,
+    m_line = std::make_unique<SerialLine>(*m_catalog, m_project, m_dataFolder, LineSession::Drive::byThread,
                                           [] { return QDateTime::currentDateTime(); });
-    connect(m_line.get(), &SerialLine::changed, m_messages.get(),
-            [this] { m_messages->setLine(m_line->session()); });
+    connect(m_line.get(), &SerialLine::messaged, m_messages.get(), &MessageModel::add);
+    m_line->openTraining();
+    m_project.setProject(withTrainingLine(m_project.project(), *m_line), {});
     for (const Catalog::Fault &fault : faults)
         m_messages->addNow(
             {.severity = Severity::attention,
              .refusal =
                  Refusal{RefusalKind::badInput, RefusalId::deviceFileBroken, {fault.place(), fault.reason}}});
     attach();
-    m_line->openTraining();
     openProject();
     m_training.bus->startThread(busPeriod);
     m_pictures.start(picturePeriod);

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/serial_line.h"
 
-#include "drivers/make_driver.h"
+#include "app/journal_files.h"
+#include "app/window/project_account.h"
+#include "drivers/esc_driver.h"
+#include "journal/ledger_keeper.h"
+#include "links/serial_port_link.h"
 #include "simulator/simulated_line_link.h"
+#include "widgets/project/project_document.h"
 
 #include <chrono>
 
@@ -16,25 +21,62 @@ Instant steadyTime()
     return std::chrono::duration_cast<Instant>(std::chrono::steady_clock::now().time_since_epoch());
 }
 
+EscSettings escSettingsOf(const LineWish &wish)
+{
+    EscSettings settings;
+    settings.positionInterval = wish.pollInterval;
+    settings.topSpeed = wish.topSpeed;
+    settings.fractionBits = wish.fractionBits;
+    return settings;
+}
+
 } // namespace
 
-SerialLine::SerialLine(const Catalog &catalog, LineSession::Drive drive, Clock clock, QObject *parent)
+SerialLine::SerialLine(const Catalog &catalog, ProjectDocument &project, const QString &dataFolder,
+                       LineSession::Drive drive, Clock clock, QObject *parent)
     : QObject(parent)
     , m_catalog(catalog)
+    , m_project(project)
+    , m_dataFolder(dataFolder)
     , m_drive(drive)
     , m_clock(std::move(clock))
 {}
 
 SerialLine::~SerialLine() = default;
 
+std::unique_ptr<LineSession> SerialLine::makeSession(std::unique_ptr<ByteLink> link, const LineWish &wish)
+{
+    auto session = std::make_unique<LineSession>(
+        std::move(link), m_catalog, m_clock(),
+        [settings = escSettingsOf(wish)](const DeviceDescription &device, LineAddress address) {
+            return std::make_unique<EscDriver>(device, address, settings);
+        });
+    connect(session.get(), &LineSession::messaged, this,
+            [this, made = session.get()](const Message &message) {
+                Q_EMIT messaged(message, made->dateTime(message.at));
+            });
+    return session;
+}
+
 void SerialLine::replace(std::unique_ptr<LineSession> session, std::shared_ptr<SimulatedLine> training)
 {
     Q_EMIT aboutToChange();
     if (m_session)
         m_session->close();
+    m_ledger.reset();
     m_session = std::move(session);
     m_training = std::move(training);
+    if (m_session)
+        keepAccount();
     Q_EMIT changed();
+}
+
+void SerialLine::keepAccount()
+{
+    m_ledger = std::make_unique<LedgerKeeper>(*m_session, ledgerPlace(*m_session, m_dataFolder));
+    connect(m_ledger.get(), &LedgerKeeper::messaged, this,
+            [this](const Message &message) { Q_EMIT messaged(message, m_clock()); });
+    keepAccountOf(m_project, *m_ledger);
 }
 
 void SerialLine::openTraining()
@@ -43,20 +85,48 @@ void SerialLine::openTraining()
     const bool isVirtual = m_drive == LineSession::Drive::byHand;
     auto link = std::make_unique<SimulatedLineLink>(line, isVirtual ? SimulatedLineLink::Clock()
                                                                     : SimulatedLineLink::Clock(steadyTime));
-    auto session = std::make_unique<LineSession>(std::move(link), m_catalog, m_clock(), makeRequestDriver);
-    LineSession &opened = *session;
-    replace(std::move(session), line);
-    // the messages of these belong to the line already
-    if (!opened.open({}, {}, LineSession::Start::operating, m_drive)) // a simulated link always opens
+    auto session = makeSession(std::move(link), {});
+    // a simulated link always opens
+    if (!session->open({}, {}, LineSession::Start::operating, m_drive))
         Q_UNREACHABLE();
     for (const LineAddress address : line->addresses())
-        (void)opened.add(address, trainingDevice);
+        (void)session->add(address, trainingDevice);
+    replace(std::move(session), std::move(line));
+}
+
+Result<void> SerialLine::openPort(const LineWish &wish, const std::vector<ProjectDevice> &encoders)
+{
+    auto link = std::make_unique<SerialPortLink>(wish.port);
+    if (m_session && m_session->linkName() == link->name())
+        close();
+    auto session = makeSession(std::move(link), wish);
+    // a port keeps real time
+    auto opened =
+        session->open(wish.line, wish.timing, LineSession::Start::watching, LineSession::Drive::byThread);
+    if (!opened)
+        return opened;
+    for (const ProjectDevice &encoder : encoders)
+        (void)session->add(encoder.participant.number.line, encoder.participant.deviceKey);
+    replace(std::move(session), nullptr);
+    return {};
 }
 
 void SerialLine::close()
 {
     if (m_session)
         replace(nullptr, nullptr);
+}
+
+Project withTrainingLine(Project project, const SerialLine &line)
+{
+    project.line = ProjectLine();
+    for (const DeviceNumber number : line.session()->numbers()) {
+        ProjectDevice encoder;
+        encoder.participant.number = number;
+        encoder.participant.deviceKey = line.session()->encoder(number)->device().key;
+        project.line->encoders.push_back(std::move(encoder));
+    }
+    return project;
 }
 
 } // namespace codewheel

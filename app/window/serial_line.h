@@ -2,6 +2,8 @@
 #pragma once
 
 #include "line/line_session.h"
+#include "line/line_wish.h"
+#include "project/project.h"
 #include "simulator/simulated_line.h"
 
 #include <QObject>
@@ -11,8 +13,12 @@
 
 namespace codewheel {
 
+class LedgerKeeper;
+class ProjectDocument;
+
 // The serial line of the program: the simulated one of the training bus at first, later perhaps one at a
-// port. Outlives the window, which is made anew in another language.
+// port. Keeps the account of the EEPROM writes of its encoders. Outlives the window, which is made anew in
+// another language.
 class SerialLine : public QObject
 {
     Q_OBJECT
@@ -20,8 +26,10 @@ class SerialLine : public QObject
 public:
     using Clock = std::function<QDateTime()>; // what Instant 0 of a line that is opened now stands for
 
-    // The catalog outlives it. By hand: the simulated line keeps virtual time.
-    SerialLine(const Catalog &catalog, LineSession::Drive drive, Clock clock, QObject *parent = nullptr);
+    // Catalog and project outlive it. By hand: the simulated line keeps virtual time. `dataFolder`: of the
+    // ledger.
+    SerialLine(const Catalog &catalog, ProjectDocument &project, const QString &dataFolder,
+               LineSession::Drive drive, Clock clock, QObject *parent = nullptr);
     ~SerialLine() override;
 
     LineSession *session() const { return m_session.get(); }     // null: none is open
@@ -30,20 +38,32 @@ public:
 
     // Each ends the line there was. The training line begins in Operate.
     void openTraining();
+    // Begins in Watch, with these encoders. Refused as ByteLink::open(): then the line there was goes on,
+    // unless it was at the same port.
+    Result<void> openPort(const LineWish &wish, const std::vector<ProjectDevice> &encoders);
     void close();
 
 Q_SIGNALS:
     void aboutToChange(); // session and encoders of before are gone after this
     void changed();       // session() is another one, or none
+    void messaged(const codewheel::Message &message, const QDateTime &at);
 
 private:
+    std::unique_ptr<LineSession> makeSession(std::unique_ptr<ByteLink> link, const LineWish &wish);
     void replace(std::unique_ptr<LineSession> session, std::shared_ptr<SimulatedLine> training);
+    void keepAccount();
 
     const Catalog &m_catalog;
+    ProjectDocument &m_project;
+    const QString m_dataFolder;
     LineSession::Drive m_drive;
     Clock m_clock;
     std::shared_ptr<SimulatedLine> m_training;
     std::unique_ptr<LineSession> m_session;
+    std::unique_ptr<LedgerKeeper> m_ledger; // of the session
 };
+
+// The project with a line that has the encoders of this one; no port is chosen.
+Project withTrainingLine(Project project, const SerialLine &line);
 
 } // namespace codewheel

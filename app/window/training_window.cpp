@@ -24,10 +24,10 @@ TrainingWindow::TrainingWindow(const QString &settingsFile, QSize size)
 {
     m_messages.setBus(*m_training.bus);
     QObject::connect(&m_ledger, &LedgerKeeper::messaged, &m_messages, &MessageModel::addNow);
-    QObject::connect(&m_line, &SerialLine::changed, &m_messages,
-                     [this] { m_messages.setLine(m_line.session()); });
+    QObject::connect(&m_line, &SerialLine::messaged, &m_messages, &MessageModel::add);
     keepAccountOf(m_project, m_ledger);
-    m_project.setProject(projectOf(m_training.bus->structure()), {});
+    m_line.openTraining();
+    m_project.setProject(withTrainingLine(projectOf(m_training.bus->structure()), m_line), {});
     m_window = std::make_unique<MainWindow>(m_settings, m_project);
     if (size.isValid())
         m_window->resize(size);
@@ -38,7 +38,6 @@ TrainingWindow::TrainingWindow(const QString &settingsFile, QSize size)
                       .messages = m_messages,
                       .ledger = m_ledger,
                       .positions = m_positions});
-    m_line.openTraining();
     advance(picturePeriod);
 }
 

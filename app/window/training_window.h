@@ -38,8 +38,8 @@ private:
     MessageStore m_store{{}}; // in memory
     MessageModel m_messages{m_store};
     TrainingSession m_training;
-    SerialLine m_line{m_catalog, LineSession::Drive::byHand, begin};
     ProjectDocument m_project;
+    SerialLine m_line{m_catalog, m_project, {}, LineSession::Drive::byHand, begin};
     LedgerKeeper m_ledger;
     LastPositions m_positions;
     std::unique_ptr<MainWindow> m_window;

@@ -137,11 +137,36 @@ void WindowActions::makeBusMenu()
     transfer = described(menu->addAction(lineIcon(Icon::parameters), tr("T&ransfer")), Qt::CTRL | Qt::Key_T,
                          tr("Values of several encoders: written from the project, stored in it, given from "
                             "one to others"));
+    makeLineMenu(*menu);
     menu->addSeparator();
     alarmStop =
         described(menu->addAction(lineIcon(Icon::alarmStop), tr("&ALARM STOP whole ring")), alarmStopKey(),
                   tr("Sets all OUT words of the whole ring to 0, and ends what is on its way "
                      "on the serial line, at once"));
+}
+
+void WindowActions::makeLineMenu(QMenu &busMenu)
+{
+    lineMenu = busMenu.addMenu(lineIcon(Icon::ring), tr("Serial &line"));
+    lineMenu->setToolTipsVisible(true);
+    lineSettings = described(lineMenu->addAction(lineIcon(Icon::parameters), tr("&Port and settings...")),
+                             Qt::SHIFT | Qt::Key_F6, tr("Connects a serial port; nothing is written"));
+    lineSearch =
+        described(lineMenu->addAction(lineIcon(Icon::search), tr("&Search for encoders...")),
+                  Qt::SHIFT | Qt::Key_F7, tr("Asks one address after the other; nothing is written"));
+    lineTerminal =
+        described(lineMenu->addAction(lineIcon(Icon::trace), tr("&Terminal")), Qt::SHIFT | Qt::Key_F8,
+                  tr("Shows what passes on the line, and sends what you type"));
+    linePanel = described(lineMenu->addAction(lineIcon(Icon::information), tr("&Figures of the line")),
+                          Qt::CTRL | Qt::Key_F6, tr("Port, state, answers and time-outs of the line"));
+    lineSettings->setObjectName(QStringLiteral("lineSettings"));
+    lineSearch->setObjectName(QStringLiteral("lineSearch"));
+    lineTerminal->setObjectName(QStringLiteral("lineTerminal"));
+    lineMenu->addSeparator();
+    lineTraining = described(lineMenu->addAction(lineIcon(Icon::training), tr("T&raining line")), {},
+                             tr("Three simulated encoders, in place of a port"));
+    disconnectLine = described(lineMenu->addAction(lineIcon(Icon::cancel), tr("&Disconnect the line")),
+                               Qt::CTRL | Qt::SHIFT | Qt::Key_F6, tr("Closes the serial line"));
 }
 
 void WindowActions::makeDeviceMenu()
@@ -167,6 +192,7 @@ void WindowActions::makeDeviceMenu()
     deviceMenu->addSeparator();
     zeroOut = deviceMenu->addAction(lineIcon(Icon::write), tr("Set OUT to &00000000"));
     zeroOut->setShortcut(Qt::CTRL | Qt::Key_0);
+    removeFromLine = deviceMenu->addAction(lineIcon(Icon::remove), tr("Remove from the serial &line"));
     showChosen({});
 }
 
@@ -197,6 +223,11 @@ void WindowActions::showChosen(const ShownEncoder &encoder)
               : isOnlyPlanned ? offline
                               : tr("Sends 00000000 to the chosen device: normal running"));
     zeroOut->setEnabled(hasOut && !isOnlyPlanned);
+    const bool isOnLine = isThere && encoder.number().isOnLine();
+    described(removeFromLine, Qt::CTRL | Qt::SHIFT | Qt::Key_F7,
+              isOnLine ? tr("The encoder is not asked any more; what it has stays as it is")
+                       : tr("For encoders on the serial line"));
+    removeFromLine->setEnabled(isOnLine);
 }
 
 void WindowActions::makeViewMenu()
@@ -255,6 +286,7 @@ void WindowActions::makeToolBar()
     bar->addSeparator();
     bar->addAction(wizard);
     bar->addAction(cams);
+    bar->addAction(lineTerminal);
     auto *space = new QWidget(bar);
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(space);

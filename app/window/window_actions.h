@@ -57,6 +57,13 @@ public:
     QAction *switchSegment; // of the chosen device
     QAction *alarmStop;
     QAction *transfer;
+    QMenu *lineMenu; // the serial line
+    QAction *lineSettings;
+    QAction *lineSearch;
+    QAction *lineTerminal;
+    QAction *linePanel;
+    QAction *lineTraining;
+    QAction *disconnectLine;
     // Device
     QAction *openIn32;
     QAction *openOut32;
@@ -66,6 +73,7 @@ public:
     QAction *replaceEncoder;
     QAction *restoreValues;
     QAction *zeroOut;
+    QAction *removeFromLine;
     // View
     QMenu *docks;
     QAction *monitors;
@@ -84,6 +92,7 @@ private:
     void makeFileMenu();
     void makeEditMenu(QUndoStack &undoStack);
     void makeBusMenu();
+    void makeLineMenu(QMenu &busMenu);
     void makeDeviceMenu();
     void makeViewMenu();
     void makeHelpMenu();

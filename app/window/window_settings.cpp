@@ -32,6 +32,7 @@ const QString recentFilesKey = QStringLiteral("project/recentFiles");
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString layoutKey = QStringLiteral("window/layout");
 const QString monitorsKey = QStringLiteral("window/monitors");
+const QString typedRequestsKey = QStringLiteral("line/typedRequests");
 const QString largestMessageFileKey = QStringLiteral("messages/largestFile");
 constexpr qint64 usualMessageFile = 200; // MB
 constexpr qint64 smallestMessageFile = 1;
@@ -108,6 +109,16 @@ std::optional<QJsonObject> WindowSettings::monitors() const
 void WindowSettings::setMonitors(const QJsonObject &monitors)
 {
     m_settings->setValue(monitorsKey, QJsonDocument(monitors).toJson(QJsonDocument::Compact));
+}
+
+QStringList WindowSettings::typedRequests() const
+{
+    return m_settings->value(typedRequestsKey).toStringList();
+}
+
+void WindowSettings::setTypedRequests(const QStringList &requests)
+{
+    m_settings->setValue(typedRequestsKey, requests);
 }
 
 qint64 WindowSettings::largestMessageFile() const

@@ -38,6 +38,10 @@ public:
     std::optional<QJsonObject> monitors() const; // nothing at first start
     void setMonitors(const QJsonObject &monitors);
 
+    // What was typed in the terminal of the serial line, oldest first.
+    QStringList typedRequests() const;
+    void setTypedRequests(const QStringList &requests);
+
     // Beyond it the oldest messages are dropped; bytes. "messages/largestFile", in MB, is changed in the
     // file.
     qint64 largestMessageFile() const;

@@ -71,7 +71,8 @@ int main(int argc, char **argv)
     const LastPositions positions(bus);
     const LedgerKeeper ledger(bus, DatabasePlace::memory());
     MainWindow window(settings, project);
-    SerialLine line(catalog, LineSession::Drive::byThread, [] { return QDateTime::currentDateTime(); });
+    SerialLine line(catalog, project, {}, LineSession::Drive::byThread,
+                    [] { return QDateTime::currentDateTime(); });
     window.attach({.bus = bus,
                    .link = QStringLiteral("moving ring"),
                    .training = ring.controls,

@@ -15,12 +15,12 @@ LineRowOptions::LineRowOptions(LineRowTable &table, QWidget *parent)
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins({});
     row->setSpacing(grid::margin);
-    auto *polls = addBox(tr("Hide position &polls"),
+    auto *polls = addBox(tr("Hide position polls"),
                          tr("Leaves out the position requests of the polling and their answers. They are "
                             "kept, and shown again when this is cleared."),
                          table.filter().hidesPolls());
-    auto *text = addBox(tr("&Text"), tr("Shows the bytes as text, control characters as pictures"), true);
-    auto *hex = addBox(tr("He&x"), tr("Shows the bytes as hexadecimal numbers"), true);
+    auto *text = addBox(tr("Text"), tr("Shows the bytes as text, control characters as pictures"), true);
+    auto *hex = addBox(tr("Hex"), tr("Shows the bytes as hexadecimal numbers"), true);
     row->addStretch(1);
     connect(polls, &QCheckBox::toggled, this, [this, &table](bool on) {
         table.filter().hidePolls(on);

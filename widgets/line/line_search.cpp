@@ -62,6 +62,7 @@ LineSearch::LineSearch(QWidget *parent)
     , m_last(addressField(LineAddress::last, tr("Last address"), this))
     , m_rates(new QComboBox(this))
     , m_master(new QCheckBox(tr("Ask at the &master address 00 first"), this))
+    , m_device(new QComboBox(this))
     , m_progress(new QProgressBar(this))
     , m_message(new InlineMessage(this))
     , m_found(new FoundEncoderModel(this))
@@ -80,16 +81,25 @@ LineSearch::LineSearch(QWidget *parent)
     makeTable();
     rows->addWidget(m_content, 1);
     auto *below = new QHBoxLayout;
-    below->addStretch(1);
+    m_device->setAccessibleName(tr("Kind of encoder"));
+    m_device->setToolTip(tr("As which encoder those that are ticked are taken over: they do not tell whether "
+                            "they have RS-422 or RS-485"));
+    m_device->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    auto *kind = new QLabel(tr("&Kind"), this);
+    kind->setBuddy(m_device);
+    below->addWidget(kind);
+    below->addWidget(m_device, 1);
     m_take = addButton(*below, lineIcon(Icon::add), tr("&Take over"),
                        tr("Adds the ticked encoders to the bus structure"));
     rows->addLayout(below);
+    setFocusProxy(m_start);
     connect(m_start, &QPushButton::clicked, this, &LineSearch::start);
     connect(m_cancel, &QPushButton::clicked, this, [this] {
         if (m_line)
             m_line->cancelScan();
     });
-    connect(m_take, &QPushButton::clicked, this, [this] { Q_EMIT takeOverWanted(m_found->chosen()); });
+    connect(m_take, &QPushButton::clicked, this,
+            [this] { Q_EMIT takeOverWanted(m_found->chosen(), m_device->currentData().toString()); });
     connect(m_found, &FoundEncoderModel::chosenChanged, this, &LineSearch::showWhatIsPossible);
     showWhatIsPossible();
 }
@@ -177,6 +187,13 @@ void LineSearch::setLine(LineSession *line)
         connect(line, &QObject::destroyed, this, [this] { setLine(nullptr); });
     }
     showWhatIsPossible();
+}
+
+void LineSearch::setDevices(const std::vector<Device> &devices)
+{
+    m_device->clear();
+    for (const Device &device : devices)
+        m_device->addItem(device.name, device.key);
 }
 
 ScanWish LineSearch::wish() const

@@ -29,16 +29,25 @@ class LineSearch : public QWidget
     Q_OBJECT
 
 public:
+    // A kind of encoder that may be found.
+    struct Device
+    {
+        QString key; // of the catalog
+        QString name;
+    };
+
     explicit LineSearch(QWidget *parent = nullptr);
     ~LineSearch() override;
 
     void setLine(codewheel::LineSession *line); // null: none
+    // What those that are found may be: an encoder does not tell its interface.
+    void setDevices(const std::vector<Device> &devices);
     ScanWish wish() const;
     void setWish(const ScanWish &wish);
 
 Q_SIGNALS:
     // Encoders of the line's own baud rate and of others; none of address 0.
-    void takeOverWanted(const std::vector<codewheel::FoundEncoder> &encoders);
+    void takeOverWanted(const std::vector<codewheel::FoundEncoder> &encoders, const QString &deviceKey);
 
 private:
     void makeFields();
@@ -56,6 +65,7 @@ private:
     QSpinBox *m_last;
     QComboBox *m_rates;
     QCheckBox *m_master;
+    QComboBox *m_device;
     QPushButton *m_start = nullptr;
     QPushButton *m_cancel = nullptr;
     QPushButton *m_take = nullptr;

@@ -78,6 +78,11 @@ LineSettingsForm::LineSettingsForm(QWidget *parent)
     column->addLayout(buttons);
     column->addStretch(1);
     setWidget(m_content);
+    setFocusProxy(m_port);
+    for (const QComboBox *box : {m_port, m_baudRate}) { // the field that is typed into
+        box->lineEdit()->setAccessibleName(box->accessibleName());
+        box->lineEdit()->setToolTip(box->toolTip());
+    }
     connect(m_connect, &QPushButton::clicked, this, &LineSettingsForm::connectNow);
     setWish({});
     showPorts();

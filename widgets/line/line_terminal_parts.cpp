@@ -26,7 +26,7 @@ LineTerminal::LineTerminal(QWidget *parent)
     , m_record(new LineRecordView(this))
     , m_counts(new QLabel(this))
     , m_field(new RequestField(this))
-    , m_send(new QPushButton(lineIcon(Icon::start), tr("&Send"), this))
+    , m_send(new QPushButton(lineIcon(Icon::start), tr("Send"), this))
     , m_question(new InlineMessage(this))
     , m_message(new InlineMessage(this))
 {
@@ -37,6 +37,7 @@ LineTerminal::LineTerminal(QWidget *parent)
     layout->setContentsMargins({});
     layout->setSpacing(0);
     layout->addWidget(m_pages, 1);
+    setFocusProxy(m_field);
 
     connect(m_rows, &LineRowModel::countsChanged, this, &LineTerminal::showCounts);
     connect(m_field, &QLineEdit::returnPressed, this, &LineTerminal::send);
@@ -71,6 +72,7 @@ QWidget *LineTerminal::makePage()
                        tr("What is sent and answered on a serial line stands here. Connect one, "
                           "or open a saved session."),
                        page));
+    m_content->setMinimumHeight(2 * grid::largeIcon);
     rows->addWidget(m_content, 1);
     auto *options = new QHBoxLayout;
     options->setSpacing(grid::margin);
@@ -98,7 +100,7 @@ void LineTerminal::makeTools(QToolBar &bar)
     const QAction *copying =
         make({Icon::copy, tr("Copy"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
               tr("Copy the selected rows, or all shown, with tabs between the columns")});
-    m_save = make({Icon::save, tr("Save"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
+    m_save = make({Icon::save, tr("Save"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S),
                    tr("Keep all rows in a file, to be looked at and sent again")});
     const QAction *opening = make({Icon::open, tr("Open"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
                                    tr("Look at a saved session, and send it again")});
@@ -119,7 +121,7 @@ void LineTerminal::makeSending(QVBoxLayout &rows)
 {
     rows.addWidget(m_question);
     rows.addWidget(m_message);
-    auto *label = new QLabel(tr("Re&quest"), this);
+    auto *label = new QLabel(tr("Request"), this);
     label->setBuddy(m_field);
     m_field->setAccessibleName(tr("Request to send"));
     m_field->setPlaceholderText(QStringLiteral("05P"));

@@ -2,7 +2,6 @@
 #include "widgets/messages/message_model.h"
 
 #include "journal/message_fields.h"
-#include "line/line_session.h"
 #include "ring/bus_session.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/icons.h"
@@ -51,16 +50,6 @@ void MessageModel::setBus(BusSession &bus)
     m_bus = &bus;
     connect(&bus, &BusSession::messaged, this,
             [this](const Message &message) { add(message, m_bus->dateTime(message.at)); });
-}
-
-void MessageModel::setLine(LineSession *line)
-{
-    if (m_line)
-        m_line->disconnect(this);
-    m_line = line;
-    if (line)
-        connect(line, &LineSession::messaged, this,
-                [this](const Message &message) { add(message, m_line->dateTime(message.at)); });
 }
 
 void MessageModel::add(const Message &message, const QDateTime &at)

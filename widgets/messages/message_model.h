@@ -13,7 +13,6 @@
 namespace codewheel {
 
 class BusSession;
-class LineSession;
 
 // Everything that happened to bus and devices, oldest first, as the message store keeps it, of this run of
 // the program and of those before. Fetches the messages that are looked at and knows of the others only their
@@ -30,8 +29,6 @@ public:
 
     // Takes the messages of this ring, and its date and time, from now on.
     void setBus(BusSession &bus);
-    // The same of a serial line, beside the ring; null: no more of it.
-    void setLine(codewheel::LineSession *line);
     // Shown as soon as the store has it.
     void add(const Message &message, const QDateTime &at);
     // Something that happens now: stamped with the time of the bus, where there is one.
@@ -82,7 +79,6 @@ private:
 
     MessageStore &m_store;
     QPointer<BusSession> m_bus;
-    QPointer<LineSession> m_line;
     DatabasePlace m_place;
     std::optional<MessageTable> m_table; // nothing until the store has one
     qint64 m_changes = 0;                // of the table, when it was looked at last

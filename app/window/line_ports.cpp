@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/line_ports.h"
+
+#include "encoder/refusal_text.h"
+#include "links/port_access.h"
+#include "links/serial_ports.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+// Why the first of them that cannot be opened cannot.
+QString troubleOf(const std::vector<PortInfo> &ports)
+{
+    if (ports.empty())
+        return noSerialPortsText();
+    for (const PortInfo &port : ports)
+        if (const auto hindrance = portHindrance(port.path))
+            return refusalText(*hindrance);
+    return {};
+}
+
+} // namespace
+
+LinePorts linePorts()
+{
+    const std::vector<PortInfo> ports = serialPorts();
+    LinePorts listed{.rows = {}, .trouble = troubleOf(ports)};
+    for (const PortInfo &port : ports)
+        listed.rows.push_back({port.path, port.description, port.serialNumber});
+    return listed;
+}
+
+LineAdapter adapterAt(const QString &port)
+{
+    const std::vector<PortInfo> ports = serialPorts();
+    const auto found = std::ranges::find(ports, portPath(port), &PortInfo::path);
+    if (found == ports.end())
+        return {};
+    return {.vendor = found->vendor,
+            .product = found->product,
+            .serialNumber = found->serialNumber,
+            .usbPath = found->usbPath};
+}
+
+} // namespace codewheel

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/line_views.h"
+
+#include "app/window/leaving.h"
+#include "app/window/line_ports.h"
+#include "app/window/serial_line.h"
+#include "app/window/window_actions.h"
+#include "app/window/window_settings.h"
+#include "catalog/catalog.h"
+#include "encoder/refusal_text.h"
+#include "line/line_session.h"
+#include "widgets/line/line_panel.h"
+#include "widgets/line/line_search.h"
+#include "widgets/line/line_settings_form.h"
+#include "widgets/line/line_terminal.h"
+#include "widgets/project/project_document.h"
+
+#include <QAction>
+#include <QStackedWidget>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+std::vector<LineSearch::Device> devicesOnLines(const Catalog &catalog)
+{
+    std::vector<LineSearch::Device> devices;
+    for (const DeviceDescription &device : catalog.devices())
+        if (device.profile == Profile::esc)
+            devices.push_back({device.key, device.fullName()});
+    return devices;
+}
+
+ProjectDevice plannedEncoder(DeviceNumber number, const QString &deviceKey)
+{
+    ProjectDevice encoder;
+    encoder.participant.number = number;
+    encoder.participant.deviceKey = deviceKey;
+    return encoder;
+}
+
+} // namespace
+
+LineViews::LineViews(SerialLine &line, ProjectDocument &project, WindowSettings &settings, Leaving &leaving,
+                     const WindowActions &actions, QStackedWidget &pages)
+    : QObject(&pages)
+    , m_line(line)
+    , m_project(project)
+    , m_leaving(leaving)
+    , m_actions(actions)
+    , m_pages(pages)
+    , m_terminal(new LineTerminal(&pages))
+    , m_panel(new LinePanel(&pages))
+    , m_form(new LineSettingsForm(&pages))
+    , m_search(new LineSearch(&pages))
+{
+    m_form->setObjectName(QStringLiteral("lineSettings"));
+    m_search->setObjectName(QStringLiteral("lineSearch"));
+    m_search->setDevices(devicesOnLines(line.catalog()));
+    pages.addWidget(m_form);
+    pages.addWidget(m_search);
+    m_terminal->setHistory(settings.typedRequests());
+    connect(m_terminal, &LineTerminal::historyChanged, this,
+            [this, &settings] { settings.setTypedRequests(m_terminal->history()); });
+    connect(m_form, &LineSettingsForm::refreshWanted, this, &LineViews::listPorts);
+    connect(m_form, &LineSettingsForm::connectWanted, this, &LineViews::connectPort);
+    connect(m_search, &LineSearch::takeOverWanted, this, &LineViews::takeOver);
+    connect(&project, &ProjectDocument::replaced, this, &LineViews::showWish);
+    connect(actions.lineSettings, &QAction::triggered, this, &LineViews::showSettings);
+    connect(actions.lineSearch, &QAction::triggered, this, &LineViews::showSearch);
+    connect(actions.lineTerminal, &QAction::triggered, this, &LineViews::terminalRequested);
+    connect(actions.linePanel, &QAction::triggered, this, &LineViews::panelRequested);
+    connect(actions.lineTraining, &QAction::triggered, this, &LineViews::connectTraining);
+    connect(actions.disconnectLine, &QAction::triggered, this, &LineViews::disconnectLine);
+    connect(actions.removeFromLine, &QAction::triggered, this, &LineViews::removalRequested);
+    showWish();
+}
+
+LineViews::~LineViews() = default;
+
+void LineViews::setLine(LineSession *line)
+{
+    m_terminal->setLine(line);
+    m_panel->setLine(line);
+    m_search->setLine(line);
+    showActions();
+}
+
+void LineViews::showActions()
+{
+    m_actions.disconnectLine->setEnabled(m_line.session() != nullptr);
+    m_actions.lineTraining->setEnabled(m_line.training() == nullptr);
+}
+
+void LineViews::showWish()
+{
+    if (m_project.project().line)
+        m_form->setWish(m_project.project().line->wish);
+}
+
+void LineViews::showSettings()
+{
+    listPorts();
+    m_pages.setCurrentWidget(m_form);
+    m_form->setFocus();
+}
+
+void LineViews::showSearch()
+{
+    m_pages.setCurrentWidget(m_search);
+    m_search->setFocus();
+}
+
+void LineViews::listPorts()
+{
+    const LinePorts ports = linePorts();
+    m_form->setPorts(ports.rows, ports.trouble);
+}
+
+void LineViews::connectPort(const LineWish &wish)
+{
+    m_leaving.ask(Leaving::Why::disconnectLine, [this, wish] {
+        const ProjectLine known = m_project.project().line.value_or(ProjectLine());
+        const auto opened = m_line.openPort(wish, known.encoders);
+        m_form->setProblem(opened ? QString() : refusalText(opened.error()));
+        if (!opened)
+            return;
+        Project after = m_project.project();
+        after.line = known;
+        after.line->wish = wish;
+        after.line->adapter = adapterAt(wish.port);
+        m_project.edit(std::move(after), tr("Serial line"));
+        Q_EMIT portConnected();
+        Q_EMIT panelRequested();
+    });
+}
+
+void LineViews::connectTraining()
+{
+    m_leaving.ask(Leaving::Why::disconnectLine, [this] { m_line.openTraining(); });
+}
+
+void LineViews::disconnectLine()
+{
+    m_leaving.ask(Leaving::Why::disconnectLine, [this] { m_line.close(); });
+}
+
+// Those of another baud rate would only fall silent: who wants them connects at theirs.
+void LineViews::takeOver(const std::vector<FoundEncoder> &found, const QString &deviceKey)
+{
+    LineSession *line = m_line.session();
+    if (line == nullptr)
+        return;
+    Project after = m_project.project();
+    if (!after.line)
+        after.line = ProjectLine();
+    for (const FoundEncoder &encoder : found) {
+        if (encoder.baudRate != line->settings().baudRate)
+            continue;
+        const DeviceNumber number = DeviceNumber::onLine(encoder.address);
+        (void)line->add(encoder.address, deviceKey); // one that is there already stays
+        if (findDevice(after, number) == nullptr)
+            after.line->encoders.push_back(plannedEncoder(number, deviceKey));
+    }
+    std::ranges::sort(after.line->encoders, {},
+                      [](const ProjectDevice &device) { return device.participant.number; });
+    m_project.edit(std::move(after), tr("Encoders of the serial line"));
+}
+
+void LineViews::remove(DeviceNumber number)
+{
+    LineSession *line = m_line.session();
+    if (line == nullptr || !line->remove(number))
+        return;
+    Project after = m_project.project();
+    if (after.line)
+        std::erase_if(after.line->encoders,
+                      [number](const ProjectDevice &device) { return device.participant.number == number; });
+    m_project.edit(std::move(after), tr("Remove %1").arg(number.toString()));
+}
+
+} // namespace codewheel

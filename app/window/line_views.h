@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/device_number.h"
+#include "line/line_scan.h"
+
+#include <QObject>
+
+class QStackedWidget;
+class QWidget;
+
+namespace codewheel {
+
+class Leaving;
+class LinePanel;
+class LineSearch;
+class LineSession;
+class LineSettingsForm;
+class LineTerminal;
+class ProjectDocument;
+class SerialLine;
+class WindowActions;
+class WindowSettings;
+struct LineWish;
+
+// The views of the serial line in the window: terminal and panel, which stand in docks, and the pages to
+// connect it and to search for encoders; and the actions that open them.
+class LineViews : public QObject
+{
+    Q_OBJECT
+
+public:
+    // All must outlive it; the pages are put into `pages`.
+    LineViews(SerialLine &line, ProjectDocument &project, WindowSettings &settings, Leaving &leaving,
+              const WindowActions &actions, QStackedWidget &pages);
+    ~LineViews() override;
+
+    LineTerminal &terminal() { return *m_terminal; }
+    LinePanel &panel() { return *m_panel; }
+
+    void showSettings();
+    void showSearch();
+    // Null: the line is about to go.
+    void setLine(LineSession *line);
+    // Takes the encoder out of polling and out of the project.
+    void remove(DeviceNumber number);
+
+Q_SIGNALS:
+    void portConnected(); // it begins in Watch
+    void terminalRequested();
+    void panelRequested();
+    void removalRequested(); // of the chosen encoder
+
+private:
+    void listPorts();
+    void connectPort(const LineWish &wish);
+    void connectTraining();
+    void disconnectLine();
+    void takeOver(const std::vector<FoundEncoder> &found, const QString &deviceKey);
+    void showActions();
+    void showWish();
+
+    SerialLine &m_line;
+    ProjectDocument &m_project;
+    Leaving &m_leaving;
+    const WindowActions &m_actions;
+    QStackedWidget &m_pages;
+    LineTerminal *m_terminal;
+    LinePanel *m_panel;
+    LineSettingsForm *m_form;
+    LineSearch *m_search;
+};
+
+} // namespace codewheel

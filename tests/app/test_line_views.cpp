@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/window_test.h"
+#include "tests/support/pty_pair.h"
+#include "widgets/line/line_panel.h"
+#include "widgets/line/line_search.h"
+#include "widgets/line/line_settings_form.h"
+#include "widgets/line/line_terminal.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/structure/structure_model.h"
+#include "widgets/structure/structure_view.h"
+#include "widgets/training/training_panel.h"
+
+namespace codewheel {
+namespace {
+
+const DeviceNumber standing = DeviceNumber::onLine({5}); // at 1235h = 4661
+
+class LineViewsTest : public test::WindowTest
+{
+protected:
+    LineViewsTest() { advance(200); }
+
+    template <typename View>
+    View &view()
+    {
+        return *window().findChild<View *>();
+    }
+    QPushButton *button(const QWidget &in, const QString &text)
+    {
+        for (auto *found : in.findChildren<QPushButton *>())
+            if (found->text().remove(u'&') == text && found->isVisibleTo(&in))
+                return found;
+        ADD_FAILURE() << text.toStdString();
+        return nullptr;
+    }
+    QTreeView &tree() { return *window().findChild<QTreeView *>(QStringLiteral("structure")); }
+    LineSession &line() { return *shown->line().session(); }
+    bool hasRow(const QString &text)
+    {
+        for (auto *table : view<LineTerminal>().findChildren<QTableView *>())
+            for (int row = 0; row < table->model()->rowCount(); ++row)
+                for (int column = 0; column < table->model()->columnCount(); ++column)
+                    if (table->model()->index(row, column).data().toString().contains(text))
+                        return true;
+        return false;
+    }
+};
+
+TEST_F(LineViewsTest, TheKeyOpensTheTerminalAndARequestIsTypedThere)
+{
+    QTest::keyClick(&window(), Qt::Key_F8, Qt::ShiftModifier);
+    advance(50);
+    ASSERT_TRUE(view<LineTerminal>().isVisible());
+    QWidget *field = QApplication::focusWidget();
+    ASSERT_TRUE(view<LineTerminal>().isAncestorOf(field));
+    QTest::keyClicks(field, QStringLiteral("05N"));
+    QTest::keyClick(field, Qt::Key_Escape); // the list of commands
+    QTest::keyClick(field, Qt::Key_Return);
+    advance(200);
+    EXPECT_TRUE(hasRow(QStringLiteral("serial number?")));
+}
+
+TEST_F(LineViewsTest, WhatWasTypedIsThereAfterTheNextStart)
+{
+    view<LineTerminal>().setHistory({QStringLiteral("05N")});
+    Q_EMIT view<LineTerminal>().historyChanged();
+    window().close();
+    advance(5);
+    open();
+    EXPECT_EQ(view<LineTerminal>().history(), QStringList{QStringLiteral("05N")});
+}
+
+TEST_F(LineViewsTest, EnterOnTheLineOpensItsFiguresAndOnAnEncoderTheTerminal)
+{
+    view<StructureView>().chooseLine();
+    tree().setFocus();
+    QTest::keyClick(&tree(), Qt::Key_Return);
+    advance(50);
+    EXPECT_TRUE(view<LinePanel>().isVisible());
+    EXPECT_FALSE(view<LinePanel>().visibleRegion().isEmpty());
+    view<StructureView>().choose(standing);
+    tree().setFocus();
+    QTest::keyClick(&tree(), Qt::Key_Return);
+    advance(50);
+    EXPECT_FALSE(view<LineTerminal>().visibleRegion().isEmpty());
+}
+
+TEST_F(LineViewsTest, WhatIsFoundIsTakenOver)
+{
+    ASSERT_TRUE(line().remove(standing));
+    advance(50);
+    const auto *model = static_cast<const StructureModel *>(tree().model());
+    ASSERT_FALSE(model->indexOf(standing).isValid());
+    actions().lineSearch->trigger();
+    ASSERT_TRUE(view<LineSearch>().isVisible());
+    QTest::mouseClick(button(view<LineSearch>(), QStringLiteral("Search")), Qt::LeftButton);
+    advance(20'000);
+    QTest::mouseClick(button(view<LineSearch>(), QStringLiteral("Take over")), Qt::LeftButton);
+    advance(100);
+    EXPECT_TRUE(model->indexOf(standing).isValid());
+    EXPECT_EQ(model->rowCount(model->lineIndex()), 3);
+    ASSERT_TRUE(shown->project().project().line);
+    EXPECT_EQ(shown->project().project().line->encoders.size(), 3u);
+}
+
+TEST_F(LineViewsTest, AnEncoderIsRemovedFromLineAndProject)
+{
+    view<StructureView>().choose(standing);
+    advance(50);
+    EXPECT_TRUE(actions().removeFromLine->isEnabled());
+    actions().removeFromLine->trigger();
+    advance(50);
+    EXPECT_EQ(line().encoder(standing), nullptr);
+    EXPECT_EQ(shown->project().project().line->encoders.size(), 2u);
+    view<StructureView>().choose(test::fraba);
+    EXPECT_FALSE(actions().removeFromLine->isEnabled());
+}
+
+TEST_F(LineViewsTest, ThePortOfAnEncoderIsConnectedInWatch)
+{
+    PtyPair pty;
+    actions().lineSettings->trigger();
+    auto &form = view<LineSettingsForm>();
+    ASSERT_TRUE(form.isVisible());
+    LineWish wish = form.wish();
+    wish.port = pty.path();
+    wish.pollInterval = std::chrono::milliseconds(500);
+    form.setWish(wish);
+    QTest::mouseClick(button(form, QStringLiteral("Connect")), Qt::LeftButton);
+    ASSERT_NE(shown->line().session(), nullptr);
+    EXPECT_EQ(line().linkName(), pty.path());
+    EXPECT_EQ(shown->line().training(), nullptr);
+    advance(50);
+    EXPECT_FALSE(line().isOperating());
+    EXPECT_FALSE(bus().isOperating()) << "one decision for both";
+    EXPECT_EQ(shown->project().project().line->wish, wish);
+    EXPECT_EQ(line().numbers().size(), 3u) << "the encoders of the project";
+
+    actions().disconnectLine->trigger();
+    advance(50);
+    EXPECT_EQ(shown->line().session(), nullptr);
+    EXPECT_FALSE(actions().disconnectLine->isEnabled());
+    actions().lineTraining->trigger();
+    advance(200);
+    EXPECT_NE(shown->line().training(), nullptr);
+    EXPECT_EQ(line().encoder(standing)->latest().position, 0x1235);
+}
+
+TEST_F(LineViewsTest, APortThatIsNotThereIsToldOnTheSpotAndTheLineGoesOn)
+{
+    actions().lineSettings->trigger();
+    auto &form = view<LineSettingsForm>();
+    LineWish wish = form.wish();
+    wish.port = QStringLiteral("/dev/there-is-none");
+    form.setWish(wish);
+    QTest::mouseClick(button(form, QStringLiteral("Connect")), Qt::LeftButton);
+    bool isTold = false;
+    for (const auto *message : form.findChildren<InlineMessage *>())
+        isTold = isTold || message->sentence().contains(QStringLiteral("/dev/there-is-none"));
+    EXPECT_TRUE(isTold);
+    EXPECT_NE(shown->line().training(), nullptr);
+    EXPECT_TRUE(line().isOperating());
+}
+
+TEST_F(LineViewsTest, TheTrainerDisturbsTheLine)
+{
+    auto &panel = view<TrainingPanel>();
+    window().findChild<QDockWidget *>(QStringLiteral("trainingDock"))->raise();
+    view<StructureView>().chooseLine();
+    advance(50);
+    const auto box = [&](const QString &text) -> QCheckBox * {
+        for (auto *found : panel.findChildren<QCheckBox *>())
+            if (found->text() == text && found->isVisibleTo(&panel))
+                return found;
+        return nullptr;
+    };
+    ASSERT_NE(box(QStringLiteral("Adapter unplugged")), nullptr);
+    box(QStringLiteral("Adapter unplugged"))->click();
+    advance(300);
+    EXPECT_FALSE(line().latest().connected);
+    box(QStringLiteral("Adapter unplugged"))->click();
+    advance(3000);
+    EXPECT_TRUE(line().latest().connected) << "it is looked for";
+
+    view<StructureView>().choose(standing);
+    advance(50);
+    ASSERT_NE(box(QStringLiteral("Battery flat")), nullptr);
+    box(QStringLiteral("Battery flat"))->click();
+    advance(3000);
+    EXPECT_EQ(line().encoder(standing)->latest().alarms, 0x4000);
+    view<StructureView>().choose(test::fraba);
+    advance(50);
+    EXPECT_EQ(box(QStringLiteral("Adapter unplugged")), nullptr) << "the ring has none";
+}
+
+TEST_F(LineViewsTest, BytesThatAreLostAreCountedAndSeen)
+{
+    auto &panel = view<TrainingPanel>();
+    view<StructureView>().chooseLine();
+    advance(50);
+    for (auto *field : panel.findChildren<QSpinBox *>())
+        if (field->accessibleName().startsWith(QStringLiteral("Lost bytes")))
+            field->setValue(100);
+    EXPECT_EQ(shown->line().training()->faults().lost, 100);
+    advance(2000);
+    EXPECT_GT(line().latest().figures.timeOuts, 0u);
+}
+
+} // namespace
+} // namespace codewheel
