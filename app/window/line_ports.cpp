@@ -5,8 +5,6 @@
 #include "links/port_access.h"
 #include "links/serial_ports.h"
 
-#include <algorithm>
-
 namespace codewheel {
 namespace {
 
@@ -30,18 +28,6 @@ LinePorts linePorts()
     for (const PortInfo &port : ports)
         listed.rows.push_back({port.path, port.description, port.serialNumber});
     return listed;
-}
-
-LineAdapter adapterAt(const QString &port)
-{
-    const std::vector<PortInfo> ports = serialPorts();
-    const auto found = std::ranges::find(ports, portPath(port), &PortInfo::path);
-    if (found == ports.end())
-        return {};
-    return {.vendor = found->vendor,
-            .product = found->product,
-            .serialNumber = found->serialNumber,
-            .usbPath = found->usbPath};
 }
 
 } // namespace codewheel

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "project/project.h"
 #include "widgets/line/line_wish.h"
 
 #include <vector>
@@ -16,8 +15,5 @@ struct LinePorts
     QString trouble;
 };
 LinePorts linePorts();
-
-// The adapter that this port belongs to now, as the project keeps it.
-LineAdapter adapterAt(const QString &port);
 
 } // namespace codewheel

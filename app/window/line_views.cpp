@@ -9,10 +9,12 @@
 #include "catalog/catalog.h"
 #include "encoder/refusal_text.h"
 #include "line/line_session.h"
+#include "links/project_adapter.h"
 #include "widgets/line/line_panel.h"
 #include "widgets/line/line_search.h"
 #include "widgets/line/line_settings_form.h"
 #include "widgets/line/line_terminal.h"
+#include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
 
 #include <QAction>
@@ -43,13 +45,14 @@ ProjectDevice plannedEncoder(DeviceNumber number, const QString &deviceKey)
 } // namespace
 
 LineViews::LineViews(SerialLine &line, ProjectDocument &project, WindowSettings &settings, Leaving &leaving,
-                     const WindowActions &actions, QStackedWidget &pages)
+                     const WindowActions &actions, QStackedWidget &pages, InlineMessage &notice)
     : QObject(&pages)
     , m_line(line)
     , m_project(project)
     , m_leaving(leaving)
     , m_actions(actions)
     , m_pages(pages)
+    , m_notice(notice)
     , m_terminal(new LineTerminal(&pages))
     , m_panel(new LinePanel(&pages))
     , m_form(new LineSettingsForm(&pages))
@@ -64,6 +67,8 @@ LineViews::LineViews(SerialLine &line, ProjectDocument &project, WindowSettings 
     connect(m_terminal, &LineTerminal::historyChanged, this,
             [this, &settings] { settings.setTypedRequests(m_terminal->history()); });
     connect(m_form, &LineSettingsForm::refreshWanted, this, &LineViews::listPorts);
+    connect(m_form, &LineSettingsForm::fractionBitsWanted, this, &LineViews::determineFractionBits);
+    connect(&notice, &InlineMessage::actionTriggered, this, &LineViews::useOtherAdapter);
     connect(m_form, &LineSettingsForm::connectWanted, this, &LineViews::connectPort);
     connect(m_search, &LineSearch::takeOverWanted, this, &LineViews::takeOver);
     connect(&project, &ProjectDocument::replaced, this, &LineViews::showWish);
@@ -81,6 +86,20 @@ LineViews::~LineViews() = default;
 
 void LineViews::setLine(LineSession *line)
 {
+    if (m_session)
+        m_session->disconnect(this);
+    m_session = line;
+    m_notice.withdraw();
+    if (line != nullptr) {
+        connect(line, &LineSession::otherAdapterFound, this, &LineViews::askForOtherAdapter);
+        connect(line, &LineSession::fractionBitsDetermined, this,
+                [this](DeviceNumber, const Result<int> &bits) { takeFractionBits(bits); });
+        connect(line, &LineSession::stateChanged, this, [this] {
+            if (m_session->latest().connected)
+                m_notice.withdraw();
+        });
+        connect(line, &LineSession::devicesChanged, this, &LineViews::showActions);
+    }
     m_terminal->setLine(line);
     m_panel->setLine(line);
     m_search->setLine(line);
@@ -91,6 +110,7 @@ void LineViews::showActions()
 {
     m_actions.disconnectLine->setEnabled(m_line.session() != nullptr);
     m_actions.lineTraining->setEnabled(m_line.training() == nullptr);
+    m_form->setCanDetermine(m_session && !m_session->numbers().empty());
 }
 
 void LineViews::showWish()
@@ -121,19 +141,51 @@ void LineViews::listPorts()
 void LineViews::connectPort(const LineWish &wish)
 {
     m_leaving.ask(Leaving::Why::disconnectLine, [this, wish] {
-        const ProjectLine known = m_project.project().line.value_or(ProjectLine());
-        const auto opened = m_line.openPort(wish, known.encoders);
+        ProjectLine wanted = m_project.project().line.value_or(ProjectLine());
+        if (wanted.wish.port != wish.port)
+            wanted.adapter = {}; // whichever is there
+        wanted.wish = wish;
+        const auto opened = m_line.openPort(wanted);
         m_form->setProblem(opened ? QString() : refusalText(opened.error()));
         if (!opened)
             return;
         Project after = m_project.project();
-        after.line = known;
-        after.line->wish = wish;
-        after.line->adapter = adapterAt(wish.port);
+        wanted.adapter = adapterAt(wish.port, serialPorts());
+        after.line = wanted;
         m_project.edit(std::move(after), tr("Serial line"));
         Q_EMIT portConnected();
         Q_EMIT panelRequested();
     });
+}
+
+void LineViews::askForOtherAdapter(const Refusal &which)
+{
+    m_notice.showMessage(Role::attention, refusalText(which), tr("&Use this adapter"));
+}
+
+void LineViews::useOtherAdapter()
+{
+    m_notice.withdraw();
+    if (m_session)
+        m_session->takeOtherAdapter();
+}
+
+void LineViews::determineFractionBits()
+{
+    if (!m_session || m_session->numbers().empty())
+        return;
+    if (const auto started = m_session->determineFractionBits(m_session->numbers().front()); !started)
+        m_form->setProblem(refusalText(started.error()));
+}
+
+void LineViews::takeFractionBits(const Result<int> &bits)
+{
+    m_form->setProblem(bits ? QString() : refusalText(bits.error()));
+    if (!bits)
+        return;
+    m_form->setFractionBits(*bits);
+    m_session->setFractionBits(*bits);
+    m_terminal->setExplainOptions({.fractionBits = *bits});
 }
 
 void LineViews::connectTraining()

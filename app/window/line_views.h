@@ -2,15 +2,18 @@
 #pragma once
 
 #include "encoder/device_number.h"
+#include "encoder/refusal.h"
 #include "line/line_scan.h"
 
 #include <QObject>
+#include <QPointer>
 
 class QStackedWidget;
 class QWidget;
 
 namespace codewheel {
 
+class InlineMessage;
 class Leaving;
 class LinePanel;
 class LineSearch;
@@ -30,9 +33,10 @@ class LineViews : public QObject
     Q_OBJECT
 
 public:
-    // All must outlive it; the pages are put into `pages`.
+    // All must outlive it; the pages are put into `pages`. The notice stands in the window: what is asked of
+    // an adapter.
     LineViews(SerialLine &line, ProjectDocument &project, WindowSettings &settings, Leaving &leaving,
-              const WindowActions &actions, QStackedWidget &pages);
+              const WindowActions &actions, QStackedWidget &pages, InlineMessage &notice);
     ~LineViews() override;
 
     LineTerminal &terminal() { return *m_terminal; }
@@ -57,6 +61,10 @@ private:
     void connectTraining();
     void disconnectLine();
     void takeOver(const std::vector<FoundEncoder> &found, const QString &deviceKey);
+    void askForOtherAdapter(const Refusal &which);
+    void useOtherAdapter();
+    void determineFractionBits();
+    void takeFractionBits(const Result<int> &bits);
     void showActions();
     void showWish();
 
@@ -65,6 +73,8 @@ private:
     Leaving &m_leaving;
     const WindowActions &m_actions;
     QStackedWidget &m_pages;
+    InlineMessage &m_notice;
+    QPointer<LineSession> m_session;
     LineTerminal *m_terminal;
     LinePanel *m_panel;
     LineSettingsForm *m_form;

@@ -8,6 +8,7 @@
 #include "ring/bus_session.h"
 #include "widgets/line/line_panel.h"
 #include "widgets/line/line_terminal.h"
+#include "widgets/look/inline_message.h"
 #include "widgets/models/connected_encoders.h"
 #include "widgets/sequence/sequence_view.h"
 #include "widgets/structure/structure_view.h"
@@ -16,6 +17,7 @@
 
 #include <QAction>
 #include <QMenu>
+#include <QVBoxLayout>
 
 namespace codewheel {
 
@@ -30,7 +32,10 @@ std::optional<DeviceNumber> firstOf(const RingStructure &ring)
 
 void MainWindow::makeLineViews()
 {
-    m_lineViews = new LineViews(*m_line, m_project, m_settings, *m_leaving, m_actions, *m_pages);
+    auto *notice = new InlineMessage(this);
+    notice->setObjectName(QStringLiteral("lineNotice"));
+    static_cast<QVBoxLayout *>(centralWidget()->layout())->insertWidget(0, notice);
+    m_lineViews = new LineViews(*m_line, m_project, m_settings, *m_leaving, m_actions, *m_pages, *notice);
     connect(m_lineViews, &LineViews::terminalRequested, this, [this] {
         showDock("terminalDock");
         m_lineViews->terminal().setFocus();

@@ -5,6 +5,7 @@
 #include "app/window/project_account.h"
 #include "drivers/esc_driver.h"
 #include "journal/ledger_keeper.h"
+#include "links/project_adapter.h"
 #include "links/serial_port_link.h"
 #include "simulator/simulated_line_link.h"
 #include "widgets/project/project_document.h"
@@ -94,18 +95,18 @@ void SerialLine::openTraining()
     replace(std::move(session), std::move(line));
 }
 
-Result<void> SerialLine::openPort(const LineWish &wish, const std::vector<ProjectDevice> &encoders)
+Result<void> SerialLine::openPort(const ProjectLine &line)
 {
-    auto link = std::make_unique<SerialPortLink>(wish.port);
+    const LineWish &wish = line.wish;
+    auto link = std::make_unique<SerialPortLink>(keptAdapterOf(line));
     if (m_session && m_session->linkName() == link->name())
         close();
     auto session = makeSession(std::move(link), wish);
-    // a port keeps real time
-    auto opened =
-        session->open(wish.line, wish.timing, LineSession::Start::watching, LineSession::Drive::byThread);
+    auto opened = session->open(wish.line, wish.timing, LineSession::Start::watching,
+                                LineSession::Drive::byThread); // a port keeps real time
     if (!opened)
         return opened;
-    for (const ProjectDevice &encoder : encoders)
+    for (const ProjectDevice &encoder : line.encoders)
         (void)session->add(encoder.participant.number.line, encoder.participant.deviceKey);
     replace(std::move(session), nullptr);
     return {};

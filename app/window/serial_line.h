@@ -38,9 +38,9 @@ public:
 
     // Each ends the line there was. The training line begins in Operate.
     void openTraining();
-    // Begins in Watch, with these encoders. Refused as ByteLink::open(): then the line there was goes on,
-    // unless it was at the same port.
-    Result<void> openPort(const LineWish &wish, const std::vector<ProjectDevice> &encoders);
+    // Begins in Watch, with its encoders, at its adapter wherever that is plugged in. Refused as
+    // ByteLink::open(): then the line there was goes on, unless it was at the same port.
+    Result<void> openPort(const ProjectLine &line);
     void close();
 
 Q_SIGNALS:

@@ -35,6 +35,7 @@ ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositio
     m_typed->setObjectName(QStringLiteral("positionTyped"));
     m_none->setObjectName(QStringLiteral("positionNone"));
     m_value->setObjectName(QStringLiteral("positionValue"));
+    m_last->setToolTip(tr("The position the encoder before showed last"));
     m_kept->setToolTip(tr("The position the encoder before showed last when the project was saved"));
     m_typed->setToolTip(tr("From a note, or from what the machine stands at"));
     m_none->setToolTip(tr("Nothing is set: the machine has to be referenced another way"));
