@@ -33,6 +33,7 @@ SequenceView::SequenceView(QWidget *parent)
     , m_model(new SequenceModel(this))
     , m_job(new SequenceJob(this))
     , m_pages(new QStackedWidget(this))
+    , m_empty(new EmptyState(Icon::sequence, {}, {}, this))
     , m_tools(new QToolBar(this))
     , m_table(new QTableView(this))
     , m_hold(new QSpinBox(this))
@@ -62,15 +63,9 @@ SequenceView::SequenceView(QWidget *parent)
     sending->addWidget(m_send);
     sending->addWidget(m_stop);
     rows->addLayout(sending);
-    m_pages->addWidget(
-        new EmptyState(Icon::sequence, tr("No encoder is selected"),
-                       tr("A sequence is a list of words that are sent to an encoder one after "
-                          "the other. Select an encoder in the bus structure."),
-                       this));
+    m_pages->addWidget(m_empty);
     m_pages->addWidget(page);
-    m_onLine = new EmptyState(Icon::sequence, {}, {}, this);
-    m_pages->addWidget(m_onLine);
-    connect(m_onLine, &EmptyState::actionTriggered, this, &SequenceView::terminalRequested);
+    connect(m_empty, &EmptyState::actionTriggered, this, &SequenceView::terminalRequested);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
     layout->addWidget(m_pages);
@@ -165,9 +160,9 @@ void SequenceView::setEncoder(EncoderSession *encoder)
     if (m_encoder)
         m_encoder->disconnect(this);
     m_encoder = encoder;
-    m_pages->setCurrentIndex(encoder || m_job->isRunning() ? 1 : 0);
-    if (encoder && isOnLine(encoder->device()) && !m_job->isRunning())
-        showOnLine(*encoder);
+    showWhyEmpty(encoder);
+    const bool takesWords = encoder && !isOnLine(encoder->device());
+    m_pages->setCurrentIndex(takesWords || m_job->isRunning() ? 1 : 0);
     if (!m_job->isRunning())
         m_message->withdraw();
     if (encoder) {
@@ -182,12 +177,17 @@ void SequenceView::setEncoder(EncoderSession *encoder)
     showWhatIsPossible();
 }
 
-void SequenceView::showOnLine(const EncoderSession &encoder)
+void SequenceView::showWhyEmpty(const EncoderSession *encoder)
 {
-    m_onLine->setTexts(tr("%1 is on a serial line").arg(encoder.number().toString()),
-                       tr("It takes requests instead of words. Type them in the terminal."));
-    m_onLine->setAction(tr("Open the &terminal"));
-    m_pages->setCurrentWidget(m_onLine);
+    const bool onLine = encoder && isOnLine(encoder->device());
+    if (onLine)
+        m_empty->setTexts(tr("%1 is on a serial line").arg(encoder->number().toString()),
+                          tr("It takes requests instead of words. Type them in the terminal."));
+    else
+        m_empty->setTexts(tr("No encoder is selected"),
+                          tr("A sequence is a list of words that are sent to an encoder one after the other. "
+                             "Select an encoder in the bus structure."));
+    m_empty->setAction(onLine ? tr("Open the terminal") : QString());
 }
 
 void SequenceView::explainWords()

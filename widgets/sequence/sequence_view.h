@@ -62,7 +62,7 @@ private:
     void showEnd(const Outcome &outcome, int words);
     void showWhatIsPossible();
     void explainWords();
-    void showOnLine(const EncoderSession &encoder);
+    void showWhyEmpty(const EncoderSession *encoder);
     int selectedRow() const; // -1: none
     void say(Role role, const QString &sentence);
 
@@ -70,7 +70,7 @@ private:
     SequenceModel *m_model;
     SequenceJob *m_job;
     QStackedWidget *m_pages;
-    EmptyState *m_onLine = nullptr; // of an encoder on a serial line
+    EmptyState *m_empty;
     QToolBar *m_tools;
     QTableView *m_table;
     QSpinBox *m_hold;

@@ -34,6 +34,7 @@ TraceView::TraceView(BusSession &bus, QWidget *parent)
     : QWidget(parent)
     , m_bus(bus)
     , m_pages(new QStackedWidget(this))
+    , m_empty(new EmptyState(Icon::trace, {}, {}, this))
     , m_tools(new QToolBar(this))
     , m_table(new QTableView(this))
     , m_counts(new QLabel(this))
@@ -51,14 +52,10 @@ TraceView::TraceView(BusSession &bus, QWidget *parent)
     rows->addLayout(bar);
     rows->addWidget(m_message);
     rows->addWidget(m_table, 1);
-    m_pages->addWidget(new EmptyState(Icon::trace, tr("No encoder is selected"),
-                                      tr("The handshake trace has a row for each change of the words of an "
-                                         "encoder. Select an encoder in the bus structure."),
-                                      this));
+    m_pages->addWidget(m_empty);
     m_pages->addWidget(page);
-    m_onLine = new EmptyState(Icon::trace, {}, {}, this);
-    m_pages->addWidget(m_onLine);
-    connect(m_onLine, &EmptyState::actionTriggered, this, &TraceView::terminalRequested);
+    connect(m_empty, &EmptyState::actionTriggered, this, &TraceView::terminalRequested);
+    showWhyEmpty(nullptr);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
     layout->addWidget(m_pages);
@@ -159,12 +156,23 @@ void TraceView::setEncoder(EncoderSession *encoder)
     m_shown = encoder ? model(encoder->number()) : nullptr;
     m_message->withdraw();
     showModel();
-    if (encoder == nullptr || !isOnLine(encoder->device()))
-        return;
-    m_onLine->setTexts(tr("%1 is on a serial line").arg(encoder->number().toString()),
-                       tr("It has no words. What passes on its line stands in the terminal."));
-    m_onLine->setAction(tr("Open the &terminal"));
-    m_pages->setCurrentWidget(m_onLine);
+    showWhyEmpty(encoder);
+    if (encoder && isOnLine(encoder->device()))
+        m_pages->setCurrentWidget(m_empty);
+}
+
+void TraceView::showWhyEmpty(const EncoderSession *encoder)
+{
+    const bool onLine = encoder && isOnLine(encoder->device());
+    if (onLine)
+        m_empty->setTexts(tr("%1 is on a serial line").arg(encoder->number().toString()),
+                          tr("It has no words. What passes on its line stands in the terminal."));
+    else
+        m_empty->setTexts(
+            tr("No encoder is selected"),
+            tr("The handshake trace has a row for each change of the words of an encoder. Select "
+               "an encoder in the bus structure."));
+    m_empty->setAction(onLine ? tr("Open the terminal") : QString());
 }
 
 TraceModel *TraceView::model(DeviceNumber number) const

@@ -49,6 +49,7 @@ private:
     void watch(EncoderSession &encoder);
     void makeTable();
     void makeTools();
+    void showWhyEmpty(const EncoderSession *encoder);
     void showModel();
     void makeRoom(int first, int last); // for these rows
     void fitMeaning();
@@ -61,7 +62,7 @@ private:
     TraceModel *m_shown = nullptr;
     std::vector<QPointer<EncoderSession>> m_watched;
     QStackedWidget *m_pages;
-    EmptyState *m_onLine = nullptr; // of an encoder on a serial line
+    EmptyState *m_empty;
     QToolBar *m_tools;
     QAction *m_follow = nullptr;
     QAction *m_hold = nullptr;

@@ -42,8 +42,6 @@ TrainingPanel::TrainingPanel(TrainingControls &controls, QWidget *parent)
     , m_rod(new RodControls(controls, m_content))
     , m_ringFaults(new RingFaults(controls, m_content))
     , m_plan(new FaultPlanBar(controls, m_content))
-    , m_lineFaults(new LineFaultsBox(m_content))
-    , m_lineEncoder(new LineEncoderBox(m_content))
     , m_writesCaption(new QLabel(tr("EEPROM writes"), m_content))
     , m_writes(numberLabel(tr("EEPROM writes"), m_content))
 {
@@ -57,8 +55,6 @@ TrainingPanel::TrainingPanel(TrainingControls &controls, QWidget *parent)
     makeTroubles(column);
     column->addWidget(m_ringFaults);
     column->addWidget(m_plan);
-    column->addWidget(m_lineFaults);
-    column->addWidget(m_lineEncoder);
     column->addStretch(1);
     setWidget(m_content);
 
@@ -67,8 +63,6 @@ TrainingPanel::TrainingPanel(TrainingControls &controls, QWidget *parent)
     connect(m_shaft, &ShaftControls::acted, this, &TrainingPanel::act);
     connect(m_rod, &RodControls::acted, this, &TrainingPanel::act);
     connect(m_ringFaults, &RingFaults::acted, this, &TrainingPanel::act);
-    connect(m_lineFaults, &LineFaultsBox::acted, this, &TrainingPanel::act);
-    connect(m_lineEncoder, &LineEncoderBox::acted, this, &TrainingPanel::act);
     connect(m_plan, &FaultPlanBar::carriedOut, this, &TrainingPanel::planned);
     choose();
 }
@@ -151,12 +145,25 @@ void TrainingPanel::listDevices()
 void TrainingPanel::setLine(SimulatedLine *line)
 {
     const auto chosen = m_number;
+    if (line != nullptr && m_lineFaults == nullptr)
+        makeLineBoxes();
     m_line = line;
     listDevices();
     m_device->setCurrentIndex(0);
     if (chosen)
         setDevice(*chosen);
     choose();
+}
+
+void TrainingPanel::makeLineBoxes()
+{
+    m_lineFaults = new LineFaultsBox(m_content);
+    m_lineEncoder = new LineEncoderBox(m_content);
+    auto *column = static_cast<QVBoxLayout *>(m_content->layout());
+    column->insertWidget(column->count() - 1, m_lineFaults);
+    column->insertWidget(column->count() - 1, m_lineEncoder);
+    connect(m_lineFaults, &LineFaultsBox::acted, this, &TrainingPanel::act);
+    connect(m_lineEncoder, &LineEncoderBox::acted, this, &TrainingPanel::act);
 }
 
 bool TrainingPanel::isOnLine() const
@@ -192,8 +199,10 @@ void TrainingPanel::choose()
     m_shown.reset();
     m_plan->setVisible(!isOnLine());
     m_ringFaults->setVisible(!isOnLine());
-    m_lineFaults->setVisible(isOnLine() && !m_number->isOnLine());
-    m_lineEncoder->setVisible(isOnLine() && m_number->isOnLine());
+    if (m_lineFaults != nullptr) {
+        m_lineFaults->setVisible(isOnLine() && !m_number->isOnLine());
+        m_lineEncoder->setVisible(isOnLine() && m_number->isOnLine());
+    }
     if (isOnLine()) {
         m_shaft->hide();
         m_rod->hide();

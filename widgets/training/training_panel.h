@@ -71,6 +71,7 @@ private:
     void makeTroubles(QVBoxLayout *column);
     QPushButton *addCommand(QVBoxLayout *column, Icon icon, const QString &text, const QString &toolTip);
     void listDevices();
+    void makeLineBoxes();
     bool isOnLine() const;
     void refreshLine();
     void choose();
@@ -95,8 +96,8 @@ private:
     RodControls *m_rod;
     RingFaults *m_ringFaults;
     FaultPlanBar *m_plan;
-    LineFaultsBox *m_lineFaults;
-    LineEncoderBox *m_lineEncoder;
+    LineFaultsBox *m_lineFaults = nullptr; // once there was a line
+    LineEncoderBox *m_lineEncoder = nullptr;
     QLabel *m_writesCaption;
     QLabel *m_writes;
     QCheckBox *m_power = nullptr;

@@ -31,13 +31,15 @@ protected:
             line.advance(std::chrono::milliseconds(33));
     }
     EncoderSession &encoder() { return *line.encoder(place); }
-    void toValues()
+    void toValues(const ParameterValues &values = {})
     {
         wizard.setEncoder(&encoder());
         next();
         click("readAll");
         pass(4000);
         next();
+        for (const ParameterValue &value : values)
+            wanted.set(place, value.parameter, value.value);
         next();
     }
     QStringList plannedRequests() const
@@ -64,19 +66,14 @@ TEST_F(WizardLine, ItsEncodersStandBehindThoseOfTheRing)
 
 TEST_F(WizardLine, StepsPerTurnMakeTheRange)
 {
-    toValues();
-    wanted.set(place, Parameter::steps, 360);
-    EXPECT_TRUE(wanted.values(place).size() == 1);
-    next();
-    wizard.findChild<QAbstractButton *>(QStringLiteral("wizardBack"))->click(); // fields show what is wanted
+    toValues({{Parameter::steps, 360}});
     EXPECT_TRUE(text("scaleText").contains(QStringLiteral("360"))) << text("scaleText").toStdString();
     EXPECT_TRUE(text("scaleText").contains(QLocale().toString(360 * 4096)));
 }
 
 TEST_F(WizardLine, RequestsAreReviewedSentAndReadBack)
 {
-    toValues();
-    wanted.set(place, Parameter::upperLimit, 0x2000);
+    toValues({{Parameter::upperLimit, 0x2000}});
     next();
     const QStringList requests = plannedRequests();
     EXPECT_TRUE(requests.contains(QStringLiteral("05GH00002000"))) << requests.join(u' ').toStdString();
