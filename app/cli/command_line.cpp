@@ -108,7 +108,12 @@ bool needsBus(const Subcommand &command, const Arguments &arguments)
 // What makes no sense with the link is refused before anything is opened.
 Checked<LinkWish> checkLink(const Subcommand &command, const Arguments &arguments)
 {
-    const auto link = linkMeant(arguments.value("--link").value_or(QStringLiteral("training")));
+    const QString typed = arguments.value("--link").value_or(QStringLiteral("training"));
+    const auto project =
+        isLineOfProject(typed) ? projectNamed(arguments) : Checked<std::optional<Project>>(std::nullopt);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto link = linkMeant(typed, *project ? &**project : nullptr);
     if (!link || link->hasRing || !needsBus(command, arguments))
         return link;
     if (command.whyNotOnLine != nullptr)

@@ -208,7 +208,7 @@ Answer TypedCall::answer() const
 {
     const LineFigures &figures = m_line.latest().figures;
     return {.text = {},
-            .json = {{QStringLiteral("port"), m_line.linkName()},
+            .json = {{QStringLiteral("port"), m_call.line->portKey()},
                      {QStringLiteral("figures"), figuresJson(figures)}},
             .complaint = m_complaint};
 }

@@ -122,7 +122,8 @@ Checked<Answer> explainLine(const Call &call, const DeviceDescription &device)
     const auto answer = isAnswer(call.arguments);
     if (!answer)
         return tl::unexpected(answer.error());
-    const auto link = linkMeant(call.arguments.value("--link").value_or(QStringLiteral("training")));
+    const auto link =
+        linkMeant(call.arguments.value("--link").value_or(QStringLiteral("training")), call.project);
     if (!link)
         return tl::unexpected(link.error());
     const esc::ExplainOptions options = link->line.explainOptions();

@@ -6,6 +6,7 @@
 #include "drivers/esc_driver.h"
 #include "encoder/sentence.h"
 #include "journal_files.h"
+#include "links/project_adapter.h"
 #include "links/serial_port_link.h"
 #include "simulator/simulated_line_link.h"
 
@@ -22,7 +23,10 @@ std::unique_ptr<ByteLink> linkTo(const LineLink &link)
 {
     if (link.isSimulated())
         return std::make_unique<SimulatedLineLink>(std::make_shared<SimulatedLine>());
-    return std::make_unique<SerialPortLink>(link.wish.port);
+    ProjectLine line;
+    line.wish = link.wish;
+    line.adapter = link.adapter;
+    return std::make_unique<SerialPortLink>(keptAdapterOf(line));
 }
 
 Complaint aboutSilence(LineAddress address, int baudRate)
@@ -142,6 +146,11 @@ bool LineAccess::advance(Instant duration)
 {
     m_session->advance(duration);
     return isConnected();
+}
+
+QString LineAccess::portKey() const
+{
+    return m_link.isSimulated() ? QStringLiteral("training") : m_session->linkName();
 }
 
 Complaint LineAccess::portLost() const

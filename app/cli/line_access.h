@@ -35,6 +35,8 @@ public:
 
     // Lets time pass on the line, at most until the port is gone. False: it is gone.
     bool advance(Instant duration);
+    // The port for programs; "training" of the simulated line.
+    QString portKey() const;
     bool isConnected() const { return m_session->latest().connected; }
     Complaint portLost() const; // why it is gone
     // About a job that was refused, and about the port where it is gone.

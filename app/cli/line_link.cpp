@@ -17,6 +17,7 @@ namespace {
 
 const QString trainingLink = QStringLiteral("training");
 const QString linePrefix = QStringLiteral("esc:");
+const QString projectPort = QStringLiteral("project");
 
 using std::chrono::milliseconds;
 
@@ -105,17 +106,36 @@ Checked<void> takeSetting(LineLink &link, const QString &setting)
     return {};
 }
 
-Checked<LinkWish> lineMeant(const QString &text)
+Checked<LineLink> lineAt(const QString &port, const Project *project)
 {
-    QStringList parts = text.split(u',');
-    const QString port = parts.takeFirst();
     if (port.isEmpty())
         return badInput(QStringLiteral("portMissing"),
                         CommandLine::tr("Name the port of the serial line, as --link esc:ttyUSB0. %1"),
                         {presentPortsText()});
-    LinkWish wish{.hasRing = false};
-    if (port != trainingLink)
-        wish.line.wish.port = port;
+    LineLink link;
+    if (port == trainingLink)
+        return link;
+    if (port != projectPort) {
+        link.wish.port = port;
+        return link;
+    }
+    if (project == nullptr || !project->line || project->line->wish.port.isEmpty())
+        return badInput(
+            QStringLiteral("noLineInProject"),
+            CommandLine::tr("There is no project with the port of a serial line. Name one that has it "
+                            "with --project FILE, or the port, as --link esc:ttyUSB0."));
+    link.wish = project->line->wish;
+    link.adapter = project->line->adapter;
+    return link;
+}
+
+Checked<LinkWish> lineMeant(const QString &text, const Project *project)
+{
+    QStringList parts = text.split(u',');
+    const auto line = lineAt(parts.takeFirst(), project);
+    if (!line)
+        return tl::unexpected(line.error());
+    LinkWish wish{.hasRing = false, .line = *line};
     for (const QString &setting : parts)
         if (const auto taken = takeSetting(wish.line, setting); !taken)
             return tl::unexpected(taken.error());
@@ -137,12 +157,17 @@ esc::ExplainOptions LineLink::explainOptions() const
     return {.swapWarningBytes = swapWarningBytes, .fractionBits = wish.fractionBits};
 }
 
-Checked<LinkWish> linkMeant(const QString &text)
+bool isLineOfProject(const QString &link)
+{
+    return link.section(u',', 0, 0) == linePrefix + projectPort;
+}
+
+Checked<LinkWish> linkMeant(const QString &text, const Project *project)
 {
     if (text == trainingLink)
         return LinkWish{};
     if (text.startsWith(linePrefix))
-        return lineMeant(text.sliced(linePrefix.size()));
+        return lineMeant(text.sliced(linePrefix.size()), project);
     return badInput(
         QStringLiteral("unknownLink"),
         CommandLine::tr("There is no link \"%1\". The links are: training, the simulated bus, and "

@@ -4,7 +4,7 @@
 #include "cli/complaint.h"
 #include "drivers/esc_settings.h"
 #include "esc/esc_explain.h"
-#include "line/line_wish.h"
+#include "project/project.h"
 
 #include <QString>
 
@@ -16,6 +16,7 @@ struct LineLink
     LineWish wish{}; // its port: a name or a path; empty: the simulated line
     bool swapWarningBytes = false;
     bool asksForFractionBits = false; // of the scaling factor, from the encoder
+    LineAdapter adapter{};            // that the port belongs to; nothing: whichever is there
 
     bool isSimulated() const { return wish.port.isEmpty(); }
     EscSettings driver() const;
@@ -29,8 +30,11 @@ struct LinkWish
     LineLink line{};
 };
 
-// "training", "esc:ttyUSB0,baud=9600", "esc:/dev/pts/5", "esc:training".
-Checked<LinkWish> linkMeant(const QString &text);
+// "training", "esc:ttyUSB0,baud=9600", "esc:/dev/pts/5", "esc:training"; "esc:project" is the line of the
+// project, null where there is none.
+Checked<LinkWish> linkMeant(const QString &text, const Project *project = nullptr);
+// Whether it means something with a project only.
+bool isLineOfProject(const QString &link);
 
 // The settings of a line, for the help: "baud, format, ...".
 QString lineSettingKeys();

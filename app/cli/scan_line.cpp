@@ -156,7 +156,7 @@ Checked<Answer> scanLine(const Call &call)
     if (!ended)
         return tl::unexpected(call.line->portLost());
     Answer answer = answerOf(*ended);
-    answer.json.insert(QStringLiteral("port"), (*line)->linkName());
+    answer.json.insert(QStringLiteral("port"), call.line->portKey());
     return answer;
 }
 

@@ -44,7 +44,7 @@ TEST(CliCommandLine, TheExamplesOfTheHelpWork)
     QDir::setCurrent(QStringLiteral(CODEWHEEL_ROOT)); // examples name files of docs/examples
     const QString prefix = QStringLiteral("  codewheel-cli ");
     for (const char *command :
-         {"devices", "scan", "explain", "words", "read", "write", "preset", "monitor"}) {
+         {"devices", "scan", "explain", "words", "read", "write", "preset", "monitor", "terminal"}) {
         const CliRun help = runLine(QStringLiteral("%1 --help").arg(QString::fromLatin1(command)));
         for (const QString &line : QString::fromStdString(help.out).split(u'\n')) {
             if (!line.startsWith(prefix))

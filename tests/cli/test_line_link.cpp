@@ -43,6 +43,29 @@ TEST(CliLineLink, APortStandsByItselfOrWithSettings)
     EXPECT_TRUE(line("esc:ttyUSB0,fraction-bits=device").asksForFractionBits);
 }
 
+TEST(CliLineLink, TheLineOfAProjectKeepsItsSettingsSaveThoseTyped)
+{
+    Project project;
+    project.line = ProjectLine{};
+    project.line->wish.port = QStringLiteral("/dev/ttyUSB3");
+    project.line->wish.fractionBits = 28;
+    project.line->wish.line.baudRate = 4'800;
+    project.line->adapter.serialNumber = QStringLiteral("A50285BI");
+    const auto link = linkMeant(QStringLiteral("esc:project,fraction-bits=30"), &project);
+    ASSERT_TRUE(link);
+    EXPECT_EQ(link->line.wish.port, QStringLiteral("/dev/ttyUSB3"));
+    EXPECT_EQ(link->line.wish.line.baudRate, 4'800);
+    EXPECT_EQ(link->line.wish.fractionBits, 30);
+    EXPECT_EQ(link->line.adapter, project.line->adapter);
+    EXPECT_TRUE(isLineOfProject(QStringLiteral("esc:project")));
+    EXPECT_FALSE(isLineOfProject(QStringLiteral("esc:projector")));
+
+    const Project without;
+    EXPECT_EQ(linkMeant(QStringLiteral("esc:project"), &without).error().key,
+              QStringLiteral("noLineInProject"));
+    EXPECT_EQ(refusal("esc:project"), "noLineInProject");
+}
+
 TEST(CliLineLink, WhatIsWrongIsNamed)
 {
     EXPECT_EQ(refusal("serial"), "unknownLink");

@@ -7,6 +7,8 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QProcess>
+#include <QProcessEnvironment>
+#include <QTemporaryDir>
 
 #include <csignal>
 #include <gmock/gmock.h>
@@ -66,6 +68,9 @@ class Call
 public:
     Call(const QString &line, const QString &link)
     {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("XDG_DATA_HOME"), m_data.path()); // EEPROM writes are counted there
+        m_process.setProcessEnvironment(environment);
         m_process.start(QStringLiteral(CODEWHEEL_CLI), line.split(u' ', Qt::SkipEmptyParts)
                                                            << QStringLiteral("--link") << link);
     }
@@ -91,6 +96,7 @@ public:
     }
 
 private:
+    QTemporaryDir m_data;
     QProcess m_process;
 };
 
@@ -137,7 +143,7 @@ TEST(CliLineProgram, ATerminalTakesLinesAsTheyAreTyped)
 
 TEST(CliLineProgram, APortThatIsNotThereOrTakenIsSaid)
 {
-    CliRun none = runLine(QStringLiteral("scan --link esc:/dev/there-is-none"));
+    const CliRun none = Call(QStringLiteral("scan"), QStringLiteral("esc:/dev/there-is-none")).end();
     EXPECT_EQ(none.exit, 1);
     EXPECT_THAT(none.err, HasSubstr("There is no serial port /dev/there-is-none."));
 

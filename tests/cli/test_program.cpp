@@ -67,14 +67,32 @@ TEST(CliProgram, SpeaksTheLanguageOfTheSystem)
 // Save what docs/command-line.md names as texts in the user's language.
 TEST(CliProgram, JsonIsTheSameInEveryLanguage)
 {
-    for (const char *line :
-         {"devices --json", "scan --json", "explain 00012A4F --device fraba-ocd-ib --direction in --json",
-          "explain 40000000 --device fraba-ocd-ib --direction out --json",
-          "words 2.0 04004E20 80000000 --json", "words 1.0 02000000 --json", "read 1.0 --json",
-          "read 2.0 --json", "write 1.0 steps=255 direction=ccw --yes --trace --json",
-          "write 1.0 steps=0 --json", "write 1.0 steps=255 --dry-run --json", "preset 1.0 7 --json",
-          "monitor 2.0 --for 0.05 --json", "velocity 2.0 off --json", "read 5.0 rod-length --json",
-          "read 1.0 --device kuebler-esc-rs485 --json", "cams 1.0 read --program 9 --json"}) {
+    for (const char *line : {"devices --json",
+                             "scan --json",
+                             "explain 00012A4F --device fraba-ocd-ib --direction in --json",
+                             "explain 40000000 --device fraba-ocd-ib --direction out --json",
+                             "words 2.0 04004E20 80000000 --json",
+                             "words 1.0 02000000 --json",
+                             "read 1.0 --json",
+                             "read 2.0 --json",
+                             "write 1.0 steps=255 direction=ccw --yes --trace --json",
+                             "write 1.0 steps=0 --json",
+                             "write 1.0 steps=255 --dry-run --json",
+                             "preset 1.0 7 --json",
+                             "monitor 2.0 --for 0.05 --json",
+                             "velocity 2.0 off --json",
+                             "read 5.0 rod-length --json",
+                             "read 1.0 --device kuebler-esc-rs485 --json",
+                             "read 05 --trace --json",
+                             "read 07 --json",
+                             "write 05 steps=864 direction=ccw --yes --trace --json",
+                             "preset 05 1000 --json",
+                             "monitor 03 --for 1 --json",
+                             "terminal 05P 05V 05GP1000 05O --yes --json",
+                             "words 05 0 --json",
+                             "explain 7005 --device kuebler-esc-rs485 --other 05O --json",
+                             "read 20 --json",
+                             "cams 1.0 read --program 9 --json"}) {
         const QString command = QString::fromLatin1(line);
         const Ended english = start(command);
         EXPECT_NE(english.out, "") << line;
