@@ -3052,6 +3052,18 @@
         <source>Restored</source>
         <translation>Wiederhergestellt</translation>
     </message>
+    <message>
+        <source>Requests</source>
+        <translation>Anfragen</translation>
+    </message>
+    <message>
+        <source>Request</source>
+        <translation>Anfrage</translation>
+    </message>
+    <message>
+        <source>Means</source>
+        <translation>Bedeutung</translation>
+    </message>
 </context>
 <context>
     <name>WordFormat</name>
@@ -4053,10 +4065,6 @@
         <translation>die Betriebsart des Gebers, falls er mehrere hat</translation>
     </message>
     <message>
-        <source>the word that stands the other way</source>
-        <translation>das Wort, das in der Gegenrichtung steht</translation>
-    </message>
-    <message>
         <source>how positions are coded: 1 to 6, or its name</source>
         <translation>wie Positionen codiert sind: 1 bis 6 oder der Name</translation>
     </message>
@@ -4081,14 +4089,6 @@
         <translation>sagen, was ein Wort bedeutet</translation>
     </message>
     <message>
-        <source>Tells what a 32-bit word means to an encoder. Every word gets an answer. What is not told
-(mode, coding, the word the other way) widens it to all meanings the word can have.
-Needs no bus and sends nothing.</source>
-        <translation>Sagt, was ein 32-Bit-Wort für einen Geber bedeutet. Jedes Wort bekommt eine Antwort. Was nicht
-angegeben ist (Betriebsart, Codierung, Wort der Gegenrichtung), lässt alle Bedeutungen zu, die das
-Wort haben kann. Braucht keinen Bus und sendet nichts.</translation>
-    </message>
-    <message>
         <source>There is no command &quot;%1&quot;. The commands are: %2. See codewheel-cli --help.</source>
         <translation>Es gibt keinen Befehl &quot;%1&quot;. Die Befehle sind: %2. Siehe codewheel-cli --help.</translation>
     </message>
@@ -4105,28 +4105,12 @@ Wort haben kann. Braucht keinen Bus und sendet nichts.</translation>
         <translation>&quot;%1&quot; ist zu viel. Der Aufruf lautet: codewheel-cli %2</translation>
     </message>
     <message>
-        <source>There is no link &quot;%1&quot;. This version knows one: training, the simulated bus. Leave --link out, or give --link training.</source>
-        <translation>Es gibt keine Verbindung &quot;%1&quot;. Diese Version kennt eine: training, den simulierten Bus. --link weglassen, oder --link training angeben.</translation>
-    </message>
-    <message>
         <source>how long to look (10)</source>
         <translation>wie lange beobachtet wird (10)</translation>
     </message>
     <message>
         <source>how often to look (100)</source>
         <translation>wie oft nachgesehen wird (100)</translation>
-    </message>
-    <message>
-        <source>watch the words of an encoder</source>
-        <translation>die Worte eines Gebers beobachten</translation>
-    </message>
-    <message>
-        <source>Looks at the words of an encoder every 100 ms and prints a row when they differ from the last look.
-Sends nothing. The time is the bus&apos;s own: on the training bus a cycle is 1 ms, and as it runs without
-waiting, the answer comes at once.</source>
-        <translation>Sieht alle 100 ms nach den Worten eines Gebers und gibt eine Zeile aus, wenn sie sich geändert
-haben. Sendet nichts. Die Zeit ist die des Busses: Auf dem Übungsbus dauert ein Zyklus 1 ms, und weil
-er ohne Warten läuft, kommt die Antwort sofort.</translation>
     </message>
     <message>
         <source>print the words that went over the bus</source>
@@ -4179,10 +4163,6 @@ er ohne Warten läuft, kommt die Antwort sofort.</translation>
     <message>
         <source>OUT words</source>
         <translation>OUT-Worte</translation>
-    </message>
-    <message>
-        <source>list the participants of the bus</source>
-        <translation>die Teilnehmer des Busses auflisten</translation>
     </message>
     <message>
         <source>how long a word stands that nothing acknowledges (3)</source>
@@ -4263,10 +4243,6 @@ Gebers beendet die Folge. Worte sind hexadezimal, wie in den Handbüchern.</tran
         <translation>Antwort als ein JSON-Objekt, für Programme</translation>
     </message>
     <message>
-        <source>the way to the bus; &quot;training&quot; (the default) is the simulated one</source>
-        <translation>der Weg zum Bus; &quot;training&quot; (die Vorgabe) ist der simulierte</translation>
-    </message>
-    <message>
         <source>explain this and stop; also -h</source>
         <translation>das hier erklären und beenden; auch -h</translation>
     </message>
@@ -4277,10 +4253,6 @@ Gebers beendet die Folge. Worte sind hexadezimal, wie in den Handbüchern.</tran
     <message>
         <source>There is no device named &quot;%1&quot;. The names are: %2.</source>
         <translation>Es gibt kein Gerät namens &quot;%1&quot;. Die Namen sind: %2.</translation>
-    </message>
-    <message>
-        <source>codewheel-cli sets up, watches and diagnoses absolute encoders on INTERBUS.</source>
-        <translation>codewheel-cli richtet Absolut-Geber am INTERBUS ein, beobachtet und prüft sie.</translation>
     </message>
     <message>
         <source>Usage: codewheel-cli COMMAND ...</source>
@@ -4640,10 +4612,6 @@ Tabellen seines Handbuchs sagen: Anschlüsse, LEDs, Versorgung, Grenzwerte, Type
 Beschreibungen kommen aus ~/.local/share/codewheel/devices/*.json; --check prüft eine davon.</translation>
     </message>
     <message>
-        <source>The %1 is on a serial line: it has no words of process data.</source>
-        <translation>%1 ist an einer seriellen Leitung: Er hat keine Prozessdatenworte.</translation>
-    </message>
-    <message>
         <source>One of these: the key does not tell which. The device code on the bus does.</source>
         <translation>Einer von diesen: Der Schlüssel sagt nicht, welcher. Der Gerätecode am Bus sagt es.</translation>
     </message>
@@ -4695,28 +4663,6 @@ Beschreibungen kommen aus ~/.local/share/codewheel/devices/*.json; --check prüf
     <message>
         <source>The %1 is on a serial line, not on INTERBUS: it cannot be the device at %2.</source>
         <translation>%1 ist an einer seriellen Leitung, nicht am INTERBUS: Er kann nicht das Gerät bei %2 sein.</translation>
-    </message>
-    <message>
-        <source>PLACE is the device number of an encoder, segment.position: 1.0. Numbers are decimal unless
-they are written 0x.. or ..h; a WORD is always hexadecimal, as the manuals print it.
-
-Each call has a new training bus, which always starts the same: 1.0 FRABA K3 that stands
-still, 2.0 Baumer K3 that turns at 10 rpm, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 on a rod,
-6.0 bus terminal and, behind it, 6.1 FRABA K3 on Loop 2. What one call wrote, the next one does
-not find.
-
-Exit code: 0 done, 1 the encoder or the bus refused, 2 bad input.
-codewheel-cli COMMAND --help explains a command.</source>
-        <translation>PLACE ist die Gerätenummer eines Gebers, Segment.Position: 1.0. Zahlen sind dezimal, außer sie sind
-als 0x.. oder ..h geschrieben; ein WORD ist immer hexadezimal, wie die Handbücher es drucken.
-
-Jeder Aufruf hat einen neuen Übungsbus, der immer gleich anfängt: 1.0 FRABA K3, der still steht,
-2.0 Baumer K3, der mit 10 U/min dreht, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 auf einem Stab,
-6.0 Busklemme und dahinter 6.1 FRABA K3 am Loop 2. Was ein Aufruf geschrieben hat, findet der
-nächste nicht vor.
-
-Rückgabewert: 0 erledigt, 1 vom Geber oder Bus abgelehnt, 2 falsche Eingabe.
-codewheel-cli COMMAND --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>%1 stands on the label of the %2 only: it is neither read nor written over the bus. There are: %3.</source>
@@ -5012,21 +4958,6 @@ Angaben passen. Braucht keinen Bus.</translation>
     <message>
         <source>%1 is there already. Nothing was saved. Name another file, or add --yes to replace it; the old one is kept as %2.</source>
         <translation>%1 gibt es schon. Nichts wurde gespeichert. Eine andere Datei nennen oder mit --yes ersetzen; die alte bleibt als %2 erhalten.</translation>
-    </message>
-    <message>
-        <source>Lists the participants of the bus in ring order, with their ID codes and words (16 bit each), and tells how the master stands.
-The ID code tells the profile but not the make: that is named where the plan of the bus tells it.
-Sends nothing.
-
---save makes a project of it. With --project as well, what that project knows of devices
-that are still there is taken along.</source>
-        <translation>Listet die Teilnehmer des Busses in Ringreihenfolge auf, mit ID-Codes und Worten (je 16 Bit), und sagt,
-wie der Master steht. Der ID-Code nennt das Profil, aber nicht den Hersteller: Den nennt das Programm,
-wo der Plan des Busses ihn kennt.
-Sendet nichts.
-
---save macht ein Projekt daraus. Mit --project dazu wird mitgenommen, was jenes Projekt von den noch
-vorhandenen Teilnehmern weiß.</translation>
     </message>
     <message>
         <source>name encoders as this project does; PLACE may be the name of a station</source>
@@ -5381,6 +5312,377 @@ es verlassen wird.</translation>
     <message>
         <source>Position: not set to %1.</source>
         <translation>Position: nicht auf %1 gesetzt.</translation>
+    </message>
+    <message>
+        <source>Encoders on a serial line have no cams.</source>
+        <translation>Geber an einer seriellen Leitung haben keine Nocken.</translation>
+    </message>
+    <message>
+        <source>A serial line has no structure to compare with. See codewheel-cli scan.</source>
+        <translation>Eine serielle Leitung hat keinen Aufbau, der sich vergleichen ließe. Siehe codewheel-cli scan.</translation>
+    </message>
+    <message>
+        <source>written by</source>
+        <translation>geschrieben mit</translation>
+    </message>
+    <message>
+        <source>read by</source>
+        <translation>gelesen mit</translation>
+    </message>
+    <message>
+        <source>the word that stands the other way; of an answer its request</source>
+        <translation>das Wort der Gegenrichtung; zu einer Antwort ihre Anfrage</translation>
+    </message>
+    <message>
+        <source>Tells what a 32-bit word means to an encoder. Every word gets an answer. What is not told
+(mode, coding, the word the other way) widens it to all meanings the word can have.
+
+Of an encoder on a serial line it explains a request (03GP00005200), or, with --other REQUEST,
+the answer to it: its digits, or CRLF for a bare line end.
+
+Needs no bus and sends nothing.</source>
+        <translation>Sagt, was ein 32-Bit-Wort für einen Geber bedeutet. Jedes Wort bekommt eine Antwort. Was nicht
+angegeben ist (Betriebsart, Codierung, Wort der Gegenrichtung), erweitert sie auf alle Bedeutungen,
+die das Wort haben kann.
+
+Bei einem Geber an einer seriellen Leitung erklärt es eine Anfrage (03GP00005200) oder, mit
+--other ANFRAGE, die Antwort darauf: ihre Ziffern, oder CRLF für ein bloßes Zeilenende.
+
+Braucht keinen Bus und sendet nichts.</translation>
+    </message>
+    <message>
+        <source>A fault plan is for the ring of the training bus. Leave --fault-plan out.</source>
+        <translation>Ein Fehlerplan ist für den Ring des Übungsbusses. --fault-plan weglassen.</translation>
+    </message>
+    <message>
+        <source>A serial line has no master.</source>
+        <translation>Eine serielle Leitung hat keinen Master.</translation>
+    </message>
+    <message>
+        <source>watch the words of an encoder, or its position</source>
+        <translation>die Worte eines Gebers beobachten, oder seine Position</translation>
+    </message>
+    <message>
+        <source>Looks at the words of an encoder every 100 ms and prints a row when they differ from the last look.
+Sends nothing. The time is the bus&apos;s own: on the training bus a cycle is 1 ms, and as it runs without
+waiting, the answer comes at once.
+
+Of an encoder on a serial line (PLACE 05) it looks at position, alarms and warnings, which are polled, and
+tells at the end how the line has done. Nothing is written. Ctrl+C ends it.</source>
+        <translation>Sieht alle 100 ms nach den Worten eines Gebers und gibt eine Zeile aus, wenn sie sich seit dem letzten
+Mal geändert haben. Sendet nichts. Die Zeit ist die des Busses: Auf dem Übungsbus dauert ein Zyklus 1 ms,
+und da er läuft, ohne zu warten, kommt die Antwort sofort.
+
+Bei einem Geber an einer seriellen Leitung (PLATZ 05) sieht es nach Position, Alarmen und Warnungen, die
+abgefragt werden, und sagt am Ende, wie es der Leitung ging. Nichts wird geschrieben. Strg+C beendet es.</translation>
+    </message>
+    <message>
+        <source>Encoders on a serial line have no command that resets them to factory settings. Write the values with codewheel-cli write.</source>
+        <translation>Geber an einer seriellen Leitung haben keinen Befehl, der sie auf Werkseinstellungen zurücksetzt. Die Werte mit codewheel-cli write schreiben.</translation>
+    </message>
+    <message>
+        <source>On the serial line:</source>
+        <translation>An der seriellen Leitung:</translation>
+    </message>
+    <message>
+        <source>list the participants of the bus, and look for encoders on a serial line</source>
+        <translation>die Teilnehmer des Busses auflisten, und Geber an einer seriellen Leitung suchen</translation>
+    </message>
+    <message>
+        <source>Lists the participants of the bus in ring order, with their ID codes and words (16 bit each), and tells how the master stands.
+The ID code tells the profile but not the make: that is named where the plan of the bus tells it.
+Sends nothing on the bus.
+
+On a serial line each address is asked for its serial number, and who answers for device code and
+version. Nothing is written. Ctrl+C ends it, and lists what was found until then.
+
+--save makes a project of it. With --project as well, what that project knows of devices
+that are still there is taken along.</source>
+        <translation>Listet die Teilnehmer des Busses in Ringreihenfolge auf, mit ID-Codes und Worten (je 16 Bit), und sagt, wie der Master steht.
+Der ID-Code sagt das Profil, aber nicht das Fabrikat: Das ist benannt, wo der Plan des Busses es sagt.
+Sendet nichts auf dem Bus.
+
+Auf einer seriellen Leitung wird jede Adresse nach ihrer Seriennummer gefragt, und wer antwortet, nach
+Gerätecode und Version. Nichts wird geschrieben. Strg+C beendet es und listet auf, was bis dahin gefunden ist.
+
+--save macht daraus ein Projekt. Mit --project dazu wird übernommen, was jenes Projekt von Geräten
+weiß, die noch da sind.</translation>
+    </message>
+    <message>
+        <source>send what writes without asking</source>
+        <translation>auch Schreibendes ohne Rückfrage senden</translation>
+    </message>
+    <message>
+        <source>Whether it was carried out is not known: read the value.</source>
+        <translation>Ob es ausgeführt wurde, ist nicht bekannt: den Wert auslesen.</translation>
+    </message>
+    <message>
+        <source>%1 writes, and was not sent: there is nobody to ask. Add --yes.</source>
+        <translation>%1 schreibt und wurde nicht gesendet: Es ist niemand da, der gefragt werden kann. --yes hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Send it?</source>
+        <translation>Senden?</translation>
+    </message>
+    <message>
+        <source>send typed requests over a serial line</source>
+        <translation>getippte Anfragen über eine serielle Leitung senden</translation>
+    </message>
+    <message>
+        <source>Sends each REQUEST once: the address as two hexadecimal digits, the command, and the data of a
+write, as 05P or 03GP5200. Without one, requests are read from standard input, a line each, until
+its end (Ctrl+D). What passes both ways is printed with its time, as text, as bytes, and in words;
+with --json as one object in each line. No position is polled.
+
+What writes is asked for first; where nobody can be asked, --yes is needed. In a pipe the first
+request that is wrong, not answered, or refused for want of --yes is the last.</source>
+        <translation>Sendet jede ANFRAGE einmal: die Adresse als zwei Hexziffern, den Befehl und beim Schreiben die Daten,
+wie 05P oder 03GP5200. Ohne eine werden Anfragen von der Standardeingabe gelesen, je Zeile eine, bis
+zu ihrem Ende (Strg+D). Was in beiden Richtungen läuft, wird mit Zeit ausgegeben, als Text, als Bytes
+und in Worten; mit --json je Zeile als ein Objekt. Keine Position wird abgefragt.
+
+Vor Schreibendem wird gefragt; wo niemand gefragt werden kann, ist --yes nötig. In einer Pipe ist die
+erste Anfrage, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehnt wird, die letzte.</translation>
+    </message>
+    <message>
+        <source>Encoders on a serial line have no velocity mode.</source>
+        <translation>Geber an einer seriellen Leitung haben keinen Drehzahlbetrieb.</translation>
+    </message>
+    <message>
+        <source>Encoders on a serial line have no words of process data. Send commands with codewheel-cli terminal.</source>
+        <translation>Geber an einer seriellen Leitung haben keine Worte in Prozessdaten. Befehle mit codewheel-cli terminal senden.</translation>
+    </message>
+    <message>
+        <source>the way to the encoders: training (the default), the simulated bus; or esc:PORT, a serial line, with settings behind the port as in esc:ttyUSB0,baud=9600</source>
+        <translation>der Weg zu den Gebern: training (Vorgabe), der simulierte Bus; oder esc:ANSCHLUSS, eine serielle Leitung, mit Einstellungen hinter dem Anschluss wie in esc:ttyUSB0,baud=9600</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no answer to %2. A read is answered with its digits, a write with a bare line end (type CRLF), either with 03 or 05 where it is refused.</source>
+        <translation>&quot;%1&quot; ist keine Antwort auf %2. Ein Lesen wird mit seinen Ziffern beantwortet, ein Schreiben mit einem bloßen Zeilenende (CRLF eintippen), beides mit 03 oder 05, wo es abgelehnt wird.</translation>
+    </message>
+    <message>
+        <source>%1 is for words of process data; an encoder on a serial line has none. Leave it out.</source>
+        <translation>%1 ist für Worte der Prozessdaten; ein Geber an einer seriellen Leitung hat keine. Weglassen.</translation>
+    </message>
+    <message>
+        <source>An answer means nothing without its request. Give it with --other, as --other 05P.</source>
+        <translation>Eine Antwort sagt ohne ihre Anfrage nichts. Diese mit --other angeben, wie --other 05P.</translation>
+    </message>
+    <message>
+        <source>A request needs no --other. Leave it out, or give --direction in to explain an answer.</source>
+        <translation>Eine Anfrage braucht kein --other. Weglassen, oder --direction in angeben, um eine Antwort zu erklären.</translation>
+    </message>
+    <message>
+        <source>codewheel-cli sets up, watches and diagnoses absolute encoders on INTERBUS and on serial lines.</source>
+        <translation>codewheel-cli richtet Absolutwertgeber am INTERBUS und an seriellen Leitungen ein, beobachtet und prüft sie.</translation>
+    </message>
+    <message>
+        <source>PLACE is the device number of an encoder, segment.position: 1.0; on a serial line its address,
+two hexadecimal digits: 12, or esc:12. Numbers are decimal unless they are written 0x.. or ..h;
+a WORD is always hexadecimal, as the manuals print it.
+
+Each call has a new training bus, which always starts the same: 1.0 FRABA K3 that stands
+still, 2.0 Baumer K3 that turns at 10 rpm, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 on a rod,
+6.0 bus terminal and, behind it, 6.1 FRABA K3 on Loop 2; and a serial line with the Kübler
+encoders 03, 05 and 12. What one call wrote, the next one does not find.
+
+Exit code: 0 done, 1 the encoder or the bus refused, 2 bad input.
+codewheel-cli COMMAND --help explains a command.</source>
+        <translation>PLATZ ist die Gerätenummer eines Gebers, Segment.Position: 1.0; auf einer seriellen Leitung seine Adresse,
+zwei Hexziffern: 12, oder esc:12. Zahlen sind dezimal, außer sie sind 0x.. oder ..h geschrieben;
+ein WORT ist immer hexadezimal, wie die Handbücher es drucken.
+
+Jeder Aufruf hat einen neuen Übungsbus, der immer gleich beginnt: 1.0 FRABA K3, der stillsteht,
+2.0 Baumer K3, der mit 10 U/min dreht, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 an einem Stab,
+6.0 Busklemme und dahinter 6.1 FRABA K3 an Loop 2; und eine serielle Leitung mit den Kübler-
+Gebern 03, 05 und 12. Was ein Aufruf schrieb, findet der nächste nicht vor.
+
+Rückgabewert: 0 erledigt, 1 Geber oder Bus lehnten ab, 2 falsche Eingabe.
+codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
+    </message>
+    <message>
+        <source>No encoder answers at %1 at %2 Bd. Check address, baud rate, wiring and supply; an RS-422 encoder also needs ST (pin 7) at +UB. codewheel-cli scan --all-rates looks for encoders.</source>
+        <translation>Auf %1 antwortet mit %2 Bd kein Geber. Adresse, Baudrate, Verdrahtung und Versorgung prüfen; ein RS-422-Geber braucht auch ST (Pin 7) an +UB. codewheel-cli scan --all-rates sucht nach Gebern.</translation>
+    </message>
+    <message>
+        <source>accepted by the encoder, not read back</source>
+        <translation>vom Geber angenommen, nicht zurückgelesen</translation>
+    </message>
+    <message>
+        <source>sent: it is not known whether the encoder has it</source>
+        <translation>gesendet: Es ist nicht bekannt, ob der Geber es hat</translation>
+    </message>
+    <message>
+        <source>not taken: the encoder has another value</source>
+        <translation>nicht übernommen: Der Geber hat einen anderen Wert</translation>
+    </message>
+    <message>
+        <source>not sent</source>
+        <translation>nicht gesendet</translation>
+    </message>
+    <message>
+        <source>What the encoder has is known as far as it is told above: connect again and read it.</source>
+        <translation>Was der Geber hat, ist bekannt, soweit es oben steht: neu verbinden und auslesen.</translation>
+    </message>
+    <message>
+        <source>The encoder does not answer any more.</source>
+        <translation>Der Geber antwortet nicht mehr.</translation>
+    </message>
+    <message>
+        <source>The encoder answers at %1.</source>
+        <translation>Der Geber antwortet auf %1.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a device on INTERBUS: it cannot be one on a serial line.</source>
+        <translation>&quot;%1&quot; ist ein Gerät am INTERBUS: Es kann keines an einer seriellen Leitung sein.</translation>
+    </message>
+    <message>
+        <source>%1 is a place on INTERBUS, and the link is a serial line. Give the address of an encoder as two hexadecimal digits, as 05.</source>
+        <translation>%1 ist ein Platz am INTERBUS, und die Verbindung ist eine serielle Leitung. Die Adresse eines Gebers als zwei Hexziffern angeben, wie 05.</translation>
+    </message>
+    <message>
+        <source>Requests: %1. Answers: %2. Time-outs: %3. Retries: %4. Not answered: %5. Garbage bytes: %6. Late bytes: %7.</source>
+        <translation>Anfragen: %1. Antworten: %2. Zeitüberschreitungen: %3. Wiederholungen: %4. Unbeantwortet: %5. Störbytes: %6. Verspätete Bytes: %7.</translation>
+    </message>
+    <message>
+        <source>Answer time: %1 ms (median; shortest %2, longest %3).</source>
+        <translation>Antwortzeit: %1 ms (Median; kürzeste %2, längste %3).</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no format of a serial line. Give data bits (7, 8), parity (N, E, O) and stop bits (1, 2), as 8N2.</source>
+        <translation>&quot;%1&quot; ist kein Format einer seriellen Leitung. Datenbits (7, 8), Parität (N, E, O) und Stoppbits (1, 2) angeben, wie 8N2.</translation>
+    </message>
+    <message>
+        <source>A serial line has no setting &quot;%1&quot;. Its settings are: %2. Write them behind the port, as esc:ttyUSB0,baud=9600.</source>
+        <translation>Eine serielle Leitung hat keine Einstellung &quot;%1&quot;. Ihre Einstellungen sind: %2. Sie stehen hinter dem Anschluss, wie esc:ttyUSB0,baud=9600.</translation>
+    </message>
+    <message>
+        <source>The setting %1 of the line cannot be &quot;%2&quot;. Give a whole number from %3 to %4.</source>
+        <translation>Die Einstellung %1 der Leitung kann nicht &quot;%2&quot; sein. Eine ganze Zahl von %3 bis %4 angeben.</translation>
+    </message>
+    <message>
+        <source>Name the port of the serial line, as --link esc:ttyUSB0. %1</source>
+        <translation>Den Anschluss der seriellen Leitung nennen, wie --link esc:ttyUSB0. %1</translation>
+    </message>
+    <message>
+        <source>There is no project with the port of a serial line. Name one that has it with --project FILE, or the port, as --link esc:ttyUSB0.</source>
+        <translation>Es gibt kein Projekt mit dem Anschluss einer seriellen Leitung. Eines mit --project DATEI nennen, das ihn hat, oder den Anschluss, wie --link esc:ttyUSB0.</translation>
+    </message>
+    <message>
+        <source>There is no link &quot;%1&quot;. The links are: training, the simulated bus, and esc:PORT, a serial line with Kübler encoders, as esc:ttyUSB0.</source>
+        <translation>Es gibt keine Verbindung &quot;%1&quot;. Die Verbindungen sind: training, der simulierte Bus, und esc:ANSCHLUSS, eine serielle Leitung mit Kübler-Gebern, wie esc:ttyUSB0.</translation>
+    </message>
+    <message>
+        <source>The ports there are: %1.</source>
+        <translation>Vorhandene Anschlüsse: %1.</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <source>meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>an encoder with the serial number %1</source>
+        <translation>ein Geber mit der Seriennummer %1</translation>
+    </message>
+    <message>
+        <source>The encoder is at %1 now: PLACE %2.</source>
+        <translation>Der Geber ist jetzt bei %1: PLATZ %2.</translation>
+    </message>
+    <message>
+        <source>The encoder has %1 Bd now: give the link as ...,baud=%1.</source>
+        <translation>Der Geber hat jetzt %1 Bd: Die Verbindung als ...,baud=%1 angeben.</translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation>antwortet nicht</translation>
+    </message>
+    <message>
+        <source>suspect: asked for again</source>
+        <translation>verdächtig: noch einmal abgefragt</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>alarms and warnings</source>
+        <translation>Alarme und Warnungen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a station on INTERBUS, and the link is a serial line. Give the address of an encoder as two hexadecimal digits, as 05.</source>
+        <translation>&quot;%1&quot; ist eine Station am INTERBUS, und die Verbindung ist eine serielle Leitung. Die Adresse eines Gebers als zwei Hexziffern angeben, wie 05.</translation>
+    </message>
+    <message>
+        <source>The last address, %1, lies before the first, %2.</source>
+        <translation>Die letzte Adresse, %1, liegt vor der ersten, %2.</translation>
+    </message>
+    <message>
+        <source>Addresses asked: %1 of %2. Encoders found: %3.</source>
+        <translation>Gefragte Adressen: %1 von %2. Gefundene Geber: %3.</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>master</source>
+        <translation>Master</translation>
+    </message>
+    <message>
+        <source>No encoder answers. Check baud rate (--all-rates), wiring and supply; an RS-422 encoder also needs ST (pin 7) at +UB.</source>
+        <translation>Kein Geber antwortet. Baudrate (--all-rates), Verdrahtung und Versorgung prüfen; ein RS-422-Geber braucht auch ST (Pin 7) an +UB.</translation>
+    </message>
+    <message>
+        <source>The search was cancelled: what was found until then is listed.</source>
+        <translation>Die Suche wurde abgebrochen: Aufgelistet ist, was bis dahin gefunden war.</translation>
+    </message>
+    <message>
+        <source>serial line: at 19200, 9600 and 4800 Bd, not at that of the link alone</source>
+        <translation>serielle Leitung: mit 19200, 9600 und 4800 Bd, nicht nur mit der Rate der Verbindung</translation>
+    </message>
+    <message>
+        <source>serial line: ask at the master address first, where one encoder is alone</source>
+        <translation>serielle Leitung: zuerst an der Masteradresse fragen, wo ein Geber allein ist</translation>
+    </message>
+    <message>
+        <source>serial line: the first address asked (01)</source>
+        <translation>serielle Leitung: die erste gefragte Adresse (01)</translation>
+    </message>
+    <message>
+        <source>serial line: the last address asked (1F)</source>
+        <translation>serielle Leitung: die letzte gefragte Adresse (1F)</translation>
+    </message>
+    <message>
+        <source>This works with encoders on INTERBUS only. Use codewheel-cli read and write for an encoder on a serial line.</source>
+        <translation>Das geht nur mit Gebern am INTERBUS. Für einen Geber an einer seriellen Leitung codewheel-cli read und write verwenden.</translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>The scaling factor is computed from them: they act once it is sent.</source>
+        <translation>Der Skalierungsfaktor wird daraus berechnet: Sie wirken, sobald er gesendet ist.</translation>
+    </message>
+    <message>
+        <source>Each command is sent once, and what was written is read back.</source>
+        <translation>Jeder Befehl wird einmal gesendet, und Geschriebenes wird zurückgelesen.</translation>
     </message>
 </context>
 <context>
@@ -6686,14 +6988,6 @@ es verlassen wird.</translation>
         <translation>Schritte des Handshakes</translation>
     </message>
     <message>
-        <source>Sends the word of the next step.</source>
-        <translation>Sendet das Wort des nächsten Schritts.</translation>
-    </message>
-    <message>
-        <source>The remaining words follow each other as the encoder confirms them.</source>
-        <translation>Die übrigen Worte folgen einander, sobald der Geber sie quittiert.</translation>
-    </message>
-    <message>
         <source>Sends run: what the encoder has taken becomes valid, if it accepts it.</source>
         <translation>Sendet Run: Was der Geber übernommen hat, wird gültig, wenn er es annimmt.</translation>
     </message>
@@ -6768,6 +7062,14 @@ es verlassen wird.</translation>
     <message>
         <source>Takes the service bit back: the encoder shows its position again.</source>
         <translation>Nimmt das Dienst-Bit zurück: Der Geber zeigt wieder seine Position.</translation>
+    </message>
+    <message>
+        <source>Sends the next step.</source>
+        <translation>Sendet den nächsten Schritt.</translation>
+    </message>
+    <message>
+        <source>The remaining steps follow each other as the encoder confirms them.</source>
+        <translation>Die übrigen Schritte folgen einander, wie der Geber sie bestätigt.</translation>
     </message>
 </context>
 <context>
@@ -7152,6 +7454,14 @@ es verlassen wird.</translation>
         <source>%1, from its label:</source>
         <translation>%1, vom Typenschild:</translation>
     </message>
+    <message>
+        <source>Reads all values.</source>
+        <translation>Liest alle Werte.</translation>
+    </message>
+    <message>
+        <source>Reading sends requests, which change nothing.</source>
+        <translation>Auslesen sendet Anfragen, die nichts ändern.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::KnownTable</name>
@@ -7243,6 +7553,312 @@ es verlassen wird.</translation>
     <message>
         <source>LEDs: %1</source>
         <translation>LEDs: %1</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LineBranch</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>station, device</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Serial line (%1)</source>
+        <translation>Serielle Leitung (%1)</translation>
+    </message>
+    <message>
+        <source>Serial line</source>
+        <translation>Serielle Leitung</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nicht verbunden</translation>
+    </message>
+    <message>
+        <source>port is gone</source>
+        <translation>Anschluss ist weg</translation>
+    </message>
+    <message>
+        <source>searching</source>
+        <translation>sucht</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>not reachable</source>
+        <translation>nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>job running</source>
+        <translation>Auftrag läuft</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>antwortet nicht</translation>
+    </message>
+    <message>
+        <source>not seen yet</source>
+        <translation>noch nicht gesehen</translation>
+    </message>
+    <message>
+        <source>alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>suspect position</source>
+        <translation>verdächtige Position</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>ok</translation>
+    </message>
+    <message>
+        <source>%1, %2 Bd
+State: %3
+Answers: %4, time-outs: %5</source>
+        <translation>%1, %2 Bd
+Zustand: %3
+Antworten: %4, Zeitüberschreitungen: %5</translation>
+    </message>
+    <message>
+        <source>%1  %2
+Address %3
+State: %4</source>
+        <translation>%1  %2
+Adresse %3
+Zustand: %4</translation>
+    </message>
+    <message>
+        <source>Position %1</source>
+        <translation>Position %1</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LineEncoderBox</name>
+    <message>
+        <source>Raw position</source>
+        <translation>Rohposition</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Eingeschaltet</translation>
+    </message>
+    <message>
+        <source>Supply of the encoder; it keeps what was written</source>
+        <translation>Versorgung des Gebers; Geschriebenes behält er</translation>
+    </message>
+    <message>
+        <source>Silent</source>
+        <translation>Stumm</translation>
+    </message>
+    <message>
+        <source>It hears and acts, and says nothing</source>
+        <translation>Er hört und handelt, sagt aber nichts</translation>
+    </message>
+    <message>
+        <source>Battery nearly flat</source>
+        <translation>Batterie fast leer</translation>
+    </message>
+    <message>
+        <source>Warning: soon to be changed</source>
+        <translation>Warnung: bald zu wechseln</translation>
+    </message>
+    <message>
+        <source>Battery flat</source>
+        <translation>Batterie leer</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>Too hot</source>
+        <translation>Zu heiß</translation>
+    </message>
+    <message>
+        <source>Alarm: temperature exceeded</source>
+        <translation>Alarm: Temperatur überschritten</translation>
+    </message>
+    <message>
+        <source>Light control at its end</source>
+        <translation>Lichtregelung am Ende</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Positionsfehler</translation>
+    </message>
+    <message>
+        <source>VR at +UB</source>
+        <translation>VR an +UB</translation>
+    </message>
+    <message>
+        <source>The input makes the values fall</source>
+        <translation>Der Eingang lässt die Werte fallen</translation>
+    </message>
+    <message>
+        <source>ST open</source>
+        <translation>ST offen</translation>
+    </message>
+    <message>
+        <source>RS-422: without +UB at ST no command works</source>
+        <translation>RS-422: Ohne +UB an ST wirkt kein Befehl</translation>
+    </message>
+    <message>
+        <source>Speed in revolutions per minute</source>
+        <translation>Drehzahl in Umdrehungen pro Minute</translation>
+    </message>
+    <message>
+        <source>Revolutions per minute; positive is clockwise, looking at the shaft</source>
+        <translation>Umdrehungen pro Minute; positiv ist rechtsherum, auf die Welle gesehen</translation>
+    </message>
+    <message>
+        <source>Stop the shaft</source>
+        <translation>Welle anhalten</translation>
+    </message>
+    <message>
+        <source>Speed, rpm</source>
+        <translation>Drehzahl, U/min</translation>
+    </message>
+    <message>
+        <source>Speed %1 rpm.</source>
+        <translation>Drehzahl %1 U/min.</translation>
+    </message>
+    <message>
+        <source>%1: yes.</source>
+        <translation>%1: ja.</translation>
+    </message>
+    <message>
+        <source>%1: no.</source>
+        <translation>%1: nein.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LineFaultsBox</name>
+    <message>
+        <source>Lost bytes</source>
+        <translation>Verlorene Bytes</translation>
+    </message>
+    <message>
+        <source>Of 1000 bytes, both ways; they never arrive</source>
+        <translation>Von 1000 Bytes, in beiden Richtungen; sie kommen nie an</translation>
+    </message>
+    <message>
+        <source>Lost bytes: %1 of 1000.</source>
+        <translation>Verlorene Bytes: %1 von 1000.</translation>
+    </message>
+    <message>
+        <source>Wrong bytes</source>
+        <translation>Falsche Bytes</translation>
+    </message>
+    <message>
+        <source>Of 1000 bytes, both ways; one bit is another</source>
+        <translation>Von 1000 Bytes, in beiden Richtungen; ein Bit ist ein anderes</translation>
+    </message>
+    <message>
+        <source>Wrong bytes: %1 of 1000.</source>
+        <translation>Falsche Bytes: %1 von 1000.</translation>
+    </message>
+    <message>
+        <source>Doubled bytes</source>
+        <translation>Doppelte Bytes</translation>
+    </message>
+    <message>
+        <source>Of 1000 bytes, both ways; they arrive twice</source>
+        <translation>Von 1000 Bytes, in beiden Richtungen; sie kommen zweimal an</translation>
+    </message>
+    <message>
+        <source>Doubled bytes: %1 of 1000.</source>
+        <translation>Doppelte Bytes: %1 von 1000.</translation>
+    </message>
+    <message>
+        <source>Delayed bytes</source>
+        <translation>Verzögerte Bytes</translation>
+    </message>
+    <message>
+        <source>Of 1000 bytes, both ways; they and all behind them come later</source>
+        <translation>Von 1000 Bytes, in beiden Richtungen; sie und alle dahinter kommen später</translation>
+    </message>
+    <message>
+        <source>Delayed bytes: %1 of 1000.</source>
+        <translation>Verzögerte Bytes: %1 von 1000.</translation>
+    </message>
+    <message>
+        <source>Echo</source>
+        <translation>Echo</translation>
+    </message>
+    <message>
+        <source>The adapter hears what it sends: half duplex, as RS-485 may do</source>
+        <translation>Der Adapter hört, was er sendet: halbduplex, wie es bei RS-485 sein kann</translation>
+    </message>
+    <message>
+        <source>All encoders silent</source>
+        <translation>Alle Geber stumm</translation>
+    </message>
+    <message>
+        <source>They hear and act, and say nothing</source>
+        <translation>Sie hören und handeln, sagen aber nichts</translation>
+    </message>
+    <message>
+        <source>Adapter unplugged</source>
+        <translation>Adapter abgezogen</translation>
+    </message>
+    <message>
+        <source>The port is gone until it is plugged in again</source>
+        <translation>Der Anschluss ist weg, bis er wieder eingesteckt ist</translation>
+    </message>
+    <message>
+        <source>%1, of 1000</source>
+        <translation>%1, von 1000</translation>
+    </message>
+    <message>
+        <source>Delay in ms</source>
+        <translation>Verzögerung in ms</translation>
+    </message>
+    <message>
+        <source>How much later a delayed byte comes, in ms</source>
+        <translation>Wie viel später ein verzögertes Byte kommt, in ms</translation>
+    </message>
+    <message>
+        <source>Delay, ms</source>
+        <translation>Verzögerung, ms</translation>
+    </message>
+    <message>
+        <source>Echo on.</source>
+        <translation>Echo ein.</translation>
+    </message>
+    <message>
+        <source>Echo off.</source>
+        <translation>Echo aus.</translation>
+    </message>
+    <message>
+        <source>All encoders silent.</source>
+        <translation>Alle Geber stumm.</translation>
+    </message>
+    <message>
+        <source>All encoders answer.</source>
+        <translation>Alle Geber antworten.</translation>
+    </message>
+    <message>
+        <source>Adapter unplugged.</source>
+        <translation>Adapter abgezogen.</translation>
+    </message>
+    <message>
+        <source>Adapter plugged in.</source>
+        <translation>Adapter eingesteckt.</translation>
     </message>
 </context>
 <context>
@@ -7374,6 +7990,36 @@ es verlassen wird.</translation>
         <source>%1 rows of the terminal were lost: the window was busy for too long.</source>
         <translation>%1 Zeilen des Terminals gingen verloren: Das Fenster war zu lange beschäftigt.</translation>
     </message>
+    <message>
+        <source>granted</source>
+        <comment>low latency, by the adapter</comment>
+        <translation>gewährt</translation>
+    </message>
+    <message>
+        <source>refused by the adapter: answers may come up to 16 ms later</source>
+        <translation>vom Adapter abgelehnt: Antworten können bis zu 16 ms später kommen</translation>
+    </message>
+    <message>
+        <source>not asked for</source>
+        <comment>low latency</comment>
+        <translation>nicht verlangt</translation>
+    </message>
+    <message>
+        <source>no adapter to be asked</source>
+        <translation>kein Adapter da</translation>
+    </message>
+    <message>
+        <source>Low latency</source>
+        <translation>Kurze Latenz</translation>
+    </message>
+    <message>
+        <source>Whether the adapter hands over bytes at once. Where it does not, time-outs are longer, and positions come more slowly</source>
+        <translation>Ob der Adapter Bytes sofort weitergibt. Tut er es nicht, sind die Zeitgrenzen länger, und Positionen kommen langsamer</translation>
+    </message>
+    <message>
+        <source>Another adapter is plugged in</source>
+        <translation>Ein anderer Adapter ist eingesteckt</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LineRecordView</name>
@@ -7493,28 +8139,28 @@ es verlassen wird.</translation>
 <context>
     <name>codewheel::LineRowOptions</name>
     <message>
-        <source>Hide position &amp;polls</source>
-        <translation>&amp;Positionsabfragen ausblenden</translation>
-    </message>
-    <message>
         <source>Leaves out the position requests of the polling and their answers. They are kept, and shown again when this is cleared.</source>
         <translation>Lässt die Positionsanfragen der Abfrage und ihre Antworten weg. Sie bleiben erhalten und erscheinen wieder, wenn dies abgewählt wird.</translation>
-    </message>
-    <message>
-        <source>&amp;Text</source>
-        <translation>&amp;Text</translation>
     </message>
     <message>
         <source>Shows the bytes as text, control characters as pictures</source>
         <translation>Zeigt die Bytes als Text, Steuerzeichen als Bilder</translation>
     </message>
     <message>
-        <source>He&amp;x</source>
-        <translation>He&amp;x</translation>
-    </message>
-    <message>
         <source>Shows the bytes as hexadecimal numbers</source>
         <translation>Zeigt die Bytes als Hexzahlen</translation>
+    </message>
+    <message>
+        <source>Hide position polls</source>
+        <translation>Positionsabfragen ausblenden</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Hex</source>
+        <translation>Hex</translation>
     </message>
 </context>
 <context>
@@ -7663,6 +8309,18 @@ es verlassen wird.</translation>
     <message>
         <source>The serial line is not open. Connect it first.</source>
         <translation>Die serielle Leitung ist nicht offen. Zuerst verbinden.</translation>
+    </message>
+    <message>
+        <source>Kind of encoder</source>
+        <translation>Art des Gebers</translation>
+    </message>
+    <message>
+        <source>As which encoder those that are ticked are taken over: they do not tell whether they have RS-422 or RS-485</source>
+        <translation>Als welche Geber die angekreuzten übernommen werden: Sie sagen nicht, ob sie RS-422 oder RS-485 haben</translation>
+    </message>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>Ar&amp;t</translation>
     </message>
 </context>
 <context>
@@ -7824,6 +8482,26 @@ es verlassen wird.</translation>
         <source>The baud rate is a number from 1 to 10000000.</source>
         <translation>Die Baudrate ist eine Zahl von 1 bis 10000000.</translation>
     </message>
+    <message>
+        <source>&amp;Low latency</source>
+        <translation>&amp;Kurze Latenz</translation>
+    </message>
+    <message>
+        <source>Asks the adapter to hand over bytes at once. Many collect them for up to 16 ms (Alt+L)</source>
+        <translation>Bittet den Adapter, Bytes sofort weiterzugeben. Viele sammeln sie bis zu 16 ms (Alt+K)</translation>
+    </message>
+    <message>
+        <source>Fraction bits of the scaling factor</source>
+        <translation>Nachkommabits des Skalierungsfaktors</translation>
+    </message>
+    <message>
+        <source>&amp;Determine</source>
+        <translation>&amp;Bestimmen</translation>
+    </message>
+    <message>
+        <source>Reads scaling factor, steps per turn and measuring range of an encoder of the line, and takes the format that fits. Nothing is written (Alt+D)</source>
+        <translation>Liest Skalierungsfaktor, Schritte je Umdrehung und Messbereich eines Gebers der Leitung und nimmt das Format, das passt. Nichts wird geschrieben (Alt+B)</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LineTerminal</name>
@@ -7912,10 +8590,6 @@ es verlassen wird.</translation>
         <translation>Was über die Leitung ging</translation>
     </message>
     <message>
-        <source>&amp;Send</source>
-        <translation>&amp;Senden</translation>
-    </message>
-    <message>
         <source>Line terminal</source>
         <translation>Leitungsterminal</translation>
     </message>
@@ -7984,16 +8658,39 @@ es verlassen wird.</translation>
         <translation>Alle Zeilen entfernen</translation>
     </message>
     <message>
-        <source>Re&amp;quest</source>
-        <translation>An&amp;frage</translation>
-    </message>
-    <message>
         <source>Request to send</source>
         <translation>Anfrage zum Senden</translation>
     </message>
     <message>
         <source>Send the request</source>
         <translation>Die Anfrage senden</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Senden</translation>
+    </message>
+    <message>
+        <source>Request</source>
+        <translation>Anfrage</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LineViews</name>
+    <message>
+        <source>Serial line</source>
+        <translation>Serielle Leitung</translation>
+    </message>
+    <message>
+        <source>&amp;Use this adapter</source>
+        <translation>Diesen Adapter &amp;benutzen</translation>
+    </message>
+    <message>
+        <source>Encoders of the serial line</source>
+        <translation>Geber der seriellen Leitung</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
     </message>
 </context>
 <context>
@@ -8069,6 +8766,14 @@ es verlassen wird.</translation>
     <message>
         <source>All keys, by the part of the window in which they work</source>
         <translation>Alle Tasten, nach dem Teil des Fensters, in dem sie wirken</translation>
+    </message>
+    <message>
+        <source>Line terminal</source>
+        <translation>Leitungsterminal</translation>
+    </message>
+    <message>
+        <source>Serial line</source>
+        <translation>Serielle Leitung</translation>
     </message>
 </context>
 <context>
@@ -8576,6 +9281,10 @@ es verlassen wird.</translation>
         <source>%1 has no words to show: it takes no part in the process data.</source>
         <translation>%1 hat keine Worte zu zeigen: Er nimmt an den Prozessdaten nicht teil.</translation>
     </message>
+    <message>
+        <source>%1 is on a serial line and has no words: its position stands in the panels, what passes on the line in the terminal.</source>
+        <translation>%1 ist an einer seriellen Leitung und hat keine Worte: Seine Position steht in den Feldern, was über die Leitung geht, im Terminal.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::NamingBar</name>
@@ -9012,10 +9721,6 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
         <translation>&amp;Setzen</translation>
     </message>
     <message>
-        <source>Sends service 6 with this position; it holds at once, and costs an EEPROM write.</source>
-        <translation>Sendet Dienst 6 mit dieser Position; sie gilt sofort und kostet einen EEPROM-Schreibvorgang.</translation>
-    </message>
-    <message>
         <source>End the service</source>
         <translation>Dienst beenden</translation>
     </message>
@@ -9070,12 +9775,12 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
         <translation>%1 von %2  %3</translation>
     </message>
     <message>
-        <source>Sends the words above to the encoder.</source>
-        <translation>Sendet die Worte oben an den Geber.</translation>
-    </message>
-    <message>
         <source>To the next page.</source>
         <translation>Zur nächsten Seite.</translation>
+    </message>
+    <message>
+        <source>Sends the steps above to the encoder.</source>
+        <translation>Sendet die Schritte oben an den Geber.</translation>
     </message>
 </context>
 <context>
@@ -9249,6 +9954,17 @@ ID-Code %3, Gerätecode %4
     <message>
         <source>nothing</source>
         <translation>nichts</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::PositionToSet</name>
+    <message>
+        <source>Sends GP with this position; it holds at once, and costs an EEPROM write.</source>
+        <translation>Sendet GP mit dieser Position; sie gilt sofort und kostet einen EEPROM-Schreibvorgang.</translation>
+    </message>
+    <message>
+        <source>Sends service 6 with this position; it holds at once, and costs an EEPROM write.</source>
+        <translation>Sendet Service 6 mit dieser Position; sie gilt sofort und kostet einen EEPROM-Schreibvorgang.</translation>
     </message>
 </context>
 <context>
@@ -9684,6 +10400,10 @@ ID-Code %3, Gerätecode %4
     <message>
         <source>The encoder has not been away since: it may still be the one before</source>
         <translation>Der Geber war seither nicht weg: Es kann noch der vorige sein</translation>
+    </message>
+    <message>
+        <source>The position the encoder before showed last</source>
+        <translation>Die Position, die der vorige Geber zuletzt zeigte</translation>
     </message>
 </context>
 <context>
@@ -10306,14 +11026,6 @@ ID-Code %3, Gerätecode %4
         <translation>Jedes Schreiben kostet das EEPROM des Gebers einen seiner Schreibvorgänge.</translation>
     </message>
     <message>
-        <source>Each word waits until you press Next step.</source>
-        <translation>Jedes Wort wartet auf &quot;Nächster Schritt&quot;.</translation>
-    </message>
-    <message>
-        <source>The words follow each other as the encoder confirms them.</source>
-        <translation>Die Worte folgen einander, sobald der Geber sie quittiert.</translation>
-    </message>
-    <message>
         <source>Words that will be sent, in this order:</source>
         <translation>Worte, die gesendet werden, in dieser Folge:</translation>
     </message>
@@ -10368,6 +11080,18 @@ ID-Code %3, Gerätecode %4
     <message>
         <source>The encoder is in cam mode, which refuses parameters. Switch it to position mode first, with the functions of the parameter panel.</source>
         <translation>Der Geber ist im Nockenbetrieb, der Parameter ablehnt. Erst mit den Funktionen des Parameterfelds in den Positionsbetrieb schalten.</translation>
+    </message>
+    <message>
+        <source>Each step waits until you press Next step.</source>
+        <translation>Jeder Schritt wartet, bis Sie Nächster Schritt drücken.</translation>
+    </message>
+    <message>
+        <source>The steps follow each other as the encoder confirms them.</source>
+        <translation>Die Schritte folgen einander, wie der Geber sie bestätigt.</translation>
+    </message>
+    <message>
+        <source>Requests that will be sent, in this order:</source>
+        <translation>Anfragen, die gesendet werden, in dieser Folge:</translation>
     </message>
 </context>
 <context>
@@ -10920,6 +11644,18 @@ ID-Code %3, Gerätecode %4
         <source>Send the words to %1 one after the other, each until it is acknowledged</source>
         <translation>Die Worte nacheinander an %1 senden, jedes bis zur Bestätigung</translation>
     </message>
+    <message>
+        <source>%1 is on a serial line</source>
+        <translation>%1 ist an einer seriellen Leitung</translation>
+    </message>
+    <message>
+        <source>It takes requests instead of words. Type them in the terminal.</source>
+        <translation>Er nimmt Anfragen statt Worten. Sie werden im Terminal eingetippt.</translation>
+    </message>
+    <message>
+        <source>Open the terminal</source>
+        <translation>Terminal öffnen</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ShaftConsequences</name>
@@ -11158,6 +11894,20 @@ ID-Code %3, Gerätecode %4
         <comment>place, make: writes</comment>
         <translation>%1 %2: %3</translation>
     </message>
+    <message>
+        <source>%1: port is gone</source>
+        <comment>serial port</comment>
+        <translation>%1: Anschluss ist weg</translation>
+    </message>
+    <message>
+        <source>%1, %2 Bd, %3 of %4 answer</source>
+        <comment>serial port, baud rate, encoders</comment>
+        <translation>%1, %2 Bd, %3 von %4 antworten</translation>
+    </message>
+    <message>
+        <source>Serial line: %1 answers, %2 time-outs, %3 garbage bytes</source>
+        <translation>Serielle Leitung: %1 Antworten, %2 Zeitüberschreitungen, %3 Störbytes</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::StepList</name>
@@ -11239,6 +11989,10 @@ ID-Code %3, Gerätecode %4
     <message>
         <source>Send %1</source>
         <translation>%1 senden</translation>
+    </message>
+    <message>
+        <source>Request</source>
+        <translation>Anfrage</translation>
     </message>
 </context>
 <context>
@@ -11502,11 +12256,6 @@ Zustand: %7</translation>
         <translation>geplant</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <comment>station, device</comment>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>not in the ring</source>
         <translation>nicht im Ring</translation>
     </message>
@@ -11517,6 +12266,10 @@ Zustand: %7</translation>
     <message>
         <source>silent</source>
         <translation>antwortet nicht</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
     </message>
 </context>
 <context>
@@ -11673,6 +12426,18 @@ Zustand: %7</translation>
         <comment>file, reason</comment>
         <translation>%1 wurde nicht geschrieben: %2</translation>
     </message>
+    <message>
+        <source>%1 is on a serial line</source>
+        <translation>%1 ist an einer seriellen Leitung</translation>
+    </message>
+    <message>
+        <source>It has no words. What passes on its line stands in the terminal.</source>
+        <translation>Er hat keine Worte. Was über seine Leitung geht, steht im Terminal.</translation>
+    </message>
+    <message>
+        <source>Open the terminal</source>
+        <translation>Terminal öffnen</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TrainingPanel</name>
@@ -11799,6 +12564,10 @@ Zustand: %7</translation>
     <message>
         <source>Device</source>
         <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Serial line</source>
+        <translation>Serielle Leitung</translation>
     </message>
 </context>
 <context>
@@ -12474,6 +13243,10 @@ Zustand: %7</translation>
         <source>After the values, service 6 makes the place where the magnet stands this position.</source>
         <translation>Nach den Werten macht Dienst 6 den Ort des Magneten zu dieser Position.</translation>
     </message>
+    <message>
+        <source>After the values, GP makes the place where the shaft stands this position.</source>
+        <translation>Nach den Werten macht GP die Stelle, an der die Welle steht, zu dieser Position.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::WantedValues</name>
@@ -12555,10 +13328,6 @@ Zustand: %7</translation>
     <message>
         <source>&amp;ALARM STOP whole ring</source>
         <translation>&amp;ALARM-STOPP ganzer Ring</translation>
-    </message>
-    <message>
-        <source>Sets all OUT words of the whole ring to 0, at once</source>
-        <translation>Setzt alle OUT-Worte des ganzen Rings sofort auf 0</translation>
     </message>
     <message>
         <source>&amp;Device</source>
@@ -12871,6 +13640,74 @@ Zustand: %7</translation>
     <message>
         <source>Takes the segment of the chosen device, and what is behind it, out of the data cycles, after asking, or puts it back. Needs Operate.</source>
         <translation>Nimmt das Segment des gewählten Geräts mit allem dahinter nach einer Rückfrage aus den Datenzyklen oder setzt es wieder ein. Braucht Bedienen.</translation>
+    </message>
+    <message>
+        <source>Sets all OUT words of the whole ring to 0, and ends what is on its way on the serial line, at once</source>
+        <translation>Setzt alle OUT-Worte des ganzen Rings auf 0 und beendet, was auf der seriellen Leitung unterwegs ist, sofort</translation>
+    </message>
+    <message>
+        <source>Serial &amp;line</source>
+        <translation>Serielle &amp;Leitung</translation>
+    </message>
+    <message>
+        <source>&amp;Port and settings...</source>
+        <translation>&amp;Anschluss und Einstellungen...</translation>
+    </message>
+    <message>
+        <source>Connects a serial port; nothing is written</source>
+        <translation>Verbindet einen seriellen Anschluss; nichts wird geschrieben</translation>
+    </message>
+    <message>
+        <source>&amp;Search for encoders...</source>
+        <translation>Geber &amp;suchen...</translation>
+    </message>
+    <message>
+        <source>Asks one address after the other; nothing is written</source>
+        <translation>Fragt eine Adresse nach der anderen; nichts wird geschrieben</translation>
+    </message>
+    <message>
+        <source>&amp;Terminal</source>
+        <translation>&amp;Terminal</translation>
+    </message>
+    <message>
+        <source>Shows what passes on the line, and sends what you type</source>
+        <translation>Zeigt, was über die Leitung geht, und sendet, was Sie eintippen</translation>
+    </message>
+    <message>
+        <source>&amp;Figures of the line</source>
+        <translation>&amp;Zahlen der Leitung</translation>
+    </message>
+    <message>
+        <source>Port, state, answers and time-outs of the line</source>
+        <translation>Anschluss, Zustand, Antworten und Zeitüberschreitungen der Leitung</translation>
+    </message>
+    <message>
+        <source>T&amp;raining line</source>
+        <translation>Ü&amp;bungsleitung</translation>
+    </message>
+    <message>
+        <source>Three simulated encoders, in place of a port</source>
+        <translation>Drei simulierte Geber anstelle eines Anschlusses</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect the line</source>
+        <translation>Leitung t&amp;rennen</translation>
+    </message>
+    <message>
+        <source>Closes the serial line</source>
+        <translation>Schließt die serielle Leitung</translation>
+    </message>
+    <message>
+        <source>Remove from the serial &amp;line</source>
+        <translation>Aus der seriellen &amp;Leitung nehmen</translation>
+    </message>
+    <message>
+        <source>The encoder is not asked any more; what it has stays as it is</source>
+        <translation>Der Geber wird nicht mehr abgefragt; was er hat, bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>For encoders on the serial line</source>
+        <translation>Für Geber an der seriellen Leitung</translation>
     </message>
 </context>
 <context>
