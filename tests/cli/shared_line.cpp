@@ -4,8 +4,10 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/line_access.h"
+#include "cli/stop_signals.h"
 #include "simulator/simulated_line_link.h"
 
+#include <csignal>
 #include <gtest/gtest.h>
 
 namespace codewheel {
@@ -57,11 +59,20 @@ CliRun SharedLine::runLine(const QString &line, const Person &person)
     }
     const auto link = linkMeant(arguments->value("--link").value_or(QStringLiteral("esc:training")));
     EXPECT_TRUE(link) << line.toStdString();
-    return runWith(person, [&](const Terminal &terminal) {
+    StopSignals held; // so that Ctrl+C is for the command alone
+    CliRun run = runWith(person, [&](const Terminal &terminal) {
         LineAccess access(std::make_unique<CutLink>(m_line, m_cut), link->line, m_catalog);
         access.keepLedger(arguments->value("--ledger"));
         return runCommand(*command, *arguments, m_catalog, {.line = &access}, terminal);
     });
+    while (held.came()) {
+    }
+    return run;
+}
+
+void SharedLine::interruptAfter(const QByteArray &request)
+{
+    m_cut = {request, [](SimulatedLine &) { std::raise(SIGINT); }};
 }
 
 EscRegisters SharedLine::registers(std::uint8_t address)

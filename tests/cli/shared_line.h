@@ -33,6 +33,9 @@ public:
         m_cut = {request, [](SimulatedLine &line) { line.setSilent(true); }};
     }
 
+    // Ctrl+C is pressed then.
+    void interruptAfter(const QByteArray &request);
+
     // What happens once a request that begins like this was sent.
     struct Cut
     {

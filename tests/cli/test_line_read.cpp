@@ -74,6 +74,15 @@ TEST(CliLineMonitor, PrintsWhatChangesAndHowTheLineHasDone)
     EXPECT_EQ(json[u"place"], QStringLiteral("esc:03"));
 }
 
+TEST(CliLineMonitor, CtrlCEndsItEarly)
+{
+    SharedLine line;
+    line.interruptAfter("03E"); // the warnings, once a second
+    const CliRun run = line.runLine(QStringLiteral("monitor 03 --for 60 --json"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_LT(run.json()[u"samples"].toArray().size(), 30);
+}
+
 TEST(CliLineMonitor, SaysWhenTheAdapterIsUnplugged)
 {
     SharedLine line;

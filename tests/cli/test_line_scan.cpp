@@ -103,6 +103,16 @@ TEST(CliLineScan, WhoSitsThereSeesItGoOn)
               std::string::npos);
 }
 
+TEST(CliLineScan, CtrlCEndsItWithWhatWasFound)
+{
+    SharedLine line;
+    line.interruptAfter("0AN");
+    const CliRun run = line.runLine(QStringLiteral("scan --json"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(errorKey(run), "scanCancelled");
+    EXPECT_THAT(addressesIn(run), ElementsAre("03", "05"));
+}
+
 TEST(CliLineScan, SavesNoProject)
 {
     SharedLine line;

@@ -145,6 +145,21 @@ TEST(CliLineWrite, AWriteOfASilentEncoderIsNotKnown)
     EXPECT_EQ(run.json()[u"eepromWrites"], 1);
 }
 
+TEST(CliLineWrite, AfterCtrlCNothingElseIsWrittenAndWhatWasIsRead)
+{
+    SharedLine line;
+    line.interruptAfter("05GD");
+    const CliRun run =
+        line.runLine(QStringLiteral("write 05 upper-limit=5000 direction=ccw lower-limit=10 --yes --json"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(errorKey(run), "cancelled");
+    EXPECT_EQ(fateOf(run.json(), "upper-limit"), "readBack");
+    EXPECT_EQ(fateOf(run.json(), "direction"), "readBack");
+    EXPECT_EQ(fateOf(run.json(), "lower-limit"), "notSent");
+    EXPECT_THAT(run.err, HasSubstr("The encoder answers at 05h (5)."));
+    EXPECT_EQ(line.registers(0x05).lowerLimit, 1U);
+}
+
 TEST(CliLinePreset, SetsThePositionAtOnce)
 {
     SharedLine line;
