@@ -78,6 +78,9 @@ QWidget *settingsAtWork(TrainingWindow &shown)
     auto *form = shown.window().findChild<LineSettingsForm *>();
     form->setPorts(
         {{QStringLiteral("/dev/ttyUSB0"), QStringLiteral("FT232R USB UART"), QStringLiteral("A50285BI")}});
+    LineWish wish;
+    wish.port = QStringLiteral("/dev/ttyUSB0"); // whatever ports this computer has
+    form->setWish(wish);
     shown.advance(whileMilliseconds);
     return form;
 }

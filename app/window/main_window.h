@@ -118,6 +118,7 @@ private:
     void connectViews();
     void makeLineViews(); // main_window_line.cpp
     void connectLine();
+    void makeRoomForTerminal();
     void leaveLine();
     void showLine();
     void showChosen();

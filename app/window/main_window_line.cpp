@@ -16,6 +16,7 @@
 #include "widgets/training/training_panel.h"
 
 #include <QAction>
+#include <QDockWidget>
 #include <QMenu>
 #include <QVBoxLayout>
 
@@ -38,6 +39,7 @@ void MainWindow::makeLineViews()
     m_lineViews = new LineViews(*m_line, m_project, m_settings, *m_leaving, m_actions, *m_pages, *notice);
     connect(m_lineViews, &LineViews::terminalRequested, this, [this] {
         showDock("terminalDock");
+        makeRoomForTerminal();
         m_lineViews->terminal().setFocus();
     });
     connect(m_lineViews, &LineViews::panelRequested, this, [this] {
@@ -50,6 +52,15 @@ void MainWindow::makeLineViews()
         if (const auto number = currentNumber(); number && number->isOnLine())
             m_lineViews->remove(*number);
     });
+}
+
+// So that some rows are seen; whoever has more room for it keeps that.
+void MainWindow::makeRoomForTerminal()
+{
+    auto *dock = findChild<QDockWidget *>(QStringLiteral("terminalDock"));
+    const int wanted = height() / 3;
+    if (!dock->isFloating() && dock->height() < wanted)
+        resizeDocks({dock}, {wanted}, Qt::Vertical);
 }
 
 void MainWindow::connectLine()

@@ -101,7 +101,7 @@ void arrangePanels(QMainWindow &window)
         panel->show();
 
     // In a low window, which is narrow as well, a monitor between them has to have its 16 bits in a row.
-    window.resizeDocks({panels.structure, panels.parameters}, {isLow ? 210 : 280, isLow ? 290 : 310},
+    window.resizeDocks({panels.structure, panels.parameters}, {isLow ? 210 : 370, isLow ? 290 : 310},
                        Qt::Horizontal);
     window.resizeDocks({isLow ? panels.structure : panels.parameters, panels.dial},
                        {isLow ? 300 : 430, isLow ? 240 : 300}, Qt::Vertical);

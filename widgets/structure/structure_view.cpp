@@ -123,6 +123,11 @@ int StructureView::widestPosition() const
     return m_tree->fontMetrics().horizontalAdvance(QLocale().toString(maxPosition)) + 2 * grid::margin;
 }
 
+int StructureView::roomForNames() const
+{
+    return narrowestName() + m_tree->fontMetrics().horizontalAdvance(QStringLiteral("FRABA OCD-IB"));
+}
+
 // The number of a device has its room.
 int StructureView::narrowestName() const
 {
@@ -135,7 +140,10 @@ void StructureView::fitColumns()
 {
     m_tree->resizeColumnToContents(StructureModel::deviceColumn);
     const int whole = m_tree->columnWidth(StructureModel::deviceColumn);
-    const int left = m_tree->viewport()->width() - m_tree->columnWidth(StructureModel::stateColumn);
+    int left = m_tree->viewport()->width() - m_tree->columnWidth(StructureModel::stateColumn);
+    const int beside = left - m_tree->columnWidth(StructureModel::positionColumn);
+    if (beside >= std::min(whole, roomForNames())) // the position is seen too where there is room
+        left = beside;
     m_tree->setColumnWidth(StructureModel::deviceColumn, std::min(whole, std::max(left, narrowestName())));
 }
 

@@ -56,6 +56,7 @@ protected:
 private:
     int narrowestName() const;
     int widestPosition() const;
+    int roomForNames() const;
     void fitColumns();
     void showWhetherEmpty();
     void askForMake();
