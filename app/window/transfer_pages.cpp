@@ -64,11 +64,16 @@ void TransferPages::showActions()
 {
     const EncoderSession *encoder = m_number ? m_bus.encoder(*m_number) : nullptr;
     const bool canBeWritten = encoder && encoder->can().writes;
-    const QString why = m_isOnlyPlanned ? tr("Not connected: nothing can be sent.")
-                        : !encoder      ? tr("No encoder is chosen.")
-                                        : refusalText({RefusalKind::notSupported,
-                                                       RefusalId::writingNotSupported,
-                                                       {encoder->device().fullName()}});
+    const bool onLine = m_number && m_number->isOnLine();
+    const QString why =
+        m_isOnlyPlanned ? tr("Not connected: nothing can be sent.")
+        : onLine        ? tr("%1 is on a serial line, and this is for the ring. Write its values with the "
+                                    "parameter panel or the wizard.")
+                       .arg(m_number->toString())
+        : !encoder ? tr("No encoder is chosen.")
+                   : refusalText({RefusalKind::notSupported,
+                                  RefusalId::writingNotSupported,
+                                  {encoder->device().fullName()}});
     m_actions.replaceEncoder->setEnabled(canBeWritten);
     describe(*m_actions.replaceEncoder,
              canBeWritten
