@@ -12883,6 +12883,10 @@ Zustand: %7</translation>
         <source>Not connected: nothing can be sent.</source>
         <translation>Nicht verbunden: Nichts lässt sich senden.</translation>
     </message>
+    <message>
+        <source>%1 is on a serial line, and this is for the ring. Write its values with the parameter panel or the wizard.</source>
+        <translation>%1 ist an einer seriellen Leitung, und dies ist für den Ring. Seine Werte mit dem Parameterfeld oder dem Assistenten schreiben.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TransferProgress</name>
