@@ -18,6 +18,9 @@ const QString englishFile = sourceFolder + QStringLiteral("/translations/codewhe
 // What engineers call by the same word in German. Add to it only what a German manual prints so.
 const QStringList sameInGerman{
     QStringLiteral("2 MBd"),
+    QStringLiteral("Alarm"),
+    QStringLiteral("Echo"),
+    QStringLiteral("&Terminal"),
     QStringLiteral("500 kBd"),
     QStringLiteral("ACTIVE"),
     QStringLiteral("Bit %1"),
@@ -88,9 +91,7 @@ const QStringList sameInGerman{
     QStringLiteral("%1 (%2)."),
     QStringLiteral("%1 Bd, %2"),
     QStringLiteral("%1 (OUT %2)"),
-    QStringLiteral("&Text"),
     QStringLiteral("Hex"),
-    QStringLiteral("He&x"),
     QStringLiteral("Text"),
     QStringLiteral("Version"),
 };
