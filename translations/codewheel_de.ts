@@ -8773,7 +8773,7 @@ Zustand: %4</translation>
     </message>
     <message>
         <source>Serial line</source>
-        <translation>Serielle Leitung</translation>
+        <translation>Leitung</translation>
     </message>
 </context>
 <context>

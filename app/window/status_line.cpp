@@ -10,7 +10,9 @@
 #include "widgets/look/role_label.h"
 #include "widgets/master/master_look.h"
 
+#include <QEvent>
 #include <QLabel>
+#include <QLayout>
 #include <QLocale>
 #include <QStatusBar>
 
@@ -18,6 +20,8 @@
 
 namespace codewheel {
 namespace {
+
+constexpr int narrowest = 320;
 
 QLabel *addLabel(QStatusBar &bar, const QString &name, const QString &toolTip)
 {
@@ -47,6 +51,7 @@ int crcErrorsOf(const MasterStatus &master)
 
 StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     : QObject(parent)
+    , m_bar(bar)
     , m_state(new RoleLabel(&bar))
     , m_mode(new RoleLabel(&bar))
     , m_cycle(addLabel(bar, tr("Cycle time"), tr("The time from one exchange of all words to the next")))
@@ -63,6 +68,8 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     m_state->setToolTip(tr("State of the master"));
     m_mode->setToolTip(tr("Watch: nothing is sent. Operate: writing is allowed."));
     bar.setSizeGripEnabled(false);
+    bar.setMinimumWidth(narrowest);
+    bar.installEventFilter(this);
     // Permanent, since the bar hides all others while it shows what the mouse or the focus is on.
     bar.addPermanentWidget(m_state);
     bar.addPermanentWidget(m_mode);
@@ -111,6 +118,30 @@ void StatusLine::setEncoder(EncoderSession *encoder)
     refresh();
 }
 
+bool StatusLine::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == &m_bar && (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest))
+        fit();
+    return QObject::eventFilter(watched, event);
+}
+
+// Leaves out as many as must be, those first that matter least while one works.
+void StatusLine::fit()
+{
+    const int spacing = m_bar.layout() ? m_bar.layout()->spacing() : grid::unit;
+    int needed = 2 * grid::margin;
+    for (const QWidget *always : {static_cast<QWidget *>(m_state), static_cast<QWidget *>(m_mode),
+                                  static_cast<QWidget *>(m_lineLabel), static_cast<QWidget *>(m_writes)})
+        if (!always->isHidden())
+            needed += always->sizeHint().width() + spacing;
+    bool fits = true;
+    for (QLabel *label : {m_late, m_crc, m_cycle, m_linkLabel}) {
+        needed += label->sizeHint().width() + spacing;
+        fits = fits && needed <= m_bar.width();
+        label->setVisible(fits && !label->text().isEmpty());
+    }
+}
+
 void StatusLine::refresh()
 {
     showState();
@@ -119,6 +150,7 @@ void StatusLine::refresh()
     if (m_bus == nullptr) {
         for (QLabel *label : {m_cycle, m_late, m_crc, m_linkLabel})
             setTextOf(label, {});
+        fit();
         return;
     }
     const Snapshot &snapshot = m_bus->latest();
@@ -127,10 +159,10 @@ void StatusLine::refresh()
     setTextOf(m_cycle,
               period > 0 ? tr("cycle %1 ms").arg(locale.toString(period, 'f', 1)) : tr("virtual time"));
     setTextOf(m_late, tr("%n late cycles", nullptr, static_cast<int>(snapshot.lateCycles)));
-    m_crc->setVisible(snapshot.master != nullptr);
-    if (snapshot.master)
-        setTextOf(m_crc, tr("%n CRC errors", nullptr, crcErrorsOf(*snapshot.master)));
+    setTextOf(m_crc,
+              snapshot.master ? tr("%n CRC errors", nullptr, crcErrorsOf(*snapshot.master)) : QString());
     setTextOf(m_linkLabel, tr("link: %1").arg(m_link));
+    fit();
 }
 
 void StatusLine::showLine()

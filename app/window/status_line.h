@@ -19,7 +19,8 @@ class LineSession;
 class RoleLabel;
 
 // The line at the foot of the window: state of the bus, cycle, link, and what the chosen encoder's memory has
-// had from here. Numbers that change stand in the fixed font.
+// had from here. Numbers that change stand in the fixed font. It never widens the window: in a narrow one it
+// leaves out what also stands in the panels.
 class StatusLine : public QObject
 {
     Q_OBJECT
@@ -31,12 +32,17 @@ public:
     void setLine(LineSession *line); // null: none
     void setEncoder(EncoderSession *encoder);
 
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
+    void fit();
     void refresh();
     void showState();
     void showLine();
     void showWrites();
 
+    QStatusBar &m_bar;
     BusSession *m_bus = nullptr;
     QPointer<LineSession> m_line;
     QPointer<EncoderSession> m_encoder;

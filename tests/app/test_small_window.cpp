@@ -2,6 +2,9 @@
 // 1024 x 640 logical pixels are enough for every page and panel, for gloves too.
 #include "tests/app/window_test.h"
 #include "widgets/look/appearance.h"
+#include "widgets/structure/structure_view.h"
+
+#include <QStatusBar>
 
 namespace codewheel {
 namespace {
@@ -59,6 +62,25 @@ TEST_P(SmallWindow, HoldsTheInsertPanelOfTheStructureEditor)
     ASSERT_TRUE(search->isVisible());
     expectSmall(QStringLiteral("insert panel"));
     EXPECT_FALSE(search->visibleRegion().isEmpty()) << "what one opens is in sight";
+}
+
+TEST_P(SmallWindow, TheStatusLineLeavesOutWhatHasNoRoom)
+{
+    window().findChild<StructureView *>()->choose(DeviceNumber::onLine({0x05}));
+    for (auto *label : window().statusBar()->findChildren<QLabel *>())
+        label->setFont(QFont(label->font().family(), 14)); // as long as words of another language
+    expectSmall(QStringLiteral("encoder on the serial line"));
+    const QRect bar = window().statusBar()->rect();
+    int seen = 0;
+    for (auto *label : window().statusBar()->findChildren<QLabel *>()) {
+        if (!label->isVisible() || label->text().isEmpty())
+            continue;
+        ++seen;
+        const QRect place(label->mapTo(window().statusBar(), QPoint()), label->size());
+        EXPECT_TRUE(bar.contains(place)) << label->text().toStdString();
+        EXPECT_GE(label->width(), label->sizeHint().width()) << label->text().toStdString();
+    }
+    EXPECT_GE(seen, 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Controls, SmallWindow, testing::Bool(),
