@@ -5777,7 +5777,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
 <context>
     <name>codewheel::ComparisonPage</name>
     <message>
-        <source>Only &amp;differences</source>
+        <source>On&amp;ly differences</source>
         <translation>Nur &amp;Unterschiede</translation>
     </message>
     <message>
@@ -5790,7 +5790,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>&amp;All into the project</source>
-        <translation>&amp;Alle ins Projekt</translation>
+        <translation>Alle &amp;ins Projekt</translation>
     </message>
     <message>
         <source>Chosen lines into the &amp;master</source>
@@ -5883,7 +5883,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>What the master &amp;keeps into the project</source>
-        <translation>Was der Master &amp;hält, ins Projekt</translation>
+        <translation>&amp;Was der Master hält, ins Projekt</translation>
     </message>
     <message>
         <source>Loads the configuration that the master keeps, and plans the ring as it says; can be undone</source>
@@ -6202,7 +6202,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>Which en&amp;coder is to be set up?</source>
-        <translation>Welcher G&amp;eber soll eingerichtet werden?</translation>
+        <translation>Welcher Geber s&amp;oll eingerichtet werden?</translation>
     </message>
     <message>
         <source>Encoders of the bus</source>
@@ -6895,7 +6895,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>mm per s&amp;tep</source>
-        <translation>mm je S&amp;chritt</translation>
+        <translation>mm je Schr&amp;itt</translation>
     </message>
     <message>
         <source>&amp;Gear, encoder turns</source>
@@ -7057,7 +7057,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>&amp;End the service</source>
-        <translation>Den Dienst be&amp;enden</translation>
+        <translation>Den Dienst bee&amp;nden</translation>
     </message>
     <message>
         <source>Takes the service bit back: the encoder shows its position again.</source>
@@ -7088,7 +7088,7 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     <name>codewheel::InsertPanel</name>
     <message>
         <source>&amp;Insert device</source>
-        <translation>Gerät &amp;einfügen</translation>
+        <translation>Gerät ein&amp;fügen</translation>
     </message>
     <message>
         <source>Chan&amp;ge to it</source>
@@ -7152,11 +7152,11 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
     <message>
         <source>C&amp;atalog</source>
-        <translation>K&amp;atalog</translation>
+        <translation>Ka&amp;talog</translation>
     </message>
     <message>
         <source>I&amp;D code</source>
-        <translation>I&amp;D-Code</translation>
+        <translation>ID-&amp;Code</translation>
     </message>
     <message>
         <source>&amp;Place</source>
@@ -8186,7 +8186,7 @@ Zustand: %4</translation>
     </message>
     <message>
         <source>Ask at the &amp;master address 00 first</source>
-        <translation>Zuerst an der &amp;Masteradresse 00 fragen</translation>
+        <translation>Zuerst an der Masteradresse 00 &amp;fragen</translation>
     </message>
     <message>
         <source>No search yet</source>
@@ -8202,7 +8202,7 @@ Zustand: %4</translation>
     </message>
     <message>
         <source>&amp;Take over</source>
-        <translation>Ü&amp;bernehmen</translation>
+        <translation>Überneh&amp;men</translation>
     </message>
     <message>
         <source>Adds the ticked encoders to the bus structure</source>
@@ -8210,11 +8210,11 @@ Zustand: %4</translation>
     </message>
     <message>
         <source>t&amp;o</source>
-        <translation>&amp;bis</translation>
+        <translation>b&amp;is</translation>
     </message>
     <message>
         <source>&amp;Addresses</source>
-        <translation>&amp;Adressen</translation>
+        <translation>Adresse&amp;n</translation>
     </message>
     <message>
         <source>%1 Bd</source>
@@ -8242,11 +8242,11 @@ Zustand: %4</translation>
     </message>
     <message>
         <source>&amp;Search</source>
-        <translation>&amp;Suchen</translation>
+        <translation>S&amp;uchen</translation>
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation>&amp;Abbrechen</translation>
+        <translation>Abbre&amp;chen</translation>
     </message>
     <message>
         <source>Ends the search</source>
@@ -8304,7 +8304,7 @@ Zustand: %4</translation>
     </message>
     <message>
         <source>Asks one address after the other (Alt+S)</source>
-        <translation>Fragt eine Adresse nach der anderen (Alt+S)</translation>
+        <translation>Fragt eine Adresse nach der anderen (Alt+U)</translation>
     </message>
     <message>
         <source>The serial line is not open. Connect it first.</source>
@@ -8352,11 +8352,11 @@ Zustand: %4</translation>
     </message>
     <message>
         <source>&amp;Refresh</source>
-        <translation>&amp;Neu suchen</translation>
+        <translation>Neu su&amp;chen</translation>
     </message>
     <message>
         <source>Looks for serial ports again (Alt+R)</source>
-        <translation>Sucht noch einmal nach seriellen Anschlüssen (Alt+N)</translation>
+        <translation>Sucht noch einmal nach seriellen Anschlüssen (Alt+C)</translation>
     </message>
     <message>
         <source>&amp;Port</source>
@@ -8372,7 +8372,7 @@ Zustand: %4</translation>
     </message>
     <message>
         <source>Dat&amp;a bits</source>
-        <translation>&amp;Datenbits</translation>
+        <translation>Date&amp;nbits</translation>
     </message>
     <message>
         <source>8 for these encoders</source>
@@ -8443,7 +8443,7 @@ Zustand: %4</translation>
     </message>
     <message>
         <source>Fraction bits of the scalin&amp;g factor</source>
-        <translation>Nachkommabits des Skalierun&amp;gsfaktors</translation>
+        <translation>Nachkommabits des Skalierungs&amp;faktors</translation>
     </message>
     <message>
         <source>29 fits the example of the manual; it can be determined from a device</source>
@@ -8464,7 +8464,7 @@ Zustand: %4</translation>
     </message>
     <message>
         <source>T&amp;op speed</source>
-        <translation>&amp;Höchstdrehzahl</translation>
+        <translation>Höchstdrehzah&amp;l</translation>
     </message>
     <message>
         <source>No serial port was found. Plug the adapter in and refresh the list, or type the path of a port.</source>
@@ -8495,12 +8495,12 @@ Zustand: %4</translation>
         <translation>Nachkommabits des Skalierungsfaktors</translation>
     </message>
     <message>
-        <source>&amp;Determine</source>
-        <translation>&amp;Bestimmen</translation>
+        <source>Deter&amp;mine</source>
+        <translation>Besti&amp;mmen</translation>
     </message>
     <message>
-        <source>Reads scaling factor, steps per turn and measuring range of an encoder of the line, and takes the format that fits. Nothing is written (Alt+D)</source>
-        <translation>Liest Skalierungsfaktor, Schritte je Umdrehung und Messbereich eines Gebers der Leitung und nimmt das Format, das passt. Nichts wird geschrieben (Alt+B)</translation>
+        <source>Reads scaling factor, steps per turn and measuring range of an encoder of the line, and takes the format that fits. Nothing is written (Alt+M)</source>
+        <translation>Liest Skalierungsfaktor, Schritte je Umdrehung und Messbereich eines Gebers der Leitung und nimmt das Format, das passt. Nichts wird geschrieben (Alt+M)</translation>
     </message>
 </context>
 <context>
@@ -8907,7 +8907,7 @@ Zustand: %4</translation>
     </message>
     <message>
         <source>&amp;Leave it on</source>
-        <translation>&amp;Eingeschaltet lassen</translation>
+        <translation>Eingeschaltet &amp;lassen</translation>
     </message>
     <message numerus="yes">
         <source>%1 and %n more</source>
@@ -9236,7 +9236,7 @@ Zustand: %4</translation>
     <name>codewheel::MissingValues</name>
     <message>
         <source>&amp;Read what is missing</source>
-        <translation>Fehlendes ausles&amp;en</translation>
+        <translation>&amp;Fehlendes auslesen</translation>
     </message>
     <message>
         <source>Reads what the dial needs from the encoder. That sends words, and takes the position away for some cycles.</source>
@@ -9752,7 +9752,7 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     <name>codewheel::ParameterWizard</name>
     <message>
         <source>Cance&amp;l</source>
-        <translation>Abbr&amp;echen</translation>
+        <translation>Abbre&amp;chen</translation>
     </message>
     <message>
         <source>Bac&amp;k</source>
@@ -10222,7 +10222,7 @@ ID-Code %3, Gerätecode %4
     </message>
     <message>
         <source>&amp;Close</source>
-        <translation>S&amp;chließen</translation>
+        <translation>Schl&amp;ießen</translation>
     </message>
 </context>
 <context>
@@ -10256,8 +10256,8 @@ ID-Code %3, Gerätecode %4
         <translation>&amp;Typenschlüssel</translation>
     </message>
     <message>
-        <source>&amp;Encoder</source>
-        <translation>&amp;Geber</translation>
+        <source>Enc&amp;oder</source>
+        <translation>Gebe&amp;r</translation>
     </message>
     <message>
         <source>&amp;Serial number</source>
@@ -10287,12 +10287,12 @@ ID-Code %3, Gerätecode %4
 <context>
     <name>codewheel::ReplacePage</name>
     <message>
-        <source>&amp;Back</source>
+        <source>Bac&amp;k</source>
         <translation>&amp;Zurück</translation>
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation>A&amp;bbrechen</translation>
+        <translation>Abbre&amp;chen</translation>
     </message>
     <message>
         <source>Replace encoder</source>
@@ -11308,7 +11308,7 @@ ID-Code %3, Gerätecode %4
     </message>
     <message>
         <source>mm per s&amp;tep</source>
-        <translation>mm je S&amp;chritt</translation>
+        <translation>mm je Schr&amp;itt</translation>
     </message>
     <message>
         <source>Wanted resolution</source>
@@ -12147,8 +12147,8 @@ ID-Code %3, Gerätecode %4
         <translation>Adressen i&amp;n</translation>
     </message>
     <message>
-        <source>&amp;from byte</source>
-        <translation>a&amp;b Byte</translation>
+        <source>fr&amp;om byte</source>
+        <translation>ab B&amp;yte</translation>
     </message>
     <message>
         <source>No findings</source>
@@ -12669,7 +12669,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>&amp;Transfer</source>
-        <translation>Ü&amp;bertragen</translation>
+        <translation>Über&amp;tragen</translation>
     </message>
     <message>
         <source>Nothing is kept of %1.</source>
@@ -12774,22 +12774,22 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>Choose &amp;all</source>
-        <translation>&amp;Alle wählen</translation>
+        <translation>Alle &amp;wählen</translation>
     </message>
     <message>
         <source>Choose &amp;none</source>
         <translation>&amp;Keine wählen</translation>
     </message>
     <message>
-        <source>Stop &amp;after a refusal</source>
-        <translation>Nach einer Ab&amp;lehnung anhalten</translation>
+        <source>&amp;Stop after a refusal</source>
+        <translation>&amp;Nach einer Ablehnung anhalten</translation>
     </message>
     <message>
         <source>&amp;Close</source>
         <translation>S&amp;chließen</translation>
     </message>
     <message>
-        <source>&amp;Back</source>
+        <source>Bac&amp;k</source>
         <translation>&amp;Zurück</translation>
     </message>
     <message>
@@ -12892,7 +12892,7 @@ Zustand: %7</translation>
     <name>codewheel::TransferProgress</name>
     <message>
         <source>&amp;Cancel</source>
-        <translation>A&amp;bbrechen</translation>
+        <translation>Abb&amp;rechen</translation>
     </message>
     <message>
         <source>Encoders done</source>
@@ -13531,7 +13531,7 @@ Zustand: %7</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation>&amp;Bearbeiten</translation>
+        <translation>B&amp;earbeiten</translation>
     </message>
     <message>
         <source>&amp;Undo</source>

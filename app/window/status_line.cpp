@@ -80,6 +80,7 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     bar.addPermanentWidget(m_lineLabel);
     m_lineLabel->hide();
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_hint->setObjectName(QStringLiteral("hint"));
     m_hint->setIndent(grid::margin);
     bar.addPermanentWidget(m_hint, 1);
     bar.addPermanentWidget(m_writes);

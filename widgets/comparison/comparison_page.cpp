@@ -45,7 +45,7 @@ ComparisonPage::ComparisonPage(ProjectDocument &document, BusSession &bus, QWidg
     , m_model(new ComparisonModel(this))
     , m_table(new QTableView(this))
     , m_summary(new QLabel(this))
-    , m_onlyDifferences(new QCheckBox(tr("Only &differences"), this))
+    , m_onlyDifferences(new QCheckBox(tr("On&ly differences"), this))
     , m_readIn(new QPushButton(lineIcon(Icon::read), tr("&Read in the ring"), this))
     , m_lineIntoProject(new QPushButton(tr("Chosen lines into the &project"), this))
     , m_allIntoProject(new QPushButton(tr("&All into the project"), this))

@@ -92,6 +92,12 @@ LineSearch::LineSearch(QWidget *parent)
     m_take = addButton(*below, lineIcon(Icon::add), tr("&Take over"),
                        tr("Adds the ticked encoders to the bus structure"));
     rows->addLayout(below);
+    QWidget *before = m_first;
+    for (QWidget *next : std::initializer_list<QWidget *>{m_last, m_master, m_rates, m_start, m_cancel,
+                                                          m_table, m_device, m_take}) {
+        setTabOrder(before, next);
+        before = next;
+    }
     setFocusProxy(m_start);
     connect(m_start, &QPushButton::clicked, this, &LineSearch::start);
     connect(m_cancel, &QPushButton::clicked, this, [this] {
@@ -124,12 +130,6 @@ void LineSearch::makeFields()
     addresses->addStretch(1);
     form->addRow(tr("&Addresses"), addresses);
     qobject_cast<QLabel *>(form->labelForField(addresses))->setBuddy(m_first);
-    for (const int rate : allRates)
-        m_rates->addItem(sentence(tr("%1 Bd"), {QLocale().toString(rate)}), rate);
-    m_rates->addItem(tr("All three baud rates"));
-    m_rates->setAccessibleName(tr("Baud rates of the search"));
-    m_rates->setToolTip(tr("An encoder answers at its own baud rate alone; 19200 is that of the factory"));
-    form->addRow(tr("Baud &rate"), m_rates);
     m_master->setToolTip(
         tr("Any encoder answers there: only where a single one is on the line, since several "
            "would answer at once"));
@@ -140,12 +140,19 @@ void LineSearch::makeFields()
     condition->setVisible(false);
     form->addRow(condition);
     connect(m_master, &QCheckBox::toggled, condition, &QWidget::setVisible);
-    auto *buttons = new QHBoxLayout;
-    buttons->setSpacing(grid::unit);
-    m_start = addButton(*buttons, lineIcon(Icon::search), tr("&Search"), {});
-    m_cancel = addButton(*buttons, lineIcon(Icon::cancel), tr("&Cancel"), tr("Ends the search"));
-    buttons->addStretch(1);
-    form->addRow(buttons);
+    for (const int rate : allRates)
+        m_rates->addItem(sentence(tr("%1 Bd"), {QLocale().toString(rate)}), rate);
+    m_rates->addItem(tr("All three baud rates"));
+    m_rates->setAccessibleName(tr("Baud rates of the search"));
+    m_rates->setToolTip(tr("An encoder answers at its own baud rate alone; 19200 is that of the factory"));
+    auto *start = new QHBoxLayout;
+    start->setSpacing(grid::unit);
+    start->addWidget(m_rates);
+    m_start = addButton(*start, lineIcon(Icon::search), tr("&Search"), {});
+    m_cancel = addButton(*start, lineIcon(Icon::cancel), tr("&Cancel"), tr("Ends the search"));
+    start->addStretch(1);
+    form->addRow(tr("Baud &rate"), start);
+    qobject_cast<QLabel *>(form->labelForField(start))->setBuddy(m_rates);
     static_cast<QVBoxLayout *>(layout())->addLayout(form);
     m_progress->setAccessibleName(tr("Progress of the search"));
     m_progress->hide();

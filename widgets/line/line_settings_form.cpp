@@ -201,11 +201,11 @@ void LineSettingsForm::makeFractionBits(QFormLayout &form)
     m_fractionBits->setAccessibleName(tr("Fraction bits of the scaling factor"));
     m_fractionBits->setToolTip(tr("29 fits the example of the manual; it can be determined from a device"));
     m_fractionBits->setAccessibleDescription(m_fractionBits->toolTip());
-    m_determine = new QPushButton(tr("&Determine"), m_content);
+    m_determine = new QPushButton(tr("Deter&mine"), m_content);
     m_determine->setAutoDefault(false);
     m_determine->setToolTip(tr(
         "Reads scaling factor, steps per turn and measuring range of an encoder of the line, and takes the "
-        "format that fits. Nothing is written (Alt+D)"));
+        "format that fits. Nothing is written (Alt+M)"));
     m_determine->setAccessibleDescription(m_determine->toolTip());
     m_determine->setEnabled(false); // before the line is open
     auto *row = new QHBoxLayout;

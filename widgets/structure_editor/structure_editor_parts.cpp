@@ -195,7 +195,7 @@ void StructureEditor::arrange()
     addressing->setSpacing(grid::groupGap);
     addressing->addWidget(label(tr("Addresses i&n"), m_unit));
     addressing->addWidget(m_unit);
-    addressing->addWidget(label(tr("&from byte"), m_first));
+    addressing->addWidget(label(tr("fr&om byte"), m_first));
     addressing->addWidget(m_first);
     addressing->addWidget(m_step5);
     addressing->addStretch();

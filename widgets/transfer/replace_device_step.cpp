@@ -43,7 +43,7 @@ ReplaceDeviceStep::ReplaceDeviceStep(Replacing &replacing, QWidget *parent)
         tr("From its label; EEPROM writes are counted by it where the encoder does not tell"));
     auto *fields = new QFormLayout;
     fields->addRow(tr("&Label key"), m_key);
-    fields->addRow(tr("&Encoder"), m_choice);
+    fields->addRow(tr("Enc&oder"), m_choice);
     fields->addRow(tr("&Serial number"), m_serial);
     auto *layout = new QVBoxLayout(this);
     layout->setSpacing(grid::margin);

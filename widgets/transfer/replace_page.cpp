@@ -31,7 +31,7 @@ ReplacePage::ReplacePage(BusSession &bus, ProjectDocument &project, const LastPo
     , m_positions(positions)
     , m_title(new QLabel(this))
     , m_pages(new QStackedWidget(this))
-    , m_back(new QPushButton(lineIcon(Icon::back), tr("&Back"), this))
+    , m_back(new QPushButton(lineIcon(Icon::back), tr("Bac&k"), this))
     , m_next(new QPushButton(lineIcon(Icon::next), {}, this))
     , m_cancel(new QPushButton(lineIcon(Icon::cancel), tr("&Cancel"), this))
 {

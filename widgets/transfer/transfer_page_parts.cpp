@@ -35,7 +35,7 @@ TransferPage::TransferPage(BusSession &bus, ProjectDocument &project, FindValues
     , m_table(new TransferTable(*m_model, tr("What differs"), this))
     , m_all(new QPushButton(tr("Choose &all"), this))
     , m_none(new QPushButton(tr("Choose &none"), this))
-    , m_stop(new QCheckBox(tr("Stop &after a refusal"), this))
+    , m_stop(new QCheckBox(tr("&Stop after a refusal"), this))
     , m_summary(new QLabel(this))
     , m_problem(new InlineMessage(this))
     , m_gates(new EepromGates(bus, this))
@@ -47,7 +47,7 @@ TransferPage::TransferPage(BusSession &bus, ProjectDocument &project, FindValues
     , m_done(new QWidget(this))
     , m_result(new QLabel(this))
     , m_account(new AccountView(this))
-    , m_back(new QPushButton(lineIcon(Icon::back), tr("&Back"), this))
+    , m_back(new QPushButton(lineIcon(Icon::back), tr("Bac&k"), this))
 {
     setAccessibleName(tr("Transfer"));
     m_table->setObjectName(QStringLiteral("transferTable"));

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Alt and a letter does one thing: no two of what is in sight of a page or panel have the same, nor has the
+// menu bar.
+#include "language.h"
+#include "tests/app/window_test.h"
+
+#include <QAbstractButton>
+#include <QMenuBar>
+
+#include <map>
+
+namespace codewheel {
+namespace {
+
+class Mnemonics : public test::WindowTest, public testing::WithParamInterface<const char *>
+{
+protected:
+    using Owners = std::map<QKeySequence, QString>; // the text that has the key
+
+    Mnemonics()
+    {
+        language.use(QString::fromLatin1(GetParam()));
+        open(); // in this language
+        for (const QAction *menu : window().menuBar()->actions())
+            take(m_menus, menu->text(), QStringLiteral("menu bar"));
+    }
+    ~Mnemonics() override { QLocale::setDefault(QLocale::c()); }
+
+    void check(const QWidget &part, const QString &name)
+    {
+        advance(50);
+        Owners owners = m_menus;
+        for (const auto *button : part.findChildren<QAbstractButton *>())
+            if (button->isVisible())
+                take(owners, button->text(), name);
+        for (const auto *label : part.findChildren<QLabel *>())
+            if (label->isVisible() && label->buddy() != nullptr)
+                take(owners, label->text(), name);
+    }
+
+private:
+    void take(Owners &owners, const QString &text, const QString &where)
+    {
+        const QKeySequence key = QKeySequence::mnemonic(text);
+        if (key.isEmpty())
+            return;
+        const auto [owner, isFirst] = owners.emplace(key, text);
+        EXPECT_TRUE(isFirst) << where.toStdString() << ": " << key.toString().toStdString() << " for "
+                             << text.toStdString() << " and " << owner->second.toStdString();
+    }
+
+    Language language;
+    Owners m_menus;
+};
+
+TEST_P(Mnemonics, AreUniqueOnEveryPage)
+{
+    for (QAction *page : {actions().monitors, actions().wizard, actions().cams, actions().structureEditor,
+                          actions().compare, actions().transfer, actions().replaceEncoder,
+                          actions().lineSettings, actions().lineSearch, actions().lineTerminal}) {
+        page->trigger();
+        check(*window().centralWidget(), page->text());
+    }
+}
+
+TEST_P(Mnemonics, AreUniqueInEveryPanel)
+{
+    for (auto *panel : window().findChildren<QDockWidget *>()) {
+        panel->raise();
+        check(*panel, panel->windowTitle());
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Language, Mnemonics, testing::Values("en", "de"),
+                         [](const auto &tested) { return tested.param; });
+
+} // namespace
+} // namespace codewheel
