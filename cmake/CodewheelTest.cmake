@@ -22,7 +22,7 @@ endfunction()
 
 function(codewheel_test_program name support precompiled)
     add_executable(${name})
-    target_link_libraries(${name} PRIVATE ${support} ${ARGN})
+    target_link_libraries(${name} PRIVATE ${support} codewheel_test_options ${ARGN})
     target_precompile_headers(${name} REUSE_FROM ${precompiled})
     add_test(NAME ${name} COMMAND ${name} --gtest_brief=0)
     set_tests_properties(${name} PROPERTIES ENVIRONMENT "${codewheel_test_environment}" TIMEOUT 600)

@@ -118,7 +118,7 @@ TEST_F(CamEditorFiles, ABrokenFileIsRefusedWithLineAndReasonAndNothingIsLost)
         QByteArray broken = json;
         const auto at = broken.indexOf(fault.of);
         ASSERT_GE(at, 0) << fault.of;
-        broken.replace(at, qstrlen(fault.of), fault.by);
+        broken.replace(at, QByteArrayView(fault.of).size(), fault.by);
         EXPECT_FALSE(editor.load(keep("broken.json", broken))) << fault.by;
         EXPECT_TRUE(message().contains(QStringLiteral("broken.json, line "))) << message().toStdString();
         EXPECT_TRUE(message().contains(QLatin1String(fault.said))) << message().toStdString();

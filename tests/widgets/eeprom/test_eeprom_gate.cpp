@@ -168,7 +168,7 @@ TEST_F(EepromGateTest, HoldsBackWritingTheValuesFromBeforeAgain)
                                .positionNote = {}});
     };
     const auto restoreThen = [&](const char *button) {
-        QTimer::singleShot(0, &window, [this, button] {
+        QTimer::singleShot(0, &window, [button] {
             const QPointer<QWidget> first(QApplication::activeModalWidget());
             QTimer::singleShot(0, first, [button] {
                 auto &second = *QApplication::activeModalWidget();
