@@ -3116,6 +3116,17 @@
     </message>
 </context>
 <context>
+    <name>codewheel</name>
+    <message>
+        <source>Sets up, watches and diagnoses absolute encoders on INTERBUS and on serial lines.</source>
+        <translation>Richtet absolute Geber am INTERBUS und an seriellen Leitungen ein, beobachtet sie und findet ihre Fehler.</translation>
+    </message>
+    <message>
+        <source>A project to open: *.codewheel</source>
+        <translation>Ein Projekt, das geöffnet wird: *.codewheel</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::AccountView</name>
     <message>
         <source>&amp;Save...</source>

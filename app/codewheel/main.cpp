@@ -1,18 +1,68 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/program.h"
+#include "language.h"
 
 #include <QApplication>
+#include <QCommandLineParser>
+
+#include <algorithm>
+#include <string_view>
+
+namespace {
+
+void name(QCoreApplication &application)
+{
+    application.setApplicationName(QStringLiteral("codewheel"));
+    application.setApplicationVersion(QStringLiteral(CODEWHEEL_VERSION));
+}
+
+void describe(QCommandLineParser &parser)
+{
+    parser.setApplicationDescription(QCoreApplication::translate(
+        "codewheel", "Sets up, watches and diagnoses absolute encoders on INTERBUS and on serial lines."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(QStringLiteral("FILE"),
+                                 QCoreApplication::translate("codewheel", "A project to open: *.codewheel"),
+                                 QStringLiteral("[FILE]"));
+}
+
+bool asksForText(int argc, char **argv)
+{
+    return std::any_of(argv + 1, argv + argc, [](std::string_view argument) {
+        return argument == "-h" || argument == "--help" || argument == "-v" || argument == "--version";
+    });
+}
+
+// Help and version, where there is no screen too.
+int tell(int argc, char **argv)
+{
+    QCoreApplication application(argc, argv);
+    name(application);
+    codewheel::Language language;
+    language.use({});
+    QCommandLineParser parser;
+    describe(parser);
+    parser.process(application); // prints and ends the program
+    return EXIT_FAILURE;
+}
+
+} // namespace
 
 int main(int argc, char **argv)
 {
+    if (asksForText(argc, argv))
+        return tell(argc, argv);
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs); // each of ours carries ALARM STOP
     QApplication application(argc, argv);
-    QApplication::setApplicationName(QStringLiteral("codewheel"));
+    name(application);
     QApplication::setApplicationDisplayName(QStringLiteral("Codewheel"));
-    QApplication::setApplicationVersion(QStringLiteral(CODEWHEEL_VERSION));
     QApplication::setDesktopFileName(QStringLiteral("codewheel"));
 
     codewheel::Program program(application);
-    program.openAtStart(QCoreApplication::arguments().value(1));
+    QCommandLineParser parser;
+    describe(parser);
+    parser.process(application);
+    program.openAtStart(parser.positionalArguments().value(0));
     return program.run();
 }

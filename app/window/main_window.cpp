@@ -43,6 +43,7 @@ namespace codewheel {
 namespace {
 
 constexpr QSize firstSize(1280, 800);
+constexpr QSize frame(4, 40); // what desktops draw around a window, at most
 
 } // namespace
 
@@ -76,7 +77,7 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
     connectViewActions();
     showBusState();
     if (!restoreGeometry(m_settings.geometry()))
-        resize(firstSize.boundedTo(screen()->availableSize()));
+        resize(firstSize.boundedTo(screen()->availableSize() - frame));
 }
 
 MainWindow::~MainWindow() = default;

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window's program says to somebody who starts it in a terminal.
+#include <QProcess>
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+constexpr int generous = 60'000; // ms; sanitizers are slow
+
+struct Ended
+{
+    int exitCode = -1;
+    QString output;
+    QString errors;
+};
+
+Ended run(const QStringList &arguments, const QString &platform)
+{
+    QProcess program;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove(QStringLiteral("DISPLAY"));
+    environment.remove(QStringLiteral("WAYLAND_DISPLAY"));
+    environment.insert(QStringLiteral("QT_QPA_PLATFORM"), platform);
+    program.setProcessEnvironment(environment);
+    program.start(QStringLiteral(CODEWHEEL_PROGRAM), arguments);
+    EXPECT_TRUE(program.waitForFinished(generous));
+    return {program.exitCode(), QString::fromUtf8(program.readAllStandardOutput()),
+            QString::fromUtf8(program.readAllStandardError())};
+}
+
+TEST(CommandLine, TellsWhatItTakesWithoutAScreen)
+{
+    for (const char *option : {"--help", "-h"}) {
+        const Ended help = run({QString::fromLatin1(option)}, QStringLiteral("xcb"));
+        EXPECT_EQ(help.exitCode, 0) << help.errors.toStdString();
+        EXPECT_TRUE(help.output.contains(QStringLiteral("[FILE]"))) << help.output.toStdString();
+    }
+}
+
+TEST(CommandLine, TellsItsVersionWithoutAScreen)
+{
+    const Ended version = run({QStringLiteral("--version")}, QStringLiteral("xcb"));
+    EXPECT_EQ(version.exitCode, 0) << version.errors.toStdString();
+    EXPECT_EQ(version.output, QStringLiteral("codewheel " CODEWHEEL_VERSION "\n"));
+}
+
+TEST(CommandLine, AnOptionItDoesNotKnowIsNotTakenForAProject)
+{
+    const Ended refused = run({QStringLiteral("--operate")}, QStringLiteral("offscreen"));
+    EXPECT_NE(refused.exitCode, 0);
+    EXPECT_TRUE(refused.errors.contains(QStringLiteral("operate"))) << refused.errors.toStdString();
+}
+
+} // namespace
+} // namespace codewheel
