@@ -13954,6 +13954,10 @@ Zustand: %7</translation>
         <source>Sends these words, each with its handshake on the service bit</source>
         <translation>Sendet diese Worte, jedes mit seinem Handshake am Dienst-Bit</translation>
     </message>
+    <message>
+        <source>Sends these requests, and reads back each value</source>
+        <translation>Sendet diese Anfragen und liest jeden Wert zurück</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::WriteReviewModel</name>
@@ -13980,6 +13984,14 @@ Zustand: %7</translation>
     <message>
         <source>unknown</source>
         <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>Request</source>
+        <translation>Anfrage</translation>
+    </message>
+    <message>
+        <source>What will be sent, between ESC and CR LF</source>
+        <translation>Was gesendet wird, zwischen ESC und CR LF</translation>
     </message>
 </context>
 </TS>

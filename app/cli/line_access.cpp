@@ -61,6 +61,7 @@ LineAccess::LineAccess(std::unique_ptr<ByteLink> link, LineLink settings, const 
     , m_lost(
           std::make_shared<Refusal>(Refusal{RefusalKind::link, RefusalId::portLost, {m_session->linkName()}}))
 {
+    m_session->setFractionBits(m_link.driver().fractionBits);
     QObject::connect(m_session.get(), &LineSession::messaged, m_session.get(),
                      [lost = m_lost](const Message &message) {
                          if (message.refusal && message.refusal->kind == RefusalKind::link)

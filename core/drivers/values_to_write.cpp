@@ -64,11 +64,12 @@ std::vector<Job> jobsForWish(const EncoderSession &encoder, const WriteWish &wis
 }
 
 // Each job leaves 00000000 in OUT.
-Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs, Word out)
+Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs, Word out,
+                                       const EscSettings &escSettings)
 {
     std::vector<Step> all;
     for (const Job &job : jobs) {
-        const auto steps = plannedSteps(encoder.device(), allKnown(encoder), job, {}, out);
+        const auto steps = plannedSteps(encoder.device(), allKnown(encoder), job, {}, out, escSettings);
         if (!steps)
             return steps;
         out = k3::normalRunning;

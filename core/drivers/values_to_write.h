@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "drivers/esc_settings.h"
 #include "encoder/encoder_session.h"
 
 namespace codewheel {
@@ -25,8 +26,10 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
 
 // All of it, one job after the other: writing the values, then setting the position to a value.
 std::vector<Job> jobsForWish(const EncoderSession &encoder, const WriteWish &wish);
-// Their steps, as far as they can be told beforehand. `out` is what stands in OUT.
-Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs, Word out);
+// Their steps, as far as they can be told beforehand. `out` is what stands in OUT, `escSettings` are those of
+// a serial encoder.
+Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs, Word out,
+                                       const EscSettings &escSettings = {});
 
 // All that is known of an encoder.
 std::vector<Known> allKnown(const EncoderSession &encoder);

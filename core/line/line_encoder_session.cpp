@@ -19,6 +19,11 @@ QDateTime LineEncoderSession::dateTime(Instant at) const
     return m_line.dateTime(at);
 }
 
+int LineEncoderSession::fractionBits() const
+{
+    return m_line.fractionBits();
+}
+
 Result<void> LineEncoderSession::mayStart(const Job &job) const
 {
     if (!m_line.isOpen())
@@ -41,6 +46,15 @@ void LineEncoderSession::report(Message message, Instant at)
 Instant LineEncoderSession::now() const
 {
     return m_line.latest().at;
+}
+
+Result<std::vector<Step>> plannedForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs,
+                                         Word out)
+{
+    EscSettings settings;
+    if (const auto *onLine = qobject_cast<const LineEncoderSession *>(&encoder))
+        settings.fractionBits = onLine->fractionBits();
+    return stepsForJobs(encoder, jobs, out, settings);
 }
 
 } // namespace codewheel

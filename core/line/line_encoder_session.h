@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drivers/driven_encoder_session.h"
+#include "drivers/values_to_write.h"
 #include "esc/esc_request.h"
 
 namespace codewheel {
@@ -19,6 +20,7 @@ public:
                        const DeviceDescription &description);
 
     QDateTime dateTime(Instant at) const override;
+    int fractionBits() const; // of its scaling factor, as its line is set
 
 Q_SIGNALS:
     // Nothing of it has been sent: a write that was typed, and that was allowed. For the ledger of EEPROM
@@ -34,5 +36,9 @@ private:
 
     LineSession &m_line;
 };
+
+// The steps of these jobs as stepsForJobs() tells them, for an encoder of a line as its line is set.
+Result<std::vector<Step>> plannedForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs,
+                                         Word out);
 
 } // namespace codewheel

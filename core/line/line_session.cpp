@@ -38,6 +38,7 @@ struct LineSession::Private
     QDateTime beginning;
     DriverFactory makeDriver;
     LineSettings settings{};
+    int fractionBits = EscSettings{}.fractionBits;
     std::vector<Encoder> encoders{}; // by the runner's places
     std::unique_ptr<LineRunner> runner{};
     std::unique_ptr<LineThread> thread{};
@@ -345,7 +346,13 @@ Result<void> LineSession::determineFractionBits(DeviceNumber number)
 
 void LineSession::setFractionBits(int bits)
 {
+    d->fractionBits = bits;
     post(line_command::SetFractionBits{bits});
+}
+
+int LineSession::fractionBits() const
+{
+    return d->fractionBits;
 }
 
 void LineSession::startPolling()

@@ -75,8 +75,9 @@ public:
     // "Determine from device": reads what tells the format of its scaling factor; ends with
     // fractionBitsDetermined(). Sets nothing.
     Result<void> determineFractionBits(DeviceNumber number);
-    // Of the scaling factor, for all encoders there are.
+    // Of the scaling factor, for all encoders there are; by them what a job will send is told beforehand.
     void setFractionBits(int bits);
+    int fractionBits() const;
 
     void startPolling();
     void stopPolling();

@@ -151,6 +151,44 @@ TEST_F(LineInWindow, ValuesAreReadAndTheDialTurns)
     EXPECT_EQ(encoder(turning).known(Parameter::measuringRange)->value, 33'554'432);
 }
 
+// With the steps goes the scaling factor, in the format the line is set to: 3600 / 8192 with 24 fraction
+// bits.
+TEST_F(LineInWindow, TheReviewShowsTheRequestsThatAreSent)
+{
+    choose(standing);
+    line().setFractionBits(24);
+    ASSERT_TRUE(encoder(standing).start(ReadParameters{encoder(standing).device().readableValues()}));
+    advance(3000);
+    window().findChild<WantedValues *>()->set(standing, Parameter::steps, 3600);
+    auto &panel = *window().findChild<ParameterPanel *>();
+    for (auto *button : panel.findChildren<QPushButton *>())
+        if (button->text() == QStringLiteral("&Write..."))
+            QTest::mouseClick(button, Qt::LeftButton);
+    advance(50);
+    const QAbstractItemModel *review = nullptr;
+    for (const auto *table : panel.findChildren<QTableView *>())
+        if (table->accessibleName() == QStringLiteral("What will be written"))
+            review = table->model();
+    ASSERT_NE(review, nullptr);
+    ASSERT_EQ(review->rowCount(), 2);
+    EXPECT_EQ(review->headerData(3, Qt::Horizontal).toString(), QStringLiteral("Request"));
+    EXPECT_EQ(review->index(0, 2).data().toString(), QLocale().toString(3600));
+    EXPECT_EQ(review->index(1, 2).data().toString(), QLocale().toString(0x0070'8000));
+    QStringList shownRequests;
+    for (int row = 0; row < 2; ++row)
+        shownRequests.append(review->index(row, 3).data().toString());
+    EXPECT_EQ(shownRequests.back(), QStringLiteral("05GF00708000"));
+
+    QStringList sent;
+    QObject::connect(&line(), &LineSession::passed, &panel, [&sent](const esc::LineRow &row) {
+        if (row.kind == esc::LineRow::Kind::sent && row.bytes.contains("05G"))
+            sent.append(QString::fromLatin1(row.bytes.mid(1).trimmed()));
+    });
+    QTest::mouseClick(panel.findChild<QPushButton *>(QStringLiteral("confirmWrite")), Qt::LeftButton);
+    advance(5000);
+    EXPECT_EQ(sent, shownRequests);
+}
+
 TEST_F(LineInWindow, OneDecisionForWatchAndOperate)
 {
     EXPECT_TRUE(line().isOperating());

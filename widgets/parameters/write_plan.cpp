@@ -2,8 +2,10 @@
 #include "widgets/parameters/write_plan.h"
 
 #include "catalog/device_description.h"
-#include "drivers/planned_words.h"
 #include "drivers/values_to_write.h"
+#include "line/line_encoder_session.h"
+#include "line/typed_request.h"
+#include "words/k3_word.h"
 
 namespace codewheel {
 
@@ -24,6 +26,15 @@ ParameterValues writable(const DeviceDescription &device, const std::vector<Know
     return values;
 }
 
+// The scaling factor is not asked for, it goes along with the steps: it stands in the request alone.
+std::int64_t valueGiven(const Step &step, const WriteParameters &job)
+{
+    if (const auto wanted = valueOf(job.values, *step.parameter))
+        return *wanted;
+    const auto request = typedRequest(QString::fromLatin1(step.line));
+    return request ? request->data : 0;
+}
+
 } // namespace
 
 WritePlan planWrite(const EncoderSession &encoder, const ParameterValues &wanted, bool writeAll)
@@ -37,12 +48,13 @@ WritePlan planWrite(const EncoderSession &encoder, const ParameterValues &wanted
     plan.stepsMayBeLess = device.quirks.mayCountStepsMinusOne &&
                           !encoder.known(Parameter::multiTurnAndStepsMinusOne) &&
                           valueOf(plan.job.values, Parameter::steps);
-    if (const auto steps = plannedSteps(device, known, plan.job))
+    if (const auto steps = plannedForJobs(encoder, {plan.job}, k3::normalRunning))
         for (const Step &step : *steps)
             if (writesValue(step))
-                plan.rows.push_back({{*step.parameter, *valueOf(plan.job.values, *step.parameter)},
-                                     encoder.known(*step.parameter),
-                                     step.out});
+                plan.rows.push_back({.value = {*step.parameter, valueGiven(step, plan.job)},
+                                     .old = encoder.known(*step.parameter),
+                                     .word = step.out,
+                                     .request = step.line});
     return plan;
 }
 

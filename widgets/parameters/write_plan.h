@@ -14,12 +14,14 @@ struct WritePlan
     {
         ParameterValue value;
         std::optional<Known> old;
-        Word word = 0; // as it will stand in OUT
+        Word word = 0;        // as it will stand in OUT
+        QByteArray request{}; // of an encoder on a serial line, "05GP00005200"; there is no word then
     };
 
     WriteParameters job{};
-    std::vector<Row> rows{}; // one for each value of the job
-    int alreadyThere = 0;    // wanted, known to be there, and left out
+    std::vector<Row>
+        rows{};           // one for each value that is written, those that go along with the wanted ones too
+    int alreadyThere = 0; // wanted, known to be there, and left out
     // The encoder may count steps minus 1, which is read before the first word: the word for the steps may be
     // one less.
     bool stepsMayBeLess = false;

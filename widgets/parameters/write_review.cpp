@@ -19,6 +19,18 @@
 #include <QTableView>
 
 namespace codewheel {
+namespace {
+
+QString howItIsSent(const DeviceDescription &device)
+{
+    if (isOnLine(device))
+        return WriteReview::tr("Sends these requests, and reads back each value");
+    return activatesByRun(device)
+               ? WriteReview::tr("Sends these words, then run (80000000)")
+               : WriteReview::tr("Sends these words, each with its handshake on the service bit");
+}
+
+} // namespace
 
 void WriteReviewModel::show(const EncoderSession &encoder, const WritePlan &plan)
 {
@@ -40,7 +52,7 @@ QVariant WriteReviewModel::headerCell(int column, int role) const
     case newValue:
         return tr("New");
     default:
-        return tr("Word");
+        return m_encoder && isOnLine(m_encoder->device()) ? tr("Request") : tr("Word");
     }
 }
 
@@ -53,7 +65,10 @@ QVariant WriteReviewModel::cell(const WritePlan::Row &row, int column, int role)
         if (column == oldValue && m_encoder)
             return parameter_words::howKnown(row.old,
                                              row.old ? m_encoder->dateTime(row.old->at) : QDateTime());
-        return column == word ? tr("The word that will stand in OUT") : text(row, column);
+        if (column != word)
+            return text(row, column);
+        return row.request.isEmpty() ? tr("The word that will stand in OUT")
+                                     : tr("What will be sent, between ESC and CR LF");
     case Qt::TextAlignmentRole:
         return QVariant((column == name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     case Qt::FontRole:
@@ -77,7 +92,7 @@ QString WriteReviewModel::text(const WritePlan::Row &row, int column) const
     case newValue:
         return valueText(*parameter, row.value.value);
     default:
-        return hexWord(row.word);
+        return row.request.isEmpty() ? hexWord(row.word) : QString::fromLatin1(row.request);
     }
 }
 
@@ -96,7 +111,7 @@ WriteReview::WriteReview(QWidget *parent)
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setSectionResizeMode(WriteReviewModel::name, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
     m_table->setTabKeyNavigation(false);
@@ -133,9 +148,7 @@ void WriteReview::review(EncoderSession &encoder, const ParameterValues &wanted)
         m_encoder->disconnect(this);
     m_encoder = &encoder;
     m_wanted = wanted;
-    m_write->setToolTip(activatesByRun(encoder.device())
-                            ? tr("Sends these words, then run (80000000)")
-                            : tr("Sends these words, each with its handshake on the service bit"));
+    m_write->setToolTip(howItIsSent(encoder.device()));
     m_write->show();
     connect(&encoder, &EncoderSession::knownChanged, this, &WriteReview::showPlan);
     m_writeAll->setChecked(false);

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
+#include "line/line_encoder_session.h"
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
 #include "widgets/eeprom/eeprom_gate.h"
@@ -117,7 +118,7 @@ void ReviewPage::plan()
     m_changes.setRows(std::move(rows));
 
     const WordChannel *channel = m_setup.connected->bus().channel(encoder.number());
-    const auto steps = stepsForJobs(encoder, jobsForWish(encoder, m_setup.wish),
+    const auto steps = plannedForJobs(encoder, jobsForWish(encoder, m_setup.wish),
                                     channel ? channel->out() : k3::normalRunning);
     m_mayGoOn = steps.has_value();
     if (steps) {
