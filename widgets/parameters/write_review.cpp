@@ -21,6 +21,8 @@
 namespace codewheel {
 namespace {
 
+constexpr int narrowestColumn = 70; // px: names stand in two lines
+
 QString howItIsSent(const DeviceDescription &device)
 {
     if (isOnLine(device))
@@ -111,12 +113,13 @@ WriteReview::WriteReview(QWidget *parent)
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->horizontalHeader()->setMinimumSectionSize(narrowestColumn);
+    m_table->horizontalHeader()->setSectionResizeMode(WriteReviewModel::name, QHeaderView::Stretch);
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
     m_table->setTabKeyNavigation(false);
     m_table->setShowGrid(false);
-    m_table->setWordWrap(false);
+    m_table->setWordWrap(true); // a name that is cut could be any parameter's
     m_notes->setWordWrap(true);
     m_writeAll->setToolTip(tr("Writes every wanted value once more. Each costs an EEPROM write."));
     m_write->setObjectName(QStringLiteral("confirmWrite"));
