@@ -119,7 +119,7 @@ void ReviewPage::plan()
 
     const WordChannel *channel = m_setup.connected->bus().channel(encoder.number());
     const auto steps = plannedForJobs(encoder, jobsForWish(encoder, m_setup.wish),
-                                    channel ? channel->out() : k3::normalRunning);
+                                      channel ? channel->out() : k3::normalRunning);
     m_mayGoOn = steps.has_value();
     if (steps) {
         m_steps.showSteps(encoder.device(), *steps);
