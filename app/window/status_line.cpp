@@ -173,7 +173,7 @@ void StatusLine::showLine()
     if (!isOpen)
         return;
     const LineSnapshot &line = m_line->latest();
-    const QString port = m_line->linkName().mid(m_line->linkName().startsWith(QLatin1String("/dev/")) ? 5 : 0);
+    const QString port = m_line->linkName().section(QStringLiteral("/dev/"), -1);
     if (!line.connected) {
         m_lineLabel->setState(Role::fault, tr("%1: port is gone", "serial port").arg(port));
         return;
