@@ -4,7 +4,6 @@
 #include "catalog/device_description.h"
 #include "drivers/driven_encoder_session.h"
 #include "journal/eeprom_cost.h"
-#include "line/line_encoder_session.h"
 #include "line/line_session.h"
 #include "ring/bus_session.h"
 
@@ -26,8 +25,9 @@ LedgerKeeper::LedgerKeeper(LineSession &line, const DatabasePlace &place, QObjec
 {
     connect(&line, &LineSession::devicesChanged, this, &LedgerKeeper::watchDevices);
     connect(&line, &LineSession::moved, this, &LedgerKeeper::move);
-    connect(&line, &LineSession::typedAnswered, this,
-            [this](const TypedAnswered &answer) { settleRequest(answer.request); });
+    connect(&line, &LineSession::writeAboutToBeSent, this,
+            qOverload<const esc::Request &>(&LedgerKeeper::beginByHand));
+    connect(&line, &LineSession::typedAnswered, this, &LedgerKeeper::settleRequest);
     watchDevices();
 }
 
@@ -100,6 +100,7 @@ void LedgerKeeper::failed(const DatabaseError &error)
         watched.byHand.reset();
         watched.unassigned.clear();
     }
+    m_strangers.clear();
     if (isOpen)
         Q_EMIT messaged(*m_problem);
 }
@@ -177,6 +178,7 @@ void LedgerKeeper::watch(DeviceNumber place)
     if (encoder == nullptr)
         return;
     m_watched[place].identity = identity(place);
+    noteWhatWasToStranger(place);
     connect(encoder, &EncoderSession::jobAboutToStart, this,
             [this, place](const Job &job) { begin(place, job); });
     connect(encoder, &EncoderSession::progressed, this,
@@ -187,9 +189,6 @@ void LedgerKeeper::watch(DeviceNumber place)
         connect(driven, &DrivenEncoderSession::restoreAboutToStart, this,
                 [this, place] { planToRestore(place); });
     }
-    if (const auto *onLine = qobject_cast<LineEncoderSession *>(encoder))
-        connect(onLine, &LineEncoderSession::requestAboutToBeSent, this,
-                [this, place](const esc::Request &request) { beginByHand(place, request); });
     connect(encoder, &EncoderSession::eepromWritten, this,
             [this, place](int writes) { count(place, writes); });
     connect(encoder, &EncoderSession::finished, this,

@@ -14,6 +14,7 @@ namespace codewheel {
 
 class BusSession;
 class LineSession;
+struct TypedAnswered;
 
 // Keeps the ledger of one ring or serial line: notes each job, and each word or request by hand, that may
 // write to an EEPROM before anything is sent, what was written as it is seen, and the end; and tells each
@@ -26,7 +27,8 @@ class LineSession;
 // Which encoder it was: by the serial number the encoder told, else by that of its label, else by place. What
 // was noted at a place before a serial number was told belongs to the encoder that tells it, as long as
 // nothing speaks against it: from the moment on at which the number was forgotten or the ring became another
-// one. An encoder of a serial line that gets another address is the same one.
+// one. An encoder of a serial line that gets another address is the same one. A request typed for an address
+// that nobody has taken over is noted by that place, for the encoder that is taken over there later.
 class LedgerKeeper : public QObject
 {
     Q_OBJECT
@@ -64,6 +66,11 @@ private:
         ParameterValues sent{};
         int awaited = 0; // requests that have not ended
     };
+    struct ToStranger // a request typed for an address without a session
+    {
+        qint64 id;
+        std::optional<esc::Request> awaited;
+    };
     struct Watched
     {
         QPointer<EncoderSession> encoder;
@@ -94,11 +101,15 @@ private:
 
     // ledger_keeper_by_hand.cpp
     void beginByHand(DeviceNumber place, Word word);
-    void beginByHand(DeviceNumber place, const esc::Request &request);
+    void beginByHand(const esc::Request &request);
+    void beginByHand(Watched &watched, const esc::Request &request);
+    void beginToStranger(DeviceNumber place, const esc::Request &request);
     ByHand *byHand(Watched &watched, int planned);
     void settleByHand();
     void settleByHand(DeviceNumber place, Watched &watched);
-    void settleRequest(const esc::Request &request);
+    void settleRequest(const TypedAnswered &answer);
+    void settleToStranger(DeviceNumber place, const TypedAnswered &answer);
+    void noteWhatWasToStranger(DeviceNumber place);
     bool standsStill(DeviceNumber place, const EncoderSession &encoder) const;
 
     EncoderBus &m_bus;
@@ -109,6 +120,7 @@ private:
     QString m_project;
     std::map<DeviceNumber, QString> m_labels;
     std::map<DeviceNumber, Watched> m_watched;
+    std::map<DeviceNumber, std::vector<ToStranger>> m_strangers;
 };
 
 } // namespace codewheel

@@ -3,12 +3,21 @@
 #include "catalog/device_description.h"
 #include "journal/eeprom_cost.h"
 #include "journal/ledger_keeper.h"
+#include "line/line_event.h"
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
 
 #include <utility>
 
 namespace codewheel {
+namespace {
+
+bool isFor(const esc::Request &request, DeviceNumber place)
+{
+    return request.to.isMaster() || place.line == request.to;
+}
+
+} // namespace
 
 void LedgerKeeper::beginByHand(DeviceNumber place, Word word)
 {
@@ -24,9 +33,18 @@ void LedgerKeeper::beginByHand(DeviceNumber place, Word word)
         replaceValue(noted->sent, {parameter->parameter, k3::data(word)});
 }
 
-void LedgerKeeper::beginByHand(DeviceNumber place, const esc::Request &request)
+void LedgerKeeper::beginByHand(const esc::Request &request)
 {
-    Watched &watched = m_watched[place];
+    for (auto &[place, watched] : m_watched)
+        if (isFor(request, place))
+            beginByHand(watched, request);
+    const DeviceNumber place = DeviceNumber::onLine(request.to);
+    if (request.to.isDevice() && !m_watched.contains(place))
+        beginToStranger(place, request);
+}
+
+void LedgerKeeper::beginByHand(Watched &watched, const esc::Request &request)
+{
     ByHand *noted = byHand(watched, watched.encoder && m_ledger ? 1 : 0);
     if (noted == nullptr)
         return;
@@ -70,15 +88,57 @@ void LedgerKeeper::settleByHand()
     }
 }
 
-void LedgerKeeper::settleRequest(const esc::Request &request)
+void LedgerKeeper::settleRequest(const TypedAnswered &answer)
 {
-    if (!esc::shapeOf(request.command).writes)
+    if (!esc::shapeOf(answer.request.command).writes)
         return;
-    for (auto &[place, watched] : m_watched) {
-        const bool isAsked = request.to.isMaster() || place.line == request.to;
-        if (isAsked && watched.byHand && --watched.byHand->awaited <= 0)
+    for (auto &[place, watched] : m_watched)
+        if (isFor(answer.request, place) && watched.byHand && --watched.byHand->awaited <= 0)
             settleByHand(place, watched);
-    }
+    settleToStranger(DeviceNumber::onLine(answer.request.to), answer);
+}
+
+void LedgerKeeper::beginToStranger(DeviceNumber place, const esc::Request &request)
+{
+    if (!m_ledger)
+        return;
+    const Ledger::Entry entry{.at = m_bus.dateTime(m_bus.now()).toUTC(),
+                              .identity = identity(place).key(),
+                              .place = place,
+                              .planned = 1};
+    if (const auto id = m_ledger->begin(entry); id)
+        m_strangers[place].push_back({.id = *id, .awaited = request});
+    else
+        failed(id.error());
+}
+
+// Not answered, it may have been carried out.
+void LedgerKeeper::settleToStranger(DeviceNumber place, const TypedAnswered &answer)
+{
+    std::vector<ToStranger> &requests = m_strangers[place];
+    const auto ended = std::ranges::find(requests, std::optional(answer.request), &ToStranger::awaited);
+    if (ended == requests.end() || !m_ledger)
+        return;
+    const qint64 id = ended->id;
+    ended->awaited.reset();
+    if (m_watched.contains(place)) // by now, and it is noted there
+        requests.erase(ended);
+    const bool wasRefused = answer.result.answer && answer.result.answer->kind != esc::Answer::Kind::accepted;
+    if (answer.result.sent > 0 && !wasRefused)
+        if (auto counted = m_ledger->count(id, 1); !counted)
+            return failed(counted.error());
+    if (auto settled = m_ledger->settle(id, {}); !settled)
+        failed(settled.error());
+}
+
+// It is taken over now. What is not answered yet ends as what was typed for a stranger, and may be counted by
+// the session as well: rather twice than never.
+void LedgerKeeper::noteWhatWasToStranger(DeviceNumber place)
+{
+    std::vector<ToStranger> &requests = m_strangers[place];
+    for (const ToStranger &request : requests)
+        note(m_watched[place], request.id);
+    std::erase_if(requests, [](const ToStranger &request) { return !request.awaited; });
 }
 
 void LedgerKeeper::settleByHand(DeviceNumber place, Watched &watched)

@@ -22,11 +22,6 @@ public:
     QDateTime dateTime(Instant at) const override;
     int fractionBits() const; // of its scaling factor, as its line is set
 
-Q_SIGNALS:
-    // Nothing of it has been sent: a write that was typed, and that was allowed. For the ledger of EEPROM
-    // writes; its end is LineSession::typedAnswered.
-    void requestAboutToBeSent(const codewheel::esc::Request &request);
-
 private:
     friend class LineSession;
     Result<void> mayStart(const Job &job) const override;

@@ -390,9 +390,7 @@ void LineSession::cancelScan()
 void LineSession::send(const esc::Request &request)
 {
     if (d->runner && esc::shapeOf(request.command).writes)
-        for (const Private::Encoder &encoder : d->encoders)
-            if (encoder.session && (request.to.isMaster() || encoder.session->number().line == request.to))
-                Q_EMIT encoder.session->requestAboutToBeSent(request);
+        Q_EMIT writeAboutToBeSent(request);
     post(line_command::Send{request});
 }
 

@@ -100,6 +100,9 @@ Q_SIGNALS:
     // The encoder has another address now: encoder() finds it by that one.
     void moved(codewheel::DeviceNumber from, codewheel::DeviceNumber to);
     void passed(const codewheel::esc::LineRow &row); // what went over the line
+    // Nothing of it has been sent yet: a write that was typed. For the ledger of EEPROM writes; its end is
+    // typedAnswered(), of one that is refused too.
+    void writeAboutToBeSent(const codewheel::esc::Request &request);
     void typedAnswered(const codewheel::TypedAnswered &answer);
     void scanProgressed(const codewheel::ScanProgress &progress);
     void scanEnded(const codewheel::ScanEnded &result);

@@ -146,6 +146,51 @@ TEST_F(LineLedgerTest, AtTheMasterAddressAWriteIsEachEncoders)
     EXPECT_EQ(countAt(five).atMost(), 1);
 }
 
+TEST_F(LineLedgerTest, AWriteToAnAddressNobodyHasTakenOverIsItsEncodersOnceItIs)
+{
+    keep(file.place());
+    line.send({.to = three.line, .command = esc::Command::writeDirection, .data = 1});
+    EXPECT_EQ(onDisk(three).perhaps, 1); // before it is sent
+    line.advance(1s);
+    EXPECT_EQ(onDisk(three).writes, 1);
+    EXPECT_EQ(onDisk(three).perhaps, 0);
+    add(three);
+    EXPECT_EQ(countAt(three).by, CountedBy::serialNumber);
+    EXPECT_EQ(countAt(three).writes, 1);
+    write(three, Parameter::direction, 0);
+    EXPECT_EQ(countAt(three).writes, 2);
+    EXPECT_EQ(keeper->ledger()->accounts().size(), 1U);
+}
+
+TEST_F(LineLedgerTest, AWriteAnsweredAfterItsEncoderWasTakenOverIsNotLost)
+{
+    keep(DatabasePlace::memory());
+    line.send({.to = three.line, .command = esc::Command::writeDirection, .data = 1});
+    add(three);
+    EXPECT_GE(countAt(three).writes, 1); // the session may have seen it too: rather twice than never
+    EXPECT_EQ(countAt(three).perhaps, 0);
+}
+
+TEST_F(LineLedgerTest, ARefusedWriteToAnAddressNobodyHasTakenOverCostsNothing)
+{
+    keep(DatabasePlace::memory());
+    line.send({.to = three.line, .command = esc::Command::writeRevolutions, .data = 0}); // 05
+    line.advance(1s);
+    line.setOperate(false);
+    line.send({.to = three.line, .command = esc::Command::writeDirection, .data = 1}); // Watch
+    line.advance(1s);
+    EXPECT_TRUE(keeper->ledger()->accounts().empty());
+}
+
+TEST_F(LineLedgerTest, AWriteToAnAddressNobodyHasTakenOverThatIsNotAnsweredCounts)
+{
+    keep(DatabasePlace::memory());
+    simulated->setSilent(true);
+    line.send({.to = three.line, .command = esc::Command::writeDirection, .data = 1});
+    line.advance(1s);
+    EXPECT_EQ(keeper->ledger()->writes(keeper->identity(three)).writes, 1);
+}
+
 TEST_F(LineLedgerTest, AWriteTornByUnpluggingCounts)
 {
     keep(file.place());
