@@ -6018,10 +6018,6 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         <translation>Der Gerätecode des Profils %1 ist %2.</translation>
     </message>
     <message>
-        <source>The profile %1 has %2 words IN and %3 words OUT.</source>
-        <translation>Das Profil %1 hat %2 Worte IN und %3 Worte OUT.</translation>
-    </message>
-    <message>
         <source>A value that is written must be between 0 and %1: the word has no room for others.</source>
         <translation>Ein Wert, der geschrieben wird, muss zwischen 0 und %1 liegen: Für andere ist im Wort kein Platz.</translation>
     </message>
@@ -6056,6 +6052,10 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     <message>
         <source>Only an encoder on a serial line has commands. Leave it out.</source>
         <translation>Nur ein Geber auf einer seriellen Leitung hat Befehle. Weglassen.</translation>
+    </message>
+    <message>
+        <source>The words of the profile %1 are: IN %2, OUT %3.</source>
+        <translation>Die Worte des Profils %1 sind: IN %2, OUT %3.</translation>
     </message>
 </context>
 <context>
@@ -7178,10 +7178,6 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         <translation>Codes haben zwei Hexadezimalziffern, etwa BEh und 81h.</translation>
     </message>
     <message>
-        <source>%1: %2, %3 words IN, %4 words OUT</source>
-        <translation>%1: %2, %3 Worte IN, %4 Worte OUT</translation>
-    </message>
-    <message>
         <source>At the end</source>
         <translation>Am Ende</translation>
     </message>
@@ -7208,6 +7204,10 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     <message>
         <source>Closes this panel (Esc)</source>
         <translation>Schließt dieses Feld (Esc)</translation>
+    </message>
+    <message>
+        <source>%1: %2, words: IN %3, OUT %4</source>
+        <translation>%1: %2, Worte: IN %3, OUT %4</translation>
     </message>
 </context>
 <context>
@@ -8332,6 +8332,14 @@ Zustand: %4</translation>
     <message>
         <source>&amp;Kind</source>
         <translation>Ar&amp;t</translation>
+    </message>
+    <message>
+        <source>Not taken over: %1. The line works at %2 Bd. Choose the other baud rate in the settings of the line, and connect it again.</source>
+        <translation>Nicht übernommen: %1. Die Leitung arbeitet mit %2 Bd. In den Einstellungen der Leitung die andere Baudrate wählen und neu verbinden.</translation>
+    </message>
+    <message>
+        <source>%1 at %2 Bd</source>
+        <translation>%1 mit %2 Bd</translation>
     </message>
 </context>
 <context>
@@ -9861,14 +9869,6 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
         <translation>In Ringreihenfolge gezählt. Eine Zahl tippen, um sie von Hand zu vergeben.</translation>
     </message>
     <message>
-        <source>%1  %2
-ID code %3, device code %4
-%5 words IN, %6 words OUT</source>
-        <translation>%1  %2
-ID-Code %3, Gerätecode %4
-%5 Worte IN, %6 Worte OUT</translation>
-    </message>
-    <message>
         <source>Station of %1</source>
         <translation>Station von %1</translation>
     </message>
@@ -9903,6 +9903,14 @@ ID-Code %3, Gerätecode %4
     <message>
         <source>Serial number of %1</source>
         <translation>Seriennummer von %1</translation>
+    </message>
+    <message>
+        <source>%1  %2
+ID code %3, device code %4
+Words: IN %5, OUT %6</source>
+        <translation>%1  %2
+ID-Code %3, Gerätecode %4
+Worte: IN %5, OUT %6</translation>
     </message>
 </context>
 <context>
@@ -12237,16 +12245,6 @@ ID-Code %3, Gerätecode %4
         <translation>Der Master des Rings ist im Zustand %1.</translation>
     </message>
     <message>
-        <source>%1  %2
-ID code %3, device code %4
-%5 words IN, %6 words OUT
-State: %7</source>
-        <translation>%1  %2
-ID-Code %3, Gerätecode %4
-%5 Worte IN, %6 Worte OUT
-Zustand: %7</translation>
-    </message>
-    <message>
         <source>service mode</source>
         <translation>Dienstbetrieb</translation>
     </message>
@@ -12281,6 +12279,16 @@ Zustand: %7</translation>
     <message>
         <source>Position</source>
         <translation>Position</translation>
+    </message>
+    <message>
+        <source>%1  %2
+ID code %3, device code %4
+Words: IN %5, OUT %6
+State: %7</source>
+        <translation>%1  %2
+ID-Code %3, Gerätecode %4
+Worte: IN %5, OUT %6
+Zustand: %7</translation>
     </message>
 </context>
 <context>

@@ -207,9 +207,12 @@ void LineViews::takeOver(const std::vector<FoundEncoder> &found, const QString &
     Project after = m_project.project();
     if (!after.line)
         after.line = ProjectLine();
+    std::vector<FoundEncoder> left;
     for (const FoundEncoder &encoder : found) {
-        if (encoder.baudRate != line->settings().baudRate)
+        if (encoder.baudRate != line->settings().baudRate) {
+            left.push_back(encoder);
             continue;
+        }
         const DeviceNumber number = DeviceNumber::onLine(encoder.address);
         (void)line->add(encoder.address, deviceKey); // one that is there already stays
         if (findDevice(after, number) == nullptr)
@@ -217,7 +220,9 @@ void LineViews::takeOver(const std::vector<FoundEncoder> &found, const QString &
     }
     std::ranges::sort(after.line->encoders, {},
                       [](const ProjectDevice &device) { return device.participant.number; });
-    m_project.edit(std::move(after), tr("Encoders of the serial line"));
+    if (left.size() < found.size())
+        m_project.edit(std::move(after), tr("Encoders of the serial line"));
+    m_search->showLeft(left);
 }
 
 void LineViews::remove(DeviceNumber number)

@@ -61,7 +61,7 @@ public:
 
     static void checkWords(const JsonObject &json, const DeviceDescription &device, const PlaceOnBus &place)
     {
-        const QString reason = tr("The profile %1 has %2 words IN and %3 words OUT.")
+        const QString reason = tr("The words of the profile %1 are: IN %2, OUT %3.")
                                    .arg(profileName(device.profile))
                                    .arg(place.inWords)
                                    .arg(place.outWords);

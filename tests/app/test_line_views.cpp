@@ -103,6 +103,20 @@ TEST_F(LineViewsTest, WhatIsFoundIsTakenOver)
     EXPECT_EQ(shown->project().project().line->encoders.size(), 3u);
 }
 
+TEST_F(LineViewsTest, WhatAnswersAtAnotherBaudRateIsNotTakenOverAndThatIsSaid)
+{
+    actions().lineSearch->trigger();
+    const auto before = line().numbers();
+    const auto steps = shown->project().project();
+    Q_EMIT view<LineSearch>().takeOverWanted({{.address = {0x08}, .baudRate = 9'600}},
+                                             QStringLiteral("kuebler-esc-rs485"));
+    EXPECT_EQ(line().numbers(), before);
+    EXPECT_EQ(shown->project().project(), steps);
+    const auto *message = view<LineSearch>().findChild<InlineMessage *>();
+    ASSERT_TRUE(message->isVisible());
+    EXPECT_TRUE(message->sentence().contains(QStringLiteral("08h (8)")));
+}
+
 TEST_F(LineViewsTest, AnEncoderIsRemovedFromLineAndProject)
 {
     view<StructureView>().choose(standing);

@@ -286,6 +286,20 @@ void LineSearch::showEnd(const ScanEnded &ended)
     showWhatIsPossible();
 }
 
+void LineSearch::showLeft(const std::vector<FoundEncoder> &left)
+{
+    if (left.empty() || !m_line)
+        return;
+    QStringList named;
+    for (const FoundEncoder &encoder : left)
+        named << tr("%1 at %2 Bd").arg(encoder.address.shown(), QLocale().toString(encoder.baudRate));
+    m_message->showMessage(
+        Role::attention,
+        sentence(tr("Not taken over: %1. The line works at %2 Bd. Choose the other baud rate in "
+                    "the settings of the line, and connect it again."),
+                 {named.join(QStringLiteral(", ")), QLocale().toString(m_line->settings().baudRate)}));
+}
+
 void LineSearch::showWhatIsPossible()
 {
     const bool isConnectedNow = isConnected();

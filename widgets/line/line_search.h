@@ -44,6 +44,9 @@ public:
     void setDevices(const std::vector<Device> &devices);
     ScanWish wish() const;
     void setWish(const ScanWish &wish);
+    // Says which of those that were wanted could not be taken over, since they answer at another baud rate
+    // than the line's.
+    void showLeft(const std::vector<FoundEncoder> &left);
 
 Q_SIGNALS:
     // Encoders of the line's own baud rate and of others; none of address 0.

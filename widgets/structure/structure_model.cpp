@@ -479,7 +479,7 @@ QString StructureModel::toolTip(const Node &node) const
     QStringList more{ledsText(node), codingText(node)};
     more.removeAll(QString());
     const QString text =
-        tr("%1  %2\nID code %3, device code %4\n%5 words IN, %6 words OUT\nState: %7")
+        tr("%1  %2\nID code %3, device code %4\nWords: IN %5, OUT %6\nState: %7")
             .arg(node.participant.number.toString(), calledText(node.station, node.name),
                  idCodeText(node.participant.idCode), hexCode(node.participant.deviceCode, 4))
             .arg(node.participant.inWords)

@@ -236,7 +236,7 @@ void InsertPanel::choose()
         m_reading->setText(m_byCode ? tr("Codes are two hexadecimal digits, such as BEh and 81h.")
                                     : QString());
     else
-        m_reading->setText(tr("%1: %2, %3 words IN, %4 words OUT")
+        m_reading->setText(tr("%1: %2, words: IN %3, OUT %4")
                                .arg(hexCode(device->deviceCode, 4), planName(*device, m_catalog))
                                .arg(device->inWords)
                                .arg(device->outWords));

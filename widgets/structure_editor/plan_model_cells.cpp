@@ -154,7 +154,7 @@ QString PlanModel::toolTip(const PlanRow &row, int column)
     if (isAddress(column))
         return how(column == inColumn ? row.addresses.in : row.addresses.out);
     const QString device =
-        tr("%1  %2\nID code %3, device code %4\n%5 words IN, %6 words OUT")
+        tr("%1  %2\nID code %3, device code %4\nWords: IN %5, OUT %6")
             .arg(
                 row.participant.number.toString(), row.name,
                 QStringLiteral("%1 = %2").arg(hexCode(row.participant.idCode, 2)).arg(row.participant.idCode),

@@ -171,7 +171,7 @@ TEST_F(StructureEditorTest, ADeviceIsInsertedByItsCodes)
     QTest::keyClicks(&child<QLineEdit>("insertIdCode"), QStringLiteral("BE"));
     QTest::keyClicks(&length, QStringLiteral("81h"));
     EXPECT_EQ(child<QLabel>("insertReading").text(),
-              QStringLiteral("81BEh: Inline digital input, 1 words IN, 0 words OUT"));
+              QStringLiteral("81BEh: Inline digital input, words: IN 1, OUT 0"));
     EXPECT_EQ(child<QComboBox>("insertPlace").currentText(), QStringLiteral("On the local bus of 2.0"));
     QTest::keyClick(&length, Qt::Key_Return);
     EXPECT_EQ(at(QStringLiteral("2.3")).deviceCode, 0x81BEU);
