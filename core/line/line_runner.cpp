@@ -56,40 +56,6 @@ bool LineRunner::Private::beginScanStep()
     return false;
 }
 
-bool LineRunner::Private::beginDevice()
-{
-    const auto device = state.polling ? deviceInTurn() : std::nullopt;
-    if (!device)
-        return false;
-    devices[*device].turn = ++turns;
-    const auto request = driver(*device)->next(link.now());
-    collect(*device);
-    return request && ask(Asker::device, *device, *request,
-                          driver(*device)->wantedBaudRate().value_or(settings.baudRate));
-}
-
-std::optional<std::size_t> LineRunner::Private::deviceInTurn() const
-{
-    std::optional<std::size_t> chosen;
-    for (std::size_t i = 0; i < devices.size(); ++i) {
-        const auto wakes = driver(i) ? driver(i)->wakesAt() : std::nullopt;
-        if (wakes && *wakes <= link.now() && (!chosen || devices[i].turn < devices[*chosen].turn))
-            chosen = i;
-    }
-    return chosen;
-}
-
-std::optional<Instant> LineRunner::Private::nextWish() const
-{
-    std::optional<Instant> first;
-    for (const Device &device : devices) {
-        const auto wakes = device.driver && state.polling ? device.driver->wakesAt() : std::nullopt;
-        if (wakes && (!first || *wakes < *first))
-            first = wakes;
-    }
-    return first;
-}
-
 bool LineRunner::Private::ask(Asker asker, std::size_t device, const esc::Request &request, int rate)
 {
     if (!useBaudRate(rate))
@@ -101,9 +67,10 @@ bool LineRunner::Private::ask(Asker asker, std::size_t device, const esc::Reques
     if (state.lowLatency == LowLatency::refused)
         asked.adapterDelay = std::max(timing.adapterDelay, withoutLowLatency);
     asked.longestAnswer = std::max(timing.longestAnswer, counter.longestAnswer());
-    if (asker != Asker::device) // who looks or types sees for himself
+    // Who looks or types sees for himself, and who does not answer is asked again in its turn.
+    if (asker != Asker::device || isDoubtful(device))
         asked.retries = 0;
-    underWay.emplace(UnderWay{asker, device, esc::Exchange(request, asked)});
+    underWay.emplace(UnderWay{asker, device, link.now(), esc::Exchange(request, asked)});
     return true;
 }
 
@@ -158,6 +125,7 @@ void LineRunner::Private::end(UnderWay ended)
         if (!driver(ended.device)) // removed meanwhile
             break;
         devices[ended.device].counter.note(result);
+        noteTurn(ended);
         deviceAnswered(ended.device, ended.exchange.request(), result);
         break;
     }

@@ -27,6 +27,7 @@ void LineRunner::Private::portIsGone(const Refusal &why)
     for (std::size_t i = 0; i < devices.size(); ++i)
         if (driver(i))
             driver(i)->lineLost(link.now());
+    forgetTurns();
     link.close();
     publish();
 }

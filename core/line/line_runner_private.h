@@ -20,12 +20,14 @@ struct LineRunner::Private
         QString name;
         LineCounter counter;
         std::uint64_t turn = 0; // when it was asked last, in requests of the line
+        bool answers = false;   // its last request was answered
     };
 
     struct UnderWay
     {
         Asker asker = Asker::device;
         std::size_t device = 0; // Asker::device
+        Instant begun{};
         esc::Exchange exchange;
     };
 
@@ -58,16 +60,23 @@ struct LineRunner::Private
     bool begin(); // the next request; false: nobody wants anything now
     bool beginTyped();
     bool beginScanStep();
-    bool beginDevice();
-    std::optional<std::size_t> deviceInTurn() const;
     bool ask(Asker asker, std::size_t device, const esc::Request &request, int baudRate);
-    std::optional<Instant> nextWish() const;
     void goOn(Instant until); // with the request under way
     void end(UnderWay ended);
     void deviceAnswered(std::size_t device, const esc::Request &request, const esc::ExchangeResult &result);
     void typedEnded(const esc::Request &request, const esc::ExchangeResult &result);
     void listen(Instant until); // to what comes without having been asked for
     bool useBaudRate(int baudRate);
+
+    // line_runner_turns.cpp
+    bool beginDevice();
+    std::optional<std::size_t> deviceInTurn() const;
+    std::optional<Instant> nextWish() const;
+    bool isDoubtful(std::size_t device) const;
+    bool anyAnswers() const;
+    std::optional<Instant> turnOf(std::size_t device) const; // when it is due; nothing: it wants nothing
+    void noteTurn(const UnderWay &ended);
+    void forgetTurns();
 
     // line_runner_port.cpp
     void portIsGone(const Refusal &why);
@@ -93,6 +102,7 @@ struct LineRunner::Private
     std::optional<LineScan> scan;
     LineCounter counter;
     std::uint64_t turns = 0;
+    Instant doubtfulFrom{}; // before that none that did not answer is asked, while others answer
     LineState state{.connected = true};
     Instant reopenAt{};
     std::optional<Refusal> notBack; // as it was told

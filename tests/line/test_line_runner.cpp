@@ -88,9 +88,10 @@ TEST_F(LineRunnerTest, KeepsTheAnswersOfTheOthersWhileOneIsSilent)
     const auto latest = runner.takeLatest();
     EXPECT_EQ(latest->devices[0].reading.state, EncoderState::silent);
     EXPECT_EQ(latest->devices[1].reading.state, EncoderState::operation);
-    EXPECT_GT(latest->devices[1].figures.answers, 150U);
+    EXPECT_GT(latest->devices[1].figures.answers, 300U);
     EXPECT_EQ(latest->devices[0].figures.answers, 0U);
-    EXPECT_EQ(latest->devices[0].figures.retries, 2 * latest->devices[0].figures.unanswered);
+    EXPECT_EQ(latest->devices[0].figures.retries, 0U);
+    EXPECT_GE(latest->devices[0].figures.unanswered, 2U);
 }
 
 TEST_F(LineRunnerTest, AfterATimeOutWaitsForTwiceTheLongestAnswerSeen)

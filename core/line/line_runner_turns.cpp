@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whose turn it is. A request without an answer takes as long as a dozen others, so those that do not answer
+// share a small part of the line's time while others answer.
+#include "line/line_runner_private.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+// Of the line's time, what they leave to the others: 1 of 2 until they are known to be silent, then 19 of 20.
+constexpr int restWhileDoubtful = 1;
+constexpr int restWhileSilent = 19;
+
+} // namespace
+
+bool LineRunner::Private::beginDevice()
+{
+    const auto device = state.polling ? deviceInTurn() : std::nullopt;
+    if (!device)
+        return false;
+    devices[*device].turn = ++turns;
+    const auto request = driver(*device)->next(link.now());
+    collect(*device);
+    return request && ask(Asker::device, *device, *request,
+                          driver(*device)->wantedBaudRate().value_or(settings.baudRate));
+}
+
+std::optional<std::size_t> LineRunner::Private::deviceInTurn() const
+{
+    std::optional<std::size_t> chosen;
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        const auto due = turnOf(i);
+        if (due && *due <= link.now() && (!chosen || devices[i].turn < devices[*chosen].turn))
+            chosen = i;
+    }
+    return chosen;
+}
+
+std::optional<Instant> LineRunner::Private::nextWish() const
+{
+    std::optional<Instant> first;
+    for (std::size_t i = 0; i < devices.size() && state.polling; ++i) {
+        const auto due = turnOf(i);
+        if (due && (!first || *due < *first))
+            first = due;
+    }
+    return first;
+}
+
+// A job has its time-outs and retries, whatever was before: its answers are waited for.
+bool LineRunner::Private::isDoubtful(std::size_t device) const
+{
+    return !devices[device].answers && !driver(device)->busy();
+}
+
+bool LineRunner::Private::anyAnswers() const
+{
+    return std::ranges::any_of(devices, [](const Device &device) { return device.driver && device.answers; });
+}
+
+std::optional<Instant> LineRunner::Private::turnOf(std::size_t device) const
+{
+    const auto wakes = driver(device) ? driver(device)->wakesAt() : std::nullopt;
+    if (wakes && isDoubtful(device) && anyAnswers())
+        return std::max(*wakes, doubtfulFrom);
+    return wakes;
+}
+
+void LineRunner::Private::noteTurn(const UnderWay &ended)
+{
+    Device &device = devices[ended.device];
+    device.answers = ended.exchange.result().answer.has_value();
+    if (device.answers || !anyAnswers())
+        return;
+    const bool isSilent = device.driver->reading().state == EncoderState::silent;
+    const Instant took = link.now() - ended.begun;
+    doubtfulFrom = link.now() + took * (isSilent ? restWhileSilent : restWhileDoubtful);
+}
+
+void LineRunner::Private::forgetTurns()
+{
+    doubtfulFrom = {};
+    for (Device &device : devices)
+        device.answers = false;
+}
+
+} // namespace codewheel
