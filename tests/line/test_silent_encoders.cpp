@@ -86,7 +86,7 @@ TEST_F(SilentEncoders, WhileSomeFallSilentTheOthersHaveHalfOfTheLine)
     const auto together = answersIn(3s);
     setSilent({5}, true);
     setSilent({0x12}, true);
-    EXPECT_GE(answersIn(3s), together * 3 / 2);
+    EXPECT_GE(answersIn(3s), together * 4 / 3);
     EXPECT_EQ(shown(1).reading.state, EncoderState::silent);
     EXPECT_EQ(shown(2).reading.state, EncoderState::silent);
 }
