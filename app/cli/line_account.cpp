@@ -5,6 +5,7 @@
 #include "cli/parameter_text.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
+#include "drivers/esc_plan.h"
 #include "encoder/sentence.h"
 
 #include <algorithm>
@@ -44,7 +45,10 @@ LineAccount::Fate LineAccount::fateOf(const ParameterValue &value) const
     if (!wasSent(value.parameter))
         return Fate::notSent;
     const bool isOpen = !outcome.result && leavesItOpen(outcome.result.error());
-    return isOpen && !known ? Fate::unknown : Fate::refused;
+    // Steps and range that are read do not tell whether new ones wait for their factor.
+    const bool isUntold = isOpen && outcome.result.error().id == RefusalId::escWriteUnknown &&
+                          isBoundToEscFactor(value.parameter);
+    return isUntold || (isOpen && !known) ? Fate::unknown : Fate::refused;
 }
 
 QString LineAccount::toText() const
@@ -105,14 +109,18 @@ QJsonArray LineAccount::toJson() const
 
 QString LineAccount::whereItWasLeft() const
 {
-    if (!m_job.outcome.result && m_job.outcome.result.error().id == RefusalId::portLost)
+    const Outcome &outcome = m_job.outcome;
+    const auto endedBy = [&](RefusalId id) { return !outcome.result && outcome.result.error().id == id; };
+    if (endedBy(RefusalId::portLost) || endedBy(RefusalId::stoppedInWrite))
         return CommandLine::tr(
             "What the encoder has is known as far as it is told above: connect again and read "
             "it.");
-    if (!m_job.outcome.result && m_job.outcome.result.error().id == RefusalId::escNotFoundAgain)
+    if (endedBy(RefusalId::escNotFoundAgain))
         return {};
-    if (m_encoder.latest().state == EncoderState::silent)
+    if (outcome.leftIn == EncoderState::silent)
         return CommandLine::tr("The encoder does not answer any more.");
+    if (outcome.leftIn != EncoderState::operation)
+        return {};
     return sentence(CommandLine::tr("The encoder answers at %1."), {m_encoder.number().line.shown()});
 }
 

@@ -214,7 +214,7 @@ void EscJob::finish(Result<void> result)
     m_isDone = true;
     m_search.reset();
     m_outcome.result = std::move(result);
-    m_outcome.eepromWrites = m_encoder.values.eepromWrites() - m_writesBefore;
+    m_outcome.eepromWrites += m_encoder.values.eepromWrites() - m_writesBefore;
     m_outcome.leftIn = m_encoder.reading.state;
     m_encoder.events.emplace_back(m_outcome);
 }

@@ -71,6 +71,7 @@ private:
     void isThere(const ParameterValue &value);
     void isNotThere(std::int64_t has);
     void notRead(const Refusal &why);
+    void failAsUnknown();
     void fail(Refusal why);
 
     // esc_job_preset.cpp

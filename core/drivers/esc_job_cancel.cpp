@@ -65,15 +65,18 @@ void EscJob::cancel(OnCancel how)
     settle();
 }
 
-// A write that waits for its answer is counted by who hears it, or hears that there is none; one without an
-// answer, which was still to be looked for in the encoder, here.
+// A write that waits for its answer may be carried out, so the outcome counts it; of the encoder it is
+// counted by who hears the answer, or hears that there is none. One without an answer, which was still to be
+// looked for in the encoder, is counted here.
 void EscJob::stop(const Refusal &why)
 {
     if (m_isDone)
         return;
     const bool isWriting = m_isUnderWay && current().task == EscStep::Task::write;
-    if (isWriting)
+    if (isWriting) {
         m_encoder.mayHaveChanged(current().request.command);
+        ++m_outcome.eepromWrites;
+    }
     if (m_unanswered)
         m_encoder.values.countEepromWrite();
     if (isWriting || m_unanswered)

@@ -50,20 +50,19 @@ void EscJob::presetDone(Instant now)
         return;
     }
     const Said value = presetValueSays();
-    const QString line = QString::fromLatin1(m_unanswered->line);
     const bool contradict = position != Said::nothing && value != Said::nothing && position != value;
     const Said said = position == Said::nothing ? value : position;
     if (said == Said::notDone && !contradict) {
-        fail({RefusalKind::device, RefusalId::escWriteNotDone, {line}});
+        fail({RefusalKind::device, RefusalId::escWriteNotDone, {QString::fromLatin1(m_unanswered->line)}});
+        return;
+    }
+    if (said == Said::nothing || contradict) {
+        failAsUnknown();
         return;
     }
     m_encoder.values.countEepromWrite();
-    if (said == Said::done && !contradict) {
-        m_unanswered.reset();
-        stepDone();
-    } else {
-        fail({RefusalKind::device, RefusalId::escWriteUnknown, {line}});
-    }
+    m_unanswered.reset();
+    stepDone();
 }
 
 EscJob::Said EscJob::positionSays(Instant now) const

@@ -94,19 +94,28 @@ void EscJob::isNotThere(std::int64_t has)
     const EscStep step = current();
     std::erase_if(m_outcome.written,
                   [&](const ParameterValue &value) { return value.parameter == *step.parameter; });
-    if (m_unanswered)
+    if (m_unanswered && isBoundToEscFactor(*step.parameter))
+        failAsUnknown(); // carried out it would show as soon as the factor is sent, and not before
+    else if (m_unanswered)
         fail({RefusalKind::device, RefusalId::escWriteNotDone, {QString::fromLatin1(m_unanswered->line)}});
     else
         fail({RefusalKind::device, RefusalId::verificationFailed, {*step.parameter, step.value, has}});
 }
 
-// A write that may have reached the EEPROM counts as one.
 void EscJob::notRead(const Refusal &why)
 {
     if (!m_unanswered) {
         fail(why);
         return;
     }
+    failAsUnknown();
+    if (why.id == RefusalId::escNoAnswer)
+        m_steps.resize(m_index);
+}
+
+// A write that may have reached the EEPROM counts as one.
+void EscJob::failAsUnknown()
+{
     m_encoder.values.countEepromWrite();
     fail({RefusalKind::device, RefusalId::escWriteUnknown, {QString::fromLatin1(m_unanswered->line)}});
 }
@@ -114,8 +123,7 @@ void EscJob::notRead(const Refusal &why)
 // The first failure is told. What was accepted before is still read back, save of an encoder that is silent.
 void EscJob::fail(Refusal why)
 {
-    const bool isSilent = why.id == RefusalId::escNoAnswer || why.id == RefusalId::escWriteUnknown ||
-                          why.id == RefusalId::escNotFoundAgain;
+    const bool isSilent = why.id == RefusalId::escNoAnswer || why.id == RefusalId::escNotFoundAgain;
     const std::optional<Parameter> refused =
         current().task == EscStep::Task::write ? current().parameter : std::nullopt;
     m_unanswered.reset();

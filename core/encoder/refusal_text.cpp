@@ -283,8 +283,9 @@ constexpr std::array rows{
                                      "for disturbances, then read again.")},
     Row{RefusalId::escWriteUnknown, "escWriteUnknown",
         QT_TRANSLATE_NOOP("Refusal",
-                          "%1 was sent and not answered, and the encoder could not be read afterwards: it is "
-                          "not known whether it has the new value. Read it before you go on.")},
+                          "%1 was sent and not answered, and it could not be found out afterwards whether "
+                          "it was carried out: it is not known whether the encoder has the new value. Check "
+                          "the line, and read the encoder before you go on.")},
     Row{RefusalId::escWriteNotDone, "escWriteNotDone",
         QT_TRANSLATE_NOOP("Refusal", "%1 was sent and not answered, and the encoder still has the old value. "
                                      "Check the line, then write again.")},

@@ -10,6 +10,7 @@ namespace codewheel {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 std::string fateOf(const QJsonObject &json, const char *parameter)
@@ -129,8 +130,11 @@ TEST(CliLineWrite, UnpluggedInTheMiddleEachValueTellsWhatIsKnownOfIt)
     EXPECT_EQ(fateOf(run.json(), "upper-limit"), "readBack");
     EXPECT_EQ(fateOf(run.json(), "direction"), "unknown");
     EXPECT_EQ(fateOf(run.json(), "lower-limit"), "notSent");
+    EXPECT_EQ(run.json()[u"eepromWrites"], 2);
     EXPECT_THAT(run.err, HasSubstr("The serial port training line is gone"));
     EXPECT_THAT(run.err, HasSubstr("05GD1"));
+    EXPECT_THAT(run.err, HasSubstr("connect again and read it"));
+    EXPECT_THAT(run.err, Not(HasSubstr("The encoder answers at")));
 }
 
 TEST(CliLineWrite, AWriteOfASilentEncoderIsNotKnown)
@@ -143,6 +147,7 @@ TEST(CliLineWrite, AWriteOfASilentEncoderIsNotKnown)
     EXPECT_EQ(fateOf(run.json(), "direction"), "unknown");
     EXPECT_EQ(fateOf(run.json(), "lower-limit"), "notSent");
     EXPECT_EQ(run.json()[u"eepromWrites"], 1);
+    EXPECT_THAT(run.err, HasSubstr("The encoder does not answer any more."));
 }
 
 TEST(CliLineWrite, AfterCtrlCNothingElseIsWrittenAndWhatWasIsRead)

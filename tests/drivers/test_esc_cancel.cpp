@@ -154,6 +154,18 @@ TEST(EscStop, SaysWhichWriteWasUnderWay)
     EXPECT_EQ(bench.outcome->result.error(),
               (Refusal{RefusalKind::stopped, RefusalId::stoppedInWrite, {QStringLiteral("03GL00000200")}}));
     EXPECT_EQ(bench.value(Parameter::lowerLimit), std::nullopt);
+    EXPECT_EQ(bench.outcome->eepromWrites, 1) << "it may have been carried out";
+}
+
+TEST(EscStop, AWriteThatIsRefusedAfterwardsIsNotCountedOfTheEncoder)
+{
+    EscBench bench;
+    const esc::Request request = requestOfLowerLimit(bench);
+    bench.driver.stop({RefusalKind::stopped, RefusalId::alarmStop, {}}, bench.now);
+    bench.driver.answered(request, {.answer = esc::Answer{esc::Answer::Kind::outOfRange, 0, {}}, .sent = 1},
+                          bench.now);
+    bench.step();
+    EXPECT_EQ(bench.eepromWrites, 0);
 }
 
 TEST(EscStop, AWriteWithoutAnAnswerMayHaveBeenCarriedOut)
@@ -165,6 +177,7 @@ TEST(EscStop, AWriteWithoutAnAnswerMayHaveBeenCarriedOut)
     bench.step();
     ASSERT_TRUE(bench.outcome);
     EXPECT_EQ(bench.outcome->result.error().id, RefusalId::stoppedInWrite);
+    EXPECT_EQ(bench.outcome->eepromWrites, 1);
     EXPECT_EQ(bench.eepromWrites, 1);
 }
 

@@ -265,6 +265,27 @@ TEST(EscWrite, TheEncoderIsUnpluggedInTheMiddle)
 }
 
 // The first of a group is read at once, before the factor makes it act.
+// Manual, note on GR, GT and GF: they act once the factor has been sent, so what D and M tell before says
+// nothing of a command without an answer.
+TEST(EscWrite, TheOldScalingIsNoProofThatItWasNotWritten)
+{
+    const std::tuple<Parameter, std::int64_t, std::string> scaling[] = {
+        {Parameter::steps, 4096, "GR"}, {Parameter::measuringRange, 0x100000, "GT"}};
+    for (const auto &[parameter, value, letters] : scaling) {
+        EscBench bench;
+        bench.settle();
+        bench.next(letters, Fate::lost); // or carried out, and not shown yet
+        const Outcome &outcome = bench.finish(writing({{Parameter::lowerLimit, 0x200}, {parameter, value}}));
+        ASSERT_FALSE(outcome.result);
+        EXPECT_EQ(outcome.result.error().id, RefusalId::escWriteUnknown);
+        EXPECT_EQ(outcome.eepromWrites, 2) << "with that of the limit";
+        EXPECT_EQ(bench.eepromWrites, 2);
+        EXPECT_EQ(outcome.written, (ParameterValues{{Parameter::lowerLimit, 0x200}}));
+        EXPECT_EQ(bench.count("GF"), 0);
+        EXPECT_EQ(bench.count(letters), 1);
+    }
+}
+
 TEST(EscWrite, AnUnansweredWriteOfTheScalingIsReadBeforeTheNext)
 {
     EscBench bench;
