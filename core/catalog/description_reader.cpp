@@ -3,6 +3,7 @@
 
 #include "catalog/description_rules.h"
 #include "catalog/ordering_key_reader.h"
+#include "catalog/parameter_rules.h"
 #include "catalog/tables_reader.h"
 
 #include <algorithm>
@@ -255,7 +256,7 @@ void DescriptionReader::readParameters(const JsonObject &json, DeviceDescription
                                    "stored", "onLabel", "choices", "chapter", "read", "write", "bit"})) {
         const ParameterDescription parameter = readParameter(row);
         refuseTaken(row, parameter, device);
-        checkParameter(row, parameter, device.profile);
+        checkParameter(row, parameter, device);
         device.parameters.push_back(parameter);
     }
 }

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/description_rules.h"
 
-#include "catalog/data_field.h"
 #include "catalog/hex_code.h"
+#include "catalog/parameter_rules.h"
 
 #include <algorithm>
 
 namespace codewheel {
 namespace {
-
-// The number of the word that sets a K3 to default (FRABA manual 5.3, Baumer manual 5).
-constexpr unsigned resetNumber = 7;
 
 struct PlaceOnBus
 {
@@ -31,9 +28,10 @@ const PlaceOnBus *placeOf(Profile profile)
     return found == places.end() ? nullptr : &*found;
 }
 
-bool hasParameters(Profile profile)
+// The service or command that sets the position brings the value along; a K3 has it as a parameter.
+bool presetsByCommand(Profile profile)
 {
-    return profile == Profile::k3 || profile == Profile::la66 || profile == Profile::esc;
+    return profile == Profile::la66 || profile == Profile::esc;
 }
 
 class Rules
@@ -71,53 +69,6 @@ public:
             json.report("outWords", reason);
     }
 
-    static void checkRange(const JsonObject &row, const ParameterDescription &parameter, Profile profile)
-    {
-        if (!parameter.number)
-            return;
-        const QString reason =
-            tr("A value that is written must be between 0 and %1: the word has no room for others.")
-                .arg(largestData(profile));
-        if (parameter.minimum < 0)
-            row.report("minimum", reason);
-        if (parameter.maximum > largestData(profile))
-            row.report("maximum", reason);
-    }
-
-    // A device on a serial line has commands, all others have words.
-    static void checkCommands(const JsonObject &row, const ParameterDescription &parameter)
-    {
-        for (const char *key : {"number", "readOut"})
-            if (row.has(key))
-                row.report(key,
-                           tr("An encoder on a serial line has the commands read and write. Leave it out."));
-        const bool isFoundAgain =
-            parameter.parameter == Parameter::lineAddress || parameter.parameter == Parameter::baudRate;
-        if (parameter.writeCommand && !parameter.readCommand && !isFoundAgain)
-            row.report("write",
-                       tr("What is written must be read, too: a write without an answer is checked."));
-        const std::int64_t bound = largestData(Profile::esc);
-        if (parameter.canBeWritten() && (parameter.minimum < 0 || parameter.maximum > bound))
-            row.report("maximum", tr("A value that is written must be between 0 and %1.").arg(bound));
-    }
-
-    static void refuseCommands(const JsonObject &row)
-    {
-        for (const char *key : {"read", "write", "bit"})
-            if (row.has(key))
-                row.report(key, tr("Only an encoder on a serial line has commands. Leave it out."));
-    }
-
-    static void refuseParameters(const JsonObject &row, const ParameterDescription &parameter,
-                                 Profile profile)
-    {
-        for (const char *key : {"number", "readOut"})
-            if (row.has(key) && !parameter.onLabel)
-                row.report(key, tr("An encoder of the profile %1 has no parameters that this program could "
-                                   "write or read. Leave it out.")
-                                    .arg(profileName(profile)));
-    }
-
     static void refuse(const JsonObject &json, const char *key, bool value, Profile profile)
     {
         if (value)
@@ -135,13 +86,61 @@ public:
             json.report(key, tr("Only with the dialect fraba are the words for it known. Write false."));
     }
 
-    static void checkResets(const JsonObject &json, const DeviceDescription &device)
+    // Where the position that is set comes from: at a K3 the parameter, else the command itself.
+    static void checkPresets(const JsonObject &json, const DeviceDescription &device)
     {
-        refuse(json, "resets", device.capabilities.resets && device.profile != Profile::k3, device.profile);
-        if (device.capabilities.resets && device.findNumber(resetNumber))
-            json.report("resets", tr("Parameter number %1 sets all values to default. It cannot be the "
-                                     "number of a parameter, too.")
-                                      .arg(resetNumber));
+        const bool presets = device.capabilities.presets;
+        const bool needsValue = device.capabilities.presetNeedsValue;
+        refuse(json, "presets", presets && !hasParameters(device.profile), device.profile);
+        refuse(json, "presetNeedsValue", needsValue && !presetsByCommand(device.profile), device.profile);
+        const ParameterDescription *preset = device.find(Parameter::preset);
+        if (presets && device.profile == Profile::k3 && (!preset || !preset->number))
+            json.report("presets",
+                        tr("The word that sets the position takes the parameter preset. Give preset "
+                           "a number, or write false."));
+        if (presets && device.profile == Profile::esc && (!preset || !preset->readCommand))
+            json.report("presets", tr("The parameter preset tells the range of the position, and is read "
+                                      "after it was set. Give preset the command read, or write false."));
+        if (presets && presetsByCommand(device.profile) && !needsValue)
+            json.report("presetNeedsValue",
+                        tr("The encoder is told the position together with the command that sets it. Write "
+                           "true."));
+    }
+
+    static void checkRearming(const JsonObject &json, const DeviceDescription &device)
+    {
+        const ParameterDescription *preset = device.find(Parameter::preset);
+        if (device.quirks.presetNeedsRearming && (!preset || !preset->number || !preset->readOut))
+            json.report("presetNeedsRearming",
+                        tr("The preset is read, and programmed again. Give preset a number and a readOut, or "
+                           "write false."));
+    }
+
+    static void checkStepsMinusOne(const JsonObject &json, const DeviceDescription &device)
+    {
+        if (!device.quirks.mayCountStepsMinusOne)
+            return;
+        const ParameterDescription *flag = device.find(Parameter::multiTurnAndStepsMinusOne);
+        if (!flag || !flag->readOut)
+            json.report(
+                "mayCountStepsMinusOne",
+                tr("The parameter multi-turn-steps-minus-1 tells which of both the encoder does. Give "
+                   "it a readOut, or write false."));
+        const ParameterDescription *steps = device.find(Parameter::steps);
+        if (steps && steps->number && steps->minimum < 1)
+            json.report("mayCountStepsMinusOne",
+                        tr("An encoder that is told steps - 1 cannot be told 0 steps. Let the minimum of "
+                           "steps be 1 or more."));
+    }
+
+    // Where modes exist, it is asked which one the encoder is in before a word that depends on it is sent.
+    static void checkModes(const JsonObject &json, const DeviceDescription &device)
+    {
+        const Capabilities &can = device.capabilities;
+        if (!device.quirks.hasModes && (can.cams || can.velocity))
+            json.report("hasModes",
+                        tr("Cams and velocity are modes beside position mode, in which words mean "
+                           "something else. Write true."));
     }
 };
 
@@ -155,24 +154,11 @@ void checkPlaceOnBus(const JsonObject &json, const DeviceDescription &device)
     }
 }
 
-void checkParameter(const JsonObject &row, const ParameterDescription &parameter, Profile profile)
-{
-    if (profile == Profile::esc) {
-        Rules::checkCommands(row, parameter);
-        return;
-    }
-    Rules::refuseCommands(row);
-    if (hasParameters(profile))
-        Rules::checkRange(row, parameter, profile);
-    else
-        Rules::refuseParameters(row, parameter, profile);
-}
-
 void checkCapabilities(const JsonObject &json, const DeviceDescription &device)
 {
     const Capabilities &can = device.capabilities;
-    Rules::refuse(json, "presets", can.presets && !hasParameters(device.profile), device.profile);
-    Rules::checkResets(json, device);
+    Rules::checkPresets(json, device);
+    Rules::refuse(json, "resets", can.resets && device.profile != Profile::k3, device.profile);
     Rules::refuseBesideFraba(json, "cams", can.cams, device);
     Rules::refuseBesideFraba(json, "velocity", can.velocity, device);
     Rules::refuseBesideFraba(json, "manufacturerPreset", can.manufacturerPreset, device);
@@ -180,7 +166,13 @@ void checkCapabilities(const JsonObject &json, const DeviceDescription &device)
 
 void checkQuirks(const JsonObject &json, const DeviceDescription &device)
 {
-    Rules::refuseBesideFraba(json, "hasModes", device.quirks.hasModes, device);
+    const Quirks &quirks = device.quirks;
+    Rules::refuseBesideFraba(json, "presetNeedsRearming", quirks.presetNeedsRearming, device);
+    Rules::checkRearming(json, device);
+    Rules::refuseBesideFraba(json, "mayCountStepsMinusOne", quirks.mayCountStepsMinusOne, device);
+    Rules::checkStepsMinusOne(json, device);
+    Rules::refuseBesideFraba(json, "hasModes", quirks.hasModes, device);
+    Rules::checkModes(json, device);
 }
 
 } // namespace codewheel

@@ -12,10 +12,9 @@ namespace codewheel {
 
 // Codes and words of the profile (FRABA manual 2.2).
 void checkPlaceOnBus(const JsonObject &json, const DeviceDescription &device);
-// A range that fits the data field, and no parameter where the profile has none.
-void checkParameter(const JsonObject &row, const ParameterDescription &parameter, Profile profile);
 // What only some profiles and makes can do. Needs the parameters.
 void checkCapabilities(const JsonObject &json, const DeviceDescription &device);
+// Needs the parameters and the capabilities.
 void checkQuirks(const JsonObject &json, const DeviceDescription &device);
 
 } // namespace codewheel

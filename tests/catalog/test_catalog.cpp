@@ -26,7 +26,9 @@ const QByteArray sound = R"({
     {"parameter": "steps", "number": 1, "readOut": 1, "minimum": 1, "maximum": 4096, "factory": 4096},
     {"parameter": "direction", "number": 3, "minimum": 3, "maximum": 4,
      "choices": [{"value": 3, "key": "cw"}, {"value": 4, "key": "ccw"}]},
-    {"parameter": "temperature", "readOut": 12, "minimum": -500, "maximum": 1500, "unit": "tenth-degree-celsius"}
+    {"parameter": "temperature", "readOut": 12, "minimum": -500, "maximum": 1500, "unit": "tenth-degree-celsius"},
+    {"parameter": "preset", "number": 4, "readOut": 4, "minimum": 0, "maximum": 4095},
+    {"parameter": "multi-turn-steps-minus-1", "readOut": 10, "minimum": 0, "maximum": 3}
   ],
   "errors": [
     {"number": 1, "meaning": "wrongParameterData"},
@@ -84,8 +86,8 @@ constexpr Breakage breakages[] = {
     {R"("inWords": 2,)", R"("inWords": 2)", 11, "",
      "not valid JSON: check brackets, commas and quotation marks."},
     {R"("inWords": 2,)", R"("outWords": 2,)", 11, "outWords", "stands here twice"},
-    {"  }\n}\n", "  }\n}\n{}", 32, "", "not valid JSON"},
-    {"  }\n}\n", "  }\n", 31, "", "not valid JSON"},
+    {"  }\n}\n", "  }\n}\n{}", 34, "", "not valid JSON"},
+    {"  }\n}\n", "  }\n", 33, "", "not valid JSON"},
     {R"("a manual")", R"('a manual')", 5, "", "not valid JSON"},
     {R"("a manual")", R"([[[[[[[[[[[[[[[[[[[[]]]]]]]]]]]]]]]]]]]])", 1, "", "nested too deeply"},
     // types
@@ -95,20 +97,20 @@ constexpr Breakage breakages[] = {
     {R"("inWords": 2)", R"("inWords": 2.0)", 10, "inWords", "whole number"},
     {R"("inWords": 2)", R"("inWords": 18446744073709551615)", 10, "inWords", "whole number"},
     {R"("inWords": 2)", R"("inWords": -1)", 10, "inWords", "-1 is not between 0 and 32"},
-    {R"("presets": true)", R"("presets": 1)", 25, "capabilities.presets", "true or false"},
+    {R"("presets": true)", R"("presets": 1)", 27, "capabilities.presets", "true or false"},
     {R"("profile": "K3")", R"("notes": {"de": "Text"}, "profile": "K3")", 6, "notes.en", "missing"},
     {R"("profile": "K3")", R"("notes": {"en": "Text", "fr": "Texte"}, "profile": "K3")", 6, "notes.fr",
      "not known"},
     {R"("idCode": "37h")", R"("idCode": 55)", 8, "idCode", "text"},
     {R"("idCode": "37h")", R"("idCode": "37")", 8, "idCode", "37h"},
-    {R"("quirks": {)", R"("quirks": [], "q": {)", 28, "q", "not known"},
-    {R"({"number": 1, "meaning": "wrongParameterData"})", "1", 21, "errors[0]", "object"},
+    {R"("quirks": {)", R"("quirks": [], "q": {)", 30, "q", "not known"},
+    {R"({"number": 1, "meaning": "wrongParameterData"})", "1", 23, "errors[0]", "object"},
     // keys
     {R"("name": "K3",)", "", 1, "name", "missing"},
     {R"("name":)", R"("nmae":)", 4, "nmae", "not known. Known are: key, vendor, name"},
     {R"("readOut": 1, )", R"("readout": 1, )", 15, "parameters[0].readout", "not known"},
     {R"("minimum": 1, )", "", 15, "parameters[0].minimum", "missing"},
-    {R"(, "hasModes": true)", "", 28, "quirks.hasModes", "missing"},
+    {R"(, "hasModes": true)", "", 30, "quirks.hasModes", "missing"},
     // names
     {R"("some-k3")", R"("Some K3")", 2, "key", "letters a to z"},
     {R"("profile": "K3")", R"("profile": "K9")", 6, "profile",
@@ -118,7 +120,7 @@ constexpr Breakage breakages[] = {
     {R"("parameter": "steps")", R"("parameter": "step")", 15, "parameters[0].parameter",
      "steps, revolutions"},
     {R"("tenth-degree-celsius")", R"("kelvin")", 18, "parameters[2].unit", "kelvin"},
-    {R"("batteryLow")", R"("cancelled")", 22, "errors[1].meaning", "cancelled"},
+    {R"("batteryLow")", R"("cancelled")", 24, "errors[1].meaning", "cancelled"},
     // the data field of a K3 has 25 bit; only what is written must fit
     {R"("maximum": 4096)", R"("maximum": 33554432)", 15, "parameters[0].maximum", "between 0 and 33554431"},
     {R"("maximum": 4096)", R"("maximum": 1099511627776)", 15, "parameters[0].maximum", "no room"},
@@ -136,13 +138,13 @@ constexpr Breakage breakages[] = {
     // overlapping ranges: minimum and maximum, choices and their range, budget and limit
     {R"("minimum": 1, )", R"("minimum": 5000, )", 15, "parameters[0].minimum", "larger than the maximum"},
     {R"("value": 4)", R"("value": 5)", 17, "parameters[1].choices[1].value", "between 3 and 4"},
-    {R"("eepromBudget": 200)", R"("eepromBudget": 501)", 26, "capabilities.eepromBudget", "eepromLimit"},
+    {R"("eepromBudget": 200)", R"("eepromBudget": 501)", 28, "capabilities.eepromBudget", "eepromLimit"},
     // overlapping ranges: numbers, read-out codes, values, errors, the number of the reset
     {R"("number": 3)", R"("number": 1)", 16, "parameters[1].number", "twice"},
-    {R"("number": 3)", R"("number": 7)", 26, "capabilities.resets", "number 7"},
+    {R"("number": 3)", R"("number": 7)", 16, "parameters[1].number", "number 7"},
     {R"("readOut": 12)", R"("readOut": 1)", 18, "parameters[2].readOut", "twice"},
     {R"("value": 4)", R"("value": 3)", 17, "parameters[1].choices[1].value", "twice"},
-    {R"("number": 14)", R"("number": 1)", 22, "errors[1].number", "twice"},
+    {R"("number": 14)", R"("number": 1)", 24, "errors[1].number", "twice"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Catalog, BrokenDescription, testing::ValuesIn(breakages));

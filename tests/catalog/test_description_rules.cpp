@@ -16,7 +16,7 @@ struct Parts
     int outWords;
     const char *parameters = "";
     const char *capability = R"("hasBattery": false)";
-    const char *hasModes = "false";
+    const char *quirk = R"("hasModes": false)";
 };
 
 QByteArray description(const Parts &parts)
@@ -29,16 +29,17 @@ QByteArray description(const Parts &parts)
   "capabilities": {"presets": false, "cams": false, "readingHidesPosition": false, "presetIsStored": false,
     "hasBattery": false},
   "quirks": {"confirmsWhileProcessing": false, "presetNeedsRearming": false, "mayCountStepsMinusOne": false,
-    "hasModes": %7}
+    "hasModes": false}
 })")
             .arg(QLatin1String(parts.profile), QLatin1String(parts.idCode), QLatin1String(parts.deviceCode))
             .arg(parts.inWords)
             .arg(parts.outWords)
-            .arg(QLatin1String(parts.parameters), QLatin1String(parts.hasModes));
+            .arg(QLatin1String(parts.parameters));
     // the capability in question takes the place of "false", or is added
     const QByteArray capability(parts.capability);
     const QByteArray denied = capability.split(':').front() + ": false";
-    QByteArray result = json.toUtf8();
+    const QByteArray quirk(parts.quirk);
+    QByteArray result = json.toUtf8().replace(quirk.split(':').front() + ": false", quirk);
     if (result.contains(denied))
         return result.replace(denied, capability);
     return result.replace(R"("hasBattery": false)", R"("hasBattery": false, )" + capability);
@@ -52,8 +53,20 @@ constexpr auto k2 = R"("K2")";
 constexpr auto k4 = R"("K4")";
 constexpr auto rod = R"("LA-66")";
 constexpr auto noCapability = R"("hasBattery": false)";
+constexpr auto hasModes = R"("hasModes": true)";
+constexpr auto noQuirk = R"("hasModes": false)";
+constexpr auto rearming = R"("presetNeedsRearming": true)";
+constexpr auto minusOne = R"("mayCountStepsMinusOne": true)";
 constexpr auto writable = R"({"parameter": "steps", "number": 1, "minimum": 1, "maximum": 2})";
 constexpr auto readable = R"({"parameter": "steps", "readOut": 1, "minimum": 1, "maximum": 2})";
+constexpr auto preset = R"({"parameter": "preset", "number": 4, "minimum": 0, "maximum": 9})";
+constexpr auto presetReadOut = R"({"parameter": "preset", "readOut": 4, "minimum": 0, "maximum": 9})";
+constexpr auto wholePreset =
+    R"({"parameter": "preset", "number": 4, "readOut": 4, "minimum": 0, "maximum": 9})";
+constexpr auto flag =
+    R"({"parameter": "multi-turn-steps-minus-1", "readOut": 10, "minimum": 0, "maximum": 3})";
+constexpr auto rodDirection =
+    R"({"parameter": "direction", "number": 1, "readOut": 1, "minimum": 0, "maximum": 1})";
 constexpr auto onLabel = R"({"parameter": "steps", "onLabel": true, "minimum": 1, "maximum": 2})";
 
 // FRABA manual 2.2; TWK, table VI; LA-66 manual 1
@@ -64,15 +77,19 @@ TEST(DescriptionRules, TakeEachProfileWithItsCodesAndWords)
         {k1, "B2h", "01B2h", 1, 0},
         {R"("K2", "coding": "signed")", "36h", "0236h", 2, 0},
         {k2, "B2h", "02B2h", 2, 0, onLabel},
-        {generic, "37h", "0237h", 2, 2, writable, R"("presets": true)"},
+        {generic, "37h", "0237h", 2, 2, preset, R"("presets": true)"},
         {baumer, "37h", "0237h", 2, 2, writable, R"("resets": true)"},
-        {fraba, "B3h", "02B3h", 2, 2, readable, R"("cams": true)", "true"},
-        {fraba, "37h", "0237h", 2, 2, "", R"("velocity": true)"},
+        {fraba, "B3h", "02B3h", 2, 2, readable, R"("cams": true)", hasModes},
+        {fraba, "37h", "0237h", 2, 2, "", R"("velocity": true)", hasModes},
+        {fraba, "37h", "0237h", 2, 2, wholePreset, R"("presets": true)", rearming},
+        {fraba, "37h", "0237h", 2, 2, flag, noCapability, minusOne},
         {k4, "F7h", "03F7h", 2, 2},
-        {rod, "33h", "0233h", 2, 2, writable, R"("presetNeedsValue": true)"},
+        {rod, "33h", "0233h", 2, 2, rodDirection, R"("presetNeedsValue": true)"},
+        {rod, "33h", "0233h", 2, 2,
+         R"({"parameter": "error-status", "readOut": 8, "minimum": 0, "maximum": 65535})"},
         // 24 bit
         {rod, "33h", "0233h", 2, 2,
-         R"({"parameter": "steps", "number": 1, "minimum": 0, "maximum": 16777215})"},
+         R"({"parameter": "external-preset", "number": 4, "readOut": 4, "minimum": 0, "maximum": 16777215})"},
         {generic, "37h", "0237h", 2, 2,
          R"({"parameter": "steps", "number": 1, "minimum": 0, "maximum": 33554431})"},
     };
@@ -83,9 +100,9 @@ TEST(DescriptionRules, TakeEachProfileWithItsCodesAndWords)
     }
 }
 
-QByteArray onLine(const char *parameters)
+QByteArray onLine(const char *parameters, const char *capability = noCapability)
 {
-    return description({R"("ESC")", "", "", 0, 0, parameters, R"("presets": true)"})
+    return description({R"("ESC")", "", "", 0, 0, parameters, capability})
         .replace(R"( "idCode": "", "deviceCode": "", "inWords": 0, "outWords": 0,)", "");
 }
 
@@ -131,7 +148,33 @@ TEST(DescriptionRules, RefuseCommandsThatDoNotBelong)
         {onLine(R"({"parameter": "steps", "number": 1, "minimum": 1, "maximum": 2})"), "parameters[0].number",
          "has the commands read and write"},
         {onLine(R"({"parameter": "steps", "read": "D", "write": "GR", "minimum": -1, "maximum": 2})"),
-         "parameters[0].maximum", "between 0 and 4294967295"},
+         "parameters[0].maximum", "between 1 and 8192"},
+        {onLine(R"({"parameter": "direction", "read": "O", "bit": 0, "write": "GD",
+                    "minimum": 0, "maximum": 16})"),
+         "parameters[0].maximum", "between 0 and 1"},
+        {onLine(R"({"parameter": "baud-rate", "write": "Y", "minimum": 4800, "maximum": 19200})"),
+         "parameters[0].choices", "19200, 9600 or 4800"},
+        {onLine(R"({"parameter": "baud-rate", "write": "Y", "minimum": 4800, "maximum": 19200,
+                    "choices": [{"value": 5000, "key": "5000"}]})"),
+         "parameters[0].choices", "19200, 9600 or 4800"},
+        // GP would move the position, X the encoder to another address
+        {onLine(R"({"parameter": "steps", "read": "D", "write": "GP", "minimum": 1, "maximum": 2})"),
+         "parameters[0].write", "steps of the profile ESC has GR here."},
+        {onLine(R"({"parameter": "offset", "read": "C", "write": "X", "minimum": 1, "maximum": 2})"),
+         "parameters[0].write", "offset of the profile ESC has nothing here."},
+        {onLine(R"({"parameter": "steps", "read": "U", "minimum": 1, "maximum": 2})"), "parameters[0].read",
+         "steps of the profile ESC has D here."},
+        {onLine(R"({"parameter": "direction", "read": "O", "minimum": 0, "maximum": 1})"),
+         "parameters[0].bit", "direction of the profile ESC has 0 here."},
+        {onLine(R"({"parameter": "steps", "read": "D", "bit": 0, "minimum": 1, "maximum": 2})"),
+         "parameters[0].bit", "steps of the profile ESC has nothing here."},
+        {onLine("", R"("presets": true, "presetNeedsValue": true)"), "capabilities.presets",
+         "the range of the position"},
+        {onLine(R"({"parameter": "preset", "read": "S", "minimum": 1, "maximum": 33554431})",
+                R"("presets": true)"),
+         "capabilities.presetNeedsValue", "Write true."},
+        {onLine(R"({"parameter": "preset", "read": "S", "minimum": 1, "maximum": 4294967297})"),
+         "parameters[0].maximum", "between 1 and 33554431"},
         {onLine(R"({"parameter": "steps", "read": "D", "minimum": 1, "maximum": 2},
                    {"parameter": "offset", "read": "D", "minimum": 1, "maximum": 2})"),
          "parameters[1].read", "stands here twice"},
@@ -145,7 +188,10 @@ TEST(DescriptionRules, RefuseCommandsThatDoNotBelong)
     };
     for (const Row &row : rows) {
         const auto added = Catalog().add(row.json, QStringLiteral("some.json"));
-        ASSERT_FALSE(added) << row.reason;
+        if (added) {
+            ADD_FAILURE() << row.reason << " is missed in " << row.json.toStdString();
+            continue;
+        }
         EXPECT_EQ(added.error().key.toStdString(), row.key) << added.error().reason.toStdString();
         EXPECT_TRUE(added.error().reason.contains(QLatin1String(row.reason)))
             << added.error().reason.toStdString();
@@ -191,12 +237,41 @@ const Broken broken[] = {
     {{k1, "36h", "0136h", 1, 0, writable}, "parameters[0].number", "profile K1 has no parameters"},
     {{k2, "36h", "0236h", 2, 0, readable}, "parameters[0].readOut", "profile K2 has no parameters"},
     {{k4, "F7h", "03F7h", 2, 2, writable}, "parameters[0].number", "profile K4 has no parameters"},
-    {{rod, "33h", "0233h", 2, 2, R"({"parameter": "steps", "number": 1, "minimum": 0, "maximum": 16777216})"},
+    {{rod, "33h", "0233h", 2, 2,
+      R"({"parameter": "external-preset", "number": 4, "readOut": 4, "minimum": 0, "maximum": 16777216})"},
      "parameters[0].maximum",
      "between 0 and 16777215"},
-    {{rod, "33h", "0233h", 2, 2, R"({"parameter": "steps", "number": 1, "minimum": -1, "maximum": 9})"},
+    {{rod, "33h", "0233h", 2, 2,
+      R"({"parameter": "external-preset", "number": 4, "readOut": 4, "minimum": -1, "maximum": 9})"},
      "parameters[0].minimum",
      "between 0 and 16777215"},
+    {{generic, "37h", "0237h", 2, 2, R"({"parameter": "offset", "number": 7, "minimum": 0, "maximum": 9})"},
+     "parameters[0].number",
+     "number 7 sets all values to default"},
+    // the words of a read-out
+    {{baumer, "37h", "0237h", 2, 2, readable}, "parameters[0].readOut", "dialect fraba"},
+    {{generic, "37h", "0237h", 2, 2, readable}, "parameters[0].readOut", "dialect fraba"},
+    // the services of a rod: 6 would move the position
+    {{rod, "33h", "0233h", 2, 2,
+      R"({"parameter": "external-preset", "number": 6, "minimum": 0, "maximum": 9})"},
+     "parameters[0].number",
+     "external-preset of the profile LA-66 has 4 here."},
+    {{rod, "33h", "0233h", 2, 2,
+      R"({"parameter": "external-preset", "number": 4, "readOut": 2, "minimum": 0, "maximum": 9})"},
+     "parameters[0].readOut",
+     "external-preset of the profile LA-66 has 4 here."},
+    {{rod, "33h", "0233h", 2, 2,
+      R"({"parameter": "external-preset", "number": 4, "minimum": 0, "maximum": 9})"},
+     "parameters[0].readOut",
+     "is read back"},
+    {{rod, "33h", "0233h", 2, 2,
+      R"({"parameter": "error-status", "number": 8, "readOut": 8, "minimum": 0, "maximum": 9})"},
+     "parameters[0].number",
+     "error-status of the profile LA-66 has nothing here."},
+    {{rod, "33h", "0233h", 2, 2, writable}, "parameters[0].number", "steps of the profile LA-66 has nothing"},
+    {{rod, "33h", "0233h", 2, 2, R"({"parameter": "offset", "readOut": 5, "minimum": 0, "maximum": 9})"},
+     "parameters[0].readOut",
+     "offset of the profile LA-66 has nothing here."},
     // capabilities
     {{k1, "36h", "0136h", 1, 0, "", R"("presets": true)"}, "capabilities.presets", "profile K1 cannot do"},
     {{k2, "36h", "0236h", 2, 0, "", R"("cams": true)"}, "capabilities.cams", "profile K2 cannot do"},
@@ -209,8 +284,45 @@ const Broken broken[] = {
     {{baumer, "37h", "0237h", 2, 2, "", R"("manufacturerPreset": true)"},
      "capabilities.manufacturerPreset",
      "dialect fraba"},
-    {{baumer, "37h", "0237h", 2, 2, "", noCapability, "true"}, "quirks.hasModes", "dialect fraba"},
-    {{k1, "36h", "0136h", 1, 0, "", noCapability, "true"}, "quirks.hasModes", "profile K1 cannot do"},
+    {{generic, "37h", "0237h", 2, 2, "", R"("presets": true)"},
+     "capabilities.presets",
+     "Give preset a number"},
+    {{fraba, "37h", "0237h", 2, 2, presetReadOut, R"("presets": true)"},
+     "capabilities.presets",
+     "Give preset a number"},
+    {{generic, "37h", "0237h", 2, 2, preset, R"("presetNeedsValue": true)"},
+     "capabilities.presetNeedsValue",
+     "profile K3 cannot do"},
+    {{rod, "33h", "0233h", 2, 2, "", R"("presets": true)"}, "capabilities.presetNeedsValue", "Write true."},
+    // quirks
+    {{baumer, "37h", "0237h", 2, 2, "", noCapability, hasModes}, "quirks.hasModes", "dialect fraba"},
+    {{k1, "36h", "0136h", 1, 0, "", noCapability, hasModes}, "quirks.hasModes", "profile K1 cannot do"},
+    {{fraba, "37h", "0237h", 2, 2, "", R"("cams": true)", noQuirk}, "quirks.hasModes", "Write true."},
+    {{fraba, "37h", "0237h", 2, 2, "", R"("velocity": true)", noQuirk}, "quirks.hasModes", "Write true."},
+    {{fraba, "37h", "0237h", 2, 2, "", noCapability, rearming},
+     "quirks.presetNeedsRearming",
+     "Give preset a number and a readOut"},
+    {{fraba, "37h", "0237h", 2, 2, preset, R"("presets": true)", rearming},
+     "quirks.presetNeedsRearming",
+     "Give preset a number and a readOut"},
+    {{fraba, "37h", "0237h", 2, 2, presetReadOut, noCapability, rearming},
+     "quirks.presetNeedsRearming",
+     "Give preset a number and a readOut"},
+    {{baumer, "37h", "0237h", 2, 2, preset, noCapability, rearming},
+     "quirks.presetNeedsRearming",
+     "dialect fraba"},
+    {{fraba, "37h", "0237h", 2, 2, readable, noCapability, minusOne},
+     "quirks.mayCountStepsMinusOne",
+     "multi-turn-steps-minus-1"},
+    {{fraba, "37h", "0237h", 2, 2,
+      R"({"parameter": "steps", "number": 1, "minimum": 0, "maximum": 9},
+         {"parameter": "multi-turn-steps-minus-1", "readOut": 10, "minimum": 0, "maximum": 3})",
+      noCapability, minusOne},
+     "quirks.mayCountStepsMinusOne",
+     "minimum of steps"},
+    {{rod, "33h", "0233h", 2, 2, "", noCapability, minusOne},
+     "quirks.mayCountStepsMinusOne",
+     "profile LA-66 cannot do"},
 };
 
 TEST(DescriptionRules, RefuseWhatDoesNotBelongTogether)
