@@ -72,6 +72,8 @@ Result<void> EscPlan::checkWrite(const WriteParameters &job) const
 
 Result<void> EscPlan::checkPreset(const SetPreset &job) const
 {
+    if (!m_device.capabilities.presets || !m_device.find(Parameter::preset))
+        return refuse(RefusalKind::notSupported, RefusalId::presetNotSupported, {m_device.fullName()});
     if (job.command == PresetCommand::manufacturer)
         return refuse(RefusalKind::notSupported, RefusalId::manufacturerPresetNotSupported,
                       {m_device.fullName()});

@@ -19,12 +19,18 @@ K3Step K3Plan::switchStep(Word modeWord)
 Result<void> K3Plan::checkPreset(const SetPreset &job) const
 {
     const Capabilities &can = m_device.capabilities;
-    if (!can.presets)
+    const ParameterDescription *preset = m_device.find(Parameter::preset);
+    if (!can.presets || !preset || !preset->number)
         return refuse(RefusalKind::notSupported, RefusalId::presetNotSupported, {m_device.fullName()});
     if (job.command == PresetCommand::manufacturer && !can.manufacturerPreset)
         return refuse(RefusalKind::notSupported, RefusalId::manufacturerPresetNotSupported,
                       {m_device.fullName()});
-    return job.value ? checkValue(m_device, {Parameter::preset, *job.value}) : Result<void>{};
+    if (job.value)
+        return checkValue(m_device, {Parameter::preset, *job.value});
+    const bool isReadFirst = m_device.quirks.presetNeedsRearming && job.command == PresetCommand::profile;
+    if (isReadFirst && !preset->readOut) // there is no value to program again
+        return refuse(RefusalKind::badInput, RefusalId::presetNeedsValue, {m_device.fullName()});
+    return {};
 }
 
 Result<void> K3Plan::checkSwitch(const SwitchMode &job) const

@@ -94,6 +94,8 @@ Result<void> La66Plan::check(const Job &job) const
 
 Result<void> La66Plan::checkPreset(const SetPreset &job) const
 {
+    if (!m_device.capabilities.presets)
+        return refuse(RefusalKind::notSupported, RefusalId::presetNotSupported, {m_device.fullName()});
     if (job.command == PresetCommand::manufacturer)
         return refuse(RefusalKind::notSupported, RefusalId::manufacturerPresetNotSupported,
                       {m_device.fullName()});

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Descriptions that slipped past the catalog: what they lack is refused, nothing is sent in its place.
+#include "catalog/catalog.h"
+#include "drivers/planned_words.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+class IncompleteDescription : public testing::Test
+{
+protected:
+    DeviceDescription without(QStringView key, Parameter parameter)
+    {
+        DeviceDescription device = *catalog.find(key);
+        std::erase_if(device.parameters,
+                      [&](const ParameterDescription &one) { return one.parameter == parameter; });
+        return device;
+    }
+    static ParameterDescription &row(DeviceDescription &device, Parameter parameter)
+    {
+        return *std::ranges::find(device.parameters, parameter, &ParameterDescription::parameter);
+    }
+    static std::optional<RefusalId> refusalOf(const DeviceDescription &device, const Job &job)
+    {
+        const auto steps = plannedSteps(device, {{Parameter::startUpMode, 1, Evidence::told, {}}}, job);
+        return steps ? std::nullopt : std::optional(steps.error().id);
+    }
+
+    const Catalog catalog = Catalog::builtIn();
+};
+
+TEST_F(IncompleteDescription, NoK3IsSetWhosePresetHasNoWord)
+{
+    for (const QStringView key : {u"fraba-ocd-ib", u"baumer-gxp6w", u"generic-k3"}) {
+        DeviceDescription device = without(key, Parameter::preset);
+        EXPECT_EQ(refusalOf(device, SetPreset{}), RefusalId::presetNotSupported);
+        EXPECT_EQ(refusalOf(device, SetPreset{.value = 1000}), RefusalId::presetNotSupported);
+        device = *catalog.find(key);
+        row(device, Parameter::preset).number.reset();
+        EXPECT_EQ(refusalOf(device, SetPreset{}), RefusalId::presetNotSupported);
+        EXPECT_EQ(refusalOf(device, SetPreset{.value = 1000}), RefusalId::presetNotSupported);
+    }
+}
+
+// A FRABA activates a programmed preset once: the old value is programmed again, and has to be read for that.
+TEST_F(IncompleteDescription, APresetThatCannotBeReadIsGiven)
+{
+    DeviceDescription fraba = *catalog.find(u"fraba-ocd-ib");
+    row(fraba, Parameter::preset).readOut.reset();
+    EXPECT_EQ(refusalOf(fraba, SetPreset{}), RefusalId::presetNeedsValue);
+    EXPECT_EQ(refusalOf(fraba, SetPreset{.value = 1000}), std::nullopt);
+    EXPECT_EQ(refusalOf(fraba, SetPreset{.value = {}, .command = PresetCommand::manufacturer}), std::nullopt)
+        << "it activates what is programmed";
+}
+
+TEST_F(IncompleteDescription, NoPositionIsSetWhereTheDescriptionSaysThatItCannotBe)
+{
+    for (const QStringView key : {u"fraba-ocd-ib", u"tr-la66", u"kuebler-esc-rs485"}) {
+        DeviceDescription device = *catalog.find(key);
+        EXPECT_EQ(refusalOf(device, SetPreset{.value = 1000}), std::nullopt);
+        device.capabilities.presets = false;
+        EXPECT_EQ(refusalOf(device, SetPreset{.value = 1000}), RefusalId::presetNotSupported);
+    }
+    EXPECT_EQ(refusalOf(without(u"kuebler-esc-rs485", Parameter::preset), SetPreset{.value = 1000}),
+              RefusalId::presetNotSupported)
+        << "the range of the position is not known";
+}
+
+} // namespace
+} // namespace codewheel
