@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/k3_knowledge.h"
 
+#include "catalog/preset_storage.h"
 #include "drivers/k3_reading.h"
 #include "words/k3_cam_word.h"
 #include "words/position_code.h"
@@ -200,9 +201,8 @@ void K3Knowledge::observePreset(Word out)
         return;
     forget(Parameter::zeroOffset);
     forget(Parameter::presetFlag);
-    if (m_device.capabilities.presetIsStored && m_presetArmed.value_or(true)) {
+    if (mayStorePreset(m_device) && m_presetArmed.value_or(true))
         countEepromWrite();
-    }
     m_presetArmed = false;
 }
 

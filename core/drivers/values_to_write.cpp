@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/values_to_write.h"
 
-#include "catalog/device_description.h"
+#include "catalog/preset_storage.h"
 #include "drivers/planned_words.h"
 
 #include <algorithm>
@@ -92,10 +92,10 @@ bool takesValue(const Step &step)
     return writesAnything(step);
 }
 
-int eepromWritesOf(const std::vector<Step> &steps, const Capabilities &can)
+int eepromWritesOf(const std::vector<Step> &steps, const DeviceDescription &device)
 {
     return static_cast<int>(std::ranges::count_if(steps, [&](const Step &step) {
-        return takesValue(step) || (step.kind == StepKind::initialisePreset && can.presetIsStored);
+        return takesValue(step) || (step.kind == StepKind::initialisePreset && mayStorePreset(device));
     }));
 }
 

@@ -37,7 +37,7 @@ std::vector<Known> allKnown(const EncoderSession &encoder);
 // Whether the encoder takes a value with this step: it changes, and its EEPROM is written.
 bool takesValue(const Step &step);
 
-// EEPROM writes these steps will cost, at most: one per value, and the preset where it is stored.
-int eepromWritesOf(const std::vector<Step> &steps, const Capabilities &can);
+// EEPROM writes these steps will cost, at most: one per value, and the preset where it may be stored.
+int eepromWritesOf(const std::vector<Step> &steps, const DeviceDescription &device);
 
 } // namespace codewheel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/eeprom_cost.h"
 
-#include "catalog/device_description.h"
+#include "catalog/preset_storage.h"
 #include "drivers/esc_plan.h"
 #include "drivers/values_to_write.h"
 #include "words/k3_cam_word.h"
@@ -45,7 +45,7 @@ public:
         if ((out & k3::startBit) != 0)
             return 0;
         if ((out & k3::presetBit) != 0) // in cam mode a cam, which is stored with its program
-            return m_encoder.can().presetIsStored || m_encoder.device().isGeneric() ? 1 : 0;
+            return mayStorePreset(m_encoder.device()) ? 1 : 0;
         return k3::isParameterWord(out) ? 1 : 0;
     }
 
@@ -65,7 +65,8 @@ struct Cost
     int operator()(const ReadParameters &) const { return 0; }
     int operator()(const WriteParameters &job) const
     {
-        return size(job.values) + (job.initialisePreset && can.presetIsStored ? 1 : 0) + factor(job.values);
+        return size(job.values) + (job.initialisePreset && mayStorePreset(encoder.device()) ? 1 : 0) +
+               factor(job.values);
     }
     // That of a serial encoder is sent along with what acts through it.
     int factor(const ParameterValues &values) const
@@ -81,7 +82,7 @@ struct Cost
             return 1;
         const bool isManufacturers = job.command == PresetCommand::manufacturer;
         const bool isProgrammed = job.value || (quirks.presetNeedsRearming && !isManufacturers);
-        const bool isActivated = can.presetIsStored || isManufacturers;
+        const bool isActivated = mayStorePreset(encoder.device()) || isManufacturers;
         return (isProgrammed ? 1 : 0) + (isActivated ? 1 : 0);
     }
     int operator()(const SendWords &job) const

@@ -221,7 +221,7 @@ void EncoderComparison::takeSteps(const Job &job)
         for (TransferRow &row : m_plan.rows)
             if (writesValue(step) && step.parameter == row.wanted.parameter && !row.isThere)
                 row.word = step.out;
-    m_plan.eepromWrites += eepromWritesOf(*steps, m_encoder.can());
+    m_plan.eepromWrites += eepromWritesOf(*steps, m_device);
     m_plan.jobs.push_back(job);
 }
 

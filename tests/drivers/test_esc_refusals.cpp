@@ -130,7 +130,7 @@ TEST(EscSteps, ArePlannedForReviewAndCounted)
     const auto steps =
         plannedSteps(kuebler(), known, writing({{Parameter::steps, 864}, {Parameter::direction, 1}}));
     ASSERT_TRUE(steps);
-    EXPECT_EQ(eepromWritesOf(*steps, kuebler().capabilities), 3) << "GR, GF, GD";
+    EXPECT_EQ(eepromWritesOf(*steps, kuebler()), 3) << "GR, GF, GD";
     std::vector<std::string> writes;
     for (const Step &step : *steps)
         if (writesValue(step))
@@ -138,7 +138,7 @@ TEST(EscSteps, ArePlannedForReviewAndCounted)
     EXPECT_EQ(writes, (std::vector<std::string>{"12GR00000360", "12GF03600000", "12GD1"}));
     const auto preset = plannedSteps(kuebler(), {}, SetPreset{.value = 0x5200});
     ASSERT_TRUE(preset);
-    EXPECT_EQ(eepromWritesOf(*preset, kuebler().capabilities), 1);
+    EXPECT_EQ(eepromWritesOf(*preset, kuebler()), 1);
     EXPECT_FALSE(plannedSteps(kuebler(), {}, SetPreset{}));
 }
 

@@ -123,6 +123,23 @@ TEST_F(Wire, APresetOnTheWireChangesTheZeroOffset)
     EXPECT_EQ(fraba.eepromWrites(), 1) << "a programmed preset is activated once";
 }
 
+// It may be a FRABA, which stores the zero offset.
+TEST_F(Wire, APresetOfAnUnnamedK3IsCountedAsOneWriteAtMost)
+{
+    for (const QStringView key : {u"generic-k3", u"generic-k3-loop2"}) {
+        K3Knowledge unnamed{*catalog.find(key)};
+        unnamed.set({{Parameter::startUpMode, 1, Evidence::told, {}}});
+        play(unnamed, {{0, pos}, {0x4000'0000, pos}, {0x4000'0000, 0}, {0, 0}});
+        EXPECT_EQ(unnamed.eepromWrites(), 1);
+        play(unnamed, {{0x4000'0000, 0}, {0, 0}});
+        EXPECT_EQ(unnamed.eepromWrites(), 1) << "a programmed preset is activated once";
+    }
+    play(baumer, {{0, pos}, {0x4000'0000, pos}, {0, 0}});
+    K3Knowledge twk{*catalog.find(u"twk-k3")};
+    play(twk, {{0, pos}, {0x4000'0000, pos}, {0, 0}});
+    EXPECT_EQ(baumer.eepromWrites() + twk.eepromWrites(), 0) << "these makes do not store it";
+}
+
 TEST_F(Wire, ModeIsUnknownUntilToldOrSwitched)
 {
     EXPECT_EQ(fraba.mode(), std::nullopt);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
+#include "drivers/planned_words.h"
+#include "drivers/values_to_write.h"
 #include "journal/eeprom_cost.h"
 #include "ring/bus_session.h"
 #include "simulator/training_bus.h"
@@ -121,6 +123,26 @@ TEST_F(EepromCost, OfAWordByHand)
     ASSERT_EQ(bus.encoder({1, 0})->latest().mode, Mode::position);
     EXPECT_EQ(mostEepromWrites(*bus.encoder({1, 0}), Word{0x20800001}), 0);
     EXPECT_EQ(of(1, SendWords{{0x20800001, 0x46000015, 0x80000000, 0x20800000}}), 2); // the second leaves it
+}
+
+// An unnamed K3 may be a FRABA: no word costs less there.
+TEST_F(EepromCost, OfAnUnnamedK3IsThatOfAFraba)
+{
+    constexpr DeviceNumber unnamed{1, 0};
+    ASSERT_TRUE(bus.name(unnamed, QStringLiteral("generic-k3")));
+    EXPECT_EQ(of(1, SetPreset{}), 1);
+    EXPECT_EQ(of(1, SetPreset{.value = 1000}), 2);
+    const WriteParameters write{
+        .values = {{Parameter::preset, 1000}}, .previous = {}, .initialisePreset = true};
+    EXPECT_EQ(of(1, write), 2);
+    EXPECT_EQ(mostEepromWrites(*bus.encoder(unnamed), Word{0x4000'0000}), 1);
+    const std::vector<Known> inPositionMode{{Parameter::startUpMode, 1, Evidence::told, {}}};
+    const DeviceDescription &device = bus.encoder(unnamed)->device();
+    for (const Job &job : {Job(SetPreset{.value = 1000}), Job(write)})
+        EXPECT_EQ(eepromWritesOf(*plannedSteps(device, inPositionMode, job), device), 2);
+    const DeviceDescription &baumer = bus.encoder({2, 0})->device();
+    EXPECT_EQ(of(2, SetPreset{.value = 1000}), 1);
+    EXPECT_EQ(eepromWritesOf(*plannedSteps(baumer, {}, write), baumer), 1);
 }
 
 TEST_F(EepromCost, OfWritingBackWhatWasBefore)

@@ -124,7 +124,7 @@ void ReviewPage::plan()
     if (steps) {
         m_steps.showSteps(encoder.device(), *steps);
         m_writes->setText(writesText(*steps));
-        m_gate->setWrites(*m_setup.encoder, eepromWritesOf(*steps, m_setup.encoder->can()));
+        m_gate->setWrites(*m_setup.encoder, eepromWritesOf(*steps, m_setup.encoder->device()));
         m_problem->withdraw();
     } else {
         m_steps.begin();
@@ -163,7 +163,7 @@ bool ReviewPage::mayGoOn() const
 
 QString ReviewPage::writesText(const std::vector<Step> &steps) const
 {
-    const int more = eepromWritesOf(steps, m_setup.encoder->can());
+    const int more = eepromWritesOf(steps, m_setup.encoder->device());
     const bool mayBeLess = jobForWish(*m_setup.encoder, m_setup.wish).onlyWhatDiffers;
     QString text = tr("EEPROM writes by this program so far: %1. This handshake: %2%3.")
                        .arg(m_setup.encoder->eepromCount().writes)
