@@ -45,7 +45,8 @@ std::optional<PositionScale> scaleOnLine(const DeviceDescription &device, const 
 {
     const auto total = valueOf(Parameter::measuringRange);
     const auto turns = valueOf(Parameter::revolutions);
-    const auto direction = valueOf(Parameter::direction);
+    const bool hasDirection = device.find(Parameter::direction) != nullptr;
+    const auto direction = hasDirection ? valueOf(Parameter::direction) : std::nullopt;
     if (!total || !turns || !direction || *total < 1 || *turns < 1)
         return std::nullopt;
     PositionScale scale;

@@ -119,5 +119,16 @@ TEST_F(WizardLine, DirectionAndRangeAreThoseOfItsManual)
     EXPECT_TRUE(scale->clockwise);
 }
 
+// Its project may have one from a description that knew it.
+TEST_F(WizardLine, ADirectionThatItsDescriptionDoesNotKnowTellsNoScale)
+{
+    DeviceDescription device = encoder().device();
+    const auto anyValue = [](Parameter) { return std::optional<std::int64_t>(1); };
+    EXPECT_TRUE(scaleOf(device, anyValue));
+    std::erase_if(device.parameters,
+                  [](const ParameterDescription &one) { return one.parameter == Parameter::direction; });
+    EXPECT_FALSE(scaleOf(device, anyValue));
+}
+
 } // namespace
 } // namespace codewheel
