@@ -25,6 +25,13 @@ std::vector<Message> MasterWatch::look(const MasterStatus &status, const std::ve
     return std::exchange(m_messages, {});
 }
 
+void MasterWatch::confirmedByService()
+{
+    for (std::size_t i = 0; i < m_before.devices.size(); ++i)
+        if (m_before.devices[i].peripheralFault)
+            m_confirmed.insert(i);
+}
+
 void MasterWatch::lookAtBus(const MasterStatus &status)
 {
     const bool failed = status.state == MasterState::busFail;
@@ -50,7 +57,10 @@ void MasterWatch::lookAtDevices(const MasterStatus &status, const std::vector<De
         if (status.devices[i].peripheralFault == before)
             continue;
         Message message{.place = ring[i]};
+        const bool wasConfirmed = m_confirmed.erase(i) > 0;
         if (before) {
+            if (!wasConfirmed)
+                continue;
             message.id = MessageId::peripheralFaultConfirmed;
         } else {
             message.severity = Severity::fault;

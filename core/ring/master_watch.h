@@ -5,6 +5,7 @@
 #include "ring/master_status.h"
 
 #include <map>
+#include <set>
 #include <vector>
 
 namespace codewheel {
@@ -21,6 +22,9 @@ public:
     // A service took the master to READY: that the fault does not show any more is no news of the fault.
     void leftByService() { m_before.state = MasterState::ready; }
 
+    // The faults told so far were confirmed; those that go now were not merely cleared.
+    void confirmedByService();
+
 private:
     void lookAtBus(const MasterStatus &status);
     void lookAtDevices(const MasterStatus &status, const std::vector<DeviceNumber> &ring);
@@ -34,7 +38,8 @@ private:
     };
 
     MasterStatus m_before;
-    std::map<int, Told> m_told; // by segment
+    std::set<std::size_t> m_confirmed; // devices
+    std::map<int, Told> m_told;        // by segment
     std::vector<Message> m_messages;
 };
 

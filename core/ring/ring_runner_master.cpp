@@ -119,10 +119,12 @@ void RingRunner::Private::carryOut(command::ConfirmDiagnostics)
 {
     if (!mayUse(MasterService::confirmDiagnostics))
         return;
-    if (const auto confirmed = master->confirmDiagnostics(); confirmed)
+    if (const auto confirmed = master->confirmDiagnostics(); confirmed) {
         tellOfRing({.id = MessageId::diagnosticsConfirmed});
-    else
+        masterWatch.confirmedByService();
+    } else {
         refuseOfRing(confirmed.error());
+    }
     lookAtMaster();
 }
 
@@ -173,13 +175,13 @@ void RingRunner::Private::lookAtMaster()
     seenOfMaster = master->statusChanges();
     const auto status = std::make_shared<const MasterStatus>(master->status());
     ring.master = status;
+    if (ringIsOther) // what it says is of devices that we have not
+        return;
     std::vector<DeviceNumber> numbers;
     for (const Participant &participant : structure)
         numbers.push_back(participant.number);
     for (Message &message : masterWatch.look(*status, numbers, ring.at))
         tellOfRing(std::move(message));
-    if (ringIsOther)
-        return;
     if (!linkFailed && ring.state == MasterState::run && status->state != MasterState::run)
         leaveRun(status->state);
     else if (!linkFailed)

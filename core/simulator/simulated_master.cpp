@@ -28,15 +28,29 @@ void SimulatedMaster::keep(const QString &fileName)
 
 void SimulatedMaster::use(RingStructure configuration, std::vector<std::size_t> places)
 {
+    m_peripheral = stillReported(configuration, places);
     m_configuration = std::move(configuration);
     m_places = std::move(places);
-    m_peripheral.assign(m_configuration.size(), false);
     m_off.clear();
     m_located.reset();
     m_status.segments.clear();
     for (const Participant &participant : m_configuration)
         if (participant.number.position == 0)
             m_status.segments.push_back({.segment = participant.number.segment});
+}
+
+// What a device reported is kept while it is there: only 0760 takes it back.
+std::vector<bool> SimulatedMaster::stillReported(const RingStructure &configuration,
+                                                 const std::vector<std::size_t> &places) const
+{
+    std::vector<bool> reported(configuration.size(), false);
+    for (std::size_t i = 0; i < std::min(places.size(), configuration.size()); ++i) {
+        const auto before =
+            static_cast<std::size_t>(std::ranges::find(m_places, places[i]) - m_places.begin());
+        reported[i] = before < std::min(m_places.size(), m_configuration.size()) && m_peripheral[before] &&
+                      isSameKind(m_configuration[before], configuration[i]);
+    }
+    return reported;
 }
 
 void SimulatedMaster::enter(MasterState state)

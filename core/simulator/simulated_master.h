@@ -74,6 +74,8 @@ private:
     };
 
     void use(RingStructure configuration, std::vector<std::size_t> places);
+    std::vector<bool> stillReported(const RingStructure &configuration,
+                                    const std::vector<std::size_t> &places) const;
     void look();
     void lookForPlace();
     void lookAtPeripherals();

@@ -218,6 +218,37 @@ TEST_F(ASessionWithAMaster, APeripheralFaultIsToldAgainWhereItsCauseIsThereWhenI
     EXPECT_FALSE(m_bus.master()->isFaulty());
 }
 
+TEST_F(ASessionWithAMaster, APeripheralFaultIsNotConfirmedByReadingIn)
+{
+    befall(TrainingFault::peripheralFault, onLocalBus);
+    m_bus.advance(1);
+    befall(TrainingFault::peripheralFault, onLocalBus, 0);
+    takeMessages();
+    readIn();
+    EXPECT_THAT(takeMessages(), ElementsAre(MessageId::ringRead, MessageId::busStarted));
+    EXPECT_TRUE(m_bus.master()->isFaulty());
+    m_bus.confirmDiagnostics();
+    m_bus.advance(2);
+    EXPECT_THAT(takeMessages(),
+                ElementsAre(MessageId::diagnosticsConfirmed, MessageId::peripheralFaultConfirmed));
+}
+
+TEST_F(ASessionWithAMaster, InAnotherRingAPeripheralFaultIsToldByItsNewNumber)
+{
+    befall(TrainingFault::peripheralFault, last);
+    m_bus.advance(1);
+    befall(TrainingFault::wireBreak, {4, 0});
+    m_bus.advance(30);
+    m_messages.clear();
+    readIn();
+    m_bus.advance(5);
+    const auto told = std::ranges::find(m_messages, MessageId::peripheralFault, &Message::id);
+    ASSERT_NE(told, m_messages.end());
+    EXPECT_EQ(told->place, (DeviceNumber{4, 0}));
+    EXPECT_EQ(std::ranges::count(m_messages, MessageId::peripheralFault, &Message::id), 1);
+    EXPECT_EQ(std::ranges::count(m_messages, MessageId::peripheralFaultConfirmed, &Message::id), 0);
+}
+
 TEST_F(ASessionWithAMaster, CrcErrorsAreToldOnceAMinute)
 {
     befall(TrainingFault::crcErrors, second, 100);

@@ -267,6 +267,37 @@ TEST_F(ASimulatedMaster, PeripheralFaultsStayUntilTheyAreConfirmedAndTheirCauseI
     EXPECT_EQ(status().parameter, 0x0000);
 }
 
+// Only 0760 takes a report back, whatever else is done with the configuration.
+TEST_F(ASimulatedMaster, PeripheralFaultsStayWhenTheRingIsReadInAgain)
+{
+    befall(TrainingFault::peripheralFault, {6, 0});
+    cycles(1);
+    befall(TrainingFault::peripheralFault, {6, 0}, 0);
+    readIn();
+    EXPECT_EQ(status().statusBits, 0x00C2);
+    EXPECT_EQ(status().parameter, 0x0600);
+    ASSERT_TRUE(m_master.keepConfiguration({QStringLiteral("same.codewheel"), *m_ring.link->open()}));
+    m_master.alarmStop();
+    start();
+    EXPECT_EQ(status().statusBits, 0x00E2);
+    befall(TrainingFault::wireBreak, {4, 0}); // the segments behind it move up
+    readIn();
+    EXPECT_EQ(status().parameter, 0x0400);
+    ASSERT_TRUE(m_master.confirmDiagnostics());
+    EXPECT_EQ(status().statusBits, 0x00C0);
+}
+
+TEST_F(ASimulatedMaster, APeripheralFaultGoesWithItsDevice)
+{
+    befall(TrainingFault::peripheralFault, {2, 0});
+    cycles(1);
+    befall(TrainingFault::peripheralFault, {2, 0}, 0);
+    befall(TrainingFault::wrongDevice, {2, 0});
+    cycles(30);
+    readIn();
+    EXPECT_EQ(status().statusBits, 0x00C0);
+}
+
 TEST_F(ASimulatedMaster, CountsCrcErrorsBySegmentAndKeepsTheWordsOfTheCycleBefore)
 {
     befall(TrainingFault::crcErrors, {2, 0}, 100);
