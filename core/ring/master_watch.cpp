@@ -91,8 +91,18 @@ void MasterWatch::lookAtCrcErrors(const MasterStatus::Segment &segment, Instant 
     Told &told = m_told[segment.segment];
     if (segment.crcErrors < told.crcErrors) // counted from the start of the ring
         told.crcErrors = 0;
-    if (segment.crcErrors == told.crcErrors || (told.at && now - *told.at < betweenCrcMessages))
+    if (segment.crcErrors == told.crcErrors)
         return;
+    const Instant due = told.at ? *told.at + betweenCrcMessages : now;
+    if (now < due)
+        m_due = std::min(m_due.value_or(due), due);
+    else
+        tellCrcErrors(segment, now);
+}
+
+void MasterWatch::tellCrcErrors(const MasterStatus::Segment &segment, Instant now)
+{
+    Told &told = m_told[segment.segment];
     m_messages.push_back({.place = DeviceNumber{segment.segment, 0},
                           .severity = Severity::attention,
                           .id = MessageId::crcErrors,
@@ -100,6 +110,25 @@ void MasterWatch::lookAtCrcErrors(const MasterStatus::Segment &segment, Instant 
                                         std::int64_t{segment.crcErrors} - std::int64_t{told.crcErrors},
                                         std::int64_t{segment.crcErrors}}});
     told = {segment.crcErrors, now};
+}
+
+std::vector<Message> MasterWatch::lookAtTime(Instant now)
+{
+    if (!m_due || now < *m_due)
+        return {};
+    m_due.reset();
+    for (const MasterStatus::Segment &segment : m_before.segments)
+        lookAtCrcErrors(segment, now);
+    return std::exchange(m_messages, {});
+}
+
+std::vector<Message> MasterWatch::lookAtRest(Instant now)
+{
+    m_due.reset();
+    for (const MasterStatus::Segment &segment : m_before.segments)
+        if (segment.crcErrors > m_told[segment.segment].crcErrors)
+            tellCrcErrors(segment, now);
+    return std::exchange(m_messages, {});
 }
 
 } // namespace codewheel

@@ -11,13 +11,18 @@
 namespace codewheel {
 
 // Turns what the master says into messages when a fault appears, is located or goes, when a segment is
-// switched, and, at most once a minute, when data cycles were faulty. Used by the runner after each cycle in
-// which the status changed, so that what lasts one cycle is told.
+// switched, and, at most once a minute and segment, when data cycles were faulty. Used by the runner after
+// each cycle in which the status changed, so that what lasts one cycle is told.
 class MasterWatch
 {
 public:
     // In the order of what happened; without time. `ring` has the numbers of status.devices.
     std::vector<Message> look(const MasterStatus &status, const std::vector<DeviceNumber> &ring, Instant now);
+
+    // After each cycle: the CRC errors that were held back until their minute was over.
+    std::vector<Message> lookAtTime(Instant now);
+    // As data cycles end: those that are held back still.
+    std::vector<Message> lookAtRest(Instant now);
 
     // A service took the master to READY: that the fault does not show any more is no news of the fault.
     void leftByService() { m_before.state = MasterState::ready; }
@@ -30,6 +35,7 @@ private:
     void lookAtDevices(const MasterStatus &status, const std::vector<DeviceNumber> &ring);
     void lookAtSegments(const MasterStatus &status, Instant now);
     void lookAtCrcErrors(const MasterStatus::Segment &segment, Instant now);
+    void tellCrcErrors(const MasterStatus::Segment &segment, Instant now);
 
     struct Told
     {
@@ -40,6 +46,7 @@ private:
     MasterStatus m_before;
     std::set<std::size_t> m_confirmed; // devices
     std::map<int, Told> m_told;        // by segment
+    std::optional<Instant> m_due;      // when CRC errors that are held back are told
     std::vector<Message> m_messages;
 };
 

@@ -239,6 +239,7 @@ void RingRunner::Private::showStandingWords()
 void RingRunner::Private::leaveRun(MasterState state)
 {
     ring.state = state;
+    tellOfRing(masterWatch.lookAtRest(ring.at));
     endJobs(RefusalId::busStopped);
     if (master && !linkFailed && state != MasterState::active) {
         std::ranges::fill(image, Word{0});
@@ -273,6 +274,12 @@ void RingRunner::Private::tellOfRing(Message message)
 {
     message.at = ring.at;
     tell(0, std::move(message));
+}
+
+void RingRunner::Private::tellOfRing(std::vector<Message> messages)
+{
+    for (Message &message : messages)
+        tellOfRing(std::move(message));
 }
 
 void RingRunner::Private::refuseOfRing(const Refusal &why)

@@ -170,8 +170,15 @@ void RingRunner::Private::idle()
 
 void RingRunner::Private::lookAtMaster()
 {
-    if (!master || master->statusChanges() == seenOfMaster)
+    if (!master)
         return;
+    if (master->statusChanges() != seenOfMaster)
+        lookAtStatus();
+    tellOfRing(masterWatch.lookAtTime(ring.at));
+}
+
+void RingRunner::Private::lookAtStatus()
+{
     seenOfMaster = master->statusChanges();
     const auto status = std::make_shared<const MasterStatus>(master->status());
     ring.master = status;
@@ -180,8 +187,7 @@ void RingRunner::Private::lookAtMaster()
     std::vector<DeviceNumber> numbers;
     for (const Participant &participant : structure)
         numbers.push_back(participant.number);
-    for (Message &message : masterWatch.look(*status, numbers, ring.at))
-        tellOfRing(std::move(message));
+    tellOfRing(masterWatch.look(*status, numbers, ring.at));
     if (!linkFailed && ring.state == MasterState::run && status->state != MasterState::run)
         leaveRun(status->state);
     else if (!linkFailed)

@@ -56,6 +56,7 @@ struct RingRunner::Private
     void endReadIn(Result<RingStructure> found);
     void idle();
     void lookAtMaster();
+    void lookAtStatus();
     void showWhoIsInRing(const MasterStatus &status);
     void leaveRing(std::size_t device);
     void takeDriverEvents(std::size_t device);
@@ -65,6 +66,7 @@ struct RingRunner::Private
         events.push({device, std::move(what), ring.at});
     }
     void tellOfRing(Message message);
+    void tellOfRing(std::vector<Message> messages);
     void tellOfDevice(std::size_t device, Message message);
 
     ProcessDataLink &link;

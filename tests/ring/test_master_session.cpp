@@ -249,6 +249,36 @@ TEST_F(ASessionWithAMaster, InAnotherRingAPeripheralFaultIsToldByItsNewNumber)
     EXPECT_EQ(std::ranges::count(m_messages, MessageId::peripheralFaultConfirmed, &Message::id), 0);
 }
 
+TEST_F(ASessionWithAMaster, CrcErrorsOfABurstAreToldWhenTheirMinuteIsOver)
+{
+    befall(TrainingFault::crcErrors, second, 100);
+    takeMessages();
+    m_bus.advance(5'000);
+    befall(TrainingFault::crcErrors, second, 0);
+    m_bus.advance(100'000);
+    ASSERT_EQ(m_messages.size(), 2U);
+    const std::int64_t all = m_bus.master()->segments[1].crcErrors;
+    EXPECT_GT(all, 300);
+    EXPECT_EQ(m_messages[1].arguments, (std::vector<RefusalArgument>{std::int64_t{2}, all - 1, all}));
+    EXPECT_EQ(m_messages[1].at, m_messages[0].at + 60s);
+    EXPECT_EQ(m_messages[1].place, second);
+}
+
+TEST_F(ASessionWithAMaster, CrcErrorsAreToldWhenTheBusIsStoppedWithinTheMinute)
+{
+    befall(TrainingFault::crcErrors, second, 100);
+    takeMessages();
+    m_bus.advance(500);
+    const std::int64_t all = m_bus.master()->segments[1].crcErrors;
+    ASSERT_GT(all, 10);
+    m_bus.stopBus();
+    m_bus.startBus(); // which begins to count anew
+    m_bus.advance(1);
+    ASSERT_GE(m_messages.size(), 2U);
+    EXPECT_EQ(m_messages[1].id, MessageId::crcErrors);
+    EXPECT_EQ(m_messages[1].arguments, (std::vector<RefusalArgument>{std::int64_t{2}, all - 1, all}));
+}
+
 TEST_F(ASessionWithAMaster, CrcErrorsAreToldOnceAMinute)
 {
     befall(TrainingFault::crcErrors, second, 100);
