@@ -10,6 +10,7 @@
 #include <QSqlQuery>
 
 #include <atomic>
+#include <optional>
 
 namespace codewheel {
 namespace {
@@ -25,6 +26,8 @@ constexpr int sqliteReadOnly = 8;
 constexpr int sqliteCorrupt = 11;
 constexpr int sqliteFull = 13;
 constexpr int sqliteNoDatabase = 26;
+
+constexpr QByteArrayView sqliteHeader("SQLite format 3", 16); // with its zero
 
 constexpr auto connectOptions = "QSQLITE_BUSY_TIMEOUT=5000;QSQLITE_OPEN_URI";
 
@@ -44,6 +47,26 @@ QString newName()
 DatabaseError brokenFile()
 {
     return {DatabaseError::Kind::broken, Journal::tr("it is damaged, or no database at all.")};
+}
+
+// Where another kind of file has its name, it is not ours to put aside. An empty file is a new database.
+std::optional<DatabaseError> otherFileAt(const QString &path)
+{
+    const auto other = [](const QString &reason) {
+        return DatabaseError{DatabaseError::Kind::foreign, reason};
+    };
+    const QFileInfo info(path);
+    if (!info.exists())
+        return std::nullopt;
+    if (!info.isFile()) // a pipe would never end
+        return other(Journal::tr("it is no file."));
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return std::nullopt; // SQLite says why
+    const QByteArray begin = file.read(sqliteHeader.size());
+    if (begin.isEmpty() || begin == sqliteHeader)
+        return std::nullopt;
+    return other(Journal::tr("it is no database, and was left as it was."));
 }
 
 QStringList objects(const QSqlDatabase &connection)
@@ -126,6 +149,8 @@ Stored<Database> Database::open(const DatabasePlace &place, const DatabaseSchema
     if (!place.inMemory && !QDir().mkpath(QFileInfo(place.name).absolutePath()))
         return tl::unexpected(
             DatabaseError{DatabaseError::Kind::other, Journal::tr("its folder cannot be made.")});
+    if (const auto other = place.inMemory ? std::nullopt : otherFileAt(place.name))
+        return tl::unexpected(*other);
     Database database(QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), newName()));
     QSqlDatabase &connection = database.m_connection;
     if (!connection.isValid())

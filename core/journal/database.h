@@ -16,9 +16,9 @@ namespace codewheel {
 struct DatabaseError
 {
     enum class Kind : std::uint8_t {
-        broken,  // damaged, or no database at all
+        broken,  // a damaged database
         newer,   // made by a newer version of this program
-        foreign, // a sound database of another program
+        foreign, // no database, or that of another program
         other,   // not writable, disk full, ...
     };
 

@@ -7,6 +7,7 @@
 #include "tests/cli/cli_run.h"
 #include "tests/support/scripted_link.h"
 
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QTemporaryDir>
@@ -50,6 +51,22 @@ protected:
 
     QTemporaryDir folder;
 };
+
+TEST_F(CliJournal, AFileThatIsNoLedgerStaysWhereItIs)
+{
+    QFile file(path("x.codewheel"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("{}");
+    file.close();
+    const CliRun looked = run("ledger --ledger %1/x.codewheel");
+    EXPECT_EQ(looked.exit, 1);
+    EXPECT_NE(looked.err.find("x.codewheel cannot be used: it is no database, and was left as it was."),
+              std::string::npos)
+        << looked.err;
+    const CliRun written = run("write 1.0 steps=2048 --yes --ledger %1/x.codewheel");
+    EXPECT_NE(written.err.find("it is no database"), std::string::npos) << written.err;
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files), QStringList{QStringLiteral("x.codewheel")});
+}
 
 class CliMessages : public CliJournal
 {

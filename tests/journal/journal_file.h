@@ -27,6 +27,8 @@ public:
         EXPECT_TRUE(file.open(QIODevice::WriteOnly));
         EXPECT_EQ(file.write(bytes), bytes.size());
     }
+    // What each file of SQLite begins with.
+    static QByteArray header() { return {"SQLite format 3", 16}; }
     // As another program would.
     void execute(const QString &sql) const
     {

@@ -151,8 +151,11 @@ TEST(LedgerFile, SaysWhatIsWrongWithAFile)
     EXPECT_TRUE(MessageTable::open(messages.place()));
     EXPECT_EQ(Ledger::open(messages.place()).error().kind, DatabaseError::Kind::foreign);
     const JournalFile broken;
-    broken.fill(QByteArray(5'000, 'x'));
+    broken.fill(JournalFile::header().leftJustified(5'000, 'x'));
     EXPECT_EQ(Ledger::open(broken.place()).error().kind, DatabaseError::Kind::broken);
+    const JournalFile letter;
+    letter.fill(QByteArray(5'000, 'x'));
+    EXPECT_EQ(Ledger::open(letter.place()).error().kind, DatabaseError::Kind::foreign);
 }
 
 TEST(LedgerFile, CountsNothingBelowZeroWhateverAFileSays)

@@ -315,7 +315,7 @@ TEST_F(LedgerKeeperTest, GoesOnInMemoryAndSaysSoWhereTheFileCannotBeUsed)
 
 TEST_F(LedgerKeeperTest, PutsADamagedFileAside)
 {
-    file.fill(QByteArray(5'000, 'x'));
+    file.fill(JournalFile::header() + QByteArray(5'000, 'x'));
     keep(file.place());
     ASSERT_TRUE(keeper->problem());
     EXPECT_EQ(keeper->problem()->id, MessageId::databasePutAside);

@@ -87,7 +87,7 @@ TEST(MessageStore, TwoOfThemShareAFile)
 TEST(MessageStore, PutsADamagedFileAsideAndBeginsAnother)
 {
     const JournalFile file;
-    file.fill(QByteArray(10'000, 'x'));
+    file.fill(JournalFile::header().leftJustified(10'000, 'x'));
     MessageStore store({.file = file.path});
     store.add(training("one"), noon);
     store.flush();
@@ -97,6 +97,18 @@ TEST(MessageStore, PutsADamagedFileAsideAndBeginsAnother)
     ASSERT_EQ(aside.size(), 1);
     EXPECT_EQ(QFileInfo(file.folder() + u'/' + aside.front()).size(), 10'000);
     EXPECT_TRUE(messageText(all(store).front()).contains(aside.front()));
+}
+
+TEST(MessageStore, LeavesAFileThatIsNoDatabaseWhereItIs)
+{
+    const JournalFile file;
+    file.fill("a letter");
+    MessageStore store({.file = file.path});
+    store.add(training("one"), noon);
+    store.flush();
+    EXPECT_TRUE(store.place()->inMemory);
+    EXPECT_EQ(codes(store), (QStringList{QStringLiteral("notKept"), QStringLiteral("training")}));
+    EXPECT_EQ(file.names(), QStringList{QStringLiteral("journal.sqlite")});
 }
 
 TEST(MessageStore, GoesOnInMemoryAndSaysSoOnceWhereTheFileCannotBeUsed)

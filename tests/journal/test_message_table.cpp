@@ -126,13 +126,24 @@ TEST(MessageTable, TakesNoFileWithTriggersOrOtherColumns)
 
 TEST(MessageTable, SaysThatAFileIsDamaged)
 {
-    for (const QByteArray &bytes :
-         {QByteArray("time,severity,place\r\n"), QByteArray(100'000, 'x'), QByteArray(4096, '\0'),
-          QByteArray("SQLite format 3\0 and no more", 28)}) {
+    for (const QByteArray &bytes : {QByteArray("SQLite format 3\0 and no more", 28),
+                                    JournalFile::header() + QByteArray(100'000, 'x')}) {
         const JournalFile file;
         file.fill(bytes);
         EXPECT_EQ(errorOf(file).kind, DatabaseError::Kind::broken) << bytes.size();
         EXPECT_FALSE(errorOf(file).reason.isEmpty());
+    }
+}
+
+TEST(MessageTable, LeavesAFileThatIsNoDatabaseAlone)
+{
+    for (const QByteArray &bytes : {QByteArray("{\"format\": \"codewheel-project\"}"), QByteArray("x"),
+                                    QByteArray(100'000, 'x'), QByteArray(4096, '\0')}) {
+        const JournalFile file;
+        file.fill(bytes);
+        EXPECT_EQ(errorOf(file).kind, DatabaseError::Kind::foreign) << bytes.size();
+        EXPECT_EQ(errorOf(file).reason, QStringLiteral("it is no database, and was left as it was."));
+        EXPECT_EQ(QFileInfo(file.path).size(), bytes.size());
     }
 }
 
@@ -146,7 +157,7 @@ TEST(MessageTable, TakesAnEmptyFileForANewOne)
 TEST(MessageTable, SaysThatAGigabyteOfNothingIsDamaged)
 {
     const JournalFile file;
-    file.fill({});
+    file.fill(JournalFile::header());
     ASSERT_TRUE(QFile::resize(file.path, 1'000'000'000));
     EXPECT_EQ(errorOf(file).kind, DatabaseError::Kind::broken);
 }
