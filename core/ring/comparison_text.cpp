@@ -55,6 +55,9 @@ QString sameText(const Participant &configured, const Participant &connected, co
 
 QString movedText(const Participant &configured, const Participant &connected, const QString &name)
 {
+    if (configured.number == connected.number && configured.level == connected.level)
+        return sentence(ComparisonTexts::tr("%1: %2 moved among its neighbours, its number stayed the same"),
+                        {configured.number.toString(), name});
     if (configured.number == connected.number)
         return sentence(ComparisonTexts::tr("%1: %2 moved, configured on level %3, found on level %4"),
                         {configured.number.toString(), name, QString::number(configured.level),

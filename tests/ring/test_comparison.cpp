@@ -4,6 +4,7 @@
 #include "ring/take_over.h"
 #include "tests/ring/written_ring.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <numeric>
@@ -91,6 +92,19 @@ INSTANTIATE_TEST_SUITE_P(
             "missing | 2.0: configured K1 36h is missing\n"
             "missing | 3.0: configured BEh is missing"}),
     [](const testing::TestParamInfo<Row> &row) { return std::string(row.param.name); });
+
+// What is before it came behind it, and the other way round.
+TEST(Comparison, AMoveThatKeepsNumberAndLevelIsToldByItsNeighbours)
+{
+    const RingStructure configured = writtenRing("K3 K2 K1 DI LA");
+    const RingStructure connected = writtenRing("DI LA K1 K3 K2");
+    const Comparison comparison = compareRings(configured, connected);
+    const auto line = std::ranges::find(
+        comparison, std::size_t{2}, [](const ComparisonLine &each) { return each.configured.value_or(0); });
+    ASSERT_NE(line, comparison.end());
+    EXPECT_EQ(comparisonText(*line, configured, connected, Catalog::builtIn()).toStdString(),
+              "3.0: K1 36h moved among its neighbours, its number stayed the same");
+}
 
 TEST(Comparison, TheMakeIsNoDifference)
 {
