@@ -14,8 +14,8 @@
 #include "drivers/planned_words.h"
 #include "encoder/hex.h"
 #include "encoder/sentence.h"
+#include "project/file_access.h"
 
-#include <QFile>
 #include <QFileInfo>
 #include <QSaveFile>
 
@@ -112,11 +112,9 @@ Checked<std::optional<unsigned>> programFrom(const Arguments &arguments)
 // Of the file: all its programs, or the one wanted.
 Checked<CamFile> programsIn(const QString &name, std::optional<unsigned> program)
 {
-    QFile file(name);
-    if (!file.open(QIODevice::ReadOnly))
-        return badInput(QStringLiteral("fileNotRead"), CommandLine::tr("%1 cannot be read: %2."),
-                        {name, file.errorString()});
-    auto cams = camFileFromJson(file.readAll(), name);
+    auto cams = readWholeFile(name, largestCamFile).and_then([&](const QByteArray &json) {
+        return camFileFromJson(json, name);
+    });
     if (!cams)
         return tl::unexpected(complaintAbout(cams.error()));
     if (!program)

@@ -11,6 +11,8 @@
 
 namespace codewheel {
 
+inline constexpr qint64 largestCamFile = 1'000'000; // bytes; eight programs take 8 000
+
 // Cam programs as they are kept in a file (docs/cam-files.md): for which kind of encoder, with how many
 // positions. Reading and writing the disk is the caller's.
 struct CamFile

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace codewheel {
 namespace {
@@ -185,7 +186,10 @@ TEST_F(CliCams, BadInputIsNamedAndNothingIsSent)
         EXPECT_EQ(errorKey(run), row.key) << row.json.toStdString();
         EXPECT_EQ(shared.bus().latest().cycle, 0u) << "nothing went over the bus";
     }
-    EXPECT_EQ(errorKey(runLine(QStringLiteral("cams 1.0 write /no/such.json --json"))), "fileNotRead");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("cams 1.0 write /no/such.json --json"))), "fileNotReadable");
+    const QString pipe = m_directory.filePath(QStringLiteral("pipe"));
+    ASSERT_EQ(::mkfifo(pipe.toLocal8Bit().constData(), 0600), 0);
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("cams 1.0 compare %1 --json").arg(pipe))), "fileNotReadable");
     EXPECT_EQ(errorKey(runLine(QStringLiteral("cams 1.0 write --json"))), "missingFile");
     EXPECT_EQ(errorKey(runLine(QStringLiteral("cams 1.0 erase --json"))), "unknownAction");
     EXPECT_EQ(errorKey(runLine(QStringLiteral("cams 2.0 read --json"))), "camsNotSupported");

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/refusal_text.h"
 #include "simulator/fault_plan.h"
+#include "simulator/fault_plan_file.h"
 #include "simulator/training_bus.h"
 #include "tests/support/faulty_ring.h"
 
 #include <QFile>
+#include <QTemporaryDir>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace codewheel {
 namespace {
@@ -51,6 +54,17 @@ TEST_F(AFaultPlan, HoldsItsStepsAsTheyAreWritten)
                                {milliseconds(1'500), TrainingFault::wireBreak, {6, 1}, 1},
                                {milliseconds(1'500), TrainingFault::wireBreak, {6, 1}, 0},
                            }));
+}
+
+TEST_F(AFaultPlan, APipeIsNoFile)
+{
+    const QTemporaryDir folder;
+    const QString pipe = folder.filePath(QStringLiteral("pipe"));
+    ASSERT_EQ(::mkfifo(pipe.toLocal8Bit().constData(), 0600), 0);
+    const auto refused = loadFaultPlan(pipe, m_training.controls->places());
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().id, RefusalId::fileNotReadable);
+    EXPECT_EQ(refusalText(refused.error()), pipe + QStringLiteral(" cannot be read: It is no file."));
 }
 
 TEST_F(AFaultPlan, IsRefusedWithLineAndKey)

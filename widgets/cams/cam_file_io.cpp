@@ -2,6 +2,7 @@
 #include "widgets/cams/cam_file_io.h"
 
 #include "encoder/refusal_text.h"
+#include "project/file_access.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -16,18 +17,14 @@ struct CamFiles
     Q_DECLARE_TR_FUNCTIONS(CamFiles)
 };
 
-constexpr qint64 largestFile = 1'000'000; // bytes; eight programs take 8 000
-
 } // namespace
 
 tl::expected<CamFile, QString> loadCamFile(const QString &path, std::optional<std::int64_t> largestPosition)
 {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return tl::unexpected(CamFiles::tr("%1 cannot be read: %2").arg(path, file.errorString()));
-    if (file.size() > largestFile)
-        return tl::unexpected(CamFiles::tr("%1 is too large for a file of cam programs.").arg(path));
-    return camFileFromJson(file.readAll(), QFileInfo(path).fileName(), largestPosition)
+    return readWholeFile(path, largestCamFile)
+        .and_then([&](const QByteArray &json) {
+            return camFileFromJson(json, QFileInfo(path).fileName(), largestPosition);
+        })
         .map_error([](const Refusal &refusal) { return refusalText(refusal); });
 }
 

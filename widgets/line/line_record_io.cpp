@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/line/line_record_io.h"
 
+#include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
+#include "project/file_access.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -22,14 +24,10 @@ constexpr qint64 largestFile = 64'000'000; // bytes; 100 000 rows take 9 000 000
 
 tl::expected<LineRecord, QString> loadLineRecord(const QString &path)
 {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return tl::unexpected(
-            sentence(LineRecordFiles::tr("%1 cannot be read: %2"), {path, file.errorString()}));
-    if (file.size() > largestFile)
-        return tl::unexpected(
-            sentence(LineRecordFiles::tr("%1 is too large for a session of a serial line."), {path}));
-    return lineRecordFromJson(file.readAll(), QFileInfo(path).fileName());
+    const auto json = readWholeFile(path, largestFile);
+    if (!json)
+        return tl::unexpected(refusalText(json.error()));
+    return lineRecordFromJson(*json, QFileInfo(path).fileName());
 }
 
 tl::expected<void, QString> saveLineRecord(const QString &path, const LineRecord &record)

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
+#include "project/file_access.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
@@ -13,7 +14,6 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QFile>
 #include <QFileDialog>
 #include <QHeaderView>
 #include <QLabel>
@@ -273,12 +273,13 @@ void SequenceView::askSave()
 
 bool SequenceView::load(const QString &path)
 {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        say(Role::attention, tr("%1 cannot be read: %2").arg(path, file.errorString()));
+    constexpr qint64 largestFile = 10'000'000; // bytes; a word takes 100
+    const auto json = readWholeFile(path, largestFile);
+    if (!json) {
+        say(Role::attention, refusalText(json.error()));
         return false;
     }
-    const auto read = sequenceFromJson(file.readAll());
+    const auto read = sequenceFromJson(*json);
     if (!read) {
         say(Role::attention, tr("%1 was not read. %2", "file, reason").arg(path, read.error()));
         return false;
