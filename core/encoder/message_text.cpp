@@ -188,6 +188,16 @@ QString presetText(const QStringList &parts)
     return sentence(pattern(rowOf(MessageId::presetDone).text), {before, after});
 }
 
+// Switched off, it took the place of a bus fault along.
+QString segmentWithFaultText(const Message &message)
+{
+    const std::vector<RefusalArgument> fault(message.arguments.begin() + 1, message.arguments.end());
+    return sentence(pattern(QT_TRANSLATE_NOOP(
+                        "Message", "Segment %1 is switched off, and the place of the bus fault with "
+                                   "it: %2. The fault may still be there. Start the bus again.")),
+                    {argumentText(message.arguments.front()), busFaultText(fault)});
+}
+
 } // namespace
 
 QString messageText(const Message &message)
@@ -199,6 +209,13 @@ QString messageText(const Message &message)
         return presetText(parts);
     if (message.id == MessageId::busFault || message.id == MessageId::peripheralFault)
         return sentence(pattern(rowOf(message.id).text), {busFaultText(message.arguments)});
+    if (message.id == MessageId::segmentOff && parts.size() > 1)
+        return segmentWithFaultText(message);
+    if (message.id == MessageId::ringRead &&
+        message.arguments == std::vector<RefusalArgument>{std::int64_t{0}})
+        return pattern(QT_TRANSLATE_NOOP("Message",
+                                         "No device answered when the ring was read in. Check the cable to "
+                                         "the first device, and its supply."));
     if (message.id == MessageId::deviceFault && message.refusal)
         return sentence(pattern(QT_TRANSLATE_NOOP("Message", "The encoder reports error %1, %3 (IN %2).")),
                         parts + QStringList{deviceErrorName(message.refusal->id)});

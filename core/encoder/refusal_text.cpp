@@ -74,7 +74,7 @@ constexpr std::array rows{
                           "of the same device code.")},
     Row{RefusalId::fileNotReadable, "fileNotReadable", QT_TRANSLATE_NOOP("Refusal", "%1 cannot be read: %2")},
     Row{RefusalId::fileNotWritten, "fileNotWritten",
-        QT_TRANSLATE_NOOP("Refusal", "%1 cannot be written: %2 The file there was left as it was.")},
+        QT_TRANSLATE_NOOP("Refusal", "%1 cannot be written: %2 Nothing was changed there.")},
     Row{RefusalId::fileTooLarge, "fileTooLarge",
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 has %2 MB; the largest file that is read has %3 MB. Is it the right file?")},
@@ -426,6 +426,15 @@ QString brokenFileText(const Refusal &refusal)
     return sentence(pattern(parts.value(2).isEmpty() ? row.textWithoutArguments : row.text), parts);
 }
 
+// What the system says ends without a full stop.
+QString fileText(const Refusal &refusal)
+{
+    QStringList parts = argumentTexts(refusal.arguments);
+    if (parts.size() > 1 && !parts[1].endsWith(u'.'))
+        parts[1] += u'.';
+    return sentence(pattern(rowOf(refusal.id).text), parts);
+}
+
 } // namespace
 
 QString refusalText(const Refusal &refusal)
@@ -442,6 +451,9 @@ QString refusalText(const Refusal &refusal)
     case RefusalId::projectFileBroken:
     case RefusalId::faultPlanBroken:
         return brokenFileText(refusal);
+    case RefusalId::fileNotReadable:
+    case RefusalId::fileNotWritten:
+        return fileText(refusal);
     case RefusalId::busFault:
         return sentence(pattern(rowOf(refusal.id).text), {busFaultText(refusal.arguments)});
     case RefusalId::labelKeyNotUnderstood:

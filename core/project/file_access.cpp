@@ -19,19 +19,14 @@ namespace {
 
 constexpr qint64 megabyte = 1'000'000;
 
-QString asSentence(const QString &reason)
-{
-    return reason.endsWith(u'.') ? reason : reason + u'.';
-}
-
 tl::unexpected<Refusal> notReadable(const QString &path, const QString &reason)
 {
-    return refuse(RefusalKind::badInput, RefusalId::fileNotReadable, {path, asSentence(reason)});
+    return refuse(RefusalKind::badInput, RefusalId::fileNotReadable, {path, reason});
 }
 
 tl::unexpected<Refusal> notWritten(const QString &path, const QString &reason)
 {
-    return refuse(RefusalKind::badInput, RefusalId::fileNotWritten, {path, asSentence(reason)});
+    return refuse(RefusalKind::badInput, RefusalId::fileNotWritten, {path, reason});
 }
 
 std::int64_t megabytes(qint64 bytes)

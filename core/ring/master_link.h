@@ -50,7 +50,7 @@ public:
     virtual Result<void> stopDataTransfer() = 0;        // 0702
     virtual void alarmStop() = 0; // 1303: outputs to 0 and the bus stopped, from every state
     // 0713: a segment is taken out of the data cycles, with all that hangs behind it. It stays so until it is
-    // switched on, or another configuration is created or loaded. Refused (notInRing) where there is none.
+    // switched on, or another configuration is created or loaded. Refused (unknownDevice): no such one.
     virtual Result<void> switchSegment(int segment, bool on) = 0;
     virtual Result<void> confirmDiagnostics() = 0; // 0760
 

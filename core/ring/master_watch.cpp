@@ -45,8 +45,27 @@ void MasterWatch::lookAtBus(const MasterStatus &status)
             message.place = place->number;
         m_messages.push_back(std::move(message));
     }
-    if (failedBefore && status.state == MasterState::ready && !status.isFaulty())
+    if (!failedBefore || status.state != MasterState::ready || status.isFaulty())
+        return;
+    if (isFaultSwitchedOff(status))
+        m_messages.push_back(
+            {.severity = Severity::attention,
+             .id = MessageId::segmentOff,
+             .arguments = {std::int64_t{m_off.back()}, Word{m_before.errorCode}, Word{m_before.parameter}}});
+    else
         m_messages.push_back({.id = MessageId::busFaultGone});
+}
+
+// Where a fault was located, the devices behind it were out of the ring. They are in it again when it is
+// gone, but for those in segments that are off, where the master does not look.
+bool MasterWatch::isFaultSwitchedOff(const MasterStatus &status) const
+{
+    if (m_off.empty() || !m_before.faultPlace() || m_before.devices.size() != status.devices.size())
+        return false;
+    for (std::size_t i = 0; i < status.devices.size(); ++i)
+        if (status.devices[i].inRing && !m_before.devices[i].inRing)
+            return false;
+    return true;
 }
 
 void MasterWatch::lookAtDevices(const MasterStatus &status, const std::vector<DeviceNumber> &ring)
@@ -78,10 +97,14 @@ void MasterWatch::lookAtSegments(const MasterStatus &status, Instant now)
         const auto before =
             std::ranges::find(m_before.segments, segment.segment, &MasterStatus::Segment::segment);
         const bool wasOff = before != m_before.segments.end() && before->switchedOff;
-        if (segment.switchedOff != wasOff)
+        if (segment.switchedOff != wasOff) {
             m_messages.push_back({.severity = Severity::attention,
                                   .id = wasOff ? MessageId::segmentOn : MessageId::segmentOff,
                                   .arguments = {std::int64_t{segment.segment}}});
+            std::erase(m_off, segment.segment);
+            if (!wasOff)
+                m_off.push_back(segment.segment);
+        }
         lookAtCrcErrors(segment, now);
     }
 }

@@ -32,6 +32,7 @@ public:
 
 private:
     void lookAtBus(const MasterStatus &status);
+    bool isFaultSwitchedOff(const MasterStatus &status) const;
     void lookAtDevices(const MasterStatus &status, const std::vector<DeviceNumber> &ring);
     void lookAtSegments(const MasterStatus &status, Instant now);
     void lookAtCrcErrors(const MasterStatus::Segment &segment, Instant now);
@@ -44,6 +45,7 @@ private:
     };
 
     MasterStatus m_before;
+    std::vector<int> m_off;            // segments, in the order they were switched off
     std::set<std::size_t> m_confirmed; // devices
     std::map<int, Told> m_told;        // by segment
     std::optional<Instant> m_due;      // when CRC errors that are held back are told

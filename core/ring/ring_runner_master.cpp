@@ -95,7 +95,9 @@ void RingRunner::Private::endReadIn(Result<RingStructure> found)
 {
     readingIn = false;
     if (found) {
-        tellOfRing({.id = MessageId::ringRead, .arguments = {static_cast<std::int64_t>(found->size())}});
+        tellOfRing({.severity = found->empty() ? Severity::attention : Severity::information,
+                    .id = MessageId::ringRead,
+                    .arguments = {static_cast<std::int64_t>(found->size())}});
         ringIsOther = !isSameRing(*found, structure);
         ring.state = MasterState::active;
     }

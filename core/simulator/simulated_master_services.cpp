@@ -4,6 +4,8 @@
 #include "ring/master_text.h"
 #include "simulator/simulated_master.h"
 
+#include <QStringList>
+
 #include <algorithm>
 #include <numeric>
 
@@ -25,6 +27,15 @@ tl::unexpected<Refusal> differs(DeviceNumber place, const Participant *configure
 {
     return refuse(RefusalKind::link, RefusalId::ringDiffers,
                   {place.toString(), codeText(configured), codeText(found)});
+}
+
+QString headsOf(const RingStructure &configuration)
+{
+    QStringList heads;
+    for (const Participant &participant : configuration)
+        if (participant.number.position == 0)
+            heads << participant.number.toString();
+    return heads.join(QStringLiteral(", "));
 }
 
 } // namespace
@@ -139,7 +150,8 @@ Result<void> SimulatedMaster::switchSegment(int segment, bool on)
         return wrongState(MasterService::switchSegment, m_status.state);
     const DeviceNumber head{segment, 0};
     if (std::ranges::find(m_configuration, head, &Participant::number) == m_configuration.end())
-        return refuse(RefusalKind::badInput, RefusalId::notInRing, {head.toString()});
+        return refuse(RefusalKind::badInput, RefusalId::unknownDevice,
+                      {head.toString(), headsOf(m_configuration)});
     if (on)
         m_off.erase(segment);
     else

@@ -84,7 +84,23 @@ TEST_F(CliMaster, SwitchesASegmentOff)
     EXPECT_EQ(run.exit, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("01E0h"));
     EXPECT_THAT(run.out, HasSubstr("Segment 6:      switched off"));
-    EXPECT_EQ(runLine(QStringLiteral("master segment 9 off --yes")).exit, 2);
+}
+
+TEST_F(CliMaster, ASegmentThatIsNotThereIsRefusedInWords)
+{
+    const CliRun run = runLine(QStringLiteral("master segment 99 off --yes"));
+    EXPECT_EQ(run.exit, 2);
+    EXPECT_THAT(run.err,
+                HasSubstr("There is no device at 99.0. There are devices at: 1.0, 2.0, 3.0, 4.0, 5.0, 6.0."));
+}
+
+TEST_F(CliMaster, SaysThatNoDeviceAnswered)
+{
+    const QString broken = plan(R"({"at": 10, "fault": "wireBreak", "place": "1.0"})");
+    const CliRun run = runLine(QStringLiteral("master read-in --yes --after 100") + broken);
+    EXPECT_THAT(run.out, HasSubstr("No device answered when the ring was read in."));
+    EXPECT_THAT(run.out, testing::Not(HasSubstr("0 devices")));
+    EXPECT_THAT(run.out, HasSubstr("Fault:          not looked for in READY"));
 }
 
 TEST_F(CliMaster, WhatChangesTheRingIsNotDoneWithoutConsent)

@@ -88,6 +88,9 @@ TEST_F(CliReport, RefusesAFormatItDoesNotKnow)
 
 TEST_F(CliReport, SaysWhatCannotBeReadOrWritten)
 {
+    const CliRun nowhere = runIt(QStringLiteral("-o /nonexistent/x.pdf"));
+    EXPECT_THAT(nowhere.err, HasSubstr("/nonexistent/x.pdf cannot be written: No such file or directory. "
+                                       "Nothing was changed there.\n"));
     const CliRun nothing = runLine(QStringLiteral("report nowhere.codewheel --json -o ") + html);
     EXPECT_EQ(nothing.exit, 2);
     EXPECT_EQ(errorKey(nothing), "fileNotReadable");

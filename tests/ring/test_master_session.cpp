@@ -249,6 +249,46 @@ TEST_F(ASessionWithAMaster, InAnotherRingAPeripheralFaultIsToldByItsNewNumber)
     EXPECT_EQ(std::ranges::count(m_messages, MessageId::peripheralFaultConfirmed, &Message::id), 0);
 }
 
+TEST_F(ASessionWithAMaster, AFaultInASegmentThatIsSwitchedOffIsNotToldAsGone)
+{
+    befall(TrainingFault::wireBreak, {5, 0});
+    m_bus.advance(30);
+    takeMessages();
+    m_bus.switchSegment(4, false); // it is the segment before
+    m_bus.advance(3);
+    ASSERT_EQ(m_messages.size(), 2U);
+    EXPECT_EQ(m_messages[0].id, MessageId::segmentOff);
+    EXPECT_EQ(
+        messageText(m_messages[1]).toStdString(),
+        "Segment 4 is switched off, and the place of the bus fault with it: 0D10 at outgoing remote bus "
+        "of 4.0 (see IBS SYS FW G4 UM). The fault may still be there. Start the bus again.");
+    EXPECT_EQ(m_bus.latest().state, MasterState::ready);
+}
+
+TEST_F(ASessionWithAMaster, AFaultElsewhereIsToldAsGone)
+{
+    m_bus.switchSegment(4, false);
+    befall(TrainingFault::wireBreak, last);
+    m_bus.advance(30);
+    takeMessages();
+    befall(TrainingFault::wireBreak, last, 0);
+    m_bus.advance(3);
+    EXPECT_THAT(takeMessages(), ElementsAre(MessageId::busFaultGone));
+}
+
+TEST_F(ASessionWithAMaster, ReadingInARingWhereNoDeviceAnswersIsToldInWords)
+{
+    befall(TrainingFault::wireBreak, first);
+    m_bus.advance(30);
+    m_messages.clear();
+    readIn();
+    ASSERT_EQ(m_messages.size(), 1U);
+    EXPECT_EQ(m_messages[0].severity, Severity::attention);
+    EXPECT_EQ(messageText(m_messages[0]).toStdString(),
+              "No device answered when the ring was read in. Check the cable to the first device, and its "
+              "supply.");
+}
+
 TEST_F(ASessionWithAMaster, CrcErrorsOfABurstAreToldWhenTheirMinuteIsOver)
 {
     befall(TrainingFault::crcErrors, second, 100);

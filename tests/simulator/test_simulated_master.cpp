@@ -242,7 +242,10 @@ TEST_F(ASimulatedMaster, SwitchesOnlySegmentsItHas)
 {
     const auto refused = m_master.switchSegment(9, false);
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().id, RefusalId::notInRing);
+    EXPECT_EQ(refused.error(),
+              (Refusal{RefusalKind::badInput,
+                       RefusalId::unknownDevice,
+                       {QStringLiteral("9.0"), QStringLiteral("1.0, 2.0, 3.0, 4.0, 5.0, 6.0")}}));
 }
 
 TEST_F(ASimulatedMaster, PeripheralFaultsStayUntilTheyAreConfirmedAndTheirCauseIsGone)
