@@ -2,6 +2,7 @@
 #include "app/window/line_views.h"
 
 #include "app/window/leaving.h"
+#include "app/window/line_keeper.h"
 #include "app/window/line_ports.h"
 #include "app/window/serial_line.h"
 #include "app/window/window_actions.h"
@@ -20,8 +21,6 @@
 #include <QAction>
 #include <QStackedWidget>
 
-#include <algorithm>
-
 namespace codewheel {
 namespace {
 
@@ -32,14 +31,6 @@ std::vector<LineSearch::Device> devicesOnLines(const Catalog &catalog)
         if (device.profile == Profile::esc)
             devices.push_back({device.key, device.fullName()});
     return devices;
-}
-
-ProjectDevice plannedEncoder(DeviceNumber number, const QString &deviceKey)
-{
-    ProjectDevice encoder;
-    encoder.participant.number = number;
-    encoder.participant.deviceKey = deviceKey;
-    return encoder;
 }
 
 } // namespace
@@ -53,6 +44,7 @@ LineViews::LineViews(SerialLine &line, ProjectDocument &project, WindowSettings 
     , m_actions(actions)
     , m_pages(pages)
     , m_notice(notice)
+    , m_keeper(new LineKeeper(line, project, this))
     , m_terminal(new LineTerminal(&pages))
     , m_panel(new LinePanel(&pages))
     , m_form(new LineSettingsForm(&pages))
@@ -141,7 +133,7 @@ void LineViews::listPorts()
 void LineViews::connectPort(const LineWish &wish)
 {
     m_leaving.ask(Leaving::Why::disconnectLine, [this, wish] {
-        ProjectLine wanted = m_project.project().line.value_or(ProjectLine());
+        ProjectLine wanted = m_keeper->line();
         if (wanted.wish.port != wish.port)
             wanted.adapter = {}; // whichever is there
         wanted.wish = wish;
@@ -149,10 +141,8 @@ void LineViews::connectPort(const LineWish &wish)
         m_form->setProblem(opened ? QString() : refusalText(opened.error()));
         if (!opened)
             return;
-        Project after = m_project.project();
         wanted.adapter = adapterAt(wish.port, serialPorts());
-        after.line = wanted;
-        m_project.edit(std::move(after), tr("Serial line"));
+        m_keeper->keepPort(wanted);
         Q_EMIT portConnected();
         Q_EMIT panelRequested();
     });
@@ -204,9 +194,7 @@ void LineViews::takeOver(const std::vector<FoundEncoder> &found, const QString &
     LineSession *line = m_line.session();
     if (line == nullptr)
         return;
-    Project after = m_project.project();
-    if (!after.line)
-        after.line = ProjectLine();
+    std::vector<DeviceNumber> taken;
     std::vector<FoundEncoder> left;
     for (const FoundEncoder &encoder : found) {
         if (encoder.baudRate != line->settings().baudRate) {
@@ -215,26 +203,18 @@ void LineViews::takeOver(const std::vector<FoundEncoder> &found, const QString &
         }
         const DeviceNumber number = DeviceNumber::onLine(encoder.address);
         (void)line->add(encoder.address, deviceKey); // one that is there already stays
-        if (findDevice(after, number) == nullptr)
-            after.line->encoders.push_back(plannedEncoder(number, deviceKey));
+        if (line->encoder(number) != nullptr)
+            taken.push_back(number);
     }
-    std::ranges::sort(after.line->encoders, {},
-                      [](const ProjectDevice &device) { return device.participant.number; });
-    if (left.size() < found.size())
-        m_project.edit(std::move(after), tr("Encoders of the serial line"));
+    m_keeper->keepEncoders(taken, deviceKey);
     m_search->showLeft(left);
 }
 
 void LineViews::remove(DeviceNumber number)
 {
     LineSession *line = m_line.session();
-    if (line == nullptr || !line->remove(number))
-        return;
-    Project after = m_project.project();
-    if (after.line)
-        std::erase_if(after.line->encoders,
-                      [number](const ProjectDevice &device) { return device.participant.number == number; });
-    m_project.edit(std::move(after), tr("Remove %1").arg(number.toString()));
+    if (line != nullptr && line->remove(number))
+        m_keeper->removeEncoder(number);
 }
 
 } // namespace codewheel

@@ -15,6 +15,7 @@ namespace codewheel {
 
 class InlineMessage;
 class Leaving;
+class LineKeeper;
 class LinePanel;
 class LineSearch;
 class LineSession;
@@ -46,7 +47,7 @@ public:
     void showSearch();
     // Null: the line is about to go.
     void setLine(LineSession *line);
-    // Takes the encoder out of polling and out of the project.
+    // Takes the encoder out of polling and, unless it is one of the training line, out of the project.
     void remove(DeviceNumber number);
 
 Q_SIGNALS:
@@ -74,6 +75,7 @@ private:
     const WindowActions &m_actions;
     QStackedWidget &m_pages;
     InlineMessage &m_notice;
+    LineKeeper *m_keeper;
     QPointer<LineSession> m_session;
     LineTerminal *m_terminal;
     LinePanel *m_panel;

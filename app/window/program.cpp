@@ -91,7 +91,6 @@ void Program::startBus()
                                           [] { return QDateTime::currentDateTime(); });
     connect(m_line.get(), &SerialLine::messaged, m_messages.get(), &MessageModel::add);
     m_line->openTraining();
-    m_project.setProject(withTrainingLine(m_project.project(), *m_line), {});
     for (const Catalog::Fault &fault : faults)
         m_messages->addNow(
             {.severity = Severity::attention,

@@ -119,16 +119,4 @@ void SerialLine::close()
         replace(nullptr, nullptr);
 }
 
-Project withTrainingLine(Project project, const SerialLine &line)
-{
-    project.line = ProjectLine();
-    for (const DeviceNumber number : line.session()->numbers()) {
-        ProjectDevice encoder;
-        encoder.participant.number = number;
-        encoder.participant.deviceKey = line.session()->encoder(number)->device().key;
-        project.line->encoders.push_back(std::move(encoder));
-    }
-    return project;
-}
-
 } // namespace codewheel

@@ -38,7 +38,7 @@ public:
 
     // Each ends the line there was. The training line begins in Operate.
     void openTraining();
-    // Begins in Watch, with its encoders, at its adapter wherever that is plugged in. Refused as
+    // Begins in Watch, with the encoders of the project and no others, at its adapter wherever that is plugged in. Refused as
     // ByteLink::open(): then the line there was goes on, unless it was at the same port.
     Result<void> openPort(const ProjectLine &line);
     void close();
@@ -62,8 +62,5 @@ private:
     std::unique_ptr<LineSession> m_session;
     std::unique_ptr<LedgerKeeper> m_ledger; // of the session
 };
-
-// The project with a line that has the encoders of this one; no port is chosen.
-Project withTrainingLine(Project project, const SerialLine &line);
 
 } // namespace codewheel

@@ -27,7 +27,7 @@ TrainingWindow::TrainingWindow(const QString &settingsFile, QSize size)
     QObject::connect(&m_line, &SerialLine::messaged, &m_messages, &MessageModel::add);
     keepAccountOf(m_project, m_ledger);
     m_line.openTraining();
-    m_project.setProject(withTrainingLine(projectOf(m_training.bus->structure()), m_line), {});
+    m_project.setProject(projectOf(m_training.bus->structure()), {});
     m_window = std::make_unique<MainWindow>(m_settings, m_project);
     if (size.isValid())
         m_window->resize(size);

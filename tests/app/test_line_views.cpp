@@ -35,6 +35,42 @@ protected:
     }
     QTreeView &tree() { return *window().findChild<QTreeView *>(QStringLiteral("structure")); }
     LineSession &line() { return *shown->line().session(); }
+    Project project() { return shown->project().project(); }
+    // The project has these encoders on its line, as the user planned them.
+    void plan(const std::vector<ProjectDevice> &encoders)
+    {
+        Project planned = project();
+        planned.line = ProjectLine();
+        planned.line->encoders = encoders;
+        shown->project().setProject(planned, {});
+    }
+    static ProjectDevice encoder(DeviceNumber number, const QString &station = {})
+    {
+        ProjectDevice planned;
+        planned.participant.number = number;
+        planned.participant.deviceKey = QStringLiteral("kuebler-esc-rs485");
+        planned.station = station;
+        return planned;
+    }
+    static FoundEncoder found(LineAddress address, int baudRate)
+    {
+        FoundEncoder one;
+        one.address = address;
+        one.baudRate = baudRate;
+        return one;
+    }
+    // As the user connects it; positions are asked for now and then.
+    void connectPort(const QString &port)
+    {
+        actions().lineSettings->trigger();
+        auto &form = view<LineSettingsForm>();
+        LineWish wish = form.wish();
+        wish.port = port;
+        wish.pollInterval = std::chrono::milliseconds(500);
+        form.setWish(wish);
+        QTest::mouseClick(button(form, QStringLiteral("Connect")), Qt::LeftButton);
+        advance(50);
+    }
     bool hasRow(const QString &text)
     {
         for (auto *table : view<LineTerminal>().findChildren<QTableView *>())
@@ -99,8 +135,17 @@ TEST_F(LineViewsTest, WhatIsFoundIsTakenOver)
     advance(100);
     EXPECT_TRUE(model->indexOf(standing).isValid());
     EXPECT_EQ(model->rowCount(model->lineIndex()), 3);
-    ASSERT_TRUE(shown->project().project().line);
-    EXPECT_EQ(shown->project().project().line->encoders.size(), 3u);
+    EXPECT_FALSE(project().line) << "they are no more than simulated";
+}
+
+TEST_F(LineViewsTest, WhatIsFoundAtAPortIsKeptInTheProject)
+{
+    PtyPair pty;
+    connectPort(pty.path());
+    Q_EMIT view<LineSearch>().takeOverWanted({found({7}, 19'200)}, QStringLiteral("kuebler-esc-rs485"));
+    EXPECT_EQ(line().numbers(), std::vector{DeviceNumber::onLine({7})});
+    ASSERT_TRUE(project().line);
+    EXPECT_EQ(project().line->encoders, std::vector{encoder(DeviceNumber::onLine({7}))});
 }
 
 TEST_F(LineViewsTest, WhatAnswersAtAnotherBaudRateIsNotTakenOverAndThatIsSaid)
@@ -108,8 +153,7 @@ TEST_F(LineViewsTest, WhatAnswersAtAnotherBaudRateIsNotTakenOverAndThatIsSaid)
     actions().lineSearch->trigger();
     const auto before = line().numbers();
     const auto steps = shown->project().project();
-    Q_EMIT view<LineSearch>().takeOverWanted({{.address = {0x08}, .baudRate = 9'600}},
-                                             QStringLiteral("kuebler-esc-rs485"));
+    Q_EMIT view<LineSearch>().takeOverWanted({found({8}, 9'600)}, QStringLiteral("kuebler-esc-rs485"));
     EXPECT_EQ(line().numbers(), before);
     EXPECT_EQ(shown->project().project(), steps);
     const auto *message = view<LineSearch>().findChild<InlineMessage *>();
@@ -119,36 +163,54 @@ TEST_F(LineViewsTest, WhatAnswersAtAnotherBaudRateIsNotTakenOverAndThatIsSaid)
 
 TEST_F(LineViewsTest, AnEncoderIsRemovedFromLineAndProject)
 {
+    plan({encoder(standing), encoder(DeviceNumber::onLine({7}))});
+    PtyPair pty;
+    connectPort(pty.path());
     view<StructureView>().choose(standing);
     advance(50);
     EXPECT_TRUE(actions().removeFromLine->isEnabled());
     actions().removeFromLine->trigger();
     advance(50);
     EXPECT_EQ(line().encoder(standing), nullptr);
-    EXPECT_EQ(shown->project().project().line->encoders.size(), 2u);
+    EXPECT_EQ(project().line->encoders, std::vector{encoder(DeviceNumber::onLine({7}))});
     view<StructureView>().choose(test::fraba);
     EXPECT_FALSE(actions().removeFromLine->isEnabled());
 }
 
+TEST_F(LineViewsTest, RemovedFromTheTrainingLineTheProjectsOwnStays)
+{
+    plan({encoder(standing)});
+    view<StructureView>().choose(standing);
+    advance(50);
+    actions().removeFromLine->trigger();
+    advance(50);
+    EXPECT_EQ(line().encoder(standing), nullptr);
+    EXPECT_EQ(project().line->encoders, std::vector{encoder(standing)});
+}
+
+TEST_F(LineViewsTest, NoTrainingEncoderIsTakenAlongToAPort)
+{
+    ASSERT_EQ(line().numbers().size(), 3u);
+    PtyPair pty;
+    connectPort(pty.path());
+    EXPECT_TRUE(line().numbers().empty());
+    EXPECT_TRUE(project().line->encoders.empty());
+}
+
 TEST_F(LineViewsTest, ThePortOfAnEncoderIsConnectedInWatch)
 {
+    plan({encoder(standing, QStringLiteral("Slide")), encoder(DeviceNumber::onLine({7}))});
     PtyPair pty;
-    actions().lineSettings->trigger();
-    auto &form = view<LineSettingsForm>();
-    ASSERT_TRUE(form.isVisible());
-    LineWish wish = form.wish();
-    wish.port = pty.path();
-    wish.pollInterval = std::chrono::milliseconds(500);
-    form.setWish(wish);
-    QTest::mouseClick(button(form, QStringLiteral("Connect")), Qt::LeftButton);
+    connectPort(pty.path());
     ASSERT_NE(shown->line().session(), nullptr);
     EXPECT_EQ(line().linkName(), pty.path());
     EXPECT_EQ(shown->line().training(), nullptr);
-    advance(50);
     EXPECT_FALSE(line().isOperating());
     EXPECT_FALSE(bus().isOperating()) << "one decision for both";
-    EXPECT_EQ(shown->project().project().line->wish, wish);
-    EXPECT_EQ(line().numbers().size(), 3u) << "the encoders of the project";
+    EXPECT_EQ(project().line->wish, view<LineSettingsForm>().wish());
+    EXPECT_EQ(line().numbers(), (std::vector{standing, DeviceNumber::onLine({7})}))
+        << "the encoders of the project";
+    EXPECT_EQ(findDevice(project(), standing)->station, QStringLiteral("Slide"));
 
     actions().disconnectLine->trigger();
     advance(50);

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/device_number.h"
+#include "project/project.h"
+
+#include <QObject>
+
+namespace codewheel {
+
+class ProjectDocument;
+class SerialLine;
+
+// Keeps in the project what becomes of its serial line, each change a step of undo. The training line is not
+// the project's: of its encoders, which do not exist, nothing is kept. Used by LineViews.
+class LineKeeper : public QObject
+{
+    Q_OBJECT
+
+public:
+    // Both must outlive it.
+    LineKeeper(const SerialLine &line, ProjectDocument &project, QObject *parent = nullptr);
+
+    ProjectLine line() const; // of the project; as the factory has it where the project has none
+
+    void keepPort(const ProjectLine &connected);
+    // Those that the project has already stay as they are.
+    void keepEncoders(const std::vector<DeviceNumber> &numbers, const QString &deviceKey);
+    void removeEncoder(DeviceNumber number);
+
+private:
+    void edit(const ProjectLine &after, const QString &what);
+
+    const SerialLine &m_line;
+    ProjectDocument &m_project;
+};
+
+} // namespace codewheel
