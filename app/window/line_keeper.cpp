@@ -69,4 +69,11 @@ void LineKeeper::removeEncoder(DeviceNumber number)
     edit(after, tr("Remove %1").arg(number.toString()));
 }
 
+// What is planned for a training encoder is in no file; it goes along all the same.
+void LineKeeper::moveEncoder(DeviceNumber from, DeviceNumber to)
+{
+    if (m_line.training() == nullptr || findDevice(m_project.project(), from) == nullptr)
+        m_project.renumber(from, to, tr("Address of %1 to %2").arg(from.toString(), to.toString()));
+}
+
 } // namespace codewheel

@@ -27,6 +27,8 @@ public:
     // Those that the project has already stay as they are.
     void keepEncoders(const std::vector<DeviceNumber> &numbers, const QString &deviceKey);
     void removeEncoder(DeviceNumber number);
+    // All that is planned and known of the encoder goes along.
+    void moveEncoder(DeviceNumber from, DeviceNumber to);
 
 private:
     void edit(const ProjectLine &after, const QString &what);

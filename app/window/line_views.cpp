@@ -78,8 +78,10 @@ LineViews::~LineViews() = default;
 
 void LineViews::setLine(LineSession *line)
 {
-    if (m_session)
+    if (m_session) {
         m_session->disconnect(this);
+        m_session->disconnect(m_keeper);
+    }
     m_session = line;
     m_notice.withdraw();
     if (line != nullptr) {
@@ -91,6 +93,7 @@ void LineViews::setLine(LineSession *line)
                 m_notice.withdraw();
         });
         connect(line, &LineSession::devicesChanged, this, &LineViews::showActions);
+        connect(line, &LineSession::moved, m_keeper, &LineKeeper::moveEncoder);
     }
     m_terminal->setLine(line);
     m_panel->setLine(line);

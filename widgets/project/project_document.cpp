@@ -140,6 +140,26 @@ void ProjectDocument::editDevice(DeviceNumber number, const QString &what,
     push(m_project, m_ids, std::move(others), what, gesture);
 }
 
+// On a serial line alone: the number of a device in the ring follows from its place.
+void ProjectDocument::renumber(DeviceNumber from, DeviceNumber to, const QString &what)
+{
+    Project after = m_project;
+    auto others = m_others;
+    if (findDevice(after, from) != nullptr && after.line) {
+        auto &encoders = after.line->encoders;
+        const auto numberOf = [](const ProjectDevice &encoder) { return encoder.participant.number; };
+        std::erase_if(encoders, [&](const ProjectDevice &encoder) { return numberOf(encoder) == to; });
+        if (ProjectDevice *moved = findDevice(after, from))
+            moved->participant.number = to;
+        std::ranges::sort(encoders, {}, numberOf);
+    } else if (auto moved = others.extract(from)) {
+        others.erase(to);
+        moved.key() = to;
+        others.insert(std::move(moved));
+    }
+    push(std::move(after), m_ids, std::move(others), what, noGesture);
+}
+
 void ProjectDocument::push(Project after, std::vector<DeviceId> ids,
                            std::map<DeviceNumber, ProjectDevice> others, const QString &what, Gesture gesture)
 {

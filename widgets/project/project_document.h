@@ -59,6 +59,9 @@ public:
     void edit(Project after, const Origins &origins, const QString &what);
     void editDevice(DeviceNumber number, const QString &what,
                     const std::function<void(ProjectDevice &)> &edit, Gesture gesture = noGesture);
+    // The encoder has another address now: all that is planned and known of it goes along. Nothing is to be
+    // planned for `to` any more: what stands there is replaced.
+    void renumber(DeviceNumber from, DeviceNumber to, const QString &what);
     Gesture newGesture() { return ++m_lastGesture; }
 
     QUndoStack &undoStack() { return m_undo; }

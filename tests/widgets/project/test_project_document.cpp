@@ -170,6 +170,45 @@ TEST_F(Document, AnEncoderOfTheSerialLineIsEditedLikeOneOfTheRing)
     EXPECT_FALSE(document.project().line);
 }
 
+TEST_F(Document, AnEncoderOfAnotherAddressKeepsWhatIsPlannedForIt)
+{
+    constexpr DeviceNumber from = DeviceNumber::onLine({0x12});
+    constexpr DeviceNumber to = DeviceNumber::onLine({7});
+    Project before = document.project();
+    before.line.emplace();
+    for (const int address : {9, 0x12}) {
+        ProjectDevice &encoder = before.line->encoders.emplace_back();
+        encoder.participant.number = DeviceNumber::onLine({static_cast<std::uint8_t>(address)});
+        encoder.station = QString::number(address);
+    }
+    document.edit(before, QStringLiteral("add"));
+    document.renumber(from, to, QStringLiteral("address"));
+    ASSERT_EQ(document.project().line->encoders.size(), 2u);
+    EXPECT_EQ(document.project().line->encoders[0].participant.number, to) << "by address";
+    EXPECT_EQ(document.device(to).station, QStringLiteral("18"));
+    EXPECT_TRUE(document.device(from).station.isEmpty());
+    EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("address"));
+    document.undoStack().undo();
+    EXPECT_EQ(document.project(), before);
+
+    document.renumber(to, from, QStringLiteral("there is none"));
+    EXPECT_EQ(document.project(), before);
+}
+
+TEST_F(Document, WhatIsPlannedForAnEncoderBesideTheProjectGoesAlongToo)
+{
+    constexpr DeviceNumber from = DeviceNumber::onLine({3});
+    constexpr DeviceNumber to = DeviceNumber::onLine({7});
+    document.editDevice(from, QStringLiteral("want"), [](ProjectDevice &device) {
+        device.wanted = {{Parameter::steps, 255}};
+    });
+    document.renumber(from, to, QStringLiteral("address"));
+    EXPECT_EQ(valueOf(document.device(to).wanted, Parameter::steps), 255);
+    EXPECT_TRUE(document.device(from).wanted.empty());
+    document.undoStack().undo();
+    EXPECT_EQ(valueOf(document.device(from).wanted, Parameter::steps), 255);
+}
+
 TEST_F(Document, RandomEditsAreTakenBackToTheSameProject)
 {
     std::mt19937 random(17);

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/window/serial_line.h"
+#include "tests/app/window_test.h"
+#include "widgets/line/line_settings_form.h"
+
+#include <QProcess>
+
+namespace codewheel::test {
+
+// The window with a project that has encoders on a serial line, and tests/line/esc_peer.py, which knows nothing
+// of this program, at the other end of the port. Time is real here.
+class LineAtPortTest : public WindowTest
+{
+protected:
+    LineAtPortTest() { advance(100); }
+    ~LineAtPortTest() override
+    {
+        shown->line().close();
+        for (const auto &peer : m_peers) {
+            peer->closeWriteChannel();
+            EXPECT_TRUE(peer->waitForFinished(60'000));
+        }
+    }
+
+    static ProjectDevice encoder(DeviceNumber number, const QString &station = {})
+    {
+        ProjectDevice planned;
+        planned.participant.number = number;
+        planned.participant.deviceKey = QStringLiteral("kuebler-esc-rs485");
+        planned.station = station;
+        return planned;
+    }
+    // The project has this line, as it was opened from a file.
+    void plan(const ProjectLine &line)
+    {
+        Project planned = project();
+        planned.line = line;
+        shown->project().setProject(planned, {});
+    }
+    void plan(const std::vector<ProjectDevice> &encoders)
+    {
+        ProjectLine line;
+        line.wish.pollInterval = std::chrono::milliseconds(100);
+        line.encoders = encoders;
+        plan(line);
+    }
+    Project project() { return shown->project().project(); }
+
+    // Encoders at a pseudo terminal, whose path it returns.
+    QString startPeer(const QString &options)
+    {
+        QProcess &peer = *m_peers.emplace_back(std::make_unique<QProcess>());
+        peer.start(QStringLiteral(CODEWHEEL_PYTHON), QStringList{QStringLiteral(CODEWHEEL_ESC_PEER)} +
+                                                         options.split(u' ', Qt::SkipEmptyParts));
+        while (!peer.canReadLine())
+            if (!peer.waitForReadyRead(60'000)) {
+                ADD_FAILURE() << peer.readAllStandardError().toStdString();
+                return {};
+            }
+        return QString::fromLocal8Bit(peer.readLine()).trimmed();
+    }
+
+    LineSettingsForm &form() { return *window().findChild<LineSettingsForm *>(); }
+    LineSession &line() { return *shown->line().session(); }
+    void click(const QWidget &in, const QString &text)
+    {
+        for (auto *found : in.findChildren<QPushButton *>())
+            if (found->text().remove(u'&') == text && found->isVisibleTo(&in)) {
+                EXPECT_TRUE(found->isEnabled()) << text.toStdString();
+                QTest::mouseClick(found, Qt::LeftButton);
+                advance(50);
+                return;
+            }
+        ADD_FAILURE() << text.toStdString();
+    }
+    // As the user types it.
+    void typePort(const QString &port)
+    {
+        actions().lineSettings->trigger();
+        auto *field = form().findChild<QComboBox *>()->lineEdit();
+        field->selectAll();
+        QTest::keyClicks(field, port);
+    }
+    void connectPort(const QString &port)
+    {
+        typePort(port);
+        click(form(), QStringLiteral("Connect"));
+    }
+    template <typename Condition>
+    bool comes(Condition condition)
+    {
+        return QTest::qWaitFor(
+            [&] {
+                advance(33);
+                return condition();
+            },
+            20'000);
+    }
+    bool answers(DeviceNumber number)
+    {
+        return comes([&] {
+            const EncoderSession *encoder = line().encoder(number);
+            return encoder != nullptr && encoder->latest().state == EncoderState::operation;
+        });
+    }
+
+private:
+    std::vector<std::unique_ptr<QProcess>> m_peers;
+};
+
+} // namespace codewheel::test
