@@ -42,9 +42,9 @@ void LineKeeper::edit(const ProjectLine &after, const QString &what)
     m_project.edit(std::move(project), what);
 }
 
-void LineKeeper::keepPort(const ProjectLine &connected)
+void LineKeeper::keepPort(const ProjectLine &line)
 {
-    edit(connected, tr("Serial line"));
+    edit(m_line.asOpened(line), tr("Serial line"));
 }
 
 void LineKeeper::keepEncoders(const std::vector<DeviceNumber> &numbers, const QString &deviceKey)

@@ -23,7 +23,8 @@ public:
 
     ProjectLine line() const; // of the project; as the factory has it where the project has none
 
-    void keepPort(const ProjectLine &connected);
+    // As it is open now, with these settings.
+    void keepPort(const ProjectLine &line);
     // Those that the project has already stay as they are.
     void keepEncoders(const std::vector<DeviceNumber> &numbers, const QString &deviceKey);
     void removeEncoder(DeviceNumber number);

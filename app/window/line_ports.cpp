@@ -3,7 +3,6 @@
 
 #include "encoder/refusal_text.h"
 #include "links/port_access.h"
-#include "links/serial_ports.h"
 
 namespace codewheel {
 namespace {
@@ -21,9 +20,8 @@ QString troubleOf(const std::vector<PortInfo> &ports)
 
 } // namespace
 
-LinePorts linePorts()
+LinePorts linePorts(const std::vector<PortInfo> &ports)
 {
-    const std::vector<PortInfo> ports = serialPorts();
     LinePorts listed{.rows = {}, .trouble = troubleOf(ports)};
     for (const PortInfo &port : ports)
         listed.rows.push_back({port.path, port.description, port.serialNumber});

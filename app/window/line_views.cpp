@@ -10,7 +10,6 @@
 #include "catalog/catalog.h"
 #include "encoder/refusal_text.h"
 #include "line/line_session.h"
-#include "links/project_adapter.h"
 #include "widgets/line/line_panel.h"
 #include "widgets/line/line_search.h"
 #include "widgets/line/line_settings_form.h"
@@ -20,6 +19,8 @@
 
 #include <QAction>
 #include <QStackedWidget>
+
+#include <utility>
 
 namespace codewheel {
 namespace {
@@ -62,6 +63,7 @@ LineViews::LineViews(SerialLine &line, ProjectDocument &project, WindowSettings 
     connect(m_form, &LineSettingsForm::fractionBitsWanted, this, &LineViews::determineFractionBits);
     connect(&notice, &InlineMessage::actionTriggered, this, &LineViews::useOtherAdapter);
     connect(m_form, &LineSettingsForm::connectWanted, this, &LineViews::connectPort);
+    connect(m_form, &LineSettingsForm::otherAdapterWanted, this, &LineViews::connectOtherAdapter);
     connect(m_search, &LineSearch::takeOverWanted, this, &LineViews::takeOver);
     connect(&project, &ProjectDocument::replaced, this, &LineViews::showWish);
     connect(actions.lineSettings, &QAction::triggered, this, &LineViews::showSettings);
@@ -83,15 +85,13 @@ void LineViews::setLine(LineSession *line)
         m_session->disconnect(m_keeper);
     }
     m_session = line;
+    m_takesOther = false;
     m_notice.withdraw();
     if (line != nullptr) {
         connect(line, &LineSession::otherAdapterFound, this, &LineViews::askForOtherAdapter);
         connect(line, &LineSession::fractionBitsDetermined, this,
                 [this](DeviceNumber, const Result<int> &bits) { takeFractionBits(bits); });
-        connect(line, &LineSession::stateChanged, this, [this] {
-            if (m_session->latest().connected)
-                m_notice.withdraw();
-        });
+        connect(line, &LineSession::stateChanged, this, &LineViews::showState);
         connect(line, &LineSession::devicesChanged, this, &LineViews::showActions);
         connect(line, &LineSession::moved, m_keeper, &LineKeeper::moveEncoder);
     }
@@ -129,26 +129,49 @@ void LineViews::showSearch()
 
 void LineViews::listPorts()
 {
-    const LinePorts ports = linePorts();
+    const LinePorts ports = linePorts(m_line.ports());
     m_form->setPorts(ports.rows, ports.trouble);
 }
 
-void LineViews::connectPort(const LineWish &wish)
+void LineViews::connectPort(const LineWish &wish, bool isPicked)
+{
+    m_leaving.ask(Leaving::Why::disconnectLine, [this, wish, isPicked] {
+        ProjectLine wanted = m_keeper->line();
+        if (isPicked || wanted.wish.port != wish.port)
+            wanted.adapter = {}; // whichever is there
+        wanted.wish = wish;
+        showConnected(m_line.openPort(wanted), wanted);
+    });
+}
+
+void LineViews::connectOtherAdapter(const LineWish &wish)
 {
     m_leaving.ask(Leaving::Why::disconnectLine, [this, wish] {
         ProjectLine wanted = m_keeper->line();
-        if (wanted.wish.port != wish.port)
-            wanted.adapter = {}; // whichever is there
         wanted.wish = wish;
-        const auto opened = m_line.openPort(wanted);
-        m_form->setProblem(opened ? QString() : refusalText(opened.error()));
-        if (!opened)
-            return;
-        wanted.adapter = adapterAt(wish.port, serialPorts());
-        m_keeper->keepPort(wanted);
-        Q_EMIT portConnected();
-        Q_EMIT panelRequested();
+        showConnected(m_line.openOtherAdapter(wanted), wanted);
     });
+}
+
+void LineViews::showConnected(const Result<void> &opened, const ProjectLine &wanted)
+{
+    if (opened)
+        m_form->setProblem({});
+    else if (opened.error().id == RefusalId::portOfOther)
+        m_form->askForOtherAdapter(refusalText(opened.error()));
+    else
+        m_form->setProblem(refusalText(opened.error()));
+    if (!opened)
+        return;
+    keepPort(wanted);
+    Q_EMIT portConnected();
+    Q_EMIT panelRequested();
+}
+
+void LineViews::keepPort(const ProjectLine &line)
+{
+    m_keeper->keepPort(line);
+    m_form->setPort(m_keeper->line().wish.port);
 }
 
 void LineViews::askForOtherAdapter(const Refusal &which)
@@ -159,8 +182,19 @@ void LineViews::askForOtherAdapter(const Refusal &which)
 void LineViews::useOtherAdapter()
 {
     m_notice.withdraw();
-    if (m_session)
-        m_session->takeOtherAdapter();
+    if (!m_session)
+        return;
+    m_session->takeOtherAdapter();
+    m_takesOther = true;
+}
+
+void LineViews::showState()
+{
+    if (!m_session->latest().connected)
+        return;
+    m_notice.withdraw();
+    if (std::exchange(m_takesOther, false))
+        keepPort(m_keeper->line());
 }
 
 void LineViews::determineFractionBits()

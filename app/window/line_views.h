@@ -26,6 +26,7 @@ class SerialLine;
 class WindowActions;
 class WindowSettings;
 struct LineWish;
+struct ProjectLine;
 
 // The views of the serial line in the window: terminal and panel, which stand in docks, and the pages to
 // connect it and to search for encoders; and the actions that open them.
@@ -58,7 +59,11 @@ Q_SIGNALS:
 
 private:
     void listPorts();
-    void connectPort(const LineWish &wish);
+    void connectPort(const LineWish &wish, bool isPicked);
+    void connectOtherAdapter(const LineWish &wish);
+    void showConnected(const Result<void> &opened, const ProjectLine &wanted);
+    void keepPort(const ProjectLine &line);
+    void showState();
     void connectTraining();
     void disconnectLine();
     void takeOver(const std::vector<FoundEncoder> &found, const QString &deviceKey);
@@ -77,6 +82,7 @@ private:
     InlineMessage &m_notice;
     LineKeeper *m_keeper;
     QPointer<LineSession> m_session;
+    bool m_takesOther = false; // another adapter, once it is open
     LineTerminal *m_terminal;
     LinePanel *m_panel;
     LineSettingsForm *m_form;

@@ -5,8 +5,8 @@
 #include "app/window/project_account.h"
 #include "drivers/esc_driver.h"
 #include "journal/ledger_keeper.h"
+#include "links/port_access.h"
 #include "links/project_adapter.h"
-#include "links/serial_port_link.h"
 #include "simulator/simulated_line_link.h"
 #include "widgets/project/project_document.h"
 
@@ -60,7 +60,8 @@ std::unique_ptr<LineSession> SerialLine::makeSession(std::unique_ptr<ByteLink> l
     return session;
 }
 
-void SerialLine::replace(std::unique_ptr<LineSession> session, std::shared_ptr<SimulatedLine> training)
+void SerialLine::replace(std::unique_ptr<LineSession> session, std::shared_ptr<SimulatedLine> training,
+                         const SerialPortLink *port)
 {
     Q_EMIT aboutToChange();
     if (m_session)
@@ -68,6 +69,7 @@ void SerialLine::replace(std::unique_ptr<LineSession> session, std::shared_ptr<S
     m_ledger.reset();
     m_session = std::move(session);
     m_training = std::move(training);
+    m_port = port;
     if (m_session)
         keepAccount();
     Q_EMIT changed();
@@ -93,13 +95,31 @@ void SerialLine::openTraining()
         Q_UNREACHABLE();
     for (const LineAddress address : line->addresses())
         (void)session->add(address, trainingDevice);
-    replace(std::move(session), std::move(line));
+    replace(std::move(session), std::move(line), nullptr);
 }
 
 Result<void> SerialLine::openPort(const ProjectLine &line)
 {
+    m_wanted = keptAdapterOf(line);
+    return open(line);
+}
+
+Result<void> SerialLine::openOtherAdapter(const ProjectLine &line)
+{
+    if (m_wanted)
+        m_wanted->takeOther();
+    else
+        m_wanted = keptAdapterOf(line);
+    return open(line);
+}
+
+Result<void> SerialLine::open(const ProjectLine &line)
+{
+    if (const auto there = m_wanted->find(m_ports()); !there)
+        return tl::unexpected(there.error());
     const LineWish &wish = line.wish;
-    auto link = std::make_unique<SerialPortLink>(keptAdapterOf(line));
+    auto link = std::make_unique<SerialPortLink>(*m_wanted, m_ports);
+    const SerialPortLink *port = link.get();
     if (m_session && m_session->linkName() == link->name())
         close();
     auto session = makeSession(std::move(link), wish);
@@ -109,14 +129,24 @@ Result<void> SerialLine::openPort(const ProjectLine &line)
         return opened;
     for (const ProjectDevice &encoder : line.encoders)
         (void)session->add(encoder.participant.number.line, encoder.participant.deviceKey);
-    replace(std::move(session), nullptr);
+    replace(std::move(session), nullptr, port);
     return {};
+}
+
+ProjectLine SerialLine::asOpened(ProjectLine line) const
+{
+    if (m_port == nullptr)
+        return line;
+    line.adapter = lineAdapter(m_port->adapter());
+    if (const QString path = m_port->name(); path != portPath(line.wish.port))
+        line.wish.port = path;
+    return line;
 }
 
 void SerialLine::close()
 {
     if (m_session)
-        replace(nullptr, nullptr);
+        replace(nullptr, nullptr, nullptr);
 }
 
 } // namespace codewheel

@@ -3,6 +3,7 @@
 
 #include "line/line_session.h"
 #include "line/line_wish.h"
+#include "links/serial_port_link.h"
 #include "project/project.h"
 #include "simulator/simulated_line.h"
 
@@ -38,9 +39,18 @@ public:
 
     // Each ends the line there was. The training line begins in Operate.
     void openTraining();
-    // Begins in Watch, with the encoders of the project and no others, at its adapter wherever that is plugged in. Refused as
-    // ByteLink::open(): then the line there was goes on, unless it was at the same port.
+    // Begins in Watch, with the encoders of the project and no others, at its adapter wherever that is
+    // plugged in. Refused as ByteLink::open(): then the line there was goes on, unless it was at the same
+    // port.
     Result<void> openPort(const ProjectLine &line);
+    // The same once more, with the adapter that it refused (portOfOther) in place of that of the line.
+    Result<void> openOtherAdapter(const ProjectLine &line);
+    // With the port and the adapter that are open: it may be plugged in elsewhere, or another one be meant
+    // meanwhile.
+    ProjectLine asOpened(ProjectLine line) const;
+    // In place of those of this computer.
+    void setPortList(SerialPortLink::PortList ports) { m_ports = std::move(ports); }
+    std::vector<PortInfo> ports() const { return m_ports(); }
     void close();
 
 Q_SIGNALS:
@@ -50,7 +60,9 @@ Q_SIGNALS:
 
 private:
     std::unique_ptr<LineSession> makeSession(std::unique_ptr<ByteLink> link, const LineWish &wish);
-    void replace(std::unique_ptr<LineSession> session, std::shared_ptr<SimulatedLine> training);
+    Result<void> open(const ProjectLine &line);
+    void replace(std::unique_ptr<LineSession> session, std::shared_ptr<SimulatedLine> training,
+                 const SerialPortLink *port);
     void keepAccount();
 
     const Catalog &m_catalog;
@@ -60,6 +72,9 @@ private:
     Clock m_clock;
     std::shared_ptr<SimulatedLine> m_training;
     std::unique_ptr<LineSession> m_session;
+    const SerialPortLink *m_port = nullptr; // of the session; null: it is at none
+    std::optional<KeptAdapter> m_wanted;    // when a port was to be opened last
+    SerialPortLink::PortList m_ports = serialPorts;
     std::unique_ptr<LedgerKeeper> m_ledger; // of the session
 };
 

@@ -24,6 +24,8 @@ public:
     explicit KeptAdapter(PortInfo adapter);
 
     const QString &path() const { return m_path; }
+    // Nothing before one was found at the path.
+    const std::optional<PortInfo> &adapter() const { return m_adapter; }
 
     // Where the adapter is now. Refused: portNotFound; portOfOther where another one is at its path, or one
     // that may be it, which takeOther() makes the one that is meant.

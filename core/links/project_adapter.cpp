@@ -18,12 +18,11 @@ KeptAdapter keptAdapterOf(const ProjectLine &line)
                                 .product = adapter.product});
 }
 
-LineAdapter adapterAt(const QString &port, const std::vector<PortInfo> &present)
+LineAdapter lineAdapter(const std::optional<PortInfo> &adapter)
 {
-    const std::optional<PortInfo> there = portAt(portPath(port), present);
-    if (!there)
+    if (!adapter)
         return {};
-    return {there->vendor, there->product, there->serialNumber, there->usbPath};
+    return {adapter->vendor, adapter->product, adapter->serialNumber, adapter->usbPath};
 }
 
 } // namespace codewheel

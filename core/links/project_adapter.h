@@ -10,7 +10,7 @@ namespace codewheel {
 // where it has none.
 KeptAdapter keptAdapterOf(const ProjectLine &line);
 
-// What a project keeps of the adapter at this port, by name or path; nothing of a port without one.
-LineAdapter adapterAt(const QString &port, const std::vector<PortInfo> &present);
+// What a project keeps of an adapter; nothing of a port without one.
+LineAdapter lineAdapter(const std::optional<PortInfo> &adapter);
 
 } // namespace codewheel

@@ -88,6 +88,12 @@ QString SerialPortLink::name() const
     return m_adapter.path();
 }
 
+std::optional<PortInfo> SerialPortLink::adapter() const
+{
+    const std::scoped_lock lock(m_adapterMutex);
+    return m_adapter.adapter();
+}
+
 void SerialPortLink::takeOtherAdapter()
 {
     const std::scoped_lock lock(m_adapterMutex);

@@ -31,6 +31,8 @@ public:
 
     QString name() const override; // the path of the port; another after the adapter was plugged in elsewhere
     LowLatency lowLatency() const override { return m_lowLatency; }
+    // That it is or was opened at; nothing where the path has none. Any thread.
+    std::optional<PortInfo> adapter() const;
 
     // Refused: portNotFound, portOfOther, portNoRights, portInUse, lineSettingWrong, linkFailed (what the
     // system says).

@@ -9,8 +9,8 @@
 
 namespace codewheel::test {
 
-// The window with a project that has encoders on a serial line, and tests/line/esc_peer.py, which knows nothing
-// of this program, at the other end of the port. Time is real here.
+// The window with a project that has encoders on a serial line, and tests/line/esc_peer.py, which knows
+// nothing of this program, at the other end of the port. Time is real here.
 class LineAtPortTest : public WindowTest
 {
 protected:
@@ -52,8 +52,8 @@ protected:
     QString startPeer(const QString &options)
     {
         QProcess &peer = *m_peers.emplace_back(std::make_unique<QProcess>());
-        peer.start(QStringLiteral(CODEWHEEL_PYTHON), QStringList{QStringLiteral(CODEWHEEL_ESC_PEER)} +
-                                                         options.split(u' ', Qt::SkipEmptyParts));
+        peer.start(QStringLiteral(CODEWHEEL_PYTHON),
+                   QStringList{QStringLiteral(CODEWHEEL_ESC_PEER)} + options.split(u' ', Qt::SkipEmptyParts));
         while (!peer.canReadLine())
             if (!peer.waitForReadyRead(60'000)) {
                 ADD_FAILURE() << peer.readAllStandardError().toStdString();

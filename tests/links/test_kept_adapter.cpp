@@ -89,13 +89,18 @@ TEST(KeptAdapter, AProjectKeepsIt)
 {
     ProjectLine line;
     line.wish.port = QStringLiteral("ttyUSB0");
-    line.adapter = adapterAt(line.wish.port, {adapter("/dev/ttyUSB1", "B7", "1-4:1.0"), ours});
+    KeptAdapter first = keptAdapterOf(line);
+    EXPECT_FALSE(first.adapter());
+    ASSERT_TRUE(first.find({adapter("/dev/ttyUSB1", "B7", "1-4:1.0"), ours}));
+    line.adapter = lineAdapter(first.adapter());
     EXPECT_EQ(line.adapter, (LineAdapter{0x0403, 0x6001, ours.serialNumber, ours.usbPath}));
     KeptAdapter kept = keptAdapterOf(line);
     EXPECT_EQ(kept.path(), usb0);
-    EXPECT_EQ(kept.find({adapter("/dev/ttyUSB4", "A50285BI", "1-9:1.0")}), QStringLiteral("/dev/ttyUSB4"));
+    const PortInfo elsewhere = adapter("/dev/ttyUSB4", "A50285BI", "1-9:1.0");
+    EXPECT_EQ(kept.find({adapter("/dev/ttyUSB0", "B7", "1-2:1.0"), elsewhere}), elsewhere.path);
+    EXPECT_EQ(kept.adapter(), elsewhere) << "not the one at its path of before";
 
-    line.adapter = adapterAt(QStringLiteral("/dev/pts/7"), {ours});
+    line.adapter = lineAdapter({});
     EXPECT_EQ(line.adapter, LineAdapter());
     EXPECT_EQ(keptAdapterOf(line).find({adapter("/dev/ttyUSB0", "B7", "1-2:1.0")}), usb0) << "any";
 }

@@ -134,6 +134,9 @@ void LineSettingsForm::makePort(QFormLayout &form)
     form.addRow(m_trouble);
     connect(m_refresh, &QPushButton::clicked, this, &LineSettingsForm::refreshWanted);
     connect(m_port, &QComboBox::editTextChanged, m_problem, &InlineMessage::withdraw);
+    connect(m_port, &QComboBox::activated, this, &LineSettingsForm::pick);
+    connect(m_port->lineEdit(), &QLineEdit::textEdited, this, &LineSettingsForm::pick);
+    connect(m_problem, &InlineMessage::actionTriggered, this, &LineSettingsForm::connectOther);
 }
 
 void LineSettingsForm::makeCharacter(QFormLayout &form)
@@ -237,11 +240,13 @@ QString LineSettingsForm::chosenPort() const
 void LineSettingsForm::setPorts(const std::vector<PortRow> &ports, const QString &trouble)
 {
     const QString chosen = chosenPort();
+    const bool isPicked = m_isPicked;
     m_ports = ports;
     showPorts();
     LineWish kept = wish();
     kept.port = chosen.isEmpty() && !ports.empty() ? ports.front().name : chosen;
     setWish(kept);
+    m_isPicked = isPicked;
     if (!trouble.isEmpty())
         m_trouble->showMessage(Role::attention, trouble);
     else if (ports.empty())
@@ -287,13 +292,19 @@ LineWish LineSettingsForm::wish() const
     return wish;
 }
 
-void LineSettingsForm::setWish(const LineWish &wish)
+void LineSettingsForm::setPort(const QString &port)
 {
-    const int listed = m_port->findData(wish.port);
+    const int listed = m_port->findData(port);
     m_port->setCurrentIndex(listed);
     if (listed < 0)
-        m_port->setEditText(wish.port);
+        m_port->setEditText(port);
     m_port->lineEdit()->setCursorPosition(0); // the name of the port is what counts
+    m_isPicked = false;
+}
+
+void LineSettingsForm::setWish(const LineWish &wish)
+{
+    setPort(wish.port);
     m_baudRate->setEditText(QString::number(wish.line.baudRate));
     choose(*m_dataBits, wish.line.dataBits);
     choose(*m_parity, static_cast<int>(wish.line.parity));
@@ -316,17 +327,34 @@ void LineSettingsForm::setProblem(const QString &sentence)
         m_problem->showMessage(Role::fault, sentence);
 }
 
-void LineSettingsForm::connectNow()
+void LineSettingsForm::askForOtherAdapter(const QString &sentence)
 {
-    const LineWish wanted = wish();
-    if (wanted.port.isEmpty())
+    m_problem->showMessage(Role::attention, sentence, tr("Use t&his adapter"));
+}
+
+bool LineSettingsForm::isComplete(const LineWish &wish)
+{
+    if (wish.port.isEmpty())
         m_problem->showMessage(Role::attention, tr("Choose a serial port, or type the path of one."));
-    else if (wanted.line.baudRate < 1)
+    else if (wish.line.baudRate < 1)
         m_problem->showMessage(Role::attention, tr("The baud rate is a number from 1 to 10000000."));
     else {
         m_problem->withdraw();
-        Q_EMIT connectWanted(wanted);
+        return true;
     }
+    return false;
+}
+
+void LineSettingsForm::connectNow()
+{
+    if (const LineWish wanted = wish(); isComplete(wanted))
+        Q_EMIT connectWanted(wanted, m_isPicked);
+}
+
+void LineSettingsForm::connectOther()
+{
+    if (const LineWish wanted = wish(); isComplete(wanted))
+        Q_EMIT otherAdapterWanted(wanted);
 }
 
 } // namespace codewheel

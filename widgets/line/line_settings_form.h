@@ -32,8 +32,12 @@ public:
     void setPorts(const std::vector<PortRow> &ports, const QString &trouble = {});
     LineWish wish() const;
     void setWish(const LineWish &wish);
+    // Where the line is open: it stands there as if it was never picked.
+    void setPort(const QString &port);
     // What went wrong when it was opened; empty: nothing.
     void setProblem(const QString &sentence);
+    // Another adapter than that of the line is there; ends with otherAdapterWanted() where it is meant.
+    void askForOtherAdapter(const QString &sentence);
     // Whether there is an encoder that could tell the format of its scaling factor, and what it told.
     void setCanDetermine(bool can);
     void setFractionBits(int bits);
@@ -41,7 +45,9 @@ public:
 Q_SIGNALS:
     void refreshWanted();
     void fractionBitsWanted(); // to be determined from an encoder
-    void connectWanted(const codewheel::LineWish &wish);
+    // isPicked: the port was chosen in the list or typed anew, so whatever is there is meant.
+    void connectWanted(const codewheel::LineWish &wish, bool isPicked);
+    void otherAdapterWanted(const codewheel::LineWish &wish);
 
 private:
     void makePort(QFormLayout &form);
@@ -52,12 +58,16 @@ private:
     QSpinBox *addNumber(QFormLayout &form, const QString &label, const QString &toolTip, int least, int most);
     QComboBox *addChoice(QFormLayout &form, const QString &label, const QString &toolTip);
     QString chosenPort() const;
+    bool isComplete(const LineWish &wish);
     void connectNow();
+    void connectOther();
+    void pick() { m_isPicked = true; }
     void showPorts();
 
     std::vector<PortRow> m_ports;
     QWidget *m_content;
     QComboBox *m_port = nullptr;
+    bool m_isPicked = false; // the port, since it was set
     QPushButton *m_refresh = nullptr;
     InlineMessage *m_trouble;
     QComboBox *m_baudRate = nullptr;

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which adapter is opened and kept, with a list of ports that the test gives: pseudo terminals that stand for
+// adapters.
+#include "tests/app/line_at_port_test.h"
+#include "tests/support/pty_pair.h"
+#include "widgets/look/inline_message.h"
+
+namespace codewheel {
+namespace {
+
+class LineAdapterTest : public test::LineAtPortTest
+{
+protected:
+    LineAdapterTest()
+    {
+        shown->line().setPortList([this] {
+            const std::scoped_lock lock(m_mutex); // the line's thread looks too
+            return m_present;
+        });
+    }
+    ~LineAdapterTest() override { shown->line().close(); }
+
+    static PortInfo adapter(const PtyPair &at, const QString &serialNumber,
+                            const QString &usbPath = QStringLiteral("1-2:1.0"))
+    {
+        return {.path = at.path(),
+                .description = QStringLiteral("FT232R USB UART"),
+                .serialNumber = serialNumber,
+                .usbPath = usbPath,
+                .vendor = 0x0403,
+                .product = 0x6001};
+    }
+    void plugIn(const std::vector<PortInfo> &present)
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_present = present;
+    }
+    // The project was connected by adapter A, which was at this port.
+    void planAt(const PtyPair &port)
+    {
+        ProjectLine kept;
+        kept.wish.port = port.path();
+        kept.adapter = {0x0403, 0x6001, QStringLiteral("A"), QStringLiteral("1-2:1.0")};
+        plan(kept);
+    }
+    void showForm() { actions().lineSettings->trigger(); }
+    void connectNow() { click(form(), QStringLiteral("Connect")); }
+    // As the user chooses it in the open list.
+    void pickFirst()
+    {
+        auto &list = *form().findChild<QComboBox *>();
+        list.showPopup();
+        QTest::keyClick(list.view(), Qt::Key_Home);
+        QTest::keyClick(list.view(), Qt::Key_Return);
+        advance(5);
+    }
+    QString said()
+    {
+        for (const auto *message : form().findChildren<InlineMessage *>())
+            if (message->isVisibleTo(&form()))
+                return message->sentence();
+        return {};
+    }
+    QString keptSerialNumber() { return project().line->adapter.serialNumber; }
+
+    PtyPair first;
+    PtyPair second;
+
+private:
+    std::mutex m_mutex;
+    std::vector<PortInfo> m_present;
+};
+
+TEST_F(LineAdapterTest, TheOneThatWasOpenedIsKept)
+{
+    planAt(first);
+    plugIn({adapter(first, QStringLiteral("B")), adapter(second, QStringLiteral("A"))});
+    showForm();
+    connectNow();
+    EXPECT_EQ(line().linkName(), second.path()) << "A is there now";
+    EXPECT_EQ(keptSerialNumber(), QStringLiteral("A"));
+    EXPECT_EQ(project().line->wish.port, second.path());
+    EXPECT_EQ(form().wish().port, second.path());
+}
+
+TEST_F(LineAdapterTest, WhatIsPickedInTheListIsMeant)
+{
+    planAt(first);
+    plugIn({adapter(first, QStringLiteral("B")), adapter(second, QStringLiteral("A"))});
+    showForm();
+    pickFirst();
+    connectNow();
+    EXPECT_EQ(line().linkName(), first.path());
+    EXPECT_EQ(keptSerialNumber(), QStringLiteral("B"));
+}
+
+TEST_F(LineAdapterTest, ThePortTypedAnewIsMeant)
+{
+    planAt(first);
+    plugIn({adapter(first, QStringLiteral("B"))});
+    connectPort(first.path());
+    ASSERT_EQ(shown->line().training(), nullptr);
+    EXPECT_EQ(keptSerialNumber(), QStringLiteral("B"));
+}
+
+TEST_F(LineAdapterTest, AnotherAdapterIsUsedWhereTheUserSaysSo)
+{
+    planAt(first);
+    plugIn({adapter(first, QStringLiteral("B"))});
+    showForm();
+    connectNow();
+    EXPECT_NE(shown->line().training(), nullptr) << "unasked none is used";
+    EXPECT_TRUE(said().contains(QStringLiteral("another adapter"))) << said().toStdString();
+    click(form(), QStringLiteral("Use this adapter"));
+    ASSERT_EQ(shown->line().training(), nullptr);
+    EXPECT_EQ(line().linkName(), first.path());
+    EXPECT_EQ(keptSerialNumber(), QStringLiteral("B"));
+    EXPECT_EQ(said(), QString());
+
+    connectNow();
+    EXPECT_EQ(line().linkName(), first.path()) << "it is the line's now";
+}
+
+// Without a serial number it cannot be told from another of its model elsewhere.
+TEST_F(LineAdapterTest, WhatReplacesAnUnpluggedOneIsKeptToo)
+{
+    plan(ProjectLine());
+    plugIn({adapter(first, {})});
+    connectPort(first.path());
+    ASSERT_EQ(line().linkName(), first.path());
+    first.unplug();
+    plugIn({adapter(second, {}, QStringLiteral("1-4:1.0"))});
+    const auto &notice = *window().findChild<InlineMessage *>(QStringLiteral("lineNotice"));
+    ASSERT_TRUE(comes([&] { return notice.isVisible(); }));
+    click(notice, QStringLiteral("Use this adapter"));
+    ASSERT_TRUE(comes([&] { return line().latest().connected; }));
+    EXPECT_EQ(line().linkName(), second.path());
+    EXPECT_EQ(project().line->adapter.usbPath, QStringLiteral("1-4:1.0"));
+    EXPECT_EQ(project().line->wish.port, second.path());
+
+    showForm();
+    connectNow();
+    EXPECT_EQ(line().linkName(), second.path());
+    EXPECT_EQ(said(), QString());
+}
+
+} // namespace
+} // namespace codewheel
