@@ -10,6 +10,8 @@
 #include "simulator/simulated_line_link.h"
 #include "widgets/project/project_document.h"
 
+#include <QFileInfo>
+
 #include <chrono>
 
 namespace codewheel {
@@ -20,6 +22,13 @@ const QString trainingDevice = QStringLiteral("kuebler-esc-rs485");
 Instant steadyTime()
 {
     return std::chrono::duration_cast<Instant>(std::chrono::steady_clock::now().time_since_epoch());
+}
+
+// Whatever links lead to it.
+bool isSamePort(const QString &path, const QString &other)
+{
+    const QString canonical = QFileInfo(path).canonicalFilePath();
+    return path == other || (!canonical.isEmpty() && canonical == QFileInfo(other).canonicalFilePath());
 }
 
 EscSettings escSettingsOf(const LineWish &wish)
@@ -113,14 +122,26 @@ Result<void> SerialLine::openOtherAdapter(const ProjectLine &line)
     return open(line);
 }
 
+// A port has many paths, and its adapter may be plugged in elsewhere now than when it was opened.
+bool SerialLine::holds(const QString &path) const
+{
+    if (m_port == nullptr)
+        return false;
+    const auto held = m_port->adapter();
+    const auto &wanted = m_wanted->adapter();
+    return isSamePort(m_port->name(), path) ||
+           (held && wanted && sameAdapter(*held, {*wanted}).kind == AdapterMatch::Kind::found);
+}
+
 Result<void> SerialLine::open(const ProjectLine &line)
 {
-    if (const auto there = m_wanted->find(m_ports()); !there)
+    const auto there = m_wanted->find(m_ports());
+    if (!there)
         return tl::unexpected(there.error());
     const LineWish &wish = line.wish;
     auto link = std::make_unique<SerialPortLink>(*m_wanted, m_ports);
     const SerialPortLink *port = link.get();
-    if (m_session && m_session->linkName() == link->name())
+    if (holds(*there))
         close();
     auto session = makeSession(std::move(link), wish);
     auto opened = session->open(wish.line, wish.timing, LineSession::Start::watching,

@@ -60,7 +60,8 @@ Q_SIGNALS:
 
 private:
     std::unique_ptr<LineSession> makeSession(std::unique_ptr<ByteLink> link, const LineWish &wish);
-    Result<void> open(const ProjectLine &line);
+    Result<void> open(const ProjectLine &line); // at m_wanted
+    bool holds(const QString &path) const;
     void replace(std::unique_ptr<LineSession> session, std::shared_ptr<SimulatedLine> training,
                  const SerialPortLink *port);
     void keepAccount();

@@ -144,5 +144,36 @@ TEST_F(LineAdapterTest, WhatReplacesAnUnpluggedOneIsKeptToo)
     EXPECT_EQ(said(), QString());
 }
 
+TEST_F(LineAdapterTest, ThePortThatIsOpenIsOpenedAgainByAnotherPathOfIt)
+{
+    plan(ProjectLine());
+    connectPort(first.path());
+    ASSERT_EQ(line().linkName(), first.path());
+    const QString link = folder.filePath(QStringLiteral("encoders"));
+    ASSERT_TRUE(QFile::link(first.path(), link));
+    connectPort(link);
+    EXPECT_EQ(said(), QString());
+    ASSERT_NE(shown->line().session(), nullptr);
+    EXPECT_EQ(line().linkName(), link);
+}
+
+TEST_F(LineAdapterTest, AnAdapterThatCameBackElsewhereIsOpenedAgainWithOtherSettings)
+{
+    plan(ProjectLine());
+    plugIn({adapter(first, QStringLiteral("A"))});
+    connectPort(first.path());
+    first.unplug();
+    plugIn({adapter(second, QStringLiteral("A"))});
+    ASSERT_TRUE(comes([&] { return line().linkName() == second.path() && line().latest().connected; }));
+    LineWish slower = form().wish();
+    slower.pollInterval = std::chrono::milliseconds(700);
+    form().setWish(slower);
+    connectNow();
+    EXPECT_EQ(said(), QString());
+    ASSERT_NE(shown->line().session(), nullptr);
+    EXPECT_EQ(line().linkName(), second.path());
+    EXPECT_EQ(project().line->wish.pollInterval, slower.pollInterval);
+}
+
 } // namespace
 } // namespace codewheel
