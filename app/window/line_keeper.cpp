@@ -47,6 +47,15 @@ void LineKeeper::keepPort(const ProjectLine &line)
     edit(m_line.asOpened(line), tr("Serial line"));
 }
 
+void LineKeeper::keepFractionBits(int bits)
+{
+    if (m_line.training() != nullptr)
+        return;
+    ProjectLine after = line();
+    after.wish.fractionBits = bits;
+    edit(after, tr("Fraction bits of the scaling factor"));
+}
+
 void LineKeeper::keepEncoders(const std::vector<DeviceNumber> &numbers, const QString &deviceKey)
 {
     if (m_line.training() != nullptr || numbers.empty())

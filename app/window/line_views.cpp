@@ -20,6 +20,7 @@
 #include <QAction>
 #include <QStackedWidget>
 
+#include <algorithm>
 #include <utility>
 
 namespace codewheel {
@@ -32,6 +33,16 @@ std::vector<LineSearch::Device> devicesOnLines(const Catalog &catalog)
         if (device.profile == Profile::esc)
             devices.push_back({device.key, device.fullName()});
     return devices;
+}
+
+// The first of all where none does.
+DeviceNumber firstThatAnswers(const LineSession &line)
+{
+    const std::vector<DeviceNumber> numbers = line.numbers();
+    const auto answering = std::ranges::find_if(numbers, [&line](DeviceNumber number) {
+        return line.encoder(number)->latest().state == EncoderState::operation;
+    });
+    return answering == numbers.end() ? numbers.front() : *answering;
 }
 
 } // namespace
@@ -60,7 +71,7 @@ LineViews::LineViews(SerialLine &line, ProjectDocument &project, WindowSettings 
     connect(m_terminal, &LineTerminal::historyChanged, this,
             [this, &settings] { settings.setTypedRequests(m_terminal->history()); });
     connect(m_form, &LineSettingsForm::refreshWanted, this, &LineViews::listPorts);
-    connect(m_form, &LineSettingsForm::fractionBitsWanted, this, &LineViews::determineFractionBits);
+    connect(m_form, &LineSettingsForm::fractionBitsWanted, this, &LineViews::fractionBitsRequested);
     connect(&notice, &InlineMessage::actionTriggered, this, &LineViews::useOtherAdapter);
     connect(m_form, &LineSettingsForm::connectWanted, this, &LineViews::connectPort);
     connect(m_form, &LineSettingsForm::otherAdapterWanted, this, &LineViews::connectOtherAdapter);
@@ -95,6 +106,7 @@ void LineViews::setLine(LineSession *line)
         connect(line, &LineSession::devicesChanged, this, &LineViews::showActions);
         connect(line, &LineSession::moved, m_keeper, &LineKeeper::moveEncoder);
     }
+    explainTerminal();
     m_terminal->setLine(line);
     m_panel->setLine(line);
     m_search->setLine(line);
@@ -197,11 +209,12 @@ void LineViews::showState()
         keepPort(m_keeper->line());
 }
 
-void LineViews::determineFractionBits()
+void LineViews::determineFractionBits(std::optional<DeviceNumber> chosen)
 {
     if (!m_session || m_session->numbers().empty())
         return;
-    if (const auto started = m_session->determineFractionBits(m_session->numbers().front()); !started)
+    const DeviceNumber asked = chosen && m_session->encoder(*chosen) ? *chosen : firstThatAnswers(*m_session);
+    if (const auto started = m_session->determineFractionBits(asked); !started)
         m_form->setProblem(refusalText(started.error()));
 }
 
@@ -212,7 +225,15 @@ void LineViews::takeFractionBits(const Result<int> &bits)
         return;
     m_form->setFractionBits(*bits);
     m_session->setFractionBits(*bits);
-    m_terminal->setExplainOptions({.fractionBits = *bits});
+    explainTerminal();
+    m_keeper->keepFractionBits(*bits);
+}
+
+// By what the line is set to, so that the terminal reads a factor as the driver does.
+void LineViews::explainTerminal()
+{
+    if (m_session)
+        m_terminal->setExplainOptions({.fractionBits = m_session->fractionBits()});
 }
 
 void LineViews::connectTraining()

@@ -48,6 +48,8 @@ public:
     void showSearch();
     // Null: the line is about to go.
     void setLine(LineSession *line);
+    // Asks the chosen encoder for the format of its scaling factor, or else the first that answers.
+    void determineFractionBits(std::optional<DeviceNumber> chosen);
     // Takes the encoder out of polling and, unless it is one of the training line, out of the project.
     void remove(DeviceNumber number);
 
@@ -56,6 +58,7 @@ Q_SIGNALS:
     void terminalRequested();
     void panelRequested();
     void removalRequested(); // of the chosen encoder
+    void fractionBitsRequested();
 
 private:
     void listPorts();
@@ -69,8 +72,8 @@ private:
     void takeOver(const std::vector<FoundEncoder> &found, const QString &deviceKey);
     void askForOtherAdapter(const Refusal &which);
     void useOtherAdapter();
-    void determineFractionBits();
     void takeFractionBits(const Result<int> &bits);
+    void explainTerminal();
     void showActions();
     void showWish();
 

@@ -48,6 +48,8 @@ void MainWindow::makeLineViews()
     });
     // One decision for both, and Watch after every connection but the training bus.
     connect(m_lineViews, &LineViews::portConnected, this, [this] { setOperate(false); });
+    connect(m_lineViews, &LineViews::fractionBitsRequested, this,
+            [this] { m_lineViews->determineFractionBits(currentNumber()); });
     connect(m_lineViews, &LineViews::removalRequested, this, [this] {
         if (const auto number = currentNumber(); number && number->isOnLine())
             m_lineViews->remove(*number);

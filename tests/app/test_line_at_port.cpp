@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/line_at_port_test.h"
+#include "widgets/line/line_terminal.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/structure/structure_view.h"
@@ -11,6 +12,7 @@ namespace codewheel {
 namespace {
 
 const DeviceNumber at3 = DeviceNumber::onLine({3});
+const DeviceNumber at5 = DeviceNumber::onLine({5});
 const DeviceNumber at7 = DeviceNumber::onLine({7});
 
 class LineAtPort : public test::LineAtPortTest
@@ -30,6 +32,27 @@ protected:
         ASSERT_TRUE(confirm->isVisibleTo(&panel));
         QTest::mouseClick(confirm, Qt::LeftButton);
     }
+    LineTerminal &terminal() { return *window().findChild<LineTerminal *>(); }
+    // As it is typed at the terminal.
+    void ask(const QString &request)
+    {
+        actions().lineTerminal->trigger();
+        advance(50);
+        QWidget *field = QApplication::focusWidget();
+        ASSERT_TRUE(terminal().isAncestorOf(field));
+        QTest::keyClicks(field, request);
+        QTest::keyClick(field, Qt::Key_Escape); // the list of commands
+        QTest::keyClick(field, Qt::Key_Return);
+    }
+    bool isExplained(const QString &meaning)
+    {
+        for (auto *table : terminal().findChildren<QTableView *>())
+            for (int row = 0; row < table->model()->rowCount(); ++row)
+                for (int column = 0; column < table->model()->columnCount(); ++column)
+                    if (table->model()->index(row, column).data().toString() == meaning)
+                        return true;
+        return false;
+    }
 };
 
 TEST_F(LineAtPort, AnEncoderOfAnotherAddressIsFoundThereByTheProject)
@@ -48,6 +71,58 @@ TEST_F(LineAtPort, AnEncoderOfAnotherAddressIsFoundThereByTheProject)
     connectPort(port);
     EXPECT_EQ(line().numbers(), std::vector{at7});
     EXPECT_TRUE(answers(at7));
+}
+
+TEST_F(LineAtPort, TheTerminalExplainsFactorsInTheFormatOfTheProject)
+{
+    plan({encoder(at3)});
+    Project planned = project();
+    planned.line->wish.fractionBits = 28;
+    shown->project().setProject(planned, {});
+    connectPort(startPeer(QStringLiteral("--addresses 03")));
+    ask(QStringLiteral("03F"));
+    EXPECT_TRUE(comes([&] { return isExplained(QStringLiteral("20000000h = 2")); }));
+}
+
+TEST_F(LineAtPort, TheFormatThatWasDeterminedIsKept)
+{
+    plan({encoder(at3), encoder(at5)});
+    Project planned = project();
+    planned.line->wish.fractionBits = 28;
+    shown->project().setProject(planned, {});
+    connectPort(startPeer(QStringLiteral("--addresses 03,05 --silent 03")));
+    ASSERT_TRUE(answers(at5));
+    ASSERT_TRUE(comes([&] { return line().encoder(at3)->latest().state == EncoderState::silent; }));
+    window().findChild<StructureView *>()->choose(test::fraba);
+    actions().lineSettings->trigger();
+    click(form(), QStringLiteral("Determine"));
+    ASSERT_TRUE(comes([&] { return project().line->wish.fractionBits == 29; })) << "05 is asked: it answers";
+    EXPECT_EQ(line().fractionBits(), 29);
+    EXPECT_EQ(form().wish().fractionBits, 29);
+    ask(QStringLiteral("05F"));
+    EXPECT_TRUE(comes([&] { return isExplained(QStringLiteral("20000000h = 1")); }));
+    shown->project().undoStack().undo();
+    EXPECT_EQ(project(), [&] {
+        Project before = planned;
+        before.line->wish.port = project().line->wish.port;
+        return before;
+    }());
+}
+
+TEST_F(LineAtPort, TheFormatIsDeterminedFromTheChosenEncoder)
+{
+    plan({encoder(at3), encoder(at5)});
+    connectPort(startPeer(QStringLiteral("--addresses 03,05")));
+    ASSERT_TRUE(answers(at3));
+    ASSERT_TRUE(answers(at5));
+    std::optional<DeviceNumber> asked;
+    QObject::connect(&line(), &LineSession::fractionBitsDetermined, &line(),
+                     [&](DeviceNumber number, const Result<int> &) { asked = number; });
+    window().findChild<StructureView *>()->choose(at5);
+    actions().lineSettings->trigger();
+    click(form(), QStringLiteral("Determine"));
+    ASSERT_TRUE(comes([&] { return asked.has_value(); }));
+    EXPECT_EQ(asked, at5);
 }
 
 } // namespace

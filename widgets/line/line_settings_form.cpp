@@ -206,9 +206,10 @@ void LineSettingsForm::makeFractionBits(QFormLayout &form)
     m_fractionBits->setAccessibleDescription(m_fractionBits->toolTip());
     m_determine = new QPushButton(tr("Deter&mine"), m_content);
     m_determine->setAutoDefault(false);
-    m_determine->setToolTip(tr(
-        "Reads scaling factor, steps per turn and measuring range of an encoder of the line, and takes the "
-        "format that fits. Nothing is written (Alt+M)"));
+    m_determine->setToolTip(
+        tr("Reads scaling factor, steps per turn and measuring range of the chosen encoder of the line, or "
+           "else of "
+           "the first that answers, and keeps the format that fits. Nothing is written (Alt+M)"));
     m_determine->setAccessibleDescription(m_determine->toolTip());
     m_determine->setEnabled(false); // before the line is open
     auto *row = new QHBoxLayout;
