@@ -65,7 +65,7 @@ Answer readFrom(const Call &call, EncoderSession &encoder, std::vector<Parameter
         answer.text = traceText(call, encoder, job) + u'\n';
         answer.json.insert(QStringLiteral("trace"), traceJson(call, encoder, job));
     }
-    answer.text += valueLines(device, job.outcome.read);
+    answer.text += valueLines(encoder, job.outcome.read);
     if (!job.outcome.result)
         answer.complaint = complaintAboutJob(call, encoder, job.outcome.result.error());
     return answer;

@@ -84,7 +84,7 @@ void carryOut(const Call &call, const AllowedJob &reset, Answer &answer)
         u'\n' +
         (device.capabilities.reads ? CommandLine::tr("Read back:")
                                    : CommandLine::tr("Factory settings, confirmed by the handshake:")) +
-        u'\n' + valueLines(device, values) +
+        u'\n' + valueLines(encoder, values) +
         sentence(CommandLine::tr("EEPROM writes:   %1"),
                  argumentTexts({std::int64_t{job.outcome.eepromWrites}})) +
         u'\n' +

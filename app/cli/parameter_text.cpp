@@ -1,52 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/parameter_text.h"
 
-#include "catalog/hex_code.h"
 #include "catalog/value_text.h"
 #include "cli/texts.h"
-#include "encoder/hex.h"
-#include "esc/esc_bits.h"
 
 namespace codewheel {
 
-namespace {
-
-// Of a serial encoder what is no number is told as its hexadecimal digits, and bits by name too.
-QString escText(const ParameterDescription &parameter, std::int64_t value)
+QString typedValue(const ParameterDescription &parameter, std::int64_t value, std::optional<int> fractionBits)
 {
-    if (!parameter.readCommand || parameter.readBit)
-        return {};
-    using enum esc::Command;
-    const auto raw = static_cast<Word>(value);
-    switch (*parameter.readCommand) {
-    case serialNumber:
-        return hexWord(raw);
-    case scalingFactor:
-        return hexWord(raw) + u'h';
-    case deviceCode:
-        return hexCode(raw, 4);
-    case operatingParameters:
-    case alarms:
-    case warnings: {
-        const QStringList bits = esc::bitTexts(*parameter.readCommand, static_cast<std::uint16_t>(value));
-        const QString said = bits.isEmpty() ? CommandLine::tr("none") : bits.join(QStringLiteral(", "));
-        return QStringLiteral("%1 (%2)").arg(hexCode(raw, 4), said);
-    }
-    default:
-        return {};
-    }
-}
-
-} // namespace
-
-QString typedValue(const ParameterDescription &parameter, std::int64_t value)
-{
-    if (const QString text = escText(parameter, value); !text.isEmpty())
-        return text;
     const Choice *choice = parameter.findChoice(value);
     return choice && choice->key != QString::number(value)
                ? QStringLiteral("%1 (%2)").arg(choice->key).arg(value)
-               : valueText(parameter, value);
+               : valueText(parameter, value, fractionBits);
 }
 
 QString rangeText(const ParameterDescription &parameter)

@@ -6,8 +6,9 @@
 
 namespace codewheel {
 
-// A value as it can be typed in again, with the number behind a name: "8192", "cw (3)".
-QString typedValue(const ParameterDescription &parameter, std::int64_t value);
+// A value with its name as it is typed, and the number behind it: "cw (3)"; else as valueText().
+QString typedValue(const ParameterDescription &parameter, std::int64_t value,
+                   std::optional<int> fractionBits = {});
 // "1..33554431", "cw (3), ccw (4)"; the same in every language
 QString rangeText(const ParameterDescription &parameter);
 // "read from the encoder"

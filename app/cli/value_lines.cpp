@@ -5,22 +5,24 @@
 #include "cli/json.h"
 #include "cli/parameter_text.h"
 #include "cli/text_table.h"
+#include "line/line_encoder_session.h"
 
 namespace codewheel {
 
-QString valueCell(const ParameterDescription &parameter, std::int64_t value)
+QString valueCell(const ParameterDescription &parameter, std::int64_t value, std::optional<int> fractionBits)
 {
     const bool isItsUnit = parameterKey(parameter.parameter) == unitKey(parameter.unit);
     const QString unit = isItsUnit ? QString() : unitText(parameter.unit);
-    return QStringLiteral("= %1 %2").arg(typedValue(parameter, value), unit).trimmed();
+    return QStringLiteral("= %1 %2").arg(typedValue(parameter, value, fractionBits), unit).trimmed();
 }
 
-QString valueLines(const DeviceDescription &device, const ParameterValues &values)
+QString valueLines(const EncoderSession &encoder, const ParameterValues &values)
 {
     TextTable table;
     for (const ParameterValue &value : values) {
-        const ParameterDescription &parameter = *device.find(value.parameter);
-        table.add({parameterKey(value.parameter), valueCell(parameter, value.value)});
+        const ParameterDescription &parameter = *encoder.device().find(value.parameter);
+        table.add(
+            {parameterKey(value.parameter), valueCell(parameter, value.value, fractionBitsOf(&encoder))});
     }
     return table.toString();
 }

@@ -7,10 +7,13 @@
 
 namespace codewheel {
 
-// "= 8192", "= 21.5 °C". Steps and revolutions are their own units.
-QString valueCell(const ParameterDescription &parameter, std::int64_t value);
+class EncoderSession;
+
+// "= 8192", "= 21.5 °C". Steps and revolutions are their own units. fractionBits: valueText().
+QString valueCell(const ParameterDescription &parameter, std::int64_t value,
+                  std::optional<int> fractionBits = {});
 // What an encoder has, a line for each value.
-QString valueLines(const DeviceDescription &device, const ParameterValues &values);
+QString valueLines(const EncoderSession &encoder, const ParameterValues &values);
 QJsonArray valuesJson(const DeviceDescription &device, const ParameterValues &values);
 
 } // namespace codewheel

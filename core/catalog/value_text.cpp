@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/value_text.h"
 
+#include "catalog/hex_code.h"
 #include "encoder/hex.h"
+#include "encoder/line_address.h"
 #include "encoder/sentence.h"
+#include "esc/esc_bits.h"
+#include "esc/esc_scaling.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -67,7 +71,50 @@ double divisorOf(Unit unit)
     return 1;
 }
 
-constexpr int registerDigits = 4; // 16 bit
+constexpr int registerDigits = 4;  // 16 bit
+constexpr int fractionDigits = 10; // significant ones of 32 bit
+
+QString bitsText(esc::Command command, std::uint16_t value)
+{
+    const QStringList bits = esc::bitTexts(command, value);
+    const QString said =
+        bits.isEmpty() ? QCoreApplication::translate("EscBit", "none") : bits.join(QStringLiteral(", "));
+    return QStringLiteral("%1 (%2)").arg(hexCode(value, registerDigits), said);
+}
+
+QString factorText(Word raw, std::optional<int> fractionBits)
+{
+    const QString digits = hexWord(raw) + u'h';
+    return fractionBits
+               ? QStringLiteral("%1 (%2)").arg(
+                     digits, QLocale().toString(esc::scalingFactor(raw, *fractionBits), 'g', fractionDigits))
+               : digits;
+}
+
+// Empty for what is a number.
+QString escText(const ParameterDescription &parameter, std::int64_t value, std::optional<int> fractionBits)
+{
+    using enum esc::Command;
+    const auto raw = static_cast<Word>(value);
+    if (parameter.writeCommand == writeAddress)
+        return LineAddress{static_cast<std::uint8_t>(raw)}.shown();
+    if (!parameter.readCommand || parameter.readBit)
+        return {};
+    switch (*parameter.readCommand) {
+    case serialNumber:
+        return hexWord(raw);
+    case scalingFactor:
+        return factorText(raw, fractionBits);
+    case deviceCode:
+        return hexCode(raw, registerDigits);
+    case operatingParameters:
+    case alarms:
+    case warnings:
+        return bitsText(*parameter.readCommand, static_cast<std::uint16_t>(raw));
+    default:
+        return {};
+    }
+}
 
 } // namespace
 
@@ -82,10 +129,12 @@ QString choiceName(const ParameterDescription &parameter, std::int64_t value)
     return choice->key.startsWith(QStringLiteral("cam-")) ? camProgramName(choice->key) : choice->key;
 }
 
-QString valueText(const ParameterDescription &parameter, std::int64_t value)
+QString valueText(const ParameterDescription &parameter, std::int64_t value, std::optional<int> fractionBits)
 {
     if (isOpcRegister(parameter.parameter))
         return hexWord(static_cast<Word>(value)).right(registerDigits) + u'h';
+    if (const QString text = escText(parameter, value, fractionBits); !text.isEmpty())
+        return text;
     const double divisor = divisorOf(parameter.unit);
     const int decimals = parameter.unit == Unit::micrometres ? 3 : 1;
     const QString number = divisor > 1

@@ -8,8 +8,12 @@ namespace codewheel {
 // The name of a value in the user's language: "CW", "unsigned, CW". Empty where the value has none.
 QString choiceName(const ParameterDescription &parameter, std::int64_t value);
 
-// A value for the user, without its unit: "8 192", "3 (CW)", "21.5" for 215 tenths of a degree.
-QString valueText(const ParameterDescription &parameter, std::int64_t value);
+// A value for the user, without its unit: "8 192", "3 (CW)", "21.5" for 215 tenths of a degree. Of a serial
+// encoder what is no number is told by its hexadecimal digits: "C000h (standstill, position warning)" bit by
+// bit, "0012D503" of a serial number, "05h (5)" of its address, and its scaling factor as a fraction too
+// where the format is given: "1F400000h (0.9765625)".
+QString valueText(const ParameterDescription &parameter, std::int64_t value,
+                  std::optional<int> fractionBits = {});
 
 // The unit that goes with valueText(): "steps", "°C"; empty for none.
 QString unitText(Unit unit);

@@ -48,6 +48,12 @@ Instant LineEncoderSession::now() const
     return m_line.latest().at;
 }
 
+std::optional<int> fractionBitsOf(const EncoderSession *encoder)
+{
+    const auto *onLine = qobject_cast<const LineEncoderSession *>(encoder);
+    return onLine != nullptr ? std::optional(onLine->fractionBits()) : std::nullopt;
+}
+
 Result<std::vector<Step>> plannedForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs,
                                          Word out)
 {

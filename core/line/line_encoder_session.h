@@ -32,6 +32,10 @@ private:
     LineSession &m_line;
 };
 
+// By which valueText() tells the scaling factor of an encoder of a line as a fraction; nothing for one of the
+// ring, and for none.
+std::optional<int> fractionBitsOf(const EncoderSession *encoder);
+
 // The steps of these jobs as stepsForJobs() tells them, for an encoder of a line as its line is set.
 Result<std::vector<Step>> plannedForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs,
                                          Word out);

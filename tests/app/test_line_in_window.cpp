@@ -151,6 +151,28 @@ TEST_F(LineInWindow, ValuesAreReadAndTheDialTurns)
     EXPECT_EQ(encoder(turning).known(Parameter::measuringRange)->value, 33'554'432);
 }
 
+TEST_F(LineInWindow, ThePanelTellsBitsAndWhatIsHexadecimal)
+{
+    choose(standing);
+    auto &panel = *window().findChild<ParameterPanel *>();
+    for (auto *button : panel.findChildren<QPushButton *>())
+        if (button->text() == QStringLiteral("&Read from encoder"))
+            QTest::mouseClick(button, Qt::LeftButton);
+    advance(4000);
+    const QAbstractItemModel &values = *panel.findChild<ParameterTable *>()->model();
+    const auto known = [&values](Parameter parameter) {
+        for (int row = 0; row < values.rowCount(); ++row)
+            if (values.index(row, 0).data().toString() == parameterName(parameter))
+                return values.index(row, 1).data().toString();
+        return QString();
+    };
+    EXPECT_EQ(known(Parameter::warnings), QStringLiteral("8000h (standstill)"));
+    EXPECT_EQ(known(Parameter::alarms), QStringLiteral("0000h (none)"));
+    EXPECT_TRUE(known(Parameter::operatingParameters).contains(QStringLiteral("h (")));
+    EXPECT_EQ(known(Parameter::scalingFactor), QStringLiteral("20000000h (1)"));
+    EXPECT_EQ(known(Parameter::serialNumber).size(), 8);
+}
+
 // With the steps goes the scaling factor, in the format the line is set to: 3600 / 8192 with 24 fraction
 // bits.
 TEST_F(LineInWindow, TheReviewShowsTheRequestsThatAreSent)
@@ -173,7 +195,7 @@ TEST_F(LineInWindow, TheReviewShowsTheRequestsThatAreSent)
     ASSERT_EQ(review->rowCount(), 2);
     EXPECT_EQ(review->headerData(3, Qt::Horizontal).toString(), QStringLiteral("Request"));
     EXPECT_EQ(review->index(0, 2).data().toString(), QLocale().toString(3600));
-    EXPECT_EQ(review->index(1, 2).data().toString(), QLocale().toString(0x0070'8000));
+    EXPECT_EQ(review->index(1, 2).data().toString(), QStringLiteral("00708000h (0.439453125)"));
     QStringList shownRequests;
     for (int row = 0; row < 2; ++row)
         shownRequests.append(review->index(row, 3).data().toString());

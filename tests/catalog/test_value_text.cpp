@@ -39,6 +39,34 @@ TEST(ValueText, ARegisterIsHexadecimalInAnyLocale)
     EXPECT_EQ(valueText(first, 0xFFFF), QStringLiteral("FFFFh"));
 }
 
+TEST(ValueText, WhatASerialEncoderTellsIsHexadecimalAndBitByBit)
+{
+    const Catalog catalog = Catalog::builtIn();
+    const auto text = [&catalog](Parameter parameter, std::int64_t value) {
+        return valueText(*catalog.find(u"kuebler-esc-rs485")->find(parameter), value);
+    };
+    EXPECT_EQ(text(Parameter::warnings, 0x8000), QStringLiteral("8000h (standstill)"));
+    EXPECT_EQ(text(Parameter::alarms, 0x5000), QStringLiteral("5000h (battery flat, general fault)"));
+    EXPECT_EQ(text(Parameter::alarms, 0), QStringLiteral("0000h (none)"));
+    EXPECT_EQ(text(Parameter::operatingParameters, 0x7005),
+              QStringLiteral("7005h (limit switch active, resolution per revolution, calculated factor, "
+                             "scaling on, direction CCW)"));
+    EXPECT_EQ(text(Parameter::deviceCode, 0x8000), QStringLiteral("8000h"));
+    EXPECT_EQ(text(Parameter::serialNumber, 0x12D5A4), QStringLiteral("0012D5A4"));
+    EXPECT_EQ(text(Parameter::lineAddress, 0x12), QStringLiteral("12h (18)"));
+    EXPECT_EQ(text(Parameter::direction, 1), QStringLiteral("1 (CCW)")) << "a bit of an answer";
+    EXPECT_EQ(text(Parameter::measuringRange, 4096), QStringLiteral("4096")) << "a number";
+}
+
+TEST(ValueText, AScalingFactorIsAFractionWhereItsFormatIsKnown)
+{
+    const Catalog catalog = Catalog::builtIn();
+    const ParameterDescription &factor = *catalog.find(u"kuebler-esc-rs485")->find(Parameter::scalingFactor);
+    EXPECT_EQ(valueText(factor, 0x1F40'0000), QStringLiteral("1F400000h"));
+    EXPECT_EQ(valueText(factor, 0x1F40'0000, 29), QStringLiteral("1F400000h (0.9765625)"));
+    EXPECT_EQ(valueText(factor, 0x1F40'0000, 30), QStringLiteral("1F400000h (0.48828125)"));
+}
+
 TEST(ValueText, EveryChoiceOfABuiltInDeviceHasAName)
 {
     const Catalog catalog = Catalog::builtIn();

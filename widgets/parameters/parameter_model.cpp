@@ -2,6 +2,7 @@
 #include "widgets/parameters/parameter_model.h"
 
 #include "catalog/value_text.h"
+#include "line/line_encoder_session.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/roles.h"
 #include "widgets/parameters/parameter_words.h"
@@ -237,20 +238,21 @@ QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) con
 QString ParameterModel::text(const ParameterRow &row, int column) const
 {
     const Parameter parameter = row.parameter.parameter;
+    const auto fractionBits = fractionBitsOf(m_encoder.session());
     if (column == nameColumn)
         return parameterName(parameter);
     if (column == knownColumn) {
         if (!row.known)
             return evidenceText(row.known);
         return parameterNameInText(parameter).contains(unitText(row.parameter.unit))
-                   ? valueText(row.parameter, row.known->value)
-                   : valueWithUnit(m_encoder.device(), {parameter, row.known->value});
+                   ? valueText(row.parameter, row.known->value, fractionBits)
+                   : valueWithUnit(m_encoder.device(), {parameter, row.known->value}, fractionBits);
     }
     if (row.isTold())
         return m_encoder.session() != nullptr ? tr("tell it") : QString();
     if (row.isReadOnly())
         return {};
-    return row.wanted ? valueText(row.parameter, *row.wanted) : tr("as it is");
+    return row.wanted ? valueText(row.parameter, *row.wanted, fractionBits) : tr("as it is");
 }
 
 QString ParameterModel::detail(const ParameterRow &row, int column) const
@@ -285,10 +287,11 @@ QString ParameterModel::toolTip(const ParameterRow &row, int column) const
         return tr("Not connected: what the encoder has is not known.");
     const QDateTime when = row.known ? m_encoder.session()->dateTime(row.known->at) : QDateTime();
     const QString how = parameter_words::howKnown(row.known, when);
-    return row.known
-               ? QStringLiteral("%1\n%2").arg(
-                     valueWithUnit(m_encoder.device(), {row.parameter.parameter, row.known->value}), how)
-               : how;
+    return row.known ? QStringLiteral("%1\n%2").arg(valueWithUnit(m_encoder.device(),
+                                                                  {row.parameter.parameter, row.known->value},
+                                                                  fractionBitsOf(m_encoder.session())),
+                                                    how)
+                     : how;
 }
 
 } // namespace codewheel

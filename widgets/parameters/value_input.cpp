@@ -24,9 +24,12 @@ constexpr double micrometresPerMillimetre = 1000;
 constexpr double largestMillimetres = 1e9;
 constexpr int mostDigits = 12;
 
-// As it is typed: mm for a length that goes in micrometres, else a whole number.
+// As it is typed: mm for a length that goes in micrometres, the bits of a scaling factor, else a whole
+// number.
 QString inputText(const ParameterDescription &parameter, std::int64_t value)
 {
+    if (parameter.writeCommand == esc::Command::writeScalingFactor)
+        return hexWord(static_cast<Word>(value)) + u'h';
     if (parameter.unit != Unit::micrometres)
         return QString::number(value);
     QLocale locale;

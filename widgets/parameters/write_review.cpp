@@ -3,6 +3,7 @@
 
 #include "catalog/value_text.h"
 #include "encoder/hex.h"
+#include "line/line_encoder_session.h"
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/icons.h"
@@ -90,9 +91,9 @@ QString WriteReviewModel::text(const WritePlan::Row &row, int column) const
     case name:
         return parameterName(row.value.parameter);
     case oldValue:
-        return row.old ? valueText(*parameter, row.old->value) : tr("unknown");
+        return row.old ? valueText(*parameter, row.old->value, fractionBitsOf(m_encoder)) : tr("unknown");
     case newValue:
-        return valueText(*parameter, row.value.value);
+        return valueText(*parameter, row.value.value, fractionBitsOf(m_encoder));
     default:
         return row.request.isEmpty() ? hexWord(row.word) : QString::fromLatin1(row.request);
     }

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/encoder_session.h"
+#include "line/line_encoder_session.h"
 #include "widgets/look/fonts.h"
 #include "widgets/wizard/known_text.h"
 
@@ -16,7 +17,8 @@ void KnownTable::show(const EncoderSession &encoder)
             continue; // nothing a wizard asks for
         const auto known = encoder.known(parameter.parameter);
         now.push_back({parameter.parameter,
-                       known ? valueWithUnit(encoder.device(), {parameter.parameter, known->value})
+                       known ? valueWithUnit(encoder.device(), {parameter.parameter, known->value},
+                                             fractionBitsOf(&encoder))
                              : QString(QChar(0x2013)),
                        known});
     }

@@ -46,13 +46,14 @@ QString evidenceExplanation(const std::optional<Known> &known)
     return {};
 }
 
-QString valueWithUnit(const DeviceDescription &device, const ParameterValue &value)
+QString valueWithUnit(const DeviceDescription &device, const ParameterValue &value,
+                      std::optional<int> fractionBits)
 {
     const ParameterDescription *parameter = device.find(value.parameter);
     if (parameter == nullptr)
         return QString::number(value.value);
     return QStringLiteral("%1 %2")
-        .arg(valueText(*parameter, value.value), unitText(parameter->unit))
+        .arg(valueText(*parameter, value.value, fractionBits), unitText(parameter->unit))
         .trimmed();
 }
 

@@ -10,8 +10,9 @@ namespace codewheel {
 QString evidenceText(const std::optional<Known> &known);
 QString evidenceExplanation(const std::optional<Known> &known);
 
-// "8 192 steps", "3 (CW)"
-QString valueWithUnit(const DeviceDescription &device, const ParameterValue &value);
+// "8 192 steps", "3 (CW)". fractionBits: valueText().
+QString valueWithUnit(const DeviceDescription &device, const ParameterValue &value,
+                      std::optional<int> fractionBits = {});
 // "8 192 steps (read)"; "unknown".
 QString knownText(const DeviceDescription &device, const std::optional<Known> &known);
 
