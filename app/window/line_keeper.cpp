@@ -56,6 +56,14 @@ void LineKeeper::keepFractionBits(int bits)
     edit(after, tr("Fraction bits of the scaling factor"));
 }
 
+void LineKeeper::keepBaudRate(int baudRate)
+{
+    ProjectLine after = line();
+    after.wish.line.baudRate = baudRate;
+    after.wish.timing.character = after.wish.line.timeOf(1);
+    edit(after, tr("Baud rate of the serial line"));
+}
+
 void LineKeeper::keepEncoders(const std::vector<DeviceNumber> &numbers, const QString &deviceKey)
 {
     if (m_line.training() != nullptr || numbers.empty())

@@ -26,6 +26,7 @@ public:
     // As it is open now, with these settings.
     void keepPort(const ProjectLine &line);
     void keepFractionBits(int bits);
+    void keepBaudRate(int baudRate);
     // Those that the project has already stay as they are.
     void keepEncoders(const std::vector<DeviceNumber> &numbers, const QString &deviceKey);
     void removeEncoder(DeviceNumber number);

@@ -4,6 +4,7 @@
 #include "app/window/leaving.h"
 #include "app/window/line_keeper.h"
 #include "app/window/line_ports.h"
+#include "app/window/line_rate.h"
 #include "app/window/serial_line.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
@@ -75,6 +76,7 @@ LineViews::LineViews(SerialLine &line, ProjectDocument &project, WindowSettings 
     connect(&notice, &InlineMessage::actionTriggered, this, &LineViews::useOtherAdapter);
     connect(m_form, &LineSettingsForm::connectWanted, this, &LineViews::connectPort);
     connect(m_form, &LineSettingsForm::otherAdapterWanted, this, &LineViews::connectOtherAdapter);
+    connect(m_form, &LineSettingsForm::baudRateWanted, m_keeper, &LineKeeper::keepBaudRate);
     connect(m_search, &LineSearch::takeOverWanted, this, &LineViews::takeOver);
     connect(&project, &ProjectDocument::replaced, this, &LineViews::showWish);
     connect(actions.lineSettings, &QAction::triggered, this, &LineViews::showSettings);
@@ -104,6 +106,7 @@ void LineViews::setLine(LineSession *line)
                 [this](DeviceNumber, const Result<int> &bits) { takeFractionBits(bits); });
         connect(line, &LineSession::stateChanged, this, &LineViews::showState);
         connect(line, &LineSession::devicesChanged, this, &LineViews::showActions);
+        connect(line, &LineSession::messaged, this, &LineViews::tellBaudRate);
         connect(line, &LineSession::moved, m_keeper, &LineKeeper::moveEncoder);
     }
     explainTerminal();
@@ -175,6 +178,7 @@ void LineViews::showConnected(const Result<void> &opened, const ProjectLine &wan
         m_form->setProblem(refusalText(opened.error()));
     if (!opened)
         return;
+    m_form->tellBaudRate({});
     keepPort(wanted);
     Q_EMIT portConnected();
     Q_EMIT panelRequested();
@@ -227,6 +231,18 @@ void LineViews::takeFractionBits(const Result<int> &bits)
     m_session->setFractionBits(*bits);
     explainTerminal();
     m_keeper->keepFractionBits(*bits);
+}
+
+// The training line is new at each connection, with its encoders as the factory has them.
+void LineViews::tellBaudRate(const Message &message)
+{
+    if (message.id != MessageId::baudRateChanged || !message.place || m_line.training() != nullptr)
+        return;
+    const auto *rate = std::get_if<std::int64_t>(&message.arguments.at(1));
+    if (rate == nullptr)
+        return;
+    const LineRate told = lineRateAfter(*m_session, *message.place, static_cast<int>(*rate));
+    m_form->tellBaudRate(told.sentence, told.baudRate);
 }
 
 // By what the line is set to, so that the terminal reads a factor as the driver does.

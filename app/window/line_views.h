@@ -26,6 +26,7 @@ class SerialLine;
 class WindowActions;
 class WindowSettings;
 struct LineWish;
+struct Message;
 struct ProjectLine;
 
 // The views of the serial line in the window: terminal and panel, which stand in docks, and the pages to
@@ -73,6 +74,7 @@ private:
     void askForOtherAdapter(const Refusal &which);
     void useOtherAdapter();
     void takeFractionBits(const Result<int> &bits);
+    void tellBaudRate(const Message &message);
     void explainTerminal();
     void showActions();
     void showWish();

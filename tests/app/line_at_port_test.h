@@ -4,6 +4,7 @@
 #include "app/window/serial_line.h"
 #include "tests/app/window_test.h"
 #include "widgets/line/line_settings_form.h"
+#include "widgets/look/inline_message.h"
 
 #include <QProcess>
 
@@ -14,7 +15,11 @@ namespace codewheel::test {
 class LineAtPortTest : public WindowTest
 {
 protected:
-    LineAtPortTest() { advance(100); }
+    LineAtPortTest()
+    {
+        shown->line().setPortList([] { return std::vector<PortInfo>(); });
+        advance(100);
+    }
     ~LineAtPortTest() override
     {
         shown->line().close();
@@ -87,6 +92,16 @@ protected:
     {
         typePort(port);
         click(form(), QStringLiteral("Connect"));
+    }
+    // All that stands in the form, but that this computer has no ports.
+    QString said()
+    {
+        QStringList sentences;
+        for (const auto *message : form().findChildren<InlineMessage *>())
+            if (message->isVisibleTo(&form()) &&
+                !message->sentence().startsWith(QStringLiteral("This computer has no")))
+                sentences << message->sentence();
+        return sentences.join(u'\n');
     }
     template <typename Condition>
     bool comes(Condition condition)

@@ -54,13 +54,6 @@ protected:
         QTest::keyClick(list.view(), Qt::Key_Return);
         advance(5);
     }
-    QString said()
-    {
-        for (const auto *message : form().findChildren<InlineMessage *>())
-            if (message->isVisibleTo(&form()))
-                return message->sentence();
-        return {};
-    }
     QString keptSerialNumber() { return project().line->adapter.serialNumber; }
 
     PtyPair first;

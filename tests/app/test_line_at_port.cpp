@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/line_at_port_test.h"
 #include "widgets/line/line_terminal.h"
+#include "widgets/look/inline_message.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/structure/structure_view.h"
@@ -123,6 +124,38 @@ TEST_F(LineAtPort, TheFormatIsDeterminedFromTheChosenEncoder)
     click(form(), QStringLiteral("Determine"));
     ASSERT_TRUE(comes([&] { return asked.has_value(); }));
     EXPECT_EQ(asked, at5);
+}
+
+TEST_F(LineAtPort, AfterAnotherBaudRateTheLinesIsOffered)
+{
+    plan({encoder(at3)});
+    connectPort(startPeer(QStringLiteral("--addresses 03")));
+    ASSERT_TRUE(answers(at3));
+    write(at3, Parameter::baudRate, 9'600);
+    actions().lineSettings->trigger();
+    ASSERT_TRUE(comes([&] { return said().contains(QStringLiteral("esc:03 (at 9600 Bd)")); }))
+        << said().toStdString();
+    click(form(), QStringLiteral("Set the line to 9600 Bd"));
+    EXPECT_EQ(said(), QString());
+    EXPECT_EQ(form().wish().line.baudRate, 9'600);
+    EXPECT_EQ(project().line->wish.line.baudRate, 9'600);
+    shown->project().undoStack().undo();
+    EXPECT_EQ(project().line->wish.line.baudRate, 19'200);
+}
+
+TEST_F(LineAtPort, WhereOthersStandAtTheOldBaudRateItIsSaidWhichWillBeSilent)
+{
+    plan({encoder(at3), encoder(at5)});
+    connectPort(startPeer(QStringLiteral("--addresses 03,05")));
+    ASSERT_TRUE(answers(at3));
+    ASSERT_TRUE(answers(at5));
+    write(at3, Parameter::baudRate, 9'600);
+    actions().lineSettings->trigger();
+    ASSERT_TRUE(comes([&] { return said().contains(QStringLiteral("esc:03 (at 9600 Bd)")); }))
+        << said().toStdString();
+    EXPECT_FALSE(said().contains(QStringLiteral("esc:05")));
+    for (const auto *button : form().findChildren<QPushButton *>())
+        EXPECT_FALSE(button->isVisibleTo(&form()) && button->text().contains(QStringLiteral("9600")));
 }
 
 } // namespace

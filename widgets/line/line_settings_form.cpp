@@ -50,6 +50,7 @@ LineSettingsForm::LineSettingsForm(QWidget *parent)
     : QScrollArea(parent)
     , m_content(new QWidget(this))
     , m_trouble(new InlineMessage(m_content))
+    , m_rateTold(new InlineMessage(m_content))
     , m_problem(new InlineMessage(m_content))
     , m_connect(new QPushButton(lineIcon(Icon::start), tr("&Connect"), m_content))
 {
@@ -148,6 +149,8 @@ void LineSettingsForm::makeCharacter(QFormLayout &form)
     for (const int rate : {19'200, 9'600, 4'800})
         m_baudRate->addItem(QString::number(rate), rate);
     m_baudRate->lineEdit()->setValidator(new QIntValidator(1, fastestRate, this));
+    form.addRow(m_rateTold);
+    connect(m_rateTold, &InlineMessage::actionTriggered, this, &LineSettingsForm::takeRate);
     m_dataBits = addChoice(form, tr("Dat&a bits"), tr("8 for these encoders"));
     m_parity = addChoice(form, tr("Parit&y"), tr("None for these encoders"));
     m_stopBits = addChoice(form, tr("&Stop bits"), tr("2 for these encoders"));
@@ -330,7 +333,26 @@ void LineSettingsForm::setProblem(const QString &sentence)
 
 void LineSettingsForm::askForOtherAdapter(const QString &sentence)
 {
-    m_problem->showMessage(Role::attention, sentence, tr("Use t&his adapter"));
+    m_problem->showMessage(Role::attention, sentence, tr("Use this adapter"));
+}
+
+void LineSettingsForm::tellBaudRate(const QString &sentence, std::optional<int> wanted)
+{
+    m_rateWanted = wanted;
+    if (sentence.isEmpty())
+        m_rateTold->withdraw();
+    else
+        m_rateTold->showMessage(Role::attention, sentence,
+                                wanted ? tr("Set the line to %1 Bd").arg(*wanted) : QString());
+}
+
+void LineSettingsForm::takeRate()
+{
+    if (!m_rateWanted)
+        return;
+    m_rateTold->withdraw();
+    m_baudRate->setEditText(QString::number(*m_rateWanted));
+    Q_EMIT baudRateWanted(*m_rateWanted);
 }
 
 bool LineSettingsForm::isComplete(const LineWish &wish)

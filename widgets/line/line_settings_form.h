@@ -5,6 +5,7 @@
 
 #include <QScrollArea>
 
+#include <optional>
 #include <vector>
 
 class QCheckBox;
@@ -38,6 +39,9 @@ public:
     void setProblem(const QString &sentence);
     // Another adapter than that of the line is there; ends with otherAdapterWanted() where it is meant.
     void askForOtherAdapter(const QString &sentence);
+    // An encoder speaks at another baud rate than the line; without a rate that the line should have, nothing
+    // but the sentence. Empty: it is settled.
+    void tellBaudRate(const QString &sentence, std::optional<int> wanted = {});
     // Whether there is an encoder that could tell the format of its scaling factor, and what it told.
     void setCanDetermine(bool can);
     void setFractionBits(int bits);
@@ -48,6 +52,7 @@ Q_SIGNALS:
     // isPicked: the port was chosen in the list or typed anew, so whatever is there is meant.
     void connectWanted(const codewheel::LineWish &wish, bool isPicked);
     void otherAdapterWanted(const codewheel::LineWish &wish);
+    void baudRateWanted(int baudRate); // that tellBaudRate() named; it stands in the form
 
 private:
     void makePort(QFormLayout &form);
@@ -61,6 +66,7 @@ private:
     bool isComplete(const LineWish &wish);
     void connectNow();
     void connectOther();
+    void takeRate();
     void pick() { m_isPicked = true; }
     void showPorts();
 
@@ -71,6 +77,8 @@ private:
     QPushButton *m_refresh = nullptr;
     InlineMessage *m_trouble;
     QComboBox *m_baudRate = nullptr;
+    InlineMessage *m_rateTold;
+    std::optional<int> m_rateWanted;
     QComboBox *m_dataBits = nullptr;
     QComboBox *m_parity = nullptr;
     QComboBox *m_stopBits = nullptr;

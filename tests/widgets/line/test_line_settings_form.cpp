@@ -69,6 +69,41 @@ TEST_F(LineSettingsFormTest, APathMayBeTyped)
     EXPECT_EQ(form.wish().port, QStringLiteral("/dev/pts/7"));
 }
 
+TEST_F(LineSettingsFormTest, APortIsPickedOnceTheUserChoosesOrTypesIt)
+{
+    const QSignalSpy wantedPort(&form, &LineSettingsForm::connectWanted);
+    const auto isPicked = [&] {
+        connectNow();
+        return wantedPort.back().at(1).toBool();
+    };
+    form.setPorts(ports);
+    EXPECT_FALSE(isPicked()) << "it stood there";
+    auto &list = field<QComboBox>("Port");
+    QTest::keyClick(&list, Qt::Key_Down);
+    EXPECT_TRUE(isPicked());
+    form.setPorts(ports);
+    EXPECT_TRUE(isPicked()) << "the list was made anew";
+    form.setWish(form.wish());
+    EXPECT_FALSE(isPicked());
+    QTest::keyClicks(list.lineEdit(), QStringLiteral("1"));
+    EXPECT_TRUE(isPicked());
+}
+
+TEST_F(LineSettingsFormTest, TheBaudRateThatTheEncodersHaveIsTaken)
+{
+    const QSignalSpy wantedRate(&form, &LineSettingsForm::baudRateWanted);
+    form.setPorts(ports);
+    form.tellBaudRate(QStringLiteral("Some differ."));
+    EXPECT_EQ(test::button(form, QStringLiteral("Set the line to 9600 Bd")), nullptr);
+    form.tellBaudRate(QStringLiteral("All have another."), 9'600);
+    EXPECT_EQ(said(), QStringLiteral("All have another."));
+    test::button(form, QStringLiteral("Set the line to 9600 Bd"))->click();
+    EXPECT_EQ(said(), QString());
+    EXPECT_EQ(form.wish().line.baudRate, 9'600);
+    ASSERT_EQ(wantedRate.count(), 1);
+    EXPECT_EQ(wantedRate.front().front().toInt(), 9'600);
+}
+
 TEST_F(LineSettingsFormTest, WhatWasChosenStaysWhenTheListIsMadeAnew)
 {
     form.setPorts(ports);

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/line_rate.h"
+
+#include "encoder/sentence.h"
+#include "line/line_session.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace codewheel {
+namespace {
+
+// The context of these texts.
+struct LineRateText
+{
+    Q_DECLARE_TR_FUNCTIONS(LineRate)
+};
+
+// No encoder tells its rate: it is that of the line unless this program has changed it.
+int rateOf(const LineSession &line, DeviceNumber number)
+{
+    const auto known = line.encoder(number)->known(Parameter::baudRate);
+    return known ? static_cast<int>(known->value) : line.settings().baudRate;
+}
+
+} // namespace
+
+LineRate lineRateAfter(const LineSession &line, DeviceNumber changed, int baudRate)
+{
+    const int lineRate = line.settings().baudRate;
+    QStringList strangers;
+    bool isShared = true; // by all of them
+    for (const DeviceNumber number : line.numbers()) {
+        const int rate = number == changed ? baudRate : rateOf(line, number);
+        isShared = isShared && rate == baudRate;
+        if (rate != lineRate)
+            strangers << sentence(LineRateText::tr("%1 (at %2 Bd)"),
+                                  {number.toString(), QString::number(rate)});
+    }
+    if (strangers.isEmpty())
+        return {};
+    const QString what =
+        sentence(LineRateText::tr("Connected again at %1 Bd these encoders will not answer: %2."),
+                 {QString::number(lineRate), strangers.join(QStringLiteral(", "))});
+    if (isShared)
+        return {what, baudRate};
+    return {what + u' ' + LineRateText::tr("Give all encoders of the line the same baud rate."),
+            std::nullopt};
+}
+
+} // namespace codewheel
