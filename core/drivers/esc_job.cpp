@@ -41,6 +41,7 @@ void EscJob::settle()
         return;
     if (!m_isCompared && (m_index == m_steps.size() || current().task != EscStep::Task::read))
         leaveOutWhatIsThere();
+    checkPreset();
     if (m_index == m_steps.size() && m_cancelled == OnCancel::restorePrevious && !m_isRestoring)
         appendRestore();
     if (m_index == m_steps.size())
@@ -197,6 +198,19 @@ void EscJob::leaveOutWhatIsThere()
     m_steps.resize(m_index);
     const EscSteps rest = m_encoder.plan().writes(left);
     m_steps.insert(m_steps.end(), rest.begin(), rest.end());
+}
+
+// What has been read before it is known now.
+void EscJob::checkPreset()
+{
+    const bool isNext =
+        !m_isBegun && m_index < m_steps.size() && current().request.command == esc::Command::writePreset;
+    if (!isNext)
+        return;
+    if (const auto checked = m_encoder.plan().check(m_job); !checked) {
+        m_failure = checked.error();
+        m_steps.resize(m_index);
+    }
 }
 
 Result<void> EscJob::result() const

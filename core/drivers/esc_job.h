@@ -50,6 +50,7 @@ private:
     // esc_job.cpp
     void settle();
     void leaveOutWhatIsThere();
+    void checkPreset();
     bool mayBegin();
     void begin(Instant now);
     void readAnswered(const esc::ExchangeResult &result, Instant now);

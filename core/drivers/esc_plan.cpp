@@ -51,8 +51,8 @@ EscSteps EscPlan::stepsFor(const Job &job) const
     return steps;
 }
 
-// The preset value is read before and after, so that a command without an answer can be told from one that
-// never arrived.
+// Scaling and measuring range are read first, for they narrow what may be set (esc_job.cpp). The preset value
+// is read before and after, so that a command without an answer can be told from one that never arrived.
 EscSteps EscPlan::preset(std::int64_t position) const
 {
     using enum EscStep::Task;
@@ -60,11 +60,17 @@ EscSteps EscPlan::preset(std::int64_t position) const
     set.value = position;
     EscStep after = step(positionAfter, esc::Command::position);
     after.value = position;
-    EscSteps steps{step(positionBefore, esc::Command::position), set, after};
-    if (const ParameterDescription *value = m_device.find(Parameter::preset); value && value->canBeRead()) {
-        steps.insert(steps.begin() + 2, reading(refresh, Parameter::preset));
-        steps.insert(steps.begin(), reading(refresh, Parameter::preset));
-    }
+    EscSteps steps;
+    const auto appendRefresh = [&](Parameter parameter) {
+        if (const ParameterDescription *value = m_device.find(parameter); value && value->canBeRead())
+            steps.push_back(reading(refresh, parameter));
+    };
+    for (const Parameter parameter : {Parameter::scaling, Parameter::measuringRange, Parameter::preset})
+        appendRefresh(parameter);
+    steps.push_back(step(positionBefore, esc::Command::position));
+    steps.push_back(set);
+    appendRefresh(Parameter::preset);
+    steps.push_back(after);
     return steps;
 }
 

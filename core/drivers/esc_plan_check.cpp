@@ -11,10 +11,15 @@ namespace {
 
 Result<void> checkRange(const ParameterDescription &narrowed, std::int64_t value)
 {
-    if (value < narrowed.minimum || value > narrowed.maximum)
-        return refuse(RefusalKind::badInput, RefusalId::valueOutOfRange,
-                      {narrowed.parameter, value, narrowed.minimum, narrowed.maximum});
-    return {};
+    if (value >= narrowed.minimum && value <= narrowed.maximum)
+        return {};
+    const auto shown = [&](std::int64_t number) {
+        return narrowed.parameter == Parameter::scalingFactor
+                   ? RefusalArgument(Word{static_cast<std::uint32_t>(number)})
+                   : RefusalArgument(number);
+    };
+    return refuse(RefusalKind::badInput, RefusalId::valueOutOfRange,
+                  {narrowed.parameter, shown(value), shown(narrowed.minimum), shown(narrowed.maximum)});
 }
 
 // What the encoder will have once the job is done, as far as it can be told: a new scaling changes a
@@ -61,7 +66,9 @@ Result<void> EscPlan::checkWrite(const WriteParameters &job) const
         return checked;
     const ParameterValues known = afterwards(m_known, job.values);
     for (const ParameterValue &value : job.values) {
-        if (auto checked = checkRange(escNarrowed(m_device, value.parameter, known), value.value); !checked)
+        const ParameterDescription narrowed =
+            escNarrowed(m_device, value.parameter, known, m_settings.fractionBits);
+        if (auto checked = checkRange(narrowed, value.value); !checked)
             return checked;
         if (value.parameter == Parameter::lineAddress)
             if (auto checked = checkAddress({static_cast<std::uint8_t>(value.value)}); !checked)

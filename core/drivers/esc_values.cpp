@@ -2,7 +2,6 @@
 #include "drivers/esc_values.h"
 
 #include "esc/esc_bits.h"
-#include "esc/esc_scaling.h"
 
 #include <algorithm>
 #include <array>
@@ -50,7 +49,7 @@ std::int64_t escValue(const ParameterDescription &parameter, std::uint32_t answe
 }
 
 ParameterDescription escNarrowed(const DeviceDescription &device, Parameter parameter,
-                                 const ParameterValues &known)
+                                 const ParameterValues &known, int fractionBits)
 {
     const ParameterDescription *found = device.find(parameter);
     ParameterDescription narrowed;
@@ -65,10 +64,15 @@ ParameterDescription escNarrowed(const DeviceDescription &device, Parameter para
     case Parameter::preset:
     case Parameter::lowerLimit:
     case Parameter::upperLimit:
-        atMost(valueOf(known, Parameter::measuringRange));
+        if (valueOf(known, Parameter::scaling) == 1)
+            atMost(valueOf(known, Parameter::measuringRange));
         break;
     case Parameter::measuringRange:
         narrowToFactor(device, valueOf(known, Parameter::revolutions), narrowed);
+        break;
+    case Parameter::scalingFactor:
+        narrowed.minimum = esc::scalingFactorRange(fractionBits).smallest;
+        narrowed.maximum = esc::scalingFactorRange(fractionBits).largest;
         break;
     default:
         break;

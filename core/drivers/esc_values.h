@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/line_address.h"
+#include "esc/esc_scaling.h"
 
 namespace codewheel {
 
@@ -14,11 +15,12 @@ std::uint32_t escData(const ParameterDescription &parameter, std::int64_t value)
 // What an answer says of a value: a bit of it, or all. `swapWarningBytes`: EscSettings.
 std::int64_t escValue(const ParameterDescription &parameter, std::uint32_t answer, bool swapWarningBytes);
 
-// The description with the range that the encoder's own values leave: what it told by U, M and D, or will be
-// told in the same job (`known`). Preset and limits lie within the measuring range, and that within the
-// physical steps of the revolutions, so far that there is a scaling factor for it.
+// The description with the range that the encoder's own values leave: what it told by U, M and O, or will be
+// told in the same job (`known`). While the scaling is on, preset and limits lie within the measuring range,
+// which holds then; that lies within the physical steps of the revolutions, so far that there is a scaling
+// factor for it, which is 0.00001 to 1.0.
 ParameterDescription escNarrowed(const DeviceDescription &device, Parameter parameter,
-                                 const ParameterValues &known);
+                                 const ParameterValues &known, int fractionBits = esc::defaultFractionBits);
 
 // The scaling factor that goes with the steps per turn or the measuring range among `values`, the last of
 // them deciding (manual, note on GR, GT and GF). Nothing where neither is there.

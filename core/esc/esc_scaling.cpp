@@ -25,10 +25,16 @@ bool fits(double factor, double discCount, std::uint32_t shown, int fractionBits
 
 } // namespace
 
-bool isScalingFactor(std::uint32_t raw, int fractionBits)
+ScalingFactorRange scalingFactorRange(int fractionBits)
 {
     const auto smallest = rawScalingFactor(1, smallestFactorPart, fractionBits);
-    return smallest && raw >= *smallest && raw <= std::uint32_t{1} << fractionBits;
+    return smallest ? ScalingFactorRange{*smallest, std::uint32_t{1} << fractionBits} : ScalingFactorRange{};
+}
+
+bool isScalingFactor(std::uint32_t raw, int fractionBits)
+{
+    const ScalingFactorRange range = scalingFactorRange(fractionBits);
+    return raw >= range.smallest && raw <= range.largest;
 }
 
 double scalingFactor(std::uint32_t raw, int fractionBits)

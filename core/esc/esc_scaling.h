@@ -16,7 +16,14 @@ inline constexpr int mostFractionBits = 30;   // 31 could not hold 1.0
 inline constexpr std::uint32_t discSteps = 8192; // on the code disc, per turn
 inline constexpr std::uint32_t discTurns = 4096;
 
-// 0.00001..1.0, the range that the manual states for F.
+// The range that the manual states for F, as the 32 bits: 0.00001..1.0; with a number of fraction bits that
+// cannot be, nothing lies in it.
+struct ScalingFactorRange
+{
+    std::uint32_t smallest = 1;
+    std::uint32_t largest = 0;
+};
+ScalingFactorRange scalingFactorRange(int fractionBits);
 bool isScalingFactor(std::uint32_t raw, int fractionBits);
 
 // What the 32 bits stand for; negative with the highest bit set.

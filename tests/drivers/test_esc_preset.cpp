@@ -18,12 +18,40 @@ TEST(EscPreset, SetsThePositionAndTellsItBeforeAndAfter)
     bench.settle();
     const Outcome &outcome = bench.finish(SetPreset{.value = wanted});
     EXPECT_TRUE(outcome.result);
-    EXPECT_EQ(bench.jobLog(), (Lines{"03S", "03S", "03GP00005200", "03S", "03S"}));
+    EXPECT_EQ(bench.jobLog(),
+              (Lines{"03O", "03O", "03M", "03M", "03S", "03S", "03GP00005200", "03S", "03S"}));
     EXPECT_EQ(outcome.positionBefore, 0x1235);
     EXPECT_EQ(outcome.positionAfter, wanted);
     EXPECT_EQ(outcome.eepromWrites, 1);
     EXPECT_EQ(bench.value(Parameter::preset), wanted);
     EXPECT_EQ(bench.driver.figures().suspect, 0) << "the jump is ours";
+}
+
+// Nothing had been read of the encoder before.
+TEST(EscPreset, BeyondTheMeasuringRangeItIsNotSent)
+{
+    EscBench bench;
+    bench.has["M"] = "00000640"; // 1600
+    bench.settle();
+    const Outcome &outcome = bench.finish(SetPreset{.value = 5'000'000});
+    ASSERT_FALSE(outcome.result);
+    EXPECT_EQ(outcome.result.error(),
+              (Refusal{RefusalKind::badInput,
+                       RefusalId::valueOutOfRange,
+                       {Parameter::preset, std::int64_t{5'000'000}, std::int64_t{1}, std::int64_t{1600}}}));
+    EXPECT_EQ(bench.count("GP"), 0);
+    EXPECT_EQ(outcome.eepromWrites, 0);
+    EXPECT_FALSE(bench.driver.busy());
+}
+
+TEST(EscPreset, WithoutScalingTheMeasuringRangeDoesNotBindIt)
+{
+    EscBench bench;
+    bench.has["M"] = "00000640";
+    bench.has["O"] = "7001";
+    bench.settle();
+    EXPECT_TRUE(bench.finish(SetPreset{.value = 5'000'000}).result);
+    EXPECT_EQ(bench.count("GP"), 1);
 }
 
 TEST(EscPreset, TurningOnMeanwhileIsNoFault)

@@ -78,13 +78,36 @@ TEST(EscRefusals, ValuesBeyondTheRangesOfTheManual)
         EXPECT_EQ(bench.begin(SetPreset{.value = value}).error().id, RefusalId::valueOutOfRange);
 }
 
+// Manual, read command F: 0.00001 to 1.0.
+TEST(EscRefusals, AScalingFactorThatCannotBe)
+{
+    EscBench bench;
+    for (const std::int64_t value :
+         {std::int64_t{0x7FFFFFFF}, std::int64_t{0x20000001}, std::int64_t{0x14F8}, std::int64_t{1}}) {
+        const auto begun = bench.begin(writing({{Parameter::scalingFactor, value}}));
+        ASSERT_FALSE(begun) << value;
+        EXPECT_EQ(begun.error(), (Refusal{RefusalKind::badInput,
+                                          RefusalId::valueOutOfRange,
+                                          {Parameter::scalingFactor, Word{static_cast<std::uint32_t>(value)},
+                                           Word{0x14F9}, Word{0x20000000}}}));
+    }
+    for (const std::int64_t value : {0x14F9, 0x20000000}) {
+        EscBench other;
+        EXPECT_TRUE(other.begin(writing({{Parameter::scalingFactor, value}}))) << value;
+    }
+    EscBench finer({.fractionBits = 30});
+    EXPECT_TRUE(finer.begin(writing({{Parameter::scalingFactor, 0x40000000}})));
+}
+
 TEST(EscRefusals, TheRangesAreThoseTheEncoderTells)
 {
     EscBench bench;
     bench.has["M"] = "00001000";
     bench.has["U"] = "0010";
     bench.settle();
-    EXPECT_TRUE(bench.finish(ReadParameters{{Parameter::measuringRange, Parameter::revolutions}}).result);
+    EXPECT_TRUE(
+        bench.finish(ReadParameters{{Parameter::measuringRange, Parameter::revolutions, Parameter::scaling}})
+            .result);
     EXPECT_EQ(bench.begin(SetPreset{.value = 4097}).error(),
               (Refusal{RefusalKind::badInput,
                        RefusalId::valueOutOfRange,
@@ -105,8 +128,12 @@ TEST(EscValues, NarrowedOnlyByWhatIsKnown)
     using Range = std::pair<std::int64_t, std::int64_t>;
     EXPECT_EQ(range(Parameter::preset, {}), Range(1, 33'554'431));
     EXPECT_EQ(range(Parameter::preset, {{Parameter::measuringRange, 33'554'432}}), Range(1, 33'554'431));
-    EXPECT_EQ(range(Parameter::lowerLimit, {{Parameter::measuringRange, 500}}), Range(1, 500));
-    EXPECT_EQ(range(Parameter::lowerLimit, {{Parameter::measuringRange, 0}}), Range(1, 33'554'431))
+    const ParameterValue on{Parameter::scaling, 1};
+    const ParameterValue off{Parameter::scaling, 0};
+    EXPECT_EQ(range(Parameter::lowerLimit, {on, {Parameter::measuringRange, 500}}), Range(1, 500));
+    EXPECT_EQ(range(Parameter::upperLimit, {off, {Parameter::measuringRange, 500}}), Range(1, 33'554'431))
+        << "the position is in physical steps";
+    EXPECT_EQ(range(Parameter::lowerLimit, {on, {Parameter::measuringRange, 0}}), Range(1, 33'554'431))
         << "an encoder that tells nonsense leaves the range of the manual";
     // 0.00001 to 1.0 of the physical steps
     EXPECT_EQ(range(Parameter::measuringRange, {}), Range(336, 33'554'431));
