@@ -42,7 +42,17 @@ bool LineRunner::Private::beginTyped()
         return false;
     const esc::Request request = typed.front();
     typed.pop_front();
-    return ask(Asker::terminal, 0, request, settings.baudRate);
+    return ask(Asker::terminal, 0, request, baudRateAt(request.to));
+}
+
+// An encoder may speak at another rate than its line; at the master address several may be meant.
+int LineRunner::Private::baudRateAt(LineAddress address) const
+{
+    const auto there = std::ranges::find_if(devices, [&](const Device &device) {
+        return device.driver && address.isDevice() && device.driver->address() == address;
+    });
+    const auto wanted = there != devices.end() ? there->driver->wantedBaudRate() : std::nullopt;
+    return wanted.value_or(settings.baudRate);
 }
 
 bool LineRunner::Private::beginScanStep()

@@ -59,6 +59,7 @@ struct LineRunner::Private
     void step(Instant until);
     bool begin(); // the next request; false: nobody wants anything now
     bool beginTyped();
+    int baudRateAt(LineAddress address) const; // of what is typed for it
     bool beginScanStep();
     bool ask(Asker asker, std::size_t device, const esc::Request &request, int baudRate);
     void goOn(Instant until); // with the request under way

@@ -84,14 +84,20 @@ public:
     std::optional<esc::Request> next(Instant now) override;
     void answered(const esc::Request &request, const esc::ExchangeResult &result, Instant now) override;
     LineAddress address() const override { return m_address; }
+    std::optional<int> wantedBaudRate() const override { return m_baudRate; }
+    void setFractionBits(int bits) override { m_fractionBits = bits; }
     std::vector<Event> takeEvents() override { return std::exchange(m_events, {}); }
     std::vector<Message> takeMessages() override { return {}; }
 
     void moveTo(LineAddress address) { m_address = address; }
+    void speakAt(int baudRate) { m_baudRate = baudRate; }
+    std::optional<int> fractionBits() const { return m_fractionBits; } // as it was told
 
 private:
     LineAddress m_address;
     Instant m_period;
+    std::optional<int> m_baudRate; // nothing: that of the line
+    std::optional<int> m_fractionBits;
     Instant m_wakesAt{};
     Reading m_reading;
     std::optional<JobId> m_job;

@@ -150,6 +150,20 @@ TEST_F(LineRunnerTest, SendsWhatWasTypedOnceAndFirst)
     EXPECT_FALSE(answered.front().result.answer);
 }
 
+TEST_F(LineRunnerTest, WhatIsTypedGoesAtTheRateOfItsEncoder)
+{
+    auto driver = std::make_unique<PollingDriver>(LineAddress{5}, 1h);
+    driver->speakAt(9'600);
+    runner.post(line_command::AddDevice{std::move(driver), QStringLiteral("encoder")});
+    for (const std::uint8_t address : {std::uint8_t{5}, std::uint8_t{0}, std::uint8_t{6}})
+        runner.post(line_command::Send{{.to = {address}, .command = esc::Command::version}});
+    run(2s);
+    ASSERT_EQ(link.sent.size(), 3U);
+    EXPECT_EQ(link.sent[0].baudRate, 9'600);
+    EXPECT_EQ(link.sent[1].baudRate, 19'200) << "the master address: that of the line";
+    EXPECT_EQ(link.sent[2].baudRate, 19'200) << "nobody knows it";
+}
+
 TEST_F(LineRunnerTest, FindsAnEncoderAtAnotherRateAndGoesBackToItsOwn)
 {
     link.answersAt = 9'600;
