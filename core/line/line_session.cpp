@@ -223,6 +223,7 @@ Result<void> LineSession::add(LineAddress address, const QString &deviceKey)
 
     auto description = std::make_unique<const DeviceDescription>(*described);
     auto driver = d->makeDriver(*description, address);
+    driver->setFractionBits(d->fractionBits);
     auto session = std::make_unique<LineEncoderSession>(*this, d->encoders.size(), address, *description);
     d->encoders.push_back({std::move(description), std::move(session)});
     post(line_command::AddDevice{std::move(driver), described->fullName()});

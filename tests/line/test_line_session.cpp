@@ -95,6 +95,18 @@ TEST_F(LineSessionTest, AnEncoderWithAnotherAddressIsFoundByThatOne)
     EXPECT_EQ(line->encoder(DeviceNumber::onLine({5})), nullptr);
 }
 
+TEST_F(LineSessionTest, AnEncoderAddedLaterHasTheFractionBitsOfTheLine)
+{
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
+    ASSERT_TRUE(line->add({5}, rs485));
+    line->setFractionBits(28);
+    line->advance(50ms);
+    EXPECT_EQ(drivers.front()->fractionBits(), 28);
+    ASSERT_TRUE(line->add({6}, rs485));
+    line->advance(50ms);
+    EXPECT_EQ(drivers.back()->fractionBits(), line->fractionBits());
+}
+
 TEST_F(LineSessionTest, ARemovedEncoderIsAskedNoMore)
 {
     ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
