@@ -77,8 +77,8 @@ bool LineRunner::Private::ask(Asker asker, std::size_t device, const esc::Reques
     if (state.lowLatency == LowLatency::refused)
         asked.adapterDelay = std::max(timing.adapterDelay, withoutLowLatency);
     asked.longestAnswer = std::max(timing.longestAnswer, counter.longestAnswer());
-    // Who looks or types sees for himself, and who does not answer is asked again in its turn.
-    if (asker != Asker::device || isDoubtful(device))
+    // Who looks or types sees for himself, and who is silent is asked again in its turn.
+    if (asker != Asker::device || isSilent(device))
         asked.retries = 0;
     underWay.emplace(UnderWay{asker, device, link.now(), esc::Exchange(request, asked)});
     return true;

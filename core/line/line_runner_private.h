@@ -73,7 +73,8 @@ struct LineRunner::Private
     bool beginDevice();
     std::optional<std::size_t> deviceInTurn() const;
     std::optional<Instant> nextWish() const;
-    bool isDoubtful(std::size_t device) const;
+    bool isDoubtful(std::size_t device) const; // its last request was not answered
+    bool isSilent(std::size_t device) const;   // and it is known not to answer
     bool anyAnswers() const;
     std::optional<Instant> turnOf(std::size_t device) const; // when it is due; nothing: it wants nothing
     void noteTurn(const UnderWay &ended);

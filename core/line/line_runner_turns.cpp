@@ -8,9 +8,9 @@
 namespace codewheel {
 namespace {
 
-// Of the line's time, what they leave to the others: 1 of 2 until they are known to be silent, then 19 of 20.
-constexpr int restWhileDoubtful = 1;
-constexpr int restWhileSilent = 19;
+// Of the line's time, in percent, of all of them together: until they are known to be silent, and then.
+constexpr int shareWhileDoubtful = 75;
+constexpr int shareWhileSilent = 5;
 
 } // namespace
 
@@ -54,6 +54,11 @@ bool LineRunner::Private::isDoubtful(std::size_t device) const
     return !devices[device].answers && !driver(device)->busy();
 }
 
+bool LineRunner::Private::isSilent(std::size_t device) const
+{
+    return isDoubtful(device) && driver(device)->reading().state == EncoderState::silent;
+}
+
 bool LineRunner::Private::anyAnswers() const
 {
     return std::ranges::any_of(devices, [](const Device &device) { return device.driver && device.answers; });
@@ -73,9 +78,8 @@ void LineRunner::Private::noteTurn(const UnderWay &ended)
     device.answers = ended.exchange.result().answer.has_value();
     if (device.answers || !anyAnswers())
         return;
-    const bool isSilent = device.driver->reading().state == EncoderState::silent;
-    const Instant took = link.now() - ended.begun;
-    doubtfulFrom = link.now() + took * (isSilent ? restWhileSilent : restWhileDoubtful);
+    const int share = isSilent(ended.device) ? shareWhileSilent : shareWhileDoubtful;
+    doubtfulFrom = link.now() + (link.now() - ended.begun) * (100 - share) / share;
 }
 
 void LineRunner::Private::forgetTurns()
