@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "drivers/esc_agreement.h"
 #include "esc/esc_exchange.h"
 
 #include <QString>
 
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace codewheel {
@@ -16,13 +18,15 @@ struct ScanWish
     std::vector<int> baudRates{19'200}; // Bd, in this order
     LineAddress first{1};
     LineAddress last{LineAddress::last};
-    // Ask at the master address first: any device answers there, so only where one is alone.
+    // Ask at the master address first: any device answers there, so only where
+    // one is alone.
     bool throughMaster = false;
 
     friend bool operator==(const ScanWish &, const ScanWish &) = default;
 };
 
-// An encoder that answered, with what it told of itself; nothing: it did not tell.
+// An encoder that answered, with what it told of itself; nothing: it did not
+// tell.
 struct FoundEncoder
 {
     LineAddress address; // 0: it answered at the master address only
@@ -34,9 +38,14 @@ struct FoundEncoder
     friend bool operator==(const FoundEncoder &, const FoundEncoder &) = default;
 };
 
-// Looks for encoders: each address at each baud rate is asked for its serial number, and who answers is asked
-// for its device code and version. Whatever well-formed answer comes, there is somebody; where nothing but
-// garbage came, it is asked once more. Only reads. A machine without I/O, like a driver.
+// Looks for encoders: each address at each baud rate is asked for its serial
+// number, and who answers is asked for its device code and version. The
+// protocol has no checksum, so an encoder and what it tells are taken when two
+// reads agree, an error (03, 05) among them; where anything came, a read is
+// repeated like any other. Addresses that said nothing are asked once more at
+// the end, but only at baud rates at which something was seen to be damaged,
+// and where no encoder was found at all: each costs a time-out. Only reads. A
+// machine without I/O, like a driver.
 class LineScan
 {
 public:
@@ -52,25 +61,44 @@ public:
     void answered(const esc::ExchangeResult &result);
 
     const std::vector<FoundEncoder> &found() const { return m_found; }
-    int asked() const { return m_asked; } // addresses that were asked, all baud rates together
-    int total() const { return m_total; } // to be asked
+    // Addresses that were asked, all baud rates together, and that are to be
+    // asked: more as soon as some are to be asked once more.
+    int asked() const { return static_cast<int>(m_asked); }
+    int total() const { return static_cast<int>(m_places.size()); }
     int requests() const { return m_requests; }
 
 private:
     enum class Question : std::uint8_t { serialNumber, deviceCode, version };
+    struct Place
+    {
+        std::size_t rate = 0; // its place among the baud rates
+        LineAddress address;
 
-    LineAddress address() const;
-    void answeredWho(const esc::ExchangeResult &result);
+        friend auto operator<=>(const Place &, const Place &) = default;
+    };
+
+    const Place &place() const { return m_places[m_asked]; }
+    void readAnswered(const esc::Answer &answer);
+    void told(const std::optional<esc::Answer> &answer);
+    void ask(Question question);
+    void noteDamage();
+    void keepEncoder();
     void goOn();
+    void appendSecondRound();
 
     ScanWish m_wish;
-    std::size_t m_rate = 0;
-    int m_place = 0; // among the addresses of one rate
+    std::vector<Place> m_places;
+    std::size_t m_asked = 0;
     Question m_question = Question::serialNumber;
-    bool m_isSecondTry = false;
+    EscAgreement m_reads;
+    int m_vain = 0;         // reads without an answer
+    bool m_hasCome = false; // anything, from this place
+    FoundEncoder m_encoder; // that is being asked
     std::vector<FoundEncoder> m_found;
-    int m_asked = 0;
-    int m_total;
+    std::vector<Place> m_foundAt;
+    std::vector<Place> m_silent;
+    std::set<std::size_t> m_damaged; // baud rates
+    bool m_isSecondRound = false;
     int m_requests = 0;
 };
 

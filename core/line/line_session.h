@@ -75,7 +75,8 @@ public:
     // "Determine from device": reads what tells the format of its scaling factor; ends with
     // fractionBitsDetermined(). Sets nothing.
     Result<void> determineFractionBits(DeviceNumber number);
-    // Of the scaling factor, for all encoders there are; by them what a job will send is told beforehand.
+    // Of the scaling factor, for all encoders, those that are added later too; by them what a job will send
+    // is told beforehand.
     void setFractionBits(int bits);
     int fractionBits() const;
 
