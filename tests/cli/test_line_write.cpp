@@ -96,7 +96,7 @@ TEST(CliLineWrite, AnotherAddressIsToldWithThePlace)
     SharedLine line;
     const CliRun run = line.runLine(QStringLiteral("write 05 address=15h --yes"));
     EXPECT_EQ(run.exit, 0);
-    EXPECT_THAT(run.out, HasSubstr("  address    5      21      05X15\n"));
+    EXPECT_THAT(run.out, HasSubstr("  address    05h (5)  15h (21)  05X15\n"));
     EXPECT_THAT(run.out, HasSubstr("The encoder is at 15h (21) now: PLACE 15.\n"));
     EXPECT_EQ(line.runLine(QStringLiteral("read 15 serial-number")).out, "serial-number  = 0012D5A4\n");
 }
