@@ -126,6 +126,14 @@ tl::expected<LabelReading, LabelProblem> readLabelKey(const OrderingKey &key, QS
     return reading;
 }
 
+DeviceDescription describedDevice(const LabelMatch &match)
+{
+    DeviceDescription device = *match.device;
+    device.physicalTurns = match.turns;
+    device.physicalStepsPerTurn = match.stepsPerTurn;
+    return device;
+}
+
 Result<std::vector<LabelMatch>> findByLabel(const Catalog &catalog, const QString &typed)
 {
     std::vector<LabelMatch> matches;

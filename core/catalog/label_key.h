@@ -45,6 +45,9 @@ struct LabelMatch
     int stepsPerTurn = 0;
 };
 
+// The device as its label tells it: with the turns and steps of the key.
+DeviceDescription describedDevice(const LabelMatch &match);
+
 // All devices whose ordering key understands `typed`, in the order of the catalog: one key may stand for
 // several (FRABA's does not tell the profile). Leaves out those whose words could not hold the positions,
 // if any could. Refuses with labelKeyNotUnderstood about the description that understands most of it.

@@ -79,21 +79,21 @@ void DevicePanel::focusNaming()
     m_naming->focusKey();
 }
 
-const DeviceDescription *DevicePanel::shown() const
+std::optional<DeviceDescription> DevicePanel::shown() const
 {
     if (const LabelMatch *looked = m_naming->looked())
-        return looked->device;
+        return describedDevice(*looked);
     if (m_planned)
-        return &*m_planned;
+        return m_planned;
     const EncoderSession *encoder = m_number && m_bus.isOpen() ? m_bus.encoder(*m_number) : nullptr;
-    return encoder ? &encoder->device() : nullptr;
+    return encoder ? std::optional(encoder->device()) : std::nullopt;
 }
 
 void DevicePanel::showDevice()
 {
-    const DeviceDescription *device = shown();
-    m_page->setVisible(device != nullptr);
-    m_empty->setVisible(device == nullptr);
+    const std::optional<DeviceDescription> device = shown();
+    m_page->setVisible(device.has_value());
+    m_empty->setVisible(!device);
     if (device)
         m_page->setHtml(deviceHtml(*device));
     else if (isBusTerminal(participantAt(m_bus, m_number)))

@@ -35,7 +35,7 @@ public:
 private:
     void showDevice();
     void showLeds();
-    const DeviceDescription *shown() const;
+    std::optional<DeviceDescription> shown() const;
 
     BusSession &m_bus;
     std::optional<DeviceNumber> m_number;

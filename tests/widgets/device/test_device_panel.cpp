@@ -7,6 +7,7 @@
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -83,6 +84,21 @@ TEST_F(DevicePanelTest, ATypedLabelKeyShowsItsDevice)
     EXPECT_TRUE(page().contains(QStringLiteral("Baumer GXP6W K3")));
     key()->clear();
     EXPECT_FALSE(showsPage());
+}
+
+// A 12 bit single-turn of a family that is described with 13 + 12 bit.
+TEST_F(DevicePanelTest, ATypedLabelKeyShowsItsDeviceWithItsTurnsAndSteps)
+{
+    const auto row = [this](const char *name) {
+        const QStringList lines = page().split(u'\n');
+        return QLocale().toInt(lines.value(lines.indexOf(QString::fromLatin1(name)) + 1));
+    };
+    type("OCD-IBA1B-0012-C100-PRI");
+    EXPECT_EQ(row("Steps per turn"), 4096) << page().left(400).toStdString();
+    EXPECT_EQ(row("Turns"), 1);
+    type("OCD-IBA1B-1213-C100-PRI");
+    EXPECT_EQ(row("Steps per turn"), 8192);
+    EXPECT_EQ(row("Turns"), 4096);
 }
 
 TEST_F(DevicePanelTest, APartThatIsNotUnderstoodIsToldAtOnceAndGoesWithItsCause)
