@@ -4,6 +4,8 @@
 #include "encoder/cam_program.h"
 #include "words/k3_cam_word.h"
 
+#include <optional>
+
 // What cams make of a position (FRABA manual 5.4.4). Positions are unsigned, in steps: 0..total range - 1.
 namespace codewheel {
 
@@ -15,9 +17,29 @@ constexpr bool covers(const Cam &cam, std::int64_t position) noexcept
     return cam.start <= cam.stop ? afterStart && beforeStop : afterStart || beforeStop;
 }
 
+// The same of all positions first..last; nothing: some are covered and some are not.
+constexpr std::optional<bool> covers(const Cam &cam, std::int64_t first, std::int64_t last) noexcept
+{
+    // What lies between the edges, without zero: covered, or left out by a cam that goes through zero.
+    const bool throughZero = cam.start > cam.stop;
+    const std::int64_t from = throughZero ? cam.stop + 1 : cam.start;
+    const std::int64_t to = throughZero ? cam.start - 1 : cam.stop;
+    if (from > to || last < from || first > to)
+        return throughZero;
+    if (from <= first && last <= to)
+        return !throughZero;
+    return std::nullopt;
+}
+
 constexpr bool isOn(const Cam &cam, std::int64_t position) noexcept
 {
     return cam.active && covers(cam, position);
+}
+
+// Whether the cam is on at whichever of the positions first..last the shaft is; nothing: it depends.
+constexpr std::optional<bool> isOn(const Cam &cam, std::int64_t first, std::int64_t last) noexcept
+{
+    return cam.active ? covers(cam, first, last) : false;
 }
 
 // Bit n: cam n is on.

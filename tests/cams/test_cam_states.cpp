@@ -46,6 +46,27 @@ INSTANTIATE_TEST_SUITE_P(
                     CoverRow{"all", {0, largest, true}, largest, true}),
     [](const auto &row) { return row.param.name; });
 
+// All stretches of a small ring against each of their positions.
+TEST(CamOnAStretch, IsKnownWhereAllOfItsPositionsAgree)
+{
+    constexpr std::int64_t total = 7;
+    for (std::int64_t start = 0; start < total; ++start)
+        for (std::int64_t stop = 0; stop < total; ++stop)
+            for (std::int64_t first = 0; first < total; ++first)
+                for (std::int64_t last = first; last < total; ++last) {
+                    const Cam cam{start, stop, true};
+                    std::int64_t on = 0;
+                    for (std::int64_t position = first; position <= last; ++position)
+                        on += isOn(cam, position) ? 1 : 0;
+                    const auto expected = on == 0                  ? std::optional(false)
+                                          : on == last - first + 1 ? std::optional(true)
+                                                                   : std::nullopt;
+                    EXPECT_EQ(isOn(cam, first, last), expected)
+                        << start << " to " << stop << " at " << first << " to " << last;
+                    EXPECT_EQ(isOn({start, stop, false}, first, last), false) << "not active";
+                }
+}
+
 // FRABA manual 5.4.4: 20400093h is cams 0, 1, 4 and 7
 TEST(CamStates, BitNIsCamN)
 {

@@ -138,7 +138,7 @@ QString CamEditor::note(const Reading &reading) const
     const CamLive &live = m_sheet->live();
     if (reading.cams && live.isTold)
         return tr("Program %1 runs in the encoder. \"Now\" is what it shows.").arg(m_sheet->number());
-    const QString would = live.on
+    const QString would = live.knowsAny()
                               ? tr("\"Now\" is what the cams of program %1 would be.").arg(m_sheet->number())
                               : tr("What its cams would be is not known.");
     if (reading.cams && reading.camProgram)

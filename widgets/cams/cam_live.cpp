@@ -4,6 +4,8 @@
 #include "cams/cam_states.h"
 #include "encoder/encoder_session.h"
 
+#include <algorithm>
+
 namespace codewheel {
 namespace {
 
@@ -20,6 +22,11 @@ std::optional<CamLive::Position> positionOf(const Reading::Cams &cams, unsigned 
 
 } // namespace
 
+bool CamLive::knowsAny() const
+{
+    return std::ranges::any_of(on, [](const std::optional<bool> &one) { return one.has_value(); });
+}
+
 CamLive camLive(const EncoderSession &encoder, const CamProgram &shown, std::int64_t largest)
 {
     const Reading &reading = encoder.latest();
@@ -29,16 +36,17 @@ CamLive camLive(const EncoderSession &encoder, const CamProgram &shown, std::int
         if (running)
             live.position = positionOf(*reading.cams, running->program.shift, largest);
         if (reading.camProgram == shown.number) {
-            live.on = reading.cams->on;
+            for (std::size_t n = 0; n < CamProgram::cams; ++n)
+                live.on.at(n) = (reading.cams->on >> n & 1U) != 0;
             live.isTold = true;
             return live;
         }
     } else if (reading.position && *reading.position >= 0) {
         live.position = CamLive::Position{*reading.position, *reading.position};
     }
-    // Between the two ends of a coarse position a cam may be either.
-    if (live.position && states(shown, live.position->first) == states(shown, live.position->last))
-        live.on = states(shown, live.position->first);
+    if (live.position)
+        for (std::size_t n = 0; n < CamProgram::cams; ++n)
+            live.on.at(n) = isOn(shown.cam.at(n), live.position->first, live.position->last);
     return live;
 }
 

@@ -21,9 +21,11 @@ struct CamLive
         friend bool operator==(const Position &, const Position &) = default;
     };
 
-    std::optional<std::uint8_t> on; // bit n: cam n
-    bool isTold = false;            // by the encoder in cam mode; else worked out from the position
+    std::array<std::optional<bool>, CamProgram::cams> on{}; // nothing: not known
+    bool isTold = false; // by the encoder in cam mode; else worked out from the position
     std::optional<Position> position;
+
+    bool knowsAny() const; // of `on`
 
     friend bool operator==(const CamLive &, const CamLive &) = default;
 };

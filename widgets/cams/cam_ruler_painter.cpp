@@ -91,7 +91,7 @@ void CamRulerPainter::drawRow(std::size_t number, bool showsHint)
     }
 }
 
-// Filled: on. Pale: active, but not on. Dashed: inactive.
+// Filled: on. Pale: active, and off or not known. Dashed: inactive.
 void CamRulerPainter::drawBar(std::size_t number, const cam_circle::Stretch &stretch, const QRect &row)
 {
     const QRectF bar = barOf(stretch, row);

@@ -80,7 +80,7 @@ void CamSheet::setLive(const CamLive &live)
 
 std::optional<bool> CamSheet::isOn(std::size_t cam) const
 {
-    return m_live.on ? std::optional((*m_live.on >> cam & 1U) != 0) : std::nullopt;
+    return m_live.on.at(cam);
 }
 
 void CamSheet::setCam(std::size_t cam, const Cam &value, const QString &what, Gesture gesture)

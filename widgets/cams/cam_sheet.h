@@ -46,7 +46,7 @@ public:
 
     void setLive(const CamLive &live);
     const CamLive &live() const { return m_live; }
-    std::optional<bool> isOn(std::size_t cam) const;
+    std::optional<bool> isOn(std::size_t cam) const; // now; nothing: not known
 
     // Steps of undo.
     void setCam(std::size_t cam, const Cam &value, const QString &what, Gesture gesture = {});

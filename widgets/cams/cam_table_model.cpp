@@ -32,6 +32,7 @@ CamRow CamTableModel::rowOf(std::size_t cam) const
     return {.number = cam,
             .cam = m_sheet.cam(cam),
             .isOn = m_sheet.isOn(cam),
+            .mayBeEither = m_sheet.live().position && !m_sheet.isOn(cam),
             .isTold = m_sheet.live().isTold,
             .known = known ? std::optional(known->cam.at(cam)) : std::nullopt,
             .fits = m_sheet.fits(m_sheet.cam(cam))};
@@ -140,7 +141,9 @@ QString CamTableModel::text(const CamRow &row, int column) const
     case stopColumn:
         return cam_texts::position(row.cam.stop);
     case stateColumn:
-        return row.isOn ? (*row.isOn ? tr("on") : tr("off")) : QString();
+        if (row.isOn)
+            return *row.isOn ? tr("on") : tr("off");
+        return row.mayBeEither ? tr("unknown") : QString();
     default:
         break;
     }

@@ -11,6 +11,7 @@ struct CamRow
     std::size_t number = 0;
     Cam cam;
     std::optional<bool> isOn;
+    bool mayBeEither = false; // the position is known too coarsely
     bool isTold = false;      // isOn: by the encoder itself
     std::optional<Cam> known; // what the encoder has
     bool fits = true;

@@ -82,7 +82,7 @@ QString description(const CamSheet &sheet, std::size_t number)
             {RefusalKind::badInput,
              RefusalId::camPositionTooLarge,
              {static_cast<std::int64_t>(number), std::max(cam.start, cam.stop), sheet.largest()}});
-    if (const auto isOn = sheet.isOn(number))
+    if (const auto isOn = sheet.isOn(number); isOn || sheet.live().position)
         sentences << CamTexts::tr("Now: %1.").arg(state(isOn, sheet.live().isTold));
     sentences << encoderText(sheet, number);
     return sentences.join(QLatin1Char('\n'));

@@ -105,7 +105,7 @@ TEST_F(CamTableTest, WhatIsTypedIsNotOverwrittenByTheBus)
     key(Qt::Key_Return);
     field()->selectAll();
     QTest::keyClicks(field(), QStringLiteral("77"));
-    sheet.setLive({.on = std::uint8_t{8}, .isTold = true, .position = {}});
+    sheet.setLive({.on = {false, false, false, true}, .isTold = true, .position = {}});
     EXPECT_EQ(field()->text(), QStringLiteral("77"));
     EXPECT_EQ(text(manualCam, CamTableModel::stateColumn), QStringLiteral("on"));
     EXPECT_EQ(text(0, CamTableModel::stateColumn), QStringLiteral("off"));
