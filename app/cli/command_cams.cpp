@@ -11,7 +11,7 @@
 #include "cli/json.h"
 #include "cli/texts.h"
 #include "cli/trace.h"
-#include "drivers/planned_words.h"
+#include "drivers/values_to_write.h"
 #include "encoder/hex.h"
 #include "encoder/sentence.h"
 #include "project/file_access.h"
@@ -220,24 +220,12 @@ QString wordList(const std::vector<Step> &steps)
     return words.join(u' ');
 }
 
-// What will be sent beside read-outs, and what it costs.
+// What will be sent beside read-outs.
 Result<QString> reviewText(const CamCall &cams, const WriteCams &job)
 {
-    std::vector<KnownCams> known;
-    std::vector<Known> parameters;
-    for (unsigned number = 1; number <= CamProgram::programs; ++number)
-        if (const auto one = cams.encoder.cams(number))
-            known.push_back(*one);
-    for (const Parameter parameter : {Parameter::steps, Parameter::revolutions})
-        if (const auto one = cams.encoder.known(parameter))
-            parameters.push_back(*one);
-    if (const auto program = cams.encoder.latest().camProgram) // as read-out 9 tells it
-        parameters.push_back({Parameter::startUpMode, std::int64_t{*program} + 2, Evidence::told, {}});
-    return plannedSteps(cams.encoder.device(), parameters, job, known)
-        .map([&](const std::vector<Step> &steps) {
-            return sentence(CommandLine::tr("Words to be sent, beside read-outs: %1"), {wordList(steps)}) +
-                   u'\n';
-        });
+    return stepsForJobs(cams.encoder, {job}, k3::normalRunning).map([](const std::vector<Step> &steps) {
+        return sentence(CommandLine::tr("Words to be sent, beside read-outs: %1"), {wordList(steps)}) + u'\n';
+    });
 }
 
 QString costText(const std::vector<CamDifference> &differences)

@@ -4,6 +4,13 @@
 #include "words/k3_cam_word.h"
 
 namespace codewheel {
+namespace {
+
+// Start-up modes: 0 K2, 1 K3, 2 velocity, 3 cam program 1.
+constexpr std::int64_t startUpInPosition = 1;
+constexpr std::int64_t startUpInVelocity = 2;
+
+} // namespace
 
 void K3Mode::tell(std::optional<Mode> mode, std::optional<unsigned> camProgram)
 {
@@ -49,9 +56,9 @@ void K3Mode::switchedBy(Word out)
 
 std::optional<Mode> modeAfterStartUp(std::int64_t startUpMode)
 {
-    if (startUpMode == 0 || startUpMode == 1) // K2, K3
+    if (startUpMode == 0 || startUpMode == startUpInPosition)
         return Mode::position;
-    if (startUpMode == 2)
+    if (startUpMode == startUpInVelocity)
         return Mode::velocity;
     if (camProgramAfterStartUp(startUpMode))
         return Mode::cam;
@@ -60,10 +67,18 @@ std::optional<Mode> modeAfterStartUp(std::int64_t startUpMode)
 
 std::optional<unsigned> camProgramAfterStartUp(std::int64_t startUpMode)
 {
-    constexpr std::int64_t before = 2; // 3 = program 1
-    if (startUpMode <= before || startUpMode > before + k3::camProgramCount)
+    if (startUpMode <= startUpInVelocity || startUpMode > startUpInVelocity + k3::camProgramCount)
         return std::nullopt;
-    return static_cast<unsigned>(startUpMode - before);
+    return static_cast<unsigned>(startUpMode - startUpInVelocity);
+}
+
+std::optional<std::int64_t> startUpModeFor(Mode mode, std::optional<unsigned> camProgram)
+{
+    if (mode == Mode::position)
+        return startUpInPosition;
+    if (mode == Mode::velocity)
+        return startUpInVelocity;
+    return camProgram ? std::optional(startUpInVelocity + std::int64_t{*camProgram}) : std::nullopt;
 }
 
 } // namespace codewheel

@@ -39,5 +39,7 @@ private:
 // The mode that an encoder has after power-up with this start-up mode (read-out 9, FRABA manual 10.2).
 std::optional<Mode> modeAfterStartUp(std::int64_t startUpMode);
 std::optional<unsigned> camProgramAfterStartUp(std::int64_t startUpMode);
+// The start-up mode that leads to this mode. Nothing: cam mode, and the program is not known.
+std::optional<std::int64_t> startUpModeFor(Mode mode, std::optional<unsigned> camProgram);
 
 } // namespace codewheel

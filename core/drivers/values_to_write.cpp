@@ -2,6 +2,7 @@
 #include "drivers/values_to_write.h"
 
 #include "catalog/preset_storage.h"
+#include "drivers/k3_mode.h"
 #include "drivers/planned_words.h"
 
 #include <algorithm>
@@ -21,6 +22,29 @@ bool isRead(const EncoderSession &encoder, Parameter parameter)
 {
     const auto known = encoder.known(parameter);
     return known && known->evidence == Evidence::read;
+}
+
+// A plan learns the mode of the moment as a start-up mode that was told; the known one may be out of date.
+std::vector<Known> knownNow(const EncoderSession &encoder)
+{
+    std::vector<Known> known = allKnown(encoder);
+    if (!encoder.device().mayHaveModes())
+        return known;
+    std::erase_if(known, [](const Known &one) { return one.parameter == Parameter::startUpMode; });
+    const Reading &reading = encoder.latest();
+    const auto startUp = reading.mode ? startUpModeFor(*reading.mode, reading.camProgram) : std::nullopt;
+    if (startUp)
+        known.push_back({Parameter::startUpMode, *startUp, Evidence::told, reading.at});
+    return known;
+}
+
+std::vector<KnownCams> allKnownCams(const EncoderSession &encoder)
+{
+    std::vector<KnownCams> all;
+    for (unsigned number = 1; number <= CamProgram::programs; ++number)
+        if (const auto known = encoder.cams(number))
+            all.push_back(*known);
+    return all;
 }
 
 } // namespace
@@ -68,8 +92,10 @@ Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std:
                                        const EscSettings &escSettings)
 {
     std::vector<Step> all;
+    const std::vector<Known> known = knownNow(encoder);
+    const std::vector<KnownCams> cams = allKnownCams(encoder);
     for (const Job &job : jobs) {
-        const auto steps = plannedSteps(encoder.device(), allKnown(encoder), job, {}, out, escSettings);
+        const auto steps = plannedSteps(encoder.device(), known, job, cams, out, escSettings);
         if (!steps)
             return steps;
         out = k3::normalRunning;

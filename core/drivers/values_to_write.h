@@ -26,8 +26,8 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
 
 // All of it, one job after the other: writing the values, then setting the position to a value.
 std::vector<Job> jobsForWish(const EncoderSession &encoder, const WriteWish &wish);
-// Their steps, as far as they can be told beforehand. `out` is what stands in OUT, `escSettings` are those of
-// a serial encoder.
+// Their steps, as far as they can be told beforehand: from the mode the encoder is in now, with what is known
+// of its values and cams. `out` is what stands in OUT, `escSettings` are those of a serial encoder.
 Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs, Word out,
                                        const EscSettings &escSettings = {});
 

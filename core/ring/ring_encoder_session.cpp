@@ -4,6 +4,7 @@
 #include "ring/bus_session.h"
 #include "ring/ring_runner.h"
 #include "ring/send_permission.h"
+#include "ring/word_channel.h"
 
 #include <algorithm>
 
@@ -24,6 +25,12 @@ RingEncoderSession::RingEncoderSession(BusSession &bus, std::size_t device, Devi
 QDateTime RingEncoderSession::dateTime(Instant at) const
 {
     return m_bus.dateTime(at);
+}
+
+Word RingEncoderSession::out() const
+{
+    const WordChannel *channel = m_bus.channel(number());
+    return channel ? channel->out() : k3::normalRunning;
 }
 
 Result<void> RingEncoderSession::mayStart(const Job &job) const
@@ -83,6 +90,12 @@ void RingEncoderSession::report(Message message, Instant at)
     message.at = at;
     message.place = number();
     Q_EMIT m_bus.messaged(message);
+}
+
+Word outOf(const EncoderSession &encoder)
+{
+    const auto *onRing = qobject_cast<const RingEncoderSession *>(&encoder);
+    return onRing ? onRing->out() : k3::normalRunning;
 }
 
 } // namespace codewheel

@@ -19,6 +19,7 @@ public:
                        const DeviceDescription &description, bool linkBoundsCycles);
 
     QDateTime dateTime(Instant at) const override;
+    Word out() const; // as it was last seen on the bus
 
 private:
     friend class BusSession;
@@ -35,5 +36,8 @@ private:
     BusSession &m_bus;
     bool m_linkBoundsCycles;
 };
+
+// What stands in OUT of an encoder of a ring, as it was last seen; 00000000 for any other encoder.
+Word outOf(const EncoderSession &encoder);
 
 } // namespace codewheel

@@ -191,5 +191,21 @@ TEST_F(K3ModesOfAnUnnamedEncoder, TheProgramDoesNotSwitchItOfItself)
     EXPECT_EQ(m_table.begin(SwitchMode{Mode::position}).error().id, RefusalId::velocityNotSupported);
 }
 
+// FRABA manual 10.2: 0 K2, 1 K3, 2 velocity, 3 to 10 cam programs
+TEST(StartUpMode, TellsTheModeAndTheModeTellsIt)
+{
+    EXPECT_EQ(startUpModeFor(Mode::position, {}), 1);
+    EXPECT_EQ(startUpModeFor(Mode::velocity, {}), 2);
+    EXPECT_EQ(startUpModeFor(Mode::cam, 1), 3);
+    EXPECT_EQ(startUpModeFor(Mode::cam, 8), 10);
+    EXPECT_EQ(startUpModeFor(Mode::cam, {}), std::nullopt);
+    for (std::int64_t startUp = 1; startUp <= 10; ++startUp) {
+        const auto mode = modeAfterStartUp(startUp);
+        ASSERT_TRUE(mode) << startUp;
+        EXPECT_EQ(startUpModeFor(*mode, camProgramAfterStartUp(startUp)), startUp);
+    }
+    EXPECT_EQ(modeAfterStartUp(11), std::nullopt);
+}
+
 } // namespace
 } // namespace codewheel

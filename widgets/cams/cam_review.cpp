@@ -2,6 +2,7 @@
 #include "widgets/cams/cam_review.h"
 
 #include "encoder/hex.h"
+#include "encoder/refusal_text.h"
 #include "widgets/cams/cam_review_rows.h"
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/look/fonts.h"
@@ -58,7 +59,7 @@ QString CamReviewModel::text(const CamReviewRow &row, int column) const
 {
     switch (column) {
     case programColumn:
-        return QString::number(row.program);
+        return row.program ? QString::number(*row.program) : QString();
     case wordColumn:
         return hexWord(row.word);
     case meaningColumn:
@@ -83,6 +84,7 @@ CamReview::CamReview(QWidget *parent)
     m_table->setModel(m_model);
     m_table->setAccessibleName(tr("What will be written"));
     m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(CamReviewModel::meaningColumn, QHeaderView::Stretch);
     m_table->horizontalHeader()->setHighlightSections(false);
@@ -99,7 +101,7 @@ CamReview::CamReview(QWidget *parent)
     m_write->setObjectName(QStringLiteral("confirmWriteCams"));
     m_write->setDefault(true);
     m_write->setAccessibleName(tr("Write these words"));
-    m_write->setToolTip(tr("Sends these words in cam mode, then run (80000000)"));
+    m_write->setToolTip(tr("Sends these words in this order, and reads before and after"));
     m_cancel->setToolTip(tr("Back to the editor; nothing is sent (Esc)"));
 
     auto *buttons = new QHBoxLayout;
@@ -118,6 +120,7 @@ CamReview::CamReview(QWidget *parent)
     layout->addLayout(buttons);
 
     connect(m_writeAll, &QCheckBox::toggled, this, &CamReview::showPlan);
+    connect(m_afterwards, &QComboBox::currentIndexChanged, this, &CamReview::showPlan);
     connect(m_gate, &EepromGate::changed, this, &CamReview::allow);
     connect(m_write, &QPushButton::clicked, this, [this] { Q_EMIT confirmed(job()); });
     connect(m_cancel, &QPushButton::clicked, this, &CamReview::cancelled);
@@ -143,6 +146,7 @@ QWidget *CamReview::makeAfterwards()
 
 void CamReview::offerAfterwards(const SwitchMode &before)
 {
+    const QSignalBlocker untilAllAreThere(m_afterwards);
     m_choices = {before};
     const auto offer = [this](const SwitchMode &mode) {
         if (std::ranges::find(m_choices, mode) == m_choices.end())
@@ -166,6 +170,10 @@ void CamReview::review(EncoderSession &encoder, const std::vector<CamProgram> &p
     m_encoder = &encoder;
     m_programs = programs;
     connect(&encoder, &EncoderSession::knownChanged, this, &CamReview::showPlan);
+    connect(&encoder, &EncoderSession::latestChanged, this, [this] {
+        if (isVisible())
+            showPlan();
+    });
     offerAfterwards(before);
     m_title->setText(programs.size() == 1 ? tr("Write cam program %1 to the encoder at %2")
                                                 .arg(programs.front().number)
@@ -189,7 +197,12 @@ void CamReview::showPlan()
 {
     if (!m_encoder || m_choices.empty())
         return;
-    m_model->setRows(camReviewRows(*m_encoder, job()));
+    auto rows = camReviewRows(*m_encoder, job());
+    m_problem = rows ? std::nullopt : std::optional(rows.error());
+    if (!rows)
+        rows.emplace();
+    if (*rows != m_model->rows())
+        m_model->setRows(*std::move(rows));
     const int count = m_model->rowCount();
     m_write->setText(count == 1 ? tr("&Write this word") : tr("&Write these %1 words").arg(count));
     m_gate->setWrites(*m_encoder, count == 0 ? 0 : mostEepromWrites(*m_encoder, job()));
@@ -205,16 +218,37 @@ void CamReview::allow()
 QString CamReview::notes() const
 {
     QStringList sentences;
-    if (m_model->rowCount() == 0)
+    if (m_problem)
+        sentences << refusalText(*m_problem);
+    else if (m_model->rowCount() == 0)
         sentences << tr("The encoder is known to have all of it. There is nothing to write.");
-    else if (!m_writeAll->isChecked())
-        sentences << tr("The encoder is read first; what it already has is not written again.");
+    else
+        sentences << notesOnWords();
     sentences << tr("A program that is changed is stored in EEPROM when it is left: one write. EEPROM writes "
                     "so far "
                     "by this program: %1.")
                      .arg(m_encoder->eepromCount().writes);
     if (const auto budget = m_encoder->can().eepromBudget)
         sentences << tr("The manual states about %1 writes for the encoder's life.").arg(*budget);
+    return sentences.join(QLatin1Char(' '));
+}
+
+QString CamReview::notesOnWords() const
+{
+    const QString readOuts = tr("Not listed are the words that read: 2020.... and the 00000000 behind each.");
+    if (m_writeAll->isChecked())
+        return readOuts;
+    QStringList sentences{tr("The encoder is read first; what it already has is not written again."),
+                          readOuts};
+    QStringList opening;
+    for (const CamReviewRow &row : m_model->rows())
+        if (row.isThere && !opening.contains(hexWord(row.word)))
+            opening << hexWord(row.word);
+    if (!opening.isEmpty())
+        sentences
+            << tr("Sent although it is there: %1. Outside cam mode the word behind it would mean something "
+                  "else.")
+                   .arg(opening.join(QStringLiteral(", ")));
     return sentences.join(QLatin1Char(' '));
 }
 

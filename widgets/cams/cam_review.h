@@ -19,10 +19,13 @@ class EepromGate;
 
 struct CamReviewRow
 {
-    unsigned program = 1;
-    Word word = 0;   // as it will stand in OUT
-    QString meaning; // "start of cam 3 = 21"
-    QString old;     // what the encoder has instead
+    std::optional<unsigned> program; // the encoder is in; nothing: it is not in cam mode
+    Word word = 0;                   // as it will stand in OUT
+    QString meaning{};               // "Start of cam 3 = 21"
+    QString old{};                   // what the encoder has instead; empty: the word sets no cams
+    bool isThere = false;            // the encoder is known to have what the word sets
+
+    friend bool operator==(const CamReviewRow &, const CamReviewRow &) = default;
 };
 
 // Program, word, meaning, old.
@@ -43,8 +46,8 @@ private:
     QString text(const CamReviewRow &row, int column) const;
 };
 
-// Shown in the cam editor before anything is written: what will change, the exact words, what it costs, and
-// in which mode the encoder is left.
+// Shown in the cam editor before anything is written: what will change, the exact words in their order, what
+// it costs, and in which mode the encoder is left.
 class CamReview : public QWidget
 {
     Q_OBJECT
@@ -68,11 +71,13 @@ private:
     void showPlan();
     void allow();
     QString notes() const;
+    QString notesOnWords() const;
     WriteCams job() const;
 
     QPointer<EncoderSession> m_encoder;
     std::vector<CamProgram> m_programs;
     std::vector<SwitchMode> m_choices; // beside the entries of m_afterwards
+    std::optional<Refusal> m_problem;  // why there is no plan
     CamReviewModel *m_model;
     QLabel *m_title;
     QTableView *m_table;

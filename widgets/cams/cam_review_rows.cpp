@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/cams/cam_review_rows.h"
 
-#include "cams/cam_states.h"
-#include "catalog/explain_word.h"
-#include "drivers/planned_words.h"
+#include "cams/cam_fields.h"
 #include "drivers/values_to_write.h"
+#include "ring/ring_encoder_session.h"
 #include "widgets/cams/cam_texts.h"
+#include "widgets/wizard/step_table.h"
+#include "words/k3_cam_word.h"
 
 #include <QCoreApplication>
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {
@@ -18,31 +21,9 @@ struct CamReviewRows
     Q_DECLARE_TR_FUNCTIONS(CamReviewRows)
 };
 
-// What the word sets, as the encoder is known to have it.
-std::int64_t setTo(const CamProgram &program, Word word)
+QString valueText(CamField field, std::int64_t value)
 {
-    if (k3::isCamStart(word))
-        return program.cam.at(k3::number(word)).start;
-    if (k3::isCamStop(word))
-        return program.cam.at(k3::number(word)).stop;
-    return k3::isCamShift(word) ? program.shift : activeCams(program);
-}
-
-std::int64_t setBy(Word word)
-{
-    if (k3::isCamPosition(word))
-        return k3::data(word);
-    return word & 0xFF;
-}
-
-bool isThere(const KnownCams &known, Word word)
-{
-    return setTo(known.program, word) == setBy(word);
-}
-
-QString oldText(Word word, std::int64_t value)
-{
-    if (!k3::isCamConfiguration(word))
+    if (field.value != CamValue::activeCams)
         return cam_texts::position(value);
     QStringList cams;
     for (unsigned cam = 0; cam < CamProgram::cams; ++cam)
@@ -51,36 +32,55 @@ QString oldText(Word word, std::int64_t value)
     return cams.isEmpty() ? CamReviewRows::tr("none") : cams.join(QStringLiteral(", "));
 }
 
-QString meaningOf(const DeviceDescription &device, Word word)
+bool isReadOut(const Step &step)
 {
-    return explanationText(device, explainWord(device, word,
-                                               {.direction = WordDirection::out,
-                                                .dialect = device.dialect,
-                                                .mode = Mode::cam,
-                                                .coding = {},
-                                                .counterpart = {}}));
+    return step.kind == StepKind::camReadOut || step.kind == StepKind::endReadOut;
+}
+
+bool setsCams(const Step &step)
+{
+    return step.kind == StepKind::camParameter;
+}
+
+std::optional<unsigned> programChosenBy(Word word)
+{
+    const Word number = word & ~k3::programWord;
+    return number == 0 ? std::nullopt : std::optional<unsigned>(number);
+}
+
+CamReviewRow rowOf(const EncoderSession &encoder, std::optional<unsigned> program, const Step &step)
+{
+    CamReviewRow row{.program = program, .word = step.out, .meaning = stepText(encoder.device(), step)};
+    const auto field = setsCams(step) ? fieldSetBy(step.out) : std::nullopt;
+    if (!field)
+        return row;
+    const auto known = program ? encoder.cams(*program) : std::nullopt;
+    if (!known) {
+        row.old = CamReviewRows::tr("unknown");
+        return row;
+    }
+    const std::int64_t there = valueOf(known->program, *field);
+    row.old = valueText(*field, there);
+    row.isThere = there == dataOf(*field, step.out);
+    return row;
 }
 
 } // namespace
 
-std::vector<CamReviewRow> camReviewRows(const EncoderSession &encoder, const WriteCams &job)
+Result<std::vector<CamReviewRow>> camReviewRows(const EncoderSession &encoder, const WriteCams &job)
 {
+    const auto steps = stepsForJobs(encoder, {job}, outOf(encoder));
+    if (!steps)
+        return tl::unexpected(steps.error());
     std::vector<CamReviewRow> rows;
-    for (const CamProgram &program : job.programs) {
-        const auto steps =
-            plannedSteps(encoder.device(), allKnown(encoder),
-                         WriteCams{.programs = {program}, .onlyWhatDiffers = false, .afterwards = {}});
-        if (!steps)
-            continue;
-        const auto known = encoder.cams(program.number);
-        for (const Step &step : *steps)
-            if (step.kind == StepKind::camParameter &&
-                !(known && job.onlyWhatDiffers && isThere(*known, step.out)))
-                rows.push_back({.program = program.number,
-                                .word = step.out,
-                                .meaning = meaningOf(encoder.device(), step.out),
-                                .old = known ? oldText(step.out, setTo(known->program, step.out))
-                                             : CamReviewRows::tr("unknown")});
+    if (std::ranges::none_of(*steps, setsCams))
+        return rows;
+    std::optional<unsigned> program = encoder.latest().camProgram;
+    for (const Step &step : *steps) {
+        if (k3::isProgramWord(step.out))
+            program = programChosenBy(step.out);
+        if (!isReadOut(step))
+            rows.push_back(rowOf(encoder, program, step));
     }
     return rows;
 }

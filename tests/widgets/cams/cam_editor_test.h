@@ -4,6 +4,7 @@
 #include "tests/widgets/cams/cam_test.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/cams/cam_editor.h"
+#include "widgets/cams/cam_review.h"
 #include "widgets/cams/cam_shift_spin.h"
 #include "widgets/look/inline_message.h"
 
@@ -79,6 +80,16 @@ protected:
     {
         ASSERT_NE(button(name), nullptr) << name;
         QTest::mouseClick(button(name), Qt::LeftButton);
+    }
+
+    CamReview &review() { return *editor.findChild<CamReview *>(); }
+    QStringList reviewed(CamReviewModel::Column column)
+    {
+        QStringList texts;
+        const auto &model = *review().findChild<CamReviewModel *>();
+        for (int row = 0; row < model.rowCount(); ++row)
+            texts << model.index(row, column).data().toString();
+        return texts;
     }
 
     TrainingBusSession ring;

@@ -3,10 +3,6 @@
 #include "tests/app/question.h"
 #include "tests/widgets/cams/cam_editor_test.h"
 #include "widgets/cams/cam_mode_bar.h"
-#include "widgets/cams/cam_review.h"
-#include "widgets/parameters/job_strip.h"
-
-#include <QTableView>
 
 namespace codewheel {
 namespace {
@@ -18,15 +14,6 @@ using test::manualValue;
 class CamEditorJobs : public test::CamEditorTest
 {
 protected:
-    CamReview &review() { return *editor.findChild<CamReview *>(); }
-    QStringList reviewedWords()
-    {
-        QStringList words;
-        const auto &model = *review().findChild<CamReviewModel *>();
-        for (int row = 0; row < model.rowCount(); ++row)
-            words << model.index(row, CamReviewModel::wordColumn).data().toString();
-        return words;
-    }
     void writeManualCam()
     {
         setManualCam();
@@ -62,29 +49,6 @@ TEST_F(CamEditorJobs, ReadingAnEepromThatIsUsedUpIsAskedFor)
     finishJob();
 }
 
-TEST_F(CamEditorJobs, WritingShowsTheWordsOfTheManualBeforeItSendsThem)
-{
-    tellAll();
-    trigger("Read");
-    finishJob();
-    setManualCam();
-    trigger("Write...");
-    ASSERT_TRUE(review().isVisible());
-    EXPECT_EQ(reviewedWords(), (QStringList{QStringLiteral("46000015"), QStringLiteral("66000213"),
-                                            QStringLiteral("20400008")}));
-    EXPECT_EQ(out(), 0U);
-    click("confirmWriteCams");
-    EXPECT_TRUE(editor.findChild<JobStrip *>()->isVisible());
-    finishJob();
-    EXPECT_TRUE(message().startsWith(QStringLiteral("Program 1 was written and read back.")))
-        << message().toStdString();
-    ASSERT_TRUE(known(1));
-    EXPECT_EQ(*known(1), program(1));
-    EXPECT_EQ(sheet().differs(1), false);
-    EXPECT_EQ(encoder().latest().mode, Mode::position); // as before
-    EXPECT_EQ(out(), 0U);
-}
-
 TEST_F(CamEditorJobs, LeavingAChangedProgramIsCountedAsAnEepromWrite)
 {
     tellAll();
@@ -92,21 +56,6 @@ TEST_F(CamEditorJobs, LeavingAChangedProgramIsCountedAsAnEepromWrite)
     writeManualCam();
     EXPECT_EQ(encoder().eepromWrites(), before + 1);
     EXPECT_TRUE(message().contains(QStringLiteral("EEPROM writes: 1"))) << message().toStdString();
-    trigger("Write...");
-    EXPECT_TRUE(reviewedWords().isEmpty());
-    EXPECT_FALSE(button("confirmWriteCams")->isEnabled());
-}
-
-TEST_F(CamEditorJobs, EscapeInTheReviewSendsNothing)
-{
-    tellAll();
-    setManualCam();
-    trigger("Write...");
-    QTest::keyClick(&review(), Qt::Key_Escape);
-    EXPECT_FALSE(review().isVisible());
-    advance(100);
-    EXPECT_EQ(out(), 0U);
-    EXPECT_FALSE(encoder().runningJob());
 }
 
 TEST_F(CamEditorJobs, ReadingTakesTheProgramAndCanBeTakenBack)
