@@ -92,6 +92,17 @@ TEST_F(SilentEncoders, WhileSomeFallSilentTheOthersHaveAQuarterOfTheLine)
     EXPECT_EQ(shown(2).reading.state, EncoderState::silent);
 }
 
+TEST_F(SilentEncoders, OneThatFallsSilentIsShownAsSuchWithinTwoSeconds)
+{
+    add({3});
+    add({5});
+    add({0x12});
+    run(10s);
+    setSilent({5}, true);
+    run(2s);
+    EXPECT_EQ(shown(1).reading.state, EncoderState::silent);
+}
+
 TEST_F(SilentEncoders, EachIsAskedInItsTurnAndFoundAgain)
 {
     add({3});
