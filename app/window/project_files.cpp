@@ -6,6 +6,7 @@
 #include "encoder/refusal_text.h"
 #include "project/project_file.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/save_file.h"
 #include "widgets/project/project_document.h"
 
 #include <QAction>
@@ -108,13 +109,9 @@ bool ProjectFiles::saveAs()
 {
     const QString proposed =
         m_document.file().isEmpty() ? tr("untitled.codewheel", "file name") : m_document.file();
-    QString path = QFileDialog::getSaveFileName(&m_window, tr("Save the project"), proposed,
-                                                tr("Codewheel projects (*.codewheel)"));
-    if (path.isEmpty())
-        return false;
-    if (QFileInfo(path).suffix().isEmpty())
-        path += u'.' + extension;
-    return keep(path);
+    const QString path =
+        askSaveFile(&m_window, tr("Save the project"), proposed, {tr("Codewheel projects (*.codewheel)")});
+    return !path.isEmpty() && keep(path);
 }
 
 bool ProjectFiles::keep(const QString &path)

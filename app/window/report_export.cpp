@@ -9,11 +9,11 @@
 #include "report/make_report.h"
 #include "ring/bus_session.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/save_file.h"
 #include "widgets/project/project_document.h"
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 
 namespace codewheel {
@@ -37,16 +37,10 @@ QString ReportExport::proposedPath() const
 
 void ReportExport::askWhere()
 {
-    const QString pdf = tr("PDF (*.pdf)");
-    const QString html = tr("Web page (*.html)");
-    QString chosen = pdf;
-    QString path = QFileDialog::getSaveFileName(&m_window, tr("Save the commissioning report"),
-                                                proposedPath(), pdf + QStringLiteral(";;") + html, &chosen);
-    if (path.isEmpty())
-        return;
-    if (QFileInfo(path).suffix().isEmpty())
-        path += chosen == html ? QStringLiteral(".html") : QStringLiteral(".pdf");
-    saveTo(path);
+    const QString path = askSaveFile(&m_window, tr("Save the commissioning report"), proposedPath(),
+                                     {tr("PDF (*.pdf)"), tr("Web page (*.html)")});
+    if (!path.isEmpty())
+        saveTo(path);
 }
 
 bool ReportExport::saveTo(const QString &path)

@@ -14,6 +14,9 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
+#include <QTimer>
+
+#include <optional>
 
 namespace codewheel {
 namespace {
@@ -136,6 +139,25 @@ TEST_F(ProjectFilesTest, ChangesAreNotLostWithoutAQuestion)
     const Question question = Question::answeredBy(QStringLiteral("Discard"));
     actions().newProject->trigger();
     EXPECT_TRUE(document().project().devices.empty());
+    EXPECT_EQ(loadProject(other)->devices.front().station, QStringLiteral("other"));
+}
+
+TEST_F(ProjectFilesTest, AFileIsNotReplacedWithoutAQuestionWhereItsSuffixIsLeftToTheProgram)
+{
+    const QString other = saved("moved.codewheel", QStringLiteral("other"));
+    nameStation(QStringLiteral("hoist"));
+    std::optional<Question> replace;
+    const Question question([&](QWidget &dialog) {
+        replace.emplace([&](QWidget &box) {
+            QTest::keyClick(&box, Qt::Key_Escape);
+            QTimer::singleShot(0, &dialog, &QWidget::close);
+        });
+        dialog.findChild<QLineEdit *>()->setText(path("moved"));
+        QTest::keyClick(dialog.findChild<QLineEdit *>(), Qt::Key_Return);
+    });
+    EXPECT_FALSE(window().files().saveAs());
+    ASSERT_TRUE(replace && replace->wasAsked());
+    EXPECT_TRUE(replace->text().contains(QStringLiteral("moved.codewheel"))) << replace->text().toStdString();
     EXPECT_EQ(loadProject(other)->devices.front().station, QStringLiteral("other"));
 }
 

@@ -6,6 +6,7 @@
 #include "widgets/cams/cam_editor.h"
 #include "widgets/cams/cam_file_io.h"
 #include "widgets/cams/cam_outcome_text.h"
+#include "widgets/look/save_file.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -30,17 +31,17 @@ void CamEditor::askLoadProgram()
 
 void CamEditor::askSave()
 {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save all cam programs"), tr("cams.json"),
-                                                      tr("Cam programs (*.json)"));
+    const QString path =
+        askSaveFile(this, tr("Save all cam programs"), tr("cams.json"), {tr("Cam programs (*.json)")});
     if (!path.isEmpty())
         save(path);
 }
 
 void CamEditor::askSaveProgram()
 {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save cam program %1").arg(m_sheet->number()),
-                                                      tr("cams-%1.json", "file name").arg(m_sheet->number()),
-                                                      tr("Cam programs (*.json)"));
+    const QString path =
+        askSaveFile(this, tr("Save cam program %1").arg(m_sheet->number()),
+                    tr("cams-%1.json", "file name").arg(m_sheet->number()), {tr("Cam programs (*.json)")});
     if (!path.isEmpty())
         saveProgram(path);
 }

@@ -11,6 +11,7 @@
 #include "widgets/line/line_row_table.h"
 #include "widgets/line/request_field.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/save_file.h"
 
 #include <QAction>
 #include <QFileDialog>
@@ -186,9 +187,8 @@ bool LineTerminal::exportText(const QString &path)
 
 void LineTerminal::askSave()
 {
-    const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save the session"), tr("line-session.json", "name of a file"),
-                                     tr("Line sessions (*.json)"));
+    const QString path = askSaveFile(this, tr("Save the session"), tr("line-session.json", "name of a file"),
+                                     {tr("Line sessions (*.json)")});
     if (!path.isEmpty())
         save(path);
 }
@@ -203,8 +203,8 @@ void LineTerminal::askOpen()
 
 void LineTerminal::askExport()
 {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export the rows"),
-                                                      tr("line.txt", "name of a file"), tr("Texts (*.txt)"));
+    const QString path =
+        askSaveFile(this, tr("Export the rows"), tr("line.txt", "name of a file"), {tr("Texts (*.txt)")});
     if (!path.isEmpty())
         exportText(path);
 }

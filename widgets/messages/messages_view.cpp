@@ -6,6 +6,7 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/save_file.h"
 #include "widgets/messages/message_filter_bar.h"
 
 #include <QAction>
@@ -282,14 +283,8 @@ void MessagesView::exportRows()
 {
     auto *dialog = new QFileDialog(this, tr("Export messages"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("csv"));
-    const QString page = tr("Page (*.html)");
-    dialog->setNameFilters({tr("Table (*.csv)"), page});
+    setSaveFilters(*dialog, {tr("Table (*.csv)"), tr("Page (*.html)")});
     dialog->selectFile(tr("messages.csv", "name of a file"));
-    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, page](const QString &filter) {
-        dialog->setDefaultSuffix(filter == page ? QStringLiteral("html") : QStringLiteral("csv"));
-    });
     connect(dialog, &QFileDialog::fileSelected, this, &MessagesView::writeFile);
     dialog->open();
 }

@@ -8,6 +8,7 @@
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/save_file.h"
 #include "widgets/look/tool.h"
 #include "widgets/models/device_traits.h"
 #include "widgets/sequence/sequence_model.h"
@@ -265,8 +266,8 @@ void SequenceView::askLoad()
 
 void SequenceView::askSave()
 {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save the sequence"), tr("sequence.json"),
-                                                      tr("Sequences (*.json)"));
+    const QString path =
+        askSaveFile(this, tr("Save the sequence"), tr("sequence.json"), {tr("Sequences (*.json)")});
     if (!path.isEmpty())
         save(path);
 }

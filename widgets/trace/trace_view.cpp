@@ -5,13 +5,13 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/save_file.h"
 #include "widgets/look/tool.h"
 #include "widgets/models/device_traits.h"
 #include "widgets/trace/trace_model.h"
 
 #include <QApplication>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QHeaderView>
 #include <QLabel>
 #include <QSaveFile>
@@ -258,8 +258,7 @@ void TraceView::copy()
 
 void TraceView::exportRows()
 {
-    const QString path =
-        QFileDialog::getSaveFileName(this, tr("Export the trace"), tr("trace.csv"), tr("Tables (*.csv)"));
+    const QString path = askSaveFile(this, tr("Export the trace"), tr("trace.csv"), {tr("Tables (*.csv)")});
     if (!path.isEmpty())
         exportTo(path);
 }

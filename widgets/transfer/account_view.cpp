@@ -7,9 +7,9 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/save_file.h"
 
 #include <QClipboard>
-#include <QFileDialog>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QPlainTextEdit>
@@ -61,9 +61,9 @@ void AccountView::show(const Report &report, const QString &fileName)
 
 void AccountView::saveAs()
 {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save what was written where"),
-                                                      m_fileName + QStringLiteral(".txt"),
-                                                      tr("Text (*.txt);;Web page (*.html)"));
+    const QString path =
+        askSaveFile(this, tr("Save what was written where"), m_fileName + QStringLiteral(".txt"),
+                    tr("Text (*.txt);;Web page (*.html)").split(QStringLiteral(";;")));
     if (!path.isEmpty())
         saveTo(path);
 }

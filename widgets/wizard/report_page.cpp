@@ -5,11 +5,11 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/save_file.h"
 #include "widgets/wizard/known_text.h"
 #include "widgets/wizard/wizard_report.h"
 
 #include <QCoreApplication>
-#include <QFileDialog>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -61,8 +61,8 @@ void ReportPage::saveAs()
     const QString name =
         QStringLiteral("encoder-%1-%2.txt")
             .arg(m_setup.record.place, m_setup.record.begun.toString(QStringLiteral("yyyy-MM-dd")));
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save the report"), name,
-                                                      tr("Text (*.txt);;Web page (*.html)"));
+    const QString path = askSaveFile(this, tr("Save the report"), name,
+                                     tr("Text (*.txt);;Web page (*.html)").split(QStringLiteral(";;")));
     if (!path.isEmpty())
         saveTo(path);
 }

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/save_file.h"
+
+#include <QFileDialog>
+
+namespace codewheel {
+namespace {
+
+// "csv" of "Tables (*.csv)"
+QString suffixOf(const QString &filter)
+{
+    return filter.section(QStringLiteral("*."), 1).section(u')', 0, 0);
+}
+
+} // namespace
+
+void setSaveFilters(QFileDialog &dialog, const QStringList &filters)
+{
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilters(filters);
+    dialog.setDefaultSuffix(suffixOf(filters.front()));
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
+                     [&dialog](const QString &filter) { dialog.setDefaultSuffix(suffixOf(filter)); });
+}
+
+QString askSaveFile(QWidget *parent, const QString &title, const QString &proposed,
+                    const QStringList &filters)
+{
+    const QFileInfo file(proposed);
+    QFileDialog dialog(parent, title, file.absolutePath());
+    setSaveFilters(dialog, filters);
+    dialog.selectFile(file.fileName());
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+} // namespace codewheel
