@@ -125,7 +125,23 @@ bool ProjectFiles::keep(const QString &path)
     m_document.setFile(path);
     remember(path);
     Q_EMIT told({.severity = Severity::information, .id = MessageId::projectSaved, .arguments = {path}});
+    if (const QString left = leftOut(); !left.isEmpty())
+        m_notice.showMessage(Role::attention, left);
     return true;
+}
+
+// What no file of the project has; empty: nothing.
+QString ProjectFiles::leftOut() const
+{
+    QStringList places;
+    for (const DeviceNumber number : m_document.notPlanned())
+        places << number.toString();
+    if (places.isEmpty())
+        return {};
+    return tr("What is planned for %1 is in no file: the project has no device there. Compare with the ring, "
+              "take "
+              "it into the project, then save.")
+        .arg(places.join(QStringLiteral(", ")));
 }
 
 bool ProjectFiles::mayClose()
@@ -135,9 +151,12 @@ bool ProjectFiles::mayClose()
     QMessageBox box(QMessageBox::Question, tr("Project"), tr("The project has changes that are not saved."),
                     QMessageBox::NoButton, &m_window);
     box.setObjectName(QStringLiteral("unsavedQuestion"));
-    const QString next = m_document.undoStack().undoText();
-    if (!next.isEmpty())
-        box.setInformativeText(tr("The last one: %1.").arg(next));
+    QStringList details;
+    if (const QString next = m_document.undoStack().undoText(); !next.isEmpty())
+        details << tr("The last one: %1.").arg(next);
+    if (const QString left = leftOut(); !left.isEmpty())
+        details << left;
+    box.setInformativeText(details.join(u'\n'));
     QPushButton *keepIt = box.addButton(tr("&Save"), QMessageBox::AcceptRole);
     keepIt->setToolTip(tr("Saves the project, then goes on"));
     QPushButton *discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);

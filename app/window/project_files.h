@@ -50,6 +50,7 @@ protected:
 private:
     void askOpen();
     bool keep(const QString &path);
+    QString leftOut() const;
     void refuse(const Refusal &why);
     void remember(const QString &path);
     void forget(const QString &path);

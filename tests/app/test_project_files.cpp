@@ -4,6 +4,7 @@
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
 #include "project/project_file.h"
+#include "project/project_take_over.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "widgets/look/inline_message.h"
@@ -159,6 +160,33 @@ TEST_F(ProjectFilesTest, AFileIsNotReplacedWithoutAQuestionWhereItsSuffixIsLeftT
     ASSERT_TRUE(replace && replace->wasAsked());
     EXPECT_TRUE(replace->text().contains(QStringLiteral("moved.codewheel"))) << replace->text().toStdString();
     EXPECT_EQ(loadProject(other)->devices.front().station, QStringLiteral("other"));
+}
+
+TEST_F(ProjectFilesTest, ValuesOfDevicesThatTheProjectHasNotAreToldWhenItIsSaved)
+{
+    actions().newProject->trigger();
+    document().editDevice(fraba, QStringLiteral("Steps"), [](ProjectDevice &device) {
+        device.wanted = {{Parameter::steps, 100}};
+    });
+    document().setFile(path("new.codewheel"));
+    actions().saveProject->trigger();
+    EXPECT_TRUE(notice().startsWith(QStringLiteral("What is planned for 1.0 is in no file")))
+        << notice().toStdString();
+    EXPECT_TRUE(window().isWindowModified());
+    {
+        const Question question = Question::answeredBy(QStringLiteral("Cancel"));
+        EXPECT_FALSE(window().files().mayClose());
+        EXPECT_TRUE(question.text().contains(QStringLiteral("1.0 is in no file")))
+            << question.text().toStdString();
+    }
+    Project project = document().project();
+    project.devices = projectOf(bus().structure()).devices;
+    document().edit(project, QStringLiteral("Take over"));
+    actions().saveProject->trigger();
+    EXPECT_EQ(notice(), QString());
+    EXPECT_FALSE(window().isWindowModified());
+    EXPECT_EQ(loadProject(path("new.codewheel"))->devices.front().wanted,
+              (ParameterValues{{Parameter::steps, 100}}));
 }
 
 TEST_F(ProjectFilesTest, ClosingAsksWithAlarmStopWithinReach)

@@ -45,6 +45,15 @@ const ProjectDevice &ProjectDocument::device(DeviceNumber number) const
     return other == m_others.end() ? nothingPlanned : other->second;
 }
 
+std::vector<DeviceNumber> ProjectDocument::notPlanned() const
+{
+    std::vector<DeviceNumber> numbers;
+    for (const auto &[number, device] : m_others)
+        if (!number.isOnLine() && !findDevice(m_project, number)) // of the training line nothing is kept
+            numbers.push_back(number);
+    return numbers;
+}
+
 void ProjectDocument::forEachDevice(
     const std::function<void(DeviceNumber, const ProjectDevice &)> &visit) const
 {
@@ -113,7 +122,7 @@ std::vector<ProjectDocument::DeviceId> ProjectDocument::keptIds(const Project &a
 void ProjectDocument::edit(Project after, const QString &what, Gesture gesture)
 {
     std::vector<DeviceId> ids = keptIds(after);
-    push(std::move(after), std::move(ids), m_others, what, gesture);
+    pushPlanned(std::move(after), std::move(ids), what, gesture);
 }
 
 void ProjectDocument::edit(Project after, const Origins &origins, const QString &what)
@@ -121,7 +130,26 @@ void ProjectDocument::edit(Project after, const Origins &origins, const QString 
     std::vector<DeviceId> ids;
     for (const auto &from : origins)
         ids.push_back(from ? m_ids.at(*from) : ++m_lastId);
-    push(std::move(after), std::move(ids), m_others, what, noGesture);
+    pushPlanned(std::move(after), std::move(ids), what, noGesture);
+}
+
+// A device that is planned now takes along the values it was given before.
+void ProjectDocument::pushPlanned(Project after, std::vector<DeviceId> ids, const QString &what,
+                                  Gesture gesture)
+{
+    auto others = m_others;
+    for (const DeviceNumber number : notPlanned()) {
+        ProjectDevice *planned = findDevice(after, number);
+        if (!planned)
+            continue;
+        ProjectDevice given = others.extract(number).mapped();
+        given.participant = planned->participant;
+        ProjectDevice blank;
+        blank.participant = planned->participant;
+        if (*planned == blank)
+            *planned = std::move(given);
+    }
+    push(std::move(after), std::move(ids), std::move(others), what, gesture);
 }
 
 void ProjectDocument::editDevice(DeviceNumber number, const QString &what,

@@ -40,16 +40,18 @@ public:
     std::optional<std::size_t> placeOf(DeviceId id) const;
     std::optional<std::size_t> placeOf(DeviceNumber number) const;
     // What is planned for the device of this number. One that the project does not have (a connected ring may
-    // have others) can be given values as well: they are kept until the program ends or another project is
-    // opened, but in no file.
+    // have others) can be given values as well: they go with it into the project once it is planned under
+    // this number. Until then they are in no file, and the project is not saved.
     const ProjectDevice &device(DeviceNumber number) const;
+    // Those of the ring that have values, and that the project does not have.
+    std::vector<DeviceNumber> notPlanned() const;
     void forEachDevice(const std::function<void(DeviceNumber, const ProjectDevice &)> &visit) const;
 
     // Another project, or the same read from its file again. There is nothing to undo then.
     void setProject(Project project, const QString &file);
     QString file() const { return m_file; } // empty: it has none yet
     void setFile(const QString &file);      // it was saved there, as it is now
-    bool isSaved() const { return m_undo.isClean() && !m_isRecovered; }
+    bool isSaved() const { return m_undo.isClean() && !m_isRecovered && notPlanned().empty(); }
     // It was found after a crash: its file has something else.
     void setRecovered();
 
@@ -80,6 +82,7 @@ private:
                const std::vector<ProjectDevice> &devices, const std::vector<DeviceId> &ids);
     void push(Project after, std::vector<DeviceId> ids, std::map<DeviceNumber, ProjectDevice> others,
               const QString &what, Gesture gesture);
+    void pushPlanned(Project after, std::vector<DeviceId> ids, const QString &what, Gesture gesture);
     std::vector<DeviceId> keptIds(const Project &after);
 
     Project m_project;

@@ -91,6 +91,36 @@ TEST_F(Document, ARecoveredProjectIsNotSaved)
     EXPECT_TRUE(document.isSaved());
 }
 
+TEST_F(Document, IsNotSavedWhileValuesAreInNoFile)
+{
+    const DeviceNumber fifth{5, 0};
+    const auto want = [&](std::int64_t steps) {
+        document.editDevice(fifth, QStringLiteral("steps"), [&](ProjectDevice &device) {
+            device.wanted = {{Parameter::steps, steps}};
+        });
+    };
+    want(100);
+    EXPECT_EQ(document.notPlanned(), std::vector{fifth});
+    document.setFile(QStringLiteral("a.codewheel"));
+    EXPECT_FALSE(document.isSaved());
+    undo.undo();
+    EXPECT_TRUE(document.notPlanned().empty());
+    undo.redo();
+
+    // Planned at last, the device brings its values along.
+    Project after = document.project();
+    after.devices.emplace_back().participant = encoder(5);
+    document.edit(after, QStringLiteral("take over"));
+    EXPECT_EQ(document.project().devices.back().wanted, (ParameterValues{{Parameter::steps, 100}}));
+    EXPECT_EQ(document.project().devices.back().participant, encoder(5));
+    EXPECT_TRUE(document.notPlanned().empty());
+    document.setFile(QStringLiteral("a.codewheel"));
+    EXPECT_TRUE(document.isSaved());
+    undo.undo();
+    EXPECT_EQ(document.project().devices.size(), 4U);
+    EXPECT_EQ(document.device(fifth).wanted, (ParameterValues{{Parameter::steps, 100}}));
+}
+
 TEST_F(Document, WhatChangesNothingIsNoStep)
 {
     setStation(0, {});
