@@ -12,6 +12,7 @@
 #include "journal/ledger_keeper.h"
 #include "project/project_file.h"
 #include "ring/bus_session.h"
+#include "transfer/project_places.h"
 #include "transfer/replacement.h"
 #include "transfer/transfer_words.h"
 
@@ -157,6 +158,9 @@ Checked<Answer> run(const Call &call)
     const auto planned = plannedAt(call, place);
     if (!planned)
         return tl::unexpected(planned.error());
+    const ProjectPlaces places(*call.project, *call.bus);
+    if (const auto why = places.hindrance(place))
+        return tl::unexpected(complaintAbout(*why));
     const auto now = replacementMeant(call, *planned);
     if (!now)
         return tl::unexpected(now.error());
@@ -169,7 +173,7 @@ Checked<Answer> run(const Call &call)
         return tl::unexpected(complaintAbout(named.error()));
     call.bus->advance(1);
     showDifferences(call, *planned, *now);
-    const TransferPlan plan = planTransfer(*call.bus, {wishToReplace(*planned, *now, *position)});
+    const TransferPlan plan = planTransfer(*call.bus, {wishToReplace(*planned, *now, *position, places)});
     const auto agreed = [&] {
         return plan.front().hindrance ? Checked<void>() : putIntoProject(call, *planned, *now);
     };

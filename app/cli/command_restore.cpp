@@ -10,6 +10,7 @@
 #include "encoder/sentence.h"
 #include "journal/ledger_keeper.h"
 #include "ring/bus_session.h"
+#include "transfer/project_places.h"
 #include "transfer/values_before.h"
 
 #include <QTimeZone>
@@ -130,6 +131,9 @@ Checked<Answer> run(const Call &call)
     const auto encoder = encoderMeant(call);
     if (!encoder)
         return tl::unexpected(encoder.error());
+    const ProjectPlaces places(call.project ? *call.project : Project(), *call.bus);
+    if (const auto why = places.hindrance((*encoder)->number()))
+        return tl::unexpected(complaintAbout(*why));
     const auto all = valuesBefore(call, **encoder);
     if (!all)
         return tl::unexpected(all.error());
@@ -142,7 +146,7 @@ Checked<Answer> run(const Call &call)
     if (!before)
         return tl::unexpected(before.error());
     return transfer(call, TransferKind::restore, timeOf(*before, call.bus->dateTime(call.bus->latest().at)),
-                    planTransfer(*call.bus, {wishToRestore(*before)}));
+                    planTransfer(*call.bus, {wishToRestore(*before, places)}));
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
 #include "cli/commands.h"
 #include "cli/eeprom_consent.h"
 #include "cli/json.h"
@@ -6,10 +7,12 @@
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "cli/transfer_call.h"
+#include "cli/transfer_text.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "project/project_file.h"
 #include "ring/bus_session.h"
+#include "transfer/project_places.h"
 #include "transfer/value_store.h"
 
 #include <algorithm>
@@ -29,16 +32,37 @@ constexpr std::array options{
     transferTrace,
 };
 
-// The encoders that stand where the project has them.
+struct Meant
+{
+    std::vector<ProjectDevice> encoders{};                   // that stand where the project has them
+    std::vector<std::pair<ProjectDevice, Refusal>> others{}; // that do not
+};
+
+Meant sorted(const Call &call, const Project &project, const std::vector<ProjectDevice> &devices)
+{
+    Meant meant;
+    const ProjectPlaces places(project, *call.bus);
+    for (const ProjectDevice &device : devices) {
+        const DeviceNumber place = device.participant.number;
+        const bool isEncoder = call.catalog.find(device.participant.deviceKey) ||
+                               call.catalog.generic(device.participant.deviceCode);
+        if (const auto why = places.hindrance(place); why && isEncoder)
+            meant.others.emplace_back(device, *why);
+        else if (!why && call.bus->encoder(place) != nullptr)
+            meant.encoders.push_back(device);
+    }
+    return meant;
+}
+
 std::vector<EncoderJobs> jobsFor(const Call &call, const std::vector<ProjectDevice> &devices)
 {
     std::vector<EncoderJobs> all;
-    for (const ProjectDevice &device : devices)
-        if (const EncoderSession *encoder = call.bus->encoder(device.participant.number)) {
-            EncoderJobs jobs = jobsToStore(*encoder, call.arguments.has("--cams"));
-            if (!jobs.jobs.empty())
-                all.push_back(std::move(jobs));
-        }
+    for (const ProjectDevice &device : devices) {
+        EncoderJobs jobs =
+            jobsToStore(*call.bus->encoder(device.participant.number), call.arguments.has("--cams"));
+        if (!jobs.jobs.empty())
+            all.push_back(std::move(jobs));
+    }
     return all;
 }
 
@@ -70,14 +94,28 @@ void show(const EncoderSession &encoder, const ProjectDevice &device, Answer &an
                             {QStringLiteral("camPrograms"), static_cast<int>(device.storedCams.size())}});
 }
 
+// Nothing is stored of them: what stands there now may be another.
+void showOthers(const Meant &meant, Answer &answer)
+{
+    QJsonArray json;
+    for (const auto &[device, why] : meant.others) {
+        const QString place = device.participant.number.toString();
+        answer.text += sentence(CommandLine::tr("%1: nothing was stored."), {place}) + u'\n';
+        json.append(QJsonObject{{QStringLiteral("place"), place}, {QStringLiteral("why"), refusalJson(why)}});
+    }
+    answer.json.insert(QStringLiteral("notStored"), json);
+}
+
 // What could not be read keeps what was known of it.
-void complain(const std::vector<EncoderResult> &results, Answer &answer)
+void complain(const std::vector<EncoderResult> &results, const Meant &meant, Answer &answer)
 {
     const auto failed =
         std::ranges::find_if(results, [](const EncoderResult &result) { return result.why.has_value(); });
     if (failed != results.end()) {
         answer.complaint = complaintAbout(*failed->why);
         answer.complaint->text.prepend(failed->place.toString() + QStringLiteral(": "));
+    } else if (!meant.others.empty()) {
+        answer.complaint = complaintAbout(meant.others.front().second);
     }
 }
 
@@ -90,23 +128,25 @@ Checked<Answer> run(const Call &call)
     const auto devices = devicesMeant(call, *project, file);
     if (!devices)
         return tl::unexpected(devices.error());
-    const auto allowed = eepromConsent(call, jobsFor(call, *devices), AsksAnyway::no);
+    const Meant meant = sorted(call, *project, *devices);
+    const auto allowed = eepromConsent(call, jobsFor(call, meant.encoders), AsksAnyway::no);
     if (!allowed)
         return tl::unexpected(allowed.error());
     const FinishedRound round = runToEnd(*call.bus, *allowed, JobRound::AfterRefusal::goOn);
     Answer answer;
     QJsonArray encoders;
     addTrace(call, round, answer);
-    for (const ProjectDevice &meant : *devices) {
-        const EncoderSession *encoder = call.bus->encoder(meant.participant.number);
-        if (encoder == nullptr)
-            continue;
-        const auto kept = std::ranges::find(project->devices, meant);
-        *kept = withStored(*kept, *encoder);
-        show(*encoder, *kept, answer, encoders);
+    for (const ProjectDevice &device : meant.encoders) {
+        const EncoderSession &encoder = *call.bus->encoder(device.participant.number);
+        const auto kept = std::ranges::find(project->devices, device);
+        *kept = withStored(*kept, encoder);
+        show(encoder, *kept, answer, encoders);
     }
     answer.json.insert(QStringLiteral("encoders"), encoders);
-    complain(round.results, answer);
+    showOthers(meant, answer);
+    complain(round.results, meant, answer);
+    if (meant.encoders.empty())
+        return answer;
     if (const auto saved = saveProject(*project, file); !saved)
         answer.complaint = complaintAbout(saved.error());
     else
@@ -126,7 +166,8 @@ const Subcommand storeCommand{
         "evidence and time. While an encoder is read, it shows no position. Of an encoder that cannot be\n"
         "read what is known is kept; what nobody knows stays unknown. With --cams each cam program is read\n"
         "in the cam mode of its own; leaving one that was changed before costs an EEPROM write.\n"
-        "The file that was there is kept as PROJECT~."),
+        "Nothing is stored of a place where another encoder may stand than the project has (see\n"
+        "\"compare\"): exit code 1. The file that was there is kept as PROJECT~."),
     .examples = examples,
     .options = options,
     .minimumArguments = 1,

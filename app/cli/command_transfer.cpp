@@ -4,6 +4,7 @@
 #include "cli/transfer_call.h"
 #include "project/project_file.h"
 #include "ring/bus_session.h"
+#include "transfer/project_places.h"
 
 #include <array>
 #include <limits>
@@ -37,10 +38,11 @@ Checked<Answer> run(const Call &call)
     if (!devices)
         return tl::unexpected(devices.error());
     const bool all = call.arguments.rest.size() == 1;
+    const ProjectPlaces places(*project, *call.bus);
     std::vector<TransferWish> wishes;
     for (const ProjectDevice &device : *devices) {
-        TransferWish wish =
-            wishOf(device, call.arguments.has("--stored") ? TransferSource::stored : TransferSource::wanted);
+        TransferWish wish = wishOf(
+            device, call.arguments.has("--stored") ? TransferSource::stored : TransferSource::wanted, places);
         const bool isEmpty = wish.values.empty() && wish.cams.empty();
         if (!all || !isEmpty)
             wishes.push_back(std::move(wish));
@@ -59,7 +61,8 @@ const Subcommand transferCommand{
         "Shows what the encoders named, or all, are known to have beside what the project wants, with the\n"
         "words; asks; writes to one after the other, and tells what became of each value. What is already\n"
         "there is not written: an encoder that can be read is read first. An encoder of which one value\n"
-        "cannot be written is not written at all. Exit code 1 if an encoder has not got all of it."),
+        "cannot be written is not written at all, nor is one that is not the project's: its place may have\n"
+        "another number now (see \"compare\"). Exit code 1 if an encoder has not got all of it."),
     .examples = examples,
     .options = options,
     .minimumArguments = 1,

@@ -10,6 +10,7 @@
 #include "project/project_file.h"
 #include "project/project_take_over.h"
 #include "ring/bus_session.h"
+#include "transfer/project_places.h"
 
 #include <QFileInfo>
 
@@ -75,9 +76,11 @@ std::vector<DeviceNumber> placesAt(const Project &project, const QString &statio
     return places;
 }
 
-Checked<DeviceNumber> placeOfStation(const Call &call, const QString &station)
+} // namespace
+
+Checked<DeviceNumber> placeOfStation(const Call &call, const Project &project, const QString &station)
 {
-    const std::vector<DeviceNumber> places = placesAt(*call.project, station);
+    const std::vector<DeviceNumber> places = placesAt(project, station);
     QStringList texts;
     for (const DeviceNumber place : places)
         texts << place.toString();
@@ -98,7 +101,7 @@ Checked<DeviceNumber> placeOfStation(const Call &call, const QString &station)
             CommandLine::tr("\"%1\" is a station on INTERBUS, and the link is a serial line. Give "
                             "the address of an encoder as two hexadecimal digits, as 05."),
             {station});
-    if (!areSame(compareRings(structureOf(*call.project), call.bus->structure())))
+    if (!areSame(compareRings(structureOf(project), call.bus->structure())))
         return tl::unexpected(Complaint{
             ExitCode::refused,
             QStringLiteral("busDiffers"),
@@ -108,8 +111,6 @@ Checked<DeviceNumber> placeOfStation(const Call &call, const QString &station)
             {station}});
     return places.front();
 }
-
-} // namespace
 
 Checked<std::optional<Project>> projectNamed(const Arguments &arguments)
 {
@@ -133,23 +134,21 @@ void useProject(const Call &call, const Project &project, const QString &file)
     if (call.bus == nullptr)
         return;
     const RingStructure connected = call.bus->structure();
-    const Comparison comparison = compareRings(structureOf(project), connected);
-    for (const ComparisonLine &line : comparison) {
-        if (line.kind != ComparisonKind::same)
-            continue;
-        const ProjectDevice &planned = project.devices[*line.configured];
-        const Participant &found = connected[*line.connected];
-        if (planned.participant.number == found.number && !planned.participant.deviceKey.isEmpty())
-            nameDevice(call, planned, found);
+    const ProjectPlaces places(project, *call.bus);
+    for (const ProjectDevice &planned : project.devices) {
+        const auto found = std::ranges::find(connected, planned.participant.number, &Participant::number);
+        if (places.isAtItsPlace(planned.participant.number) && !planned.participant.deviceKey.isEmpty())
+            nameDevice(call, planned, *found);
     }
-    if (!areSame(comparison))
+    if (!areSame(compareRings(structureOf(project), connected)))
         call.terminal.complain(
             CommandLine::tr("The bus differs from the project. See codewheel-cli compare."));
     if (call.ledger == nullptr)
         return;
     call.ledger->setProject(QFileInfo(file).absoluteFilePath());
     for (const ProjectDevice &device : project.devices)
-        call.ledger->setLabel(device.participant.number, device.label.serialNumber);
+        if (places.isAtItsPlace(device.participant.number))
+            call.ledger->setLabel(device.participant.number, device.label.serialNumber);
 }
 
 Checked<QString> placeMeant(const Call &call, const QString &typed)
@@ -160,7 +159,7 @@ Checked<QString> placeMeant(const Call &call, const QString &typed)
         return typed;
     auto number = DeviceNumber::parse(typed);
     if (!number || number->isOnLine()) {
-        const auto station = placeOfStation(call, typed);
+        const auto station = placeOfStation(call, *call.project, typed);
         if (!station)
             return tl::unexpected(station.error());
         number = *station;

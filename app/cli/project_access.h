@@ -13,9 +13,12 @@ namespace codewheel {
 Checked<std::optional<Project>> projectNamed(const Arguments &arguments);
 
 // Takes the encoders of the bus, for this call, for those of the project: names them as it does where the bus
-// has the same device at the same place, tells where it has not, and counts their EEPROM writes as of its
-// places and labels.
+// has the same device at the same place (ProjectPlaces), tells where it has not, and counts their EEPROM
+// writes as of its places and labels.
 void useProject(const Call &call, const Project &project, const QString &file);
+
+// Where the project has the device of this station: one, and only while the bus is as configured.
+Checked<DeviceNumber> placeOfStation(const Call &call, const Project &project, const QString &station);
 
 // The place that PLACE means: a device number, the station name of a device of the project, or the address of
 // an encoder on the serial line; a station of two hexadecimal digits goes before an address. Refused where

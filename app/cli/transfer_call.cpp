@@ -64,6 +64,26 @@ std::optional<Complaint> complaintAboutAccount(const TransferAccount &account)
     return complaint;
 }
 
+// By its number or its station.
+Checked<ProjectDevice> deviceNamed(const Call &call, const Project &project, const QString &typed)
+{
+    const bool isStation =
+        std::ranges::find(project.devices, typed, &ProjectDevice::station) != project.devices.end();
+    auto number = DeviceNumber::parse(typed);
+    if (isStation) {
+        const auto station = placeOfStation(call, project, typed);
+        if (!station)
+            return tl::unexpected(station.error());
+        number = *station;
+    }
+    const auto found = std::ranges::find_if(
+        project.devices, [&](const ProjectDevice &device) { return device.participant.number == number; });
+    if (found == project.devices.end())
+        return tl::unexpected(complaintAbout(
+            {RefusalKind::badInput, RefusalId::noSuchProjectDevice, {typed, placesOf(project)}}));
+    return *found;
+}
+
 } // namespace
 
 Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project &project,
@@ -77,13 +97,10 @@ Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project
         return project.devices;
     std::vector<ProjectDevice> devices;
     for (const QString &place : call.arguments.rest.sliced(1)) {
-        const auto found = std::ranges::find_if(project.devices, [&](const ProjectDevice &device) {
-            return device.participant.number.toString() == place || device.station == place;
-        });
-        if (found == project.devices.end())
-            return tl::unexpected(complaintAbout(
-                {RefusalKind::badInput, RefusalId::noSuchProjectDevice, {place, placesOf(project)}}));
-        devices.push_back(*found);
+        const auto device = deviceNamed(call, project, place);
+        if (!device)
+            return tl::unexpected(device.error());
+        devices.push_back(*device);
     }
     return devices;
 }

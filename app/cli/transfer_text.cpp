@@ -68,13 +68,6 @@ QString tableOf(const BusSession &bus, const EncoderPlan &plan)
     return table.toString(2);
 }
 
-QJsonValue refusalJson(const std::optional<Refusal> &refusal)
-{
-    return refusal ? QJsonValue(QJsonObject{{QStringLiteral("key"), refusalKey(refusal->id)},
-                                            {QStringLiteral("text"), refusalText(*refusal)}})
-                   : QJsonValue();
-}
-
 QJsonObject valueJsonOf(const DeviceDescription *device, const ParameterValue &value)
 {
     const ParameterDescription *parameter = device ? device->find(value.parameter) : nullptr;
@@ -117,6 +110,13 @@ QString positionLine(const EncoderAccount &encoder)
 }
 
 } // namespace
+
+QJsonValue refusalJson(const std::optional<Refusal> &refusal)
+{
+    return refusal ? QJsonValue(QJsonObject{{QStringLiteral("key"), refusalKey(refusal->id)},
+                                            {QStringLiteral("text"), refusalText(*refusal)}})
+                   : QJsonValue();
+}
 
 QString planText(const BusSession &bus, const TransferPlan &plan)
 {

@@ -17,6 +17,8 @@ QString planText(const BusSession &bus, const TransferPlan &plan);
 QJsonArray planJson(const BusSession &bus, const TransferPlan &plan);
 QString accountText(const BusSession &bus, const TransferAccount &account);
 QJsonArray accountJson(const BusSession &bus, const TransferAccount &account);
+// null, or {"key", "text"}
+QJsonValue refusalJson(const std::optional<Refusal> &refusal);
 // Of `replace`.
 QJsonObject differencesJson(const ReplacementDifferences &differences);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "project/check_project.h"
 #include "project/project_take_over.h"
@@ -6,6 +7,7 @@
 #include "report/report_words.h"
 #include "report/sections.h"
 #include "report/texts.h"
+#include "transfer/project_places.h"
 
 namespace codewheel::report_sections {
 namespace {
@@ -92,9 +94,17 @@ void addComparison(ReportSection &section, const ReportInput &input, const Catal
         return;
     }
     ReportTable table{{ReportTexts::tr("Configured and connected bus")}, {Column::text}, {}};
-    for (const ComparisonLine &line : comparison)
-        if (line.kind != ComparisonKind::same)
+    const ProjectPlaces places(input.project, *input.connected, catalog);
+    for (const ComparisonLine &line : comparison) {
+        const bool isSame = line.kind == ComparisonKind::same;
+        const auto why = isSame ? places.hindrance(configured[*line.configured].number) : std::nullopt;
+        const bool hasItsNumber =
+            isSame && configured[*line.configured].number == (*input.connected)[*line.connected].number;
+        if (why && hasItsNumber)
+            table.rows.push_back({{refusalText(*why)}}); // nothing known of it is reported
+        else if (why || !isSame)
             table.rows.push_back({{comparisonText(line, configured, *input.connected, catalog)}});
+    }
     section.blocks.emplace_back(std::move(table));
 }
 

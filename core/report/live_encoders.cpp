@@ -2,7 +2,7 @@
 #include "report/live_encoders.h"
 
 #include "ring/bus_session.h"
-#include "ring/comparison.h"
+#include "transfer/project_places.h"
 #include "transfer/value_store.h"
 
 #include <algorithm>
@@ -20,14 +20,11 @@ bool isTold(const StoredValue &value)
 std::vector<ConnectedEncoder> connectedEncoders(const Project &project, const BusSession &bus)
 {
     std::vector<ConnectedEncoder> encoders;
-    const RingStructure &ring = bus.structure();
-    for (const ProjectDevice &planned : project.devices) {
-        const auto found = std::ranges::find(ring, planned.participant.number, &Participant::number);
-        if (found == ring.end() || !isSameKind(*found, planned.participant))
-            continue;
-        if (EncoderSession *encoder = bus.encoder(found->number))
-            encoders.emplace_back(&planned, encoder);
-    }
+    const ProjectPlaces places(project, bus);
+    for (const ProjectDevice &planned : project.devices)
+        if (places.isAtItsPlace(planned.participant.number))
+            if (EncoderSession *encoder = bus.encoder(planned.participant.number))
+                encoders.emplace_back(&planned, encoder);
     return encoders;
 }
 

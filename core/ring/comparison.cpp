@@ -140,6 +140,42 @@ Comparison compareRings(const RingStructure &configured, const RingStructure &co
     return RingComparer(configured, connected).compare();
 }
 
+namespace {
+
+bool hasCode(const ComparisonLine &line, unsigned code, const RingStructure &configured,
+             const RingStructure &connected)
+{
+    return (line.configured && configured[*line.configured].deviceCode == code) ||
+           (line.connected && connected[*line.connected].deviceCode == code);
+}
+
+} // namespace
+
+Comparison certainLines(const Comparison &comparison, const RingStructure &configured,
+                        const RingStructure &connected)
+{
+    const auto differsBeside = [&](std::ptrdiff_t line, std::ptrdiff_t step, unsigned code) {
+        for (auto at = line + step; at >= 0 && at < std::ssize(comparison); at += step) {
+            const ComparisonLine &beside = comparison[static_cast<std::size_t>(at)];
+            if (!hasCode(beside, code, configured, connected))
+                return false;
+            if (beside.kind != ComparisonKind::same)
+                return true;
+        }
+        return false;
+    };
+    Comparison certain;
+    for (std::ptrdiff_t i = 0; i < std::ssize(comparison); ++i) {
+        const ComparisonLine &line = comparison[static_cast<std::size_t>(i)];
+        if (line.kind != ComparisonKind::same)
+            continue;
+        const unsigned code = connected[*line.connected].deviceCode;
+        if (!differsBeside(i, -1, code) && !differsBeside(i, 1, code))
+            certain.push_back(line);
+    }
+    return certain;
+}
+
 bool areSame(const Comparison &comparison)
 {
     return std::ranges::all_of(comparison,

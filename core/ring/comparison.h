@@ -40,6 +40,12 @@ using Comparison = std::vector<ComparisonLine>; // in ring order
 // another number, because one before it is missing, is the same.
 Comparison compareRings(const RingStructure &configured, const RingStructure &connected);
 
+// The lines that are the same however the two are laid beside each other: no line next to them, or next to
+// neighbours of the same device code, has this code and differs. Of a row of equal devices with one missing
+// nobody can say which it is.
+Comparison certainLines(const Comparison &comparison, const RingStructure &configured,
+                        const RingStructure &connected);
+
 bool areSame(const Comparison &comparison);
 
 // "same", "missing", in the user's language; and for programs, the same in each.

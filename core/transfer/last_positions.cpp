@@ -2,7 +2,7 @@
 #include "transfer/last_positions.h"
 
 #include "ring/bus_session.h"
-#include "ring/comparison.h"
+#include "transfer/project_places.h"
 
 #include <algorithm>
 
@@ -64,10 +64,9 @@ std::optional<LastPosition> positionToKeep(const EncoderSession &encoder)
 
 Project withLastPositions(Project project, const LastPositions &positions, const BusSession &bus)
 {
+    const ProjectPlaces places(project, bus);
     for (ProjectDevice &device : project.devices) {
-        const auto connected =
-            std::ranges::find(bus.structure(), device.participant.number, &Participant::number);
-        if (connected == bus.structure().end() || !isSameKind(device.participant, *connected))
+        if (!places.isAtItsPlace(device.participant.number))
             continue;
         if (const auto seen = positions.newest(device.participant.number))
             device.lastPosition = LastPosition{seen->position, seen->at.toUTC()};

@@ -2,6 +2,7 @@
 #include "transfer/replacement.h"
 
 #include "catalog/device_description.h"
+#include "transfer/project_places.h"
 
 #include <algorithm>
 
@@ -32,7 +33,7 @@ ParameterValues forDevice(const DeviceDescription &device, const ParameterValues
 
 ParameterValues valuesFor(const ProjectDevice &planned, const DeviceDescription &device)
 {
-    ParameterValues values = wishOf(planned, TransferSource::stored).values;
+    ParameterValues values = storedSettings(planned);
     for (const ParameterValue &wanted : planned.wanted)
         replaceValue(values, wanted);
     return forDevice(device, values);
@@ -80,14 +81,15 @@ ReplacementDifferences differencesOf(const ProjectDevice &planned, const DeviceD
 }
 
 TransferWish wishToReplace(const ProjectDevice &planned, const Replacement &now,
-                           std::optional<std::int64_t> position)
+                           std::optional<std::int64_t> position, const ProjectPlaces &places)
 {
     TransferWish wish{.place = planned.participant.number,
                       .station = planned.station,
                       .deviceCode = now.device->deviceCode,
                       .deviceKey = now.device->key,
                       .position = position,
-                      .toPositionMode = true};
+                      .toPositionMode = true,
+                      .hindrance = places.hindrance(planned.participant.number)};
     for (const ParameterValue &value : valuesFor(planned, *now.device)) {
         const ParameterDescription *parameter = now.device->find(value.parameter);
         const bool staysBehind = position && value.parameter == Parameter::zeroOffset;

@@ -38,7 +38,7 @@ ReplacementDifferences differencesOf(const ProjectDevice &planned, const DeviceD
 // direction 3 and 4 is a Baumer's unsigned coding 3 and 4, and the other way round. With a position to be
 // set, the zero offset stays behind: it belongs to the encoder before, and setting the position makes it.
 TransferWish wishToReplace(const ProjectDevice &planned, const Replacement &now,
-                           std::optional<std::int64_t> position);
+                           std::optional<std::int64_t> position, const ProjectPlaces &places);
 
 // The project's device afterwards: make and label are those of the new one, what was stored of the one before
 // is dropped.

@@ -247,16 +247,15 @@ SwitchMode EncoderComparison::modeAfterwards() const
 EncoderPlan planFor(const BusSession &bus, const TransferWish &wish)
 {
     EncoderPlan plan{.place = wish.place, .station = wish.station, .position = wish.position};
-    plan.hindrance = hindranceOfPlace(bus, wish);
+    plan.hindrance = wish.hindrance ? wish.hindrance : hindranceOfPlace(bus, wish);
     const EncoderSession *encoder = bus.encoder(wish.place);
-    if (encoder == nullptr) {
+    if (encoder != nullptr)
+        plan.device = encoder->device().fullName();
+    if (encoder == nullptr || wish.hindrance) { // what stands there now says nothing
         for (const ParameterValue &value : wish.values)
             plan.rows.push_back({.wanted = value});
         return plan;
     }
-    plan.device = encoder->device().fullName();
-    if (wish.hindrance)
-        plan.hindrance = wish.hindrance;
     EncoderComparison comparison(*encoder, wish, plan);
     comparison.compare();
     if (!plan.hindrance)

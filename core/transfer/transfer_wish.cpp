@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "drivers/values_to_write.h"
+#include "transfer/project_places.h"
 
 namespace codewheel {
 
@@ -23,20 +24,28 @@ bool isSetting(Parameter parameter)
     return parameter < Parameter::rodLength;
 }
 
-TransferWish wishOf(const ProjectDevice &device, TransferSource source)
+ParameterValues storedSettings(const ProjectDevice &device)
+{
+    ParameterValues values;
+    for (const StoredValue &stored : device.stored)
+        if (isSetting(stored.parameter))
+            values.push_back({stored.parameter, stored.value});
+    return values;
+}
+
+TransferWish wishOf(const ProjectDevice &device, TransferSource source, const ProjectPlaces &places)
 {
     TransferWish wish{.place = device.participant.number,
                       .station = device.station,
                       .deviceCode = device.participant.deviceCode,
-                      .deviceKey = device.participant.deviceKey};
+                      .deviceKey = device.participant.deviceKey,
+                      .hindrance = places.hindrance(device.participant.number)};
     if (source == TransferSource::wanted) {
         wish.values = device.wanted;
         wish.cams = device.wantedCams;
         return wish;
     }
-    for (const StoredValue &stored : device.stored)
-        if (isSetting(stored.parameter))
-            wish.values.push_back({stored.parameter, stored.value});
+    wish.values = storedSettings(device);
     for (const StoredCams &stored : device.storedCams)
         wish.cams.push_back(stored.program);
     return wish;

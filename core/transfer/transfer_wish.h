@@ -6,6 +6,8 @@
 
 namespace codewheel {
 
+class ProjectPlaces;
+
 // What the encoder at a place shall have, wherever that was taken from.
 struct TransferWish
 {
@@ -19,14 +21,17 @@ struct TransferWish
     std::optional<std::int64_t> position{};
     // An encoder nobody has seen before is brought to position mode first, where it has modes.
     bool toPositionMode = false;
-    // Why it cannot be, where that is known already.
+    // Why it cannot be, where that is known already: nothing is compared then.
     std::optional<Refusal> hindrance{};
 };
 
 enum class TransferSource : std::uint8_t { wanted, stored };
 
 // What the project wants of the device, or what was stored of it.
-TransferWish wishOf(const ProjectDevice &device, TransferSource source);
+TransferWish wishOf(const ProjectDevice &device, TransferSource source, const ProjectPlaces &places);
+
+// What was stored of the device, without what it tells of itself.
+ParameterValues storedSettings(const ProjectDevice &device);
 
 // What is known of one encoder, for another of the same kind (encodersDiffer). The zero offset stays behind:
 // it belongs to the way the encoder is mounted.

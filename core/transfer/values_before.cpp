@@ -2,6 +2,7 @@
 #include "transfer/values_before.h"
 
 #include "journal/ledger_keeper.h"
+#include "transfer/project_places.h"
 #include "transfer/transfer_words.h"
 
 #include <QLocale>
@@ -27,9 +28,12 @@ FindValuesBefore valuesBeforeOf(const LedgerKeeper &keeper)
     };
 }
 
-TransferWish wishToRestore(const ValuesBefore &before)
+TransferWish wishToRestore(const ValuesBefore &before, const ProjectPlaces &places)
 {
-    return {.place = before.place, .deviceKey = before.deviceKey, .values = before.values};
+    return {.place = before.place,
+            .deviceKey = before.deviceKey,
+            .values = before.values,
+            .hindrance = places.hindrance(before.place)};
 }
 
 QString timeOf(const ValuesBefore &before, const QDateTime &now)

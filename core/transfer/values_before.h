@@ -9,6 +9,7 @@
 namespace codewheel {
 
 class LedgerKeeper;
+class ProjectPlaces;
 
 // What an encoder had before something was written to it: of each value that was written and was known
 // before.
@@ -29,7 +30,8 @@ using FindValuesBefore = std::function<std::vector<ValuesBefore>(DeviceNumber)>;
 // outlive it.
 FindValuesBefore valuesBeforeOf(const LedgerKeeper &keeper);
 
-TransferWish wishToRestore(const ValuesBefore &before);
+// The place is that of the project, where there is one: another encoder there may have another past.
+TransferWish wishToRestore(const ValuesBefore &before, const ProjectPlaces &places);
 
 // "14:02", with the date where it was not on the day of `now`; by locale.
 QString timeOf(const ValuesBefore &before, const QDateTime &now);

@@ -149,5 +149,64 @@ TEST_F(CliTransfer, CloneGivesTheValuesOfOneToAnother)
     EXPECT_EQ(errorKey(runIt("clone 2.0 1.0 --json")), "nothingKnown");
 }
 
+// The project has a K1 before the K3s: each of its encoders stands one place further on than the bus has it.
+class CliTransferShifted : public CliTransfer
+{
+protected:
+    CliTransferShifted()
+    {
+        const Participant ofTheFront = project.devices[2].participant; // K1
+        Project shifted;
+        ProjectDevice front;
+        front.participant = ofTheFront;
+        front.participant.number = {1, 0};
+        shifted.devices.push_back(front);
+        for (int i = 0; i < 4; ++i) {
+            ProjectDevice device = project.devices[static_cast<std::size_t>(i)];
+            device.participant.number = {static_cast<std::uint16_t>(i + 2), 0};
+            device.participant.deviceKey.clear();
+            shifted.devices.push_back(device);
+        }
+        shifted.devices[1].station = QStringLiteral("Hoist");
+        project = shifted;
+        save();
+    }
+};
+
+TEST_F(CliTransferShifted, NothingIsWrittenToAnEncoderThatIsNotTheProjectsOne)
+{
+    EXPECT_EQ(errorKey(runIt("transfer @ Hoist --yes --json")), "busDiffers");
+    const CliRun run = runIt("transfer @ 2.0 --yes");
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.out,
+                HasSubstr("2.0: configured is K3, make not known (its number is 1.0 now), found was Baumer "
+                          "GXP6W K3. Compare, and take over what is right."));
+    EXPECT_EQ(runIt("transfer @ --yes").exit, 1);
+    EXPECT_EQ(shared.eepromWrites(), 0);
+}
+
+TEST_F(CliTransferShifted, NothingIsStoredOfAnEncoderThatIsNotTheProjectsOne)
+{
+    const CliRun run = runIt("store @");
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.out, HasSubstr("2.0: nothing was stored.\n"));
+    EXPECT_THAT(run.err, HasSubstr("1.0: configured is FRABA OCD-IB K1 (missing now), found was FRABA OCD"));
+    const auto stored = loadProject(file);
+    ASSERT_TRUE(stored);
+    EXPECT_EQ(*stored, project);
+}
+
+TEST_F(CliTransferShifted, NothingIsReplacedOrRestoredThere)
+{
+    const QString as = QStringLiteral(" --project %1 --device fraba-ocd-ib --yes --json").arg(file);
+    EXPECT_EQ(errorKey(shared.runLine(QStringLiteral("replace 2.0") + as)), "ringDiffers");
+    EXPECT_EQ(errorKey(shared.runLine(QStringLiteral("restore 2.0 --json --yes --project ") + file)),
+              "ringDiffers");
+    EXPECT_EQ(shared.eepromWrites(), 0);
+    const auto kept = loadProject(file);
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(*kept, project);
+}
+
 } // namespace
 } // namespace codewheel

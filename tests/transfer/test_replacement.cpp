@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/refusal_text.h"
 #include "tests/transfer/transfer_bus.h"
+#include "transfer/project_places.h"
 #include "transfer/replacement.h"
 #include "transfer/transfer_words.h"
 
@@ -29,6 +30,8 @@ protected:
     {
         return {catalog.find(QString::fromLatin1(key)), 0, 0, QStringLiteral("4711")};
     }
+
+    const ProjectPlaces anywhere{{}, bus}; // of a project without devices
 };
 
 TEST_F(Replacing, TheNewEncoderGetsTheValuesAndThePositionOfTheOneBefore)
@@ -39,7 +42,8 @@ TEST_F(Replacing, TheNewEncoderGetsTheValuesAndThePositionOfTheOneBefore)
     QObject::connect(&encoder(fraba), &EncoderSession::exchanged, &bus,
                      [&](const Exchange &row) { sent += hexWord(row.out) + u' '; });
     bus.advance(2);
-    const TransferPlan plan = planTransfer(bus, {wishToReplace(device, with("fraba-ocd-ib"), 3000)});
+    const TransferPlan plan =
+        planTransfer(bus, {wishToReplace(device, with("fraba-ocd-ib"), 3000, anywhere)});
     ASSERT_FALSE(plan[0].hindrance);
     const TransferAccount account = carryOut(plan);
     EXPECT_TRUE(account.isDone());
@@ -57,7 +61,7 @@ TEST_F(Replacing, TheNewEncoderGetsTheValuesAndThePositionOfTheOneBefore)
 TEST_F(Replacing, ABaumerTakesTheDirectionOfAFrabaAsItsCoding)
 {
     const ProjectDevice device = planned(baumer, "fraba-ocd-ib");
-    const TransferWish wish = wishToReplace(device, with("baumer-gxp6w"), std::nullopt);
+    const TransferWish wish = wishToReplace(device, with("baumer-gxp6w"), std::nullopt, anywhere);
     EXPECT_EQ(valueOf(wish.values, Parameter::coding), 4);
     EXPECT_EQ(valueOf(wish.values, Parameter::zeroOffset), 12);
     EXPECT_FALSE(valueOf(wish.values, Parameter::direction));
@@ -84,7 +88,7 @@ TEST_F(Replacing, TellsHowTheNewOneDiffers)
 TEST_F(Replacing, OnlyTheSameDeviceCodeFits)
 {
     const TransferWish wish =
-        wishToReplace(planned(fraba, "fraba-ocd-ib"), with("fraba-ocd-ib-loop2"), std::nullopt);
+        wishToReplace(planned(fraba, "fraba-ocd-ib"), with("fraba-ocd-ib-loop2"), std::nullopt, anywhere);
     EXPECT_EQ(planTransfer(bus, {wish})[0].hindrance->id, RefusalId::ringDiffers);
 }
 

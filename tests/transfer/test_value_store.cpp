@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/transfer/transfer_bus.h"
+#include "transfer/project_places.h"
 #include "transfer/value_store.h"
 
 namespace codewheel {
@@ -73,7 +74,7 @@ TEST_F(ValueStore, StoredValuesComeBackToTheEncoder)
     device.participant.number = baumer;
     device.stored = {{Parameter::steps, 4096, Evidence::echoed, {}},
                      {Parameter::serialNumber, 4711, Evidence::told, {}}};
-    const TransferWish wish = wishOf(device, TransferSource::stored);
+    const TransferWish wish = wishOf(device, TransferSource::stored, ProjectPlaces({}, bus));
     EXPECT_EQ(wish.values, (ParameterValues{{Parameter::steps, 4096}}));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/ledger_keeper.h"
 #include "tests/transfer/transfer_bus.h"
+#include "transfer/project_places.h"
 #include "transfer/values_before.h"
 
 #include <QTimeZone>
@@ -29,7 +30,7 @@ TEST_F(ValuesFromBefore, WhatWasWrittenOverCanBeRestored)
     EXPECT_EQ(before[0].values, (ParameterValues{{Parameter::steps, 8192}}));
     EXPECT_EQ(before[0].deviceKey, QStringLiteral("baumer-gxp6w"));
 
-    const TransferPlan plan = planTransfer(bus, {wishToRestore(before[0])});
+    const TransferPlan plan = planTransfer(bus, {wishToRestore(before[0], ProjectPlaces({}, bus))});
     const TransferAccount account = carryOut(plan);
     EXPECT_TRUE(account.isDone());
     EXPECT_EQ(encoder(baumer).known(Parameter::steps)->value, 8192);

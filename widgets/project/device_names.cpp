@@ -48,41 +48,6 @@ Name nameInTheProject(const Catalog &catalog, const ProjectDevice &device)
     return name;
 }
 
-bool hasCode(const ComparisonLine &line, unsigned code, const RingStructure &plan, const RingStructure &ring)
-{
-    return (line.configured && plan[*line.configured].deviceCode == code) ||
-           (line.connected && ring[*line.connected].deviceCode == code);
-}
-
-// Lines that are the same, and would be however the rings are laid beside each other: no line next to them,
-// or next to neighbours of the same code, has this code and differs.
-std::vector<ComparisonLine> certainLines(const Comparison &comparison, const RingStructure &plan,
-                                         const RingStructure &ring)
-{
-    std::vector<ComparisonLine> certain;
-    const auto differsBeside = [&](std::size_t line, std::ptrdiff_t step, unsigned code) {
-        auto at = static_cast<std::ptrdiff_t>(line) + step;
-        while (at >= 0 && at < std::ssize(comparison)) {
-            const ComparisonLine &beside = comparison[static_cast<std::size_t>(at)];
-            if (!hasCode(beside, code, plan, ring))
-                return false;
-            if (beside.kind != ComparisonKind::same)
-                return true;
-            at += step;
-        }
-        return false;
-    };
-    for (std::size_t i = 0; i < comparison.size(); ++i) {
-        const ComparisonLine &line = comparison[i];
-        if (line.kind != ComparisonKind::same)
-            continue;
-        const unsigned code = ring[*line.connected].deviceCode;
-        if (!differsBeside(i, -1, code) && !differsBeside(i, 1, code))
-            certain.push_back(line);
-    }
-    return certain;
-}
-
 } // namespace
 
 DeviceNames::DeviceNames(ProjectDocument &document, BusSession &bus, QObject *parent)

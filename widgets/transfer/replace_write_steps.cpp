@@ -59,16 +59,25 @@ void ReplaceWriteStep::enter()
 {
     m_message->withdraw();
     const Replacement &now = m_replacing.now;
-    const auto named = m_replacing.bus.name(m_replacing.place, now.device->key, now.turns, now.stepsPerTurn);
-    if (!named)
-        m_message->showMessage(Role::attention, refusalText(named.error()));
+    if (!places().hindrance(m_replacing.place)) { // else another encoder may stand there
+        const auto named =
+            m_replacing.bus.name(m_replacing.place, now.device->key, now.turns, now.stepsPerTurn);
+        if (!named)
+            m_message->showMessage(Role::attention, refusalText(named.error()));
+    }
     showPlan();
+}
+
+ProjectPlaces ReplaceWriteStep::places() const
+{
+    return {m_replacing.project.project(), m_replacing.bus};
 }
 
 void ReplaceWriteStep::showPlan()
 {
-    m_plan = planTransfer(m_replacing.bus,
-                          {wishToReplace(m_replacing.before, m_replacing.now, m_replacing.position)});
+    m_plan =
+        planTransfer(m_replacing.bus,
+                     {wishToReplace(m_replacing.before, m_replacing.now, m_replacing.position, places())});
     m_model->show(linesOf(m_replacing.bus, m_plan));
     m_gates->setPlan(m_plan);
     m_note->setText(m_plan.front().isWritten() || m_plan.front().hindrance

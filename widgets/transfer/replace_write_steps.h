@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "transfer/project_places.h"
 #include "transfer/transfer_account.h"
 #include "widgets/transfer/replace_step.h"
 #include "widgets/transfer/transfer_model.h"
@@ -39,6 +40,7 @@ Q_SIGNALS:
 
 private:
     void showPlan();
+    ProjectPlaces places() const;
 
     JobRound m_round;
     TransferPlan m_plan;

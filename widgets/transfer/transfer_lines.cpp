@@ -6,6 +6,7 @@
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
 #include "ring/bus_session.h"
+#include "transfer/project_places.h"
 #include "transfer/transfer_words.h"
 #include "transfer/value_store.h"
 
@@ -127,6 +128,17 @@ void addToStore(std::vector<TransferLine> &lines, const EncoderSession &encoder,
                          .tip = TransferLines::tr("Known now, beside what the project has stored")});
 }
 
+// Nothing is stored of an encoder that may be another than the project's.
+void addHindered(std::vector<TransferLine> &lines, const EncoderSession &encoder,
+                 const ProjectDevice &planned, const Refusal &why)
+{
+    lines.push_back({.place = encoder.number(),
+                     .what = nameOf(encoder.device().fullName(), planned.station),
+                     .tip = refusalText(why),
+                     .isHindered = true});
+    lines.push_back(note(encoder.number(), refusalText(why), true));
+}
+
 } // namespace
 
 std::vector<TransferLine> linesOf(const BusSession &bus, const TransferPlan &plan)
@@ -148,13 +160,17 @@ std::vector<TransferLine> linesOf(const BusSession &bus, const TransferPlan &pla
     return lines;
 }
 
-std::vector<TransferLine> linesToStore(const BusSession &bus, const std::vector<ProjectDevice> &devices,
-                                       bool withCams)
+std::vector<TransferLine> linesToStore(const BusSession &bus, const ProjectPlaces &places,
+                                       const std::vector<ProjectDevice> &devices, bool withCams)
 {
     std::vector<TransferLine> lines;
     for (const ProjectDevice &device : devices)
-        if (const EncoderSession *encoder = bus.encoder(device.participant.number))
-            addToStore(lines, *encoder, device, withCams);
+        if (const EncoderSession *encoder = bus.encoder(device.participant.number)) {
+            if (const auto why = places.hindrance(device.participant.number))
+                addHindered(lines, *encoder, device, *why);
+            else
+                addToStore(lines, *encoder, device, withCams);
+        }
     return lines;
 }
 

@@ -7,6 +7,7 @@
 namespace codewheel {
 
 class BusSession;
+class ProjectPlaces;
 
 // One line of the table of a transfer: an encoder, or below it a value, a cam program, or a sentence.
 struct TransferLine
@@ -30,7 +31,7 @@ struct TransferLine
 
 std::vector<TransferLine> linesOf(const BusSession &bus, const TransferPlan &plan);
 // What would be read, and what the project has stored so far.
-std::vector<TransferLine> linesToStore(const BusSession &bus, const std::vector<ProjectDevice> &devices,
-                                       bool withCams);
+std::vector<TransferLine> linesToStore(const BusSession &bus, const ProjectPlaces &places,
+                                       const std::vector<ProjectDevice> &devices, bool withCams);
 
 } // namespace codewheel

@@ -5,6 +5,7 @@
 #include "encoder/refusal_text.h"
 #include "journal/eeprom_cost.h"
 #include "ring/bus_session.h"
+#include "transfer/project_places.h"
 #include "transfer/transfer_report.h"
 #include "transfer/transfer_words.h"
 #include "transfer/value_store.h"
@@ -82,7 +83,8 @@ void TransferPage::showPlan()
         return;
     if (m_choice->what() == What::store) {
         m_plan.clear();
-        m_model->show(linesToStore(m_bus, plannedDevices(m_project), m_choice->withCams()),
+        m_model->show(linesToStore(m_bus, ProjectPlaces(m_project.project(), m_bus),
+                                   plannedDevices(m_project), m_choice->withCams()),
                       TransferModel::Heads::store);
         return;
     }
@@ -203,10 +205,12 @@ void TransferPage::finish()
 void TransferPage::finishStoring()
 {
     Project project = m_project.project();
+    const ProjectPlaces places(project, m_bus); // another ring may have been read in meanwhile
     std::vector<ProjectDevice> stored;
     for (ProjectDevice &device : project.devices) {
         const EncoderSession *encoder = m_bus.encoder(device.participant.number);
-        if (encoder == nullptr || !isOneOf(m_toStore, device.participant.number))
+        if (encoder == nullptr || !isOneOf(m_toStore, device.participant.number) ||
+            places.hindrance(device.participant.number))
             continue;
         device = withStored(device, *encoder);
         stored.push_back(device);

@@ -2,6 +2,7 @@
 #include "widgets/transfer/transfer_wishes.h"
 
 #include "ring/bus_session.h"
+#include "transfer/project_places.h"
 #include "transfer/values_before.h"
 #include "widgets/project/project_document.h"
 #include "widgets/transfer/transfer_choice.h"
@@ -25,11 +26,12 @@ std::vector<TransferWish> transferWishes(const TransferChoice &choice, const Bus
                                          const ProjectDocument &project)
 {
     std::vector<TransferWish> wishes;
+    const ProjectPlaces places(project.project(), bus);
     using What = TransferChoice::What;
     const What what = choice.what();
     if (what == What::restore) {
         if (const ValuesBefore *before = choice.before())
-            wishes.push_back(wishToRestore(*before));
+            wishes.push_back(wishToRestore(*before, places));
         return wishes;
     }
     if (what == What::clone) {
@@ -43,7 +45,7 @@ std::vector<TransferWish> transferWishes(const TransferChoice &choice, const Bus
     }
     for (const ProjectDevice &device : plannedDevices(project)) {
         TransferWish wish =
-            wishOf(device, what == What::write ? TransferSource::wanted : TransferSource::stored);
+            wishOf(device, what == What::write ? TransferSource::wanted : TransferSource::stored, places);
         if (!wish.values.empty() || !wish.cams.empty())
             wishes.push_back(std::move(wish));
     }

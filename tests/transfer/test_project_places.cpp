@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether the encoder at a place is the one the project has there, and what follows for transfers.
+#include "encoder/refusal_text.h"
+#include "project/project_take_over.h"
+#include "report/live_encoders.h"
+#include "tests/transfer/transfer_bus.h"
+#include "transfer/project_places.h"
+#include "transfer/replacement.h"
+#include "transfer/values_before.h"
+
+namespace codewheel {
+namespace {
+
+using test::baumer;
+using test::fraba;
+using test::singleTurn;
+
+class PlacesOfAProject : public test::TransferBus
+{
+protected:
+    // One device more in front of all others, which have another number because of it.
+    Project shiftedBy(const Participant &front) const
+    {
+        Project shifted = projectOf(bus.structure());
+        for (ProjectDevice &device : shifted.devices)
+            ++device.participant.number.segment;
+        ProjectDevice &first = *shifted.devices.emplace(shifted.devices.begin());
+        first.participant = front;
+        first.participant.number = {1, 0};
+        return shifted;
+    }
+    Participant at(DeviceNumber place) const
+    {
+        return *std::ranges::find(bus.structure(), place, &Participant::number);
+    }
+    std::string hindrance(const Project &project, DeviceNumber place) const
+    {
+        const auto why = ProjectPlaces(project, bus).hindrance(place);
+        return why ? refusalText(*why).toStdString() : std::string();
+    }
+};
+
+TEST_F(PlacesOfAProject, AllStandAtTheirPlacesWhereTheBusIsAsConfigured)
+{
+    const Project project = projectOf(bus.structure());
+    const ProjectPlaces places(project, bus);
+    for (const ProjectDevice &device : project.devices) {
+        EXPECT_FALSE(places.hindrance(device.participant.number));
+        EXPECT_TRUE(places.isAtItsPlace(device.participant.number));
+    }
+    EXPECT_FALSE(places.hindrance({9, 0})); // not of the project
+    EXPECT_FALSE(places.isAtItsPlace({9, 0}));
+}
+
+TEST_F(PlacesOfAProject, ADeviceWithAnotherNumberIsNotTheOneThatHasItNow)
+{
+    const Project project = shiftedBy(at(singleTurn));
+    EXPECT_EQ(
+        hindrance(project, {1, 0}),
+        "1.0: configured is FRABA OCD-IB K1 (missing now), found was FRABA OCD-IB K3. Compare, and take "
+        "over what is right.");
+    EXPECT_EQ(hindrance(project, {2, 0}),
+              "2.0: configured is FRABA OCD-IB K3 (its number is 1.0 now), found was Baumer GXP6W K3. "
+              "Compare, and take over what is right.");
+    EXPECT_EQ(hindrance(project, {8, 0}), "");
+}
+
+TEST_F(PlacesOfAProject, OfARowOfOneKindWithOneMissingNobodyCanSayWhichItIs)
+{
+    Project project = projectOf(bus.structure());
+    ProjectDevice third = project.devices[1];
+    third.participant.number = {3, 0};
+    project.devices.insert(project.devices.begin() + 2, third);
+    for (std::size_t i = 3; i < project.devices.size(); ++i)
+        ++project.devices[i].participant.number.segment;
+    EXPECT_EQ(hindrance(project, fraba),
+              "1.0: configured is FRABA OCD-IB K3, found was perhaps another one: beside it, one of the same "
+              "kind is missing or additional. Compare, and take over what is right.");
+}
+
+TEST_F(PlacesOfAProject, NothingGoesFromAProjectToAnotherEncoderNorBack)
+{
+    Project project = shiftedBy(at(singleTurn));
+    project.devices[1].wanted = {{Parameter::steps, 4096}};
+    project.devices[1].stored = {{Parameter::steps, 4096, Evidence::read, {}}};
+    const ProjectPlaces places(project, bus);
+    const ProjectDevice &hoist = project.devices[1];
+    const Replacement same{&encoder(baumer).device(), 0, 0, {}};
+    const ValuesBefore before{{2, 0}, {}, {}, {{Parameter::steps, 4096}}};
+    for (const TransferWish &wish :
+         {wishOf(hoist, TransferSource::wanted, places), wishOf(hoist, TransferSource::stored, places),
+          wishToReplace(hoist, same, std::nullopt, places), wishToRestore(before, places)}) {
+        const TransferPlan plan = planTransfer(bus, {wish});
+        ASSERT_TRUE(plan[0].hindrance);
+        EXPECT_EQ(plan[0].hindrance->id, RefusalId::ringDiffers);
+        EXPECT_FALSE(plan[0].rows[0].known);
+        EXPECT_TRUE(jobsOf(plan).empty());
+    }
+    EXPECT_TRUE(connectedEncoders(project, bus).empty());
+    EXPECT_EQ(connectedEncoders(projectOf(bus.structure()), bus).size(), 6u);
+}
+
+} // namespace
+} // namespace codewheel
