@@ -92,6 +92,8 @@ QString becameKey(Became became)
         return QStringLiteral("alreadyThere");
     case Became::restored:
         return QStringLiteral("restored");
+    case Became::confirmed:
+        return QStringLiteral("confirmed");
     case Became::notDone:
         break;
     }

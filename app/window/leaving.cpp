@@ -2,11 +2,9 @@
 #include "app/window/leaving.h"
 
 #include "encoder/hex.h"
-#include "journal/eeprom_cost.h"
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
 #include "widgets/models/connected_encoders.h"
-#include "widgets/models/device_traits.h"
 #include "widgets/wizard/cancel_question.h"
 
 #include <QMessageBox>
@@ -14,35 +12,9 @@
 #include <QTimer>
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace codewheel {
-namespace {
-
-bool setsParameter(const Step &step)
-{
-    return takesValue(step) || (step.kind == StepKind::word && k3::isParameterWord(step.out));
-}
-
-bool isSetting(const Progress &progress)
-{
-    return progress.index < std::ssize(progress.steps) && !progress.waitsForUser &&
-           setsParameter(progress.steps.at(static_cast<std::size_t>(progress.index)));
-}
-
-// Else cancel has nothing to deal with: OUT goes back to 0.
-bool mayHaveTaken(const EncoderSession &encoder, const Progress &progress)
-{
-    const auto done =
-        progress.steps.begin() + std::min<std::ptrdiff_t>(progress.index, std::ssize(progress.steps));
-    return !progress.confirmed.empty() || isSetting(progress) ||
-           encoder.latest().state == EncoderState::parameterization ||
-           std::any_of(progress.steps.begin(), done, setsParameter);
-}
-
-} // namespace
-
 Leaving::Leaving(QWidget &window)
     : QObject(&window)
     , m_window(window)
@@ -72,12 +44,24 @@ void Leaving::watch()
             continue;
         m_watched.emplace_back(encoder);
         connect(encoder, &EncoderSession::progressed, this,
-                [this, encoder](const Progress &progress) { m_progress[encoder->number()] = progress; });
+                [this, encoder](const Progress &progress) { takeProgress(*encoder, progress); });
         connect(encoder, &EncoderSession::finished, this, [this, encoder] {
             m_progress.erase(encoder->number());
+            if (m_cancelled == encoder)
+                m_cancelled = nullptr;
             QTimer::singleShot(0, this, &Leaving::goOn);
         });
     }
+}
+
+// An encoder that had taken something before it heard of the cancel: how shall it be left?
+void Leaving::takeProgress(const EncoderSession &encoder, const Progress &progress)
+{
+    m_progress[encoder.number()] = progress;
+    if (m_cancelled != &encoder || !progress.hasTaken)
+        return;
+    m_cancelled = nullptr;
+    QTimer::singleShot(0, this, &Leaving::goOn);
 }
 
 void Leaving::ask(Why why, std::function<void()> then)
@@ -128,19 +112,12 @@ EncoderSession *Leaving::busyEncoder() const
 bool Leaving::endJob(EncoderSession &encoder)
 {
     const Progress progress = m_progress[encoder.number()];
-    if (!mayHaveTaken(encoder, progress)) {
-        encoder.cancel(OnCancel::leaveAsIs);
+    if (!progress.hasTaken) {
+        m_cancelled = &encoder;
+        encoder.cancel(OnCancel::ifNothingTaken);
         return true;
     }
-    const bool isActive =
-        !activatesByRun(encoder.device()) || (progress.confirmed.empty() && !isSetting(progress) &&
-                                              encoder.latest().state == EncoderState::operation);
-    const auto how = askHowToCancel(&m_window, encoder,
-                                    {.taken = progress.confirmed,
-                                     .isActive = isActive,
-                                     .canRestore = progress.canRestore,
-                                     .writesToRestore = mostWritesToRestore(progress),
-                                     .positionNote = {}});
+    const auto how = askHowToCancel(&m_window, encoder, situationOf(encoder, progress));
     if (how && encoder.runningJob())
         encoder.cancel(*how);
     return how.has_value() || !encoder.runningJob();

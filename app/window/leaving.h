@@ -39,12 +39,14 @@ private:
     EncoderSession *busyEncoder() const;
     bool concerns(DeviceNumber number) const;
     void watch();
+    void takeProgress(const EncoderSession &encoder, const Progress &progress);
     void stay();
 
     QWidget &m_window;
     ConnectedEncoders *m_connected = nullptr;
     std::vector<QPointer<EncoderSession>> m_watched;
     std::map<DeviceNumber, Progress> m_progress; // of the jobs on their way
+    QPointer<EncoderSession> m_cancelled;        // as long as nothing was taken
     Why m_why = Why::stop;
     std::function<void()> m_then;
     bool m_outAnswered = false;

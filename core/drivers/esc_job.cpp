@@ -242,6 +242,7 @@ void EscJob::reportProgress(bool waits)
     progress.waitsForUser = waits;
     progress.confirmed = m_outcome.written;
     progress.canRestore = canRestore();
+    progress.hasTaken = hasTaken();
     m_encoder.events.emplace_back(std::move(progress));
 }
 

@@ -92,6 +92,7 @@ private:
     void dropFrom(std::size_t first, std::optional<Parameter> refused = {});
     void appendRestore();
     bool canRestore() const;
+    bool hasTaken() const;
 
     Refusal refusalOf(const esc::ExchangeResult &result) const;
     Refusal disagreed() const;

@@ -58,11 +58,23 @@ void EscJob::cancel(OnCancel how)
 {
     if (m_isDone || m_cancelled || m_failure || m_index == m_steps.size())
         return;
+    if (how == OnCancel::ifNothingTaken && hasTaken()) {
+        reportProgress(waits());
+        return;
+    }
     m_cancelled = how;
     const bool goesOn = m_isUnderWay || (m_isBegun && tellsOf(Sent(m_steps).first(m_index), current()));
     m_isBegun = goesOn;
     dropFrom(m_index + (goesOn ? 1 : 0));
     settle();
+}
+
+// A write that was sent is carried out, whether it was answered or not.
+bool EscJob::hasTaken() const
+{
+    const Sent sent = Sent(m_steps).first(std::min(m_steps.size(), m_index + (m_isBegun ? 1 : 0)));
+    return !m_outcome.written.empty() ||
+           std::ranges::any_of(sent, [](const EscStep &step) { return step.task == EscStep::Task::write; });
 }
 
 // A write that waits for its answer may be carried out, so the outcome counts it; of the encoder it is

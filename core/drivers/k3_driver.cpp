@@ -346,6 +346,8 @@ void K3Driver::finish(Result<void> result)
     outcome.eepromWrites = m_knowledge.eepromWrites() - run.writesBefore;
     outcome.leftIn = m_reading.state;
     outcome.written = std::move(run.written);
+    if (outcome.leftIn == EncoderState::parameterization)
+        outcome.confirmed = std::move(run.confirmed);
     outcome.alreadyThere = std::move(run.alreadyThere);
     outcome.read = std::move(run.read);
     outcome.onlyZeroSinceRun = run.ranAtZero && m_reading.in == 0 && !m_device.capabilities.reads;
@@ -385,6 +387,7 @@ void K3Driver::reportProgress(bool waits)
     progress.waitsForUser = waits;
     progress.confirmed = run.confirmed;
     progress.canRestore = canRestore();
+    progress.hasTaken = hasTaken();
     m_events.emplace_back(std::move(progress));
 }
 

@@ -100,6 +100,7 @@ private:
     void ranWithWhatWasConfirmed();
     void reportProgress(bool waits);
     bool canRestore() const;
+    bool hasTaken() const;
     ParameterValues valuesToRestore() const;
     Refusal refusalFor(Word in) const;
     std::optional<Refusal> camRefusalFor(Word in) const;

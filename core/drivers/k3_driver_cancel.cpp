@@ -19,6 +19,13 @@ std::optional<ParameterValue> valueGivenBy(const K3Step &step)
     return std::nullopt;
 }
 
+bool mayBeTaken(const K3Step &step)
+{
+    return step.kind == StepKind::parameter || step.kind == StepKind::camParameter ||
+           (step.kind == StepKind::word &&
+            (k3::isParameterWord(step.out) || (step.inCamMode && fieldSetBy(step.out))));
+}
+
 bool resetsToDefault(const Job &job)
 {
     const auto *send = std::get_if<SendWords>(&job);
@@ -35,6 +42,10 @@ void K3Driver::cancel(OnCancel how, Instant now)
     if (!m_run || m_run->cancelled || m_run->failure)
         return;
     Run &run = *m_run;
+    if (how == OnCancel::ifNothingTaken && hasTaken()) {
+        reportProgress(run.asked && !run.mayBegin);
+        return;
+    }
     run.cancelled = how;
     run.cancelledAt = now;
     if (const auto value = run.begun ? valueGivenBy(current()) : std::nullopt) {
@@ -54,6 +65,18 @@ void K3Driver::cancel(OnCancel how, Instant now)
         --run.index;
     else
         run.begun = false;
+}
+
+// A word that stands in OUT may be taken, whether it was confirmed or not.
+bool K3Driver::hasTaken() const
+{
+    const Run &run = *m_run;
+    const auto sent = run.steps.begin() + static_cast<std::ptrdiff_t>(
+                                              std::min(run.steps.size(), run.index + (run.begun ? 1 : 0)));
+    const bool isOnlyRead = std::holds_alternative<ReadParameters>(run.job);
+    return (m_reading.state == EncoderState::parameterization && !isOnlyRead) || !run.confirmed.empty() ||
+           !run.written.empty() || !run.cams.taken.empty() ||
+           std::any_of(run.steps.begin(), sent, mayBeTaken);
 }
 
 // Only run ends a parameterization. An encoder that is in operation before run was sent has started anew, and

@@ -250,6 +250,7 @@ void La66Driver::reportProgress(bool waits)
     progress.waitsForUser = waits;
     progress.confirmed = run.written;
     progress.canRestore = canRestore();
+    progress.hasTaken = hasTaken();
     m_events.emplace_back(std::move(progress));
 }
 

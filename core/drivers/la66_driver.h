@@ -67,6 +67,7 @@ private:
     Result<void> result() const;
     void appendRestore();
     bool canRestore() const;
+    bool hasTaken() const;
     void reportProgress(bool waits);
     void flushKnowledge();
     Refusal refused(Word in) const;

@@ -13,6 +13,10 @@ void La66Driver::cancel(OnCancel how, Instant)
     if (!m_run || m_run->cancelled || m_run->failure)
         return;
     Run &run = *m_run;
+    if (how == OnCancel::ifNothingTaken && hasTaken()) {
+        reportProgress(run.asked && !run.mayBegin);
+        return;
+    }
     run.cancelled = how;
     const bool isAsked = run.begun && current().kind == StepKind::serviceBit;
     const std::size_t kept = run.index + (isAsked ? 1 : 0);
@@ -20,6 +24,17 @@ void La66Driver::cancel(OnCancel how, Instant)
     run.steps.resize(kept);
     const La66Steps back = La66Plan::wayBack(m_out);
     run.steps.insert(run.steps.end(), back.begin(), back.end());
+}
+
+// A service that was asked for is carried out, whether it was acknowledged or not.
+bool La66Driver::hasTaken() const
+{
+    const Run &run = *m_run;
+    const auto asked = run.steps.begin() + static_cast<std::ptrdiff_t>(
+                                               std::min(run.steps.size(), run.index + (run.begun ? 1 : 0)));
+    return !run.written.empty() || std::any_of(run.steps.begin(), asked, [](const La66Step &step) {
+        return step.kind == StepKind::serviceBit && la66::isWrite(step.out);
+    });
 }
 
 // OUT is 0 again. What the job has written goes back where that was asked for and the old values are known.

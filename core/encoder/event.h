@@ -57,6 +57,7 @@ struct Progress
     bool waitsForUser = false; // Pace::byHand: steps[index] will be sent by proceed()
     ParameterValues confirmed; // what the encoder has taken so far, not yet active
     bool canRestore = false;   // the values from before are known for all that was confirmed
+    bool hasTaken = false;     // the encoder has taken something, or may have: cancel has to say how
 };
 
 struct Outcome
@@ -66,6 +67,7 @@ struct Outcome
     int eepromWrites = 0; // counted as the device counts them
     EncoderState leftIn = EncoderState::notSeen;
     ParameterValues written;      // confirmed and activated by run
+    ParameterValues confirmed{};  // but not activated: valid only once run is sent
     ParameterValues alreadyThere; // left out, because read and equal
     ParameterValues read;         // ReadParameters: what the encoder told
     // IN was 00000000h from run to the end: position 0, or no power. Without read-out nothing tells them

@@ -19,6 +19,8 @@ Became becameOf(const TransferRow &row, const std::vector<Outcome> &outcomes)
                 became = Became::written;
             else if (!outcome.result)
                 became = Became::restored;
+        } else if (valueOf(outcome.confirmed, row.wanted.parameter) == row.wanted.value) {
+            became = Became::confirmed;
         } else if (valueOf(outcome.alreadyThere, row.wanted.parameter) == row.wanted.value) {
             became = Became::alreadyThere;
         }

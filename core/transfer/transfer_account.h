@@ -12,6 +12,7 @@ enum class Became : std::uint8_t {
     written,      // and active
     alreadyThere, // known, or found by reading first: not written
     restored,     // written, and then the value from before again
+    confirmed,    // taken, but not active: the encoder waits for run
     notDone,
 };
 

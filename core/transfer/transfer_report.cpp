@@ -72,7 +72,7 @@ ReportTable tableOf(const EncoderAccount &account, const Catalog &catalog)
         table.rows.push_back({{parameterName(row.wanted.parameter),
                                transfer_words::known(device, row.wanted.parameter, row.before),
                                transfer_words::value(device, row.wanted), transfer_words::became(row)},
-                              row.became == Became::notDone || row.became == Became::restored});
+                              row.became != Became::written && row.became != Became::alreadyThere});
     for (const AccountCamRow &row : account.cams)
         table.rows.push_back(
             {{TransferReport::tr("Cam program %1").arg(row.program), {}, {}, transfer_words::became(row)},

@@ -47,6 +47,8 @@ QString text(Became became)
         return TransferWords::tr("Was there already");
     case Became::restored:
         return TransferWords::tr("Value from before restored");
+    case Became::confirmed:
+        return TransferWords::tr("Taken, but not valid until run is sent");
     case Became::notDone:
         break;
     }

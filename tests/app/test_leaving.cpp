@@ -90,6 +90,24 @@ TEST_F(LeavingTest, GoingOnWithTheHandshakeKeepsTheWindow)
     EXPECT_EQ(out(baumer), 0x0200'00FFu) << "nothing was sent";
 }
 
+// The first word is in OUT, and the window has not heard of it.
+TEST_F(LeavingTest, WhatWasTakenBeforeTheEncoderHeardOfItIsAskedAbout)
+{
+    EncoderSession &encoder = *bus().encoder(baumer);
+    ASSERT_TRUE(encoder.start(WriteParameters{.values = {{Parameter::steps, 255}}, .previous = {}}));
+    bool closes = false;
+    QObject::connect(&encoder, &EncoderSession::latestChanged, &window(), [&] {
+        if (encoder.runningJob() && !std::exchange(closes, true))
+            window().close();
+    });
+    test::Question question = test::Question::answeredBy(QStringLiteral("Run with"));
+    for (int i = 0; i < 300 && !question.wasAsked(); ++i)
+        advance(1);
+    EXPECT_TRUE(question.wasAsked());
+    advance(300);
+    EXPECT_EQ(encoder.latest().state, EncoderState::operation);
+}
+
 TEST_F(LeavingTest, AJobThatOnlyReadsIsEndedWithoutAQuestion)
 {
     ASSERT_TRUE(bus().encoder(fraba)->start(ReadParameters{{Parameter::steps}}, Pace::byHand));

@@ -28,6 +28,21 @@ TEST(EscCancel, WhatWasWrittenIsReadBackAndTheRestLeftOut)
     EXPECT_EQ(bench.outcome->eepromWrites, 1);
 }
 
+TEST(EscCancel, IfNothingWasTakenAJobThatHasWrittenGoesOn)
+{
+    EscBench bench;
+    bench.settle();
+    ASSERT_TRUE(bench.begin(limits()));
+    const esc::Request request = bench.goOnTo(esc::Command::writeLowerLimit);
+    bench.driver.cancel(OnCancel::ifNothingTaken, bench.now);
+    bench.has["L"] = "00000200";
+    bench.driver.answered(request, {.answer = {}, .sent = 1, .timeOuts = 1}, bench.now);
+    bench.runUntil([&] { return bench.outcome.has_value(); });
+    EXPECT_TRUE(bench.progress.hasTaken);
+    EXPECT_TRUE(bench.outcome->result);
+    EXPECT_EQ(bench.count("GH"), 1);
+}
+
 TEST(EscCancel, AWriteOnItsWayIsWaitedFor)
 {
     EscBench bench;

@@ -50,6 +50,30 @@ TEST_F(K3Cancel, BeforeAnythingWasConfirmedOutGoesBackToZero)
     EXPECT_EQ(table.outcome()->eepromWrites, 0);
 }
 
+TEST_F(K3Cancel, IfNothingWasTakenItEndsAndElseTheJobGoesOnAndTellsSo)
+{
+    table.play({{0x0000'0000, pos}, {0x0200'00FF, pos}}); // the word is in OUT: it may be taken
+    EXPECT_TRUE(table.progress().hasTaken);
+    cancel(OnCancel::ifNothingTaken);
+    table.play({{0x0200'00FF, 0xC200'00FF}, {0x0600'0004, 0xC200'00FF}});
+    EXPECT_FALSE(table.outcome());
+    cancel(OnCancel::ifNothingTaken);
+    EXPECT_TRUE(table.progress().hasTaken);
+    cancel(OnCancel::leaveAsIs);
+    table.repeat(1, {0x0600'0004, 0xC200'00FF});
+    table.repeat(3, {0x0000'0000, 0xC200'00FF});
+    expectCancelled(EncoderState::parameterization);
+    EXPECT_EQ(table.outcome()->confirmed, (ParameterValues{{Parameter::steps, 255}}));
+    EXPECT_TRUE(table.outcome()->written.empty());
+}
+
+TEST_F(K3Cancel, IfNothingWasTakenBeforeTheFirstWordNothingIsSent)
+{
+    cancel(OnCancel::ifNothingTaken);
+    table.repeat(3, {0x0000'0000, pos});
+    expectCancelled(EncoderState::operation);
+}
+
 TEST_F(K3Cancel, RestoreRunsAndWritesTheValuesFromBefore)
 {
     table.play({{0x0000'0000, pos}, {0x0200'00FF, 0xC200'00FF}, {0x0600'0004, 0xC200'00FF}});

@@ -26,6 +26,20 @@ TEST(La66Cancel, BeforeTheServiceBitNothingHappens)
     EXPECT_EQ(table.outcome()->eepromWrites, 0);
 }
 
+TEST(La66Cancel, IfNothingWasTakenAWriteThatWasAskedForGoesOn)
+{
+    DriverTable table(La66Timing{});
+    ASSERT_TRUE(table.begin(lengthAndDirection()));
+    table.play({{0, pos}, {0x4200'1388, pos}});
+    EXPECT_FALSE(table.progress().hasTaken);
+    table.play({{0x4200'1388, pos}, {0xC200'1388, pos}});
+    EXPECT_TRUE(table.progress().hasTaken);
+    table.driver().cancel(OnCancel::ifNothingTaken, {});
+    table.play({{0xC200'1388, 0xC200'1388}, {0x4200'1388, 0xC200'1388}, {0x4200'1388, pos}});
+    EXPECT_FALSE(table.outcome());
+    EXPECT_TRUE(table.driver().busy());
+}
+
 TEST(La66Cancel, AServiceOnItsWayIsWaitedForAndItsHandshakeIsFinished)
 {
     DriverTable table(La66Timing{});

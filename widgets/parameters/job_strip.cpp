@@ -102,6 +102,7 @@ void JobStrip::setEncoder(EncoderSession *encoder)
 void JobStrip::begin()
 {
     m_progress = {};
+    m_asksIfTaken = false;
     m_step->setText(tr("The job begins."));
     m_bar->setRange(0, 0);
     m_cancel->setEnabled(true);
@@ -120,7 +121,7 @@ void JobStrip::showProgress(const Progress &progress)
                             .arg(count)
                             .arg(stepText(progress.steps[static_cast<std::size_t>(progress.index)])));
     m_restore->setEnabled(progress.canRestore);
-    if (!m_choices->isHidden())
+    if (!m_choices->isHidden() || (m_asksIfTaken && progress.hasTaken))
         showChoices(true); // it may have taken more
 }
 
@@ -141,20 +142,30 @@ void JobStrip::cancel()
 {
     if (!m_encoder)
         return;
-    if (m_progress.confirmed.empty() && !tookCams(m_progress))
-        leave(OnCancel::leaveAsIs);
-    else
+    if (m_progress.hasTaken) {
         showChoices(true);
+    } else {
+        leave(OnCancel::ifNothingTaken);
+        m_asksIfTaken = true;
+    }
+}
+
+QString JobStrip::question() const
+{
+    if (tookCams(m_progress))
+        return tr("The encoder has taken words of a cam program. How is it to be left?");
+    if (m_progress.confirmed.empty())
+        return tr("The encoder has taken, or is taking, what was sent. How is it to be left?");
+    return tr("The encoder has taken: %1. How is it to be left?")
+        .arg(parameter_words::list(m_encoder->device(), m_progress.confirmed));
 }
 
 void JobStrip::showChoices(bool visible)
 {
     const bool appears = visible && m_choices->isHidden();
+    m_asksIfTaken = false;
     if (visible)
-        m_question->setText(tookCams(m_progress)
-                                ? tr("The encoder has taken words of a cam program. How is it to be left?")
-                                : tr("The encoder has taken: %1. How is it to be left?")
-                                      .arg(parameter_words::list(m_encoder->device(), m_progress.confirmed)));
+        m_question->setText(question());
     m_restore->setEnabled(m_progress.canRestore);
     m_restore->setToolTip(m_progress.canRestore
                               ? tr("Writes the values from before again")

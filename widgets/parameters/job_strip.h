@@ -29,10 +29,12 @@ private:
     void cancel();
     void showChoices(bool visible);
     void leave(OnCancel how);
+    QString question() const;
     QString stepText(const Step &step) const;
 
     QPointer<EncoderSession> m_encoder;
     Progress m_progress;
+    bool m_asksIfTaken = false; // cancelled as long as nothing was taken
     QLabel *m_step;
     QProgressBar *m_bar;
     QPushButton *m_cancel;

@@ -3,7 +3,9 @@
 
 #include "catalog/value_text.h"
 #include "encoder/encoder_session.h"
+#include "journal/eeprom_cost.h"
 #include "widgets/eeprom/eeprom_question.h"
+#include "widgets/models/device_traits.h"
 
 #include <QCoreApplication>
 #include <QMessageBox>
@@ -52,7 +54,28 @@ QString explanation(const EncoderSession &encoder, const CancelSituation &situat
     return lines.join(QLatin1Char('\n'));
 }
 
+// A word that is in OUT, and was not confirmed yet.
+bool isTakingValue(const Progress &progress)
+{
+    if (progress.waitsForUser || progress.index >= std::ssize(progress.steps))
+        return false;
+    const Step &step = progress.steps[static_cast<std::size_t>(progress.index)];
+    return takesValue(step) || step.kind == StepKind::camParameter ||
+           (step.kind == StepKind::word && k3::isParameterWord(step.out));
+}
+
 } // namespace
+
+CancelSituation situationOf(const EncoderSession &encoder, const Progress &progress)
+{
+    const bool isActive = progress.confirmed.empty() && !isTakingValue(progress) &&
+                          encoder.latest().state == EncoderState::operation;
+    return {.taken = progress.confirmed,
+            .isActive = !activatesByRun(encoder.device()) || isActive,
+            .canRestore = progress.canRestore,
+            .writesToRestore = mostWritesToRestore(progress),
+            .positionNote = {}};
+}
 
 std::optional<OnCancel> askHowToCancel(QWidget *parent, EncoderSession &encoder,
                                        const CancelSituation &situation)

@@ -23,8 +23,12 @@ struct CancelSituation
     QString positionNote;    // what the position will read if it runs with what it has; may be empty
 };
 
+// Of a job whose last word is this progress.
+CancelSituation situationOf(const EncoderSession &encoder, const Progress &progress);
+
 // Cancel of a job after the encoder has taken something: restore the values from before, run with what it
-// has, or leave it in parameterization. Restoring writes to the EEPROM: where that has to be agreed to, it is
+// has, or leave it in parameterization. Before it has taken anything (Progress::hasTaken) there is nothing to
+// ask: OnCancel::ifNothingTaken. Restoring writes to the EEPROM: where that has to be agreed to, it is
 // asked for as well. Nothing: go on with the handshake. Also closes, with nothing, when the job ends
 // meanwhile. Used by the wizard and by transfers.
 std::optional<OnCancel> askHowToCancel(QWidget *parent, EncoderSession &encoder,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/done_jobs.h"
 
+#include <algorithm>
+
 namespace codewheel {
 namespace {
 
@@ -24,6 +26,9 @@ Progress DoneJobs::followedBy(Progress progress) const
     prepend(progress.steps, m_steps);
     progress.index += static_cast<int>(m_steps.size());
     progress.canRestore = progress.canRestore && m_outcomes.empty();
+    progress.hasTaken = progress.hasTaken || std::ranges::any_of(m_outcomes, [](const Outcome &outcome) {
+                            return !outcome.written.empty();
+                        });
     return progress;
 }
 

@@ -23,6 +23,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QTimer>
 
 namespace codewheel {
 namespace {
@@ -130,7 +131,7 @@ void HandshakePage::start()
     record.before = allKnown(encoder);
     record.positionBefore = encoder.latest().position;
     record.begun = encoder.dateTime(encoder.latest().at);
-    m_isRecovery = false;
+    m_isRecovery = m_isCancelled = m_asksIfTaken = false;
     m_steps.begin();
     m_problem->withdraw();
     m_state->setState(Role::inactive, tr("Begins"));
@@ -182,6 +183,10 @@ void HandshakePage::showProgress()
         m_next->setFocus();
     else if (progress.waitsForUser)
         m_setup.encoder->proceed();
+    if (m_asksIfTaken && progress.hasTaken) {
+        m_asksIfTaken = false;
+        QTimer::singleShot(0, this, &HandshakePage::cancelAgain); // not amid the signals of the bus
+    }
 }
 
 void HandshakePage::showRow(const Exchange &row)
@@ -229,7 +234,8 @@ void HandshakePage::showOutcome(const Outcome &ended)
     Outcome outcome = m_isRecovery ? ended : m_done.followedBy(ended);
     if (!m_isRecovery && outcome.result && !m_jobs.empty()) {
         m_done.add(record.progress.steps, ended);
-        const auto started = startJob();
+        const auto started =
+            m_isCancelled ? Result<void>(refuse(RefusalKind::stopped, RefusalId::cancelled)) : startJob();
         if (started)
             return;
         outcome.result = tl::unexpected(started.error());
@@ -280,35 +286,36 @@ void HandshakePage::showEnd()
     m_problem->showMessage(byUser ? Role::attention : Role::fault, refusalText(why));
 }
 
-bool HandshakePage::hasTaken() const
-{
-    return m_setup.record.hasTaken() || m_setup.encoder->latest().state == EncoderState::parameterization;
-}
-
 bool HandshakePage::cancel()
 {
     if (!m_job)
         return true;
-    std::optional<OnCancel> how = OnCancel::leaveAsIs; // nothing was taken: OUT back to 0
-    if (hasTaken()) {
-        const HandshakeRecord &record = m_setup.record;
-        const auto position = positionWithTaken(m_setup);
-        how = askHowToCancel(
-            window(), *m_setup.encoder,
-            {.taken = record.taken(),
-             .isActive = !activatesByRun(m_setup.encoder->device()) ||
-                         (record.progress.confirmed.empty() &&
-                          m_setup.encoder->latest().state == EncoderState::operation),
-             .canRestore = record.progress.canRestore,
-             .writesToRestore = mostWritesToRestore(record.progress),
-             .positionNote = position ? tr("The position will then read %1%2.")
-                                            .arg(position->exact ? QString() : tr("about "),
-                                                 QLocale().toString(qlonglong{position->position}))
-                                      : tr("What the position will then read cannot be told.")});
-    }
+    m_isCancelled = true;
+    m_asksIfTaken = !m_setup.record.progress.hasTaken;
+    const auto how = m_asksIfTaken ? OnCancel::ifNothingTaken : askHowToEnd();
+    m_isCancelled = how.has_value();
     if (how && m_job)
         m_setup.encoder->cancel(*how);
     return how || !m_job;
+}
+
+std::optional<OnCancel> HandshakePage::askHowToEnd()
+{
+    const auto position = positionWithTaken(m_setup);
+    CancelSituation situation = situationOf(*m_setup.encoder, m_setup.record.progress);
+    situation.taken = m_setup.record.taken();
+    situation.positionNote = position ? tr("The position will then read %1%2.")
+                                            .arg(position->exact ? QString() : tr("about "),
+                                                 QLocale().toString(qlonglong{position->position}))
+                                      : tr("What the position will then read cannot be told.");
+    return askHowToCancel(window(), *m_setup.encoder, situation);
+}
+
+// It had taken something before it heard of the cancel.
+void HandshakePage::cancelAgain()
+{
+    if (!cancel())
+        Q_EMIT goesOn();
 }
 
 void HandshakePage::bringBack(bool restore)
@@ -324,6 +331,7 @@ void HandshakePage::bringBack(bool restore)
         return;
     }
     m_isRecovery = true;
+    m_isCancelled = m_asksIfTaken = false;
     m_job = *started;
     m_steps.begin();
     m_problem->withdraw();

@@ -34,9 +34,13 @@ public:
 
     void start(); // sends nothing by hand, the first word running by itself
     bool isBusy() const { return m_job.has_value(); }
-    // Asks where the encoder has taken something. False: the user goes on with the handshake.
+    // Asks where the encoder has taken something, perhaps a moment later (goesOn). False: the user goes on
+    // with the handshake.
     bool cancel();
     void showRow(const Exchange &row);
+
+Q_SIGNALS:
+    void goesOn(); // after all
 
 private:
     Result<void> startJob();
@@ -45,7 +49,8 @@ private:
     void bringBack(bool restore);
     void showEnd();
     void showWords();
-    bool hasTaken() const;
+    std::optional<OnCancel> askHowToEnd();
+    void cancelAgain();
 
     StepTable m_steps{StepTable::Stage::running};
     QTableView *m_view;
@@ -62,6 +67,8 @@ private:
     DoneJobs m_done;            // before the one that runs
     std::optional<JobId> m_job; // of the handshake, or bringing the encoder back
     bool m_isRecovery = false;
+    bool m_isCancelled = false;
+    bool m_asksIfTaken = false; // cancelled as long as nothing was taken
     Word m_outNow = 0;
 };
 

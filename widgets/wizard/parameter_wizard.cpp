@@ -96,6 +96,7 @@ void ParameterWizard::makePages()
         connect(page, &WizardPage::changed, this, &ParameterWizard::showButtons);
     }
     connect(m_devicePage, &DevicePage::encoderChosen, this, &ParameterWizard::follow);
+    connect(m_handshakePage, &HandshakePage::goesOn, this, [this] { m_closes = false; });
 }
 
 EncoderSession *ParameterWizard::encoder() const
