@@ -29,15 +29,25 @@ void JobRound::start(std::vector<EncoderJobs> encoders, AfterRefusal afterRefusa
         m_results.push_back({.place = one.place});
     m_index = 0;
     m_isRunning = true;
-    m_isCancelled = false;
+    m_beginsNoOther = m_beginsNoJob = false;
     beginEncoder();
+}
+
+void JobRound::beginNothingElse()
+{
+    m_beginsNoOther = m_beginsNoJob = true;
+}
+
+void JobRound::finishThisEncoder()
+{
+    m_beginsNoJob = false;
 }
 
 void JobRound::cancel(OnCancel how)
 {
     if (!m_isRunning)
         return;
-    m_isCancelled = true;
+    beginNothingElse();
     if (m_encoder)
         m_encoder->cancel(how);
 }
@@ -109,7 +119,7 @@ void JobRound::takeOutcome(const Outcome &outcome)
     current().outcomes.push_back(outcome);
     if (!outcome.result)
         endEncoder(outcome.result.error());
-    else if (m_isCancelled && m_job + 1 < m_encoders[m_index].jobs.size())
+    else if (m_beginsNoJob && m_job + 1 < m_encoders[m_index].jobs.size())
         endEncoder(Refusal{RefusalKind::stopped, RefusalId::cancelled, {}}); // its job had ended meanwhile
     else {
         ++m_job;
@@ -131,7 +141,7 @@ void JobRound::endEncoder(std::optional<Refusal> why)
     result.ended = now();
     ++m_index;
     const bool stopsHere = result.why && (stopsAll(*result.why) || m_afterRefusal == AfterRefusal::stop);
-    if (m_isCancelled || stopsHere)
+    if (m_beginsNoOther || stopsHere)
         m_index = m_encoders.size();
     beginEncoder();
 }

@@ -57,10 +57,15 @@ public:
 
     // Ends with finished(), which may come before start() is back.
     void start(std::vector<EncoderJobs> encoders, AfterRefusal afterRefusal);
-    // Cancels the running job; the rest is not begun.
+    // Nothing else is begun: neither another job of this encoder nor another encoder. What runs goes on.
+    void beginNothingElse();
+    // The encoder that runs gets all its jobs after all; no other is begun.
+    void finishThisEncoder();
+    // Cancels the running job, and begins nothing else.
     void cancel(OnCancel how);
 
     bool isRunning() const { return m_isRunning; }
+    bool beginsNoOther() const { return m_beginsNoOther; }
     // The encoder whose job is running; null between jobs.
     EncoderSession *encoder() const { return m_encoder; }
     // Of the running job: what the encoder has confirmed, and whether the values from before are known.
@@ -91,7 +96,8 @@ private:
     std::optional<JobId> m_id;
     Progress m_jobProgress;
     bool m_isRunning = false;
-    bool m_isCancelled = false;
+    bool m_beginsNoOther = false; // encoder
+    bool m_beginsNoJob = false;
 };
 
 } // namespace codewheel

@@ -132,6 +132,53 @@ TEST_F(Transfer, CancelAtTheVeryEndOfAnEncoderBeginsNoOther)
     EXPECT_EQ(words(onLoop), QString());
 }
 
+TEST_F(Transfer, BeginningNothingElseLeavesTheRunningJobAloneAndTheRestUndone)
+{
+    const TransferPlan plan =
+        planTransfer(bus, {{.place = baumer, .values = {{Parameter::steps, 4096}}, .position = 100},
+                           {.place = onLoop, .values = {{Parameter::steps, 100}}}});
+    ASSERT_EQ(plan[0].jobs.size(), 2u);
+    round.start(jobsOf(plan), JobRound::AfterRefusal::goOn);
+    bus.advance(3);
+    round.beginNothingElse();
+    advance();
+    const TransferAccount account = accountOf(bus, TransferKind::write, plan, round.results());
+    EXPECT_EQ(account.encoders[0].rows[0].became, Became::written);
+    EXPECT_FALSE(account.encoders[0].positionSet);
+    EXPECT_EQ(account.encoders[0].why->id, RefusalId::cancelled);
+    EXPECT_FALSE(account.encoders[1].isBegun);
+}
+
+TEST_F(Transfer, FinishingThisEncoderGivesItAllItsJobsAndTheOthersNone)
+{
+    const TransferPlan plan =
+        planTransfer(bus, {{.place = baumer, .values = {{Parameter::steps, 4096}}, .position = 100},
+                           {.place = onLoop, .values = {{Parameter::steps, 100}}}});
+    round.start(jobsOf(plan), JobRound::AfterRefusal::goOn);
+    bus.advance(3);
+    round.beginNothingElse();
+    round.finishThisEncoder();
+    advance();
+    const TransferAccount account = accountOf(bus, TransferKind::write, plan, round.results());
+    EXPECT_TRUE(account.encoders[0].isDone());
+    EXPECT_FALSE(account.encoders[1].isBegun);
+}
+
+TEST_F(Transfer, WhatWasTakenAndNotMadeValidIsAccountedForSo)
+{
+    const TransferPlan plan =
+        planTransfer(bus, {{.place = baumer, .values = {{Parameter::steps, 4096}, {Parameter::coding, 6}}}});
+    round.start(jobsOf(plan), JobRound::AfterRefusal::goOn);
+    for (int i = 0; i < 1000 && round.jobProgress().confirmed.empty(); ++i)
+        bus.advance(1);
+    round.cancel(OnCancel::leaveAsIs);
+    advance();
+    const TransferAccount account = accountOf(bus, TransferKind::write, plan, round.results());
+    EXPECT_EQ(account.encoders[0].leftIn, EncoderState::parameterization);
+    EXPECT_EQ(account.encoders[0].rows[0].became, Became::confirmed);
+    EXPECT_FALSE(account.encoders[0].isDone());
+}
+
 TEST_F(Transfer, AnEncoderThatLosesPowerInTheMiddleIsNamedAndTheNextOneIsWritten)
 {
     const TransferPlan plan =

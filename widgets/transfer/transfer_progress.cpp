@@ -1,32 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/transfer_progress.h"
 
-#include "journal/eeprom_cost.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
-#include "widgets/models/device_traits.h"
 #include "widgets/wizard/cancel_question.h"
 
 #include <QGridLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QTimer>
 
 #include <algorithm>
 
 namespace codewheel {
-namespace {
-
-bool hasTaken(const EncoderSession &encoder, const Progress &progress)
-{
-    const auto end =
-        progress.steps.begin() + std::min<std::ptrdiff_t>(progress.index + 1, std::ssize(progress.steps));
-    return !progress.confirmed.empty() || encoder.latest().state == EncoderState::parameterization ||
-           std::any_of(progress.steps.begin(), end, [](const Step &step) { return takesValue(step); });
-}
-
-} // namespace
-
 TransferProgress::TransferProgress(JobRound &round, QWidget *parent)
     : QWidget(parent)
     , m_round(round)
@@ -60,37 +47,52 @@ TransferProgress::TransferProgress(JobRound &round, QWidget *parent)
 void TransferProgress::showProgress()
 {
     const RoundProgress progress = m_round.progress();
-    m_text->setText(tr("Encoder %1 of %2: %3, step %4 of %5")
-                        .arg(progress.encoder + 1)
-                        .arg(progress.encoders)
-                        .arg(progress.place.toString())
-                        .arg(std::min(progress.step + 1, progress.steps))
-                        .arg(progress.steps));
+    QString text = tr("Encoder %1 of %2: %3, step %4 of %5")
+                       .arg(progress.encoder + 1)
+                       .arg(progress.encoders)
+                       .arg(progress.place.toString())
+                       .arg(std::min(progress.step + 1, progress.steps))
+                       .arg(progress.steps);
+    if (m_round.beginsNoOther() && progress.encoder + 1 < progress.encoders)
+        text += QStringLiteral(". ") + tr("No other is begun.");
+    m_text->setText(text);
     m_encoders->setRange(0, std::max(progress.encoders, 1));
     m_encoders->setValue(m_round.isRunning() ? progress.encoder : progress.encoders);
     m_steps->setRange(0, std::max(progress.steps, 1));
     m_steps->setValue(progress.step);
     m_cancel->setEnabled(m_round.isRunning());
+    m_asksIfTaken = m_asksIfTaken && m_round.isRunning();
+    if (m_asksIfTaken && m_round.jobProgress().hasTaken) {
+        m_asksIfTaken = false;
+        QTimer::singleShot(0, this, &TransferProgress::ask); // not amid the signals of the bus
+    }
 }
 
+// No other encoder is begun from here on, whatever becomes of the one that runs.
 void TransferProgress::cancel()
 {
-    EncoderSession *encoder = m_round.encoder();
-    if (!m_round.isRunning() || encoder == nullptr)
+    if (!m_round.isRunning() || m_round.encoder() == nullptr)
         return;
-    const Progress progress = m_round.jobProgress();
-    std::optional<OnCancel> how = OnCancel::leaveAsIs; // nothing was taken: OUT back to 0
-    if (hasTaken(*encoder, progress))
-        how = askHowToCancel(
-            window(), *encoder,
-            {.taken = progress.confirmed,
-             .isActive = !activatesByRun(encoder->device()) ||
-                         (progress.confirmed.empty() && encoder->latest().state == EncoderState::operation),
-             .canRestore = progress.canRestore,
-             .writesToRestore = mostWritesToRestore(progress),
-             .positionNote = {}});
-    if (how)
+    m_round.beginNothingElse();
+    if (m_round.jobProgress().hasTaken) {
+        ask();
+    } else {
+        m_asksIfTaken = true;
+        m_round.cancel(OnCancel::ifNothingTaken);
+    }
+}
+
+// The question lapses when the encoder is done.
+void TransferProgress::ask()
+{
+    EncoderSession *encoder = m_round.encoder();
+    if (encoder == nullptr)
+        return;
+    if (const auto how = askHowToCancel(window(), *encoder, situationOf(*encoder, m_round.jobProgress())))
         m_round.cancel(*how);
+    else
+        m_round.finishThisEncoder();
+    showProgress();
 }
 
 } // namespace codewheel

@@ -12,7 +12,7 @@ class QPushButton;
 namespace codewheel {
 
 // Where a round of jobs stands, with Cancel: encoder i of n, and the step of its job. Cancel asks how to
-// leave an encoder that has taken something. Stands in TransferPage and ReplacePage.
+// leave an encoder that has taken something, and begins no other. Stands in TransferPage and ReplacePage.
 class TransferProgress : public QWidget
 {
     Q_OBJECT
@@ -24,12 +24,14 @@ public:
 
 private:
     void showProgress();
+    void ask();
 
     JobRound &m_round;
     QLabel *m_text;
     QProgressBar *m_encoders;
     QProgressBar *m_steps;
     QPushButton *m_cancel;
+    bool m_asksIfTaken = false; // cancelled as long as nothing was taken
 };
 
 } // namespace codewheel

@@ -13,6 +13,8 @@
 #include <QTableView>
 #include <QTemporaryDir>
 
+#include <utility>
+
 namespace codewheel {
 namespace {
 
@@ -163,6 +165,109 @@ TEST_F(TransferPageTest, CancelInTheMiddleAsksHowToLeaveTheEncoder)
     advanceWhileBusy(page);
     EXPECT_EQ(session.encoder(baumer).latest().state, EncoderState::operation);
     EXPECT_TRUE(account().contains(QStringLiteral("Not done")));
+}
+
+// A question that nobody answered is no longer asked when the encoder is done; the others stay cancelled.
+TEST_F(TransferPageTest, AfterCancelNoOtherEncoderIsBegunWhateverBecomesOfTheQuestion)
+{
+    want(onLoop, {{Parameter::steps, 100}});
+    session.bus.advance(1);
+    page.choose(What::write, {});
+    click("transferBegin");
+    for (int i = 0; i < 2000 && session.encoder(fraba).latest().state != EncoderState::parameterization; ++i)
+        session.bus.advance(1);
+    {
+        const test::Question question([this](QWidget &dialog) {
+            for (int i = 0; i < 5000 && dialog.isVisible(); ++i)
+                session.bus.advance(1);
+            EXPECT_FALSE(dialog.isVisible());
+        });
+        click("transferCancel");
+        EXPECT_TRUE(question.wasAsked());
+    }
+    EXPECT_FALSE(page.isBusy());
+    advanceWhileBusy(page);
+    EXPECT_TRUE(session.encoder(fraba).known(Parameter::steps));
+    EXPECT_FALSE(session.encoder(baumer).known(Parameter::steps));
+    EXPECT_FALSE(session.encoder(onLoop).known(Parameter::steps));
+}
+
+TEST_F(TransferPageTest, GoingOnAfterCancelFinishesTheEncoderAndBeginsNoOther)
+{
+    click("transferBegin");
+    for (int i = 0; i < 2000 && session.encoder(fraba).latest().state != EncoderState::parameterization; ++i)
+        session.bus.advance(1);
+    {
+        const auto question = test::Question::answeredBy(QStringLiteral("Go on"));
+        click("transferCancel");
+        EXPECT_TRUE(question.wasAsked());
+    }
+    EXPECT_TRUE(page.isBusy());
+    EXPECT_TRUE(text("transferProgress").contains(QStringLiteral("No other is begun.")));
+    advanceWhileBusy(page);
+    EXPECT_EQ(session.encoder(fraba).known(Parameter::steps)->value, 255);
+    EXPECT_FALSE(session.encoder(baumer).known(Parameter::steps));
+}
+
+// The picture is up to one refresh old: the first word is in OUT, and the window has not heard of it.
+TEST_F(TransferPageTest, WhetherTheEncoderHasTakenSomethingIsNotDecidedByAnOldPicture)
+{
+    toggle("1.0");
+    bool cancelled = false;
+    QObject::connect(&session.encoder(baumer), &EncoderSession::progressed, &page, [&] {
+        if (!std::exchange(cancelled, true))
+            click("transferCancel");
+    });
+    click("transferBegin");
+    {
+        const auto question = test::Question::answeredBy(QStringLiteral("Run with what it has"));
+        for (int i = 0; i < 500 && page.isBusy(); ++i) {
+            session.bus.advance(1);
+            QCoreApplication::processEvents();
+        }
+        EXPECT_TRUE(question.wasAsked());
+    }
+    ASSERT_TRUE(cancelled);
+    EXPECT_EQ(session.encoder(baumer).latest().state, EncoderState::operation);
+}
+
+TEST_F(TransferPageTest, AnEncoderLeftInParameterizationIsAccountedForWithWhatItHasTaken)
+{
+    toggle("1.0");
+    click("transferBegin");
+    for (int i = 0; i < 100 && session.encoder(baumer).latest().state != EncoderState::parameterization; ++i)
+        session.bus.advance(1);
+    {
+        const auto question = test::Question::answeredBy(QStringLiteral("Leave in parameterization"));
+        click("transferCancel");
+        EXPECT_TRUE(question.wasAsked());
+    }
+    advanceWhileBusy(page);
+    EXPECT_EQ(session.encoder(baumer).latest().state, EncoderState::parameterization);
+    EXPECT_TRUE(account().contains(QStringLiteral("Taken, but not valid until run is sent")))
+        << account().toStdString();
+    EXPECT_TRUE(account().contains(QStringLiteral("Not done")));
+}
+
+// One encoder more in front: the numbers of all others are not what they were.
+TEST_F(TransferPageTest, NeitherWritesToNorStoresOfAnEncoderThatIsNotTheProjectsOne)
+{
+    Project shifted = project.project();
+    for (ProjectDevice &device : shifted.devices)
+        ++device.participant.number.segment;
+    ProjectDevice front = shifted.devices[2]; // K1
+    front.participant.number = {1, 0};
+    shifted.devices.insert(shifted.devices.begin(), front);
+    project.setProject(shifted, {});
+    page.choose(What::write, {});
+    EXPECT_EQ(
+        cell(rowOf("2.0") + 2, 1),
+        QStringLiteral("2.0: configured is FRABA OCD-IB K3 (its number is 1.0 now), found was Baumer GXP6W "
+                       "K3. Compare, and take over what is right."));
+    EXPECT_FALSE(isEnabled("transferBegin"));
+    page.choose(What::store, {});
+    EXPECT_FALSE(isEnabled("transferBegin"));
+    EXPECT_NE(rowOf("2.0"), -1);
 }
 
 TEST_F(TransferPageTest, AWornEepromIsAskedAboutBeforeAnythingIsWritten)
