@@ -80,7 +80,7 @@ K3Steps K3Plan::plan(const WriteParameters &job) const
 }
 
 // 40000000h. FRABA: a programmed preset can be activated once. Without a value given, the one the encoder has
-// is programmed again where the flag says that it is used up.
+// is programmed again where the flag says that it is used up; which one that is, is read.
 K3Steps K3Plan::plan(const SetPreset &job) const
 {
     if (job.command == PresetCommand::manufacturer)
@@ -94,7 +94,7 @@ K3Steps K3Plan::plan(const SetPreset &job) const
     if (m_device.quirks.presetNeedsRearming && m_device.capabilities.reads) {
         appendRead(steps, Parameter::presetFlag);
         appendRead(steps, Parameter::preset);
-        appendWrites(steps, {{Parameter::preset, 0}}); // the value follows when it is read
+        appendWrites(steps, {{Parameter::preset, m_knowledge.value(Parameter::preset).value_or(0)}});
     }
     appendPreset(steps);
     return steps;

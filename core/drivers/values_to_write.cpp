@@ -79,9 +79,13 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
 std::vector<Job> jobsForWish(const EncoderSession &encoder, const WriteWish &wish)
 {
     std::vector<Job> jobs;
-    const WriteParameters write = jobForWish(encoder, wish);
-    if (!write.values.empty() || !wish.setPositionTo)
+    WriteParameters write = jobForWish(encoder, wish);
+    const bool programsItsOwn = mustBeRearmed(encoder, wish) && !valueOf(write.values, Parameter::preset);
+    write.initialisePreset = write.initialisePreset && !programsItsOwn;
+    if (!write.values.empty() || !(programsItsOwn || wish.setPositionTo))
         jobs.emplace_back(write);
+    if (programsItsOwn)
+        jobs.emplace_back(SetPreset{});
     if (wish.setPositionTo)
         jobs.emplace_back(SetPreset{.value = wish.setPositionTo});
     return jobs;

@@ -24,7 +24,8 @@ bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value);
 // already. A used-up preset (FRABA) is programmed again, or it could not be initialised.
 WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish);
 
-// All of it, one job after the other: writing the values, then setting the position to a value.
+// All of it, one job after the other: writing the values, then setting the position to a value, or to a
+// preset that is not given and may be used up (FRABA): the encoder's own is programmed again.
 std::vector<Job> jobsForWish(const EncoderSession &encoder, const WriteWish &wish);
 // Their steps, as far as they can be told beforehand: from the mode the encoder is in now, with what is known
 // of its values and cams. `out` is what stands in OUT, `escSettings` are those of a serial encoder.

@@ -142,8 +142,8 @@ void ReviewPage::plan()
             Role::attention, tr("The encoder is in cam mode, which refuses parameters. Switch it to position "
                                 "mode first, with the functions of the parameter panel."));
     }
-    const bool modeMissing = encoder.device().mayHaveModes() && m_setup.wish.initialisePreset &&
-                             encoder.latest().mode != Mode::position;
+    const bool modeMissing =
+        encoder.device().mayHaveModes() && m_setup.wish.initialisePreset && !encoder.latest().mode;
     if (modeMissing) {
         m_mayGoOn = false;
         m_problem->showMessage(

@@ -167,6 +167,55 @@ TEST_F(WizardPages, ThePositionIsNotSetWhileTheModeIsUnknown)
     EXPECT_FALSE(isEnabled("wizardNext"));
 }
 
+class WizardPagesInMode : public WizardPages, public testing::WithParamInterface<Mode>
+{};
+
+// In cam mode the word that sets the position sets a cam; in velocity mode it is what it is in position mode.
+TEST_P(WizardPagesInMode, ThePositionIsSetOutsideCamModeOnly)
+{
+    const bool inCamMode = GetParam() == Mode::cam;
+    for (const SwitchMode &job : {SwitchMode{Mode::position}, SwitchMode{GetParam(), inCamMode ? 1U : 0U}}) {
+        ASSERT_TRUE(fraba().start(job));
+        bus.advance(2000);
+    }
+    ASSERT_EQ(fraba().latest().mode, GetParam());
+    wizard.setEncoder(&fraba());
+    next();
+    next();
+    next();
+    type("preset", "0");
+    next();
+    EXPECT_EQ(sentence("reviewProblem").contains(QStringLiteral("is in cam mode")), inCamMode);
+    EXPECT_EQ(isEnabled("wizardNext"), !inCamMode);
+}
+
+INSTANTIATE_TEST_SUITE_P(, WizardPagesInMode, testing::Values(Mode::cam, Mode::velocity));
+
+// A FRABA carries out 40000000 once for each preset that is programmed.
+TEST_F(WizardPages, APresetThatIsUsedUpIsProgrammedAgainWhereNoneIsGiven)
+{
+    wizard.setEncoder(&fraba());
+    next();
+    click("isPositionMode");
+    bus.advance(5);
+    ASSERT_TRUE(fraba().start(SetPreset{.value = 1'000}));
+    bus.advance(2000);
+    ASSERT_EQ(fraba().latest().position, 1'000);
+    controls->turnBy({1, 0}, 77);
+    bus.advance(20);
+    ASSERT_EQ(fraba().latest().position, 1'077);
+    next();
+    next();
+    click("initialisePreset");
+    next();
+    EXPECT_EQ(sentence("reviewProblem"), QString());
+    click("byItself");
+    next();
+    bus.advance(2000);
+    EXPECT_FALSE(wizard.isBusy());
+    EXPECT_EQ(fraba().latest().position, 1'000);
+}
+
 // It may be a FRABA in cam mode.
 TEST_F(WizardPages, TheModeOfAnUnnamedK3CanBeTold)
 {
