@@ -11,6 +11,7 @@ namespace {
 
 constexpr unsigned wrongData = 1;
 constexpr unsigned wrongCommand = 2;
+constexpr unsigned lost = 3;
 constexpr Word aboveLargestPosition = 0x9800'0004;
 
 } // namespace
@@ -153,12 +154,18 @@ std::optional<Refusal> K3Driver::camRefusalFor(Word in) const
             return Refusal{RefusalKind::device, RefusalId::readOutUnknown, {step.out, in}};
         return std::nullopt;
     }
-    const bool inCamMode = step.kind == StepKind::camParameter || step.inCamMode;
+    const bool inCamMode =
+        step.kind == StepKind::camParameter || step.inCamMode || m_knowledge.mode() == Mode::cam;
     const auto field = inCamMode ? fieldSetBy(step.out) : std::nullopt;
     if (field && in == aboveLargestPosition)
         return Refusal{RefusalKind::device, RefusalId::camPositionAboveRange, {std::int64_t{field->cam}, in}};
-    if ((field || k3::isProgramWord(step.out)) && (number == wrongData || number == wrongCommand))
+    if (m_device.capabilities.cams && in == aboveLargestPosition)
+        return Refusal{RefusalKind::device, RefusalId::camPositionAboveRange, {in}};
+    const bool wasAsked = inCamMode && step.out != k3::normalRunning;
+    if ((wasAsked || k3::isProgramWord(step.out)) && (number == wrongData || number == wrongCommand))
         return Refusal{RefusalKind::device, RefusalId::camWordRefused, {step.out, in}};
+    if (inCamMode && number == lost)
+        return Refusal{RefusalKind::device, RefusalId::lostInCamMode, {in}};
     return std::nullopt;
 }
 

@@ -102,7 +102,8 @@ enum class RefusalId : std::uint8_t {
     restarted,              // Word IN: parameterization ended without run
     camWordRefused,         // Word OUT, Word IN: the text tells what the word does
     camsInParameterization, // Word OUT, Word IN: a parameterization that was there before the job
-    camPositionAboveRange,  // cam, Word IN
+    camPositionAboveRange,  // cam, Word IN; or Word IN alone, where it is not known which cam
+    lostInCamMode,          // error 3 in cam mode: Word IN
     camVerificationFailed,  // program
     serviceRefused,         // service number, Word IN
     magnetOutOfRange,       // Word IN

@@ -243,8 +243,8 @@ constexpr std::array rows{
             "of power (IN %1). It may have kept its old values: check its supply and write again.")},
     Row{RefusalId::camWordRefused, "camWordRefused",
         QT_TRANSLATE_NOOP("Refusal",
-                          "The encoder refused the word %1, which %2 (IN %3). It kept the old value: compare "
-                          "the cam program with the encoder, and check which encoder it is.")},
+                          "The encoder refused the word %1, which %2 in cam mode (IN %3). It kept the old "
+                          "value: compare the cam program with the encoder, and check which encoder it is.")},
     Row{RefusalId::camsInParameterization, "camsInParameterization",
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder took no cam word (OUT %1, IN %2): it was in a parameterization that "
@@ -254,6 +254,11 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 98000004: a start or stop of cam %1 is above the largest position (IN %2). "
                           "Give a position within the total range.")},
+    Row{RefusalId::lostInCamMode, "lostInCamMode",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Error 3: the encoder has lost its parameters (IN %1). In cam mode it takes none: "
+                          "switch it to position mode, write parameters 1 to 4 there or reset it to factory "
+                          "settings, and compare the cam programs.")},
     Row{RefusalId::camVerificationFailed, "camVerificationFailed",
         QT_TRANSLATE_NOOP("Refusal",
                           "Cam program %1 was written but read back differently. Compare it before you rely "
@@ -369,9 +374,9 @@ QString effectInCamMode(Word word)
     if (k3::isProgramWord(word))
         return sentence(pattern(QT_TRANSLATE_NOOP("Refusal", "switches to cam program %1")),
                         {argumentText(std::int64_t{word & 0xF})});
-    if (k3::isParameterWord(word))
-        return pattern(QT_TRANSLATE_NOOP("Refusal", "is a wrong command"));
-    return pattern(QT_TRANSLATE_NOOP("Refusal", "changes which cams are active"));
+    if (k3::isCamConfiguration(word))
+        return pattern(QT_TRANSLATE_NOOP("Refusal", "changes which cams are active"));
+    return pattern(QT_TRANSLATE_NOOP("Refusal", "is a wrong command"));
 }
 
 // The word, what it does, and what else there is.
@@ -382,6 +387,17 @@ QString wordText(const Refusal &refusal)
     parts.resize(std::max<qsizetype>(parts.size(), 1));
     parts.insert(1, effectInCamMode(word ? *word : k3::initialisePreset));
     return sentence(pattern(rowOf(refusal.id).text), parts);
+}
+
+QString camPositionText(const Refusal &refusal)
+{
+    const bool isKnown = refusal.arguments.size() > 1;
+    return sentence(
+        pattern(isKnown ? rowOf(refusal.id).text
+                        : QT_TRANSLATE_NOOP("Refusal", "Error 98000004: a start or stop of a cam is above "
+                                                       "the largest position (IN %1). Compare the cam "
+                                                       "programs with the total range.")),
+        argumentTexts(refusal.arguments));
 }
 
 QString labelKeyText(const Refusal &refusal)
@@ -443,6 +459,8 @@ QString refusalText(const Refusal &refusal)
     case RefusalId::wrongParameterData:
     case RefusalId::unknownParameterNumber:
         return suspectsText(refusal);
+    case RefusalId::camPositionAboveRange:
+        return camPositionText(refusal);
     case RefusalId::modeNotKnown:
     case RefusalId::inCamMode:
     case RefusalId::camWordRefused:

@@ -146,5 +146,14 @@ INSTANTIATE_TEST_SUITE_P(
                     BadCall{"words 1.0 020000FF --hold 0", "optionOutOfRange", "from 1 to"},
                     BadCall{"words 1.0 020000FF --hold x", "optionOutOfRange", "\"x\""}));
 
+TEST(CliWords, AWrongCommandInCamModeIsToldAsOne)
+{
+    for (const char *word : {"020000FF", "50000001"}) {
+        const CliRun run = runLine(QStringLiteral("words 1.0 20800001 %1").arg(QLatin1String(word)));
+        EXPECT_EQ(run.exit, 1);
+        EXPECT_NE(run.err.find("is a wrong command in cam mode"), std::string::npos) << run.err;
+    }
+}
+
 } // namespace
 } // namespace codewheel

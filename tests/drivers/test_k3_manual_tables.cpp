@@ -147,13 +147,14 @@ TEST_P(FrabaErrors, AreNamedAndStopTheJob)
     EXPECT_EQ(table.outcome()->leftIn, EncoderState::error);
 }
 
-INSTANTIATE_TEST_SUITE_P(Manual103, FrabaErrors,
-                         testing::Values(ErrorRow{"wrongData", 0x8200'0000, RefusalId::wrongParameterData},
-                                         ErrorRow{"unknownNumber", 0x8400'0000,
-                                                  RefusalId::unknownParameterNumber},
-                                         ErrorRow{"parametersLost", 0x8600'0000, RefusalId::parametersLost},
-                                         ErrorRow{"manufacturer", 0x9800'0004, RefusalId::manufacturerError}),
-                         [](const auto &row) { return row.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Manual103, FrabaErrors,
+    testing::Values(ErrorRow{"wrongData", 0x8200'0000, RefusalId::wrongParameterData},
+                    ErrorRow{"unknownNumber", 0x8400'0000, RefusalId::unknownParameterNumber},
+                    ErrorRow{"parametersLost", 0x8600'0000, RefusalId::parametersLost},
+                    ErrorRow{"aboveLargest", 0x9800'0004, RefusalId::camPositionAboveRange},
+                    ErrorRow{"manufacturer", 0x9800'0007, RefusalId::manufacturerError}),
+    [](const auto &row) { return row.param.name; });
 
 } // namespace
 } // namespace codewheel
