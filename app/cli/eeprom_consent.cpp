@@ -48,7 +48,7 @@ Checked<void> askFor(const Call &call, const EncoderSession &encoder, int planne
     call.terminal.complain(eepromConcernText(encoder, planned));
     if (concern == EepromConcern::typed)
         return askForPlace(call, encoder);
-    if (concern == EepromConcern::warning || asks == AsksAnyway::yes || call.arguments.has("--yes"))
+    if (asks == AsksAnyway::yes || call.arguments.has("--yes"))
         return {};
     if (canAsk(call) && call.terminal.confirms(CommandLine::tr("Write to the EEPROM nevertheless?")))
         return {};

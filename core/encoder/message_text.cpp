@@ -110,10 +110,11 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Message", "Unsaved changes of %1 were brought back.")},
     Row{MessageId::eepromThreeQuarters, "eepromThreeQuarters",
         QT_TRANSLATE_NOOP("Message",
-                          "This program has written %1 times to the EEPROM; its manual speaks of about %2.")},
+                          "This program has written %1 times to the EEPROM; its manual speaks of about %2. "
+                          "Each further write is asked for.")},
     Row{MessageId::eepromBudgetUsed, "eepromBudgetUsed",
         QT_TRANSLATE_NOOP("Message", "This program has written %1 times to the EEPROM, as often as its "
-                                     "manual speaks of (%2). Each further write is asked for.")},
+                                     "manual speaks of (%2). It may lose its values.")},
     Row{MessageId::valuesStored, "valuesStored",
         QT_TRANSLATE_NOOP("Message", "Stored in the project: %2 values of %1 encoders.")},
     Row{MessageId::transferDone, "transferDone",

@@ -151,9 +151,7 @@ EepromConcern eepromConcern(int writesSoFar, int planned, const Capabilities &ca
         return EepromConcern::typed;
     if (!can.eepromBudget)
         return EepromConcern::none;
-    if (then > *can.eepromBudget)
-        return EepromConcern::question;
-    return 4 * then >= 3 * *can.eepromBudget ? EepromConcern::warning : EepromConcern::none;
+    return 4 * then >= 3 * *can.eepromBudget ? EepromConcern::question : EepromConcern::none;
 }
 
 EepromConcern eepromConcern(const EncoderSession &encoder, int planned)
@@ -189,12 +187,13 @@ QString eepromConcernText(const EncoderSession &encoder, int planned)
     const Capabilities &can = encoder.can();
     const int soFar = encoder.eepromCount().atMost();
     switch (eepromConcern(encoder, planned)) {
-    case EepromConcern::warning:
-        return Eeprom::tr("This program has written %1 times to the EEPROM; the manual speaks of about %2. "
-                          "Write only what has to be.")
-            .arg(soFar)
-            .arg(*can.eepromBudget);
     case EepromConcern::question:
+        if (soFar + planned <= *can.eepromBudget)
+            return Eeprom::tr(
+                       "This program has written %1 times to the EEPROM; the manual speaks of about %2. "
+                       "Write only what has to be.")
+                .arg(soFar)
+                .arg(*can.eepromBudget);
         return Eeprom::tr(
                    "With %1 writes by this program and %2 more, the about %3 of which the manual speaks "
                    "are used up. The encoder may lose its values.")

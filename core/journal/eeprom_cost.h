@@ -17,8 +17,7 @@ int mostWritesToRestore(const Progress &progress);
 // encoder states.
 enum class EepromConcern : std::uint8_t {
     none,     // also where the manual is silent
-    warning,  // three quarters of the budget are used
-    question, // the budget is used: each write is asked for
+    question, // from three quarters of the budget on each write is asked for
     typed,    // the manual guarantees nothing any more: the place has to be typed
 };
 EepromConcern eepromConcern(int writesSoFar, int planned, const Capabilities &can);

@@ -167,9 +167,11 @@ TEST_F(CliJournal, WritesAreCountedInALedger)
     EXPECT_EQ(account[u"device"], QStringLiteral("fraba-ocd-ib"));
 }
 
-TEST_F(CliJournal, WarnsFromThreeQuartersOfTheBudgetOn)
+TEST_F(CliJournal, WarnsAndAsksFromThreeQuartersOfTheBudgetOn)
 {
     count(149);
+    EXPECT_EQ(errorKey(run("preset 1.0 1000 --json --ledger %1/ledger.sqlite")), "eepromBudgetUsed");
+    EXPECT_EQ(counted(), 149);
     const CliRun write = run("write 1.0 steps=255 --yes --ledger %1/ledger.sqlite");
     EXPECT_EQ(write.exit, 0);
     EXPECT_NE(write.err.find("has written 149 times"), std::string::npos) << write.err;

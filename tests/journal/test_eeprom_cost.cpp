@@ -22,8 +22,8 @@ TEST(EepromConcern, RisesWithWhatTheManualStates)
 {
     const Capabilities fraba{.eepromBudget = 200, .eepromLimit = 500};
     for (const Row &row : {Row{0, 4, EepromConcern::none}, Row{145, 4, EepromConcern::none},
-                           Row{146, 4, EepromConcern::warning}, Row{150, 1, EepromConcern::warning},
-                           Row{196, 4, EepromConcern::warning}, Row{197, 4, EepromConcern::question},
+                           Row{146, 4, EepromConcern::question}, Row{150, 1, EepromConcern::question},
+                           Row{196, 4, EepromConcern::question}, Row{197, 4, EepromConcern::question},
                            Row{200, 1, EepromConcern::question}, Row{496, 4, EepromConcern::question},
                            Row{497, 4, EepromConcern::typed}, Row{10'000, 1, EepromConcern::typed},
                            Row{10'000, 0, EepromConcern::none}})

@@ -293,7 +293,7 @@ TEST_F(LedgerKeeperTest, WarnsAsTheBudgetIsUsed)
                                    .settled = true}));
     }
     keep(file.place());
-    EXPECT_EQ(eepromConcern(*bus.encoder(fraba), 1), EepromConcern::warning);
+    EXPECT_EQ(eepromConcern(*bus.encoder(fraba), 1), EepromConcern::question);
     write(fraba, 255);
     ASSERT_EQ(messages.size(), 1U);
     EXPECT_EQ(messages[0].id, MessageId::eepromThreeQuarters);

@@ -30,8 +30,7 @@ bool askForEeprom(QWidget *window, EncoderSession &encoder, const Job &job)
 
 bool askForEeprom(QWidget *window, EncoderSession &encoder, int planned)
 {
-    const EepromConcern concern = eepromConcern(encoder, planned);
-    if (concern != EepromConcern::question && concern != EepromConcern::typed)
+    if (eepromConcern(encoder, planned) == EepromConcern::none)
         return true;
 
     QDialog dialog(window);

@@ -50,13 +50,18 @@ TEST_F(EepromGateTest, SaysByWhatItIsCountedAndAsksNothing)
     EXPECT_FALSE(find<QCheckBox>(gate, "writeNevertheless").isVisibleTo(&gate));
 }
 
-TEST_F(EepromGateTest, WarnsFromThreeQuartersOn)
+TEST_F(EepromGateTest, WarnsAndAsksFromThreeQuartersOn)
 {
     EepromGate gate;
-    count(150);
-    gate.setWrites(ring.encoder(fraba), 1);
+    count(145);
+    gate.setWrites(ring.encoder(fraba), 4);
     EXPECT_TRUE(gate.isOpen());
+    count(146);
+    EXPECT_FALSE(gate.isOpen());
     EXPECT_TRUE(find<QLabel>(gate, "eepromConcern").isVisibleTo(&gate));
+    EXPECT_FALSE(find<QLabel>(gate, "eepromConcern").text().contains(QStringLiteral("used up")));
+    find<QCheckBox>(gate, "writeNevertheless").click();
+    EXPECT_TRUE(gate.isOpen());
 }
 
 TEST_F(EepromGateTest, HasToBeTickedBeyondTheBudget)
