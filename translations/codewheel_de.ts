@@ -166,14 +166,6 @@
 <context>
     <name>CamFiles</name>
     <message>
-        <source>%1 cannot be read: %2</source>
-        <translation>%1 ist nicht lesbar: %2</translation>
-    </message>
-    <message>
-        <source>%1 is too large for a file of cam programs.</source>
-        <translation>%1 ist zu groß für eine Datei mit Nockenprogrammen.</translation>
-    </message>
-    <message>
         <source>%1 was not saved: %2</source>
         <comment>file, reason</comment>
         <translation>%1 wurde nicht gesichert: %2</translation>
@@ -671,6 +663,10 @@
         <source>bit %1 (not described)</source>
         <translation>Bit %1 (nicht beschrieben)</translation>
     </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
 </context>
 <context>
     <name>EscCommand</name>
@@ -994,6 +990,21 @@
     </message>
 </context>
 <context>
+    <name>LineRate</name>
+    <message>
+        <source>%1 (at %2 Bd)</source>
+        <translation>%1 (mit %2 Bd)</translation>
+    </message>
+    <message>
+        <source>Connected again at %1 Bd these encoders will not answer: %2.</source>
+        <translation>Neu verbunden mit %1 Bd werden diese Geber nicht antworten: %2.</translation>
+    </message>
+    <message>
+        <source>Give all encoders of the line the same baud rate.</source>
+        <translation>Allen Gebern der Leitung dieselbe Baudrate geben.</translation>
+    </message>
+</context>
+<context>
     <name>LineRecordFile</name>
     <message>
         <source>This is no session of a serial line: &quot;format&quot; is not &quot;%1&quot;.</source>
@@ -1026,14 +1037,6 @@
 </context>
 <context>
     <name>LineRecordFiles</name>
-    <message>
-        <source>%1 cannot be read: %2</source>
-        <translation>%1 lässt sich nicht lesen: %2</translation>
-    </message>
-    <message>
-        <source>%1 is too large for a session of a serial line.</source>
-        <translation>%1 ist zu groß für eine Sitzung einer seriellen Leitung.</translation>
-    </message>
     <message>
         <source>%1 was not saved: %2</source>
         <comment>file, reason</comment>
@@ -1700,14 +1703,6 @@
         <translation>Nicht gespeicherte Änderungen von %1 wurden zurückgeholt.</translation>
     </message>
     <message>
-        <source>This program has written %1 times to the EEPROM; its manual speaks of about %2.</source>
-        <translation>Dieses Programm hat %1-mal in das EEPROM geschrieben; das Handbuch spricht von etwa %2.</translation>
-    </message>
-    <message>
-        <source>This program has written %1 times to the EEPROM, as often as its manual speaks of (%2). Each further write is asked for.</source>
-        <translation>Dieses Programm hat %1-mal in das EEPROM geschrieben, so oft, wie das Handbuch angibt (%2). Ab jetzt wird vor jedem Schreiben gefragt.</translation>
-    </message>
-    <message>
         <source>Stored in the project: %2 values of %1 encoders.</source>
         <translation>Im Projekt abgelegt: %2 Werte von %1 Gebern.</translation>
     </message>
@@ -1798,6 +1793,22 @@
     <message>
         <source>The ring differs from the project (lines: %1). Compare them.</source>
         <translation>Der Ring weicht vom Projekt ab (Zeilen: %1). Bitte vergleichen.</translation>
+    </message>
+    <message>
+        <source>This program has written %1 times to the EEPROM; its manual speaks of about %2. Each further write is asked for.</source>
+        <translation>Dieses Programm hat %1-mal in das EEPROM geschrieben; das Handbuch spricht von etwa %2. Ab jetzt wird vor jedem Schreiben gefragt.</translation>
+    </message>
+    <message>
+        <source>This program has written %1 times to the EEPROM, as often as its manual speaks of (%2). It may lose its values.</source>
+        <translation>Dieses Programm hat %1-mal in das EEPROM geschrieben, so oft, wie das Handbuch angibt (%2). Der Geber kann seine Werte verlieren.</translation>
+    </message>
+    <message>
+        <source>Segment %1 is switched off, and the place of the bus fault with it: %2. The fault may still be there. Start the bus again.</source>
+        <translation>Segment %1 ist abgeschaltet, und mit ihm die Stelle des Busfehlers: %2. Der Fehler kann noch bestehen. Den Bus neu starten.</translation>
+    </message>
+    <message>
+        <source>No device answered when the ring was read in. Check the cable to the first device, and its supply.</source>
+        <translation>Beim Einlesen des Rings hat kein Gerät geantwortet. Das Kabel zum ersten Gerät und dessen Versorgung prüfen.</translation>
     </message>
 </context>
 <context>
@@ -2424,10 +2435,6 @@
         <translation>%1 hat den Gerätecode %2 und kann kein %3 sein: Der hat %4. Einen Geber mit demselben Gerätecode wählen.</translation>
     </message>
     <message>
-        <source>The encoder refused the word %1, which %2 (IN %3). It kept the old value: compare the cam program with the encoder, and check which encoder it is.</source>
-        <translation>Der Geber hat das Wort %1 abgelehnt (es %2; IN %3). Der alte Wert gilt weiter: Das Nockenprogramm mit dem Geber vergleichen und prüfen, welcher Geber es ist.</translation>
-    </message>
-    <message>
         <source>sets the shift to %1</source>
         <translation>setzt die Verschiebung auf %1</translation>
     </message>
@@ -2450,10 +2457,6 @@
     <message>
         <source>%1 cannot be read: %2</source>
         <translation>%1 lässt sich nicht lesen: %2</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2 The file there was left as it was.</source>
-        <translation>%1 lässt sich nicht schreiben: %2 Die Datei dort blieb, wie sie war.</translation>
     </message>
     <message>
         <source>%1 has %2 MB; the largest file that is read has %3 MB. Is it the right file?</source>
@@ -2564,10 +2567,6 @@
         <translation>%1 wurde als %2 und dann als %3 gelesen, daher gilt keiner der Werte. Leitung auf Störungen prüfen, dann noch einmal lesen.</translation>
     </message>
     <message>
-        <source>%1 was sent and not answered, and the encoder could not be read afterwards: it is not known whether it has the new value. Read it before you go on.</source>
-        <translation>%1 wurde gesendet und nicht beantwortet, und danach ließ sich der Geber nicht lesen: Ob er den neuen Wert hat, ist unbekannt. Vor dem Weitermachen lesen.</translation>
-    </message>
-    <message>
         <source>%1 was sent and not answered, and the encoder still has the old value. Check the line, then write again.</source>
         <translation>%1 wurde gesendet und nicht beantwortet, und der Geber hat noch den alten Wert. Leitung prüfen, dann noch einmal schreiben.</translation>
     </message>
@@ -2614,6 +2613,26 @@
     <message>
         <source>The job ended after %1 was sent and before it was answered: it is not known whether the encoder has the new value. Read it before you go on.</source>
         <translation>Der Auftrag endete, nachdem %1 gesendet und bevor es beantwortet war: Es ist nicht bekannt, ob der Geber den neuen Wert hat. Vor dem Weitermachen auslesen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2 Nothing was changed there.</source>
+        <translation>%1 lässt sich nicht schreiben: %2 Dort wurde nichts verändert.</translation>
+    </message>
+    <message>
+        <source>The encoder refused the word %1, which %2 in cam mode (IN %3). It kept the old value: compare the cam program with the encoder, and check which encoder it is.</source>
+        <translation>Der Geber hat das Wort %1 abgelehnt (im Nockenbetrieb gilt: es %2; IN %3). Der alte Wert gilt weiter: Das Nockenprogramm mit dem Geber vergleichen und prüfen, welcher Geber es ist.</translation>
+    </message>
+    <message>
+        <source>Error 3: the encoder has lost its parameters (IN %1). In cam mode it takes none: switch it to position mode, write parameters 1 to 4 there or reset it to factory settings, and compare the cam programs.</source>
+        <translation>Fehler 3: Der Geber hat seine Parameter verloren (IN %1). Im Nockenbetrieb nimmt er keine: In den Positionsbetrieb schalten, dort Parameter 1 bis 4 schreiben oder auf Werkseinstellungen zurücksetzen, und die Nockenprogramme vergleichen.</translation>
+    </message>
+    <message>
+        <source>%1 was sent and not answered, and it could not be found out afterwards whether it was carried out: it is not known whether the encoder has the new value. Check the line, and read the encoder before you go on.</source>
+        <translation>%1 wurde gesendet und nicht beantwortet, und danach ließ sich nicht feststellen, ob es ausgeführt wurde: Ob der Geber den neuen Wert hat, ist nicht bekannt. Die Leitung prüfen und den Geber lesen, bevor es weitergeht.</translation>
+    </message>
+    <message>
+        <source>Error 98000004: a start or stop of a cam is above the largest position (IN %1). Compare the cam programs with the total range.</source>
+        <translation>Fehler 98000004: Anfang oder Ende eines Nockens liegt über der größten Position (IN %1). Die Nockenprogramme mit dem Gesamtbereich vergleichen.</translation>
     </message>
 </context>
 <context>
@@ -3682,10 +3701,6 @@
         <translation>Diese %1 &amp;Worte schreiben</translation>
     </message>
     <message>
-        <source>Sends these words in cam mode, then run (80000000)</source>
-        <translation>Sendet diese Worte im Nockenbetrieb, dann Run (80000000)</translation>
-    </message>
-    <message>
         <source>Write these words</source>
         <translation>Diese Worte schreiben</translation>
     </message>
@@ -3704,6 +3719,18 @@
     <message>
         <source>The manual states about %1 writes for the encoder&apos;s life.</source>
         <translation>Das Handbuch nennt etwa %1 Schreibvorgänge für die Lebensdauer des Gebers.</translation>
+    </message>
+    <message>
+        <source>Sends these words in this order, and reads before and after</source>
+        <translation>Sendet diese Worte in dieser Reihenfolge, und liest davor und danach</translation>
+    </message>
+    <message>
+        <source>Not listed are the words that read: 2020.... and the 00000000 behind each.</source>
+        <translation>Nicht aufgeführt sind die Worte zum Lesen: 2020.... und jeweils 00000000 danach.</translation>
+    </message>
+    <message>
+        <source>Sent although it is there: %1. Outside cam mode the word behind it would mean something else.</source>
+        <translation>Wird gesendet, obwohl es schon gilt: %1. Außerhalb des Nockenbetriebs hätte das Wort danach eine andere Bedeutung.</translation>
     </message>
 </context>
 <context>
@@ -4537,10 +4564,6 @@ Rückgabewert 2.</translation>
         <translation>&quot;%1&quot; ist keine Nummer eines Nockenprogramms. Eine von 1 bis 8 wählen.</translation>
     </message>
     <message>
-        <source>%1 cannot be read: %2.</source>
-        <translation>%1 ist nicht lesbar: %2.</translation>
-    </message>
-    <message>
         <source>Saved in %1.</source>
         <translation>Gespeichert in %1.</translation>
     </message>
@@ -4741,35 +4764,12 @@ Nockenbetrieb gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-S
         <translation>in einem Projekt ablegen, was die Geber haben</translation>
     </message>
     <message>
-        <source>Reads all that can be read of the encoders named, or of all, and keeps it in the project, with its
-evidence and time. While an encoder is read, it shows no position. Of an encoder that cannot be
-read what is known is kept; what nobody knows stays unknown. With --cams each cam program is read
-in the cam mode of its own; leaving one that was changed before costs an EEPROM write.
-The file that was there is kept as PROJECT~.</source>
-        <translation>Liest alles, was sich von den genannten oder von allen Gebern lesen lässt, und legt es mit Herkunft
-und Zeit im Projekt ab. Solange ein Geber gelesen wird, zeigt er keine Position. Von einem Geber, der
-sich nicht auslesen lässt, wird abgelegt, was bekannt ist; was niemand weiß, bleibt unbekannt. Mit
---cams wird jedes Nockenprogramm in seinem eigenen Nockenbetrieb gelesen; ein vorher geändertes zu
-verlassen kostet einen EEPROM-Schreibvorgang. Die Datei, die da war, bleibt als PROJECT~ erhalten.</translation>
-    </message>
-    <message>
         <source>write what was stored of the encoders, not what is wanted</source>
         <translation>schreiben, was von den Gebern abgelegt ist, nicht was gewünscht ist</translation>
     </message>
     <message>
         <source>write the values of a project to its encoders</source>
         <translation>die Werte eines Projekts in seine Geber schreiben</translation>
-    </message>
-    <message>
-        <source>Shows what the encoders named, or all, are known to have beside what the project wants, with the
-words; asks; writes to one after the other, and tells what became of each value. What is already
-there is not written: an encoder that can be read is read first. An encoder of which one value
-cannot be written is not written at all. Exit code 1 if an encoder has not got all of it.</source>
-        <translation>Zeigt, was die genannten oder alle Geber bekanntermaßen haben, neben dem, was das Projekt will, mit
-den Worten; fragt; schreibt in einen nach dem anderen und sagt, was aus jedem Wert wurde. Was schon
-da ist, wird nicht geschrieben: Ein Geber, der sich auslesen lässt, wird zuerst gelesen. Ein Geber,
-in den sich ein Wert nicht schreiben lässt, wird gar nicht beschrieben. Exit-Code 1, wenn ein Geber
-nicht alles bekommen hat.</translation>
     </message>
     <message>
         <source>Not all of it was written, first of all to %1.</source>
@@ -5695,6 +5695,42 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         <source>Each command is sent once, and what was written is read back.</source>
         <translation>Jeder Befehl wird einmal gesendet, und Geschriebenes wird zurückgelesen.</translation>
     </message>
+    <message>
+        <source>not looked for in READY</source>
+        <translation>in READY nicht gesucht</translation>
+    </message>
+    <message>
+        <source>%1: nothing was stored.</source>
+        <translation>%1: Nichts wurde gespeichert.</translation>
+    </message>
+    <message>
+        <source>Reads all that can be read of the encoders named, or of all, and keeps it in the project, with its
+evidence and time. While an encoder is read, it shows no position. Of an encoder that cannot be
+read what is known is kept; what nobody knows stays unknown. With --cams each cam program is read
+in the cam mode of its own; leaving one that was changed before costs an EEPROM write.
+Nothing is stored of a place where another encoder may stand than the project has (see
+&quot;compare&quot;): exit code 1. The file that was there is kept as PROJECT~.</source>
+        <translation>Liest alles, was sich von den genannten oder von allen Gebern lesen lässt, und legt es mit Herkunft
+und Zeit im Projekt ab. Solange ein Geber gelesen wird, zeigt er keine Position. Von einem Geber, der
+sich nicht auslesen lässt, wird abgelegt, was bekannt ist; was niemand weiß, bleibt unbekannt. Mit
+--cams wird jedes Nockenprogramm in seinem eigenen Nockenbetrieb gelesen; ein vorher geändertes zu
+verlassen kostet einen EEPROM-Schreibvorgang. Von einem Platz, an dem ein anderer Geber stehen kann
+als im Projekt, wird nichts abgelegt (siehe &quot;compare&quot;): Exit-Code 1. Die Datei, die da war, bleibt
+als PROJECT~ erhalten.</translation>
+    </message>
+    <message>
+        <source>Shows what the encoders named, or all, are known to have beside what the project wants, with the
+words; asks; writes to one after the other, and tells what became of each value. What is already
+there is not written: an encoder that can be read is read first. An encoder of which one value
+cannot be written is not written at all, nor is one that is not the project&apos;s: its place may have
+another number now (see &quot;compare&quot;). Exit code 1 if an encoder has not got all of it.</source>
+        <translation>Zeigt, was die genannten oder alle Geber bekanntermaßen haben, neben dem, was das Projekt will, mit
+den Worten; fragt; schreibt in einen nach dem anderen und sagt, was aus jedem Wert wurde. Was schon
+da ist, wird nicht geschrieben: Ein Geber, der sich auslesen lässt, wird zuerst gelesen. Ein Geber,
+in den sich ein Wert nicht schreiben lässt, wird gar nicht beschrieben, und auch keiner, der nicht
+der des Projekts ist: Sein Platz kann jetzt eine andere Nummer haben (siehe &quot;compare&quot;). Exit-Code 1,
+wenn ein Geber nicht alles bekommen hat.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -5768,6 +5804,10 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     <message>
         <source>%1: configured %2 is missing</source>
         <translation>%1: projektiert %2, fehlt</translation>
+    </message>
+    <message>
+        <source>%1: %2 moved among its neighbours, its number stayed the same</source>
+        <translation>%1: %2 unter seinen Nachbarn versetzt, die Nummer blieb gleich</translation>
     </message>
 </context>
 <context>
@@ -6046,16 +6086,69 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         <translation>Was geschrieben wird, muss sich auch lesen lassen: Ein Schreiben ohne Antwort wird nachgeprüft.</translation>
     </message>
     <message>
-        <source>A value that is written must be between 0 and %1.</source>
-        <translation>Ein Wert, der geschrieben wird, muss zwischen 0 und %1 liegen.</translation>
-    </message>
-    <message>
         <source>Only an encoder on a serial line has commands. Leave it out.</source>
         <translation>Nur ein Geber auf einer seriellen Leitung hat Befehle. Weglassen.</translation>
     </message>
     <message>
         <source>The words of the profile %1 are: IN %2, OUT %3.</source>
         <translation>Die Worte des Profils %1 sind: IN %2, OUT %3.</translation>
+    </message>
+    <message>
+        <source>The word that sets the position takes the parameter preset. Give preset a number, or write false.</source>
+        <translation>Das Wort, das die Position setzt, nimmt den Parameter preset. Für preset eine number angeben, oder false schreiben.</translation>
+    </message>
+    <message>
+        <source>The parameter preset tells the range of the position, and is read after it was set. Give preset the command read, or write false.</source>
+        <translation>Der Parameter preset nennt den Bereich der Position und wird nach dem Setzen gelesen. Für preset den Befehl read angeben, oder false schreiben.</translation>
+    </message>
+    <message>
+        <source>The encoder is told the position together with the command that sets it. Write true.</source>
+        <translation>Der Geber bekommt die Position zusammen mit dem Befehl, der sie setzt. true schreiben.</translation>
+    </message>
+    <message>
+        <source>The preset is read, and programmed again. Give preset a number and a readOut, or write false.</source>
+        <translation>Der Preset wird gelesen und neu programmiert. Für preset eine number und ein readOut angeben, oder false schreiben.</translation>
+    </message>
+    <message>
+        <source>The parameter multi-turn-steps-minus-1 tells which of both the encoder does. Give it a readOut, or write false.</source>
+        <translation>Der Parameter multi-turn-steps-minus-1 sagt, was von beidem der Geber tut. Dafür ein readOut angeben, oder false schreiben.</translation>
+    </message>
+    <message>
+        <source>An encoder that is told steps - 1 cannot be told 0 steps. Let the minimum of steps be 1 or more.</source>
+        <translation>Einem Geber, der Schritte - 1 bekommt, lassen sich nicht 0 Schritte geben. Als minimum von steps 1 oder mehr angeben.</translation>
+    </message>
+    <message>
+        <source>Cams and velocity are modes beside position mode, in which words mean something else. Write true.</source>
+        <translation>Nocken und Drehzahl sind Betriebsarten neben dem Positionsbetrieb, in denen Worte etwas anderes bedeuten. true schreiben.</translation>
+    </message>
+    <message>
+        <source>Only with the dialect fraba are the words of a read-out known. Leave it out.</source>
+        <translation>Nur beim Dialekt fraba sind die Worte zum Auslesen bekannt. Weglassen.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 here. Anything else makes the encoder do or tell something else.</source>
+        <translation>%1 hat hier %2. Mit etwas anderem würde der Geber etwas anderes tun oder melden.</translation>
+    </message>
+    <message>
+        <source>%1 has nothing here. Leave it out: the encoder would do or tell something else.</source>
+        <translation>%1 hat hier nichts. Weglassen: Der Geber würde etwas anderes tun oder melden.</translation>
+    </message>
+    <message>
+        <source>%1 of the profile %2</source>
+        <comment>a parameter, as subject of a sentence</comment>
+        <translation>%1 des Profils %2</translation>
+    </message>
+    <message>
+        <source>What is written must be read, too: it is read back.</source>
+        <translation>Was geschrieben wird, muss auch gelesen werden: Es wird zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>A baud rate is 19200, 9600 or 4800.</source>
+        <translation>Eine Baudrate ist 19200, 9600 oder 4800.</translation>
+    </message>
+    <message>
+        <source>A value that is written must be between %1 and %2.</source>
+        <translation>Ein Wert, der geschrieben wird, muss zwischen %1 und %2 liegen.</translation>
     </message>
 </context>
 <context>
@@ -7276,6 +7369,10 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         <source>OUT goes back to 0, and the encoder keeps the state it is in</source>
         <translation>OUT geht zurück auf 0, und der Geber bleibt in seinem Zustand</translation>
     </message>
+    <message>
+        <source>The encoder has taken, or is taking, what was sent. How is it to be left?</source>
+        <translation>Der Geber hat übernommen, was gesendet wurde, oder übernimmt es gerade. Wie soll er hinterlassen werden?</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Journal</name>
@@ -7318,6 +7415,14 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     <message>
         <source>Message &quot;%1&quot; of another version of Codewheel: %2</source>
         <translation>Meldung &quot;%1&quot; einer anderen Version von Codewheel: %2</translation>
+    </message>
+    <message>
+        <source>it is no file.</source>
+        <translation>es ist keine Datei.</translation>
+    </message>
+    <message>
+        <source>it is no database, and was left as it was.</source>
+        <translation>es ist keine Datenbank und blieb, wie es war.</translation>
     </message>
 </context>
 <context>
@@ -7920,6 +8025,33 @@ Zustand: %4</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::LineKeeper</name>
+    <message>
+        <source>Serial line</source>
+        <translation>Serielle Leitung</translation>
+    </message>
+    <message>
+        <source>Fraction bits of the scaling factor</source>
+        <translation>Nachkommabits des Skalierungsfaktors</translation>
+    </message>
+    <message>
+        <source>Baud rate of the serial line</source>
+        <translation>Baudrate der seriellen Leitung</translation>
+    </message>
+    <message>
+        <source>Encoders of the serial line</source>
+        <translation>Geber der seriellen Leitung</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Address of %1 to %2</source>
+        <translation>Adresse von %1 auf %2</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::LinePanel</name>
     <message>
         <source>Serial line</source>
@@ -8518,8 +8650,16 @@ Zustand: %4</translation>
         <translation>Besti&amp;mmen</translation>
     </message>
     <message>
-        <source>Reads scaling factor, steps per turn and measuring range of an encoder of the line, and takes the format that fits. Nothing is written (Alt+M)</source>
-        <translation>Liest Skalierungsfaktor, Schritte je Umdrehung und Messbereich eines Gebers der Leitung und nimmt das Format, das passt. Nichts wird geschrieben (Alt+M)</translation>
+        <source>Reads scaling factor, steps per turn and measuring range of the chosen encoder of the line, or else of the first that answers, and keeps the format that fits. Nothing is written (Alt+M)</source>
+        <translation>Liest Skalierungsfaktor, Schritte je Umdrehung und Messbereich des gewählten Gebers der Leitung, sonst des ersten, der antwortet, und behält das passende Format. Es wird nichts geschrieben (Alt+M)</translation>
+    </message>
+    <message>
+        <source>Use this adapter</source>
+        <translation>Diesen Adapter verwenden</translation>
+    </message>
+    <message>
+        <source>Set the line to %1 Bd</source>
+        <translation>Leitung auf %1 Bd stellen</translation>
     </message>
 </context>
 <context>
@@ -8696,20 +8836,8 @@ Zustand: %4</translation>
 <context>
     <name>codewheel::LineViews</name>
     <message>
-        <source>Serial line</source>
-        <translation>Serielle Leitung</translation>
-    </message>
-    <message>
         <source>&amp;Use this adapter</source>
         <translation>Diesen Adapter &amp;benutzen</translation>
-    </message>
-    <message>
-        <source>Encoders of the serial line</source>
-        <translation>Geber der seriellen Leitung</translation>
-    </message>
-    <message>
-        <source>Remove %1</source>
-        <translation>%1 entfernen</translation>
     </message>
 </context>
 <context>
@@ -8953,6 +9081,10 @@ Zustand: %4</translation>
     <message>
         <source>Not 0 now: %1.</source>
         <translation>Jetzt nicht 0: %1.</translation>
+    </message>
+    <message>
+        <source>not looked for in READY</source>
+        <translation>in READY nicht gesucht</translation>
     </message>
 </context>
 <context>
@@ -10055,6 +10187,10 @@ Worte: IN %5, OUT %6</translation>
         <source>Goes on; what was changed is lost</source>
         <translation>Macht weiter; die Änderungen gehen verloren</translation>
     </message>
+    <message>
+        <source>What is planned for %1 is in no file: the project has no device there. Compare with the ring, take it into the project, then save.</source>
+        <translation>Was für %1 vorgesehen ist, steht in keiner Datei: Das Projekt hat dort kein Gerät. Mit dem Ring vergleichen, in das Projekt übernehmen, dann speichern.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ProjectPage</name>
@@ -10126,6 +10262,25 @@ Worte: IN %5, OUT %6</translation>
     <message>
         <source>It has no settings.</source>
         <translation>Sie hat keine Einstellungen.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ProjectPlaces</name>
+    <message>
+        <source>%1 (missing now)</source>
+        <translation>%1 (fehlt jetzt)</translation>
+    </message>
+    <message>
+        <source>%1 (moved to %2)</source>
+        <translation>%1 (versetzt nach %2)</translation>
+    </message>
+    <message>
+        <source>%1 (its number is %2 now)</source>
+        <translation>%1 (hat jetzt die Nummer %2)</translation>
+    </message>
+    <message>
+        <source>perhaps another one: beside it, one of the same kind is missing or additional</source>
+        <translation>vielleicht ein anderer: daneben fehlt einer derselben Art oder ist einer zusätzlich da</translation>
     </message>
 </context>
 <context>
@@ -11623,10 +11778,6 @@ Worte: IN %5, OUT %6</translation>
         <translation>folge.json</translation>
     </message>
     <message>
-        <source>%1 cannot be read: %2</source>
-        <translation>%1 ist nicht lesbar: %2</translation>
-    </message>
-    <message>
         <source>%1 was not read. %2</source>
         <comment>file, reason</comment>
         <translation>%1 wurde nicht gelesen. %2</translation>
@@ -12937,6 +13088,10 @@ Zustand: %7</translation>
         <source>Encoder %1 of %2: %3, step %4 of %5</source>
         <translation>Geber %1 von %2: %3, Schritt %4 von %5</translation>
     </message>
+    <message>
+        <source>No other is begun.</source>
+        <translation>Kein weiterer wird begonnen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TransferReport</name>
@@ -13181,6 +13336,10 @@ Zustand: %7</translation>
     <message>
         <source>silent: it does not answer</source>
         <translation>stumm: er antwortet nicht</translation>
+    </message>
+    <message>
+        <source>Taken, but not valid until run is sent</source>
+        <translation>Übernommen, aber erst nach Run gültig</translation>
     </message>
 </context>
 <context>
