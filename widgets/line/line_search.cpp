@@ -162,8 +162,6 @@ void LineSearch::makeTable()
 {
     setUpQuietTable(*m_table, *m_found, tr("Encoders found"));
     m_table->setToolTip(tr("Space chooses an encoder"));
-    m_table->horizontalHeader()->setSectionResizeMode(FoundEncoderModel::address,
-                                                      QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_content->addWidget(m_empty);
     m_content->addWidget(m_table);
@@ -256,7 +254,7 @@ void LineSearch::showProgress(const ScanProgress &progress)
     m_progress->setRange(0, progress.total);
     m_progress->setValue(progress.asked);
     m_progress->setFormat(tr("%1 of %2 asked").arg(progress.asked).arg(progress.total));
-    m_found->show(progress.found);
+    showFound(progress.found);
     if (!progress.found.empty())
         m_content->setCurrentWidget(m_table);
     showWhatIsPossible();
@@ -266,7 +264,7 @@ void LineSearch::showEnd(const ScanEnded &ended)
 {
     m_isSearching = false;
     m_progress->hide();
-    m_found->show(ended.found);
+    showFound(ended.found);
     const QString requests = tr("Requests sent: %n.", nullptr, ended.requests);
     if (!ended.found.empty()) {
         m_content->setCurrentWidget(m_table);
@@ -284,6 +282,12 @@ void LineSearch::showEnd(const ScanEnded &ended)
                                  "to +UB, without it no command works."));
     }
     showWhatIsPossible();
+}
+
+void LineSearch::showFound(const std::vector<FoundEncoder> &found)
+{
+    m_found->show(found);
+    m_table->resizeColumnToContents(FoundEncoderModel::address);
 }
 
 void LineSearch::showLeft(const std::vector<FoundEncoder> &left)

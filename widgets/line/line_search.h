@@ -59,6 +59,7 @@ private:
     void start();
     void showProgress(const ScanProgress &progress);
     void showEnd(const ScanEnded &ended);
+    void showFound(const std::vector<FoundEncoder> &found);
     void showWhatIsPossible();
     bool isConnected() const;
 

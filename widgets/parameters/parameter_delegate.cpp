@@ -10,6 +10,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QPainter>
+#include <QTableView>
 
 namespace codewheel {
 
@@ -46,6 +47,21 @@ void drawName(QPainter &painter, const QRect &where, const QString &name)
     painter.drawText(where, flags, name);
 }
 
+// A value that is cut could be another one: it stands on as many lines as it needs.
+constexpr int wrapped = Qt::AlignVCenter | Qt::TextWordWrap;
+
+int heightOf(const QFontMetrics &font, const QString &value, int width)
+{
+    return font.horizontalAdvance(value) <= width
+               ? font.height()
+               : font.boundingRect(QRect(0, 0, width, QWIDGETSIZE_MAX), wrapped, value).height();
+}
+
+void drawValue(QPainter &painter, const QRect &where, Qt::Alignment alignment, const QString &value)
+{
+    painter.drawText(where, static_cast<int>(alignment & Qt::AlignHorizontal_Mask) | wrapped, value);
+}
+
 } // namespace
 
 void ParameterDelegate::paint(QPainter *painter, const QStyleOptionViewItem &given,
@@ -63,7 +79,9 @@ void ParameterDelegate::paint(QPainter *painter, const QStyleOptionViewItem &giv
     QRect first = inside(option.rect);
     QRect second = first;
     if (!detail.isEmpty() && !value.isEmpty()) {
-        first.setBottom(first.top() + first.height() * 3 / 5);
+        const QFontMetrics small(textFont(TextSize::small));
+        const int ofTwoLines = first.height() * 3 / 5;
+        first.setBottom(std::max(first.top() + ofTwoLines, first.bottom() - small.height()));
         second.setTop(first.bottom());
     }
     painter->setFont(option.font);
@@ -71,7 +89,7 @@ void ParameterDelegate::paint(QPainter *painter, const QStyleOptionViewItem &giv
     if (index.column() == ParameterModel::nameColumn)
         drawName(*painter, first, value);
     else
-        drawLine(*painter, first, option.displayAlignment, value);
+        drawValue(*painter, first, option.displayAlignment, value);
 
     painter->setFont(textFont(TextSize::small));
     painter->setPen(inkOf(option, true));
@@ -97,8 +115,12 @@ QSize ParameterDelegate::sizeHint(const QStyleOptionViewItem &option, const QMod
                                small.horizontalAdvance(index.data(ParameterModel::detailRole).toString()) +
                                    (isMarked ? markSize + grid::unit : 0));
     const double factor = option.widget ? controlFactor(*option.widget) : 1;
-    const int lines = 2 * QFontMetrics(textFont()).height();
-    return {width + 3 * grid::unit, std::max(lines + grid::unit, qRound(26 * factor))};
+    const int line = QFontMetrics(textFont()).height();
+    const auto *table = qobject_cast<const QTableView *>(option.widget);
+    const int room = table ? table->columnWidth(index.column()) - 2 * grid::unit : width;
+    const int value =
+        index.column() == ParameterModel::nameColumn ? line : heightOf(big, index.data().toString(), room);
+    return {width + 3 * grid::unit, std::max(line + value + grid::unit, qRound(26 * factor))};
 }
 
 QWidget *ParameterDelegate::createEditor(QWidget *parent, const QStyleOptionViewItem &,

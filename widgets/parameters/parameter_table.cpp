@@ -116,6 +116,7 @@ void ParameterTable::resizeEvent(QResizeEvent *event)
 {
     QTableView::resizeEvent(event);
     setColumnWidth(ParameterModel::nameColumn, qRound(viewport()->width() * nameShare));
+    scheduleDelayedItemsLayout(); // values take more lines in a narrower column
 }
 
 void ParameterTable::changeEvent(QEvent *event)
