@@ -1212,6 +1212,14 @@
         <source>downloading the configuration</source>
         <translation>Konfiguration laden</translation>
     </message>
+    <message>
+        <source>not looked for in READY</source>
+        <translation>in READY nicht gesucht</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
 </context>
 <context>
     <name>Meaning</name>
@@ -5696,10 +5704,6 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         <translation>Jeder Befehl wird einmal gesendet, und Geschriebenes wird zurückgelesen.</translation>
     </message>
     <message>
-        <source>not looked for in READY</source>
-        <translation>in READY nicht gesucht</translation>
-    </message>
-    <message>
         <source>%1: nothing was stored.</source>
         <translation>%1: Nichts wurde gespeichert.</translation>
     </message>
@@ -9021,10 +9025,6 @@ Zustand: %4</translation>
         <translation>Diese Verbindung erreicht den Master nicht.</translation>
     </message>
     <message>
-        <source>none</source>
-        <translation>keiner</translation>
-    </message>
-    <message>
         <source>%1: not located</source>
         <translation>%1: nicht geortet</translation>
     </message>
@@ -9081,10 +9081,6 @@ Zustand: %4</translation>
     <message>
         <source>Not 0 now: %1.</source>
         <translation>Jetzt nicht 0: %1.</translation>
-    </message>
-    <message>
-        <source>not looked for in READY</source>
-        <translation>in READY nicht gesucht</translation>
     </message>
 </context>
 <context>

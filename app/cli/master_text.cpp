@@ -85,9 +85,7 @@ QString masterLines(const BusSession &bus)
     const MasterStatus *master = bus.master();
     if (!master)
         return CommandLine::tr("Master:         not reached by this link") + u'\n';
-    const QString fault = master->isFaulty()                    ? master->faultText()
-                          : master->state == MasterState::ready ? CommandLine::tr("not looked for in READY")
-                                                                : CommandLine::tr("none");
+    const QString fault = masterFaultText(*master);
     return CommandLine::tr("Master:         %1").arg(masterStateName(master->state)) + u'\n' +
            CommandLine::tr("Status:         %1 (%2)")
                .arg(hexCode(master->statusBits, 4), bitNames(master->statusBits)) +

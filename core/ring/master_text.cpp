@@ -91,4 +91,13 @@ QString diagnosticBitText(int bit)
     return translated(bits.at(static_cast<std::size_t>(bit)).text);
 }
 
+QString masterFaultText(const MasterStatus &status)
+{
+    if (status.isFaulty())
+        return status.faultText();
+    return translated(status.state == MasterState::ready
+                          ? QT_TRANSLATE_NOOP("Master", "not looked for in READY")
+                          : QT_TRANSLATE_NOOP("Master", "none"));
+}
+
 } // namespace codewheel

@@ -9,6 +9,8 @@ namespace codewheel {
 
 // "RUN", the same in every view.
 QString masterStateName(MasterState state);
+// The fault and its place; "none", or that in READY no faults are looked for.
+QString masterFaultText(const MasterStatus &status);
 
 // By their codes (IBS SYS FW G4 UM).
 enum class MasterService : std::uint16_t {

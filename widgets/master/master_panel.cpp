@@ -281,9 +281,7 @@ void MasterPanel::showFault()
         return;
     }
     m_bits->showBits(master->statusBits);
-    setTextOf(m_fault, master->isFaulty()                    ? master->faultText()
-                       : master->state == MasterState::ready ? tr("not looked for in READY")
-                                                             : tr("none"));
+    setTextOf(m_fault, masterFaultText(*master));
     setTextOf(m_errorCode, hexCode(master->errorCode, 4));
     const QString hex = hexCode(master->parameter, 4);
     const auto place = master->faultPlace();
