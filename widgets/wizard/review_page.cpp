@@ -5,7 +5,7 @@
 #include "encoder/refusal_text.h"
 #include "line/line_encoder_session.h"
 #include "ring/bus_session.h"
-#include "ring/word_channel.h"
+#include "ring/ring_encoder_session.h"
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -117,9 +117,7 @@ void ReviewPage::plan()
     }
     m_changes.setRows(std::move(rows));
 
-    const WordChannel *channel = m_setup.connected->bus().channel(encoder.number());
-    const auto steps = plannedForJobs(encoder, jobsForWish(encoder, m_setup.wish),
-                                      channel ? channel->out() : k3::normalRunning);
+    const auto steps = plannedForJobs(encoder, jobsForWish(encoder, m_setup.wish), outOf(encoder));
     m_mayGoOn = steps.has_value();
     if (steps) {
         m_steps.showSteps(encoder.device(), *steps);
