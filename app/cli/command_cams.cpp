@@ -215,7 +215,7 @@ QString wordList(const std::vector<Step> &steps)
 {
     QStringList words;
     for (const Step &step : steps)
-        if (step.kind != StepKind::camReadOut && step.kind != StepKind::endReadOut)
+        if (!readsCams(step))
             words << hexWord(step.out);
     return words.join(u' ');
 }

@@ -122,6 +122,11 @@ bool takesValue(const Step &step)
     return writesAnything(step);
 }
 
+bool readsCams(const Step &step)
+{
+    return step.kind == StepKind::camReadOut || step.kind == StepKind::endReadOut;
+}
+
 int eepromWritesOf(const std::vector<Step> &steps, const DeviceDescription &device)
 {
     return static_cast<int>(std::ranges::count_if(steps, [&](const Step &step) {

@@ -38,6 +38,9 @@ std::vector<Known> allKnown(const EncoderSession &encoder);
 // Whether the encoder takes a value with this step: it changes, and its EEPROM is written.
 bool takesValue(const Step &step);
 
+// Whether the step only reads cams, or ends such a read-out.
+bool readsCams(const Step &step);
+
 // EEPROM writes these steps will cost, at most: one per value, and the preset where it may be stored.
 int eepromWritesOf(const std::vector<Step> &steps, const DeviceDescription &device);
 

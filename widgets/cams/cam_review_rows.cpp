@@ -32,11 +32,6 @@ QString valueText(CamField field, std::int64_t value)
     return cams.isEmpty() ? CamReviewRows::tr("none") : cams.join(QStringLiteral(", "));
 }
 
-bool isReadOut(const Step &step)
-{
-    return step.kind == StepKind::camReadOut || step.kind == StepKind::endReadOut;
-}
-
 bool setsCams(const Step &step)
 {
     return step.kind == StepKind::camParameter;
@@ -79,7 +74,7 @@ Result<std::vector<CamReviewRow>> camReviewRows(const EncoderSession &encoder, c
     for (const Step &step : *steps) {
         if (k3::isProgramWord(step.out))
             program = programChosenBy(step.out);
-        if (!isReadOut(step))
+        if (!readsCams(step))
             rows.push_back(rowOf(encoder, program, step));
     }
     return rows;
