@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/window/serial_line.h"
+#include "tests/app/planned_encoder.h"
 #include "tests/app/window_test.h"
 #include "widgets/line/line_settings_form.h"
 #include "widgets/look/inline_message.h"
@@ -29,14 +30,6 @@ protected:
         }
     }
 
-    static ProjectDevice encoder(DeviceNumber number, const QString &station = {})
-    {
-        ProjectDevice planned;
-        planned.participant.number = number;
-        planned.participant.deviceKey = QStringLiteral("kuebler-esc-rs485");
-        planned.station = station;
-        return planned;
-    }
     // The project has this line, as it was opened from a file.
     void plan(const ProjectLine &line)
     {

@@ -58,7 +58,7 @@ protected:
 
 TEST_F(LineAtPort, AnEncoderOfAnotherAddressIsFoundThereByTheProject)
 {
-    plan({encoder(at3, QStringLiteral("Slide"))});
+    plan({test::plannedEncoder(at3, QStringLiteral("Slide"))});
     const QString port = startPeer(QStringLiteral("--addresses 03"));
     connectPort(port);
     ASSERT_TRUE(answers(at3));
@@ -76,7 +76,7 @@ TEST_F(LineAtPort, AnEncoderOfAnotherAddressIsFoundThereByTheProject)
 
 TEST_F(LineAtPort, TheTerminalExplainsFactorsInTheFormatOfTheProject)
 {
-    plan({encoder(at3)});
+    plan({test::plannedEncoder(at3)});
     Project planned = project();
     planned.line->wish.fractionBits = 28;
     shown->project().setProject(planned, {});
@@ -87,7 +87,7 @@ TEST_F(LineAtPort, TheTerminalExplainsFactorsInTheFormatOfTheProject)
 
 TEST_F(LineAtPort, TheFormatThatWasDeterminedIsKept)
 {
-    plan({encoder(at3), encoder(at5)});
+    plan({test::plannedEncoder(at3), test::plannedEncoder(at5)});
     Project planned = project();
     planned.line->wish.fractionBits = 28;
     shown->project().setProject(planned, {});
@@ -112,7 +112,7 @@ TEST_F(LineAtPort, TheFormatThatWasDeterminedIsKept)
 
 TEST_F(LineAtPort, TheFormatIsDeterminedFromTheChosenEncoder)
 {
-    plan({encoder(at3), encoder(at5)});
+    plan({test::plannedEncoder(at3), test::plannedEncoder(at5)});
     connectPort(startPeer(QStringLiteral("--addresses 03,05")));
     ASSERT_TRUE(answers(at3));
     ASSERT_TRUE(answers(at5));
@@ -128,7 +128,7 @@ TEST_F(LineAtPort, TheFormatIsDeterminedFromTheChosenEncoder)
 
 TEST_F(LineAtPort, AfterAnotherBaudRateTheLinesIsOffered)
 {
-    plan({encoder(at3)});
+    plan({test::plannedEncoder(at3)});
     connectPort(startPeer(QStringLiteral("--addresses 03")));
     ASSERT_TRUE(answers(at3));
     write(at3, Parameter::baudRate, 9'600);
@@ -145,7 +145,7 @@ TEST_F(LineAtPort, AfterAnotherBaudRateTheLinesIsOffered)
 
 TEST_F(LineAtPort, WhereOthersStandAtTheOldBaudRateItIsSaidWhichWillBeSilent)
 {
-    plan({encoder(at3), encoder(at5)});
+    plan({test::plannedEncoder(at3), test::plannedEncoder(at5)});
     connectPort(startPeer(QStringLiteral("--addresses 03,05")));
     ASSERT_TRUE(answers(at3));
     ASSERT_TRUE(answers(at5));

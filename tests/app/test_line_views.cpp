@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/planned_encoder.h"
 #include "tests/app/window_test.h"
 #include "tests/support/pty_pair.h"
 #include "widgets/line/line_panel.h"
@@ -43,14 +44,6 @@ protected:
         planned.line = ProjectLine();
         planned.line->encoders = encoders;
         shown->project().setProject(planned, {});
-    }
-    static ProjectDevice encoder(DeviceNumber number, const QString &station = {})
-    {
-        ProjectDevice planned;
-        planned.participant.number = number;
-        planned.participant.deviceKey = QStringLiteral("kuebler-esc-rs485");
-        planned.station = station;
-        return planned;
     }
     static FoundEncoder found(LineAddress address, int baudRate)
     {
@@ -145,7 +138,7 @@ TEST_F(LineViewsTest, WhatIsFoundAtAPortIsKeptInTheProject)
     Q_EMIT view<LineSearch>().takeOverWanted({found({7}, 19'200)}, QStringLiteral("kuebler-esc-rs485"));
     EXPECT_EQ(line().numbers(), std::vector{DeviceNumber::onLine({7})});
     ASSERT_TRUE(project().line);
-    EXPECT_EQ(project().line->encoders, std::vector{encoder(DeviceNumber::onLine({7}))});
+    EXPECT_EQ(project().line->encoders, std::vector{test::plannedEncoder(DeviceNumber::onLine({7}))});
 }
 
 TEST_F(LineViewsTest, WhatAnswersAtAnotherBaudRateIsNotTakenOverAndThatIsSaid)
@@ -163,7 +156,7 @@ TEST_F(LineViewsTest, WhatAnswersAtAnotherBaudRateIsNotTakenOverAndThatIsSaid)
 
 TEST_F(LineViewsTest, AnEncoderIsRemovedFromLineAndProject)
 {
-    plan({encoder(standing), encoder(DeviceNumber::onLine({7}))});
+    plan({test::plannedEncoder(standing), test::plannedEncoder(DeviceNumber::onLine({7}))});
     PtyPair pty;
     connectPort(pty.path());
     view<StructureView>().choose(standing);
@@ -172,20 +165,20 @@ TEST_F(LineViewsTest, AnEncoderIsRemovedFromLineAndProject)
     actions().removeFromLine->trigger();
     advance(50);
     EXPECT_EQ(line().encoder(standing), nullptr);
-    EXPECT_EQ(project().line->encoders, std::vector{encoder(DeviceNumber::onLine({7}))});
+    EXPECT_EQ(project().line->encoders, std::vector{test::plannedEncoder(DeviceNumber::onLine({7}))});
     view<StructureView>().choose(test::fraba);
     EXPECT_FALSE(actions().removeFromLine->isEnabled());
 }
 
 TEST_F(LineViewsTest, RemovedFromTheTrainingLineTheProjectsOwnStays)
 {
-    plan({encoder(standing)});
+    plan({test::plannedEncoder(standing)});
     view<StructureView>().choose(standing);
     advance(50);
     actions().removeFromLine->trigger();
     advance(50);
     EXPECT_EQ(line().encoder(standing), nullptr);
-    EXPECT_EQ(project().line->encoders, std::vector{encoder(standing)});
+    EXPECT_EQ(project().line->encoders, std::vector{test::plannedEncoder(standing)});
 }
 
 TEST_F(LineViewsTest, NoTrainingEncoderIsTakenAlongToAPort)
@@ -199,7 +192,8 @@ TEST_F(LineViewsTest, NoTrainingEncoderIsTakenAlongToAPort)
 
 TEST_F(LineViewsTest, ThePortOfAnEncoderIsConnectedInWatch)
 {
-    plan({encoder(standing, QStringLiteral("Slide")), encoder(DeviceNumber::onLine({7}))});
+    plan({test::plannedEncoder(standing, QStringLiteral("Slide")),
+          test::plannedEncoder(DeviceNumber::onLine({7}))});
     PtyPair pty;
     connectPort(pty.path());
     ASSERT_NE(shown->line().session(), nullptr);
