@@ -6,6 +6,7 @@
 #include "ring/bus_session.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 #include <algorithm>
 
@@ -19,6 +20,7 @@ constexpr int picturePeriod = 33; // ms
 TrainingWindow::TrainingWindow(const QString &settingsFile, QSize size)
     : m_settings(settingsFile)
     , m_training(openTrainingSession(m_catalog, begin()))
+    , m_line(m_catalog, m_project, QFileInfo(settingsFile).absolutePath(), LineSession::Drive::byHand, begin)
     , m_ledger(*m_training.bus, DatabasePlace::memory())
     , m_positions(*m_training.bus)
 {

@@ -39,7 +39,7 @@ private:
     MessageModel m_messages{m_store};
     TrainingSession m_training;
     ProjectDocument m_project;
-    SerialLine m_line{m_catalog, m_project, {}, LineSession::Drive::byHand, begin};
+    SerialLine m_line;
     LedgerKeeper m_ledger;
     LastPositions m_positions;
     std::unique_ptr<MainWindow> m_window;
