@@ -8054,6 +8054,10 @@ Zustand: %4</translation>
         <source>Address of %1 to %2</source>
         <translation>Adresse von %1 auf %2</translation>
     </message>
+    <message>
+        <source>Warning bytes of %1</source>
+        <translation>Warnungsbytes von %1</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LinePanel</name>
@@ -13886,6 +13890,14 @@ Zustand: %7</translation>
     <message>
         <source>For encoders on the serial line</source>
         <translation>Für Geber an der seriellen Leitung</translation>
+    </message>
+    <message>
+        <source>For an encoder that sends the low byte of its warnings first; nothing is sent</source>
+        <translation>Für einen Geber, der das niederwertige Byte seiner Warnungen zuerst sendet; gesendet wird nichts</translation>
+    </message>
+    <message>
+        <source>&amp;Swap warning bytes</source>
+        <translation>Warnungs&amp;bytes tauschen</translation>
     </message>
 </context>
 <context>

@@ -100,6 +100,7 @@ Checked<EncoderSession *> LineAccess::encoder(LineAddress address, const QString
         return there;
     if (const auto added = (*line)->add(address, deviceKey); !added)
         return tl::unexpected(complaintAbout(added.error()));
+    (*line)->setSwapsWarningBytes(number, explainOptions().swaps(address));
     EncoderSession *encoder = (*line)->encoder(number);
     const auto state = [&] { return encoder->latest().state; };
     if (!waitUntil([&] { return state() == EncoderState::operation || state() == EncoderState::silent; },

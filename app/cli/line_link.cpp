@@ -51,7 +51,11 @@ constexpr std::array numberSettings{
     NumberSetting{fractionBitsKey, esc::fewestFractionBits, esc::mostFractionBits,
                   [](LineLink &link, int v) { link.wish.fractionBits = v; }},
     NumberSetting{"low-latency", 0, 1, [](LineLink &link, int v) { link.wish.line.lowLatency = v == 1; }},
-    NumberSetting{"swap-warnings", 0, 1, [](LineLink &link, int v) { link.swapWarningBytes = v == 1; }},
+    NumberSetting{"swap-warnings", 0, 1,
+                  [](LineLink &link, int v) {
+                      link.swapWarningBytes = v == 1;
+                      link.swapping.clear();
+                  }},
 };
 
 const QString fromDevice = QStringLiteral("device");
@@ -126,6 +130,9 @@ Checked<LineLink> lineAt(const QString &port, const Project *project)
                             "with --project FILE, or the port, as --link esc:ttyUSB0."));
     link.wish = project->line->wish;
     link.adapter = project->line->adapter;
+    for (const ProjectDevice &encoder : project->line->encoders)
+        if (encoder.swapsWarningBytes)
+            link.swapping.insert(encoder.participant.number.line);
     return link;
 }
 
@@ -146,15 +153,13 @@ Checked<LinkWish> lineMeant(const QString &text, const Project *project)
 
 EscSettings LineLink::driver() const
 {
-    return {.positionInterval = wish.pollInterval,
-            .topSpeed = wish.topSpeed,
-            .fractionBits = wish.fractionBits,
-            .swapWarningBytes = swapWarningBytes};
+    return {
+        .positionInterval = wish.pollInterval, .topSpeed = wish.topSpeed, .fractionBits = wish.fractionBits};
 }
 
 esc::ExplainOptions LineLink::explainOptions() const
 {
-    return {.swapWarningBytes = swapWarningBytes, .fractionBits = wish.fractionBits};
+    return {.swapWarningBytes = swapWarningBytes, .fractionBits = wish.fractionBits, .swapping = swapping};
 }
 
 bool isLineOfProject(const QString &link)

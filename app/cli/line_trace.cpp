@@ -123,7 +123,7 @@ QJsonObject answerJson(const esc::Request &request, const esc::Answer &answer,
     if (answer.kind != esc::Answer::Kind::value)
         return json;
     json.insert(QStringLiteral("value"), static_cast<qint64>(answer.value));
-    const bool isSwapped = options.swapWarningBytes && request.command == esc::Command::warnings;
+    const bool isSwapped = options.swaps(request.to) && request.command == esc::Command::warnings;
     const auto word = static_cast<std::uint16_t>(answer.value);
     if (!esc::bitsOf(request.command).empty())
         json.insert(QStringLiteral("bits"),

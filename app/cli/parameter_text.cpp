@@ -6,12 +6,13 @@
 
 namespace codewheel {
 
-QString typedValue(const ParameterDescription &parameter, std::int64_t value, std::optional<int> fractionBits)
+QString typedValue(const ParameterDescription &parameter, std::int64_t value,
+                   const std::optional<esc::ExplainOptions> &options)
 {
     const Choice *choice = parameter.findChoice(value);
     return choice && choice->key != QString::number(value)
                ? QStringLiteral("%1 (%2)").arg(choice->key).arg(value)
-               : valueText(parameter, value, fractionBits);
+               : valueText(parameter, value, options);
 }
 
 QString rangeText(const ParameterDescription &parameter)

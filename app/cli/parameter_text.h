@@ -3,12 +3,13 @@
 
 #include "catalog/device_description.h"
 #include "encoder/known.h"
+#include "esc/esc_explain.h"
 
 namespace codewheel {
 
 // A value with its name as it is typed, and the number behind it: "cw (3)"; else as valueText().
 QString typedValue(const ParameterDescription &parameter, std::int64_t value,
-                   std::optional<int> fractionBits = {});
+                   const std::optional<esc::ExplainOptions> &options = {});
 // "1..33554431", "cw (3), ccw (4)"; the same in every language
 QString rangeText(const ParameterDescription &parameter);
 // "read from the encoder"

@@ -9,11 +9,12 @@
 
 namespace codewheel {
 
-QString valueCell(const ParameterDescription &parameter, std::int64_t value, std::optional<int> fractionBits)
+QString valueCell(const ParameterDescription &parameter, std::int64_t value,
+                  const std::optional<esc::ExplainOptions> &options)
 {
     const bool isItsUnit = parameterKey(parameter.parameter) == unitKey(parameter.unit);
     const QString unit = isItsUnit ? QString() : unitText(parameter.unit);
-    return QStringLiteral("= %1 %2").arg(typedValue(parameter, value, fractionBits), unit).trimmed();
+    return QStringLiteral("= %1 %2").arg(typedValue(parameter, value, options), unit).trimmed();
 }
 
 QString valueLines(const EncoderSession &encoder, const ParameterValues &values)
@@ -22,7 +23,7 @@ QString valueLines(const EncoderSession &encoder, const ParameterValues &values)
     for (const ParameterValue &value : values) {
         const ParameterDescription &parameter = *encoder.device().find(value.parameter);
         table.add(
-            {parameterKey(value.parameter), valueCell(parameter, value.value, fractionBitsOf(&encoder))});
+            {parameterKey(value.parameter), valueCell(parameter, value.value, explainOptionsOf(&encoder))});
     }
     return table.toString();
 }

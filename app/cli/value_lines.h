@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalog/device_description.h"
+#include "esc/esc_explain.h"
 
 #include <QJsonArray>
 
@@ -9,9 +10,9 @@ namespace codewheel {
 
 class EncoderSession;
 
-// "= 8192", "= 21.5 °C". Steps and revolutions are their own units. fractionBits: valueText().
+// "= 8192", "= 21.5 °C". Steps and revolutions are their own units. options: valueText().
 QString valueCell(const ParameterDescription &parameter, std::int64_t value,
-                  std::optional<int> fractionBits = {});
+                  const std::optional<esc::ExplainOptions> &options = {});
 // What an encoder has, a line for each value.
 QString valueLines(const EncoderSession &encoder, const ParameterValues &values);
 QJsonArray valuesJson(const DeviceDescription &device, const ParameterValues &values);

@@ -64,6 +64,18 @@ void LineKeeper::keepBaudRate(int baudRate)
     edit(after, tr("Baud rate of the serial line"));
 }
 
+void LineKeeper::keepByteOrder(DeviceNumber number, bool isSwapped)
+{
+    if (m_line.training() != nullptr)
+        return;
+    Project after = m_project.project();
+    ProjectDevice *encoder = findDevice(after, number);
+    if (encoder == nullptr)
+        return;
+    encoder->swapsWarningBytes = isSwapped;
+    m_project.edit(std::move(after), tr("Warning bytes of %1").arg(number.toString()));
+}
+
 void LineKeeper::keepEncoders(const std::vector<DeviceNumber> &numbers, const QString &deviceKey)
 {
     if (m_line.training() != nullptr || numbers.empty())

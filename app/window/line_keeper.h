@@ -27,6 +27,8 @@ public:
     void keepPort(const ProjectLine &line);
     void keepFractionBits(int bits);
     void keepBaudRate(int baudRate);
+    // Whether the warnings of this encoder come with their bytes in the other order.
+    void keepByteOrder(DeviceNumber number, bool isSwapped);
     // Those that the project has already stay as they are.
     void keepEncoders(const std::vector<DeviceNumber> &numbers, const QString &deviceKey);
     void removeEncoder(DeviceNumber number);

@@ -86,6 +86,7 @@ LineViews::LineViews(SerialLine &line, ProjectDocument &project, WindowSettings 
     connect(actions.lineTraining, &QAction::triggered, this, &LineViews::connectTraining);
     connect(actions.disconnectLine, &QAction::triggered, this, &LineViews::disconnectLine);
     connect(actions.removeFromLine, &QAction::triggered, this, &LineViews::removalRequested);
+    connect(actions.swapWarningBytes, &QAction::triggered, this, &LineViews::warningBytesRequested);
     showWish();
 }
 
@@ -108,6 +109,8 @@ void LineViews::setLine(LineSession *line)
         connect(line, &LineSession::devicesChanged, this, &LineViews::showActions);
         connect(line, &LineSession::messaged, this, &LineViews::tellBaudRate);
         connect(line, &LineSession::moved, m_keeper, &LineKeeper::moveEncoder);
+        connect(line, &LineSession::moved, this, &LineViews::explainTerminal);
+        connect(line, &LineSession::explainOptionsChanged, this, &LineViews::explainTerminal);
     }
     explainTerminal();
     m_terminal->setLine(line);
@@ -229,7 +232,6 @@ void LineViews::takeFractionBits(const Result<int> &bits)
         return;
     m_form->setFractionBits(*bits);
     m_session->setFractionBits(*bits);
-    explainTerminal();
     m_keeper->keepFractionBits(*bits);
 }
 
@@ -249,7 +251,7 @@ void LineViews::tellBaudRate(const Message &message)
 void LineViews::explainTerminal()
 {
     if (m_session)
-        m_terminal->setExplainOptions({.fractionBits = m_session->fractionBits()});
+        m_terminal->setExplainOptions(m_session->explainOptions());
 }
 
 void LineViews::connectTraining()
@@ -289,6 +291,13 @@ void LineViews::remove(DeviceNumber number)
     LineSession *line = m_line.session();
     if (line != nullptr && line->remove(number))
         m_keeper->removeEncoder(number);
+}
+
+void LineViews::swapWarningBytes(DeviceNumber number, bool on)
+{
+    if (LineSession *line = m_line.session())
+        line->setSwapsWarningBytes(number, on);
+    m_keeper->keepByteOrder(number, on);
 }
 
 } // namespace codewheel

@@ -53,6 +53,8 @@ public:
     void determineFractionBits(std::optional<DeviceNumber> chosen);
     // Takes the encoder out of polling and, unless it is one of the training line, out of the project.
     void remove(DeviceNumber number);
+    // From now on its warnings are read with their two bytes in the other order, or as they come.
+    void swapWarningBytes(DeviceNumber number, bool on);
 
 Q_SIGNALS:
     void portConnected(); // it begins in Watch
@@ -60,6 +62,7 @@ Q_SIGNALS:
     void panelRequested();
     void removalRequested(); // of the chosen encoder
     void fractionBitsRequested();
+    void warningBytesRequested(bool swapped); // of the chosen encoder
 
 private:
     void listPorts();

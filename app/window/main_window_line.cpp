@@ -54,6 +54,10 @@ void MainWindow::makeLineViews()
         if (const auto number = currentNumber(); number && number->isOnLine())
             m_lineViews->remove(*number);
     });
+    connect(m_lineViews, &LineViews::warningBytesRequested, this, [this](bool swapped) {
+        if (const auto number = currentNumber(); number && number->isOnLine())
+            m_lineViews->swapWarningBytes(*number, swapped);
+    });
 }
 
 // So that some rows are seen; whoever has more room for it keeps that.
@@ -100,8 +104,11 @@ void MainWindow::showLine()
     m_status->setLine(line);
     m_trainingPanel->setLine(m_line->training());
     m_lineViews->setLine(line);
-    if (line != nullptr)
+    if (line != nullptr) {
         connect(line, &LineSession::stateChanged, this, &MainWindow::showBusState);
+        connect(line, &LineSession::explainOptionsChanged, this,
+                [this] { m_actions.showChosen(m_choice->encoder()); });
+    }
     showBusState();
 }
 

@@ -50,7 +50,9 @@ SerialLine::SerialLine(const Catalog &catalog, ProjectDocument &project, const Q
     , m_dataFolder(dataFolder)
     , m_drive(drive)
     , m_clock(std::move(clock))
-{}
+{
+    connect(&project, &ProjectDocument::changed, this, &SerialLine::tellByteOrder);
+}
 
 SerialLine::~SerialLine() = default;
 
@@ -151,7 +153,17 @@ Result<void> SerialLine::open(const ProjectLine &line)
     for (const ProjectDevice &encoder : line.encoders)
         (void)session->add(encoder.participant.number.line, encoder.participant.deviceKey);
     replace(std::move(session), nullptr, port);
+    tellByteOrder();
     return {};
+}
+
+// Of the project's encoders, and of what undo made of them; those of the training line are none of these.
+void SerialLine::tellByteOrder()
+{
+    if (!m_session || m_training || !m_project.project().line)
+        return;
+    for (const ProjectDevice &encoder : m_project.project().line->encoders)
+        m_session->setSwapsWarningBytes(encoder.participant.number, encoder.swapsWarningBytes);
 }
 
 ProjectLine SerialLine::asOpened(ProjectLine line) const

@@ -59,6 +59,7 @@ Q_SIGNALS:
     void messaged(const codewheel::Message &message, const QDateTime &at);
 
 private:
+    void tellByteOrder();
     std::unique_ptr<LineSession> makeSession(std::unique_ptr<ByteLink> link, const LineWish &wish);
     Result<void> open(const ProjectLine &line); // at m_wanted
     bool holds(const QString &path) const;

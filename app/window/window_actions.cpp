@@ -3,6 +3,7 @@
 
 #include "app/window/alarm_stop.h"
 #include "encoder/refusal_text.h"
+#include "line/line_encoder_session.h"
 #include "widgets/look/appearance.h"
 #include "widgets/look/icons.h"
 #include "widgets/models/shown_encoder.h"
@@ -192,6 +193,8 @@ void WindowActions::makeDeviceMenu()
     deviceMenu->addSeparator();
     zeroOut = deviceMenu->addAction(lineIcon(Icon::write), tr("Set OUT to &00000000"));
     zeroOut->setShortcut(Qt::CTRL | Qt::Key_0);
+    swapWarningBytes = deviceMenu->addAction(tr("&Swap warning bytes"));
+    swapWarningBytes->setCheckable(true);
     removeFromLine = deviceMenu->addAction(lineIcon(Icon::remove), tr("Remove from the serial &line"));
     showChosen({});
 }
@@ -224,6 +227,12 @@ void WindowActions::showChosen(const ShownEncoder &encoder)
                               : tr("Sends 00000000 to the chosen device: normal running"));
     zeroOut->setEnabled(hasOut && !isOnlyPlanned);
     const bool isOnLine = isThere && encoder.number().isOnLine();
+    const auto explained = explainOptionsOf(encoder.session());
+    described(swapWarningBytes, Qt::CTRL | Qt::SHIFT | Qt::Key_F8,
+              isOnLine ? tr("For an encoder that sends the low byte of its warnings first; nothing is sent")
+                       : tr("For encoders on the serial line"));
+    swapWarningBytes->setEnabled(isOnLine);
+    swapWarningBytes->setChecked(explained && explained->swapWarningBytes);
     described(removeFromLine, Qt::CTRL | Qt::SHIFT | Qt::Key_F7,
               isOnLine ? tr("The encoder is not asked any more; what it has stays as it is")
                        : tr("For encoders on the serial line"));

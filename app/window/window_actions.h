@@ -73,6 +73,7 @@ public:
     QAction *replaceEncoder;
     QAction *restoreValues;
     QAction *zeroOut;
+    QAction *swapWarningBytes; // checkable
     QAction *removeFromLine;
     // View
     QMenu *docks;

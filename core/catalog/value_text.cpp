@@ -74,25 +74,27 @@ double divisorOf(Unit unit)
 constexpr int registerDigits = 4;  // 16 bit
 constexpr int fractionDigits = 10; // significant ones of 32 bit
 
-QString bitsText(esc::Command command, std::uint16_t value)
+QString bitsText(esc::Command command, std::uint16_t value, bool isSwapped)
 {
     const QStringList bits = esc::bitTexts(command, value);
+    const std::uint16_t asSent = isSwapped ? esc::swappedBytes(value) : value;
     const QString said =
         bits.isEmpty() ? QCoreApplication::translate("EscBit", "none") : bits.join(QStringLiteral(", "));
-    return QStringLiteral("%1 (%2)").arg(hexCode(value, registerDigits), said);
+    return QStringLiteral("%1 (%2)").arg(esc::bitDigits(asSent, isSwapped), said);
 }
 
-QString factorText(Word raw, std::optional<int> fractionBits)
+QString factorText(Word raw, const std::optional<esc::ExplainOptions> &options)
 {
     const QString digits = hexWord(raw) + u'h';
-    return fractionBits
-               ? QStringLiteral("%1 (%2)").arg(
-                     digits, QLocale().toString(esc::scalingFactor(raw, *fractionBits), 'g', fractionDigits))
-               : digits;
+    return options ? QStringLiteral("%1 (%2)").arg(
+                         digits, QLocale().toString(esc::scalingFactor(raw, options->fractionBits), 'g',
+                                                    fractionDigits))
+                   : digits;
 }
 
 // Empty for what is a number.
-QString escText(const ParameterDescription &parameter, std::int64_t value, std::optional<int> fractionBits)
+QString escText(const ParameterDescription &parameter, std::int64_t value,
+                const std::optional<esc::ExplainOptions> &options)
 {
     using enum esc::Command;
     const auto raw = static_cast<Word>(value);
@@ -104,13 +106,14 @@ QString escText(const ParameterDescription &parameter, std::int64_t value, std::
     case serialNumber:
         return hexWord(raw);
     case scalingFactor:
-        return factorText(raw, fractionBits);
+        return factorText(raw, options);
     case deviceCode:
         return hexCode(raw, registerDigits);
     case operatingParameters:
     case alarms:
+        return bitsText(*parameter.readCommand, static_cast<std::uint16_t>(raw), false);
     case warnings:
-        return bitsText(*parameter.readCommand, static_cast<std::uint16_t>(raw));
+        return bitsText(warnings, static_cast<std::uint16_t>(raw), options && options->swapWarningBytes);
     default:
         return {};
     }
@@ -129,11 +132,12 @@ QString choiceName(const ParameterDescription &parameter, std::int64_t value)
     return choice->key.startsWith(QStringLiteral("cam-")) ? camProgramName(choice->key) : choice->key;
 }
 
-QString valueText(const ParameterDescription &parameter, std::int64_t value, std::optional<int> fractionBits)
+QString valueText(const ParameterDescription &parameter, std::int64_t value,
+                  const std::optional<esc::ExplainOptions> &options)
 {
     if (isOpcRegister(parameter.parameter))
         return hexWord(static_cast<Word>(value)).right(registerDigits) + u'h';
-    if (const QString text = escText(parameter, value, fractionBits); !text.isEmpty())
+    if (const QString text = escText(parameter, value, options); !text.isEmpty())
         return text;
     const double divisor = divisorOf(parameter.unit);
     const int decimals = parameter.unit == Unit::micrometres ? 3 : 1;

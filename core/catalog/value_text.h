@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalog/device_description.h"
+#include "esc/esc_explain.h"
 
 namespace codewheel {
 
@@ -10,10 +11,10 @@ QString choiceName(const ParameterDescription &parameter, std::int64_t value);
 
 // A value for the user, without its unit: "8 192", "3 (CW)", "21.5" for 215 tenths of a degree. Of a serial
 // encoder what is no number is told by its hexadecimal digits: "C000h (standstill, position warning)" bit by
-// bit, "0012D503" of a serial number, "05h (5)" of its address, and its scaling factor as a fraction too
-// where the format is given: "1F400000h (0.9765625)".
+// bit, "0012D503" of a serial number, "05h (5)" of its address, and, where its options are given, the scaling
+// factor as a fraction too: "1F400000h (0.9765625)", and warnings also as they were sent.
 QString valueText(const ParameterDescription &parameter, std::int64_t value,
-                  std::optional<int> fractionBits = {});
+                  const std::optional<esc::ExplainOptions> &options = {});
 
 // The unit that goes with valueText(): "steps", "°C"; empty for none.
 QString unitText(Unit unit);

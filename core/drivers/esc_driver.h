@@ -49,6 +49,7 @@ public:
 
     void lineLost(Instant now) override;
     void setFractionBits(int bits) override { m_encoder.settings.fractionBits = bits; }
+    void setSwapsWarningBytes(bool on) override { m_encoder.setSwapsWarningBytes(on); }
 
     const Figures &figures() const { return m_encoder.guard.figures(); }
     const QString &version() const { return m_encoder.version; }

@@ -107,6 +107,19 @@ void EscEncoder::tellSuspect(std::int64_t position, Instant now)
     tell(now, Severity::attention, MessageId::suspectPosition, {std::int64_t{position}, before});
 }
 
+// What was taken in the other order was something else: it is asked for again.
+void EscEncoder::setSwapsWarningBytes(bool on)
+{
+    if (settings.swapWarningBytes == on)
+        return;
+    settings.swapWarningBytes = on;
+    reading.warnings.reset();
+    for (const ParameterDescription &parameter : device.parameters)
+        if (parameter.readCommand == esc::Command::warnings)
+            values.forget(parameter.parameter);
+    flushKnowledge();
+}
+
 std::uint16_t EscEncoder::bitsOf(esc::Command command, const esc::Answer &answer) const
 {
     const auto bits = static_cast<std::uint16_t>(answer.value);

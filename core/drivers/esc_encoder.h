@@ -43,6 +43,7 @@ public:
     bool saysTheSame(esc::Command command, const esc::Answer &answer) const;
     // What two reads agreed on.
     void take(esc::Command command, const esc::Answer &answer, Instant now);
+    void setSwapsWarningBytes(bool on); // from now on
     // A write was executed, or may have been: what depends on it is not known any more.
     void mayHaveChanged(esc::Command command);
 

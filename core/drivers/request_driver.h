@@ -52,6 +52,8 @@ public:
     virtual void lineLost(Instant /*now*/) {}
     // Of the scaling factor, from now on.
     virtual void setFractionBits(int /*bits*/) {}
+    // Whether its warnings come with their two bytes in the other order, from now on.
+    virtual void setSwapsWarningBytes(bool /*on*/) {}
 
     // The address at which the device is asked now; another after the job that changed it.
     virtual LineAddress address() const = 0;

@@ -15,6 +15,7 @@ class Explain
     Q_DECLARE_TR_FUNCTIONS(EscExplain)
 
 public:
+    static QString bitDigits(std::uint16_t asSent, bool isSwapped);
     static QString address(LineAddress to);
     static QString value(Command command, std::uint32_t value, const ExplainOptions &options);
     static QString request(const Request &request, const ExplainOptions &options);
@@ -41,17 +42,19 @@ QString Explain::address(LineAddress to)
     return to.isMaster() ? tr("00 (any encoder)") : to.onWire();
 }
 
-// The raw text is always shown.
+QString Explain::bitDigits(std::uint16_t asSent, bool isSwapped)
+{
+    const QString digits = hex(asSent, 4);
+    return isSwapped ? sentence(tr("%1, bytes swapped %2"), {digits, hex(swappedBytes(asSent), 4)}) : digits;
+}
+
 QString Explain::bits(Command command, std::uint32_t value, const ExplainOptions &options)
 {
-    auto word = static_cast<std::uint16_t>(value);
-    QString raw = hex(value, 4);
-    if (command == Command::warnings && options.swapWarningBytes) {
-        word = swappedBytes(word);
-        raw = sentence(tr("%1, bytes swapped %2"), {raw, hex(word, 4)});
-    }
-    const QStringList said = bitTexts(command, word);
-    return sentence(tr("%1: %2"), {raw, said.isEmpty() ? tr("none") : said.join(QStringLiteral(", "))});
+    const auto asSent = static_cast<std::uint16_t>(value);
+    const bool isSwapped = command == Command::warnings && options.swapWarningBytes;
+    const QStringList said = bitTexts(command, isSwapped ? swappedBytes(asSent) : asSent);
+    return sentence(tr("%1: %2"), {bitDigits(asSent, isSwapped),
+                                   said.isEmpty() ? tr("none") : said.join(QStringLiteral(", "))});
 }
 
 // What the only digit of a write stands for; empty where it has another meaning or none.
@@ -112,7 +115,8 @@ QString Explain::answer(const Request &request, const Answer &answer, const Expl
 {
     switch (answer.kind) {
     case Answer::Kind::value:
-        return value(request.command, answer.value, options);
+        return value(request.command, answer.value,
+                     {.swapWarningBytes = options.swaps(request.to), .fractionBits = options.fractionBits});
     case Answer::Kind::text:
         return QString::fromLatin1(answer.text);
     case Answer::Kind::accepted:
@@ -126,6 +130,11 @@ QString Explain::answer(const Request &request, const Answer &answer, const Expl
 }
 
 } // namespace
+
+QString bitDigits(std::uint16_t asSent, bool isSwapped)
+{
+    return Explain::bitDigits(asSent, isSwapped);
+}
 
 QString requestText(const Request &request, const ExplainOptions &options)
 {

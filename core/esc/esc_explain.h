@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/line_address.h"
 #include "esc/esc_answer.h"
 #include "esc/esc_request.h"
 #include "esc/esc_scaling.h"
 
 #include <QString>
 
+#include <set>
+
 namespace codewheel::esc {
 
 // What is open in the manual and a setting of the device.
 struct ExplainOptions
 {
-    bool swapWarningBytes = false;
+    bool swapWarningBytes = false;          // of all devices
     int fractionBits = defaultFractionBits; // of the scaling factor
+    std::set<LineAddress> swapping{};       // the devices whose warning bytes are swapped
+
+    bool swaps(LineAddress device) const { return swapWarningBytes || swapping.contains(device); }
 };
 
 // One line in words each, translated, values hexadecimal and decimal. Used by the terminal and by `explain`.
@@ -22,6 +28,8 @@ struct ExplainOptions
 QString requestText(const Request &request, const ExplainOptions &options = {});
 // "1235h = 4661", "4000h: battery flat", "accepted", "command unknown (03)"
 QString answerText(const Request &request, const Answer &answer, const ExplainOptions &options = {});
+// The digits of bits as they were sent, which are always shown: "4000h", "0098h, bytes swapped 9800h".
+QString bitDigits(std::uint16_t asSent, bool isSwapped);
 // "05: position? -> 1235h = 4661"
 QString exchangeText(const Request &request, const Answer &answer, const ExplainOptions &options = {});
 

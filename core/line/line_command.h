@@ -49,6 +49,11 @@ struct SetFractionBits // of the scaling factor, of all devices
 {
     int bits;
 };
+struct SetSwapsWarningBytes // of one device
+{
+    std::size_t device;
+    bool on;
+};
 struct Scan
 {
     ScanWish wish;
@@ -60,6 +65,7 @@ using LineCommand =
     std::variant<line_command::StartJob, line_command::Proceed, line_command::Cancel, line_command::SetKnown,
                  line_command::AddDevice, line_command::RemoveDevice, line_command::SetPolling,
                  line_command::SetOperate, line_command::AlarmStop, line_command::Send, line_command::Scan,
-                 line_command::CancelScan, line_command::TakeOtherAdapter, line_command::SetFractionBits>;
+                 line_command::CancelScan, line_command::TakeOtherAdapter, line_command::SetFractionBits,
+                 line_command::SetSwapsWarningBytes>;
 
 } // namespace codewheel

@@ -48,10 +48,13 @@ Instant LineEncoderSession::now() const
     return m_line.latest().at;
 }
 
-std::optional<int> fractionBitsOf(const EncoderSession *encoder)
+std::optional<esc::ExplainOptions> explainOptionsOf(const EncoderSession *encoder)
 {
     const auto *onLine = qobject_cast<const LineEncoderSession *>(encoder);
-    return onLine != nullptr ? std::optional(onLine->fractionBits()) : std::nullopt;
+    if (onLine == nullptr)
+        return {};
+    return esc::ExplainOptions{.swapWarningBytes = onLine->swapsWarningBytes(),
+                               .fractionBits = onLine->fractionBits()};
 }
 
 Result<std::vector<Step>> plannedForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs,

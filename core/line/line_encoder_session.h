@@ -3,6 +3,7 @@
 
 #include "drivers/driven_encoder_session.h"
 #include "drivers/values_to_write.h"
+#include "esc/esc_explain.h"
 #include "esc/esc_request.h"
 
 namespace codewheel {
@@ -21,6 +22,7 @@ public:
 
     QDateTime dateTime(Instant at) const override;
     int fractionBits() const; // of its scaling factor, as its line is set
+    bool swapsWarningBytes() const { return m_swapsWarningBytes; }
 
 private:
     friend class LineSession;
@@ -30,11 +32,11 @@ private:
     Instant now() const override;
 
     LineSession &m_line;
+    bool m_swapsWarningBytes = false;
 };
 
-// By which valueText() tells the scaling factor of an encoder of a line as a fraction; nothing for one of the
-// ring, and for none.
-std::optional<int> fractionBitsOf(const EncoderSession *encoder);
+// By which valueText() tells the values of an encoder of a line; nothing for one of the ring, and for none.
+std::optional<esc::ExplainOptions> explainOptionsOf(const EncoderSession *encoder);
 
 // The steps of these jobs as stepsForJobs() tells them, for an encoder of a line as its line is set.
 Result<std::vector<Step>> plannedForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs,

@@ -144,6 +144,12 @@ void LineRunner::Private::carryOut(line_command::SetFractionBits &c)
             device.driver->setFractionBits(c.bits);
 }
 
+void LineRunner::Private::carryOut(line_command::SetSwapsWarningBytes &c)
+{
+    if (driver(c.device))
+        driver(c.device)->setSwapsWarningBytes(c.on);
+}
+
 void LineRunner::Private::carryOut(line_command::CancelScan &)
 {
     endScan(true);

@@ -49,6 +49,7 @@ struct LineRunner::Private
     void carryOut(line_command::CancelScan &c);
     void carryOut(line_command::TakeOtherAdapter &c);
     void carryOut(line_command::SetFractionBits &c);
+    void carryOut(line_command::SetSwapsWarningBytes &c);
     Result<void> mayStart(std::size_t device, const Job &job) const;
     void stopJobs(const Refusal &why);
     void dropTyped();

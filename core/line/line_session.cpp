@@ -32,6 +32,10 @@ struct LineSession::Private
         });
         return found == encoders.end() ? nullptr : &*found;
     }
+    std::size_t placeOf(const Encoder &encoder) const
+    {
+        return static_cast<std::size_t>(&encoder - encoders.data());
+    }
 
     std::unique_ptr<ByteLink> link;
     const Catalog &catalog;
@@ -238,7 +242,7 @@ Result<void> LineSession::remove(DeviceNumber number)
         return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {number.toString(), QString()});
     if (encoder->session->runningJob())
         return refuse(RefusalKind::busy, RefusalId::jobRunning, {number.toString()});
-    const auto place = static_cast<std::size_t>(encoder - d->encoders.data());
+    const std::size_t place = d->placeOf(*encoder);
     const auto ended = std::move(encoder->session); // who is told finds it no more
     post(line_command::RemoveDevice{place});
     Q_EMIT devicesChanged();
@@ -266,7 +270,7 @@ const LineSnapshot::Device *LineSession::shown(DeviceNumber number) const
     const Private::Encoder *encoder = d->find(number);
     if (!encoder)
         return nullptr;
-    const auto place = static_cast<std::size_t>(encoder - d->encoders.data());
+    const std::size_t place = d->placeOf(*encoder);
     return place < d->latest->devices.size() ? &d->latest->devices[place] : nullptr;
 }
 
@@ -349,11 +353,31 @@ void LineSession::setFractionBits(int bits)
 {
     d->fractionBits = bits;
     post(line_command::SetFractionBits{bits});
+    Q_EMIT explainOptionsChanged();
 }
 
 int LineSession::fractionBits() const
 {
     return d->fractionBits;
+}
+
+void LineSession::setSwapsWarningBytes(DeviceNumber number, bool on)
+{
+    Private::Encoder *encoder = d->find(number);
+    if (!encoder || encoder->session->swapsWarningBytes() == on)
+        return;
+    encoder->session->m_swapsWarningBytes = on;
+    post(line_command::SetSwapsWarningBytes{d->placeOf(*encoder), on});
+    Q_EMIT explainOptionsChanged();
+}
+
+esc::ExplainOptions LineSession::explainOptions() const
+{
+    esc::ExplainOptions options{.fractionBits = d->fractionBits};
+    for (const Private::Encoder &encoder : d->encoders)
+        if (encoder.session && encoder.session->swapsWarningBytes())
+            options.swapping.insert(encoder.session->number().line);
+    return options;
 }
 
 void LineSession::startPolling()

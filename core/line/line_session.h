@@ -2,6 +2,7 @@
 #pragma once
 
 #include "encoder/encoder_bus.h"
+#include "esc/esc_explain.h"
 #include "line/byte_link.h"
 #include "line/line_command.h"
 #include "line/line_event.h"
@@ -79,6 +80,11 @@ public:
     // is told beforehand.
     void setFractionBits(int bits);
     int fractionBits() const;
+    // Whether the warnings of this encoder come with their two bytes in the other order (the manual's example
+    // of E reads 0098 as 9800h). Nothing without such an encoder.
+    void setSwapsWarningBytes(DeviceNumber number, bool on);
+    // By which requests and answers on this line are told in words.
+    esc::ExplainOptions explainOptions() const;
 
     void startPolling();
     void stopPolling();
@@ -92,6 +98,7 @@ public:
     void send(const esc::Request &request);
 
 Q_SIGNALS:
+    void explainOptionsChanged();
     // The port is gone, and what is plugged in is not known to be its adapter (portOfOther): it is not used
     // unasked.
     void otherAdapterFound(const codewheel::Refusal &which);

@@ -70,6 +70,7 @@ struct ProjectDevice
     std::vector<StoredValue> stored;    // by parameter
     std::vector<StoredCams> storedCams; // by number
     std::optional<LastPosition> lastPosition;
+    bool swapsWarningBytes = false; // on a serial line: its warnings come with the low byte first
 
     friend bool operator==(const ProjectDevice &, const ProjectDevice &) = default;
 };

@@ -63,10 +63,10 @@ ProjectLine ProjectReader::readLine(const JsonObject &json)
 void ProjectReader::readEncoders(const JsonObject &json, std::vector<ProjectDevice> &encoders)
 {
     std::set<QString> places;
-    for (const JsonObject &row : json.array(
-             "encoders",
-             {"place", "device", "station", "group", "note", "label", "wanted", "stored", "lastPosition"},
-             LineAddress::last)) {
+    for (const JsonObject &row : json.array("encoders",
+                                            {"place", "device", "station", "group", "note", "label",
+                                             "swapsWarningBytes", "wanted", "stored", "lastPosition"},
+                                            LineAddress::last)) {
         ProjectDevice encoder;
         const QString told = row.text("place");
         const auto place = DeviceNumber::parse(told);
@@ -76,6 +76,7 @@ void ProjectReader::readEncoders(const JsonObject &json, std::vector<ProjectDevi
             row.report("place", tr("The address \"%1\" stands above already.").arg(told));
         encoder.participant.number = place.value_or(DeviceNumber());
         encoder.participant.deviceKey = row.text("device");
+        encoder.swapsWarningBytes = row.flagOr("swapsWarningBytes", false);
         readWhatIsKnown(row, encoder);
         encoders.push_back(std::move(encoder));
     }

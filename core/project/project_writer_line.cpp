@@ -43,6 +43,8 @@ void ProjectWriter::writeLine(const ProjectLine &line)
             m_json.member("place", encoder.participant.number.toString());
             writeText("device", encoder.participant.deviceKey);
             writeNames(encoder);
+            if (encoder.swapsWarningBytes)
+                m_json.flag("swapsWarningBytes", true);
             writeValues(encoder);
             writeLastPosition(encoder);
         });

@@ -85,6 +85,33 @@ TEST_F(LineAtPort, TheTerminalExplainsFactorsInTheFormatOfTheProject)
     EXPECT_TRUE(comes([&] { return isExplained(QStringLiteral("20000000h = 2")); }));
 }
 
+TEST_F(LineAtPort, SwappedWarningBytesAreKeptWithTheEncoder)
+{
+    plan({test::plannedEncoder(at3), test::plannedEncoder(at5)});
+    const QString port = startPeer(QStringLiteral("--addresses 03,05 --warnings 0098"));
+    connectPort(port);
+    ASSERT_TRUE(answers(at3) && answers(at5));
+    window().findChild<StructureView *>()->choose(at3);
+    actions().swapWarningBytes->trigger();
+    EXPECT_TRUE(project().line->encoders[0].swapsWarningBytes);
+    EXPECT_FALSE(project().line->encoders[1].swapsWarningBytes);
+    const auto warnings = [this](DeviceNumber number) { return line().encoder(number)->latest().warnings; };
+    EXPECT_TRUE(comes([&] { return warnings(at3) == 0x9800 && warnings(at5) == 0x0098; }));
+    ask(QStringLiteral("03E"));
+    EXPECT_TRUE(comes([&] {
+        return isExplained(
+            QStringLiteral("0098h, bytes swapped 9800h: standstill, lower limit switch on, turning CCW"));
+    }));
+
+    shown->project().undoStack().undo();
+    EXPECT_FALSE(actions().swapWarningBytes->isChecked());
+    EXPECT_TRUE(comes([&] { return warnings(at3) == 0x0098; }));
+    shown->project().undoStack().redo();
+    connectPort(port);
+    ASSERT_TRUE(answers(at3));
+    EXPECT_TRUE(comes([&] { return warnings(at3) == 0x9800; }));
+}
+
 TEST_F(LineAtPort, TheFormatThatWasDeterminedIsKept)
 {
     plan({test::plannedEncoder(at3), test::plannedEncoder(at5)});

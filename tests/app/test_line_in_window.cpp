@@ -173,6 +173,31 @@ TEST_F(LineInWindow, ThePanelTellsBitsAndWhatIsHexadecimal)
     EXPECT_EQ(known(Parameter::serialNumber).size(), 8);
 }
 
+TEST_F(LineInWindow, WarningBytesAreSwappedForOneEncoderAndTheRawDigitsStay)
+{
+    choose(standing);
+    ASSERT_TRUE(encoder(standing).start(ReadParameters{{Parameter::warnings}}));
+    advance(1000);
+    ASSERT_TRUE(actions().swapWarningBytes->isEnabled());
+    ASSERT_FALSE(actions().swapWarningBytes->isChecked());
+    actions().swapWarningBytes->trigger();
+    advance(2000);
+    EXPECT_EQ(encoder(standing).latest().warnings, 0x0080);
+    const QAbstractItemModel &values = *window().findChild<ParameterTable *>()->model();
+    QStringList shownValues;
+    for (int row = 0; row < values.rowCount(); ++row)
+        shownValues << values.index(row, 1).data().toString();
+    EXPECT_EQ(shownValues.filter(QStringLiteral("8000h, bytes swapped 0080h")).size(), 1);
+
+    choose(turning);
+    EXPECT_FALSE(actions().swapWarningBytes->isChecked());
+    EXPECT_NE(encoder(turning).latest().warnings, 0x0080);
+    choose(standing);
+    EXPECT_TRUE(actions().swapWarningBytes->isChecked());
+    choose(test::fraba);
+    EXPECT_FALSE(actions().swapWarningBytes->isEnabled());
+}
+
 // With the steps goes the scaling factor, in the format the line is set to: 3600 / 8192 with 24 fraction
 // bits.
 TEST_F(LineInWindow, TheReviewShowsTheRequestsThatAreSent)

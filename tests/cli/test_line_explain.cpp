@@ -47,6 +47,8 @@ TEST(CliLineExplain, SwappedWarningsAreALinksSetting)
 {
     EXPECT_THAT(runLine(line("0098 --other 05E --link esc:training,swap-warnings=1")).out,
                 HasSubstr("standstill"));
+    EXPECT_THAT(runLine(QStringLiteral("read 05 warnings --link esc:training,swap-warnings=1")).out,
+                HasSubstr("8000h, bytes swapped 0080h"));
 }
 
 TEST(CliLineExplain, RefusesWhatIsNoneOfThem)

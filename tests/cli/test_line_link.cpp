@@ -38,8 +38,8 @@ TEST(CliLineLink, APortStandsByItselfOrWithSettings)
     EXPECT_EQ(all.driver().positionInterval, 20ms);
     EXPECT_EQ(all.driver().topSpeed, 3'000);
     EXPECT_EQ(all.driver().fractionBits, 28);
-    EXPECT_TRUE(all.driver().swapWarningBytes);
-    EXPECT_TRUE(all.explainOptions().swapWarningBytes);
+    EXPECT_TRUE(all.explainOptions().swaps({5}));
+    EXPECT_FALSE(line("esc:ttyUSB0").explainOptions().swaps({5}));
     EXPECT_TRUE(line("esc:ttyUSB0,fraction-bits=device").asksForFractionBits);
 }
 
@@ -51,12 +51,20 @@ TEST(CliLineLink, TheLineOfAProjectKeepsItsSettingsSaveThoseTyped)
     project.line->wish.fractionBits = 28;
     project.line->wish.line.baudRate = 4'800;
     project.line->adapter.serialNumber = QStringLiteral("A50285BI");
+    project.line->encoders.resize(2);
+    project.line->encoders[0].participant.number = DeviceNumber::onLine({3});
+    project.line->encoders[1].participant.number = DeviceNumber::onLine({5});
+    project.line->encoders[1].swapsWarningBytes = true;
     const auto link = linkMeant(QStringLiteral("esc:project,fraction-bits=30"), &project);
     ASSERT_TRUE(link);
     EXPECT_EQ(link->line.wish.port, QStringLiteral("/dev/ttyUSB3"));
     EXPECT_EQ(link->line.wish.line.baudRate, 4'800);
     EXPECT_EQ(link->line.wish.fractionBits, 30);
     EXPECT_EQ(link->line.adapter, project.line->adapter);
+    EXPECT_FALSE(link->line.explainOptions().swaps({3}));
+    EXPECT_TRUE(link->line.explainOptions().swaps({5}));
+    const auto none = linkMeant(QStringLiteral("esc:project,swap-warnings=0"), &project);
+    EXPECT_FALSE(none->line.explainOptions().swaps({5}));
     EXPECT_TRUE(isLineOfProject(QStringLiteral("esc:project")));
     EXPECT_FALSE(isLineOfProject(QStringLiteral("esc:projector")));
 

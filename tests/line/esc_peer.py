@@ -86,6 +86,8 @@ class Line:
         self.random = random.Random(options.seed)
         self.encoders = [Encoder(int(address, 16), 0x1235 if address == "05" else 1000000, options.speed)
                          for address in options.addresses.split(",")]
+        for encoder in self.encoders:
+            encoder.values["E"] = options.warnings
         self.master, self.slave = os.openpty()  # the slave is kept, so that clients may come and go
         tty.setraw(self.slave)
         self.request = None
@@ -162,6 +164,8 @@ def main():
     parser.add_argument("--silent", default="", help="addresses that do not answer")
     parser.add_argument("--delay", type=float, default=0, help="ms before an answer (0)")
     parser.add_argument("--byte-time", type=float, default=0, help="us for a byte; 573 is 19200 Bd 8N2 (0)")
+    parser.add_argument("--warnings", type=lambda digits: int(digits, 16), default=READS["E"][1],
+                        help="of all encoders, hexadecimal (8000)")
     parser.add_argument("--seed", type=int, default=1, help="of the garbage (1)")
     Line(parser.parse_args()).serve()
 

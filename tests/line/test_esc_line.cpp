@@ -108,6 +108,24 @@ TEST_F(EscLineWith28Bits, DeterminesTheFormatOfTheFactorAndUsesIt)
     EXPECT_EQ(drivers.front()->settings().fractionBits, 28);
 }
 
+// Manual, "Read Warning Parameters": an example reads 0098 as 9800h.
+TEST_F(EscLine, TheWarningBytesOfOneEncoderAreSwapped)
+{
+    ASSERT_TRUE(line.add({3}, QStringLiteral("kuebler-esc-rs485")));
+    line.advance(2s);
+    ASSERT_EQ(encoder().latest().warnings, 0x8000);
+    line.setSwapsWarningBytes(five, true);
+    line.advance(2s);
+    EXPECT_EQ(encoder().latest().warnings, 0x0080);
+    EXPECT_EQ(encoder().known(Parameter::warnings)->value, 0x0080);
+    EXPECT_TRUE(line.explainOptions().swaps({5}));
+    EXPECT_FALSE(line.explainOptions().swaps({3}));
+
+    ASSERT_TRUE(line.remove(five));
+    EXPECT_FALSE(line.explainOptions().swaps({5})) << "it was a setting of that encoder";
+    line.setSwapsWarningBytes(five, true); // nobody's
+}
+
 TEST_F(EscLine, WhatCannotBeDeterminedIsTold)
 {
     EXPECT_EQ(line.determineFractionBits(DeviceNumber::onLine({7})).error().id, RefusalId::unknownDevice);

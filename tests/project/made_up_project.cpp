@@ -137,6 +137,7 @@ ProjectLine Maker::line()
         encoder.participant.deviceKey = QStringLiteral("kuebler-esc-rs485");
         encoder.station = text();
         encoder.label = {0, 0, text()};
+        encoder.swapsWarningBytes = maybe();
         addValues(encoder);
         line.encoders.push_back(std::move(encoder));
     }

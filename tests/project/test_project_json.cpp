@@ -67,6 +67,7 @@ TEST(ProjectJson, ReadsTheSerialLineThatThePageShows)
     encoder.participant.deviceKey = QStringLiteral("kuebler-esc-rs422");
     encoder.station = QStringLiteral("Slide");
     encoder.wanted = {{Parameter::direction, 1}};
+    encoder.swapsWarningBytes = true;
     line.encoders = {encoder};
     EXPECT_EQ(*project->line, line);
     EXPECT_EQ(findDevice(*project, encoder.participant.number), &project->line->encoders[0]);

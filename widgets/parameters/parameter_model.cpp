@@ -238,21 +238,21 @@ QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) con
 QString ParameterModel::text(const ParameterRow &row, int column) const
 {
     const Parameter parameter = row.parameter.parameter;
-    const auto fractionBits = fractionBitsOf(m_encoder.session());
+    const auto options = explainOptionsOf(m_encoder.session());
     if (column == nameColumn)
         return parameterName(parameter);
     if (column == knownColumn) {
         if (!row.known)
             return evidenceText(row.known);
         return parameterNameInText(parameter).contains(unitText(row.parameter.unit))
-                   ? valueText(row.parameter, row.known->value, fractionBits)
-                   : valueWithUnit(m_encoder.device(), {parameter, row.known->value}, fractionBits);
+                   ? valueText(row.parameter, row.known->value, options)
+                   : valueWithUnit(m_encoder.device(), {parameter, row.known->value}, options);
     }
     if (row.isTold())
         return m_encoder.session() != nullptr ? tr("tell it") : QString();
     if (row.isReadOnly())
         return {};
-    return row.wanted ? valueText(row.parameter, *row.wanted, fractionBits) : tr("as it is");
+    return row.wanted ? valueText(row.parameter, *row.wanted, options) : tr("as it is");
 }
 
 QString ParameterModel::detail(const ParameterRow &row, int column) const
@@ -289,7 +289,7 @@ QString ParameterModel::toolTip(const ParameterRow &row, int column) const
     const QString how = parameter_words::howKnown(row.known, when);
     return row.known ? QStringLiteral("%1\n%2").arg(valueWithUnit(m_encoder.device(),
                                                                   {row.parameter.parameter, row.known->value},
-                                                                  fractionBitsOf(m_encoder.session())),
+                                                                  explainOptionsOf(m_encoder.session())),
                                                     how)
                      : how;
 }

@@ -91,9 +91,9 @@ QString WriteReviewModel::text(const WritePlan::Row &row, int column) const
     case name:
         return parameterName(row.value.parameter);
     case oldValue:
-        return row.old ? valueText(*parameter, row.old->value, fractionBitsOf(m_encoder)) : tr("unknown");
+        return row.old ? valueText(*parameter, row.old->value, explainOptionsOf(m_encoder)) : tr("unknown");
     case newValue:
-        return valueText(*parameter, row.value.value, fractionBitsOf(m_encoder));
+        return valueText(*parameter, row.value.value, explainOptionsOf(m_encoder));
     default:
         return row.request.isEmpty() ? hexWord(row.word) : QString::fromLatin1(row.request);
     }

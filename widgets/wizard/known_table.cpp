@@ -18,7 +18,7 @@ void KnownTable::show(const EncoderSession &encoder)
         const auto known = encoder.known(parameter.parameter);
         now.push_back({parameter.parameter,
                        known ? valueWithUnit(encoder.device(), {parameter.parameter, known->value},
-                                             fractionBitsOf(&encoder))
+                                             explainOptionsOf(&encoder))
                              : QString(QChar(0x2013)),
                        known});
     }

@@ -47,13 +47,13 @@ QString evidenceExplanation(const std::optional<Known> &known)
 }
 
 QString valueWithUnit(const DeviceDescription &device, const ParameterValue &value,
-                      std::optional<int> fractionBits)
+                      const std::optional<esc::ExplainOptions> &options)
 {
     const ParameterDescription *parameter = device.find(value.parameter);
     if (parameter == nullptr)
         return QString::number(value.value);
     return QStringLiteral("%1 %2")
-        .arg(valueText(*parameter, value.value, fractionBits), unitText(parameter->unit))
+        .arg(valueText(*parameter, value.value, options), unitText(parameter->unit))
         .trimmed();
 }
 

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/event.h"
+#include "esc/esc_explain.h"
 
 namespace codewheel {
 
@@ -10,9 +11,9 @@ namespace codewheel {
 QString evidenceText(const std::optional<Known> &known);
 QString evidenceExplanation(const std::optional<Known> &known);
 
-// "8 192 steps", "3 (CW)". fractionBits: valueText().
+// "8 192 steps", "3 (CW)". options: valueText().
 QString valueWithUnit(const DeviceDescription &device, const ParameterValue &value,
-                      std::optional<int> fractionBits = {});
+                      const std::optional<esc::ExplainOptions> &options = {});
 // "8 192 steps (read)"; "unknown".
 QString knownText(const DeviceDescription &device, const std::optional<Known> &known);
 
