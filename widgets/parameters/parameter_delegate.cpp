@@ -4,6 +4,7 @@
 #include "widgets/look/appearance.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/wrapped_text.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/value_input.h"
 
@@ -30,6 +31,14 @@ QRect inside(const QRect &cell)
     return cell.adjusted(grid::unit, grid::unit / 2, -grid::unit, -grid::unit / 2);
 }
 
+int roomOf(const QTableView &table, const QModelIndex &index)
+{
+    int width = -2 * grid::unit;
+    for (int column = 0; column < table.columnSpan(index.row(), index.column()); ++column)
+        width += table.columnWidth(index.column() + column);
+    return width;
+}
+
 void drawLine(QPainter &painter, const QRect &where, Qt::Alignment alignment, const QString &text)
 {
     const QString shown = painter.fontMetrics().elidedText(text, Qt::ElideRight, where.width());
@@ -44,22 +53,7 @@ void drawName(QPainter &painter, const QRect &where, const QString &name)
     const QRect needed = painter.boundingRect(where, flags, name);
     if (needed.height() > where.height() || needed.width() > where.width())
         painter.setFont(textFont(TextSize::small));
-    painter.drawText(where, flags, name);
-}
-
-// A value that is cut could be another one: it stands on as many lines as it needs.
-constexpr int wrapped = Qt::AlignVCenter | Qt::TextWordWrap;
-
-int heightOf(const QFontMetrics &font, const QString &value, int width)
-{
-    return font.horizontalAdvance(value) <= width
-               ? font.height()
-               : font.boundingRect(QRect(0, 0, width, QWIDGETSIZE_MAX), wrapped, value).height();
-}
-
-void drawValue(QPainter &painter, const QRect &where, Qt::Alignment alignment, const QString &value)
-{
-    painter.drawText(where, static_cast<int>(alignment & Qt::AlignHorizontal_Mask) | wrapped, value);
+    WrappedText(name, painter.font(), where.width(), Qt::AlignLeft).draw(painter, where);
 }
 
 } // namespace
@@ -89,7 +83,7 @@ void ParameterDelegate::paint(QPainter *painter, const QStyleOptionViewItem &giv
     if (index.column() == ParameterModel::nameColumn)
         drawName(*painter, first, value);
     else
-        drawValue(*painter, first, option.displayAlignment, value);
+        WrappedText(value, option.font, first.width(), option.displayAlignment).draw(*painter, first);
 
     painter->setFont(textFont(TextSize::small));
     painter->setPen(inkOf(option, true));
@@ -108,7 +102,8 @@ void ParameterDelegate::paint(QPainter *painter, const QStyleOptionViewItem &giv
 
 QSize ParameterDelegate::sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const
 {
-    const QFontMetrics big(qvariant_cast<QFont>(index.data(Qt::FontRole)));
+    const auto font = qvariant_cast<QFont>(index.data(Qt::FontRole));
+    const QFontMetrics big(font);
     const QFontMetrics small(textFont(TextSize::small));
     const bool isMarked = index.data(ParameterModel::detailMarkRole).isValid();
     const int width = std::max(big.horizontalAdvance(index.data().toString()),
@@ -117,9 +112,11 @@ QSize ParameterDelegate::sizeHint(const QStyleOptionViewItem &option, const QMod
     const double factor = option.widget ? controlFactor(*option.widget) : 1;
     const int line = QFontMetrics(textFont()).height();
     const auto *table = qobject_cast<const QTableView *>(option.widget);
-    const int room = table ? table->columnWidth(index.column()) - 2 * grid::unit : width;
-    const int value =
-        index.column() == ParameterModel::nameColumn ? line : heightOf(big, index.data().toString(), room);
+    const int room = table ? roomOf(*table, index) : width;
+    // A value that is cut could be another one: it stands on as many lines as it needs.
+    const int value = index.column() == ParameterModel::nameColumn
+                          ? line
+                          : WrappedText(index.data().toString(), font, room, Qt::AlignRight).height();
     return {width + 3 * grid::unit, std::max(line + value + grid::unit, qRound(26 * factor))};
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/parameter_table.h"
 
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
 #include "widgets/parameters/parameter_delegate.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/value_input.h"
@@ -9,11 +11,14 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 
+#include <algorithm>
+
 namespace codewheel {
 
 namespace {
 
 constexpr double nameShare = 0.36; // of the width
+constexpr double largestNameShare = 0.5;
 constexpr int smallestColumn = 40;
 
 } // namespace
@@ -41,7 +46,9 @@ ParameterTable::ParameterTable(ParameterModel &model, QWidget *parent)
     horizontalHeader()->setSectionResizeMode(ParameterModel::nameColumn, QHeaderView::Fixed);
     connect(delegate, &ParameterDelegate::inputChecked, this, &ParameterTable::inputChecked);
     connect(this, &QTableView::clicked, this, &ParameterTable::activateCell);
-    connect(&model, &QAbstractItemModel::modelReset, this, &ParameterTable::spanHeads);
+    connect(&model, &QAbstractItemModel::modelReset, this, &ParameterTable::spanColumns);
+    connect(&model, &QAbstractItemModel::rowsInserted, this, &ParameterTable::spanColumns);
+    connect(&model, &QAbstractItemModel::modelReset, this, &ParameterTable::fitNames);
 }
 
 bool ParameterTable::finishEditing()
@@ -55,13 +62,15 @@ bool ParameterTable::finishEditing()
     return true;
 }
 
-// The heads of groups stay where they are while a group is opened.
-void ParameterTable::spanHeads()
+// What is read only has no wanted value: what the encoder has takes the room of both.
+void ParameterTable::spanColumns()
 {
     clearSpans();
     for (int row = 0; row < m_model.rowCount(); ++row)
         if (m_model.rowAt(row).isHead())
             setSpan(row, 0, 1, m_model.columnCount());
+        else if (m_model.rowAt(row).isReadOnly() && !m_model.rowAt(row).isTold())
+            setSpan(row, ParameterModel::knownColumn, 1, 2);
 }
 
 void ParameterTable::activateCell(const QModelIndex &index)
@@ -115,7 +124,25 @@ void ParameterTable::keyPressEvent(QKeyEvent *event)
 void ParameterTable::resizeEvent(QResizeEvent *event)
 {
     QTableView::resizeEvent(event);
-    setColumnWidth(ParameterModel::nameColumn, qRound(viewport()->width() * nameShare));
+    fitNames();
+}
+
+// So wide that the longest word of a name stands on one line where there is room for it.
+void ParameterTable::fitNames()
+{
+    const QFontMetrics small(textFont(TextSize::small));
+    int longest = 0;
+    for (int row = 0; row < m_model.rowCount(); ++row)
+        if (!m_model.rowAt(row).isHead())
+            for (const QString &word : m_model.index(row, ParameterModel::nameColumn)
+                                           .data()
+                                           .toString()
+                                           .replace(u'-', u' ')
+                                           .split(u' '))
+                longest = std::max(longest, small.horizontalAdvance(word) + 2 * grid::unit);
+    const int width = viewport()->width();
+    setColumnWidth(ParameterModel::nameColumn,
+                   std::clamp(longest, qRound(width * nameShare), qRound(width * largestNameShare)));
     scheduleDelayedItemsLayout(); // values take more lines in a narrower column
 }
 
@@ -123,7 +150,7 @@ void ParameterTable::changeEvent(QEvent *event)
 {
     QTableView::changeEvent(event);
     if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)
-        scheduleDelayedItemsLayout();
+        fitNames();
 }
 
 } // namespace codewheel

@@ -31,7 +31,8 @@ protected:
 
 private:
     void activateCell(const QModelIndex &index);
-    void spanHeads();
+    void spanColumns();
+    void fitNames();
 
     ParameterModel &m_model;
 };

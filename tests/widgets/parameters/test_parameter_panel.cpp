@@ -193,6 +193,16 @@ TEST_F(Parameters, AllColumnsFitTheNarrowDock)
     EXPECT_EQ(table().horizontalHeader()->length(), table().viewport()->width());
 }
 
+TEST_F(Parameters, WhatIsReadOnlyHasTheRoomOfTheWantedValueToo)
+{
+    const auto span = [this](Parameter parameter) {
+        const QModelIndex known = indexOf(parameter, ParameterModel::knownColumn);
+        return table().columnSpan(known.row(), known.column());
+    };
+    EXPECT_EQ(span(Parameter::serialNumber), 2);
+    EXPECT_EQ(span(Parameter::steps), 1);
+}
+
 TEST_F(Parameters, ReadsOnlyWhenAskedAndSaysHowItKnows)
 {
     const test::ModelTester tester(model());

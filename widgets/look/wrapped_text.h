@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTextLayout>
+
+class QPainter;
+
+namespace codewheel {
+
+// A text on as many lines as its width needs, broken between words, and within a word that is longer than a
+// line: for delegates that must not cut anything off.
+class WrappedText
+{
+public:
+    WrappedText(const QString &text, const QFont &font, int width, Qt::Alignment alignment);
+
+    int height() const;
+    // In the painter's colour, in the middle of the height of `where`.
+    void draw(QPainter &painter, const QRect &where) const;
+
+private:
+    QTextLayout m_layout;
+};
+
+} // namespace codewheel
