@@ -64,6 +64,8 @@ Checked<WritePlan> WritePlan::make(const EncoderSession &encoder, const Paramete
                                .sent = sentFor(parameter, *steps),
                                .leftOut = isThere && !all});
     }
+    for (Row &row : plan.m_rows)
+        row.leftOut = row.leftOut && !mustGoAlong({row.parameter->parameter, row.wanted}, plan.job().values);
     plan.m_stepsMinusOneIsOpen = device.quirks.mayCountStepsMinusOne && valueOf(wanted, Parameter::steps) &&
                                  !encoder.known(Parameter::multiTurnAndStepsMinusOne);
     if (plan.isEmpty() || !plan.isOnLine())

@@ -3,6 +3,11 @@
 #include "drivers/esc_plan.h"
 #include "drivers/esc_values.h"
 #include "drivers/parameter_check.h"
+#include "encoder/hex.h"
+#include "encoder/sentence.h"
+
+#include <QCoreApplication>
+#include <QLocale>
 
 #include <algorithm>
 
@@ -15,7 +20,7 @@ Result<void> checkRange(const ParameterDescription &narrowed, std::int64_t value
         return {};
     const auto shown = [&](std::int64_t number) {
         return narrowed.parameter == Parameter::scalingFactor
-                   ? RefusalArgument(Word{static_cast<std::uint32_t>(number)})
+                   ? RefusalArgument(hexWord(Word{static_cast<std::uint32_t>(number)}) + u'h')
                    : RefusalArgument(number);
     };
     return refuse(RefusalKind::badInput, RefusalId::valueOutOfRange,
@@ -33,6 +38,25 @@ ParameterValues afterwards(ParameterValues known, const ParameterValues &wanted)
     for (const ParameterValue &value : wanted)
         replaceValue(known, value);
     return known;
+}
+
+// Steps and measuring range act through the one factor that is computed for them.
+Result<void> checkScaling(const ParameterValues &wanted, const ParameterValues &known)
+{
+    const auto steps = valueOf(wanted, Parameter::steps);
+    const auto range = valueOf(wanted, Parameter::measuringRange);
+    if (!steps || !range || valueOf(wanted, Parameter::scalingFactor))
+        return {};
+    const std::int64_t turns = escTurnsOf(wanted, known);
+    const std::int64_t least = *range / turns;
+    const std::int64_t most = (*range + turns - 1) / turns;
+    if (*steps == least || *steps == most)
+        return {};
+    return refuse(
+        RefusalKind::badInput, RefusalId::valueNotAllowed,
+        {Parameter::steps, QString::number(*steps),
+         sentence(QCoreApplication::translate("EscPlan", "%1, which goes with a measuring range of %2"),
+                  {QLocale().toString(qlonglong{most}), QLocale().toString(qlonglong{*range})})});
 }
 
 } // namespace
@@ -63,6 +87,8 @@ Result<void> EscPlan::checkWrite(const WriteParameters &job) const
     if (job.values.empty())
         return refuse(RefusalKind::badInput, RefusalId::nothingToDo);
     if (auto checked = checkToWrite(m_device, job.values); !checked)
+        return checked;
+    if (auto checked = checkScaling(job.values, m_known); !checked)
         return checked;
     const ParameterValues known = afterwards(m_known, job.values);
     for (const ParameterValue &value : job.values) {

@@ -12,11 +12,6 @@ namespace {
 // By their numbers on the wire (manual, command Y).
 constexpr std::array<std::int64_t, 3> baudRates{19200, 9600, 4800};
 
-bool isScaled(Parameter parameter)
-{
-    return parameter == Parameter::steps || parameter == Parameter::measuringRange;
-}
-
 // The factor that goes with it is 0.00001 to 1.0 of the physical steps (manual, read command F).
 void narrowToFactor(const DeviceDescription &device, std::optional<std::int64_t> turns,
                     ParameterDescription &range)
@@ -80,20 +75,22 @@ ParameterDescription escNarrowed(const DeviceDescription &device, Parameter para
     return narrowed;
 }
 
+std::int64_t escTurnsOf(const ParameterValues &values, const ParameterValues &known)
+{
+    const auto there = valueOf(known, Parameter::revolutions);
+    return valueOf(values, Parameter::revolutions).value_or(there.value_or(esc::discTurns));
+}
+
+// The measuring range tells it to a part of a step per turn.
 std::optional<std::int64_t> escScalingFactorFor(const ParameterValues &values, const ParameterValues &known,
                                                 int fractionBits)
 {
-    const auto last = std::find_if(values.rbegin(), values.rend(),
-                                   [](const ParameterValue &one) { return isScaled(one.parameter); });
-    if (last == values.rend())
-        return std::nullopt;
-    const auto wanted = static_cast<std::uint32_t>(last->value);
-    if (last->parameter == Parameter::steps)
-        return esc::factorForSteps(wanted, fractionBits);
-    const auto turns = valueOf(values, Parameter::revolutions);
-    const auto there = valueOf(known, Parameter::revolutions);
-    return esc::factorForRange(
-        wanted, static_cast<std::uint32_t>(turns.value_or(there.value_or(esc::discTurns))), fractionBits);
+    if (const auto range = valueOf(values, Parameter::measuringRange))
+        return esc::factorForRange(static_cast<std::uint32_t>(*range),
+                                   static_cast<std::uint32_t>(escTurnsOf(values, known)), fractionBits);
+    if (const auto steps = valueOf(values, Parameter::steps))
+        return esc::factorForSteps(static_cast<std::uint32_t>(*steps), fractionBits);
+    return std::nullopt;
 }
 
 std::vector<LineAddress> escReadingsOf(LineAddress sent)

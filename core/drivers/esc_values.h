@@ -22,8 +22,11 @@ std::int64_t escValue(const ParameterDescription &parameter, std::uint32_t answe
 ParameterDescription escNarrowed(const DeviceDescription &device, Parameter parameter,
                                  const ParameterValues &known, int fractionBits = esc::defaultFractionBits);
 
-// The scaling factor that goes with the steps per turn or the measuring range among `values`, the last of
-// them deciding (manual, note on GR, GT and GF). Nothing where neither is there.
+// The revolutions among `values`, else those known, else those of the disc.
+std::int64_t escTurnsOf(const ParameterValues &values, const ParameterValues &known);
+
+// The scaling factor that goes with the measuring range or the steps per turn among `values` (manual, note on
+// GR, GT and GF), in whatever order they are. Nothing where neither is there.
 std::optional<std::int64_t> escScalingFactorFor(const ParameterValues &values, const ParameterValues &known,
                                                 int fractionBits);
 

@@ -2,6 +2,7 @@
 #include "drivers/values_to_write.h"
 
 #include "catalog/preset_storage.h"
+#include "drivers/esc_plan.h"
 #include "drivers/k3_mode.h"
 #include "drivers/planned_words.h"
 
@@ -56,6 +57,13 @@ bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value)
     return isSure && known->value == value.value;
 }
 
+bool mustGoAlong(const ParameterValue &value, const ParameterValues &written)
+{
+    return value.parameter == Parameter::scalingFactor &&
+           std::ranges::any_of(written,
+                               [](const ParameterValue &one) { return isBoundToEscFactor(one.parameter); });
+}
+
 WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
 {
     WriteParameters job{.values = {}, .previous = {}, .initialisePreset = wish.initialisePreset};
@@ -73,6 +81,9 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
         if (!wish.writeAll && encoder.can().reads && description.canBeRead() && readFirst)
             job.onlyWhatDiffers = true;
     }
+    for (const ParameterValue &wanted : wish.wanted)
+        if (!valueOf(job.values, wanted.parameter) && mustGoAlong(wanted, job.values))
+            job.values.push_back(wanted);
     return job;
 }
 

@@ -49,6 +49,54 @@ TEST(CliLineWrite, TheFactorHasTheFormatOfTheLinkOrOfTheDevice)
     EXPECT_THAT(line.runLine(write + QStringLiteral("device")).out, HasSubstr("05GF03600000"));
 }
 
+QStringList plannedCommands(const QJsonObject &json)
+{
+    QStringList commands;
+    for (const QJsonValue row : json[u"plan"].toArray())
+        if (!row[u"leftOut"].toBool())
+            commands << row[u"command"].toString();
+    return commands;
+}
+
+QStringList sentWrites(const QJsonObject &json)
+{
+    QStringList sent;
+    for (const QJsonValue row : json[u"trace"].toArray())
+        if (row[u"direction"].toString() == QStringLiteral("sent") && !row[u"data"].isNull())
+            sent << row[u"text"].toString().remove(QStringLiteral("<1B>")).section(u'<', 0, 0);
+    return sent;
+}
+
+TEST(CliLineWrite, WhatIsPlannedIsSentInWhateverOrderItIsTyped)
+{
+    for (const char *typed : {"measuring-range=4096000 steps=1000", "steps=1000 measuring-range=4096000",
+                              "measuring-range=16000 revolutions=16 steps=1000",
+                              "steps=1000 scaling-factor=20000000h", "scaling-factor=10000000h steps=1000"}) {
+        SharedLine line;
+        const CliRun run =
+            line.runLine(QStringLiteral("write 05 %1 --yes --json --trace").arg(QString::fromLatin1(typed)));
+        EXPECT_EQ(run.exit, 0) << typed << run.err;
+        EXPECT_FALSE(sentWrites(run.json()).isEmpty());
+        EXPECT_EQ(sentWrites(run.json()), plannedCommands(run.json())) << typed;
+    }
+}
+
+TEST(CliLineWrite, WhatContradictsIsRefusedBeforeAnythingIsSent)
+{
+    SharedLine line;
+    const CliRun run = line.runLine(QStringLiteral("write 05 measuring-range=131072 steps=1000 --yes"));
+    EXPECT_EQ(run.exit, 2);
+    EXPECT_THAT(run.err, HasSubstr("\"1000\". Allowed are: 32, which goes with a measuring range of 131072"));
+    EXPECT_EQ(line.registers(0x05).stepsPerTurn, 8'192U);
+}
+
+TEST(CliLineWrite, TheRangeOfTheFactorIsToldAsItIsTyped)
+{
+    SharedLine line;
+    EXPECT_THAT(line.runLine(QStringLiteral("write 05 scaling-factor=20000001h --yes")).err,
+                HasSubstr("= 20000001h is out of range. Give a value from 000014F9h to 20000000h."));
+}
+
 TEST(CliLineWrite, WithoutConsentNothingIsWritten)
 {
     SharedLine line;

@@ -3,6 +3,7 @@
 #include "drivers/make_driver.h"
 #include "drivers/planned_words.h"
 #include "drivers/values_to_write.h"
+#include "encoder/hex.h"
 #include "tests/drivers/esc_bench.h"
 
 #include <gtest/gtest.h>
@@ -86,10 +87,12 @@ TEST(EscRefusals, AScalingFactorThatCannotBe)
          {std::int64_t{0x7FFFFFFF}, std::int64_t{0x20000001}, std::int64_t{0x14F8}, std::int64_t{1}}) {
         const auto begun = bench.begin(writing({{Parameter::scalingFactor, value}}));
         ASSERT_FALSE(begun) << value;
+        const QString shown = hexWord(static_cast<Word>(value)) + u'h';
         EXPECT_EQ(begun.error(), (Refusal{RefusalKind::badInput,
                                           RefusalId::valueOutOfRange,
-                                          {Parameter::scalingFactor, Word{static_cast<std::uint32_t>(value)},
-                                           Word{0x14F9}, Word{0x20000000}}}));
+                                          {Parameter::scalingFactor, shown, QStringLiteral("000014F9h"),
+                                           QStringLiteral("20000000h")}}))
+            << "as it can be typed";
     }
     for (const std::int64_t value : {0x14F9, 0x20000000}) {
         EscBench other;

@@ -53,6 +53,27 @@ bool isRead(const std::string &line)
     return line.size() == 3;
 }
 
+// The factor goes with what is written, in whatever order it is given; what contradicts is refused.
+TEST(EscWrite, StepsAndMeasuringRangeActThroughOneFactor)
+{
+    const ParameterValues together{{Parameter::measuringRange, 4096 * 1000}, {Parameter::steps, 1000}};
+    for (const ParameterValues &values : {together, ParameterValues{together[1], together[0]}}) {
+        EscBench bench;
+        bench.settle();
+        ASSERT_TRUE(bench.finish(writing(values)).result);
+        EXPECT_EQ(bench.value(Parameter::scalingFactor), 1000 << 16) << "1000 / 8192 with 29 fraction bits";
+    }
+    EscBench bench;
+    bench.settle();
+    const ParameterValues apart{{Parameter::measuringRange, 0x20000}, {Parameter::steps, 1000}};
+    const auto refused = bench.begin(writing(apart));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().id, RefusalId::valueNotAllowed);
+    EXPECT_EQ(refused.error().arguments.front(), RefusalArgument(Parameter::steps));
+    EXPECT_TRUE(bench.begin(writing({apart[0], apart[1], {Parameter::scalingFactor, 0x200'0000}})))
+        << "the factor says which";
+}
+
 TEST(EscWrite, SendsTheRequestsOfTheManualAndReadsThemBack)
 {
     for (const Row &row : rows) {
