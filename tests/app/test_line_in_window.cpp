@@ -9,6 +9,7 @@
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_table.h"
 #include "widgets/parameters/wanted_values.h"
+#include "widgets/parameters/write_plan.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/wizard/parameter_wizard.h"
@@ -234,6 +235,43 @@ TEST_F(LineInWindow, TheReviewShowsTheRequestsThatAreSent)
     QTest::mouseClick(panel.findChild<QPushButton *>(QStringLiteral("confirmWrite")), Qt::LeftButton);
     advance(5000);
     EXPECT_EQ(sent, shownRequests);
+}
+
+TEST_F(LineInWindow, TheReviewSaysWhatCannotBeWrittenAndWhy)
+{
+    choose(standing);
+    auto &wanted = *window().findChild<WantedValues *>();
+    wanted.set(standing, Parameter::revolutions, 16);
+    wanted.set(standing, Parameter::measuringRange, 200'000);
+    auto &panel = *window().findChild<ParameterPanel *>();
+    for (auto *button : panel.findChildren<QPushButton *>())
+        if (button->text() == QStringLiteral("&Write..."))
+            QTest::mouseClick(button, Qt::LeftButton);
+    advance(50);
+    QStringList said;
+    for (const auto *message : panel.findChildren<InlineMessage *>())
+        if (message->isVisibleTo(&panel))
+            said << message->sentence();
+    EXPECT_EQ(said.filter(QStringLiteral("200000 is out of range")).size(), 1)
+        << said.join(u'\n').toStdString();
+    EXPECT_FALSE(panel.findChild<QPushButton *>(QStringLiteral("confirmWrite"))->isEnabled());
+    for (const auto *label : panel.findChildren<QLabel *>())
+        EXPECT_FALSE(label->text().contains(QStringLiteral("There is nothing to write")));
+}
+
+// A factor that the user gives is not replaced by a computed one, be it there already.
+TEST_F(LineInWindow, AGivenFactorIsInTheReview)
+{
+    choose(standing);
+    ASSERT_TRUE(encoder(standing).start(ReadParameters{encoder(standing).device().readableValues()}));
+    advance(3000);
+    const auto known = encoder(standing).known(Parameter::scalingFactor);
+    ASSERT_TRUE(known);
+    const WritePlan plan = planWrite(
+        encoder(standing), {{Parameter::steps, 1000}, {Parameter::scalingFactor, known->value}}, false);
+    ASSERT_EQ(plan.rows.size(), 2u);
+    EXPECT_EQ(plan.rows[1].value, (ParameterValue{Parameter::scalingFactor, known->value}));
+    EXPECT_EQ(plan.rows[1].request, "05GF20000000");
 }
 
 TEST_F(LineInWindow, OneDecisionForWatchAndOperate)

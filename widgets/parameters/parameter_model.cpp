@@ -2,6 +2,7 @@
 #include "widgets/parameters/parameter_model.h"
 
 #include "catalog/value_text.h"
+#include "drivers/esc_values.h"
 #include "line/line_encoder_session.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/roles.h"
@@ -112,8 +113,17 @@ int ParameterModel::differing() const
 
 ParameterRow ParameterModel::rowFor(const ParameterDescription &parameter) const
 {
-    return {parameter, m_encoder.known(parameter.parameter),
+    return {withRange(parameter), m_encoder.known(parameter.parameter),
             m_wanted.value(m_encoder.number(), parameter.parameter)};
+}
+
+// What a scaling factor may be follows from its format.
+ParameterDescription ParameterModel::withRange(const ParameterDescription &parameter) const
+{
+    const auto options = explainOptionsOf(m_encoder.session());
+    return options && parameter.parameter == Parameter::scalingFactor
+               ? escNarrowed(m_encoder.device(), parameter.parameter, {}, options->fractionBits)
+               : parameter;
 }
 
 void ParameterModel::refresh()

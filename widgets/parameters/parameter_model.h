@@ -64,6 +64,7 @@ protected:
     QVariant cell(const ParameterRow &row, int column, int role) const override;
 
 private:
+    ParameterDescription withRange(const ParameterDescription &parameter) const;
     ParameterRow rowFor(const ParameterDescription &parameter) const;
     std::vector<ParameterRow> rowsOf(bool (*belongs)(const ParameterDescription &)) const;
     QVariant headCell(const ParameterRow &row, int column, int role) const;

@@ -59,6 +59,7 @@ QWidget *ParameterPanel::makeTablePage()
     m_table = new ParameterTable(*m_model, page);
     m_differences = new RoleLabel(page);
     m_message = new InlineMessage(page);
+    m_message->setObjectName(QStringLiteral("panelMessage"));
     m_bar = new ValueBar(page);
     m_buttons = makeButtons();
     m_job = new JobStrip(page);

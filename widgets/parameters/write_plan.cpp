@@ -48,13 +48,15 @@ WritePlan planWrite(const EncoderSession &encoder, const ParameterValues &wanted
     plan.stepsMayBeLess = device.quirks.mayCountStepsMinusOne &&
                           !encoder.known(Parameter::multiTurnAndStepsMinusOne) &&
                           valueOf(plan.job.values, Parameter::steps);
-    if (const auto steps = plannedForJobs(encoder, {plan.job}, k3::normalRunning))
-        for (const Step &step : *steps)
-            if (writesValue(step))
-                plan.rows.push_back({.value = {*step.parameter, valueGiven(step, plan.job)},
-                                     .old = encoder.known(*step.parameter),
-                                     .word = step.out,
-                                     .request = step.line});
+    const auto steps = plannedForJobs(encoder, {plan.job}, k3::normalRunning);
+    if (!steps && steps.error().id != RefusalId::nothingToDo)
+        plan.refusal = steps.error();
+    for (const Step &step : steps.value_or(std::vector<Step>()))
+        if (writesValue(step))
+            plan.rows.push_back({.value = {*step.parameter, valueGiven(step, plan.job)},
+                                 .old = encoder.known(*step.parameter),
+                                 .word = step.out,
+                                 .request = step.line});
     return plan;
 }
 

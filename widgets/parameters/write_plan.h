@@ -20,8 +20,9 @@ struct WritePlan
 
     WriteParameters job{};
     std::vector<Row>
-        rows{};           // one for each value that is written, those that go along with the wanted ones too
-    int alreadyThere = 0; // wanted, known to be there, and left out
+        rows{}; // one for each value that is written, those that go along with the wanted ones too
+    std::optional<Refusal> refusal{}; // why the job cannot be planned; there are no rows then
+    int alreadyThere = 0;             // wanted, known to be there, and left out
     // The encoder may count steps minus 1, which is read before the first word: the word for the steps may be
     // one less.
     bool stepsMayBeLess = false;

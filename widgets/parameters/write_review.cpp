@@ -3,10 +3,13 @@
 
 #include "catalog/value_text.h"
 #include "encoder/hex.h"
+#include "encoder/refusal_text.h"
 #include "line/line_encoder_session.h"
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/icons.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/look/wrapped_cells.h"
 #include "widgets/models/device_traits.h"
 #include "widgets/parameters/parameter_words.h"
 
@@ -22,7 +25,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int narrowestColumn = 70; // px: names stand in two lines
+constexpr int narrowestColumn = 50; // px: what is longer stands on more lines
 
 QString howItIsSent(const DeviceDescription &device)
 {
@@ -103,6 +106,7 @@ WriteReview::WriteReview(QWidget *parent)
     : QWidget(parent)
     , m_model(new WriteReviewModel(this))
     , m_table(new QTableView(this))
+    , m_problem(new InlineMessage(this))
     , m_notes(new QLabel(this))
     , m_gate(new EepromGate(this))
     , m_writeAll(new QCheckBox(tr("Write &all, also what is there"), this))
@@ -113,14 +117,15 @@ WriteReview::WriteReview(QWidget *parent)
     m_table->setAccessibleName(tr("What will be written"));
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->horizontalHeader()->setMinimumSectionSize(narrowestColumn);
-    m_table->horizontalHeader()->setSectionResizeMode(WriteReviewModel::name, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(WriteReviewModel::word, QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
     m_table->setTabKeyNavigation(false);
     m_table->setShowGrid(false);
-    m_table->setWordWrap(true); // a name that is cut could be any parameter's
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // no value may be out of sight
+    WrappedCells::useIn(*m_table);
     m_notes->setWordWrap(true);
     m_writeAll->setToolTip(tr("Writes every wanted value once more. Each costs an EEPROM write."));
     m_write->setObjectName(QStringLiteral("confirmWrite"));
@@ -134,6 +139,7 @@ WriteReview::WriteReview(QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_table, 1);
+    layout->addWidget(m_problem);
     layout->addWidget(m_notes);
     layout->addWidget(m_gate);
     layout->addWidget(m_writeAll);
@@ -170,6 +176,10 @@ void WriteReview::showPlan()
     m_write->setText(count == 1 ? tr("&Write this value") : tr("&Write these %1 values").arg(count));
     m_gate->setWrites(*m_encoder, count == 0 ? 0 : mostEepromWrites(*m_encoder, m_plan.job));
     allow();
+    if (m_plan.refusal)
+        m_problem->showMessage(Role::attention, refusalText(*m_plan.refusal));
+    else
+        m_problem->withdraw();
     m_notes->setText(notes());
 }
 
@@ -180,6 +190,8 @@ void WriteReview::allow()
 
 QString WriteReview::notes() const
 {
+    if (m_plan.refusal)
+        return {}; // it is told in its place
     QStringList lines;
     if (m_plan.rows.empty())
         lines << tr("The encoder is known to have all wanted values. There is nothing to write.");

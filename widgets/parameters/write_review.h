@@ -15,6 +15,7 @@ class QTableView;
 namespace codewheel {
 
 class EepromGate;
+class InlineMessage;
 
 // Parameter, old, new, word.
 class WriteReviewModel final : public TableModelBase<WritePlan::Row>
@@ -65,6 +66,7 @@ private:
     WritePlan m_plan;
     WriteReviewModel *m_model;
     QTableView *m_table;
+    InlineMessage *m_problem; // why nothing can be written
     QLabel *m_notes;
     EepromGate *m_gate;
     QCheckBox *m_writeAll;

@@ -62,7 +62,10 @@ protected:
             m_ring.bus.advance(10);
         ASSERT_FALSE(encoder().runningJob());
     }
-    QString message() { return m_panel.findChild<InlineMessage *>()->sentence(); }
+    QString message()
+    {
+        return m_panel.findChild<InlineMessage *>(QStringLiteral("panelMessage"))->sentence();
+    }
 
     test::TrainingBusSession m_ring;
     ProjectDocument m_project;

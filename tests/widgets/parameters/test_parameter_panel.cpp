@@ -87,7 +87,7 @@ protected:
             bus.advance(10);
         ASSERT_FALSE(bus.encoder(number)->runningJob());
     }
-    QString message() { return panel.findChild<InlineMessage *>()->sentence(); }
+    QString message() { return panel.findChild<InlineMessage *>(QStringLiteral("panelMessage"))->sentence(); }
 
     const Catalog catalog = Catalog::builtIn();
     TrainingBus training = makeTrainingBus(catalog);
@@ -217,7 +217,7 @@ TEST_F(Parameters, ReadsOnlyWhenAskedAndSaysHowItKnows)
 
 TEST_F(Parameters, ARefusalGoesWhenSendingIsAllowed)
 {
-    const auto &message = *panel.findChild<InlineMessage *>();
+    const auto &message = *panel.findChild<InlineMessage *>(QStringLiteral("panelMessage"));
     bus.setOperate(false);
     bus.advance(2);
     QTest::mouseClick(button(QStringLiteral("Read from encoder")), Qt::LeftButton);

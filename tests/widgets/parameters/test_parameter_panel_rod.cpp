@@ -121,7 +121,9 @@ TEST_F(ParametersOfARod, TheReviewShowsTheWordsOfTheServicesAndWritesThem)
     finishJob();
     EXPECT_EQ(rod().known(Parameter::measuringLength)->value, 50'000);
     EXPECT_EQ(rod().known(Parameter::externalPreset)->value, 500);
-    EXPECT_TRUE(panel.findChild<InlineMessage *>()->sentence().contains(QStringLiteral("read back")));
+    EXPECT_TRUE(panel.findChild<InlineMessage *>(QStringLiteral("panelMessage"))
+                    ->sentence()
+                    .contains(QStringLiteral("read back")));
     EXPECT_EQ(ring.channel(rodPlace).out(), 0u);
 }
 
