@@ -110,6 +110,17 @@ Checked<void> takeSetting(LineLink &link, const QString &setting)
     return {};
 }
 
+// What a project says of an encoder holds at whatever port.
+std::set<LineAddress> swappingOf(const Project *project)
+{
+    std::set<LineAddress> swapping;
+    if (project != nullptr && project->line)
+        for (const ProjectDevice &encoder : project->line->encoders)
+            if (encoder.swapsWarningBytes)
+                swapping.insert(encoder.participant.number.line);
+    return swapping;
+}
+
 Checked<LineLink> lineAt(const QString &port, const Project *project)
 {
     if (port.isEmpty())
@@ -119,6 +130,7 @@ Checked<LineLink> lineAt(const QString &port, const Project *project)
     LineLink link;
     if (port == trainingLink)
         return link;
+    link.swapping = swappingOf(project);
     if (port != projectPort) {
         link.wish.port = port;
         return link;
@@ -130,9 +142,6 @@ Checked<LineLink> lineAt(const QString &port, const Project *project)
                             "with --project FILE, or the port, as --link esc:ttyUSB0."));
     link.wish = project->line->wish;
     link.adapter = project->line->adapter;
-    for (const ProjectDevice &encoder : project->line->encoders)
-        if (encoder.swapsWarningBytes)
-            link.swapping.insert(encoder.participant.number.line);
     return link;
 }
 

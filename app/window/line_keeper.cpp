@@ -2,6 +2,7 @@
 #include "app/window/line_keeper.h"
 
 #include "app/window/serial_line.h"
+#include "line/line_encoder_session.h"
 #include "widgets/project/project_document.h"
 
 #include <algorithm>
@@ -14,12 +15,19 @@ DeviceNumber numberOf(const ProjectDevice &encoder)
     return encoder.participant.number;
 }
 
-ProjectDevice plannedEncoder(DeviceNumber number, const QString &deviceKey)
+// In its place; as it is connected where the line has none of this number yet.
+ProjectDevice &plannedEncoder(ProjectLine &line, const EncoderSession &connected)
 {
+    const DeviceNumber number = connected.number();
+    const auto place = std::ranges::lower_bound(line.encoders, number, {}, numberOf);
+    if (place != line.encoders.end() && numberOf(*place) == number)
+        return *place;
     ProjectDevice encoder;
     encoder.participant.number = number;
-    encoder.participant.deviceKey = deviceKey;
-    return encoder;
+    encoder.participant.deviceKey = connected.device().key;
+    const auto explained = explainOptionsOf(&connected);
+    encoder.swapsWarningBytes = explained && explained->swapWarningBytes;
+    return *line.encoders.insert(place, std::move(encoder));
 }
 
 } // namespace
@@ -32,7 +40,7 @@ LineKeeper::LineKeeper(const SerialLine &line, ProjectDocument &project, QObject
 
 ProjectLine LineKeeper::line() const
 {
-    return m_project.project().line.value_or(ProjectLine());
+    return m_project.project().line.value_or(m_line.opened());
 }
 
 void LineKeeper::edit(const ProjectLine &after, const QString &what)
@@ -66,25 +74,29 @@ void LineKeeper::keepBaudRate(int baudRate)
 
 void LineKeeper::keepByteOrder(DeviceNumber number, bool isSwapped)
 {
-    if (m_line.training() != nullptr)
+    const EncoderSession *connected = sessionOf(number);
+    if (connected == nullptr)
         return;
-    Project after = m_project.project();
-    ProjectDevice *encoder = findDevice(after, number);
-    if (encoder == nullptr)
-        return;
-    encoder->swapsWarningBytes = isSwapped;
-    m_project.edit(std::move(after), tr("Warning bytes of %1").arg(number.toString()));
+    ProjectLine after = line();
+    plannedEncoder(after, *connected).swapsWarningBytes = isSwapped;
+    edit(after, tr("Warning bytes of %1").arg(number.toString()));
 }
 
-void LineKeeper::keepEncoders(const std::vector<DeviceNumber> &numbers, const QString &deviceKey)
+// Null at the training line too.
+const EncoderSession *LineKeeper::sessionOf(DeviceNumber number) const
+{
+    const bool isKept = m_line.session() != nullptr && m_line.training() == nullptr;
+    return isKept ? m_line.session()->encoder(number) : nullptr;
+}
+
+void LineKeeper::keepEncoders(const std::vector<DeviceNumber> &numbers)
 {
     if (m_line.training() != nullptr || numbers.empty())
         return;
     ProjectLine after = line();
     for (const DeviceNumber number : numbers)
-        if (findDevice(m_project.project(), number) == nullptr)
-            after.encoders.push_back(plannedEncoder(number, deviceKey));
-    std::ranges::sort(after.encoders, {}, numberOf);
+        if (const EncoderSession *connected = sessionOf(number))
+            plannedEncoder(after, *connected);
     edit(after, tr("Encoders of the serial line"));
 }
 

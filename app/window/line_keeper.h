@@ -8,6 +8,7 @@
 
 namespace codewheel {
 
+class EncoderSession;
 class ProjectDocument;
 class SerialLine;
 
@@ -21,7 +22,8 @@ public:
     // Both must outlive it.
     LineKeeper(const SerialLine &line, ProjectDocument &project, QObject *parent = nullptr);
 
-    ProjectLine line() const; // of the project; as the factory has it where the project has none
+    // Of the project; where that has none, the one that is open, as the factory has it where none is.
+    ProjectLine line() const;
 
     // As it is open now, with these settings.
     void keepPort(const ProjectLine &line);
@@ -30,12 +32,13 @@ public:
     // Whether the warnings of this encoder come with their bytes in the other order.
     void keepByteOrder(DeviceNumber number, bool isSwapped);
     // Those that the project has already stay as they are.
-    void keepEncoders(const std::vector<DeviceNumber> &numbers, const QString &deviceKey);
+    void keepEncoders(const std::vector<DeviceNumber> &numbers);
     void removeEncoder(DeviceNumber number);
     // All that is planned and known of the encoder goes along.
     void moveEncoder(DeviceNumber from, DeviceNumber to);
 
 private:
+    const EncoderSession *sessionOf(DeviceNumber number) const;
     void edit(const ProjectLine &after, const QString &what);
 
     const SerialLine &m_line;

@@ -107,6 +107,7 @@ void LineViews::setLine(LineSession *line)
                 [this](DeviceNumber, const Result<int> &bits) { takeFractionBits(bits); });
         connect(line, &LineSession::stateChanged, this, &LineViews::showState);
         connect(line, &LineSession::devicesChanged, this, &LineViews::showActions);
+        connect(line, &LineSession::devicesChanged, this, &LineViews::explainTerminal);
         connect(line, &LineSession::messaged, this, &LineViews::tellBaudRate);
         connect(line, &LineSession::moved, m_keeper, &LineKeeper::moveEncoder);
         connect(line, &LineSession::moved, this, &LineViews::explainTerminal);
@@ -282,7 +283,7 @@ void LineViews::takeOver(const std::vector<FoundEncoder> &found, const QString &
         if (line->encoder(number) != nullptr)
             taken.push_back(number);
     }
-    m_keeper->keepEncoders(taken, deviceKey);
+    m_keeper->keepEncoders(taken);
     m_search->showLeft(left);
 }
 

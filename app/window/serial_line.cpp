@@ -64,6 +64,7 @@ std::unique_ptr<LineSession> SerialLine::makeSession(std::unique_ptr<ByteLink> l
             return std::make_unique<EscDriver>(device, address, settings);
         });
     session->setFractionBits(wish.fractionBits);
+    connect(session.get(), &LineSession::devicesChanged, this, &SerialLine::tellByteOrder);
     connect(session.get(), &LineSession::messaged, this,
             [this, made = session.get()](const Message &message) {
                 Q_EMIT messaged(message, made->dateTime(message.at));
@@ -153,6 +154,7 @@ Result<void> SerialLine::open(const ProjectLine &line)
     for (const ProjectDevice &encoder : line.encoders)
         (void)session->add(encoder.participant.number.line, encoder.participant.deviceKey);
     replace(std::move(session), nullptr, port);
+    m_openedWith = wish;
     tellByteOrder();
     return {};
 }
@@ -174,6 +176,15 @@ ProjectLine SerialLine::asOpened(ProjectLine line) const
     if (const QString path = m_port->name(); path != portPath(line.wish.port))
         line.wish.port = path;
     return line;
+}
+
+ProjectLine SerialLine::opened() const
+{
+    ProjectLine line;
+    if (m_port == nullptr)
+        return line;
+    line.wish = m_openedWith;
+    return asOpened(std::move(line));
 }
 
 void SerialLine::close()

@@ -48,6 +48,9 @@ public:
     // With the port and the adapter that are open: it may be plugged in elsewhere, or another one be meant
     // meanwhile.
     ProjectLine asOpened(ProjectLine line) const;
+    // The port that is open, without its encoders, and how it was opened; as the factory has it where none
+    // is.
+    ProjectLine opened() const;
     // In place of those of this computer.
     void setPortList(SerialPortLink::PortList ports) { m_ports = std::move(ports); }
     std::vector<PortInfo> ports() const { return m_ports(); }
@@ -75,6 +78,7 @@ private:
     std::shared_ptr<SimulatedLine> m_training;
     std::unique_ptr<LineSession> m_session;
     const SerialPortLink *m_port = nullptr; // of the session; null: it is at none
+    LineWish m_openedWith;                  // the port
     std::optional<KeptAdapter> m_wanted;    // when a port was to be opened last
     SerialPortLink::PortList m_ports = serialPorts;
     std::unique_ptr<LedgerKeeper> m_ledger; // of the session

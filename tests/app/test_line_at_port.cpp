@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/line_at_port_test.h"
+#include "widgets/line/line_search.h"
 #include "widgets/line/line_terminal.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/parameters/parameter_panel.h"
@@ -110,6 +111,41 @@ TEST_F(LineAtPort, SwappedWarningBytesAreKeptWithTheEncoder)
     connectPort(port);
     ASSERT_TRUE(answers(at3));
     EXPECT_TRUE(comes([&] { return warnings(at3) == 0x9800; }));
+}
+
+TEST_F(LineAtPort, SwappedWarningBytesFollowTheEncoderThroughRemovalAndAnotherProject)
+{
+    plan({test::plannedEncoder(at3)});
+    connectPort(startPeer(QStringLiteral("--addresses 03 --warnings 0098")));
+    ASSERT_TRUE(answers(at3));
+    const auto isSwapped = [this] { return line().explainOptions().swaps(at3.line); };
+    window().findChild<StructureView *>()->choose(at3);
+    actions().swapWarningBytes->trigger();
+    FoundEncoder found;
+    found.address = at3.line;
+    found.baudRate = 19'200;
+    const auto takeOver = [&] {
+        Q_EMIT window().findChild<LineSearch *>()->takeOverWanted({found},
+                                                                  QStringLiteral("kuebler-esc-rs485"));
+    };
+    actions().removeFromLine->trigger();
+    EXPECT_FALSE(isSwapped());
+    shown->project().undoStack().undo(); // the project has it again, the line has not
+    takeOver();
+    EXPECT_TRUE(isSwapped()) << "as the project says";
+
+    shown->project().setProject({}, {});
+    EXPECT_TRUE(isSwapped()) << "the line is open as it was";
+    takeOver();
+    ASSERT_TRUE(project().line);
+    EXPECT_TRUE(project().line->encoders.at(0).swapsWarningBytes);
+
+    shown->project().setProject({}, {});
+    window().findChild<StructureView *>()->choose(at3);
+    actions().swapWarningBytes->trigger();
+    EXPECT_FALSE(isSwapped());
+    ASSERT_TRUE(project().line) << "what is told of an encoder takes it into the project";
+    EXPECT_FALSE(project().line->encoders.at(0).swapsWarningBytes);
 }
 
 TEST_F(LineAtPort, TheFormatThatWasDeterminedIsKept)

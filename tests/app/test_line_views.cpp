@@ -141,6 +141,25 @@ TEST_F(LineViewsTest, WhatIsFoundAtAPortIsKeptInTheProject)
     EXPECT_EQ(project().line->encoders, std::vector{test::plannedEncoder(DeviceNumber::onLine({7}))});
 }
 
+TEST_F(LineViewsTest, AnotherProjectTakesOverTheLineAsItIsOpen)
+{
+    PtyPair pty;
+    ProjectLine slow;
+    slow.wish.line.baudRate = 9'600;
+    Project slowProject = project();
+    slowProject.line = slow;
+    shown->project().setProject(slowProject, {});
+    connectPort(pty.path());
+    EXPECT_EQ(view<LineSearch>().wish().baudRates, std::vector{9'600});
+    shown->project().setProject({}, {});
+    ASSERT_FALSE(project().line);
+    Q_EMIT view<LineSearch>().takeOverWanted({found({7}, 9'600)}, QStringLiteral("kuebler-esc-rs485"));
+    ASSERT_TRUE(project().line);
+    EXPECT_EQ(project().line->wish.line.baudRate, 9'600);
+    EXPECT_EQ(project().line->wish.port, pty.path());
+    EXPECT_EQ(project().line->encoders, std::vector{test::plannedEncoder(DeviceNumber::onLine({7}))});
+}
+
 TEST_F(LineViewsTest, WhatAnswersAtAnotherBaudRateIsNotTakenOverAndThatIsSaid)
 {
     actions().lineSearch->trigger();

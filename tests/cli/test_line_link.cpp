@@ -63,6 +63,8 @@ TEST(CliLineLink, TheLineOfAProjectKeepsItsSettingsSaveThoseTyped)
     EXPECT_EQ(link->line.adapter, project.line->adapter);
     EXPECT_FALSE(link->line.explainOptions().swaps({3}));
     EXPECT_TRUE(link->line.explainOptions().swaps({5}));
+    EXPECT_TRUE(linkMeant(QStringLiteral("esc:ttyUSB1"), &project)->line.explainOptions().swaps({5}))
+        << "whatever the port";
     const auto none = linkMeant(QStringLiteral("esc:project,swap-warnings=0"), &project);
     EXPECT_FALSE(none->line.explainOptions().swaps({5}));
     EXPECT_TRUE(isLineOfProject(QStringLiteral("esc:project")));

@@ -186,6 +186,9 @@ void LineSearch::setLine(LineSession *line)
     m_isSearching = false;
     m_progress->hide();
     if (line) {
+        ScanWish atItsRate = wish();
+        atItsRate.baudRates = {line->settings().baudRate};
+        setWish(atItsRate);
         connect(line, &LineSession::scanProgressed, this, &LineSearch::showProgress);
         connect(line, &LineSession::scanEnded, this, &LineSearch::showEnd);
         connect(line, &LineSession::stateChanged, this, &LineSearch::showWhatIsPossible);

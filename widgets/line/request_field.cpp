@@ -81,6 +81,20 @@ void RequestField::goThroughHistory(qsizetype by)
     setText(m_place == m_history.size() ? m_typed : m_history.at(m_place));
 }
 
+// These move the cursor in a text; where there is none they are the terminal's.
+bool RequestField::event(QEvent *event)
+{
+    if (event->type() == QEvent::ShortcutOverride && text().isEmpty()) {
+        const auto *key = static_cast<const QKeyEvent *>(event);
+        const bool isOfTerminal = key->key() == Qt::Key_E || key->key() == Qt::Key_End;
+        if (isOfTerminal && key->modifiers() == Qt::ControlModifier) {
+            event->ignore();
+            return false;
+        }
+    }
+    return QLineEdit::event(event);
+}
+
 void RequestField::keyPressEvent(QKeyEvent *event)
 {
     if (event->key() == Qt::Key_Up)

@@ -26,6 +26,7 @@ public:
     void keep();
 
 protected:
+    bool event(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
 
 private:
