@@ -57,10 +57,9 @@ Answer whatIsKnown(const EncoderSession &encoder)
 
 Answer readFrom(const Call &call, EncoderSession &encoder, std::vector<Parameter> parameters)
 {
-    const DeviceDescription &device = encoder.device();
     const FinishedJob job = runToEnd(call, {encoder, ReadParameters{std::move(parameters)}});
     Answer answer;
-    answer.json = {{QStringLiteral("values"), valuesJson(device, job.outcome.read)}};
+    answer.json = {{QStringLiteral("values"), valuesJson(encoder, job.outcome.read)}};
     if (call.arguments.has("--trace")) {
         answer.text = traceText(call, encoder, job) + u'\n';
         answer.json.insert(QStringLiteral("trace"), traceJson(call, encoder, job));

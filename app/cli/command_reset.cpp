@@ -77,7 +77,7 @@ void carryOut(const Call &call, const AllowedJob &reset, Answer &answer)
         return;
     }
     const ParameterValues values = valuesNow(encoder);
-    answer.json.insert(QStringLiteral("values"), valuesJson(device, values));
+    answer.json.insert(QStringLiteral("values"), valuesJson(encoder, values));
     answer.json.insert(QStringLiteral("position"), numberJson(encoder.latest().position));
     answer.json.insert(QStringLiteral("onlyZeroSinceRun"), job.outcome.onlyZeroSinceRun);
     answer.text +=

@@ -119,7 +119,7 @@ Answer listed(const Call &call, const EncoderSession &encoder, const std::vector
         table.add({localTime(before, now), assignments(encoder.device(), before.values)});
         json.append(QJsonObject{{QStringLiteral("at"), before.at.toUTC().toString(Qt::ISODateWithMs)},
                                 {QStringLiteral("device"), before.deviceKey},
-                                {QStringLiteral("values"), valuesJson(encoder.device(), before.values)}});
+                                {QStringLiteral("values"), valuesJson(encoder, before.values)}});
     }
     return {.text = table.toString(),
             .json = {{QStringLiteral("place"), encoder.number().toString()},

@@ -5,6 +5,7 @@
 #include "cli/json.h"
 #include "cli/parameter_text.h"
 #include "cli/text_table.h"
+#include "esc/esc_bits.h"
 #include "line/line_encoder_session.h"
 
 namespace codewheel {
@@ -28,11 +29,17 @@ QString valueLines(const EncoderSession &encoder, const ParameterValues &values)
     return table.toString();
 }
 
-QJsonArray valuesJson(const DeviceDescription &device, const ParameterValues &values)
+QJsonArray valuesJson(const EncoderSession &encoder, const ParameterValues &values)
 {
+    const auto options = explainOptionsOf(&encoder);
     QJsonArray json;
-    for (const ParameterValue &value : values)
-        json.append(valueJson(*device.find(value.parameter), value.value));
+    for (const ParameterValue &value : values) {
+        QJsonObject object = valueJson(*encoder.device().find(value.parameter), value.value);
+        if (options && options->swapWarningBytes && value.parameter == Parameter::warnings)
+            object.insert(QStringLiteral("asSent"),
+                          esc::swappedBytes(static_cast<std::uint16_t>(value.value)));
+        json.append(object);
+    }
     return json;
 }
 

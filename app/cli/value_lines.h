@@ -15,6 +15,7 @@ QString valueCell(const ParameterDescription &parameter, std::int64_t value,
                   const std::optional<esc::ExplainOptions> &options = {});
 // What an encoder has, a line for each value.
 QString valueLines(const EncoderSession &encoder, const ParameterValues &values);
-QJsonArray valuesJson(const DeviceDescription &device, const ParameterValues &values);
+// Warnings whose bytes were swapped also as they were sent.
+QJsonArray valuesJson(const EncoderSession &encoder, const ParameterValues &values);
 
 } // namespace codewheel

@@ -203,7 +203,7 @@ void StatusLine::showWrites()
                             : tr("%1 %2: %3", "place, make: writes")
                                   .arg(m_encoder->number().toString(), m_encoder->device().vendor,
                                        eepromCountBrief(m_encoder->eepromCount())));
-    const QString toolTip = m_encoder == nullptr ? QString() : eepromCountText(m_encoder->eepromCount());
+    const QString toolTip = m_encoder == nullptr ? QString() : eepromCountText(*m_encoder);
     if (m_writes->toolTip() != toolTip)
         m_writes->setToolTip(toolTip);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/job_report.h"
 
+#include "catalog/value_text.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
@@ -15,7 +17,10 @@ QString textOf(const ParameterValues &values, const DeviceDescription &device)
     for (const ParameterValue &value : values) {
         const ParameterDescription *description = device.find(value.parameter);
         const Choice *choice = description ? description->findChoice(value.value) : nullptr;
-        const QString text = choice ? choice->key : QLocale().toString(static_cast<qlonglong>(value.value));
+        const bool isOnLine = device.profile == Profile::esc;
+        const QString text = choice                    ? choice->key
+                             : description && isOnLine ? valueText(*description, value.value)
+                                                       : QLocale().toString(qlonglong{value.value});
         texts += parameterName(value.parameter) + QStringLiteral(" = ") + text;
     }
     return texts.join(QStringLiteral(", "));

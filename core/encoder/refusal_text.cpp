@@ -281,7 +281,7 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Refusal", "The encoder refused %1 as incomplete or out of range (answer 05). It "
                                      "kept the old value: give another one.")},
     Row{RefusalId::escNoAnswer, "escNoAnswer",
-        QT_TRANSLATE_NOOP("Refusal", "No answer to %1 after %2 tries. Check address, baud rate, wiring and "
+        QT_TRANSLATE_NOOP("Refusal", "No answer to %1 (tries: %2). Check address, baud rate, wiring and "
                                      "supply; an RS-422 encoder also needs ST (pin 7) at +UB.")},
     Row{RefusalId::escReadsDisagree, "escReadsDisagree",
         QT_TRANSLATE_NOOP("Refusal", "%1 was read as %2 and then as %3, so neither is taken. Check the line "

@@ -4,6 +4,7 @@
 #include "catalog/preset_storage.h"
 #include "drivers/esc_plan.h"
 #include "drivers/values_to_write.h"
+#include "encoder/hex.h"
 #include "words/k3_cam_word.h"
 #include "words/la66_word.h"
 
@@ -170,6 +171,16 @@ QString eepromCountText(const EepromCount &count)
         text +=
             u' ' + Eeprom::tr("(and perhaps %1 more, which it began before it was ended)").arg(count.perhaps);
     return text + QStringLiteral(", ") + countedBy(count) + u'.';
+}
+
+QString eepromCountText(const EncoderSession &encoder)
+{
+    EepromCount count = encoder.eepromCount();
+    bool isNumber = false;
+    const Word serial = count.serialNumber.toUInt(&isNumber);
+    if (isNumber && count.by == CountedBy::serialNumber && encoder.device().profile == Profile::esc)
+        count.serialNumber = hexWord(serial);
+    return eepromCountText(count);
 }
 
 QString eepromCountBrief(const EepromCount &count)

@@ -25,6 +25,8 @@ EepromConcern eepromConcern(const EncoderSession &encoder, int planned);
 
 // "12 writes by this program since 1 Mar 2026, by serial number 4711."
 QString eepromCountText(const EepromCount &count);
+// With the serial number as its encoder shows it: of a Kübler 8 hexadecimal digits.
+QString eepromCountText(const EncoderSession &encoder);
 // "12 writes from here since 1 Mar 2026": where there is little room.
 QString eepromCountBrief(const EepromCount &count);
 // What is said at a concern; empty: none. `planned` is what is added.

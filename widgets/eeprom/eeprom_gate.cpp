@@ -65,8 +65,7 @@ void EepromGate::showConcern()
 {
     if (!m_encoder)
         return;
-    const EepromCount count = m_encoder->eepromCount();
-    const bool isKept = count.by != CountedBy::session;
+    const bool isKept = m_encoder->eepromCount().by != CountedBy::session;
     const EepromConcern concern = eepromConcern(*m_encoder, m_planned);
     if (std::exchange(m_concern, concern) != concern) {
         m_nevertheless->setChecked(false);
@@ -76,7 +75,7 @@ void EepromGate::showConcern()
     const QString ask = tr("Type %1 to write nevertheless").arg(place);
     m_place->setPlaceholderText(ask);
     m_place->setAccessibleName(ask);
-    m_count->setText(isKept ? eepromCountText(count) : QString());
+    m_count->setText(isKept ? eepromCountText(*m_encoder) : QString());
     m_count->setVisible(isKept);
     m_text->setText(eepromConcernText(*m_encoder, m_planned));
     m_text->setVisible(concern != EepromConcern::none);
