@@ -573,11 +573,11 @@
     <name>EscBit</name>
     <message>
         <source>direction CCW</source>
-        <translation>Drehrichtung CCW</translation>
+        <translation>Zählrichtung CCW</translation>
     </message>
     <message>
         <source>direction CW</source>
-        <translation>Drehrichtung CW</translation>
+        <translation>Zählrichtung CW</translation>
     </message>
     <message>
         <source>diagnostic active</source>
@@ -736,7 +736,7 @@
     </message>
     <message>
         <source>direction</source>
-        <translation>Drehrichtung</translation>
+        <translation>Zählrichtung</translation>
     </message>
     <message>
         <source>scaling</source>
@@ -816,6 +816,13 @@
     <message>
         <source>incomplete or out of range (05)</source>
         <translation>unvollständig oder außerhalb des Bereichs (05)</translation>
+    </message>
+</context>
+<context>
+    <name>EscPlan</name>
+    <message>
+        <source>%1, which goes with a measuring range of %2</source>
+        <translation>%1, passend zu einem Messbereich von %2</translation>
     </message>
 </context>
 <context>
@@ -1839,11 +1846,11 @@
     </message>
     <message>
         <source>Direction</source>
-        <translation>Drehrichtung</translation>
+        <translation>Zählrichtung</translation>
     </message>
     <message>
         <source>direction</source>
-        <translation>Drehrichtung</translation>
+        <translation>Zählrichtung</translation>
     </message>
     <message>
         <source>Coding</source>
@@ -2567,10 +2574,6 @@
         <translation>Der Geber hat %1 als unvollständig oder außerhalb des Bereichs abgelehnt (Antwort 05). Er hat den alten Wert behalten: einen anderen angeben.</translation>
     </message>
     <message>
-        <source>No answer to %1 after %2 tries. Check address, baud rate, wiring and supply; an RS-422 encoder also needs ST (pin 7) at +UB.</source>
-        <translation>Keine Antwort auf %1 nach %2 Versuchen. Adresse, Baudrate, Verdrahtung und Versorgung prüfen; ein RS-422-Geber braucht außerdem ST (Pin 7) an +UB.</translation>
-    </message>
-    <message>
         <source>%1 was read as %2 and then as %3, so neither is taken. Check the line for disturbances, then read again.</source>
         <translation>%1 wurde als %2 und dann als %3 gelesen, daher gilt keiner der Werte. Leitung auf Störungen prüfen, dann noch einmal lesen.</translation>
     </message>
@@ -2641,6 +2644,10 @@
     <message>
         <source>Error 98000004: a start or stop of a cam is above the largest position (IN %1). Compare the cam programs with the total range.</source>
         <translation>Fehler 98000004: Anfang oder Ende eines Nockens liegt über der größten Position (IN %1). Die Nockenprogramme mit dem Gesamtbereich vergleichen.</translation>
+    </message>
+    <message>
+        <source>No answer to %1 (tries: %2). Check address, baud rate, wiring and supply; an RS-422 encoder also needs ST (pin 7) at +UB.</source>
+        <translation>Keine Antwort auf %1 (Versuche: %2). Adresse, Baudrate, Verdrahtung und Versorgung prüfen; ein RS-422-Geber braucht außerdem ST (Pin 7) an +UB.</translation>
     </message>
 </context>
 <context>
@@ -6334,7 +6341,7 @@ wenn ein Geber nicht alles bekommen hat.</translation>
     </message>
     <message>
         <source>The make of this encoder is not known. If you know it, name it in the bus structure: then direction and errors can be told by their names.</source>
-        <translation>Der Hersteller dieses Gebers ist unbekannt. Ist er bekannt, im Busaufbau nennen: Dann sind Drehrichtung und Fehler beim Namen zu nennen.</translation>
+        <translation>Der Hersteller dieses Gebers ist unbekannt. Ist er bekannt, im Busaufbau nennen: Dann sind Zählrichtung und Fehler beim Namen zu nennen.</translation>
     </message>
 </context>
 <context>
@@ -6391,7 +6398,7 @@ wenn ein Geber nicht alles bekommen hat.</translation>
     <name>codewheel::DirectionPage</name>
     <message>
         <source>Direction</source>
-        <translation>Drehrichtung</translation>
+        <translation>Zählrichtung</translation>
     </message>
     <message>
         <source>Check &amp;again</source>
@@ -6419,15 +6426,15 @@ wenn ein Geber nicht alles bekommen hat.</translation>
     </message>
     <message>
         <source>The direction of the encoder is kept.</source>
-        <translation>Die Drehrichtung des Gebers bleibt.</translation>
+        <translation>Die Zählrichtung des Gebers bleibt.</translation>
     </message>
     <message>
         <source>The other direction is put among the wanted values.</source>
-        <translation>Die andere Drehrichtung kommt zu den gewünschten Werten.</translation>
+        <translation>Die andere Zählrichtung kommt zu den gewünschten Werten.</translation>
     </message>
     <message>
         <source>The direction the encoder has now is not known: read it, or choose it on the page of the values.</source>
-        <translation>Die jetzige Drehrichtung des Gebers ist unbekannt: auslesen, oder auf der Seite der Werte wählen.</translation>
+        <translation>Die jetzige Zählrichtung des Gebers ist unbekannt: auslesen, oder auf der Seite der Werte wählen.</translation>
     </message>
     <message>
         <source>The encoder shows no position now (IN %1). Bring it back to operation first.</source>
@@ -11831,7 +11838,7 @@ Worte: IN %5, OUT %6</translation>
     <name>codewheel::ShaftConsequences</name>
     <message>
         <source>Resolution and range can be told once steps, revolutions and direction are known or wanted.</source>
-        <translation>Auflösung und Bereich sind bestimmbar, sobald Schritte, Umdrehungen und Drehrichtung bekannt oder gewünscht sind.</translation>
+        <translation>Auflösung und Bereich sind bestimmbar, sobald Schritte, Umdrehungen und Zählrichtung bekannt oder gewünscht sind.</translation>
     </message>
     <message>
         <source>What it will read here cannot be told: the zero offset or the scale is not known.</source>

@@ -52,7 +52,7 @@ TEST_F(LanguageTest, GermanSaysWhatWordsMean)
 {
     use("de");
     EXPECT_EQ(meaning(WordDirection::out, 0x0200'00FF), "Parameter 1 Schritte = 255");
-    EXPECT_EQ(meaning(WordDirection::out, 0x0600'0003), "Parameter 3 Drehrichtung = 3 (CW)");
+    EXPECT_EQ(meaning(WordDirection::out, 0x0600'0003), "Parameter 3 Zählrichtung = 3 (CW)");
     EXPECT_EQ(meaning(WordDirection::out, 0x8000'0000), "Run (Start)");
     EXPECT_EQ(meaning(WordDirection::out, 0x0000'0000), "Normalbetrieb");
     EXPECT_EQ(meaning(WordDirection::in, 0x0001'2A4F), "In Betrieb, Position 76.367");
