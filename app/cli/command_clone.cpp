@@ -58,7 +58,7 @@ Checked<Answer> run(const Call &call)
         const auto to = encoderNamed(call, place);
         if (!to)
             return tl::unexpected(to.error());
-        targets.push_back(*to);
+        addOnce(targets, *to);
     }
     if (const auto read = readFirst(call, **from); !read)
         return tl::unexpected(read.error());

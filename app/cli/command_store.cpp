@@ -137,8 +137,10 @@ Checked<Answer> run(const Call &call)
     QJsonArray encoders;
     addTrace(call, round, answer);
     for (const ProjectDevice &device : meant.encoders) {
-        const EncoderSession &encoder = *call.bus->encoder(device.participant.number);
-        const auto kept = std::ranges::find(project->devices, device);
+        const DeviceNumber place = device.participant.number;
+        const EncoderSession &encoder = *call.bus->encoder(place);
+        const auto kept = std::ranges::find_if(
+            project->devices, [&](const ProjectDevice &each) { return each.participant.number == place; });
         *kept = withStored(*kept, encoder);
         show(encoder, *kept, answer, encoders);
     }

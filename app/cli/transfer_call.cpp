@@ -100,7 +100,7 @@ Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project
         const auto device = deviceNamed(call, project, place);
         if (!device)
             return tl::unexpected(device.error());
-        devices.push_back(*device);
+        addOnce(devices, *device);
     }
     return devices;
 }

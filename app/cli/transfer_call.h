@@ -7,16 +7,26 @@
 #include "project/project.h"
 #include "transfer/transfer_account.h"
 
+#include <algorithm>
 #include <functional>
 #include <map>
+#include <vector>
 
 namespace codewheel {
 
 // What the commands about several encoders have in common.
 
+// Who is named twice is meant once.
+template <typename T>
+void addOnce(std::vector<T> &all, const T &one)
+{
+    if (std::ranges::find(all, one) == all.end())
+        all.push_back(one);
+}
+
 // The devices of the project named in the call by place or station, from its second argument on; without any,
-// all. Refuses a place that the project does not have. Takes the encoders of the bus for those of the
-// project.
+// all; each once. Refuses a place that the project does not have. Takes the encoders of the bus for those of
+// the project.
 Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project &project,
                                                  const QString &file);
 

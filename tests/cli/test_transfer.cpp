@@ -149,6 +149,23 @@ TEST_F(CliTransfer, CloneGivesTheValuesOfOneToAnother)
     EXPECT_EQ(errorKey(runIt("clone 2.0 1.0 --json")), "nothingKnown");
 }
 
+TEST_F(CliTransfer, AnEncoderNamedTwiceIsMeantOnce)
+{
+    project.devices[0].station = QStringLiteral("Hoist"); // 1.0
+    save();
+    const CliRun stored = runIt("store @ 1.0 Hoist 1.0 --json");
+    EXPECT_EQ(stored.exit, 0) << stored.err;
+    EXPECT_EQ(stored.json()[u"encoders"].toArray().size(), 1);
+    EXPECT_EQ(loadProject(file)->devices.size(), project.devices.size());
+    const CliRun written = runIt("transfer @ 1.0 Hoist --yes --json");
+    EXPECT_EQ(written.exit, 0) << written.err;
+    EXPECT_EQ(written.json()[u"encoders"].toArray().size(), 1);
+    EXPECT_EQ(written.json()[u"eepromWrites"].toInt(), shared.eepromWrites());
+    const CliRun cloned = runIt("clone 1.0 6.1 6.1 --yes --json");
+    EXPECT_EQ(cloned.exit, 0) << cloned.err;
+    EXPECT_EQ(cloned.json()[u"encoders"].toArray().size(), 1);
+}
+
 // The project has a K1 before the K3s: each of its encoders stands one place further on than the bus has it.
 class CliTransferShifted : public CliTransfer
 {
