@@ -121,8 +121,9 @@ Checked<void> putIntoProject(const Call &call, const ProjectDevice &planned, con
     for (ProjectDevice &device : project.devices)
         if (device.participant.number == planned.participant.number)
             device = replaced(planned, now);
-    if (const auto saved = saveProject(project, *call.arguments.value("--project")); !saved)
-        return tl::unexpected(complaintAbout(saved.error()));
+    const QString file = *call.arguments.value("--project");
+    if (const auto saved = saveUnlessChanged(project, file, projectMark(*call.project)); !saved)
+        return saved;
     if (call.ledger != nullptr)
         call.ledger->setLabel(planned.participant.number, now.serialNumber);
     return {};

@@ -4,6 +4,7 @@
 #include "cli/eeprom_consent.h"
 #include "cli/json.h"
 #include "cli/parameter_text.h"
+#include "cli/project_access.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "cli/transfer_call.h"
@@ -125,6 +126,7 @@ Checked<Answer> run(const Call &call)
     auto project = loadProject(file);
     if (!project)
         return tl::unexpected(complaintAbout(project.error()));
+    const QByteArray mark = projectMark(*project);
     const auto devices = devicesMeant(call, *project, file);
     if (!devices)
         return tl::unexpected(devices.error());
@@ -149,8 +151,8 @@ Checked<Answer> run(const Call &call)
     complain(round.results, meant, answer);
     if (meant.encoders.empty())
         return answer;
-    if (const auto saved = saveProject(*project, file); !saved)
-        answer.complaint = complaintAbout(saved.error());
+    if (const auto saved = saveUnlessChanged(*project, file, mark); !saved)
+        answer.complaint = saved.error();
     else
         answer.text += sentence(CommandLine::tr("Saved in %1."), {file}) + u'\n';
     return answer;

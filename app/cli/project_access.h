@@ -12,6 +12,10 @@ namespace codewheel {
 // The project that --project names; nothing where it names none.
 Checked<std::optional<Project>> projectNamed(const Arguments &arguments);
 
+// Refused, with the file as it is, where another program has changed it since the project was read that
+// `mark` is of (projectMark()).
+Checked<void> saveUnlessChanged(const Project &project, const QString &file, const QByteArray &mark);
+
 // Takes the encoders of the bus, for this call, for those of the project: names them as it does where the bus
 // has the same device at the same place (ProjectPlaces), tells where it has not, and counts their EEPROM
 // writes as of its places and labels.

@@ -4,6 +4,7 @@
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
 #include "encoder/refusal_text.h"
+#include "project/file_access.h"
 #include "project/project_file.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/save_file.h"
@@ -13,6 +14,7 @@
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMessageBox>
@@ -77,7 +79,8 @@ bool ProjectFiles::open(const QString &path)
         return false;
     }
     m_notice.withdraw();
-    m_document.setProject(std::move(*project), QFileInfo(path).absoluteFilePath());
+    const QByteArray mark = projectMark(*project);
+    m_document.setProject(std::move(*project), QFileInfo(path).absoluteFilePath(), mark);
     remember(path);
     Q_EMIT told({.severity = Severity::information, .id = MessageId::projectOpened, .arguments = {path}});
     return true;
@@ -102,7 +105,35 @@ void ProjectFiles::askOpen()
 
 bool ProjectFiles::save()
 {
-    return m_document.file().isEmpty() ? saveAs() : keep(m_document.file());
+    const QString file = m_document.file();
+    if (file.isEmpty())
+        return saveAs();
+    return holdsAnother(file, m_document.fileMark()) ? saveBesideAnother() : keep(file);
+}
+
+bool ProjectFiles::saveBesideAnother()
+{
+    const QFileInfo file(m_document.file());
+    QMessageBox box(QMessageBox::Question, tr("Project"),
+                    tr("%1 holds something else than was read or saved here: another program has changed it.")
+                        .arg(file.fileName()),
+                    QMessageBox::NoButton, &m_window);
+    box.setObjectName(QStringLiteral("changedFileQuestion"));
+    box.setInformativeText(
+        tr("It was changed at %1. If it is replaced, the project that it holds is kept as %2.")
+            .arg(QLocale().toString(file.lastModified(), QLocale::ShortFormat),
+                 QFileInfo(backupPath(file.canonicalFilePath())).fileName()));
+    QPushButton *elsewhere = box.addButton(tr("Save &as..."), QMessageBox::AcceptRole);
+    elsewhere->setToolTip(tr("Saves the project in another file; this one stays as it is"));
+    QPushButton *replace = box.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
+    replace->setToolTip(tr("Saves the project in place of what the file holds"));
+    QPushButton *stay = box.addButton(QMessageBox::Cancel);
+    box.setDefaultButton(elsewhere);
+    box.setEscapeButton(stay);
+    box.exec();
+    if (box.clickedButton() == elsewhere)
+        return saveAs();
+    return box.clickedButton() == replace && keep(m_document.file());
 }
 
 bool ProjectFiles::saveAs()
@@ -117,12 +148,13 @@ bool ProjectFiles::saveAs()
 bool ProjectFiles::keep(const QString &path)
 {
     const Project &edited = m_document.project();
-    if (const auto saved = saveProject(m_complete ? m_complete(edited) : edited, path); !saved) {
+    const Project complete = m_complete ? m_complete(edited) : edited;
+    if (const auto saved = saveProject(complete, path); !saved) {
         refuse(saved.error());
         return false;
     }
     m_notice.withdraw();
-    m_document.setFile(path);
+    m_document.setFile(path, projectMark(complete));
     remember(path);
     Q_EMIT told({.severity = Severity::information, .id = MessageId::projectSaved, .arguments = {path}});
     if (const QString left = leftOut(); !left.isEmpty())

@@ -50,6 +50,7 @@ protected:
 private:
     void askOpen();
     bool keep(const QString &path);
+    bool saveBesideAnother(); // what another program has saved is there
     QString leftOut() const;
     void refuse(const Refusal &why);
     void remember(const QString &path);

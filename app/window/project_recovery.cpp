@@ -41,8 +41,8 @@ void ProjectRecovery::keep()
 {
     if (m_document.isSaved())
         return;
-    const auto kept =
-        m_recovery.keep(m_document.project(), m_document.file(), QDateTime::currentDateTimeUtc());
+    const auto kept = m_recovery.keep(m_document.project(), m_document.file(),
+                                      QDateTime::currentDateTimeUtc(), m_document.fileMark());
     if (!kept)
         Q_EMIT told({.severity = Severity::attention, .id = MessageId::refused, .refusal = kept.error()});
 }
@@ -86,7 +86,7 @@ void ProjectRecovery::recover()
         return;
     }
     const QString path = m_left.front().path();
-    m_document.setProject(std::move(*project), path);
+    m_document.setProject(std::move(*project), path, m_left.front().mark());
     m_document.setRecovered();
     keep(); // before what was left is given up
     m_left.front().drop();

@@ -6,6 +6,7 @@
 #include "project/project_json.h"
 
 #include <QCoreApplication>
+#include <QCryptographicHash>
 #include <QFileInfo>
 
 namespace codewheel {
@@ -58,6 +59,19 @@ Result<void> saveProject(const Project &project, const QString &path)
     const bool isGood = before && projectFromJson(*before, file);
     const bool keep = isGood || !QFileInfo::exists(backupPath(file));
     return replaceFile(file, json, keep ? OldFile::isKeptAsBackup : OldFile::goes);
+}
+
+QByteArray projectMark(const Project &project)
+{
+    return QCryptographicHash::hash(projectToJson(project), QCryptographicHash::Sha256);
+}
+
+bool holdsAnother(const QString &path, const QByteArray &known)
+{
+    if (!QFileInfo::exists(path))
+        return false;
+    const auto held = loadProject(path);
+    return !held || projectMark(*held) != known;
 }
 
 } // namespace codewheel

@@ -19,4 +19,11 @@ Result<Project> loadProject(const QString &path);
 // fileNotWritten, also where it could not be opened again.
 Result<void> saveProject(const Project &project, const QString &path);
 
+// What a project would have in its file, in short: the same for the same project.
+QByteArray projectMark(const Project &project);
+
+// Whether saving to `path` would lose what another program has saved there: the file holds something else
+// than the project that `known` is the mark of. Where there is no file, nothing can be lost.
+bool holdsAnother(const QString &path, const QByteArray &known);
+
 } // namespace codewheel

@@ -20,6 +20,7 @@ namespace {
 const QString ending = QStringLiteral(".recovery");
 const QString pathKey = QStringLiteral("path");
 const QString timeKey = QStringLiteral("at");
+const QString markKey = QStringLiteral("mark");
 
 constexpr qint64 longestHeader = 1 << 16;
 
@@ -35,9 +36,11 @@ void removeBoth(const QString &file)
 }
 
 // One line before the project.
-QByteArray header(const QString &path, const QDateTime &at)
+QByteArray header(const QString &path, const QDateTime &at, const QByteArray &mark)
 {
-    return QJsonDocument(QJsonObject{{pathKey, path}, {timeKey, at.toUTC().toString(Qt::ISODateWithMs)}})
+    return QJsonDocument(QJsonObject{{pathKey, path},
+                                     {timeKey, at.toUTC().toString(Qt::ISODateWithMs)},
+                                     {markKey, QString::fromLatin1(mark.toHex())}})
                .toJson(QJsonDocument::Compact) +
            '\n';
 }
@@ -62,7 +65,8 @@ Result<void> Recovery::begin()
     return {};
 }
 
-Result<void> Recovery::keep(const Project &project, const QString &path, const QDateTime &at)
+Result<void> Recovery::keep(const Project &project, const QString &path, const QDateTime &at,
+                            const QByteArray &mark)
 {
     const QByteArray json = projectToJson(project);
     if (json == m_kept && path == m_keptFor)
@@ -70,7 +74,7 @@ Result<void> Recovery::keep(const Project &project, const QString &path, const Q
     if (m_file.isEmpty())
         if (auto begun = begin(); !begun)
             return begun;
-    auto written = replaceFile(m_file, header(path, at) + json, OldFile::goes);
+    auto written = replaceFile(m_file, header(path, at, mark) + json, OldFile::goes);
     if (written) {
         m_kept = json;
         m_keptFor = path;
@@ -94,6 +98,7 @@ LeftProject::LeftProject(QString file, FileLock lock)
         return;
     const QJsonObject told = QJsonDocument::fromJson(kept.readLine(longestHeader)).object();
     m_path = told[pathKey].toString();
+    m_mark = QByteArray::fromHex(told[markKey].toString().toLatin1());
     m_at = QDateTime::fromString(told[timeKey].toString(), Qt::ISODateWithMs);
 }
 

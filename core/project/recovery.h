@@ -15,9 +15,11 @@ public:
     // The folder need not exist; it is made when there is something to keep.
     explicit Recovery(QString folder);
 
-    // Writes the project down, with the file it belongs to (empty: it was never saved) and the time. Nothing
-    // is written where nothing changed since the last time. Refused: fileNotWritten.
-    Result<void> keep(const Project &project, const QString &path, const QDateTime &at);
+    // Writes the project down, with the file it belongs to (empty: it was never saved), the mark of what was
+    // read from there or saved there (projectMark()), and the time. Nothing is written where nothing changed
+    // since the last time. Refused: fileNotWritten.
+    Result<void> keep(const Project &project, const QString &path, const QDateTime &at,
+                      const QByteArray &mark = {});
     // There is nothing to recover: it was saved, or is not wanted.
     void drop();
 
@@ -36,8 +38,9 @@ private:
 class LeftProject
 {
 public:
-    const QString &path() const { return m_path; }   // the file it belongs to; empty: none
-    const QDateTime &keptAt() const { return m_at; } // invalid where that cannot be read
+    const QString &path() const { return m_path; }    // the file it belongs to; empty: none
+    const QByteArray &mark() const { return m_mark; } // of what its file held; empty: not known
+    const QDateTime &keptAt() const { return m_at; }  // invalid where that cannot be read
     // Refused as by loadProject().
     Result<Project> load() const;
     void drop();
@@ -49,6 +52,7 @@ private:
     QString m_file;
     FileLock m_lock;
     QString m_path;
+    QByteArray m_mark;
     QDateTime m_at;
 };
 

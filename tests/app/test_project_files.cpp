@@ -143,6 +143,32 @@ TEST_F(ProjectFilesTest, ChangesAreNotLostWithoutAQuestion)
     EXPECT_EQ(loadProject(other)->devices.front().station, QStringLiteral("other"));
 }
 
+TEST_F(ProjectFilesTest, WhatAnotherProgramHasSavedIsNotOverwrittenWithoutAQuestion)
+{
+    ASSERT_TRUE(window().files().open(saved("crane.codewheel", QStringLiteral("hoist"))));
+    nameStation(QStringLiteral("trolley"));
+    EXPECT_TRUE(window().files().save()) << "nobody has changed it";
+    saved("crane.codewheel", QStringLiteral("of another program"));
+    nameStation(QStringLiteral("ours"));
+    const auto inFile = [&](const QString &name) { return loadProject(name)->devices.front().station; };
+    {
+        const Question question = Question::answeredBy(QStringLiteral("Cancel"));
+        EXPECT_FALSE(window().files().save());
+        EXPECT_TRUE(question.text().contains(QStringLiteral("crane.codewheel~")))
+            << question.text().toStdString();
+    }
+    EXPECT_EQ(inFile(path("crane.codewheel")), QStringLiteral("of another program"));
+    EXPECT_FALSE(document().isSaved());
+    {
+        const Question question = Question::answeredBy(QStringLiteral("Replace"));
+        EXPECT_TRUE(window().files().save());
+    }
+    EXPECT_EQ(inFile(path("crane.codewheel")), QStringLiteral("ours"));
+    EXPECT_EQ(inFile(path("crane.codewheel~")), QStringLiteral("of another program"));
+    nameStation(QStringLiteral("ours again"));
+    EXPECT_TRUE(window().files().save()) << "it is ours now";
+}
+
 TEST_F(ProjectFilesTest, AFileIsNotReplacedWithoutAQuestionWhereItsSuffixIsLeftToTheProgram)
 {
     const QString other = saved("moved.codewheel", QStringLiteral("other"));
@@ -272,11 +298,13 @@ protected:
     void leaveBehind(const QString &station)
     {
         Project project = document().project();
+        const QByteArray mark = projectMark(project);
         project.devices.front().station = station;
         QFile file;
         {
             Recovery crashed(recoveryFolder());
-            ASSERT_TRUE(crashed.keep(project, path("crane.codewheel"), QDateTime::currentDateTimeUtc()));
+            ASSERT_TRUE(
+                crashed.keep(project, path("crane.codewheel"), QDateTime::currentDateTimeUtc(), mark));
         }
     }
     void click(int button)
@@ -313,6 +341,23 @@ TEST_F(RecoveryTest, WhatIsDiscardedIsNotOfferedAgain)
     EXPECT_EQ(notice("recoveryQuestion"), QString());
     EXPECT_TRUE(document().isSaved());
     EXPECT_TRUE(leftProjects(recoveryFolder()).empty());
+}
+
+TEST_F(RecoveryTest, WhatIsRecoveredDoesNotOverwriteWhatWasSavedSince)
+{
+    saved("crane.codewheel", {});
+    leaveBehind(QStringLiteral("hoist"));
+    ProjectRecovery recovery(document(), recoveryFolder());
+    window().askForRecovery(recovery);
+    click(0);
+    saved("crane.codewheel", QStringLiteral("of another program"));
+    {
+        const Question question = Question::answeredBy(QStringLiteral("Cancel"));
+        EXPECT_FALSE(window().files().save());
+    }
+    saved("crane.codewheel", {});
+    EXPECT_TRUE(window().files().save()) << "the file has what it had";
+    EXPECT_EQ(loadProject(path("crane.codewheel"))->devices.front().station, QStringLiteral("hoist"));
 }
 
 TEST_F(RecoveryTest, ChangesAreKeptUntilTheyAreSaved)

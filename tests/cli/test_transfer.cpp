@@ -139,6 +139,18 @@ TEST_F(CliTransfer, StoreKeepsWhatWasReadInTheProject)
 }
 
 TEST_F(CliTransfer, CloneGivesTheValuesOfOneToAnother)
+TEST_F(CliTransfer, WhatAnotherProgramSavedMeanwhileIsNotOverwritten)
+{
+    Project other = project;
+    other.title = QStringLiteral("of another program");
+    QObject::connect(shared.bus().encoder({1, 0}), &EncoderSession::exchanged, &shared.bus(),
+                     [&] { EXPECT_TRUE(saveProject(other, file)); });
+    const CliRun run = runIt("store @ 1.0");
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("Another program has changed " + file.toStdString()));
+    EXPECT_EQ(loadProject(file)->title, other.title);
+}
+
 {
     ASSERT_EQ(runIt("transfer @ 1.0 --yes").exit, 0);
     const CliRun run = runIt("clone 1.0 6.1 --yes");

@@ -244,6 +244,17 @@ TEST_F(ProjectFile, AMissingFileGetsASentence)
                     .endsWith(QStringLiteral("crane.codewheel cannot be read: No such file or directory.")))
         << refusalText(loaded.error()).toStdString();
 }
+TEST_F(ProjectFile, WhatAnotherProgramHasSavedIsSeen)
+{
+    EXPECT_FALSE(holdsAnother(path(), {})) << "there is nothing";
+    ASSERT_TRUE(saveProject(m_old, path()));
+    EXPECT_FALSE(holdsAnother(path(), projectMark(*loadProject(path()))));
+    EXPECT_TRUE(holdsAnother(path(), {}));
+    ASSERT_TRUE(saveProject(m_new, path()));
+    EXPECT_TRUE(holdsAnother(path(), projectMark(m_old)));
+    EXPECT_FALSE(holdsAnother(path(), projectMark(m_new)));
+}
+
 
 TEST_F(ProjectFile, WhatIsNoFileIsNotRead)
 {

@@ -67,7 +67,7 @@ void ProjectDocument::forEachDevice(
             visit(number, device);
 }
 
-void ProjectDocument::setProject(Project project, const QString &file)
+void ProjectDocument::setProject(Project project, const QString &file, const QByteArray &fileMark)
 {
     m_project = std::move(project);
     m_others.clear();
@@ -77,15 +77,17 @@ void ProjectDocument::setProject(Project project, const QString &file)
     m_isRecovered = false;
     m_undo.clear();
     m_file = file;
+    m_fileMark = fileMark;
     Q_EMIT replaced();
     Q_EMIT changed();
     Q_EMIT fileChanged();
     Q_EMIT savedChanged(isSaved());
 }
 
-void ProjectDocument::setFile(const QString &file)
+void ProjectDocument::setFile(const QString &file, const QByteArray &fileMark)
 {
     m_file = file;
+    m_fileMark = fileMark;
     m_isRecovered = false;
     m_undo.setClean();
     Q_EMIT fileChanged();

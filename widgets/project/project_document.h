@@ -47,10 +47,13 @@ public:
     std::vector<DeviceNumber> notPlanned() const;
     void forEachDevice(const std::function<void(DeviceNumber, const ProjectDevice &)> &visit) const;
 
-    // Another project, or the same read from its file again. There is nothing to undo then.
-    void setProject(Project project, const QString &file);
-    QString file() const { return m_file; } // empty: it has none yet
-    void setFile(const QString &file);      // it was saved there, as it is now
+    // Another project, or the same read from its file again. There is nothing to undo then. fileMark:
+    // projectMark() of what the file held.
+    void setProject(Project project, const QString &file, const QByteArray &fileMark = {});
+    QString file() const { return m_file; }                             // empty: it has none yet
+    void setFile(const QString &file, const QByteArray &fileMark = {}); // it was saved there, as it is now
+    // Of what the file held when it was read, or saved here; empty: not known.
+    const QByteArray &fileMark() const { return m_fileMark; }
     bool isSaved() const { return m_undo.isClean() && !m_isRecovered && notPlanned().empty(); }
     // It was found after a crash: its file has something else.
     void setRecovered();
@@ -89,6 +92,7 @@ private:
     std::vector<DeviceId> m_ids;
     std::map<DeviceNumber, ProjectDevice> m_others; // of devices that the project does not have
     QString m_file;
+    QByteArray m_fileMark;
     QUndoStack m_undo;
     bool m_isRecovered = false;
     DeviceId m_lastId = 0;
