@@ -29,6 +29,17 @@ tl::unexpected<Refusal> notWritten(const QString &path, const QString &reason)
     return refuse(RefusalKind::badInput, RefusalId::fileNotWritten, {path, reason});
 }
 
+QString noFile()
+{
+    return QCoreApplication::translate("codewheel::FileAccess", "It is no file.");
+}
+
+bool isOtherThanFile(const QString &path)
+{
+    const QFileInfo info(path);
+    return info.exists() && !info.isFile();
+}
+
 std::int64_t megabytes(qint64 bytes)
 {
     return (bytes + megabyte - 1) / megabyte;
@@ -110,7 +121,7 @@ Result<QByteArray> readWholeFile(const QString &path, qint64 largest)
     if (!info.exists())
         return notReadable(path, qt_error_string(ENOENT));
     if (!info.isFile()) // a pipe would never end
-        return notReadable(path, QCoreApplication::translate("codewheel::FileAccess", "It is no file."));
+        return notReadable(path, noFile());
     if (info.size() > largest)
         return tooLarge(path, info.size(), largest);
     QFile file(path);
@@ -124,8 +135,20 @@ Result<QByteArray> readWholeFile(const QString &path, qint64 largest)
     return bytes;
 }
 
+Result<void> checkReplaceable(const QString &path)
+{
+    if (isOtherThanFile(path))
+        return notWritten(path, noFile());
+    QSaveFile file(path); // never brought there
+    if (!file.open(QIODevice::WriteOnly))
+        return notWritten(path, file.errorString());
+    return {};
+}
+
 Result<void> replaceFile(const QString &path, const QByteArray &bytes, OldFile old)
 {
+    if (isOtherThanFile(path))
+        return notWritten(path, noFile());
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
         return notWritten(path, file.errorString());

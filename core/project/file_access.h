@@ -16,8 +16,12 @@ QString inMegabytes(qint64 bytes);
 // What becomes of the file that is replaced.
 enum class OldFile { goes, isKeptAsBackup };
 
+// Whether a file could be put at `path` now: fileNotWritten. What is no file, such as a pipe or a device, is
+// not replaced.
+Result<void> checkReplaceable(const QString &path);
+
 // Writes a file beside `path` to the disk and puts it in place of `path` in one step: fileNotWritten, with
-// `path` as it was.
+// `path` as it was. What is no file is not replaced.
 Result<void> replaceFile(const QString &path, const QByteArray &bytes, OldFile old);
 
 QString backupPath(const QString &path); // NAME~

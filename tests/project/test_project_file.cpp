@@ -202,6 +202,15 @@ TEST_F(ProjectFile, StaysAsItIsWhereThereIsNoRight)
     EXPECT_EQ(files(), QStringList{QStringLiteral("crane.codewheel")});
 }
 
+TEST_F(ProjectFile, APipeIsNotReplaced)
+{
+    ASSERT_EQ(::mkfifo(QFile::encodeName(path()).constData(), 0600), 0);
+    const auto saved = saveProject(m_new, path());
+    ASSERT_FALSE(saved);
+    EXPECT_EQ(saved.error().id, RefusalId::fileNotWritten);
+    EXPECT_FALSE(QFileInfo(path()).isFile());
+}
+
 TEST_F(ProjectFile, WithoutABackupIsNotReplaced)
 {
     ASSERT_TRUE(saveProject(m_old, path()));
@@ -235,15 +244,6 @@ TEST_F(ProjectFile, WhatCouldNotBeOpenedAgainIsNotSaved)
     EXPECT_EQ(loadProject(path()), m_old);
 }
 
-TEST_F(ProjectFile, AMissingFileGetsASentence)
-{
-    const auto loaded = loadProject(path());
-    ASSERT_FALSE(loaded);
-    EXPECT_EQ(loaded.error().id, RefusalId::fileNotReadable);
-    EXPECT_TRUE(refusalText(loaded.error())
-                    .endsWith(QStringLiteral("crane.codewheel cannot be read: No such file or directory.")))
-        << refusalText(loaded.error()).toStdString();
-}
 TEST_F(ProjectFile, WhatAnotherProgramHasSavedIsSeen)
 {
     EXPECT_FALSE(holdsAnother(path(), {})) << "there is nothing";
@@ -255,6 +255,15 @@ TEST_F(ProjectFile, WhatAnotherProgramHasSavedIsSeen)
     EXPECT_FALSE(holdsAnother(path(), projectMark(m_new)));
 }
 
+TEST_F(ProjectFile, AMissingFileGetsASentence)
+{
+    const auto loaded = loadProject(path());
+    ASSERT_FALSE(loaded);
+    EXPECT_EQ(loaded.error().id, RefusalId::fileNotReadable);
+    EXPECT_TRUE(refusalText(loaded.error())
+                    .endsWith(QStringLiteral("crane.codewheel cannot be read: No such file or directory.")))
+        << refusalText(loaded.error()).toStdString();
+}
 
 TEST_F(ProjectFile, WhatIsNoFileIsNotRead)
 {
