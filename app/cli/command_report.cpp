@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "cli/eeprom_consent.h"
 #include "cli/project_access.h"
+#include "cli/target_file.h"
 #include "cli/texts.h"
 #include "cli/transfer_call.h"
 #include "encoder/refusal_text.h"
@@ -63,13 +64,8 @@ Checked<Target> targetOf(const Arguments &arguments)
             CommandLine::tr("\"%1\" ends neither in .html nor in .pdf. A report is a web page or a "
                             "PDF."),
             {*path});
-    // What is in a file is not lost by a report.
-    if (!arguments.has("--yes") && QFileInfo::exists(*path))
-        return badInput(
-            QStringLiteral("fileExists"),
-            CommandLine::tr("%1 is there already. Nothing was saved. Name another file, or add --yes "
-                            "to replace it."),
-            {*path});
+    if (const auto can = checkTargetFile(arguments, *path); !can)
+        return tl::unexpected(can.error());
     return Target{*path, *format};
 }
 

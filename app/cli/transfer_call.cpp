@@ -6,16 +6,17 @@
 #include "cli/consent.h"
 #include "cli/eeprom_consent.h"
 #include "cli/project_access.h"
+#include "cli/target_file.h"
 #include "cli/texts.h"
 #include "cli/trace.h"
 #include "cli/transfer_text.h"
 #include "encoder/sentence.h"
+#include "project/file_access.h"
 #include "report/html_report.h"
 #include "ring/bus_session.h"
 #include "transfer/transfer_report.h"
 
 #include <QCoreApplication>
-#include <QSaveFile>
 
 #include <algorithm>
 
@@ -30,7 +31,27 @@ QString placesOf(const Project &project)
     return places.join(QStringLiteral(", "));
 }
 
-void saveReport(const Call &call, const TransferAccount &account, Answer &answer)
+// Before anything is written to an encoder.
+Checked<void> checkReport(const Arguments &arguments)
+{
+    const auto path = arguments.value("--report");
+    if (!path)
+        return {};
+    if (arguments.has("--dry-run"))
+        return badInput(QStringLiteral("reportOfDryRun"),
+                        CommandLine::tr("With --dry-run nothing is written, so there is nothing to report. "
+                                        "Leave out --report or --dry-run."));
+    if (path->endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive))
+        return badInput(
+            QStringLiteral("reportFormatUnknown"),
+            CommandLine::tr("\"%1\" ends in .pdf. What was written is saved as a web page (.html), or "
+                            "as text under any other name."),
+            {*path});
+    return checkTargetFile(arguments, *path);
+}
+
+// What went wrong with the encoders goes before what goes wrong here.
+void addReport(const Call &call, const TransferAccount &account, Answer &answer)
 {
     const auto path = call.arguments.value("--report");
     if (!path)
@@ -38,12 +59,13 @@ void saveReport(const Call &call, const TransferAccount &account, Answer &answer
     const Report report = reportOf(account, call.catalog, QCoreApplication::applicationVersion());
     const bool asHtml = path->endsWith(QStringLiteral(".html"), Qt::CaseInsensitive);
     const QByteArray bytes = asHtml ? reportAsHtml(report) : reportAsText(report).toUtf8();
-    QSaveFile file(*path);
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit())
+    const auto saved = replaceFile(*path, bytes, OldFile::goes);
+    if (saved)
         answer.text += sentence(CommandLine::tr("Saved in %1."), {*path}) + u'\n';
+    else if (answer.complaint)
+        answer.complaint->text += u' ' + complaintAbout(saved.error()).text;
     else
-        answer.complaint =
-            complaintAbout({RefusalKind::badInput, RefusalId::fileNotWritten, {*path, file.errorString()}});
+        answer.complaint = complaintAbout(saved.error());
 }
 
 // The first encoder that has not got all of it says why.
@@ -140,6 +162,10 @@ Answer transfer(const Call &call, TransferKind kind, const QString &source, cons
                 const std::function<Checked<void>()> &agreed)
 {
     Answer answer;
+    if (const auto can = checkReport(call.arguments); !can) {
+        answer.complaint = can.error();
+        return answer;
+    }
     answer.json.insert(QStringLiteral("plan"), planJson(*call.bus, plan));
     if (!call.arguments.has("--json"))
         call.terminal.print(planText(*call.bus, plan));
@@ -178,7 +204,7 @@ Answer transfer(const Call &call, TransferKind kind, const QString &source, cons
     answer.json.insert(QStringLiteral("encoders"), accountJson(*call.bus, account));
     answer.json.insert(QStringLiteral("eepromWrites"), account.eepromWrites());
     answer.complaint = complaintAboutAccount(account);
-    saveReport(call, account, answer);
+    addReport(call, account, answer);
     return answer;
 }
 

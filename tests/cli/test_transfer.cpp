@@ -3,6 +3,7 @@
 #include "ring/bus_session.h"
 #include "tests/cli/cli_run.h"
 
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QTemporaryDir>
@@ -138,7 +139,6 @@ TEST_F(CliTransfer, StoreKeepsWhatWasReadInTheProject)
     EXPECT_EQ(runIt("transfer @ 1.0 --stored").exit, 0); // it has it
 }
 
-TEST_F(CliTransfer, CloneGivesTheValuesOfOneToAnother)
 TEST_F(CliTransfer, WhatAnotherProgramSavedMeanwhileIsNotOverwritten)
 {
     Project other = project;
@@ -151,6 +151,7 @@ TEST_F(CliTransfer, WhatAnotherProgramSavedMeanwhileIsNotOverwritten)
     EXPECT_EQ(loadProject(file)->title, other.title);
 }
 
+TEST_F(CliTransfer, CloneGivesTheValuesOfOneToAnother)
 {
     ASSERT_EQ(runIt("transfer @ 1.0 --yes").exit, 0);
     const CliRun run = runIt("clone 1.0 6.1 --yes");
@@ -176,6 +177,35 @@ TEST_F(CliTransfer, AnEncoderNamedTwiceIsMeantOnce)
     const CliRun cloned = runIt("clone 1.0 6.1 6.1 --yes --json");
     EXPECT_EQ(cloned.exit, 0) << cloned.err;
     EXPECT_EQ(cloned.json()[u"encoders"].toArray().size(), 1);
+}
+
+TEST_F(CliTransfer, AReportThatCannotBeSavedIsToldBeforeAnythingIsWritten)
+{
+    for (const auto &[name, key] :
+         {std::pair{"/nonexistent/x.html", "fileNotWritten"}, std::pair{"x.pdf", "reportFormatUnknown"}})
+        EXPECT_EQ(errorKey(runIt((std::string("transfer @ --yes --json --report ") + name).c_str())), key);
+    EXPECT_EQ(errorKey(runIt("transfer @ --dry-run --json --report x.html")), "reportOfDryRun");
+    const QString account = folder.filePath(QStringLiteral("account.html"));
+    ASSERT_TRUE(QFile::copy(file, account));
+    const QString line = QStringLiteral("transfer %1 2.0 --json --report %2").arg(file, account);
+    EXPECT_EQ(errorKey(shared.runLine(line)), "fileExists");
+    EXPECT_EQ(shared.eepromWrites(), 0);
+    EXPECT_EQ(shared.runLine(line + QStringLiteral(" --yes")).exit, 0);
+}
+
+TEST_F(CliTransfer, WhyAnEncoderWasNotWrittenIsToldBeforeAReportThatWasNotSaved)
+{
+    const QString reports = folder.filePath(QStringLiteral("reports"));
+    ASSERT_TRUE(QDir().mkpath(reports));
+    project.devices[1].wanted = {{Parameter::steps, 8193}, {Parameter::revolutions, 1}}; // 2.0
+    save();
+    QObject::connect(shared.bus().encoder({2, 0}), &EncoderSession::jobStarted, &shared.bus(),
+                     [&] { QDir(reports).removeRecursively(); });
+    const CliRun run =
+        shared.runLine(QStringLiteral("transfer %1 2.0 --yes --report %2/x.html").arg(file, reports));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("first of all to 2.0. Error 1:"));
+    EXPECT_THAT(run.err, HasSubstr("x.html cannot be written"));
 }
 
 // The project has a K1 before the K3s: each of its encoders stands one place further on than the bus has it.
