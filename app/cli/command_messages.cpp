@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
+#include "cli/target_file.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
@@ -38,6 +39,7 @@ constexpr std::array options{
     Option{"--last", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "the newest N (100); 0: all")},
     Option{"--export", "FILE",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "write them to FILE, .csv or .html, all that fit")},
+    Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "replace FILE if it is there")},
 };
 
 constexpr qint64 portion = 5'000; // ids looked at together
@@ -157,15 +159,33 @@ bool writeAll(const MessageTable &table, const std::vector<qint64> &ids, Message
     return true;
 }
 
-Checked<Answer> exported(const MessageTable &table, const std::vector<qint64> &ids, const QString &fileName)
+struct Target
 {
-    const auto format = MessageWriter::formatOf(fileName);
+    QString path;
+    MessageWriter::Format format;
+};
+
+// Where to write them; nothing: they are listed.
+Checked<std::optional<Target>> targetOf(const Arguments &arguments)
+{
+    const auto path = arguments.value("--export");
+    if (!path)
+        return std::nullopt;
+    const auto format = MessageWriter::formatOf(*path);
     if (!format)
         return badInput(QStringLiteral("badFormat"),
                         CommandLine::tr("\"%1\" names no format. Let the name end in .csv or .html."),
-                        {fileName});
+                        {*path});
+    if (const auto can = checkTargetFile(arguments, *path); !can)
+        return tl::unexpected(can.error());
+    return Target{*path, *format};
+}
+
+Checked<Answer> exported(const MessageTable &table, const std::vector<qint64> &ids, const Target &target)
+{
+    const QString &fileName = target.path;
     QSaveFile file(fileName);
-    MessageWriter writer(file, *format);
+    MessageWriter writer(file, target.format);
     if (!file.open(QIODevice::WriteOnly) || !writer.begin() || !writeAll(table, ids, writer) ||
         !writer.end() || !file.commit())
         return tl::unexpected(complaintAbout(
@@ -180,9 +200,11 @@ Checked<Answer> exported(const MessageTable &table, const std::vector<qint64> &i
 Checked<Answer> run(const Call &call)
 {
     const auto filter = filterFrom(call);
-    const auto target = call.arguments.value("--export");
+    const auto target = targetOf(call.arguments);
+    if (!target)
+        return tl::unexpected(target.error());
     const auto last =
-        call.arguments.number("--last", target ? 0 : usualLast, 0, std::numeric_limits<int>::max());
+        call.arguments.number("--last", *target ? 0 : usualLast, 0, std::numeric_limits<int>::max());
     if (!filter)
         return tl::unexpected(filter.error());
     if (!last)
@@ -197,8 +219,8 @@ Checked<Answer> run(const Call &call)
     const auto ids = newest(*table, *filter, *last);
     if (!ids)
         return tl::unexpected(databaseComplaint(file, ids.error()));
-    if (target)
-        return exported(*table, *ids, *target);
+    if (*target)
+        return exported(*table, *ids, **target);
     const auto messages = table->read(*ids);
     if (!messages)
         return tl::unexpected(databaseComplaint(file, messages.error()));
@@ -210,7 +232,7 @@ Checked<Answer> run(const Call &call)
 const Subcommand messagesCommand{
     .name = "messages",
     .usage = "[--severity SEVERITY] [--place PLACE] [--from TIME] [--until TIME] [--text TEXT] [--last N] "
-             "[--export FILE]",
+             "[--export FILE [--yes]]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "list or export the messages that are kept"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",

@@ -128,6 +128,18 @@ TEST_F(CliMessages, BadInputIsTold)
     EXPECT_EQ(errorKey(runLine(QStringLiteral("messages --from yesterday --json"))), "badTime");
 }
 
+TEST_F(CliMessages, AFileThatIsThereIsReplacedWithYesOnly)
+{
+    QFile file(path("all.csv"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.close();
+    const char *const line = "messages --file %1/messages.sqlite --export %1/all.csv --json";
+    EXPECT_EQ(errorKey(run(line)), "fileExists");
+    EXPECT_EQ(file.size(), 0);
+    EXPECT_EQ(run((line + std::string(" --yes")).c_str()).exit, 0);
+    EXPECT_GT(QFileInfo(file.fileName()).size(), 0);
+}
+
 // The same for window and command line: what is written to an encoder of this world is kept.
 TEST_F(CliJournal, OnlySimulatedEncodersAreCountedInMemory)
 {
