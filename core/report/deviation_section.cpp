@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "project/check_project.h"
-#include "project/project_take_over.h"
 #include "report/deviations.h"
 #include "report/report_words.h"
 #include "report/sections.h"
 #include "report/texts.h"
-#include "transfer/project_places.h"
 
 namespace codewheel::report_sections {
 namespace {
@@ -82,29 +79,19 @@ void addValues(ReportSection &section, const std::vector<ReportedDevice> &device
 
 void addComparison(ReportSection &section, const ReportInput &input, const Catalog &catalog)
 {
-    if (!input.connected) {
+    const auto differences = busDifferences(input, catalog);
+    if (!differences) {
         section.blocks.emplace_back(
             ReportTexts::tr("The configured bus was not compared with a connected one."));
         return;
     }
-    const RingStructure configured = structureOf(input.project);
-    const Comparison comparison = compareRings(configured, *input.connected);
-    if (areSame(comparison)) {
+    if (differences->isEmpty()) {
         section.blocks.emplace_back(ReportTexts::tr("The connected bus is as configured."));
         return;
     }
     ReportTable table{{ReportTexts::tr("Configured and connected bus")}, {Column::text}, {}};
-    const ProjectPlaces places(input.project, *input.connected, catalog);
-    for (const ComparisonLine &line : comparison) {
-        const bool isSame = line.kind == ComparisonKind::same;
-        const auto why = isSame ? places.hindrance(configured[*line.configured].number) : std::nullopt;
-        const bool hasItsNumber =
-            isSame && configured[*line.configured].number == (*input.connected)[*line.connected].number;
-        if (why && hasItsNumber)
-            table.rows.push_back({{refusalText(*why)}}); // nothing known of it is reported
-        else if (why || !isSame)
-            table.rows.push_back({{comparisonText(line, configured, *input.connected, catalog)}});
-    }
+    for (const QString &line : *differences)
+        table.rows.push_back({{line}});
     section.blocks.emplace_back(std::move(table));
 }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/deviations.h"
 
+#include "encoder/refusal_text.h"
+#include "project/project_take_over.h"
+#include "transfer/project_places.h"
+
 namespace codewheel {
 namespace {
 
@@ -43,6 +47,30 @@ DeviationCounts countDeviations(const std::vector<ReportedDevice> &devices)
         counts.notKnown += found.notKnown;
     }
     return counts;
+}
+
+std::optional<QStringList> busDifferences(const ReportInput &input, const Catalog &catalog)
+{
+    if (!input.connected)
+        return std::nullopt;
+    const RingStructure configured = structureOf(input.project);
+    const RingStructure &connected = *input.connected;
+    const Comparison comparison = compareRings(configured, connected);
+    QStringList lines;
+    if (areSame(comparison))
+        return lines;
+    const ProjectPlaces places(input.project, connected, catalog);
+    for (const ComparisonLine &line : comparison) {
+        const bool isSame = line.kind == ComparisonKind::same;
+        const auto why = isSame ? places.hindrance(configured[*line.configured].number) : std::nullopt;
+        const bool hasItsNumber =
+            isSame && configured[*line.configured].number == connected[*line.connected].number;
+        if (why && hasItsNumber)
+            lines << refusalText(*why); // nothing known of it is reported
+        else if (why || !isSame)
+            lines << comparisonText(line, configured, connected, catalog);
+    }
+    return lines;
 }
 
 } // namespace codewheel

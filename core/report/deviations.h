@@ -41,4 +41,8 @@ struct DeviationCounts
 };
 DeviationCounts countDeviations(const std::vector<ReportedDevice> &devices);
 
+// What the connected bus has otherwise than the configured one, line by line in words; nothing: it was not
+// compared.
+std::optional<QStringList> busDifferences(const ReportInput &input, const Catalog &catalog);
+
 } // namespace codewheel

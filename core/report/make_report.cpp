@@ -36,8 +36,19 @@ QString zoneText(const QDateTime &now)
         .arg(size % minutesPerHour, 2, 10, QLatin1Char('0'));
 }
 
-ReportFacts factsOf(const ReportInput &input, const std::vector<ReportedDevice> &devices,
-                    const QString &program)
+QString busText(const ReportInput &input, const Catalog &catalog)
+{
+    const auto differences = busDifferences(input, catalog);
+    if (!differences)
+        return ReportTexts::tr("not compared with a connected one");
+    if (differences->isEmpty())
+        return ReportTexts::tr("connected as configured");
+    return sentence(ReportTexts::tr("not connected as configured; lines that differ: %1"),
+                    {report_words::number(differences->size())});
+}
+
+ReportFacts factsOf(const ReportInput &input, const Catalog &catalog,
+                    const std::vector<ReportedDevice> &devices, const QString &program)
 {
     const auto encoders = std::ranges::count_if(
         devices, [](const ReportedDevice &each) { return each.description != nullptr; });
@@ -55,7 +66,8 @@ ReportFacts factsOf(const ReportInput &input, const std::vector<ReportedDevice> 
     add(ReportTexts::tr("Devices"), sentence(ReportTexts::tr("%1, encoders among them: %2"),
                                              {report_words::number(static_cast<std::int64_t>(devices.size())),
                                               report_words::number(encoders)}));
-    add(ReportTexts::tr("Deviations"), report_words::number(countDeviations(devices).deviations));
+    add(ReportTexts::tr("Deviations of encoders"), report_words::number(countDeviations(devices).deviations));
+    add(ReportTexts::tr("Bus"), busText(input, catalog));
     return facts;
 }
 
@@ -71,7 +83,7 @@ Report makeReport(const ReportInput &input, const Catalog &catalog)
         .title = ReportTexts::tr("Commissioning report"),
         .subject = input.project.title,
         .origin = QStringLiteral("%1, %2").arg(program, report_words::time(input.now, input.now)),
-        .facts = factsOf(input, devices, program),
+        .facts = factsOf(input, catalog, devices, program),
         .sections = {report_sections::deviations(input, catalog, devices),
                      report_sections::structure(input, devices), report_sections::cycleTime(input)}};
     std::ranges::move(report_sections::encoders(input, devices), std::back_inserter(report.sections));

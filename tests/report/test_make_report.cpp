@@ -41,7 +41,7 @@ TEST(CommissioningReport, TellsProjectProgramDateAndLinkFirst)
                 ElementsAre("Project: Harbour crane", "File: crane.codewheel",
                             "Date: 1 Mar 2026 14:00:00 (UTC+00:00)", "Program: Codewheel 0.1.0",
                             "Link: training bus (simulated)", "Devices: 3, encoders among them: 2",
-                            "Deviations: 1"));
+                            "Deviations of encoders: 1", "Bus: not compared with a connected one"));
 }
 
 TEST(CommissioningReport, StandsInItsOrder)
@@ -123,7 +123,10 @@ TEST(CommissioningReport, ComparisonOfTheBusIsToldLineByLine)
     input.connected = structureOf(input.project);
     EXPECT_THAT(paragraphsOf(sectionOf(reportOf(input), "Deviations")),
                 Contains("The connected bus is as configured."));
+    EXPECT_THAT(factsOf({reportOf(input).facts}), Contains("Bus: connected as configured"));
     input.connected->front() = {{1, 0}, 0x36, 0x0236, 2, 2, {}, 0};
+    EXPECT_THAT(factsOf({reportOf(input).facts}),
+                Contains("Bus: not connected as configured; lines that differ: 2"));
     EXPECT_THAT(rowsOf(sectionOf(reportOf(input), "Deviations")),
                 Contains("1.0: configured K3 37h, found K2 36h"));
 }
