@@ -8,9 +8,9 @@ namespace {
 
 const DeviceDescription *descriptionOf(const Participant &participant, const Catalog &catalog)
 {
-    if (const DeviceDescription *named = catalog.find(participant.deviceKey))
-        return named;
-    return catalog.generic(participant.deviceCode);
+    const DeviceDescription *named = catalog.find(participant.deviceKey);
+    return named && named->deviceCode == participant.deviceCode ? named
+                                                                : catalog.generic(participant.deviceCode);
 }
 
 } // namespace

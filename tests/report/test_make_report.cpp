@@ -131,6 +131,16 @@ TEST(CommissioningReport, ComparisonOfTheBusIsToldLineByLine)
                 Contains("1.0: configured K3 37h, found K2 36h"));
 }
 
+TEST(CommissioningReport, AMakeOfAnotherDeviceCodeIsNotBelieved)
+{
+    ReportInput input = exampleInput();
+    fraba(input).participant.idCode = 0x36;
+    fraba(input).participant.deviceCode = 0x0236;
+    const std::vector<ReportedDevice> devices = reportedDevices(input, catalog());
+    ASSERT_NE(devices.front().description, nullptr);
+    EXPECT_EQ(devices.front().description->deviceCode, 0x0236u);
+}
+
 TEST(CommissioningReport, BrokenRulesOfTheBusAreTold)
 {
     ReportInput input = exampleInput();
