@@ -6,6 +6,7 @@
 #include "project/project_json.h"
 #include "project/project_keys.h"
 #include "project/word_list_json.h"
+#include "ring/cycle_time.h"
 #include "ring/numbering.h"
 #include "ring/ring_rules.h"
 
@@ -18,7 +19,6 @@ using namespace project_keys;
 
 constexpr int largestNumber = std::numeric_limits<int>::max();
 constexpr int mostWords = ring_limit::points / 16; // of the whole ring in one direction
-constexpr double longestCable = 1'000;
 
 int numberOr(const JsonObject &json, const char *key, int otherwise, int maximum)
 {
@@ -46,7 +46,7 @@ Project ProjectReader::read(const Json::Value &root, FaultKeeper &faults)
         project.link = readLink(json.object("link", {"kind", "settings"}));
     if (json.has("addresses"))
         project.addresses = readAddresses(json.object("addresses", {"unit", "first", "step5"}));
-    project.cableKilometres = json.decimalOr("cableKilometres", 0, 0, longestCable);
+    project.cableKilometres = json.decimalOr("cableKilometres", 0, 0, longestRemoteBus);
     ProjectReader reader;
     for (const JsonObject &row : json.array("devices",
                                             {"place", "level", "deviceCode", "inWords", "outWords", "device",

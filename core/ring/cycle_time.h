@@ -11,6 +11,8 @@ namespace codewheel {
 // manuals of two generations of masters give different formulas.
 enum class CycleTimeForm { g3, g4 };
 
+inline constexpr double longestRemoteBus = 12.8; // km
+
 // What the time depends on.
 struct RingLoad
 {

@@ -17,8 +17,6 @@
 namespace codewheel {
 namespace {
 
-constexpr double longestCable = 12.8; // km of remote bus
-
 QString milliseconds(MicrosecondsOnTheWire time)
 {
     return QLocale().toString(time.count() / 1000, 'f', 2);
@@ -40,7 +38,7 @@ PlanSummary::PlanSummary(ProjectDocument &document, QWidget *parent)
     m_times->setToolTip(
         tr("About how long one bus cycle takes on the wire, by the formulas of G3 and of G4 masters"));
     m_cable->setObjectName(QStringLiteral("cableKilometres"));
-    m_cable->setRange(0, longestCable);
+    m_cable->setRange(0, longestRemoteBus);
     m_cable->setDecimals(2);
     m_cable->setSingleStep(0.1);
     m_cable->setAccessibleName(tr("Length of cable in km"));
