@@ -143,7 +143,9 @@ Answer listed(const std::vector<StoredMessage> &messages)
                    messageText(message)});
         json.append(toJson(message));
     }
-    return {.text = table.toString(), .json = {{QStringLiteral("messages"), json}}};
+    return {.text = messages.empty() ? CommandLine::tr("No message is kept that fits.") + u'\n'
+                                     : table.toString(),
+            .json = {{QStringLiteral("messages"), json}}};
 }
 
 // Piece by piece: a million messages need no memory.

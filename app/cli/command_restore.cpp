@@ -76,21 +76,27 @@ Checked<TimeSpan> timeMeant(const QString &typed, const QDateTime &now)
     return TimeSpan{at, at.addSecs(toTheMinute ? 60 : 1)};
 }
 
-Checked<ValuesBefore> valuesMeant(const Call &call, const std::vector<ValuesBefore> &all)
+// With --at.
+Checked<std::optional<TimeSpan>> timeMeant(const Call &call)
 {
     const auto typed = call.arguments.value("--at");
     if (!typed)
-        return all.front();
-    const auto span = timeMeant(*typed, call.bus->dateTime(call.bus->latest().at));
+        return std::nullopt;
+    return timeMeant(*typed, call.bus->dateTime(call.bus->latest().at));
+}
+
+Checked<ValuesBefore> valuesMeant(const Call &call, const std::vector<ValuesBefore> &all,
+                                  const std::optional<TimeSpan> &span)
+{
     if (!span)
-        return tl::unexpected(span.error());
+        return all.front();
     const auto found = std::ranges::find_if(
         all, [&](const ValuesBefore &one) { return one.at >= span->from && one.at < span->until; });
     if (found == all.end())
         return badInput(QStringLiteral("noWriteThen"),
                         CommandLine::tr("Nothing was written to %1 at %2 of which the values from before are "
                                         "kept. See codewheel-cli restore %1 --list."),
-                        {all.front().place.toString(), *typed});
+                        {all.front().place.toString(), *call.arguments.value("--at")});
     return *found;
 }
 
@@ -128,6 +134,9 @@ Answer listed(const Call &call, const EncoderSession &encoder, const std::vector
 
 Checked<Answer> run(const Call &call)
 {
+    const auto span = timeMeant(call);
+    if (!span)
+        return tl::unexpected(span.error());
     const auto encoder = encoderMeant(call);
     if (!encoder)
         return tl::unexpected(encoder.error());
@@ -142,7 +151,7 @@ Checked<Answer> run(const Call &call)
             {RefusalKind::device, RefusalId::noValuesFromBefore, {(*encoder)->number().toString()}}));
     if (call.arguments.has("--list"))
         return listed(call, **encoder, *all);
-    const auto before = valuesMeant(call, *all);
+    const auto before = valuesMeant(call, *all, *span);
     if (!before)
         return tl::unexpected(before.error());
     return transfer(call, TransferKind::restore, timeOf(*before, call.bus->dateTime(call.bus->latest().at)),

@@ -123,7 +123,7 @@ ReportSection cycleTime(const ReportInput &input)
     add(ReportTexts::tr("500 kBd"), bitAt500kBd);
     add(ReportTexts::tr("2 MBd"), bitAt2MBd);
     const QString from =
-        sentence(ReportTexts::tr("For %1 bytes of process data, %2 remote bus devices and %3 km of cable."),
+        sentence(ReportTexts::tr("Bytes of process data: %1, remote bus devices: %2, km of cable: %3."),
                  {report_words::number(load.dataBytes), report_words::number(load.remoteBusDevices),
                   QLocale().toString(load.cableKilometres, 'f', 3)});
     return {.heading = ReportTexts::tr("Approximate cycle time"), .blocks = {std::move(table), from}};

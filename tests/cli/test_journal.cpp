@@ -112,6 +112,13 @@ TEST_F(CliMessages, AreFiltered)
               0);
 }
 
+TEST_F(CliMessages, NoneThatFitsIsTold)
+{
+    for (const char *filter : {"--from 2026-12-01 --until 2026-01-01", "--place 99.99"})
+        EXPECT_EQ(run(("messages --file %1/messages.sqlite " + std::string(filter)).c_str()).out,
+                  "No message is kept that fits.\n");
+}
+
 TEST_F(CliMessages, AreExported)
 {
     EXPECT_EQ(run("messages --file %1/messages.sqlite --export %1/all.csv").exit, 0);
@@ -119,13 +126,6 @@ TEST_F(CliMessages, AreExported)
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_EQ(file.readAll().count("\r\n"), 3);
     EXPECT_EQ(errorKey(run("messages --file %1/messages.sqlite --export %1/all.pdf --json")), "badFormat");
-}
-
-TEST_F(CliMessages, BadInputIsTold)
-{
-    EXPECT_EQ(errorKey(runLine(QStringLiteral("messages --severity bad --json"))), "badSeverity");
-    EXPECT_EQ(errorKey(runLine(QStringLiteral("messages --place here --json"))), "badPlace");
-    EXPECT_EQ(errorKey(runLine(QStringLiteral("messages --from yesterday --json"))), "badTime");
 }
 
 TEST_F(CliMessages, AFileThatIsThereIsReplacedWithYesOnly)
@@ -138,6 +138,13 @@ TEST_F(CliMessages, AFileThatIsThereIsReplacedWithYesOnly)
     EXPECT_EQ(file.size(), 0);
     EXPECT_EQ(run((line + std::string(" --yes")).c_str()).exit, 0);
     EXPECT_GT(QFileInfo(file.fileName()).size(), 0);
+}
+
+TEST_F(CliMessages, BadInputIsTold)
+{
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("messages --severity bad --json"))), "badSeverity");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("messages --place here --json"))), "badPlace");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("messages --from yesterday --json"))), "badTime");
 }
 
 // The same for window and command line: what is written to an encoder of this world is kept.

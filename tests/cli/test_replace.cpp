@@ -129,6 +129,7 @@ TEST_F(CliReplace, BadInputIsTold)
              {"replace 1.0 --project @ --device nobodys", "unknownDeviceName"},
              {"replace 1.0 --project @ --position here", "badPosition"},
              {"restore 1.0", "noValuesFromBefore"},
+             {"restore 1.0 --at 25:99", "badTime"},
              {"restore 9.0", "unknownDevice"}})
         EXPECT_EQ(errorKey(run((std::string(call) + " --json").c_str())), key) << call;
     EXPECT_EQ(shared.eepromWrites(), 0);
