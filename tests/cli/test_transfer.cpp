@@ -151,6 +151,18 @@ TEST_F(CliTransfer, WhatAnotherProgramSavedMeanwhileIsNotOverwritten)
     EXPECT_EQ(loadProject(file)->title, other.title);
 }
 
+TEST_F(CliTransfer, NothingIsReplacedWhereAnotherProgramChangedTheProjectMeanwhile)
+{
+    Project other = project;
+    other.title = QStringLiteral("of another program");
+    QObject::connect(shared.bus().encoder({2, 0}), &EncoderSession::latestChanged, &shared.bus(),
+                     [&] { EXPECT_TRUE(saveProject(other, file)); });
+    EXPECT_EQ(errorKey(runIt("replace 1.0 --project @ --device fraba-ocd-ib --serial 4711 --yes --json")),
+              "fileChanged");
+    EXPECT_EQ(shared.eepromWrites(), 0);
+    EXPECT_EQ(loadProject(file)->title, other.title);
+}
+
 TEST_F(CliTransfer, CloneGivesTheValuesOfOneToAnother)
 {
     ASSERT_EQ(runIt("transfer @ 1.0 --yes").exit, 0);
