@@ -112,9 +112,10 @@ bool KnownPage::mayGoOn() const
 
 void KnownPage::showKnown()
 {
-    m_table.show(*m_setup.encoder);
-    if (m_tellField != nullptr && !m_tellField->focusProxy()->hasFocus())
-        m_tellField->setValue(m_setup.valueNow(m_table.rowAt(m_view->currentIndex().row()).parameter));
+    m_table.show(*m_setup.encoder); // of an encoder of another kind: no row is chosen any more
+    const QModelIndex chosen = m_view->currentIndex();
+    if (chosen.isValid() && m_tellField != nullptr && !m_tellField->focusProxy()->hasFocus())
+        m_tellField->setValue(m_setup.valueNow(m_table.rowAt(chosen.row()).parameter));
 }
 
 void KnownPage::showPermission()

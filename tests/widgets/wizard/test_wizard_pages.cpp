@@ -27,6 +27,24 @@ TEST_F(WizardPages, UnknownIsShownAsUnknownAndToldIsToldApart)
     EXPECT_FALSE(find<QAbstractButton>("readAll")->isVisible()); // no read-out
 }
 
+TEST_F(WizardPages, WhatIsKnownIsShownOfAnEncoderOfAnotherKindToo)
+{
+    const auto parameters = [this] { return find<QTableView>("known")->model()->rowCount(); };
+    wizard.setEncoder(&fraba());
+    next();
+    const int ofFraba = parameters();
+    find<QTableView>("known")->selectRow(2);
+    click("wizardBack");
+    wizard.setEncoder(&baumer());
+    next();
+    EXPECT_NE(parameters(), ofFraba);
+    click("wizardBack");
+    wizard.setEncoder(&fraba());
+    next();
+    EXPECT_EQ(parameters(), ofFraba);
+    EXPECT_TRUE(find<QTableView>("known")->currentIndex().isValid());
+}
+
 TEST_F(WizardPages, AnEncoderThatOnlyTellsItsPositionCannotBeSetUp)
 {
     wizard.setEncoder(bus.encoder({3, 0}));
