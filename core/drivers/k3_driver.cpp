@@ -41,6 +41,11 @@ std::optional<Word> wordOfTwoMeanings(const Job &job)
     return initialisesPreset(job) ? std::optional(k3::initialisePreset) : std::nullopt;
 }
 
+bool setsPosition(const K3Step &step)
+{
+    return step.kind == StepKind::initialisePreset || step.kind == StepKind::manufacturerPreset;
+}
+
 } // namespace
 
 K3Driver::K3Driver(const DeviceDescription &device, K3Timing timing)
@@ -133,6 +138,8 @@ Result<void> K3Driver::checkState(const Job &job, Word in) const
     const bool isOutsideCamMode = isAboutCams(job) && m_knowledge.mode() != Mode::cam;
     if (!isStartedInOperation(job) && !isOutsideCamMode)
         return {};
+    if (initialisesPreset(job) && in == k3::error)
+        return tl::unexpected(noValidPosition());
     const EncoderState state = stateOf(in, m_device.dialect);
     if (state == EncoderState::parameterization)
         return refuse(RefusalKind::busy, RefusalId::inParameterization, {in});
@@ -190,6 +197,10 @@ Word K3Driver::carryOn(Word in, Word out, Instant now)
         if (!run.begun) {
             if (!mayBeginStep(in))
                 return out;
+            if (setsPosition(current()) && in == k3::error) {
+                fail(noValidPosition());
+                continue;
+            }
             beginStep(in, now);
             return current().out;
         }
@@ -210,7 +221,7 @@ Word K3Driver::carryOn(Word in, Word out, Instant now)
             failAt(in);
             break;
         case K3Handshake::State::noAnswer:
-            fail(noAnswer(in));
+            fail(setsPosition(current()) && in == k3::error ? noValidPosition() : noAnswer(in));
             break;
         }
     }
@@ -251,7 +262,7 @@ void K3Driver::beginStep(Word in, Instant now)
         run.steps[run.index].kind = StepKind::manufacturerPreset;
     run.steps[run.index].inCamMode = m_knowledge.mode() == Mode::cam;
     m_handshake.begin(current(), in, now);
-    if (current().kind == StepKind::initialisePreset || current().kind == StepKind::manufacturerPreset)
+    if (setsPosition(current()))
         run.positionBefore = m_reading.position;
     reportProgress(false);
 }

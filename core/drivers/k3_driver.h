@@ -106,6 +106,7 @@ private:
     std::optional<Refusal> camRefusalFor(Word in) const;
     Refusal noAnswer(Word in) const;
     static Refusal restarted(Word in);
+    static Refusal noValidPosition();
     std::vector<RefusalArgument> suspects() const;
     const K3Step &current() const { return m_run->steps[m_run->index]; }
     void flushKnowledge();

@@ -63,4 +63,9 @@ Refusal K3Driver::restarted(Word in)
     return {RefusalKind::device, RefusalId::restarted, {in}};
 }
 
+Refusal K3Driver::noValidPosition()
+{
+    return {RefusalKind::device, RefusalId::noValidPosition, {k3::error}};
+}
+
 } // namespace codewheel

@@ -25,6 +25,12 @@ std::int64_t temperatureOfReadOut(Word data)
     return k3::signedData(data);
 }
 
+// A preset acts in operation, also while the encoder has no valid position.
+bool mayTakePreset(Word in)
+{
+    return k3::isOperation(in) || in == k3::error;
+}
+
 } // namespace
 
 void K3Knowledge::set(const std::vector<Known> &known)
@@ -45,7 +51,7 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
     if (m_device.capabilities.cams)
         m_cams.observe(in, out, mode(), camProgram(), now);
     const bool isFirst = !std::exchange(m_hasSeenWords, true); // what stands in OUT then was sent by others
-    if (!isFirst && isManufacturerPreset(out) && k3::isOperation(m_in))
+    if (!isFirst && isManufacturerPreset(out) && mayTakePreset(m_in))
         observeManufacturerPreset();
     const bool outChanged = out != m_out;
     if (!outChanged && k3::isOperation(in) && k3::isOperation(m_in) && m_unproven.empty()) {
@@ -195,7 +201,7 @@ void K3Knowledge::observeRun(Word in, Instant now)
 void K3Knowledge::observePreset(Word out)
 {
     if ((out & k3::presetBit) == 0 || (m_out & k3::presetBit) != 0 || mode() == Mode::cam ||
-        isManufacturerPreset(out) || !k3::isOperation(m_in))
+        isManufacturerPreset(out) || !mayTakePreset(m_in))
         return;
     if (m_device.quirks.hasModes && out != k3::initialisePreset)
         return;

@@ -21,6 +21,18 @@ TEST(CliPreset, PrintsThePositionBeforeAndAfter)
                        "EEPROM writes:   2\n");
 }
 
+TEST(CliPreset, OfAShaftThatTurnsTooFastIsNotSet)
+{
+    SharedBus shared;
+    shared.controls().setSpeed({1, 0}, 6000);
+    for (const char *line : {"preset 1.0", "preset 1.0 1000", "preset 1.0 --fraba"}) {
+        const CliRun run = shared.runLine(QString::fromLatin1(line));
+        EXPECT_EQ(run.exit, 1) << line;
+        EXPECT_THAT(run.err, HasSubstr("The encoder gives no valid position (IN 80000000)")) << line;
+    }
+    EXPECT_EQ(shared.eepromWrites(), 0);
+}
+
 TEST(CliPreset, WithoutAValueThePresetOfTheEncoderIsUsed)
 {
     const QJsonObject json = runLine(QStringLiteral("preset 1.0 --json")).json();

@@ -112,6 +112,62 @@ TEST_F(FrabaPreset, AmongWordsOfTheUserItStandsForOneCycleToo)
     EXPECT_EQ(m_table.outcome()->eepromWrites, 2);
 }
 
+// FRABA manual 10.3: above 800 kHz the encoder shows 80000000, no valid position
+constexpr Word tooFast = 0x8000'0000;
+
+class PresetTooFast : public testing::TestWithParam<Job>
+{
+protected:
+    DriverTable m_table{u"fraba-ocd-ib"};
+
+    void SetUp() override { m_table.tell(Parameter::startUpMode, 1); }
+};
+
+TEST_P(PresetTooFast, IsRefusedAndNothingIsSent)
+{
+    m_table.play({{0x0000'0000, tooFast}});
+    EXPECT_EQ(m_table.begin(GetParam()).error(),
+              (Refusal{RefusalKind::device, RefusalId::noValidPosition, {tooFast}}));
+    m_table.repeat(3, {0x0000'0000, tooFast});
+    EXPECT_EQ(m_table.eepromWrites(), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(EachWay, PresetTooFast,
+                         testing::Values(SetPreset{}, SetPreset{100, PresetCommand::profile},
+                                         SetPreset{{}, PresetCommand::manufacturer},
+                                         WriteParameters{.values = {{Parameter::preset, 100}},
+                                                         .onlyWhatDiffers = false,
+                                                         .previous = {},
+                                                         .initialisePreset = true}));
+
+TEST_F(FrabaPreset, AShaftThatTurnsTooFastMeanwhileEndsTheJobBeforeThePreset)
+{
+    ASSERT_TRUE(m_table.begin(SetPreset{{}, PresetCommand::manufacturer}, Pace::byHand));
+    m_table.repeat(2, {0x0000'0000, pos});
+    m_table.driver().proceed();
+    m_table.repeat(3, {0x0000'0000, tooFast});
+    ASSERT_TRUE(m_table.outcome());
+    EXPECT_EQ(m_table.outcome()->result.error().id, RefusalId::noValidPosition);
+}
+
+TEST_F(FrabaPreset, WordsThatSetThePositionOfAFastShaftAreCounted)
+{
+    m_table.play({{0x0000'0000, tooFast}});
+    ASSERT_TRUE(m_table.begin(SendWords{.words = {0x6000'0000, 0x0000'0000}, .holdCycles = 1}));
+    m_table.play({{0x0000'0000, tooFast}, {0x6000'0000, tooFast}});
+    EXPECT_EQ(m_table.eepromWrites(), 1);
+}
+
+TEST(Preset40000000, OfAFastShaftIsCountedWhereItIsStored)
+{
+    DriverTable table(u"fraba-ocd-ib");
+    table.tell(Parameter::startUpMode, 1);
+    table.play({{0x0000'0000, tooFast}});
+    ASSERT_TRUE(table.begin(SendWords{.words = {0x4000'0000}, .holdCycles = 2}));
+    table.play({{0x0000'0000, tooFast}, {0x4000'0000, tooFast}, {0x4000'0000, tooFast}});
+    EXPECT_EQ(table.eepromWrites(), 1);
+}
+
 // A word of a monitor, which nobody takes away
 TEST(FrabaPresetByHand, IsTakenAwayWhateverTheMode)
 {
