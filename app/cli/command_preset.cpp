@@ -100,6 +100,8 @@ Checked<Answer> run(const Call &call)
         sentence(CommandLine::tr("EEPROM writes:   %1"),
                  argumentTexts({std::int64_t{job.outcome.eepromWrites}})) +
         u'\n';
+    if (job.outcome.leftIn == EncoderState::error)
+        answer.text += whereItWasLeft((*encoder)->latest()) + u'\n';
     return answer;
 }
 

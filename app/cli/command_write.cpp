@@ -96,6 +96,8 @@ QString accountText(const EncoderSession &encoder, const Outcome &outcome, const
         text += sentence(CommandLine::tr("Position after:  %1"),
                          {positionText(after.position, after, rodScale(encoder))}) +
                 u'\n';
+    if (outcome.result && after.state == EncoderState::error)
+        text += whereItWasLeft(after) + u'\n';
     return text;
 }
 
@@ -122,22 +124,6 @@ void addAccount(QJsonObject &json, const EncoderSession &encoder, const Outcome 
     json.insert(QStringLiteral("positionAfter"), numberJson(encoder.latest().position));
     json.insert(QStringLiteral("leftIn"), stateKey(outcome.leftIn));
     json.insert(QStringLiteral("onlyZeroSinceRun"), outcome.onlyZeroSinceRun);
-}
-
-QString whereItWasLeft(const Reading &left)
-{
-    switch (left.state) {
-    case EncoderState::parameterization:
-        return CommandLine::tr("The encoder was left in parameterization: it shows no position.");
-    case EncoderState::service:
-        return CommandLine::tr("The encoder was left in service mode: it shows no position.");
-    case EncoderState::error:
-        return left.position ? CommandLine::tr("The encoder was left in error: it shows the last position "
-                                               "it knew.")
-                             : CommandLine::tr("The encoder was left in error: it shows no position.");
-    default:
-        return CommandLine::tr("The encoder is in operation.");
-    }
 }
 
 void carryOut(const Call &call, const AllowedJob &write, const WritePlan &plan, Answer &answer)

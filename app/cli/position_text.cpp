@@ -22,4 +22,20 @@ QString positionText(std::optional<std::int64_t> position, const Reading &shown,
     return sentence(CommandLine::tr("IN %1, and how it is coded is not known"), {hexWord(shown.in)});
 }
 
+QString whereItWasLeft(const Reading &left)
+{
+    switch (left.state) {
+    case EncoderState::parameterization:
+        return CommandLine::tr("The encoder was left in parameterization: it shows no position.");
+    case EncoderState::service:
+        return CommandLine::tr("The encoder was left in service mode: it shows no position.");
+    case EncoderState::error:
+        return left.position ? CommandLine::tr("The encoder was left in error: it shows the last position "
+                                               "it knew.")
+                             : CommandLine::tr("The encoder was left in error: it shows no position.");
+    default:
+        return CommandLine::tr("The encoder is in operation.");
+    }
+}
+
 } // namespace codewheel

@@ -16,4 +16,7 @@ namespace codewheel {
 QString positionText(std::optional<std::int64_t> position, const Reading &shown,
                      const std::optional<RodScale> &scale = {});
 
+// The state a job has left the encoder in, and what becomes of its position there.
+QString whereItWasLeft(const Reading &left);
+
 } // namespace codewheel

@@ -87,6 +87,10 @@ Word La66Driver::carryOn(Word in, Word out, Instant now)
         if (!run.begun) {
             if (!mayBeginStep(in))
                 return out;
+            if (setsPosition() && la66::hasError(in)) {
+                fail({RefusalKind::device, RefusalId::magnetOutOfRange, {in}}, out);
+                continue;
+            }
             beginStep(now);
             return m_out;
         }
@@ -125,6 +129,12 @@ bool La66Driver::mayBeginStep(Word in)
     return false;
 }
 
+// The current step is the first that the encoder hears of a new position.
+bool La66Driver::setsPosition() const
+{
+    return std::holds_alternative<SetPreset>(m_run->job) && current().kind == StepKind::service;
+}
+
 void La66Driver::beginStep(Instant now)
 {
     Run &run = *m_run;
@@ -132,7 +142,7 @@ void La66Driver::beginStep(Instant now)
     run.mayBegin = false;
     run.asked = false;
     m_out = current().out;
-    if (std::holds_alternative<SetPreset>(run.job) && current().kind == StepKind::service)
+    if (setsPosition())
         run.positionBefore = m_reading.position;
     m_handshake.begin(current(), now);
     reportProgress(false);

@@ -57,6 +57,7 @@ private:
     void prepare(Word in, Word out);
     Word carryOn(Word in, Word out, Instant now);
     bool mayBeginStep(Word in);
+    bool setsPosition() const;
     void beginStep(Instant now);
     void stepDone(Word in, Word out);
     void serviceDone(const La66Step &step, Word in, Word out);

@@ -70,6 +70,18 @@ TEST(CliRod, ThePositionIsSetToTheValueGiven)
     EXPECT_EQ(errorKey(runLine(QStringLiteral("preset 5.0 16777216 --json"))), "valueOutOfRange");
 }
 
+TEST(CliRod, WithoutItsMagnetThePositionIsNotSetAndAWriteTellsTheState)
+{
+    SharedBus shared;
+    shared.controls().setMagnetInRange({5, 0}, false);
+    const CliRun preset = shared.runLine(QStringLiteral("preset 5.0 1000"));
+    EXPECT_EQ(preset.exit, 1);
+    EXPECT_THAT(preset.err, HasSubstr("The magnet is outside the measuring range"));
+    EXPECT_EQ(shared.eepromWrites(), 0);
+    EXPECT_THAT(shared.runLine(QStringLiteral("write 5.0 direction=decreasing --yes")).out,
+                HasSubstr("The encoder was left in error: it shows the last position it knew.\n"));
+}
+
 TEST(CliRod, IsWatchedInStepsAndMillimetres)
 {
     EXPECT_THAT(runLine(QStringLiteral("monitor 5.0 --for 1")).out,

@@ -127,6 +127,21 @@ TEST(La66Driver, SettingThePositionIsOneServiceThatNothingReadsBack)
     EXPECT_EQ(table.outcome()->eepromWrites, 1);
 }
 
+// D29: the encoder tells the last position it knew, which is not where the magnet is.
+TEST(La66Driver, ThePositionIsNotSetWhileTheMagnetIsOutsideTheRange)
+{
+    constexpr Word magnetLost = 0x2000'0000 | pos;
+    DriverTable table = rod();
+    table.play({{0x0000'0000, magnetLost}});
+    ASSERT_TRUE(table.begin(SetPreset{.value = 1'000}));
+    table.repeat(3, {0x0000'0000, magnetLost});
+    ASSERT_TRUE(table.outcome());
+    EXPECT_EQ(table.outcome()->result.error(),
+              (Refusal{RefusalKind::device, RefusalId::magnetOutOfRange, {magnetLost}}));
+    EXPECT_EQ(table.outcome()->leftIn, EncoderState::error);
+    EXPECT_EQ(table.outcome()->eepromWrites, 0);
+}
+
 TEST(La66Driver, WhatIsAlreadyThereIsNotWrittenAgain)
 {
     DriverTable table = rod();
