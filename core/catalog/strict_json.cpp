@@ -2,9 +2,12 @@
 #include "catalog/strict_json.h"
 
 #include <QRegularExpression>
+#include <QStringDecoder>
 
+#include <algorithm>
 #include <json/reader.h>
 #include <memory>
+#include <optional>
 
 namespace codewheel {
 namespace {
@@ -20,6 +23,23 @@ std::unique_ptr<Json::CharReader> strictReader()
     builder["rejectDupKeys"] = true;
     builder["stackLimit"] = deepestNesting;
     return std::unique_ptr<Json::CharReader>(builder.newCharReader());
+}
+
+bool isUtf8(QByteArrayView text)
+{
+    QStringDecoder decoder(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
+    const QString decoded = decoder(text);
+    return !decoder.hasError();
+}
+
+// The first line that is no UTF-8 text, counted from 1; nothing where all is.
+std::optional<int> firstLineNotUtf8(const QByteArray &text)
+{
+    if (isUtf8(text))
+        return std::nullopt;
+    const QByteArrayList lines = text.split('\n');
+    const auto bad = std::ranges::find_if_not(lines, [](const QByteArray &line) { return isUtf8(line); });
+    return static_cast<int>(bad - lines.begin()) + 1;
 }
 
 // jsoncpp reports "* Line 3, Column 5\n  Duplicate key: 'name'\n", in English whatever the language is. Only
@@ -45,6 +65,12 @@ Json::Value parseStrictly(const QByteArray &json, FaultKeeper &faults)
 {
     if (json.trimmed().isEmpty()) {
         faults.report(1, QString(), QCoreApplication::translate("codewheel::Catalog", "The file is empty."));
+        return {};
+    }
+    if (const auto line = firstLineNotUtf8(json)) {
+        faults.report(*line, QString(),
+                      QCoreApplication::translate("codewheel::Catalog",
+                                                  "This is not UTF-8 text: save the file as UTF-8."));
         return {};
     }
     Json::Value root;

@@ -89,6 +89,7 @@ constexpr Breakage breakages[] = {
     {"  }\n}\n", "  }\n}\n{}", 34, "", "not valid JSON"},
     {"  }\n}\n", "  }\n", 33, "", "not valid JSON"},
     {R"("a manual")", R"('a manual')", 5, "", "not valid JSON"},
+    {R"("a manual")", "\"Drehgeber \xFC\"", 5, "", "not UTF-8 text: save the file as UTF-8"}, // Latin-1
     {R"("a manual")", R"([[[[[[[[[[[[[[[[[[[[]]]]]]]]]]]]]]]]]]]])", 1, "", "nested too deeply"},
     // types
     {R"("Some")", "7", 3, "vendor", "text"},
