@@ -245,7 +245,8 @@ void HandshakePage::showOutcome(const Outcome &ended)
     record.positionAfter = m_setup.encoder->latest().position;
     record.ended = m_setup.encoder->dateTime(m_setup.encoder->latest().at);
     record.eepromWritesInAll = m_setup.encoder->eepromCount().writes;
-    m_steps.finish(outcome.result.has_value());
+    const bool isBroughtBack = !outcome.result && outcome.result.error().id == RefusalId::cancelled;
+    m_steps.finish(outcome.result || isBroughtBack);
     showEnd();
     Q_EMIT changed();
 }

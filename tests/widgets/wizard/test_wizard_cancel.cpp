@@ -59,6 +59,7 @@ TEST_F(WizardHandshake, CancelBeforeAnythingWasTakenAsksNothing)
     bus.advance(60);
     EXPECT_FALSE(wizard.isBusy());
     EXPECT_EQ(out(), 0u);
+    EXPECT_EQ(states(), QStringList{QStringLiteral("done")});
     EXPECT_EQ(text("leftIn"), QStringLiteral("The encoder is in operation."));
     EXPECT_EQ(fraba().eepromWrites(), 0);
 }

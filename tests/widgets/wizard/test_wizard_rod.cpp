@@ -163,6 +163,17 @@ TEST_F(WizardRod, RunningByItselfItDoesTheSame)
     EXPECT_EQ(out(rodPlace), 0u);
 }
 
+TEST_F(WizardRod, CancelledBeforeTheFirstStepNothingHasFailed)
+{
+    toReview();
+    click("byHand");
+    next();
+    bus.advance(60);
+    click("wizardCancel");
+    bus.advance(500);
+    EXPECT_EQ(states(), QStringList{QStringLiteral("done")});
+}
+
 TEST_F(WizardRod, CancelledInTheMiddleItIsLeftWithWhatItHas)
 {
     toReview();

@@ -87,6 +87,15 @@ protected:
         bus.advance(60);
         return pressed;
     }
+    // Of the steps on the handshake page.
+    QStringList states() const
+    {
+        const QAbstractItemModel &model = *find<QTableView>("steps")->model();
+        QStringList states;
+        for (int row = 0; row < model.rowCount(); ++row)
+            states.append(model.index(row, model.columnCount() - 1).data().toString());
+        return states;
+    }
     Word out(DeviceNumber number = {1, 0}) const { return bus.channel(number)->out(); }
 
     const Catalog catalog = Catalog::builtIn();
