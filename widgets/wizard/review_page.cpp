@@ -19,6 +19,9 @@
 #include <QLabel>
 #include <QLocale>
 #include <QRadioButton>
+#include <QStyledItemDelegate>
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {
@@ -27,6 +30,26 @@ QString number(std::int64_t value)
 {
     return QLocale().toString(qlonglong{value});
 }
+
+// A value takes a quarter of the table, and more only where one of its words needs it; what is longer stands
+// on several lines.
+class ValueDelegate final : public QStyledItemDelegate
+{
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        QSize size = QStyledItemDelegate::sizeHint(option, index);
+        const auto *view = static_cast<const QTableView *>(parent());
+        const QFontMetrics metrics(index.data(Qt::FontRole).value<QFont>());
+        int needed = 0;
+        for (const QString &word : index.data().toString().split(u' '))
+            needed = std::max(needed, metrics.horizontalAdvance(word) + 2 * grid::margin);
+        size.setWidth(std::min(size.width(), std::max(needed, view->viewport()->width() / 4)));
+        return size;
+    }
+};
 
 } // namespace
 
@@ -44,11 +67,14 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     , m_problem(new InlineMessage(this))
 {
     setUpQuietTable(*m_changesView, m_changes, tr("Old and new values"));
-    // What happens may take two lines; a name that is cut could be any parameter's.
+    // What happens, and a value, may take several lines; a name that is cut could be any parameter's.
     m_changesView->setWordWrap(true);
     m_changesView->horizontalHeader()->setSectionResizeMode(ValueChangeTable::name,
                                                             QHeaderView::ResizeToContents);
     m_changesView->horizontalHeader()->setSectionResizeMode(ValueChangeTable::action, QHeaderView::Stretch);
+    auto *values = new ValueDelegate(m_changesView);
+    for (const int column : {ValueChangeTable::before, ValueChangeTable::wanted})
+        m_changesView->setItemDelegateForColumn(column, values);
     setUpQuietTable(*m_stepsView, m_steps, tr("Words that will be sent"));
     m_changesView->setObjectName(QStringLiteral("changes"));
     m_stepsView->setObjectName(QStringLiteral("plannedWords"));

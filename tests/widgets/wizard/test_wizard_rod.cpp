@@ -4,6 +4,7 @@
 #include "tests/widgets/wizard/wizard_test.h"
 
 #include <QDoubleSpinBox>
+#include <QHeaderView>
 
 // The wizard with a TR LA-66: words of its manual, chapter 3 and 4.
 namespace codewheel {
@@ -122,6 +123,24 @@ TEST_F(WizardRod, TheReviewHasTheWordsAndTheEepromWrites)
     EXPECT_EQ(plannedWords(), measuringLength + normal + setPosition + normal);
     EXPECT_TRUE(text("eepromWrites").contains(QStringLiteral("2."))) << text("eepromWrites").toStdString();
     EXPECT_EQ(out(rodPlace), 0u);
+}
+
+TEST_F(WizardRod, InANarrowReviewLongValuesLeaveRoomForWhatHappens)
+{
+    wanted.set(rodPlace, Parameter::direction, 1);
+    toValues();
+    next();
+    wizard.resize(430, 560);
+    QCoreApplication::processEvents();
+    const auto *table = find<QTableView>("changes");
+    const QAbstractItemModel &model = *table->model();
+    ASSERT_EQ(model.rowCount(), 1);
+    const QHeaderView &header = *table->horizontalHeader();
+    for (int column = 0; column < model.columnCount(); ++column)
+        for (const QString &word : model.index(0, column).data().toString().split(u' '))
+            EXPECT_GE(header.sectionSize(column), table->fontMetrics().horizontalAdvance(word)) << column;
+    EXPECT_LE(header.length(), table->viewport()->width());
+    EXPECT_GT(table->rowHeight(0), 2 * table->fontMetrics().height());
 }
 
 TEST_F(WizardRod, ByHandItGoesServiceByServiceToTheEnd)
