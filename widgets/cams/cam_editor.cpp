@@ -60,6 +60,7 @@ void CamEditor::setEncoder(const ShownEncoder &encoder)
     Work &work = workOf(encoder.number());
     m_sheet->setDocument(work.document);
     m_sheet->setNumber(work.program);
+    m_range->begin(work.toldLargest);
     m_pages->setCurrentWidget(m_scroll);
     if (session() != nullptr)
         connectSession(*session());
@@ -115,6 +116,20 @@ void CamEditor::showRange()
         m_range->hide();
     else
         m_range->ask(session() && m_encoder.can().reads, told);
+}
+
+void CamEditor::tellLargest(std::int64_t largest)
+{
+    const auto position = session() ? session()->latest().position : std::nullopt;
+    if (position && *position > largest) {
+        say(Cause::input, Role::fault,
+            tr("The largest position cannot be %1: the encoder shows %2.")
+                .arg(cam_texts::position(largest), cam_texts::position(*position)));
+        return;
+    }
+    workOf(m_encoder.number()).toldLargest = largest;
+    showRange();
+    showLive();
 }
 
 void CamEditor::showEvent(QShowEvent *event)

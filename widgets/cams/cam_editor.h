@@ -76,6 +76,7 @@ private:
     void chooseProgram(unsigned number);
     void showKnown();
     void showRange();
+    void tellLargest(std::int64_t largest);
     void showLive();
     void showRunningJob();
     QString note(const Reading &reading) const;

@@ -167,11 +167,7 @@ void CamEditor::connectParts()
     connect(m_board, &CamBoard::inputChecked, this, checked);
     connect(m_range, &CamRangeBar::inputChecked, this, checked);
     connect(m_range, &CamRangeBar::readRequested, this, &CamEditor::readRange);
-    connect(m_range, &CamRangeBar::told, this, [this](qint64 largest) {
-        workOf(m_encoder.number()).toldLargest = largest;
-        showRange();
-        showLive();
-    });
+    connect(m_range, &CamRangeBar::told, this, &CamEditor::tellLargest);
     connect(m_mode, &CamModeBar::answered, this, [this](const SwitchMode &afterwards) {
         if (session() && m_whenAnswered)
             std::exchange(m_whenAnswered, {})(afterwards);

@@ -53,6 +53,11 @@ CamRangeBar::CamRangeBar(QWidget *parent)
     connect(m_largest, &PositionInput::inputChecked, this, &CamRangeBar::inputChecked);
 }
 
+void CamRangeBar::begin(std::optional<std::int64_t> toldLargest)
+{
+    m_largest->setText(toldLargest ? QString::number(*toldLargest) : QString());
+}
+
 void CamRangeBar::ask(bool canRead, std::optional<std::int64_t> toldLargest)
 {
     m_read->setVisible(canRead);

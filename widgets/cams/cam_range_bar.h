@@ -20,6 +20,8 @@ class CamRangeBar : public QWidget
 public:
     explicit CamRangeBar(QWidget *parent = nullptr);
 
+    // Another encoder: what was typed for the one before is gone.
+    void begin(std::optional<std::int64_t> toldLargest);
     void ask(bool canRead, std::optional<std::int64_t> toldLargest);
 
 Q_SIGNALS:

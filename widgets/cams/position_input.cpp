@@ -54,7 +54,8 @@ void PositionInput::showCheck()
     const RefusalArgument given =
         number ? RefusalArgument(*number)
                : RefusalArgument(text().trimmed().isEmpty() ? tr("nothing") : text().trimmed());
-    const QString wrong = value() ? QString() : m_complaint(given);
+    const bool isUntouched = text().isEmpty() && !isModified();
+    const QString wrong = value() || isUntouched ? QString() : m_complaint(given);
     m_mark->setVisible(!wrong.isEmpty());
     m_mark->setToolTip(wrong);
     setAccessibleDescription(wrong);

@@ -80,6 +80,35 @@ TEST_F(CamEditorView, TheRangeIsAskedForWhileNobodyKnowsIt)
     EXPECT_EQ(sheet().largest(), 4'194'303);
 }
 
+TEST_F(CamEditorView, TheLargestPositionThatWasToldIsThatOfOneEncoder)
+{
+    auto *field = editor.findChild<CamRangeBar *>()->findChild<PositionInput *>();
+    QTest::keyClicks(field, QStringLiteral("8191\r"));
+    EXPECT_EQ(sheet().largest(), 8191);
+    editor.setEncoder(&ring.encoder(test::onLoop));
+    EXPECT_TRUE(isAskingForRange());
+    EXPECT_EQ(field->text(), QString());
+    EXPECT_EQ(message(), QString());
+    EXPECT_EQ(sheet().largest(), 33'554'431);
+    editor.setEncoder(&encoder());
+    EXPECT_EQ(field->text(), QStringLiteral("8191"));
+}
+
+TEST_F(CamEditorView, ALargestPositionBelowTheOneShownIsRefused)
+{
+    encoder().tell(Parameter::startUpMode, 1); // position mode
+    advance(40);
+    ASSERT_EQ(encoder().latest().position, 12'345);
+    auto *field = editor.findChild<CamRangeBar *>()->findChild<PositionInput *>();
+    QTest::keyClicks(field, QStringLiteral("8191\r"));
+    EXPECT_EQ(message(), QStringLiteral("The largest position cannot be 8191: the encoder shows 12345."));
+    EXPECT_EQ(sheet().largest(), 33'554'431);
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("12345\r"));
+    EXPECT_EQ(message(), QString());
+    EXPECT_EQ(sheet().largest(), 12'345);
+}
+
 TEST_F(CamEditorView, ProgramsAreChosenByClickAndKey)
 {
     setManualCam();
