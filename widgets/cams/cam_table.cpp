@@ -21,6 +21,16 @@ bool isPosition(int column)
     return column == CamTableModel::startColumn || column == CamTableModel::stopColumn;
 }
 
+// In all programs: it may be beyond the range, which was not known when it was given.
+std::int64_t largestGiven(const CamDocument &document)
+{
+    std::int64_t largest = 0;
+    for (unsigned number = 1; number <= CamProgram::programs; ++number)
+        for (const Cam &cam : document.program(number).cam)
+            largest = std::max({largest, cam.start, cam.stop});
+    return largest;
+}
+
 } // namespace
 
 CamDelegate::CamDelegate(const CamSheet &sheet, QObject *parent)
@@ -113,6 +123,7 @@ CamTable::CamTable(CamSheet &sheet, QWidget *parent)
     });
     for (const auto signal : {&CamSheet::documentChanged, &CamSheet::largestChanged})
         connect(&sheet, signal, this, &CamTable::fit);
+    connect(&sheet, &CamSheet::programChanged, this, &CamTable::fit);
     fit();
 }
 
@@ -130,28 +141,32 @@ bool CamTable::finishEditing()
 // As wide as the widest text that can come, so that nothing jumps while the encoder turns.
 void CamTable::fit()
 {
+    const int lengthBefore = horizontalHeader()->length();
     const int height = camRowHeight(*this);
     verticalHeader()->setMinimumSectionSize(height);
     verticalHeader()->setDefaultSectionSize(height);
     horizontalHeader()->setFixedHeight(camAxisHeight(*this));
     const int check = style()->pixelMetric(QStyle::PM_IndicatorWidth, nullptr, this) + grid::margin;
     const int icon = grid::smallIcon + grid::margin;
-    const int digits = QFontMetrics(numberFont()).horizontalAdvance(cam_texts::position(m_sheet.largest()));
+    const std::int64_t largest = std::max(m_sheet.largest(), largestGiven(m_sheet.document()));
+    const int positions = QFontMetrics(numberFont()).horizontalAdvance(cam_texts::position(largest)) +
+                          (largest > m_sheet.largest() ? icon : 0);
     const auto words = [this](const QStringList &texts) {
         int width = 0;
         for (const QString &text : texts)
             width = std::max(width, fontMetrics().horizontalAdvance(text));
         return width;
     };
-    const std::array contents{check + fontMetrics().horizontalAdvance(QStringLiteral("0")), digits, digits,
-                              icon + words({tr("on"), tr("off")}),
+    const std::array contents{check + fontMetrics().horizontalAdvance(QStringLiteral("0")), positions,
+                              positions, icon + words({tr("on"), tr("off")}),
                               icon + words({tr("same"), tr("differs"), tr("unknown")})};
     for (int column = 0; column < m_model->columnCount(); ++column) {
         const QString header = m_model->headerData(column, Qt::Horizontal).toString();
         const int content = contents.at(static_cast<std::size_t>(column));
         setColumnWidth(column, std::max(content, words({header})) + 2 * grid::margin);
     }
-    updateGeometry();
+    if (horizontalHeader()->length() != lengthBefore)
+        updateGeometry();
 }
 
 QSize CamTable::sizeHint() const

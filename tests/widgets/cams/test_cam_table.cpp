@@ -70,6 +70,23 @@ TEST_F(CamTableTest, AnExactPositionIsTypedAndTakenBack)
     EXPECT_EQ(sheet.cam(0).stop, 33'554'431);
 }
 
+TEST_F(CamTableTest, PositionsBeyondTheRangeAreNotCutOff)
+{
+    const auto showsAll = [this](int column) {
+        const int width = table.columnWidth(column);
+        table.resizeColumnToContents(column);
+        return width >= table.columnWidth(column);
+    };
+    sheet.setLargest({});
+    sheet.setCam(2, {3'400'000, 13'400'000, true}, {});
+    sheet.setLargest(8191);
+    EXPECT_TRUE(showsAll(CamTableModel::startColumn));
+    EXPECT_TRUE(showsAll(CamTableModel::stopColumn));
+    undo();
+    sheet.setCam(2, {8191, 3'400'000, true}, {}); // as a file or the encoder has it
+    EXPECT_TRUE(showsAll(CamTableModel::stopColumn));
+}
+
 TEST_F(CamTableTest, TabGoesFromTheStartToTheStopAndToTheNextCam)
 {
     choose(0, CamTableModel::startColumn);
