@@ -6,6 +6,7 @@
 #include "cli/parameter_arguments.h"
 #include "cli/texts.h"
 #include "cli/trace.h"
+#include "encoder/sentence.h"
 
 #include <array>
 #include <limits>
@@ -60,7 +61,10 @@ Checked<Answer> run(const Call &call)
         return tl::unexpected(allowed.error());
     const FinishedJob job = runToEnd(call, *allowed);
     Answer answer;
-    answer.text = traceText(call, **encoder, job);
+    answer.text = traceText(call, **encoder, job) + u'\n' +
+                  sentence(CommandLine::tr("EEPROM writes:   %1"),
+                           argumentTexts({std::int64_t{job.outcome.eepromWrites}})) +
+                  u'\n';
     answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
                    {QStringLiteral("device"), (*encoder)->device().key},
                    {QStringLiteral("trace"), traceJson(call, **encoder, job)},
@@ -83,8 +87,8 @@ const Subcommand wordsCommand{
         "Sends words as they are, one after the other, and prints a row for each change of OUT or IN.\n"
         "A parameter word stands until the encoder has confirmed it, run (80000000) until it shows a "
         "position\n"
-        "or an error, a read-out until it answers; any other word stands for 3 cycles. An error of the "
-        "encoder\n"
+        "or an error, a read-out until it answers; any other word stands for 3 cycles. The FRABA preset\n"
+        "(60000000) stands for one cycle, whatever --hold says: it acts in each. An error of the encoder\n"
         "ends the sequence. Words are hexadecimal, as the manuals print them."),
     .examples = examples,
     .options = options,

@@ -258,8 +258,14 @@ void K3Driver::beginStep(Word in, Instant now)
     run.begun = true;
     run.mayBegin = false;
     run.asked = false;
-    if (m_knowledge.isManufacturerPreset(current().out)) // also where the user gave the words
+    if (m_knowledge.isManufacturerPreset(current().out)) { // also where the user gave the words
+        if (current().kind == StepKind::word && run.index + 1 == run.steps.size()) {
+            K3Step normal = current(); // what follows it in OUT, so that its effect is seen
+            normal.out = k3::normalRunning;
+            run.steps.push_back(normal);
+        }
         run.steps[run.index].kind = StepKind::manufacturerPreset;
+    }
     run.steps[run.index].inCamMode = m_knowledge.mode() == Mode::cam;
     m_handshake.begin(current(), in, now);
     if (setsPosition(current()))

@@ -87,6 +87,15 @@ TEST(CliWords, AReadOutStandsUntilItIsAnswered)
                                                 "00000000 A0002000", "00000000 00003039"));
 }
 
+TEST(CliWords, TheFrabaPresetStandsForOneCycleAndItsEffectIsShown)
+{
+    const CliRun run = runLine(QStringLiteral("words 1.0 60000000 --hold 10 --json"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_THAT(rowsOf(run.json()),
+                ElementsAre("00000000 00003039", "60000000 00003039", "00000000 00000000"));
+    EXPECT_THAT(runLine(QStringLiteral("words 1.0 60000000")).out, HasSubstr("\nEEPROM writes:   1\n"));
+}
+
 int cyclesHeld(const QString &option)
 {
     const QJsonObject json = runLine(QStringLiteral("words 1.0 01000000 00000000 --json ") + option).json();

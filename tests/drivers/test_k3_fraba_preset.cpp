@@ -106,10 +106,22 @@ TEST_F(FrabaPreset, AmongWordsOfTheUserItStandsForOneCycleToo)
     ASSERT_TRUE(m_table.begin(SendWords{.words = {0x6000'0000, 0x0000'0000, 0x6000'0000}, .holdCycles = 3}));
     m_table.play({{0x0000'0000, pos}, {0x6000'0000, pos}});
     m_table.repeat(3, {0x0000'0000, 0x64});
-    m_table.play({{0x6000'0000, 0x64}, {0x0000'0000, 0x64}, {0x0000'0000, 0x64}});
+    m_table.play({{0x6000'0000, 0x64}});
+    m_table.repeat(3, {0x0000'0000, 0x64});
     ASSERT_TRUE(m_table.outcome());
     EXPECT_TRUE(m_table.outcome()->result);
     EXPECT_EQ(m_table.outcome()->eepromWrites, 2);
+}
+
+TEST_F(FrabaPreset, BehindTheLastWordNormalRunningFollows)
+{
+    ASSERT_TRUE(m_table.begin(SendWords{.words = {0x6000'0000}, .holdCycles = 2}));
+    m_table.play({{0x0000'0000, pos}, {0x6000'0000, pos}});
+    EXPECT_FALSE(m_table.outcome());
+    m_table.play({{0x0000'0000, 0x64}, {0x0000'0000, 0x64}});
+    ASSERT_TRUE(m_table.outcome());
+    EXPECT_TRUE(m_table.outcome()->result);
+    EXPECT_EQ(m_table.outcome()->eepromWrites, 1);
 }
 
 // FRABA manual 10.3: above 800 kHz the encoder shows 80000000, no valid position
