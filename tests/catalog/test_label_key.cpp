@@ -116,6 +116,8 @@ TEST_F(LabelKey, SaysWhichPartIsNotUnderstoodAndWhatMayStandThere)
         "\"14\" in \"OCD-IBA1B-1413-C100-PRI\" is not understood. There may stand: Bits for revolutions: "
         "00 (single-turn), 12 (multi-turn, 4096 turns).");
     EXPECT_THAT(refusal("OCD-IBA1B-12 14-C100-PRI"), HasSubstr("\"14\""));
+    EXPECT_THAT(refusal("OCD-IBA1B-1213-C150-PRI"), HasSubstr("\"C15\"")) << "only for a hollow shaft";
+    EXPECT_THAT(refusal("OCD-IBA1B-1213-B100-PRI"), HasSubstr("B15 (blind hollow shaft, 15 mm)"));
     EXPECT_THAT(refusal("GXP6W.0 30 A0 01"), HasSubstr("\"30\" in \"GXP6W.0 30 A0 01\""));
     EXPECT_THAT(refusal("GXP6W.0 10 A0 02"), HasSubstr("Software: 01 (profile K3)"));
     EXPECT_THAT(refusal("8.5883.xx3x.3001"), HasSubstr("\"5883\""));
