@@ -5,6 +5,12 @@
 #include <bit>
 
 namespace codewheel {
+namespace {
+
+// 13 bits of a turn and 12 of turns (FRABA manual 8), the most that a K2 is known to have.
+constexpr int mostK2Bits = 25;
+
+} // namespace
 
 bool onlyTellsPosition(Profile profile)
 {
@@ -15,7 +21,7 @@ PositionWord positionFormat(const DeviceDescription &device)
 {
     PositionWord format;
     const int bits = device.profile == Profile::k1 ? 16 : 32;
-    format.positionBits = bits;
+    format.positionBits = device.profile == Profile::k2 ? mostK2Bits : bits;
     format.coding = device.coding;
     format.hasStatusBits = device.profile == Profile::k4;
     format.hasOut = device.profile == Profile::k4;

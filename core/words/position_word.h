@@ -9,7 +9,7 @@ namespace codewheel {
 // bits, K2 and K4 have 32 (FRABA manual 2.1.1, 2.1.2; TWK, table VI).
 struct PositionWord
 {
-    int positionBits = 32; // 1..32, the low ones; as many as IN has where the resolution is not known
+    int positionBits = 32; // 1..32, the low ones; the most of its profile where the resolution is not known
     PositionCoding coding = PositionCoding::binary;
     // K4: four bits are said to be control and status bits, and no source tells which. Nor what OUT means.
     bool hasStatusBits = false;

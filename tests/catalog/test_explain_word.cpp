@@ -151,7 +151,9 @@ TEST_F(ExplainWord, WordsOfEncodersThatOnlyTellTheirPosition)
     const DeviceDescription &k2 = *catalog.find(u"fraba-ocd-ib-k2");
     EXPECT_EQ(text(k2, 0x00FF'FFFF, in), "Running, position 16777215");
     EXPECT_EQ(text(k2, 0x0100'0000, in), "No position: D24 should be 0, since the position has 24 bits");
-    EXPECT_EQ(text(*catalog.find(u"generic-k2"), 0xFFFF'FFFF, in), "Running, position 4294967295");
+    EXPECT_EQ(text(*catalog.find(u"generic-k2"), 0x01FF'FFFF, in), "Running, position 33554431");
+    EXPECT_EQ(text(*catalog.find(u"twk-k2"), 0xC200'0005, in),
+              "No position: D31, D30, D25 should be 0, since the position has 25 bits");
     const DeviceDescription &k4 = *catalog.find(u"twk-k4");
     EXPECT_EQ(text(k4, 0x0001'2A4F, in), "Running, position 76367, as long as all four status bits are 0: "
                                          "where they stand is in no source");

@@ -30,7 +30,8 @@ TEST_F(PositionDrivers, TellTheRawPosition)
     EXPECT_EQ(turned.coding, PositionCoding::binary);
     EXPECT_EQ(reading(u"fraba-ocd-ib-k2", 0x00FF'FFFF).position, 16'777'215);
     EXPECT_EQ(reading(u"generic-k1", 0x0000'FFFF).position, 65'535);
-    EXPECT_EQ(reading(u"generic-k2", 0xFFFF'FFFF).position, 4'294'967'295);
+    EXPECT_EQ(reading(u"generic-k2", 0x01FF'FFFF).position, 33'554'431);
+    EXPECT_EQ(reading(u"generic-k2", 0x0200'0000).position, std::nullopt);
     EXPECT_EQ(reading(u"twk-k4", 0x8200'00FF).position, 0x8200'00FF);
 }
 
