@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ring/device_leds.h"
 
+#include "catalog/device_description.h"
+#include "encoder/encoder_session.h"
+
 #include <QCoreApplication>
 #include <QStringList>
 
 namespace codewheel {
+
+bool hasRemoteBusLeds(const EncoderSession *encoder)
+{
+    return encoder != nullptr && encoder->number().position == 0 && encoder->device().leds;
+}
 
 QString ledLightName(LedLight state)
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/device_number.h"
 #include "ring/snapshot.h"
 
 #include <QString>
@@ -9,6 +8,8 @@
 #include <array>
 
 namespace codewheel {
+
+class EncoderSession;
 
 // The LEDs on the housing of a device, as they have to be by what the master says: UL supply, RC remote bus
 // check, BA bus active, RBDA remote bus disabled (FRABA manual 3.3).
@@ -37,12 +38,9 @@ constexpr DeviceLeds ledsOf(MasterState state, bool inRing)
     return leds;
 }
 
-// Devices of the remote bus have these four; LWL encoders have two more, for the fibre. One of Loop 2 has a
+// Whether its description tells of these four. LWL encoders have two more, for the fibre; one of Loop 2 has a
 // single one, and the manual does not tell what it shows (FRABA manual 3.3).
-constexpr bool hasRemoteBusLeds(DeviceNumber number)
-{
-    return number.position == 0;
-}
+bool hasRemoteBusLeds(const EncoderSession *encoder);
 
 // "UL on, RC on, BA blinking, RBDA off", in the user's language.
 QString ledText(const DeviceLeds &leds);

@@ -68,7 +68,7 @@ void DevicePanel::showLeds()
         ring, [this](const Participant &other) { return m_number && other.number == *m_number; });
     const auto place = static_cast<std::size_t>(found - ring.begin());
     const bool isConnected = m_bus.isOpen() && !m_planned && place < m_bus.latest().devices.size();
-    const bool isShown = isConnected && hasRemoteBusLeds(found->number);
+    const bool isShown = isConnected && hasRemoteBusLeds(m_bus.encoder(found->number));
     m_leds->setVisible(isShown);
     if (isShown)
         m_leds->showLeds(ledsOf(m_bus.latest().state, m_bus.latest().devices[place].inRing));

@@ -468,7 +468,7 @@ QString StructureModel::ledsText(const Node &node) const
 {
     const std::size_t place = placeOf(node);
     if (m_bus == nullptr || place >= m_bus->latest().devices.size() ||
-        !hasRemoteBusLeds(node.participant.number))
+        !hasRemoteBusLeds(m_bus->encoder(node.participant.number)))
         return {};
     const Snapshot &ring = m_bus->latest();
     return tr("LEDs: %1").arg(ledText(ledsOf(ring.state, ring.devices[place].inRing)));

@@ -249,6 +249,22 @@ TEST(TheLedsInTheDevicePanel, AreNotShownForAnEncoderOnLoop2)
     EXPECT_FALSE(toolTip({6, 1}).contains(QStringLiteral("LEDs")));
 }
 
+TEST(TheLedsInTheDevicePanel, AreShownWhereTheDescriptionHasThem)
+{
+    test::TrainingBusSession ring;
+    DevicePanel panel(ring.bus);
+    StructureModel model;
+    model.setBus(&ring.bus);
+    for (const DeviceNumber without : {test::baumer, DeviceNumber{5, 0}}) {
+        panel.setPlace(without);
+        EXPECT_TRUE(panel.findChild<LedRow *>()->isHidden()) << without.toString().toStdString();
+        EXPECT_FALSE(
+            model.indexOf(without).data(Qt::ToolTipRole).toString().contains(QStringLiteral("LEDs")));
+    }
+    panel.setPlace(test::singleTurn);
+    EXPECT_FALSE(panel.findChild<LedRow *>()->isHidden());
+}
+
 TEST_F(MasterPanelTest, NothingIsCutOffInANarrowDock)
 {
     panel.resize(200, 400);
