@@ -34,13 +34,15 @@ QString profileText(const DeviceDescription *device)
     return device ? profileName(device->profile) : QStringLiteral("-");
 }
 
-// By its number, as the manual's table has it; an LA-66 has but one error, and names it.
+// By its number, as the manual's table has it; 0 is none of them. An LA-66 has but one error, and names it.
 QString errorText(const EncoderSession *encoder, const Reading &reading)
 {
     const unsigned number = reading.errorNumber.value_or(0);
     const DeviceError *error = encoder == nullptr ? nullptr : encoder->device().findError(number);
     if (error != nullptr && isRod(encoder->device()))
         return deviceErrorName(error->meaning);
+    if (number == 0)
+        return deviceErrorName(RefusalId::noValidPosition);
     return StructureModel::tr("error %1").arg(number);
 }
 

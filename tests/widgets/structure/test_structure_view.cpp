@@ -72,6 +72,15 @@ TEST_F(StructureTest, TheTooltipTellsACodingThatIsNotPlain)
     EXPECT_TRUE(toolTip().endsWith(QStringLiteral("Position: signed")));
 }
 
+TEST_F(StructureTest, AShaftThatTurnsTooFastHasNoValidPosition)
+{
+    model.setBus(&ring.bus);
+    ring.controls->setSpeed(fraba, 6000);
+    ring.bus.advance(20);
+    EXPECT_EQ(ring.encoder(fraba).latest().in, Word{0x8000'0000});
+    EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("no valid position"));
+}
+
 TEST_F(StructureTest, StatesFollowTheBus)
 {
     model.setBus(&ring.bus);
