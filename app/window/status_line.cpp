@@ -198,10 +198,13 @@ void StatusLine::showLine()
 
 void StatusLine::showWrites()
 {
+    const auto make = [](const DeviceDescription &device) {
+        return device.vendor.isEmpty() ? profileName(device.profile) : device.vendor;
+    };
     setTextOf(m_writes, m_encoder == nullptr || !m_encoder->can().writes
                             ? QString()
                             : tr("%1 %2: %3", "place, make: writes")
-                                  .arg(m_encoder->number().toString(), m_encoder->device().vendor,
+                                  .arg(m_encoder->number().toString(), make(m_encoder->device()),
                                        eepromCountBrief(m_encoder->eepromCount())));
     const QString toolTip = m_encoder == nullptr ? QString() : eepromCountText(*m_encoder);
     if (m_writes->toolTip() != toolTip)

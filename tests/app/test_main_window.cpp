@@ -164,6 +164,17 @@ TEST_F(MainWindowTest, TheStateStaysInSightWhileTheStatusLineTellsOfSomethingEls
     EXPECT_FALSE(inStatusLine(QStringLiteral("a bit")));
 }
 
+TEST_F(MainWindowTest, TheWritesOfAnEncoderWithoutAMakeAreShownWithItsProfile)
+{
+    ASSERT_TRUE(bus().name(baumer, {}));
+    advance(50);
+    window().findChild<StructureView *>()->choose(baumer);
+    advance(50);
+    const auto labels = window().statusBar()->findChildren<QLabel *>();
+    EXPECT_TRUE(std::ranges::any_of(
+        labels, [](const QLabel *label) { return label->text().startsWith(QStringLiteral("2.0 K3: ")); }));
+}
+
 TEST_F(MainWindowTest, StartAndStopFollowTheBus)
 {
     EXPECT_FALSE(actions().start->isEnabled());
