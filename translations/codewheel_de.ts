@@ -3517,6 +3517,10 @@
         <source>Not connected: nothing can be read or written.</source>
         <translation>Nicht verbunden: Nichts lässt sich lesen oder schreiben.</translation>
     </message>
+    <message>
+        <source>The largest position cannot be %1: the encoder shows %2.</source>
+        <translation>Die größte Position kann nicht %1 sein: Der Geber zeigt %2.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CamFileReader</name>
@@ -3963,6 +3967,10 @@
         <source>The file is empty.</source>
         <translation>Die Datei ist leer.</translation>
     </message>
+    <message>
+        <source>This is not UTF-8 text: save the file as UTF-8.</source>
+        <translation>Das ist kein UTF-8-Text: Die Datei als UTF-8 speichern.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CodeDisc</name>
@@ -4224,16 +4232,6 @@
     <message>
         <source>send words as they are, and print what comes back</source>
         <translation>Worte unverändert senden und ausgeben, was zurückkommt</translation>
-    </message>
-    <message>
-        <source>Sends words as they are, one after the other, and prints a row for each change of OUT or IN.
-A parameter word stands until the encoder has confirmed it, run (80000000) until it shows a position
-or an error, a read-out until it answers; any other word stands for 3 cycles. An error of the encoder
-ends the sequence. Words are hexadecimal, as the manuals print them.</source>
-        <translation>Sendet Worte unverändert nacheinander und gibt für jede Änderung von OUT oder IN eine Zeile aus.
-Ein Parameterwort steht, bis der Geber es quittiert hat, Run (80000000), bis er eine Position oder
-einen Fehler zeigt, ein Auslesen, bis er antwortet; jedes andere Wort steht 3 Zyklen. Ein Fehler des
-Gebers beendet die Folge. Worte sind hexadezimal, wie in den Handbüchern.</translation>
     </message>
     <message>
         <source>write without asking</source>
@@ -4805,10 +4803,6 @@ Nockenbetrieb gelesen; ein vorher geändertes zu verlassen kostet einen EEPROM-S
     <message>
         <source>begin no other encoder after one has refused</source>
         <translation>keinen weiteren Geber beginnen, wenn einer abgelehnt hat</translation>
-    </message>
-    <message>
-        <source>save what was written where: HTML where the name ends in .html, else text</source>
-        <translation>sichern, was wohin geschrieben wurde: als HTML, wenn der Name auf .html endet, sonst als Text</translation>
     </message>
     <message>
         <source>cam program %1</source>
@@ -5741,6 +5735,38 @@ da ist, wird nicht geschrieben: Ein Geber, der sich auslesen lässt, wird zuerst
 in den sich ein Wert nicht schreiben lässt, wird gar nicht beschrieben, und auch keiner, der nicht
 der des Projekts ist: Sein Platz kann jetzt eine andere Nummer haben (siehe &quot;compare&quot;). Exit-Code 1,
 wenn ein Geber nicht alles bekommen hat.</translation>
+    </message>
+    <message>
+        <source>No message is kept that fits.</source>
+        <translation>Keine gespeicherte Meldung passt dazu.</translation>
+    </message>
+    <message>
+        <source>Sends words as they are, one after the other, and prints a row for each change of OUT or IN.
+A parameter word stands until the encoder has confirmed it, run (80000000) until it shows a position
+or an error, a read-out until it answers; any other word stands for 3 cycles. The FRABA preset
+(60000000) stands for one cycle, whatever --hold says: it acts in each. An error of the encoder
+ends the sequence. Words are hexadecimal, as the manuals print them.</source>
+        <translation>Sendet Worte unverändert nacheinander und gibt für jede Änderung von OUT oder IN eine Zeile aus.
+Ein Parameterwort steht, bis der Geber es quittiert hat, Run (80000000), bis er eine Position oder
+einen Fehler zeigt, ein Auslesen, bis er antwortet; jedes andere Wort steht 3 Zyklen. Der FRABA-Preset
+(60000000) steht einen Zyklus, was immer --hold sagt: Er wirkt in jedem. Ein Fehler des Gebers
+beendet die Folge. Worte sind hexadezimal, wie in den Handbüchern.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 since it was read here. It was left as it is; nothing was saved. Call again.</source>
+        <translation>Ein anderes Programm hat %1 geändert, seit es hier gelesen wurde. Es blieb, wie es ist; gespeichert wurde nichts. Den Aufruf wiederholen.</translation>
+    </message>
+    <message>
+        <source>With --dry-run nothing is written, so there is nothing to report. Leave out --report or --dry-run.</source>
+        <translation>Mit --dry-run wird nichts geschrieben, also gibt es nichts zu berichten. --report oder --dry-run weglassen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; ends in .pdf. What was written is saved as a web page (.html), or as text under any other name.</source>
+        <translation>&quot;%1&quot; endet auf .pdf. Was geschrieben wurde, wird als Webseite (.html) gesichert, unter jedem anderen Namen als Text.</translation>
+    </message>
+    <message>
+        <source>save what was written where: HTML where the name ends in .html, else text; a FILE that is there is replaced with --yes only</source>
+        <translation>sichern, was wohin geschrieben wurde: als HTML, wenn der Name auf .html endet, sonst als Text; eine vorhandene Datei wird nur mit --yes ersetzt</translation>
     </message>
 </context>
 <context>
@@ -10198,6 +10224,30 @@ Worte: IN %5, OUT %6</translation>
         <source>What is planned for %1 is in no file: the project has no device there. Compare with the ring, take it into the project, then save.</source>
         <translation>Was für %1 vorgesehen ist, steht in keiner Datei: Das Projekt hat dort kein Gerät. Mit dem Ring vergleichen, in das Projekt übernehmen, dann speichern.</translation>
     </message>
+    <message>
+        <source>%1 holds something else than was read or saved here: another program has changed it.</source>
+        <translation>%1 enthält anderes, als hier gelesen oder gespeichert wurde: Ein anderes Programm hat es geändert.</translation>
+    </message>
+    <message>
+        <source>It was changed at %1. If it is replaced, the project that it holds is kept as %2.</source>
+        <translation>Geändert am %1. Wird es ersetzt, bleibt das Projekt darin als %2 erhalten.</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>Speichern &amp;unter...</translation>
+    </message>
+    <message>
+        <source>Saves the project in another file; this one stays as it is</source>
+        <translation>Speichert das Projekt in einer anderen Datei; diese bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>Saves the project in place of what the file holds</source>
+        <translation>Speichert das Projekt anstelle dessen, was die Datei enthält</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ProjectPage</name>
@@ -11153,10 +11203,6 @@ Worte: IN %5, OUT %6</translation>
         <translation>2 MBd</translation>
     </message>
     <message>
-        <source>For %1 bytes of process data, %2 remote bus devices and %3 km of cable.</source>
-        <translation>Für %1 Byte Prozessdaten, %2 Fernbusteilnehmer und %3 km Kabel.</translation>
-    </message>
-    <message>
         <source>Approximate cycle time</source>
         <translation>Ungefähre Zykluszeit</translation>
     </message>
@@ -11167,6 +11213,30 @@ Worte: IN %5, OUT %6</translation>
     <message>
         <source>%1, perhaps %2 more</source>
         <translation>%1, vielleicht %2 mehr</translation>
+    </message>
+    <message>
+        <source>not compared with a connected one</source>
+        <translation>nicht mit einem angeschlossenen verglichen</translation>
+    </message>
+    <message>
+        <source>connected as configured</source>
+        <translation>angeschlossen wie projektiert</translation>
+    </message>
+    <message>
+        <source>not connected as configured; lines that differ: %1</source>
+        <translation>nicht wie projektiert angeschlossen; abweichende Zeilen: %1</translation>
+    </message>
+    <message>
+        <source>Deviations of encoders</source>
+        <translation>Abweichungen der Geber</translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation>Bus</translation>
+    </message>
+    <message>
+        <source>Bytes of process data: %1, remote bus devices: %2, km of cable: %3.</source>
+        <translation>Byte Prozessdaten: %1, Fernbusteilnehmer: %2, km Kabel: %3.</translation>
     </message>
 </context>
 <context>
