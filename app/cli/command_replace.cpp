@@ -115,12 +115,13 @@ Checked<std::optional<std::int64_t>> positionMeant(const Call &call, const Proje
 }
 
 // The new one stands there, whatever becomes of the writing.
-Checked<void> putIntoProject(const Call &call, const ProjectDevice &planned, const Replacement &now)
+Checked<void> putIntoProject(const Call &call, const ProjectDevice &planned, const Replacement &now,
+                             std::optional<std::int64_t> position)
 {
     Project project = *call.project;
     for (ProjectDevice &device : project.devices)
         if (device.participant.number == planned.participant.number)
-            device = replaced(planned, now);
+            device = replaced(planned, now, position);
     const QString file = *call.arguments.value("--project");
     if (const auto saved = saveUnlessChanged(project, file, projectMark(*call.project)); !saved)
         return saved;
@@ -176,7 +177,7 @@ Checked<Answer> run(const Call &call)
     showDifferences(call, *planned, *now);
     const TransferPlan plan = planTransfer(*call.bus, {wishToReplace(*planned, *now, *position, places)});
     const auto agreed = [&] {
-        return plan.front().hindrance ? Checked<void>() : putIntoProject(call, *planned, *now);
+        return plan.front().hindrance ? Checked<void>() : putIntoProject(call, *planned, *now, *position);
     };
     Answer answer = transfer(call, TransferKind::replace, *call.arguments.value("--project"), plan, agreed);
     answer.json.insert(QStringLiteral("device"), now->device->key);

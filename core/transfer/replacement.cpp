@@ -48,6 +48,19 @@ std::vector<CamProgram> camsFor(const ProjectDevice &planned)
     return cams;
 }
 
+ParameterValues valuesToWrite(const ProjectDevice &planned, const DeviceDescription &device,
+                              std::optional<std::int64_t> position)
+{
+    ParameterValues values;
+    for (const ParameterValue &value : valuesFor(planned, device)) {
+        const ParameterDescription *parameter = device.find(value.parameter);
+        const bool staysBehind = position && value.parameter == Parameter::zeroOffset;
+        if (parameter != nullptr && parameter->canBeWritten() && !staysBehind)
+            values.push_back(value);
+    }
+    return values;
+}
+
 std::optional<std::pair<int, int>> difference(int before, int now)
 {
     const bool differs = before != 0 && now != 0 && before != now;
@@ -87,25 +100,30 @@ TransferWish wishToReplace(const ProjectDevice &planned, const Replacement &now,
                       .station = planned.station,
                       .deviceCode = now.device->deviceCode,
                       .deviceKey = now.device->key,
+                      .values = valuesToWrite(planned, *now.device, position),
                       .position = position,
                       .toPositionMode = true,
                       .hindrance = places.hindrance(planned.participant.number)};
-    for (const ParameterValue &value : valuesFor(planned, *now.device)) {
-        const ParameterDescription *parameter = now.device->find(value.parameter);
-        const bool staysBehind = position && value.parameter == Parameter::zeroOffset;
-        if (parameter != nullptr && parameter->canBeWritten() && !staysBehind)
-            wish.values.push_back(value);
-    }
     if (now.device->capabilities.cams)
         wish.cams = camsFor(planned);
     return wish;
 }
 
-ProjectDevice replaced(ProjectDevice planned, const Replacement &now)
+ProjectDevice replaced(ProjectDevice planned, const Replacement &now, std::optional<std::int64_t> position)
 {
+    const ParameterValues toWrite = valuesToWrite(planned, *now.device, position);
+    if (now.device->capabilities.cams)
+        planned.wantedCams = camsFor(planned);
+    std::ranges::sort(planned.wantedCams, {}, &CamProgram::number);
     planned.participant.deviceKey = now.device->key;
     planned.label = {now.turns, now.stepsPerTurn, now.serialNumber};
     planned.wanted = forDevice(*now.device, planned.wanted);
+    if (position) // a zero offset written later would move it
+        std::erase_if(planned.wanted,
+                      [](const ParameterValue &value) { return value.parameter == Parameter::zeroOffset; });
+    for (const ParameterValue &value : toWrite)
+        replaceValue(planned.wanted, value);
+    std::ranges::sort(planned.wanted, {}, &ParameterValue::parameter);
     planned.stored.clear();
     planned.storedCams.clear();
     return planned;

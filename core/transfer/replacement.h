@@ -40,9 +40,11 @@ ReplacementDifferences differencesOf(const ProjectDevice &planned, const DeviceD
 TransferWish wishToReplace(const ProjectDevice &planned, const Replacement &now,
                            std::optional<std::int64_t> position, const ProjectPlaces &places);
 
-// The project's device afterwards: make and label are those of the new one, what was stored of the one before
-// is dropped.
-ProjectDevice replaced(ProjectDevice planned, const Replacement &now);
+// The project's device, before anything is written: make and label are those of the new one. All that
+// wishToReplace writes to it is wanted of it from now on, so that it can be written again when the writing
+// breaks off, and an old zero offset is not when the position is set; what was stored of the one before is
+// not known of the new one, and goes.
+ProjectDevice replaced(ProjectDevice planned, const Replacement &now, std::optional<std::int64_t> position);
 
 // "encoderReplaced" for the message log.
 Message encoderReplacedMessage(const ProjectDevice &before, const Replacement &now);

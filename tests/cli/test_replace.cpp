@@ -81,6 +81,37 @@ TEST_F(CliReplace, TheNewEncoderGetsTheValuesAndIsPutIntoTheProject)
     EXPECT_TRUE(QFile::exists(file + u'~'));
 }
 
+// The wire breaks while the new encoder is written: what was for it is still in the project, and is written
+// by the same call again.
+TEST_F(CliReplace, WhatWasInterruptedIsRepeated)
+{
+    project.devices[0].wanted.clear();
+    project.devices[0].stored = {{Parameter::steps, 1000, Evidence::read, {}},
+                                 {Parameter::revolutions, 16, Evidence::read, {}},
+                                 {Parameter::direction, 4, Evidence::read, {}}};
+    CamProgram cams;
+    cams.cam[2] = {.start = 10, .stop = 20, .active = true};
+    project.devices[0].storedCams = {{cams, Evidence::read, {}}};
+    save();
+    const QString plan = folder.filePath(QStringLiteral("faults.json"));
+    QFile faults(plan);
+    ASSERT_TRUE(faults.open(QIODevice::WriteOnly));
+    faults.write(R"({"format": "codewheel-faults", "version": 1,
+                     "steps": [{"at": 120, "fault": "wireBreak", "place": "1.0"}]})");
+    faults.close();
+    const QString call = QStringLiteral("replace 1.0 --serial 777 --yes --json --project ") + file;
+    EXPECT_EQ(runLine(call + QStringLiteral(" --fault-plan ") + plan).exit, 1);
+    EXPECT_EQ(saved().devices[0].label.serialNumber, QStringLiteral("777"));
+    const CliRun again = runLine(call);
+    EXPECT_EQ(again.exit, 0) << again.err;
+    const QJsonObject account = again.json()[u"encoders"][0].toObject();
+    ASSERT_EQ(account[u"values"].toArray().size(), 3);
+    for (const QJsonValue &value : account[u"values"].toArray())
+        EXPECT_EQ(value[u"became"], QStringLiteral("written"));
+    EXPECT_EQ(account[u"cams"][0][u"became"], QStringLiteral("written"));
+    EXPECT_EQ(saved().devices[0].wantedCams, std::vector{cams});
+}
+
 TEST_F(CliReplace, TheLastPositionOfTheProjectIsGiven)
 {
     EXPECT_EQ(errorKey(run("replace 1.0 --project @ --position last --yes --json")), "noLastPosition");

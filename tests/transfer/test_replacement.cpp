@@ -5,6 +5,8 @@
 #include "transfer/replacement.h"
 #include "transfer/transfer_words.h"
 
+#include <gmock/gmock.h>
+
 namespace codewheel {
 namespace {
 
@@ -95,14 +97,44 @@ TEST_F(Replacing, OnlyTheSameDeviceCodeFits)
 TEST_F(Replacing, TheProjectKnowsTheNewOneByItsLabel)
 {
     const ProjectDevice before = planned(fraba, "fraba-ocd-ib");
-    const ProjectDevice after = replaced(before, with("baumer-gxp6w"));
+    const ProjectDevice after = replaced(before, with("baumer-gxp6w"), 3000);
     EXPECT_EQ(after.participant.deviceKey, QStringLiteral("baumer-gxp6w"));
     EXPECT_EQ(after.label.serialNumber, QStringLiteral("4711"));
     EXPECT_TRUE(after.stored.empty());
-    EXPECT_EQ(after.wanted, before.wanted);
+    EXPECT_EQ(after.wanted, (ParameterValues{{Parameter::steps, 4096},
+                                             {Parameter::revolutions, 1},
+                                             {Parameter::coding, 4}, // stored as the direction of a FRABA
+                                             {Parameter::preset, 100}}));
     EXPECT_EQ(after.lastPosition, before.lastPosition); // for as long as it is not set
     EXPECT_EQ(messageText(encoderReplacedMessage(before, with("baumer-gxp6w"))),
               QStringLiteral("The encoder was replaced (serial number before: 20417, now: 4711)."));
+}
+
+// What breaks off can be repeated: nothing that was for the encoder is lost.
+TEST_F(Replacing, TheProjectWantsOfTheNewOneAllThatIsWritten)
+{
+    ProjectDevice before = planned(fraba, "fraba-ocd-ib");
+    CamProgram second;
+    second.number = 2;
+    CamProgram secondStored = second;
+    secondStored.shift = 3;
+    before.wantedCams = {second};
+    before.storedCams = {{{}, Evidence::read, {}}, {secondStored, Evidence::read, {}}};
+    before.stored.push_back({Parameter::offset, 5, Evidence::read, {}}); // a FRABA has none
+    const Replacement now = with("fraba-ocd-ib");
+    for (const std::optional<std::int64_t> position : {std::optional<std::int64_t>(), {3000}}) {
+        const TransferWish first = wishToReplace(before, now, position, anywhere);
+        const ProjectDevice after = replaced(before, now, position);
+        const TransferWish again = wishToReplace(after, now, position, anywhere);
+        EXPECT_THAT(again.values, testing::UnorderedElementsAreArray(first.values));
+        EXPECT_THAT(again.cams, testing::UnorderedElementsAreArray(first.cams));
+        EXPECT_EQ(after.wantedCams, (std::vector<CamProgram>{{}, second}));
+        EXPECT_TRUE(after.storedCams.empty());
+        EXPECT_EQ(valueOf(after.wanted, Parameter::zeroOffset).has_value(), !position.has_value());
+        EXPECT_FALSE(valueOf(after.wanted, Parameter::offset));
+        EXPECT_EQ(replaced(after, now, 3000).wanted.size(), 4u); // never the zero offset
+        EXPECT_TRUE(std::ranges::is_sorted(after.wanted, {}, &ParameterValue::parameter));
+    }
 }
 
 } // namespace

@@ -169,9 +169,11 @@ void ReplacePage::cancel()
 // It stands there, whatever becomes of the writing.
 void ReplacePage::putIntoProject()
 {
-    m_replacing.project.editDevice(
-        m_replacing.place, tr("Replace encoder %1").arg(m_replacing.place.toString()),
-        [this](ProjectDevice &planned) { planned = replaced(planned, m_replacing.now); });
+    m_replacing.project.editDevice(m_replacing.place,
+                                   tr("Replace encoder %1").arg(m_replacing.place.toString()),
+                                   [this](ProjectDevice &planned) {
+                                       planned = replaced(planned, m_replacing.now, m_replacing.position);
+                                   });
     Q_EMIT messaged(encoderReplacedMessage(m_replacing.before, m_replacing.now));
 }
 

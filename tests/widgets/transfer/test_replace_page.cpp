@@ -143,5 +143,25 @@ TEST_F(ReplacePageTest, InWatchNothingIsWritten)
     EXPECT_TRUE(isEnabled("replaceNext"));
 }
 
+// After a first replacement, and after one that broke off, there is as much to write again.
+TEST_F(ReplacePageTest, WhatWasStoredCanBeWrittenAgain)
+{
+    project.editDevice(fraba, QStringLiteral("store"), [](ProjectDevice &device) {
+        device.wanted.clear();
+        device.stored = {{Parameter::steps, 1000, Evidence::read, {}}};
+    });
+    for (int time = 0; time < 2; ++time) {
+        page.replace(fraba);
+        click("replaceNext");
+        find<QRadioButton>("positionNone")->setChecked(true);
+        click("replaceNext");
+        EXPECT_TRUE(text("replaceNote").startsWith(QStringLiteral("Values and cam programs to write: 1.")));
+        click("replaceNext");
+        advanceWhileBusy(page);
+    }
+    project.undoStack().undo();
+    EXPECT_EQ(project.device(fraba).stored.size(), 1u);
+}
+
 } // namespace
 } // namespace codewheel
