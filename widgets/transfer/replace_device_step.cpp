@@ -70,6 +70,8 @@ void ReplaceDeviceStep::enter()
                  serial.isEmpty() ? QString() : tr(", serial number %1").arg(serial)));
     if (m_choice->count() == 0)
         fillChoices();
+    else
+        showDifferences();
 }
 
 void ReplaceDeviceStep::fillChoices()

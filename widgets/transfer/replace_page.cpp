@@ -62,6 +62,8 @@ ReplacePage::ReplacePage(BusSession &bus, ProjectDocument &project, const LastPo
     connect(m_next, &QPushButton::clicked, this, &ReplacePage::next);
     connect(m_back, &QPushButton::clicked, this, &ReplacePage::back);
     connect(m_cancel, &QPushButton::clicked, this, &ReplacePage::cancel);
+    connect(&project, &ProjectDocument::replaced, this, &ReplacePage::leaveProject);
+    connect(&project, &ProjectDocument::changed, this, &ReplacePage::followProject);
     showButtons();
 }
 
@@ -102,10 +104,10 @@ void ReplacePage::replace(DeviceNumber number)
     if (isBusy())
         return;
     m_replacing.place = number;
-    m_replacing.before = m_replacing.project.device(number);
-    m_replacing.before.participant.number = number;
+    takePlanned();
     m_replacing.now = {};
     m_replacing.position.reset();
+    m_hasBegun = false;
     while (QWidget *page = m_pages->widget(0)) {
         m_pages->removeWidget(page);
         delete page;
@@ -116,6 +118,29 @@ void ReplacePage::replace(DeviceNumber number)
     middle->insertWidget(0, m_list);
     m_list->setVisible(width() >= widthWithStepList);
     showStep(device);
+}
+
+void ReplacePage::takePlanned()
+{
+    m_replacing.before = m_replacing.project.device(m_replacing.place);
+    m_replacing.before.participant.number = m_replacing.place;
+}
+
+void ReplacePage::followProject()
+{
+    if (!isVisible() || m_hasBegun)
+        return;
+    takePlanned();
+    current()->refresh();
+}
+
+// What was planned in it is nothing to another project. An account of what was written stays to be saved.
+void ReplacePage::leaveProject()
+{
+    if (!isVisible() || m_hasBegun)
+        return;
+    replace(m_replacing.place);
+    Q_EMIT closeRequested();
 }
 
 void ReplacePage::resizeEvent(QResizeEvent *event)
@@ -146,6 +171,7 @@ void ReplacePage::next()
     } else if (!current()->leave()) {
         current()->setFocus();
     } else if (step == write) {
+        m_hasBegun = true;
         putIntoProject();
         m_write->begin();
     } else {

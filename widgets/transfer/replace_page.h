@@ -50,6 +50,9 @@ private:
     void back();
     void cancel();
     void putIntoProject();
+    void takePlanned();
+    void followProject();
+    void leaveProject();
     void showAccount();
     void showButtons();
     ReplaceStep *current() const;
@@ -59,6 +62,7 @@ private:
     std::array<ReplaceStep *, stepCount> m_steps{};
     ReplaceWriteStep *m_write = nullptr;
     ReplaceAccountStep *m_account = nullptr;
+    bool m_hasBegun = false; // to write: what was looked at counts from then on
     QLabel *m_title;
     StepList *m_list = nullptr;
     QStackedWidget *m_pages;

@@ -16,7 +16,7 @@ struct Replacing
     BusSession &bus;
     ProjectDocument &project;
     DeviceNumber place{};
-    ProjectDevice before{};                 // as planned when it began
+    ProjectDevice before{};                 // as planned until Write is begun
     Replacement now{};                      // device null: not chosen yet
     std::optional<std::int64_t> position{}; // to be set; nothing: it stays as it is
 };
@@ -37,6 +37,8 @@ public:
 
     const QString &title() const { return m_title; }
     virtual void enter() {}
+    // The project has changed while the step is shown.
+    virtual void refresh() { enter(); }
     // Takes what was given here; false: the step says what is missing.
     virtual bool leave() { return true; }
     virtual bool mayGoOn() const { return true; }

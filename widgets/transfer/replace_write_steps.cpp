@@ -94,6 +94,8 @@ bool ReplaceWriteStep::mayGoOn() const
 
 void ReplaceWriteStep::begin()
 {
+    const QString &serial = m_replacing.now.serialNumber;
+    m_source = serial.isEmpty() ? m_replacing.project.project().title : tr("Serial number %1").arg(serial);
     m_progress->show();
     m_progress->setFocus();
     m_round.start(jobsOf(m_plan), JobRound::AfterRefusal::stop);
@@ -108,9 +110,7 @@ void ReplaceWriteStep::cancel()
 TransferAccount ReplaceWriteStep::account() const
 {
     TransferAccount account = accountOf(m_replacing.bus, TransferKind::replace, m_plan, m_round.results());
-    account.source = m_replacing.now.serialNumber.isEmpty()
-                         ? m_replacing.project.project().title
-                         : tr("Serial number %1").arg(m_replacing.now.serialNumber);
+    account.source = m_source;
     return account;
 }
 

@@ -25,6 +25,7 @@ public:
     explicit ReplaceWriteStep(Replacing &replacing, QWidget *parent = nullptr);
 
     void enter() override;
+    void refresh() override { showPlan(); }
     bool mayGoOn() const override;
     bool mayGoBack() const override { return !m_round.isRunning(); }
     QString nextText() const override { return tr("&Write"); }
@@ -44,6 +45,7 @@ private:
 
     JobRound m_round;
     TransferPlan m_plan;
+    QString m_source; // of the account: another project may be open when the writing ends
     TransferModel *m_model;
     TransferTable *m_table;
     QLabel *m_note;

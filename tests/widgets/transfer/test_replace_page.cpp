@@ -143,6 +143,63 @@ TEST_F(ReplacePageTest, InWatchNothingIsWritten)
     EXPECT_TRUE(isEnabled("replaceNext"));
 }
 
+// What is edited beside the page is what is written.
+TEST_F(ReplacePageTest, ThePlanFollowsTheProject)
+{
+    page.replace(fraba);
+    click("replaceNext");
+    find<QRadioButton>("positionNone")->setChecked(true);
+    click("replaceNext");
+    want(fraba, {{Parameter::steps, 2000}});
+    EXPECT_TRUE(text("replaceNote").startsWith(QStringLiteral("Values and cam programs to write: 1.")));
+    click("replaceNext");
+    advanceWhileBusy(page);
+    EXPECT_EQ(text("replaceResult"), QStringLiteral("Done."));
+    EXPECT_EQ(session.encoder(fraba).known(Parameter::steps)->value, 2000);
+    EXPECT_FALSE(session.encoder(fraba).known(Parameter::revolutions));
+    EXPECT_EQ(messages.front(),
+              QStringLiteral("The encoder was replaced (serial number before: 20417, now: )."));
+}
+
+// One project's values must not go into an encoder of another.
+TEST_F(ReplacePageTest, AnotherProjectEndsIt)
+{
+    int closed = 0;
+    QObject::connect(&page, &ReplacePage::closeRequested, &page, [&] { ++closed; });
+    Project other = project.project();
+    other.title = QStringLiteral("Other");
+    other.devices.front().wanted = {{Parameter::steps, 555}};
+    page.replace(fraba);
+    type("replaceSerial", "4711");
+    click("replaceNext");
+    find<QRadioButton>("positionNone")->setChecked(true);
+    click("replaceNext");
+    project.setProject(other, {});
+    EXPECT_EQ(closed, 1);
+    EXPECT_TRUE(text("replaceTitle").contains(QStringLiteral("1 of 4")));
+    EXPECT_TRUE(find<QLineEdit>("replaceSerial")->text().isEmpty());
+    EXPECT_EQ(project.project(), other);
+}
+
+TEST_F(ReplacePageTest, TheAccountIsOfTheProjectThatWasWritten)
+{
+    Project crane = project.project();
+    crane.title = QStringLiteral("Crane");
+    project.edit(crane, QStringLiteral("title"));
+    page.replace(fraba);
+    click("replaceNext");
+    find<QRadioButton>("positionNone")->setChecked(true);
+    click("replaceNext");
+    click("replaceNext");
+    ASSERT_TRUE(page.isBusy());
+    crane.title = QStringLiteral("Other");
+    project.setProject(crane, {});
+    advanceWhileBusy(page);
+    EXPECT_EQ(text("replaceResult"), QStringLiteral("Done."));
+    EXPECT_TRUE(account().contains(QStringLiteral("Crane")));
+    EXPECT_FALSE(account().contains(QStringLiteral("Other")));
+}
+
 // After a first replacement, and after one that broke off, there is as much to write again.
 TEST_F(ReplacePageTest, WhatWasStoredCanBeWrittenAgain)
 {
