@@ -117,6 +117,7 @@ Result<void> PlanEdits::change(Id device, const Participant &to)
         changed.wantedCams.clear();
         changed.stored.clear();
         changed.storedCams.clear();
+        changed.lastPosition.reset();
     }
     m_document.edit(std::move(after), what);
     return {};

@@ -81,6 +81,7 @@ TEST_F(PlanEditsTest, AnotherKindOfDeviceKeepsThePlaceAndNotTheValues)
         device.inAddress = 128;
         device.wanted = {{Parameter::steps, 255}};
         device.label.turns = 4096;
+        device.lastPosition = {4711, {}};
     });
     ASSERT_TRUE(edits.change(id(QStringLiteral("1.0")), deviceOf(0x0236)));
     const ProjectDevice &changed = document.device({1, 0});
@@ -89,6 +90,7 @@ TEST_F(PlanEditsTest, AnotherKindOfDeviceKeepsThePlaceAndNotTheValues)
     EXPECT_EQ(changed.inAddress, 128);
     EXPECT_TRUE(changed.wanted.empty());
     EXPECT_EQ(changed.label, DeviceLabel());
+    EXPECT_FALSE(changed.lastPosition);
 }
 
 TEST_F(PlanEditsTest, SeveralAreRemovedInOneStep)
