@@ -6,6 +6,7 @@
 #include "encoder/refusal_text.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/wrapped_radio_button.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -19,10 +20,10 @@ ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositio
                                          QWidget *parent)
     : ReplaceStep(replacing, tr("Position"), parent)
     , m_positions(positions)
-    , m_last(new QRadioButton(tr("&Position of the encoder before"), this))
-    , m_kept(new QRadioButton(tr("Position kept in the pro&ject"), this))
+    , m_last(new WrappedRadioButton(tr("&Position of the encoder before"), this))
+    , m_kept(new WrappedRadioButton(tr("Position kept in the pro&ject"), this))
     , m_typed(new QRadioButton(tr("&Set the position to"), this))
-    , m_none(new QRadioButton(tr("&Leave the position as the new encoder shows it"), this))
+    , m_none(new WrappedRadioButton(tr("&Leave the position as the new encoder shows it"), this))
     , m_value(new QLineEdit(this))
     , m_note(new QLabel(tr("The shaft must stand where it stood then. The zero offset of the encoder before "
                            "is not written: setting the position makes a new one. A preset that the project "

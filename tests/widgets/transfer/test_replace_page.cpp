@@ -5,6 +5,8 @@
 
 #include <QComboBox>
 #include <QRadioButton>
+#include <QScrollArea>
+#include <QScrollBar>
 
 namespace codewheel {
 namespace {
@@ -141,6 +143,19 @@ TEST_F(ReplacePageTest, InWatchNothingIsWritten)
     session.bus.setOperate(true);
     session.bus.advance(5);
     EXPECT_TRUE(isEnabled("replaceNext"));
+}
+
+TEST_F(ReplacePageTest, LongLinesBreakInANarrowWindow)
+{
+    exchange();
+    page.resize(420, 520);
+    page.replace(fraba);
+    click("replaceNext");
+    QCoreApplication::processEvents(); // it is laid out
+    const auto *last = find<QRadioButton>("positionLast");
+    EXPECT_GT(last->height(), find<QRadioButton>("positionTyped")->height());
+    for (const QScrollArea *area : page.findChildren<QScrollArea *>())
+        EXPECT_FALSE(area->horizontalScrollBar()->isVisible());
 }
 
 // What is edited beside the page is what is written.
