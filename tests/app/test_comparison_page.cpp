@@ -127,5 +127,20 @@ TEST_F(ComparisonPageTest, InWatchNothingIsDownloaded)
     EXPECT_FALSE(message().isVisible());
 }
 
+TEST_F(ComparisonPageTest, NoDifferenceIsCutOffInASmallWindow)
+{
+    window().resize(1024, 640);
+    otherDeviceAt({3, 0});
+    const QString longest = table().model()->index(2, 2).data().toString();
+    ASSERT_TRUE(longest.contains(QStringLiteral("configured"))) << longest.toStdString();
+    for (const int width : {table().width(), table().width() - 150}) {
+        table().setFixedWidth(width);
+        advance(20);
+        for (int row = 0; row < table().model()->rowCount(); ++row)
+            EXPECT_GE(table().rowHeight(row), static_cast<QAbstractItemView &>(table()).sizeHintForRow(row))
+                << row << " at " << width;
+    }
+}
+
 } // namespace
 } // namespace codewheel

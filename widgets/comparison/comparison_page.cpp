@@ -83,6 +83,8 @@ ComparisonPage::ComparisonPage(ProjectDocument &document, BusSession &bus, QWidg
     m_table->setTabKeyNavigation(false);
     m_table->setIconSize({grid::smallIcon, grid::smallIcon});
     m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setMinimumSectionSize(m_table->verticalHeader()->defaultSectionSize());
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents); // nothing is cut off
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     setFocusProxy(m_table);
     arrange();
