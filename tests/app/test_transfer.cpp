@@ -83,5 +83,14 @@ TEST_F(TransferInTheWindow, TheChosenEncoderIsReplaced)
     EXPECT_TRUE(actions().replaceEncoder->toolTip().contains(QStringLiteral("cannot be parameterized")));
 }
 
+TEST_F(TransferInTheWindow, AnotherProjectEndsTheReplacement)
+{
+    choose(fraba);
+    actions().replaceEncoder->trigger();
+    shown->project().setProject({}, {});
+    EXPECT_FALSE(window().findChild<ReplacePage *>()->isVisible());
+    EXPECT_TRUE(monitors().isVisible());
+}
+
 } // namespace
 } // namespace codewheel
