@@ -15,7 +15,9 @@ void keepAccountOf(ProjectDocument &project, LedgerKeeper &ledger)
         });
     };
     QObject::connect(&project, &ProjectDocument::changed, &ledger, tell);
-    QObject::connect(&project, &ProjectDocument::fileChanged, &ledger, tell);
+    // Another project has told its file with changed() before.
+    QObject::connect(&project, &ProjectDocument::fileChanged, &ledger,
+                     [&project, &ledger] { ledger.projectSavedAs(project.file()); });
     tell();
 }
 

@@ -151,11 +151,16 @@ std::vector<Ledger::Value> merged(const std::vector<Ledger::Value> &known, std::
 
 constexpr QLatin1String serialPrefix("serial/");
 
+QString placePrefix(const QString &project)
+{
+    return QStringLiteral("place/%1/").arg(project);
+}
+
 } // namespace
 
 QString EncoderIdentity::key() const
 {
-    return by == CountedBy::place ? QStringLiteral("place/%1/%2").arg(project, place.toString())
+    return by == CountedBy::place ? placePrefix(project) + place.toString()
                                   : serialPrefix + vendor + u'/' + serialNumber;
 }
 
@@ -234,6 +239,27 @@ Stored<void> Ledger::attribute(const std::vector<qint64> &ids, const EncoderIden
         }
         return {};
     });
+}
+
+Stored<void> Ledger::copyPlaces(const QString &from, const QString &to, Places places,
+                                const std::vector<qint64> &without)
+{
+    QStringList ids;
+    for (const qint64 id : without)
+        ids << QString::number(id);
+    QSqlQuery query = m_database.query(
+        QStringLiteral(
+            "INSERT INTO entry (%1) "
+            "SELECT NULL, at, :to || substr(identity, length(:from) + 1), counted_by, place, device, "
+            "planned, writes, settled, before, written FROM entry AS old "
+            "WHERE substr(identity, 1, length(:from)) = :from AND (place LIKE 'esc:%') = :line "
+            "AND id NOT IN (%2) AND NOT EXISTS (SELECT 1 FROM entry WHERE at = old.at AND "
+            "device = old.device AND identity = :to || substr(old.identity, length(:from) + 1))")
+            .arg(columns, ids.join(u',')));
+    query.bindValue(QStringLiteral(":from"), placePrefix(from));
+    query.bindValue(QStringLiteral(":to"), placePrefix(to));
+    query.bindValue(QStringLiteral(":line"), places == Places::ofLine ? 1 : 0);
+    return done(query);
 }
 
 EepromCount Ledger::writes(const EncoderIdentity &identity, const std::vector<qint64> &running) const

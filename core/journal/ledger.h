@@ -75,6 +75,12 @@ public:
     // It became known which encoder that was.
     Stored<void> attribute(const std::vector<qint64> &ids, const EncoderIdentity &identity);
 
+    // The places of a project are those of its copy in another file too: what was counted by them is noted
+    // for both, each entry once. `from`: not empty. `without`: entries that are left out.
+    enum class Places : std::uint8_t { ofRing, ofLine };
+    Stored<void> copyPlaces(const QString &from, const QString &to, Places places,
+                            const std::vector<qint64> &without);
+
     // `running`: what is on its way, which is no doubt of the past.
     EepromCount writes(const EncoderIdentity &identity, const std::vector<qint64> &running = {}) const;
     QDateTime since(const EncoderIdentity &identity) const; // null: never written

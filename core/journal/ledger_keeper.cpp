@@ -7,9 +7,20 @@
 #include "line/line_session.h"
 #include "ring/bus_session.h"
 
+#include <QFileInfo>
+
 #include <algorithm>
 
 namespace codewheel {
+namespace {
+
+QString withoutLinks(const QString &file)
+{
+    const QString path = file.isEmpty() ? QString() : QFileInfo(file).canonicalFilePath();
+    return path.isEmpty() ? file : path; // it does not exist yet
+}
+
+} // namespace
 
 LedgerKeeper::LedgerKeeper(EncoderBus &bus, const BusSession *ring, const DatabasePlace &place,
                            QObject *parent)
@@ -107,11 +118,64 @@ void LedgerKeeper::failed(const DatabaseError &error)
 
 void LedgerKeeper::setProject(const QString &file)
 {
-    if (m_project == file)
+    const QString now = withoutLinks(file);
+    if (std::exchange(m_project, now) == now)
         return;
-    m_project = file;
     for (const auto &[place, watched] : m_watched)
         identify(place);
+}
+
+void LedgerKeeper::projectSavedAs(const QString &file)
+{
+    const QString from = std::exchange(m_project, withoutLinks(file));
+    if (from == m_project)
+        return;
+    if (m_ledger)
+        if (auto done = takeAlong(from); !done)
+            failed(done.error());
+    for (const auto &[place, watched] : m_watched)
+        identify(place);
+}
+
+// A project without a file has no account that is to stay: what was noted since the connection was made goes
+// along. An account in a file goes on with it, and is copied; an entry that has not ended can be but one.
+Stored<void> LedgerKeeper::takeAlong(const QString &from)
+{
+    auto moved = onTheirWay();
+    if (from.isEmpty()) {
+        for (const auto &[place, watched] : m_watched)
+            if (watched.identity.by == CountedBy::place)
+                moved[place].insert(moved[place].end(), watched.unassigned.begin(), watched.unassigned.end());
+    } else {
+        std::vector<qint64> without;
+        for (const auto &[place, ids] : moved)
+            without.insert(without.end(), ids.begin(), ids.end());
+        const auto places = m_ring ? Ledger::Places::ofRing : Ledger::Places::ofLine;
+        if (auto copied = m_ledger->copyPlaces(from, m_project, places, without); !copied)
+            return copied;
+    }
+    for (const auto &[place, ids] : moved)
+        if (auto done = m_ledger->attribute(ids, identity(place)); !done)
+            return done;
+    return {};
+}
+
+// Entries that are counted by their place and have not ended.
+std::map<DeviceNumber, std::vector<qint64>> LedgerKeeper::onTheirWay() const
+{
+    std::map<DeviceNumber, std::vector<qint64>> entries;
+    for (const auto &[place, watched] : m_watched) {
+        if (watched.identity.by != CountedBy::place)
+            continue;
+        if (watched.job)
+            entries[place].push_back(*watched.job);
+        if (watched.byHand)
+            entries[place].push_back(watched.byHand->id);
+    }
+    for (const auto &[place, requests] : m_strangers)
+        for (const ToStranger &request : requests)
+            entries[place].push_back(request.id);
+    return entries;
 }
 
 void LedgerKeeper::setLabel(DeviceNumber place, const QString &serialNumber)

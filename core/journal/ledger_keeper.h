@@ -42,8 +42,11 @@ public:
     LedgerKeeper(LineSession &line, const DatabasePlace &place, QObject *parent = nullptr);
     ~LedgerKeeper() override;
 
-    // What places count for: the file of the project; empty: none.
+    // What places count for: the file of the project; empty: none. Links to a file are that file.
     void setProject(const QString &file);
+    // The project that is open is in another file now, or in its first one: the encoders are the same, and
+    // what was counted by their places counts there as well.
+    void projectSavedAs(const QString &file);
     // The serial number typed from the label of the encoder there; empty: none.
     void setLabel(DeviceNumber place, const QString &serialNumber);
 
@@ -93,6 +96,8 @@ private:
     void count(DeviceNumber place, int writes);
     void settle(DeviceNumber place, const Outcome &outcome);
     void identify(DeviceNumber place);
+    std::map<DeviceNumber, std::vector<qint64>> onTheirWay() const;
+    Stored<void> takeAlong(const QString &from);
     void showCount(DeviceNumber place);
     Ledger::Entry entryAt(const Watched &watched) const;
     void note(Watched &watched, qint64 id);

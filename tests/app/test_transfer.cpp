@@ -58,6 +58,23 @@ TEST_F(TransferInTheWindow, ValuesAreWrittenAndThoseFromBeforeRestored)
     EXPECT_EQ(known(), 8192);
 }
 
+TEST_F(TransferInTheWindow, WritesAreCountedOnWhenTheProjectIsSavedUnderAName)
+{
+    choose(baumer);
+    bus().encoder(baumer)->tell(Parameter::steps, 8192);
+    write(4096);
+    const auto count = [this] { return bus().encoder(baumer)->eepromCount().writes; };
+    const int written = count();
+    EXPECT_GT(written, 0);
+    for (const char *name : {"first.codewheel", "second.codewheel"}) {
+        shown->project().setFile(folder.filePath(QLatin1String(name)));
+        EXPECT_EQ(count(), written) << name;
+        EXPECT_TRUE(actions().restoreValues->isEnabled()) << name;
+    }
+    shown->project().setProject({}, folder.filePath(QStringLiteral("other.codewheel")));
+    EXPECT_EQ(count(), 0);
+}
+
 TEST_F(TransferInTheWindow, AlarmStopEndsItAll)
 {
     shown->project().editDevice(baumer, QStringLiteral("want"), [](ProjectDevice &device) {

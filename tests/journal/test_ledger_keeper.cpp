@@ -7,6 +7,9 @@
 #include "simulator/training_bus.h"
 #include "tests/journal/journal_file.h"
 
+#include <QFile>
+#include <QTemporaryDir>
+
 namespace codewheel {
 namespace {
 
@@ -240,6 +243,65 @@ TEST_F(LedgerKeeperTest, CountsPlacesOfAProjectForThemselves)
     keeper->setProject(QStringLiteral("/other.codewheel"));
     EXPECT_EQ(countAt(baumer).writes, 0);
     keeper->setProject(QStringLiteral("/plant.codewheel"));
+    EXPECT_EQ(countAt(baumer).writes, 1);
+}
+
+TEST_F(LedgerKeeperTest, TheFirstFileOfAProjectTakesTheAccountAlong)
+{
+    keep(DatabasePlace::memory());
+    bus.encoder(baumer)->tell(Parameter::steps, 8'192); // something to restore
+    write(baumer, 4'096);
+    keeper->projectSavedAs(QStringLiteral("/plant.codewheel"));
+    EXPECT_EQ(countAt(baumer).writes, 1);
+    EXPECT_FALSE(keeper->ledger()->valuesBefore(keeper->identity(baumer)).empty());
+    keeper->setProject({});
+    EXPECT_EQ(countAt(baumer).writes, 0); // it was never that of another one
+}
+
+TEST_F(LedgerKeeperTest, AProjectSavedUnderAnotherNameGoesOnCounting)
+{
+    keep(file.place());
+    keeper->setProject(QStringLiteral("/plant.codewheel"));
+    write(baumer, 4'096);
+    keeper.reset(); // what was written another day counts as well
+    keep(file.place());
+    keeper->setProject(QStringLiteral("/plant.codewheel"));
+    write(baumer, 8'192);
+    for (int time = 0; time < 2; ++time) { // there and back: nothing is counted twice
+        keeper->projectSavedAs(QStringLiteral("/copy.codewheel"));
+        EXPECT_EQ(countAt(baumer).writes, 2);
+        EXPECT_EQ(countAt(fraba).writes, 0);
+        keeper->projectSavedAs(QStringLiteral("/plant.codewheel"));
+        EXPECT_EQ(countAt(baumer).writes, 2);
+    }
+}
+
+TEST_F(LedgerKeeperTest, AJobThatRunsWhileTheProjectIsSavedCountsOnce)
+{
+    keep(file.place());
+    keeper->setProject(QStringLiteral("/plant.codewheel"));
+    ASSERT_TRUE(
+        bus.encoder(baumer)->start(WriteParameters{.values = {{Parameter::steps, 4'096}}, .previous = {}}));
+    bus.advance(10);
+    keeper->projectSavedAs(QStringLiteral("/copy.codewheel"));
+    for (int i = 0; i < 100 && bus.encoder(baumer)->runningJob(); ++i)
+        bus.advance(10);
+    EXPECT_EQ(countAt(baumer).writes, 1);
+    EXPECT_EQ(countAt(baumer).perhaps, 0);
+    EXPECT_EQ(keeper->ledger()->accounts().size(), 1U);
+}
+
+TEST_F(LedgerKeeperTest, ALinkToAProjectIsThatProject)
+{
+    keep(DatabasePlace::memory());
+    QTemporaryDir folder;
+    QFile project(folder.filePath(QStringLiteral("plant.codewheel")));
+    ASSERT_TRUE(project.open(QIODevice::WriteOnly));
+    const QString link = folder.filePath(QStringLiteral("link.codewheel"));
+    ASSERT_TRUE(QFile::link(project.fileName(), link));
+    keeper->setProject(project.fileName());
+    write(baumer, 4'096);
+    keeper->setProject(link);
     EXPECT_EQ(countAt(baumer).writes, 1);
 }
 
