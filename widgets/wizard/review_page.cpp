@@ -31,7 +31,7 @@ QString number(std::int64_t value)
     return QLocale().toString(qlonglong{value});
 }
 
-// A value takes a quarter of the table, and more only where one of its words needs it; what is longer stands
+// A value takes two sevenths of the table, and more only where a word of it needs it; what is longer stands
 // on several lines.
 class ValueDelegate final : public QStyledItemDelegate
 {
@@ -46,7 +46,7 @@ public:
         int needed = 0;
         for (const QString &word : index.data().toString().split(u' '))
             needed = std::max(needed, metrics.horizontalAdvance(word) + 2 * grid::margin);
-        size.setWidth(std::min(size.width(), std::max(needed, view->viewport()->width() / 4)));
+        size.setWidth(std::min(size.width(), std::max(needed, view->viewport()->width() * 2 / 7)));
         return size;
     }
 };
