@@ -44,10 +44,18 @@ void WriteReviewModel::show(const EncoderSession &encoder, const WritePlan &plan
     setRows(plan.rows);
 }
 
+// Requests and factors are long, and the dock is narrow.
+TextSize WriteReviewModel::size() const
+{
+    return m_encoder && isOnLine(m_encoder->device()) ? TextSize::small : TextSize::normal;
+}
+
 QVariant WriteReviewModel::headerCell(int column, int role) const
 {
     if (role == Qt::TextAlignmentRole)
         return QVariant((column == name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    if (role == Qt::FontRole)
+        return textFont(size());
     if (role != Qt::DisplayRole)
         return {};
     switch (column) {
@@ -78,7 +86,7 @@ QVariant WriteReviewModel::cell(const WritePlan::Row &row, int column, int role)
     case Qt::TextAlignmentRole:
         return QVariant((column == name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     case Qt::FontRole:
-        return column == word ? numberFont() : textFont();
+        return column == word ? numberFont(size()) : textFont(size());
     default:
         return {};
     }

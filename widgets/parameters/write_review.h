@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/look/fonts.h"
 #include "widgets/models/table_model_base.h"
 #include "widgets/parameters/write_plan.h"
 
@@ -35,6 +36,7 @@ protected:
 
 private:
     QString text(const WritePlan::Row &row, int column) const;
+    TextSize size() const;
 
     QPointer<const EncoderSession> m_encoder;
 };
