@@ -11344,6 +11344,10 @@ Worte: IN %5, OUT %6</translation>
         <source>Requests that will be sent, in this order:</source>
         <translation>Anfragen, die gesendet werden, in dieser Folge:</translation>
     </message>
+    <message>
+        <source>The encoder gives no valid position now. If that stays so, the values are written, and the position is not set.</source>
+        <translation>Der Geber gibt jetzt keine gültige Position aus. Bleibt das so, werden die Werte geschrieben, und die Position wird nicht gesetzt.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RingConnection</name>

@@ -160,6 +160,11 @@ void ReviewPage::plan()
                                 "Go back and change a value, or write all.")
                            : refusalText(steps.error()));
     }
+    const bool setsPosition = m_setup.wish.initialisePreset || m_setup.wish.setPositionTo;
+    if (m_mayGoOn && setsPosition && encoder.latest().state == EncoderState::error)
+        m_problem->showMessage(Role::attention,
+                               tr("The encoder gives no valid position now. If that stays so, the values are "
+                                  "written, and the position is not set."));
     if (encoder.latest().mode == Mode::cam && m_mayGoOn) {
         m_mayGoOn = false;
         m_problem->showMessage(
