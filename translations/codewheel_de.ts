@@ -10134,6 +10134,13 @@ Worte: IN %5, OUT %6</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::PortAccess</name>
+    <message>
+        <source>%1 is no serial port.</source>
+        <translation>%1 ist keine serielle Schnittstelle.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::PositionInput</name>
     <message>
         <source>nothing</source>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "links/port_access.h"
 
+#include <QCoreApplication>
 #include <QFile>
 
 #include <array>
@@ -8,6 +9,7 @@
 #include <cstring>
 #include <grp.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 namespace codewheel {
@@ -24,6 +26,15 @@ QString groupOf(const QString &path)
     std::array<char, 4096> names{};
     ::getgrgid_r(status.st_gid, &entry, names.data(), names.size(), &found);
     return found ? QString::fromLocal8Bit(found->gr_name) : QString::number(status.st_gid);
+}
+
+// What has no line behind it: a file, a folder, or one of the system's own such as /dev/null.
+bool isNoPort(const QString &path)
+{
+    constexpr unsigned memoryDevices = 1; // their major number on Linux
+    struct stat status = {};
+    return ::stat(QFile::encodeName(path).constData(), &status) == 0 &&
+           (!S_ISCHR(status.st_mode) || major(status.st_rdev) == memoryDevices);
 }
 
 } // namespace
@@ -58,6 +69,10 @@ Refusal portRefusal(RefusalId id, const QString &path, const QString &errorText)
         const QString group = groupOf(path);
         return {RefusalKind::link, id, {path, group, QStringLiteral("sudo usermod -aG %1 $USER").arg(group)}};
     }
+    if (id == RefusalId::linkFailed && isNoPort(path))
+        return {RefusalKind::link,
+                id,
+                {QCoreApplication::translate("codewheel::PortAccess", "%1 is no serial port.").arg(path)}};
     if (id == RefusalId::linkFailed)
         return {RefusalKind::link, id, {QStringLiteral("%1: %2").arg(path, errorText)}};
     return {RefusalKind::link, id, {path}};
