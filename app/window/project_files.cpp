@@ -35,6 +35,32 @@ QString droppedProject(const QMimeData &data)
     return {};
 }
 
+enum class Answer : std::uint8_t { safe, losing, none };
+
+struct Offer
+{
+    QString text;
+    QString toolTip;
+};
+
+// What loses nothing is offered first.
+Answer ask(QMessageBox &box, const Offer &safe, const Offer &losing)
+{
+    const auto add = [&box](const Offer &offer, QMessageBox::ButtonRole role) {
+        QPushButton *button = box.addButton(offer.text, role);
+        button->setToolTip(offer.toolTip);
+        return button;
+    };
+    QPushButton *first = add(safe, QMessageBox::AcceptRole);
+    const QPushButton *second = add(losing, QMessageBox::DestructiveRole);
+    box.setEscapeButton(box.addButton(QMessageBox::Cancel));
+    box.setDefaultButton(first);
+    box.exec();
+    return box.clickedButton() == first    ? Answer::safe
+           : box.clickedButton() == second ? Answer::losing
+                                           : Answer::none;
+}
+
 } // namespace
 
 ProjectFiles::ProjectFiles(QMainWindow &window, ProjectDocument &document, WindowSettings &settings,
@@ -123,17 +149,10 @@ bool ProjectFiles::saveBesideAnother()
         tr("It was changed at %1. If it is replaced, the project that it holds is kept as %2.")
             .arg(QLocale().toString(file.lastModified(), QLocale::ShortFormat),
                  QFileInfo(backupPath(file.canonicalFilePath())).fileName()));
-    QPushButton *elsewhere = box.addButton(tr("Save &as..."), QMessageBox::AcceptRole);
-    elsewhere->setToolTip(tr("Saves the project in another file; this one stays as it is"));
-    QPushButton *replace = box.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
-    replace->setToolTip(tr("Saves the project in place of what the file holds"));
-    QPushButton *stay = box.addButton(QMessageBox::Cancel);
-    box.setDefaultButton(elsewhere);
-    box.setEscapeButton(stay);
-    box.exec();
-    if (box.clickedButton() == elsewhere)
-        return saveAs();
-    return box.clickedButton() == replace && keep(m_document.file());
+    const Answer answer =
+        ask(box, {tr("Save &as..."), tr("Saves the project in another file; this one stays as it is")},
+            {tr("&Replace"), tr("Saves the project in place of what the file holds")});
+    return answer == Answer::safe ? saveAs() : answer == Answer::losing && keep(m_document.file());
 }
 
 bool ProjectFiles::saveAs()
@@ -189,17 +208,9 @@ bool ProjectFiles::mayClose()
     if (const QString left = leftOut(); !left.isEmpty())
         details << left;
     box.setInformativeText(details.join(u'\n'));
-    QPushButton *keepIt = box.addButton(tr("&Save"), QMessageBox::AcceptRole);
-    keepIt->setToolTip(tr("Saves the project, then goes on"));
-    QPushButton *discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
-    discard->setToolTip(tr("Goes on; what was changed is lost"));
-    QPushButton *stay = box.addButton(QMessageBox::Cancel);
-    box.setDefaultButton(keepIt);
-    box.setEscapeButton(stay);
-    box.exec();
-    if (box.clickedButton() == keepIt)
-        return save();
-    return box.clickedButton() == discard;
+    const Answer answer = ask(box, {tr("&Save"), tr("Saves the project, then goes on")},
+                              {tr("&Discard"), tr("Goes on; what was changed is lost")});
+    return answer == Answer::safe ? save() : answer == Answer::losing;
 }
 
 void ProjectFiles::refuse(const Refusal &why)
