@@ -110,7 +110,7 @@ Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std:
     const std::vector<Known> known = knownNow(encoder);
     const std::vector<KnownCams> cams = allKnownCams(encoder);
     for (const Job &job : jobs) {
-        const auto steps = plannedSteps(encoder.device(), known, job, cams, out, escSettings);
+        auto steps = plannedSteps(encoder.device(), known, job, cams, out, escSettings);
         if (!steps)
             return steps;
         out = k3::normalRunning;

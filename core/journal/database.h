@@ -88,8 +88,8 @@ public:
     static bool isAvailable();
 
 private:
-    explicit Database(QSqlDatabase connection)
-        : m_connection(std::move(connection))
+    explicit Database(const QSqlDatabase &connection)
+        : m_connection(connection)
     {}
     Stored<void> prepare(const DatabaseSchema &schema) const;
     Stored<void> make(const DatabaseSchema &schema) const;

@@ -51,7 +51,7 @@ public:
 
 private:
     // 60 000 cycles a minute, and speeds in thousandths of a revolution per minute.
-    static constexpr std::int64_t unitsPerStep = 60'000 * 1'000;
+    static constexpr std::int64_t unitsPerStep = std::int64_t{60'000} * 1'000;
 
     PhysicalResolution m_resolution;
     std::int64_t m_unitsOfRange;
