@@ -25,11 +25,11 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"cams 1.0 read", "cams 1.0 read cams.json --program 1",
-                                    "cams 1.0 compare docs/examples/cams.json",
-                                    "cams 1.0 write docs/examples/cams.json --yes"};
+constexpr const char *camsExamples[] = {"cams 1.0 read", "cams 1.0 read cams.json --program 1",
+                                        "cams 1.0 compare docs/examples/cams.json",
+                                        "cams 1.0 write docs/examples/cams.json --yes"};
 
-constexpr std::array options{
+constexpr std::array camsOptions{
     deviceOption,
     beyondLimitOption,
     ledgerOption,
@@ -138,7 +138,7 @@ Checked<void> checkMadeFor(const Call &call, const CamFile &file, const DeviceDe
 }
 
 // What is in a file is not lost by a read.
-Checked<void> checkFileIsFree(const Arguments &arguments)
+Checked<void> checkCamFileIsFree(const Arguments &arguments)
 {
     if (arguments.rest.size() < 3 || arguments.has("--yes") || !QFileInfo::exists(arguments.rest[2]))
         return {};
@@ -157,7 +157,7 @@ std::vector<unsigned> numbersOf(const std::vector<CamProgram> &programs)
     return numbers;
 }
 
-void save(CamCall &cams, const QString &name, std::vector<CamProgram> programs)
+void saveCams(CamCall &cams, const QString &name, std::vector<CamProgram> programs)
 {
     QSaveFile file(name);
     const QByteArray json = camFileToJson({cams.encoder.device().key, cams.positions(), std::move(programs)});
@@ -183,7 +183,7 @@ void read(CamCall &cams, std::optional<unsigned> program)
     cams.answer.text += camTable(*read);
     cams.answer.json.insert(QStringLiteral("programs"), camsJson(*read));
     if (cams.call.arguments.rest.size() > 2)
-        save(cams, cams.call.arguments.rest[2], *read);
+        saveCams(cams, cams.call.arguments.rest[2], *read);
 }
 
 // Reads the programs of the file from the encoder, and tells what differs.
@@ -239,13 +239,13 @@ QString costText(const std::vector<CamDifference> &differences)
            u'\n';
 }
 
-void show(CamCall &cams)
+void showCams(CamCall &cams)
 {
     if (!cams.call.arguments.has("--json"))
         cams.call.terminal.print(std::exchange(cams.answer.text, {}));
 }
 
-void carryOutWrite(CamCall &cams, const AllowedJob &job)
+void writeCams(CamCall &cams, const AllowedJob &job)
 {
     const auto outcome = cams.carryOut(job);
     if (!outcome) {
@@ -275,7 +275,7 @@ void write(CamCall &cams, const std::vector<CamProgram> &wanted)
         return;
     }
     cams.answer.text += *review + costText(*differences);
-    show(cams);
+    showCams(cams);
     const auto allowed = eepromConsent(cams.call, cams.encoder, job, AsksAnyway::yes);
     if (!allowed) {
         cams.answer.complaint = allowed.error();
@@ -286,12 +286,12 @@ void write(CamCall &cams, const std::vector<CamProgram> &wanted)
         CommandLine::tr("Nothing was written: there is nobody to ask. Add --yes to write, or use compare "
                         "to look only."));
     if (agreed)
-        carryOutWrite(cams, *allowed);
+        writeCams(cams, *allowed);
     else
         cams.answer.complaint = agreed.error();
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runCams(const Call &call)
 {
     const QString &what = call.arguments.rest[1];
     const bool reads = what == QStringLiteral("read");
@@ -304,7 +304,7 @@ Checked<Answer> run(const Call &call)
     const auto program = programFrom(call.arguments);
     if (!program)
         return tl::unexpected(program.error());
-    if (const auto isFree = reads ? checkFileIsFree(call.arguments) : Checked<void>(); !isFree)
+    if (const auto isFree = reads ? checkCamFileIsFree(call.arguments) : Checked<void>(); !isFree)
         return tl::unexpected(isFree.error());
     const auto wanted = reads ? Checked<CamFile>() : programsIn(call.arguments.rest[2], *program);
     if (!wanted)
@@ -354,13 +354,13 @@ const Subcommand camsCommand{
         "in "
         "the\n"
         "last of the programs. A changed program is saved when it is left, with one EEPROM write."),
-    .examples = examples,
-    .options = options,
+    .examples = camsExamples,
+    .options = camsOptions,
     .minimumArguments = 2,
     .maximumArguments = 3,
     .needsBus = true,
     .whyNotOnLine = QT_TRANSLATE_NOOP("codewheel::CommandLine", "Encoders on a serial line have no cams."),
-    .run = run,
+    .run = runCams,
 };
 
 } // namespace codewheel

@@ -15,9 +15,9 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"clone 1.0 6.1 --dry-run", "clone 1.0 6.1 --yes --trace"};
+constexpr const char *cloneExamples[] = {"clone 1.0 6.1 --dry-run", "clone 1.0 6.1 --yes --trace"};
 
-constexpr std::array options{
+constexpr std::array cloneOptions{
     Option{"--cams", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "cam programs as well")},
     transferDryRun,
     transferStop,
@@ -48,7 +48,7 @@ Checked<EncoderSession *> encoderNamed(const Call &call, const QString &place)
     return isOnLine(call, place) ? encoderOnLine(call, place) : encoderAt(*call.bus, place);
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runClone(const Call &call)
 {
     const auto from = encoderNamed(call, call.arguments.rest.front());
     if (!from)
@@ -85,13 +85,13 @@ const Subcommand cloneCommand{
         "encoders of the same kind, as \"transfer\" does. The zero offset is not taken along: it belongs to\n"
         "the way an encoder is mounted. With --cams each cam program of FROM is read in the cam mode of its\n"
         "own; leaving one that was changed before costs an EEPROM write."),
-    .examples = examples,
-    .options = options,
+    .examples = cloneExamples,
+    .options = cloneOptions,
     .minimumArguments = 2,
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
     .whyNotOnLine = valuesOfBusOnly,
-    .run = run,
+    .run = runClone,
 };
 
 } // namespace codewheel

@@ -13,7 +13,7 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"compare docs/examples/crane.codewheel"};
+constexpr const char *compareExamples[] = {"compare docs/examples/crane.codewheel"};
 
 // The device a line has on one side, or nothing.
 const Participant *sideOf(const RingStructure &ring, std::optional<std::size_t> index)
@@ -36,7 +36,7 @@ Answer answerOf(const Comparison &comparison, const RingStructure &configured, c
     return Answer{table.toString(), {{QStringLiteral("lines"), lines}}};
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runCompare(const Call &call)
 {
     const QString &name = call.arguments.rest.front();
     const auto project = loadProject(name);
@@ -69,7 +69,7 @@ const Subcommand compareCommand{
         "Lays the devices the project has configured beside those that are connected and tells line by line\n"
         "what is the same, differs, is missing, additional or moved; exit code 1 if anything differs. The\n"
         "make is not compared: the bus does not tell it.\nSends nothing."),
-    .examples = examples,
+    .examples = compareExamples,
     .options = {},
     .minimumArguments = 1,
     .maximumArguments = 1,
@@ -77,7 +77,7 @@ const Subcommand compareCommand{
     .whyNotOnLine =
         QT_TRANSLATE_NOOP("codewheel::CommandLine", "A serial line has no structure to compare with. See "
                                                     "codewheel-cli scan."),
-    .run = run,
+    .run = runCompare,
 };
 
 } // namespace codewheel

@@ -16,10 +16,10 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"devices", "devices fraba-ocd-ib", "devices baumer-gxp6w --json",
-                                    "devices --label OCD-IBA1B-1213-C100-PRI"};
+constexpr const char *devicesExamples[] = {"devices", "devices fraba-ocd-ib", "devices baumer-gxp6w --json",
+                                           "devices --label OCD-IBA1B-1213-C100-PRI"};
 
-constexpr Option options[] = {
+constexpr Option devicesOptions[] = {
     {"--label", "KEY",
      QT_TRANSLATE_NOOP("codewheel::CommandLine", "what the key on a label says, and whose it is")},
     {"--check", "FILE", QT_TRANSLATE_NOOP("codewheel::CommandLine", "whether a description file is sound")},
@@ -158,7 +158,7 @@ Answer detailsOf(const DeviceDescription &device)
              {QStringLiteral("tables"), deviceTablesJson(device)}}};
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runDevices(const Call &call)
 {
     const auto label = call.arguments.value("--label");
     const auto file = call.arguments.value("--check");
@@ -190,12 +190,12 @@ const Subcommand devicesCommand{
                           "its EEPROM can be written, and\nwhat its manual's tables say: pins, LEDs, "
                           "supply, limits, ordering key. Descriptions of your own\nare read from "
                           "~/.local/share/codewheel/devices/*.json; --check tells whether one is sound."),
-    .examples = examples,
-    .options = options,
+    .examples = devicesExamples,
+    .options = devicesOptions,
     .minimumArguments = 0,
     .maximumArguments = 1,
     .needsBus = false,
-    .run = run,
+    .run = runDevices,
 };
 
 } // namespace codewheel

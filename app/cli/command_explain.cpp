@@ -15,7 +15,7 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {
+constexpr const char *explainExamples[] = {
     "explain 020000FF --device fraba-ocd-ib --direction out",
     "explain A0002000 --device fraba-ocd-ib --direction in --other 20210001",
     "explain 40000000 --device fraba-ocd-ib --direction out --mode cam",
@@ -24,7 +24,7 @@ constexpr const char *examples[] = {
     "explain 00001235 --device kuebler-esc-rs485 --other 05P",
 };
 
-constexpr std::array options{
+constexpr std::array explainOptions{
     Option{"--device", "NAME", QT_TRANSLATE_NOOP("codewheel::CommandLine", "whose word it is (see devices)")},
     Option{"--direction", "in|out",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "out: master to encoder; in: encoder to master")},
@@ -158,7 +158,7 @@ QString whatMayHelp(const DeviceDescription &device, const k3::ExplainContext &c
                                    u'\n';
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runExplain(const Call &call)
 {
     const DeviceDescription *named = call.catalog.find(call.arguments.value("--device").value_or(QString()));
     if (named != nullptr && named->profile == Profile::esc)
@@ -206,12 +206,12 @@ const Subcommand explainCommand{
         "the word can have.\n\nOf an encoder on a serial line it explains a "
         "request (03GP00005200), or, with --other REQUEST,\nthe answer to it: its digits, or "
         "CRLF for a bare line end.\n\nNeeds no bus and sends nothing."),
-    .examples = examples,
-    .options = options,
+    .examples = explainExamples,
+    .options = explainOptions,
     .minimumArguments = 1,
     .maximumArguments = 1,
     .needsBus = false,
-    .run = run,
+    .run = runExplain,
 };
 
 } // namespace codewheel

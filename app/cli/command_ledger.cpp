@@ -15,9 +15,9 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"ledger", "ledger --ledger eeprom-writes.sqlite --json"};
+constexpr const char *ledgerExamples[] = {"ledger", "ledger --ledger eeprom-writes.sqlite --json"};
 
-constexpr std::array options{
+constexpr std::array ledgerOptions{
     Option{"--ledger", "FILE",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "of this file, in place of the user's own")},
 };
@@ -68,7 +68,7 @@ Checked<std::vector<Ledger::Account>> accountsOf(const QString &file)
     return ledger->accounts();
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runLedger(const Call &call)
 {
     const QString file = call.arguments.value("--ledger").value_or(ledgerFile(userJournalFolder()));
     const auto accounts = accountsOf(file);
@@ -107,12 +107,12 @@ const Subcommand ledgerCommand{
         "project. \"perhaps\" are writes that were begun, and the program ended before it saw them carried "
         "out.\n"
         "Needs no bus."),
-    .examples = examples,
-    .options = options,
+    .examples = ledgerExamples,
+    .options = ledgerOptions,
     .minimumArguments = 0,
     .maximumArguments = 0,
     .needsBus = false,
-    .run = run,
+    .run = runLedger,
 };
 
 } // namespace codewheel

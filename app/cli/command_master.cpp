@@ -19,13 +19,13 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"master", "master segment 6 off --yes",
-                                    "master --after 31000 --fault-plan resources/examples/faults.json"};
+constexpr const char *masterExamples[] = {"master", "master segment 6 off --yes",
+                                          "master --after 31000 --fault-plan resources/examples/faults.json"};
 
-constexpr int longestTime = 86'400'000; // ms
-constexpr int afterwards = 10;          // cycles, for what comes back at once
+constexpr int longestTrial = 86'400'000; // ms
+constexpr int afterwards = 10;           // cycles, for what comes back at once
 
-constexpr std::array options{
+constexpr std::array masterOptions{
     Option{"--after", "MS",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "let so many milliseconds pass on the bus first")},
     Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "do it without asking")},
@@ -152,7 +152,7 @@ Checked<void> agreed(const Call &call, const Action &action)
                    CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to do it."));
 }
 
-Checked<Told> carryOut(const Call &call, int after, const Action &action)
+Checked<Told> carryOutAction(const Call &call, int after, const Action &action)
 {
     BusSession &bus = *call.bus;
     Told told;
@@ -174,15 +174,15 @@ Checked<Told> carryOut(const Call &call, int after, const Action &action)
     return told;
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runMaster(const Call &call)
 {
     const auto action = actionOf(call.arguments.rest);
     if (!action)
         return tl::unexpected(action.error());
-    const auto after = call.arguments.number("--after", 0, 0, longestTime);
+    const auto after = call.arguments.number("--after", 0, 0, longestTrial);
     if (!after)
         return tl::unexpected(after.error());
-    const auto told = carryOut(call, *after, *action);
+    const auto told = carryOutAction(call, *after, *action);
     if (!told)
         return tl::unexpected(told.error());
     Answer answer{messageLines(told->messages) + u'\n' + masterLines(*call.bus),
@@ -206,13 +206,13 @@ const Subcommand masterCommand{
         "first; "
         "where nobody can\nbe asked, --yes is needed. As each call has a new training bus, this makes most "
         "sense with a fault plan."),
-    .examples = examples,
-    .options = options,
+    .examples = masterExamples,
+    .options = masterOptions,
     .minimumArguments = 0,
     .maximumArguments = 3,
     .needsBus = true,
     .whyNotOnLine = QT_TRANSLATE_NOOP("codewheel::CommandLine", "A serial line has no master."),
-    .run = run,
+    .run = runMaster,
 };
 
 } // namespace codewheel

@@ -21,10 +21,10 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"messages", "messages --severity fault --from 2026-03-01",
-                                    "messages --place 1.0 --text steps --export steps.html"};
+constexpr const char *messagesExamples[] = {"messages", "messages --severity fault --from 2026-03-01",
+                                            "messages --place 1.0 --text steps --export steps.html"};
 
-constexpr std::array options{
+constexpr std::array messagesOptions{
     Option{"--file", "FILE",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "of this file, in place of the user's own")},
     Option{"--severity", "SEVERITY",
@@ -134,7 +134,7 @@ QJsonObject toJson(const StoredMessage &message)
              message.refusal.isEmpty() ? QJsonValue() : QJsonValue(parsed(message.refusal).object())}};
 }
 
-Answer listed(const std::vector<StoredMessage> &messages)
+Answer listedMessages(const std::vector<StoredMessage> &messages)
 {
     TextTable table;
     QJsonArray json;
@@ -161,14 +161,14 @@ bool writeAll(const MessageTable &table, const std::vector<qint64> &ids, Message
     return true;
 }
 
-struct Target
+struct ExportTarget
 {
     QString path;
     MessageWriter::Format format;
 };
 
 // Where to write them; nothing: they are listed.
-Checked<std::optional<Target>> targetOf(const Arguments &arguments)
+Checked<std::optional<ExportTarget>> exportTargetOf(const Arguments &arguments)
 {
     const auto path = arguments.value("--export");
     if (!path)
@@ -180,10 +180,11 @@ Checked<std::optional<Target>> targetOf(const Arguments &arguments)
                         {*path});
     if (const auto can = checkTargetFile(arguments, *path); !can)
         return tl::unexpected(can.error());
-    return Target{*path, *format};
+    return ExportTarget{*path, *format};
 }
 
-Checked<Answer> exported(const MessageTable &table, const std::vector<qint64> &ids, const Target &target)
+Checked<Answer> exported(const MessageTable &table, const std::vector<qint64> &ids,
+                         const ExportTarget &target)
 {
     const QString &fileName = target.path;
     QSaveFile file(fileName);
@@ -199,10 +200,10 @@ Checked<Answer> exported(const MessageTable &table, const std::vector<qint64> &i
         .json = {{QStringLiteral("file"), fileName}, {QStringLiteral("count"), count}}};
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runMessages(const Call &call)
 {
     const auto filter = filterFrom(call);
-    const auto target = targetOf(call.arguments);
+    const auto target = exportTargetOf(call.arguments);
     if (!target)
         return tl::unexpected(target.error());
     const auto last =
@@ -226,7 +227,7 @@ Checked<Answer> run(const Call &call)
     const auto messages = table->read(*ids);
     if (!messages)
         return tl::unexpected(databaseComplaint(file, messages.error()));
-    return listed(*messages);
+    return listedMessages(*messages);
 }
 
 } // namespace
@@ -240,12 +241,12 @@ const Subcommand messagesCommand{
         "codewheel::CommandLine",
         "Lists the messages that the window keeps on disk, oldest first: those that fit all "
         "that is given.\nNeeds no bus."),
-    .examples = examples,
-    .options = options,
+    .examples = messagesExamples,
+    .options = messagesOptions,
     .minimumArguments = 0,
     .maximumArguments = 0,
     .needsBus = false,
-    .run = run,
+    .run = runMessages,
 };
 
 } // namespace codewheel

@@ -12,15 +12,15 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"monitor 2.0", "monitor 2.0 --for 60 --every 1000",
-                                    "monitor 1.0 --for 1 --json", "monitor 05 --for 5"};
+constexpr const char *monitorExamples[] = {"monitor 2.0", "monitor 2.0 --for 60 --every 1000",
+                                           "monitor 1.0 --for 1 --json", "monitor 05 --for 5"};
 
-constexpr int longestTime = 3'600;      // s
+constexpr int longestWatch = 3'600;     // s
 constexpr int longestInterval = 60'000; // ms
 constexpr int usualTime = 10;           // s
 constexpr int usualInterval = 100;      // ms
 
-constexpr std::array options{
+constexpr std::array monitorOptions{
     deviceOption,
     Option{"--for", "SECONDS", QT_TRANSLATE_NOOP("codewheel::CommandLine", "how long to look (10)")},
     Option{"--every", "MS", QT_TRANSLATE_NOOP("codewheel::CommandLine", "how often to look (100)")},
@@ -46,12 +46,12 @@ Answer monitorBus(const Call &call, const EncoderSession &encoder, int milliseco
             {{QStringLiteral("samples"), traceJson(encoder.device(), rows, rodScale(encoder))}}};
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runMonitor(const Call &call)
 {
     const auto encoder = encoderAt(call);
     if (!encoder)
         return tl::unexpected(encoder.error());
-    const auto seconds = call.arguments.number("--for", usualTime, 1, longestTime);
+    const auto seconds = call.arguments.number("--for", usualTime, 1, longestWatch);
     if (!seconds)
         return tl::unexpected(seconds.error());
     const auto interval = call.arguments.number("--every", usualInterval, 1, longestInterval);
@@ -83,12 +83,12 @@ const Subcommand monitorCommand{
                           "Of an encoder on a serial line (PLACE 05) it looks at position, alarms and "
                           "warnings, which are polled, "
                           "and\ntells at the end how the line has done. Nothing is written. Ctrl+C ends it."),
-    .examples = examples,
-    .options = options,
+    .examples = monitorExamples,
+    .options = monitorOptions,
     .minimumArguments = 1,
     .maximumArguments = 1,
     .needsBus = true,
-    .run = run,
+    .run = runMonitor,
 };
 
 } // namespace codewheel

@@ -16,10 +16,10 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"preset 1.0", "preset 1.0 1000", "preset 1.0 3E8h --trace",
-                                    "preset 1.0 1000 --fraba"};
+constexpr const char *presetExamples[] = {"preset 1.0", "preset 1.0 1000", "preset 1.0 3E8h --trace",
+                                          "preset 1.0 1000 --fraba"};
 
-constexpr std::array options{
+constexpr std::array presetOptions{
     Option{
         "--fraba", nullptr,
         QT_TRANSLATE_NOOP("codewheel::CommandLine", "send the FRABA preset, which works as often as wanted")},
@@ -32,7 +32,7 @@ constexpr std::array options{
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
 };
 
-Checked<SetPreset> jobFrom(const Call &call, const DeviceDescription &device)
+Checked<SetPreset> presetJob(const Call &call, const DeviceDescription &device)
 {
     SetPreset job;
     if (call.arguments.has("--fraba"))
@@ -60,13 +60,13 @@ Checked<SetPreset> jobFrom(const Call &call, const DeviceDescription &device)
     return job;
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runPreset(const Call &call)
 {
     const auto encoder = encoderAt(call);
     if (!encoder)
         return tl::unexpected(encoder.error());
     const DeviceDescription &device = (*encoder)->device();
-    const auto preset = jobFrom(call, device);
+    const auto preset = presetJob(call, device);
     if (!preset)
         return tl::unexpected(preset.error());
 
@@ -119,12 +119,12 @@ const Subcommand presetCommand{
         "A FRABA encoder activates a preset once; it is programmed again where that is needed. The FRABA "
         "preset\n"
         "(60000000, for one bus cycle) needs no programming again."),
-    .examples = examples,
-    .options = options,
+    .examples = presetExamples,
+    .options = presetOptions,
     .minimumArguments = 1,
     .maximumArguments = 2,
     .needsBus = true,
-    .run = run,
+    .run = runPreset,
 };
 
 } // namespace codewheel

@@ -16,11 +16,11 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"read 1.0", "read 1.0 steps revolutions direction preset",
-                                    "read 1.0 serial-number --trace", "read 1.0 temperature opc-register-3",
-                                    "read 1.0 --json"};
+constexpr const char *readExamples[] = {"read 1.0", "read 1.0 steps revolutions direction preset",
+                                        "read 1.0 serial-number --trace",
+                                        "read 1.0 temperature opc-register-3", "read 1.0 --json"};
 
-constexpr std::array options{
+constexpr std::array readOptions{
     deviceOption,
     Option{"--trace", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
@@ -70,7 +70,7 @@ Answer readFrom(const Call &call, EncoderSession &encoder, std::vector<Parameter
     return answer;
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runRead(const Call &call)
 {
     const auto encoder = encoderAt(call);
     if (!encoder)
@@ -103,12 +103,12 @@ const Subcommand readCommand{
         "Reads the parameters named, or all that can be read but the registers of the bus chip, which are\n"
         "read by name: opc-register-0 to opc-register-15. While it is read, the encoder shows no position.\n"
         "An encoder without read-out (devices tells which) is not asked: exit code 1."),
-    .examples = examples,
-    .options = options,
+    .examples = readExamples,
+    .options = readOptions,
     .minimumArguments = 1,
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
-    .run = run,
+    .run = runRead,
 };
 
 } // namespace codewheel

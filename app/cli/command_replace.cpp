@@ -22,11 +22,11 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {
+constexpr const char *replaceExamples[] = {
     "replace 1.0 --project crane.codewheel --label OCD-IBA1B-1213-C100-PRI --serial 4711 --position last",
     "replace Hoist --project crane.codewheel --dry-run"};
 
-constexpr std::array options{
+constexpr std::array replaceOptions{
     Option{"--device", "NAME",
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
                              "the new encoder: a name of \"devices\"; else it is like the one before")},
@@ -147,7 +147,7 @@ void showDifferences(const Call &call, const ProjectDevice &planned, const Repla
     call.terminal.print(lines.join(u'\n') + u'\n');
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runReplace(const Call &call)
 {
     if (call.project == nullptr)
         return badInput(QStringLiteral("missingProject"),
@@ -210,13 +210,13 @@ const Subcommand replaceCommand{
         "An encoder with several modes is brought to position mode first. Exit code 1 if the encoder has "
         "not\n"
         "got all of it."),
-    .examples = examples,
-    .options = options,
+    .examples = replaceExamples,
+    .options = replaceOptions,
     .minimumArguments = 1,
     .maximumArguments = 1,
     .needsBus = true,
     .whyNotOnLine = valuesOfBusOnly,
-    .run = run,
+    .run = runReplace,
 };
 
 } // namespace codewheel

@@ -26,10 +26,10 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"report crane.codewheel -o crane.pdf",
-                                    "report crane.codewheel -o crane.html --read"};
+constexpr const char *reportExamples[] = {"report crane.codewheel -o crane.pdf",
+                                          "report crane.codewheel -o crane.html --read"};
 
-constexpr std::array options{
+constexpr std::array reportOptions{
     Option{"-o", "FILE",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "where to save the report: a name in .html or .pdf")},
     Option{"--read", nullptr,
@@ -43,13 +43,13 @@ constexpr std::array options{
     ledgerOption,
 };
 
-struct Target
+struct ReportTarget
 {
     QString path;
     ReportFormat format = ReportFormat::html;
 };
 
-Checked<Target> targetOf(const Arguments &arguments)
+Checked<ReportTarget> reportTargetOf(const Arguments &arguments)
 {
     const auto path = arguments.value("-o");
     if (!path)
@@ -66,7 +66,7 @@ Checked<Target> targetOf(const Arguments &arguments)
             {*path});
     if (const auto can = checkTargetFile(arguments, *path); !can)
         return tl::unexpected(can.error());
-    return Target{*path, *format};
+    return ReportTarget{*path, *format};
 }
 
 // The cams of an encoder are read where the project wants some: its mode changes for it.
@@ -117,7 +117,7 @@ private:
     QLocale m_before;
 };
 
-Answer save(const Call &call, const ReportInput &input, const Target &target)
+Answer savedReport(const Call &call, const ReportInput &input, const ReportTarget &target)
 {
     const auto sheets = [&] {
         const LocaleOfPeople locale;
@@ -154,10 +154,10 @@ Checked<void> addLedger(const Call &call, const QString &project, ReportInput &i
     return {};
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runReport(const Call &call)
 {
     const QString &name = call.arguments.rest.front();
-    const auto target = targetOf(call.arguments);
+    const auto target = reportTargetOf(call.arguments);
     if (!target)
         return tl::unexpected(target.error());
     auto project = loadProject(name);
@@ -179,7 +179,7 @@ Checked<Answer> run(const Call &call)
     }
     if (const auto added = addLedger(call, name, input); !added)
         return tl::unexpected(added.error());
-    Answer answer = save(call, input, *target);
+    Answer answer = savedReport(call, input, *target);
     if (!answer.complaint)
         answer.complaint = notRead;
     return answer;
@@ -203,14 +203,14 @@ const Subcommand reportCommand{
                           "and for the cam programs the project wants; they show no position meanwhile. The "
                           "bus is compared with\n"
                           "the project then. A FILE that is there already is replaced with --yes only."),
-    .examples = examples,
-    .options = options,
+    .examples = reportExamples,
+    .options = reportOptions,
     .minimumArguments = 1,
     .maximumArguments = 1,
     .needsBus = false,
     .busOption = "--read",
     .whyNotOnLine = valuesOfBusOnly,
-    .run = run,
+    .run = runReport,
 };
 
 } // namespace codewheel

@@ -16,9 +16,9 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"reset 1.0", "reset 2.0 --yes --trace"};
+constexpr const char *resetExamples[] = {"reset 1.0", "reset 2.0 --yes --trace"};
 
-constexpr std::array options{
+constexpr std::array resetOptions{
     deviceOption,
     beyondLimitOption,
     ledgerOption,
@@ -59,7 +59,7 @@ ParameterValues valuesNow(const EncoderSession &encoder)
     return values;
 }
 
-void carryOut(const Call &call, const AllowedJob &reset, Answer &answer)
+void carryOutReset(const Call &call, const AllowedJob &reset, Answer &answer)
 {
     const EncoderSession &encoder = reset.encoder();
     const FinishedJob job = runToEnd(call, reset);
@@ -95,7 +95,7 @@ void carryOut(const Call &call, const AllowedJob &reset, Answer &answer)
         answer.text += messageText({.id = MessageId::onlyZeroSinceRun}) + u'\n';
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runReset(const Call &call)
 {
     const auto encoder = encoderAt(call);
     if (!encoder)
@@ -118,7 +118,7 @@ Checked<Answer> run(const Call &call)
         consent(call, sentence(CommandLine::tr("Reset %1?"), {(*encoder)->number().toString()}),
                 CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to reset."));
     if (agreed)
-        carryOut(call, *allowed, answer);
+        carryOutReset(call, *allowed, answer);
     else
         answer.complaint = agreed.error();
     return answer;
@@ -138,15 +138,15 @@ const Subcommand resetCommand{
         "where that is possible. Where nobody can be asked, --yes is needed: without it nothing is sent, "
         "exit\n"
         "code 2."),
-    .examples = examples,
-    .options = options,
+    .examples = resetExamples,
+    .options = resetOptions,
     .minimumArguments = 1,
     .maximumArguments = 1,
     .needsBus = true,
     .whyNotOnLine = QT_TRANSLATE_NOOP("codewheel::CommandLine",
                                       "Encoders on a serial line have no command that resets them to factory "
                                       "settings. Write the values with codewheel-cli write."),
-    .run = run,
+    .run = runReset,
 };
 
 } // namespace codewheel

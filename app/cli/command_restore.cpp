@@ -21,10 +21,10 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"restore 1.0 --list", "restore 1.0 --at 14:02 --dry-run",
-                                    "restore 1.0 --at 2026-03-01T14:02 --yes"};
+constexpr const char *restoreExamples[] = {"restore 1.0 --list", "restore 1.0 --at 14:02 --dry-run",
+                                           "restore 1.0 --at 2026-03-01T14:02 --yes"};
 
-constexpr std::array options{
+constexpr std::array restoreOptions{
     Option{"--at", "TIME",
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
                              "of the write at this time: 2026-03-01T14:02, or 14:02 of today; else of the "
@@ -116,7 +116,7 @@ QString assignments(const DeviceDescription &device, const ParameterValues &valu
     return texts.join(QStringLiteral(", "));
 }
 
-Answer listed(const Call &call, const EncoderSession &encoder, const std::vector<ValuesBefore> &all)
+Answer listedValues(const Call &call, const EncoderSession &encoder, const std::vector<ValuesBefore> &all)
 {
     const QDateTime now = call.bus->dateTime(call.bus->latest().at);
     TextTable table;
@@ -132,7 +132,7 @@ Answer listed(const Call &call, const EncoderSession &encoder, const std::vector
                      {QStringLiteral("valuesBefore"), json}}};
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runRestore(const Call &call)
 {
     const auto span = timeMeant(call);
     if (!span)
@@ -150,7 +150,7 @@ Checked<Answer> run(const Call &call)
         return tl::unexpected(complaintAbout(
             {RefusalKind::device, RefusalId::noValuesFromBefore, {(*encoder)->number().toString()}}));
     if (call.arguments.has("--list"))
-        return listed(call, **encoder, *all);
+        return listedValues(call, **encoder, *all);
     const auto before = valuesMeant(call, *all, *span);
     if (!before)
         return tl::unexpected(before.error());
@@ -174,13 +174,13 @@ const Subcommand restoreCommand{
         "tell "
         "its\n"
         "serial number is asked for that where nothing is kept for its place."),
-    .examples = examples,
-    .options = options,
+    .examples = restoreExamples,
+    .options = restoreOptions,
     .minimumArguments = 1,
     .maximumArguments = 1,
     .needsBus = true,
     .whyNotOnLine = valuesOfBusOnly,
-    .run = run,
+    .run = runRestore,
 };
 
 } // namespace codewheel

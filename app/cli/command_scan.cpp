@@ -23,9 +23,9 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"scan", "scan --json", "scan --link esc:training --all-rates"};
+constexpr const char *scanExamples[] = {"scan", "scan --json", "scan --link esc:training --all-rates"};
 
-constexpr std::array options{
+constexpr std::array scanOptions{
     Option{"--save", "FILE", QT_TRANSLATE_NOOP("codewheel::CommandLine", "save what was found as a project")},
     Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "replace FILE if it is there")},
     scanLineOptions[0],
@@ -42,7 +42,7 @@ QString makeOf(const Participant &participant, const DeviceDescription *named)
 }
 
 // What is in a file is not lost by a scan.
-Checked<void> checkFileIsFree(const Arguments &arguments)
+Checked<void> checkProjectIsFree(const Arguments &arguments)
 {
     const auto file = arguments.value("--save");
     if (!file || arguments.has("--yes") || !QFileInfo::exists(*file))
@@ -64,7 +64,7 @@ Project foundProject(const Call &call)
     return takenOver(before, found, comparison, lines);
 }
 
-void save(const Call &call, Answer &answer)
+void saveFound(const Call &call, Answer &answer)
 {
     const auto file = call.arguments.value("--save");
     if (!file)
@@ -113,19 +113,19 @@ Checked<void> addLine(const Call &call, Answer &answer)
     return {};
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runScan(const Call &call)
 {
     if (call.bus == nullptr && call.arguments.has("--save"))
         return badInput(QStringLiteral("notOnSerialLine"), CommandLine::tr(valuesOfBusOnly));
     if (call.bus == nullptr)
         return scanLine(call);
-    if (const auto isFree = checkFileIsFree(call.arguments); !isFree)
+    if (const auto isFree = checkProjectIsFree(call.arguments); !isFree)
         return tl::unexpected(isFree.error());
     Answer answer = scanRing(call);
     if (call.line != nullptr)
         if (const auto added = addLine(call, answer); !added)
             return tl::unexpected(added.error());
-    save(call, answer);
+    saveFound(call, answer);
     return answer;
 }
 
@@ -147,12 +147,12 @@ const Subcommand scanCommand{
                           "lists what was found until then.\n\n"
                           "--save makes a project of it. With --project as well, what that project "
                           "knows of devices\nthat are still there is taken along."),
-    .examples = examples,
-    .options = options,
+    .examples = scanExamples,
+    .options = scanOptions,
     .minimumArguments = 0,
     .maximumArguments = 0,
     .needsBus = true,
-    .run = run,
+    .run = runScan,
 };
 
 } // namespace codewheel

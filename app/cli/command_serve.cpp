@@ -12,14 +12,14 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"serve esc", "serve esc --corrupted 10 --seed 7",
-                                    "serve esc --echo --silent 05"};
+constexpr const char *serveExamples[] = {"serve esc", "serve esc --corrupted 10 --seed 7",
+                                         "serve esc --echo --silent 05"};
 
 constexpr int ofThousand = 1'000;
 constexpr int longestDelay = 10'000; // ms
 constexpr Instant longestWait{500'000};
 
-constexpr std::array options{
+constexpr std::array serveOptions{
     Option{"--lost", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "of 1000 bytes, so many are lost")},
     Option{"--corrupted", "N",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "of 1000 bytes, so many are wrong in one bit")},
@@ -147,7 +147,7 @@ void serve(SimulatedLine &line, PseudoTerminal &port, StopSignals &stop)
     }
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runServe(const Call &call)
 {
     const QString what = call.arguments.rest.front();
     if (what != QStringLiteral("esc"))
@@ -183,12 +183,12 @@ const Subcommand serveCommand{
         "Prints the path of a pseudo terminal, which any program on this computer opens as a serial port, "
         "and serves the\nencoders 03, 05 and 12 there, at the speed of a real line, until it is ended with "
         "Ctrl+C (SIGINT or SIGTERM).\nBaud rates other than that of the encoders give junk."),
-    .examples = examples,
-    .options = options,
+    .examples = serveExamples,
+    .options = serveOptions,
     .minimumArguments = 1,
     .maximumArguments = 1,
     .needsBus = false,
-    .run = run,
+    .run = runServe,
 };
 
 } // namespace codewheel

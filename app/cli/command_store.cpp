@@ -23,9 +23,9 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"store crane.codewheel", "store crane.codewheel 1.0 --cams"};
+constexpr const char *storeExamples[] = {"store crane.codewheel", "store crane.codewheel 1.0 --cams"};
 
-constexpr std::array options{
+constexpr std::array storeOptions{
     Option{"--cams", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "read the cam programs as well")},
     budgetYesOption,
     beyondLimitOption,
@@ -73,7 +73,7 @@ QString valueLine(const DeviceDescription &device, const StoredValue &stored)
     return parameter ? typedValue(*parameter, stored.value) : QString::number(stored.value);
 }
 
-void show(const EncoderSession &encoder, const ProjectDevice &device, Answer &answer, QJsonArray &json)
+void showStored(const EncoderSession &encoder, const ProjectDevice &device, Answer &answer, QJsonArray &json)
 {
     TextTable table;
     QJsonArray values;
@@ -120,7 +120,7 @@ void complain(const std::vector<EncoderResult> &results, const Meant &meant, Ans
     }
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runStore(const Call &call)
 {
     const QString &file = call.arguments.rest.front();
     auto project = loadProject(file);
@@ -144,7 +144,7 @@ Checked<Answer> run(const Call &call)
         const auto kept = std::ranges::find_if(
             project->devices, [&](const ProjectDevice &each) { return each.participant.number == place; });
         *kept = withStored(*kept, encoder);
-        show(encoder, *kept, answer, encoders);
+        showStored(encoder, *kept, answer, encoders);
     }
     answer.json.insert(QStringLiteral("encoders"), encoders);
     showOthers(meant, answer);
@@ -172,13 +172,13 @@ const Subcommand storeCommand{
         "in the cam mode of its own; leaving one that was changed before costs an EEPROM write.\n"
         "Nothing is stored of a place where another encoder may stand than the project has (see\n"
         "\"compare\"): exit code 1. The file that was there is kept as PROJECT~."),
-    .examples = examples,
-    .options = options,
+    .examples = storeExamples,
+    .options = storeOptions,
     .minimumArguments = 1,
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
     .whyNotOnLine = valuesOfBusOnly,
-    .run = run,
+    .run = runStore,
 };
 
 } // namespace codewheel

@@ -24,12 +24,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Instant lookInterval = 10ms;
+constexpr const char *terminalExamples[] = {"terminal 05P 05N", "terminal 03GP00005200 03P --yes",
+                                            "terminal 05P --json"};
 
-constexpr const char *examples[] = {"terminal 05P 05N", "terminal 03GP00005200 03P --yes",
-                                    "terminal 05P --json"};
-
-constexpr std::array options{
+constexpr std::array terminalOptions{
     deviceOption,
     beyondLimitOption,
     ledgerOption,
@@ -37,7 +35,7 @@ constexpr std::array options{
 };
 
 // A row with its own widths, since the rows to come are not known.
-QString rowText(const PassedRow &passed, const esc::ExplainOptions &explain)
+QString terminalRow(const PassedRow &passed, const esc::ExplainOptions &explain)
 {
     constexpr int timeWidth = 9;
     constexpr int kindWidth = 8;
@@ -59,7 +57,7 @@ public:
 
     // Sends what was typed and waits for its answer. False: nothing else is to be sent.
     bool take(const QString &typed);
-    bool listen() { return m_call.line->advance(lookInterval); }
+    bool listen() { return m_call.line->advance(LineAccess::lookInterval); }
     TypedLines &lines() { return m_lines; }
     Answer answer() const;
 
@@ -109,7 +107,7 @@ void TypedCall::show(const esc::LineRow &row)
             QString::fromUtf8(QJsonDocument(rowJson(passed, explain)).toJson(QJsonDocument::Compact)) +
             u'\n');
     else
-        m_call.terminal.print(rowText(passed, explain));
+        m_call.terminal.print(terminalRow(passed, explain));
 }
 
 // Who sits there may go on; a script ends with the first that is wrong.
@@ -230,7 +228,7 @@ void takeTyped(const Call &call, TypedCall &typed)
             return;
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runTerminal(const Call &call)
 {
     if (const auto device = deviceOnLine(call, LineAddress::master()); !device)
         return tl::unexpected(device.error());
@@ -263,13 +261,13 @@ const Subcommand terminalCommand{
         "\n"
         "What writes is asked for first; where nobody can be asked, --yes is needed. In a pipe the first\n"
         "request that is wrong, not answered, or refused for want of --yes is the last."),
-    .examples = examples,
-    .options = options,
+    .examples = terminalExamples,
+    .options = terminalOptions,
     .minimumArguments = 0,
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
     .answersInLines = true,
-    .run = run,
+    .run = runTerminal,
 };
 
 } // namespace codewheel

@@ -12,10 +12,11 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"transfer crane.codewheel --dry-run", "transfer crane.codewheel 1.0 2.0",
-                                    "transfer crane.codewheel --stored --yes --report account.html"};
+constexpr const char *transferExamples[] = {"transfer crane.codewheel --dry-run",
+                                            "transfer crane.codewheel 1.0 2.0",
+                                            "transfer crane.codewheel --stored --yes --report account.html"};
 
-constexpr std::array options{
+constexpr std::array transferOptions{
     Option{"--stored", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
                              "write what was stored of the encoders, not what is wanted")},
@@ -28,7 +29,7 @@ constexpr std::array options{
     ledgerOption,
 };
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runTransfer(const Call &call)
 {
     const QString &file = call.arguments.rest.front();
     const auto project = loadProject(file);
@@ -63,13 +64,13 @@ const Subcommand transferCommand{
         "there is not written: an encoder that can be read is read first. An encoder of which one value\n"
         "cannot be written is not written at all, nor is one that is not the project's: its place may have\n"
         "another number now (see \"compare\"). Exit code 1 if an encoder has not got all of it."),
-    .examples = examples,
-    .options = options,
+    .examples = transferExamples,
+    .options = transferOptions,
     .minimumArguments = 1,
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
     .whyNotOnLine = valuesOfBusOnly,
-    .run = run,
+    .run = runTransfer,
 };
 
 } // namespace codewheel

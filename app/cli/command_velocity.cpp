@@ -14,10 +14,10 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {"velocity 1.0 on", "velocity 1.0 off --trace",
-                                    "velocity 1.0 on --in-position-mode"};
+constexpr const char *velocityExamples[] = {"velocity 1.0 on", "velocity 1.0 off --trace",
+                                            "velocity 1.0 on --in-position-mode"};
 
-constexpr std::array options{
+constexpr std::array velocityOptions{
     deviceOption,
     inPositionModeOption,
     budgetYesOption,
@@ -27,7 +27,7 @@ constexpr std::array options{
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
 };
 
-Checked<SwitchMode> jobFrom(const QString &wanted)
+Checked<SwitchMode> modeJob(const QString &wanted)
 {
     if (wanted == QStringLiteral("on"))
         return SwitchMode{Mode::velocity};
@@ -43,12 +43,12 @@ QString readingText(const Reading &reading)
     return sentence(CommandLine::tr("Position mode: %1"), {positionText(reading.position, reading)}) + u'\n';
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runVelocity(const Call &call)
 {
     const auto encoder = encoderAt(call);
     if (!encoder)
         return tl::unexpected(encoder.error());
-    const auto wanted = jobFrom(call.arguments.rest[1]);
+    const auto wanted = modeJob(call.arguments.rest[1]);
     if (!wanted)
         return tl::unexpected(wanted.error());
 
@@ -91,14 +91,14 @@ const Subcommand velocityCommand{
         "after power-off, until it is switched off. Sends at once, without asking; writes nothing to the "
         "EEPROM,\n"
         "but \"off\" ends cam mode, too: a cam program that was changed is stored when it is left."),
-    .examples = examples,
-    .options = options,
+    .examples = velocityExamples,
+    .options = velocityOptions,
     .minimumArguments = 2,
     .maximumArguments = 2,
     .needsBus = true,
     .whyNotOnLine =
         QT_TRANSLATE_NOOP("codewheel::CommandLine", "Encoders on a serial line have no velocity mode."),
-    .run = run,
+    .run = runVelocity,
 };
 
 } // namespace codewheel

@@ -14,13 +14,13 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {
+constexpr const char *wordsExamples[] = {
     "words 1.0 020000FF 04000001 06000003 08000000 80000000 00000000",
     "words 1.0 20210000 00000000",
     "words 2.0 04004E20 06000001 80000000 --json",
 };
 
-constexpr std::array options{
+constexpr std::array wordsOptions{
     deviceOption,
     budgetYesOption,
     beyondLimitOption,
@@ -44,7 +44,7 @@ Checked<std::vector<Word>> wordsFrom(const QStringList &texts)
     return words;
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runWords(const Call &call)
 {
     const auto words = wordsFrom(call.arguments.rest.sliced(1));
     if (!words)
@@ -90,15 +90,15 @@ const Subcommand wordsCommand{
         "or an error, a read-out until it answers; any other word stands for 3 cycles. The FRABA preset\n"
         "(60000000) stands for one cycle, whatever --hold says: it acts in each. An error of the encoder\n"
         "ends the sequence. Words are hexadecimal, as the manuals print them."),
-    .examples = examples,
-    .options = options,
+    .examples = wordsExamples,
+    .options = wordsOptions,
     .minimumArguments = 2,
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
     .whyNotOnLine = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine", "Encoders on a serial line have no words of process data. Send commands "
                                   "with codewheel-cli terminal."),
-    .run = run,
+    .run = runWords,
 };
 
 } // namespace codewheel

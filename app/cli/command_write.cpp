@@ -24,14 +24,14 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *examples[] = {
+constexpr const char *writeExamples[] = {
     "write 1.0 steps=255 revolutions=1 direction=cw preset=0",
     "write 1.0 steps=255 revolutions=1 direction=cw preset=0 --yes --trace",
     "write 2.0 steps=4096 coding=gray-cw --dry-run",
     "write 05 steps=864 scaling=on direction=ccw --yes --trace",
 };
 
-constexpr std::array options{
+constexpr std::array writeOptions{
     deviceOption,
     beyondLimitOption,
     ledgerOption,
@@ -126,7 +126,7 @@ void addAccount(QJsonObject &json, const EncoderSession &encoder, const Outcome 
     json.insert(QStringLiteral("onlyZeroSinceRun"), outcome.onlyZeroSinceRun);
 }
 
-void carryOut(const Call &call, const AllowedJob &write, const WritePlan &plan, Answer &answer)
+void carryOutWrite(const Call &call, const AllowedJob &write, const WritePlan &plan, Answer &answer)
 {
     const EncoderSession &encoder = write.encoder();
     const Before before{encoder.latest(), rodScale(encoder)};
@@ -155,7 +155,7 @@ void carryOut(const Call &call, const AllowedJob &write, const WritePlan &plan, 
     }
 }
 
-Checked<Answer> run(const Call &call)
+Checked<Answer> runWrite(const Call &call)
 {
     const auto encoder = encoderAt(call);
     if (!encoder)
@@ -199,7 +199,7 @@ Checked<Answer> run(const Call &call)
                                 CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to "
                                                 "write, or --dry-run to look only."));
     if (agreed)
-        carryOut(call, *allowed, *plan, answer);
+        carryOutWrite(call, *allowed, *plan, answer);
     else
         answer.complaint = agreed.error();
     return answer;
@@ -226,12 +226,12 @@ const Subcommand writeCommand{
         "linear\n"
         "encoder direction measuring-length external-preset; as far as the encoder has them (devices NAME).\n"
         "A VALUE is a number or a name: 255, 0xFF, FFh, cw."),
-    .examples = examples,
-    .options = options,
+    .examples = writeExamples,
+    .options = writeOptions,
     .minimumArguments = 2,
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
-    .run = run,
+    .run = runWrite,
 };
 
 } // namespace codewheel

@@ -15,7 +15,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Instant lookInterval = 10ms;
 constexpr Instant longestContact = 30s; // of the slowest settings; silence is noticed long before
 constexpr Instant longestIdentity = 1s;
 

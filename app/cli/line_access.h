@@ -16,6 +16,9 @@ namespace codewheel {
 class LineAccess
 {
 public:
+    // How much time passes on a line between two looks at it.
+    static constexpr Instant lookInterval = std::chrono::milliseconds(10);
+
     // The catalog must outlive it.
     LineAccess(std::unique_ptr<ByteLink> link, LineLink settings, const Catalog &catalog);
 

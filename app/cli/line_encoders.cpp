@@ -16,10 +16,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Instant lookInterval = 10ms;
 constexpr Instant longestLook = 1s; // for what the encoder shows after a job
 
-const QString linePrefix = QStringLiteral("esc:");
 const QString usualDevice = QStringLiteral("kuebler-esc-rs485"); // what is sent to both makes is the same
 
 bool isTwoHexDigits(const QString &text)
@@ -46,8 +44,8 @@ void lookAgain(LineAccess &line, const EncoderSession &encoder, Instant jobEnd)
     const auto isNew = [&] {
         return encoder.latest().at > jobEnd || encoder.latest().state == EncoderState::silent;
     };
-    for (Instant waited{}; !isNew() && waited < longestLook; waited += lookInterval)
-        if (!line.advance(lookInterval))
+    for (Instant waited{}; !isNew() && waited < longestLook; waited += LineAccess::lookInterval)
+        if (!line.advance(LineAccess::lookInterval))
             return;
 }
 
@@ -105,7 +103,7 @@ FinishedJob runOnLine(LineAccess &access, const AllowedJob &allowed)
     LineSession &line = **access.session();
     if (!std::holds_alternative<ReadParameters>(allowed.job())) {
         line.setOperate(true);
-        access.advance(lookInterval);
+        access.advance(LineAccess::lookInterval);
     }
     const LineTrace trace(line);
     const auto started = encoder.start(allowed.job());
@@ -126,7 +124,7 @@ FinishedJob runOnLine(LineAccess &access, const AllowedJob &allowed)
     while (running) {
         if (stop.came())
             encoder.cancel(OnCancel::leaveAsIs);
-        access.advance(lookInterval);
+        access.advance(LineAccess::lookInterval);
     }
     finished.passed = trace.rows();
     lookAgain(access, encoder, line.latest().at);

@@ -12,7 +12,7 @@ QString number(std::uint64_t value)
     return QString::number(value);
 }
 
-QString milliseconds(Instant time)
+QString millisecondsText(Instant time)
 {
     constexpr double microseconds = 1'000; // a millisecond
     return QString::number(static_cast<double>(time.count()) / microseconds, 'f', 1);
@@ -30,11 +30,11 @@ QString figuresText(const LineFigures &figures)
                   number(figures.lateBytes)}) +
         u'\n';
     if (figures.answerTime)
-        text +=
-            sentence(CommandLine::tr("Answer time: %1 ms (median; shortest %2, longest %3)."),
-                     {milliseconds(figures.answerTime->median), milliseconds(figures.answerTime->shortest),
-                      milliseconds(figures.answerTime->longest)}) +
-            u'\n';
+        text += sentence(CommandLine::tr("Answer time: %1 ms (median; shortest %2, longest %3)."),
+                         {millisecondsText(figures.answerTime->median),
+                          millisecondsText(figures.answerTime->shortest),
+                          millisecondsText(figures.answerTime->longest)}) +
+                u'\n';
     return text;
 }
 

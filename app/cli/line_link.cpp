@@ -16,7 +16,6 @@ namespace codewheel {
 namespace {
 
 const QString trainingLink = QStringLiteral("training");
-const QString linePrefix = QStringLiteral("esc:");
 const QString projectPort = QStringLiteral("project");
 
 using std::chrono::milliseconds;
@@ -31,7 +30,7 @@ struct NumberSetting
 };
 
 constexpr int fastestRate = 4'000'000; // bit/s
-constexpr int longestTime = 60'000;    // ms
+constexpr int longestSetting = 60'000; // ms
 constexpr int mostRetries = 20;
 constexpr int fastestShaft = 100'000; // rpm
 constexpr int shortestPoll = static_cast<int>(LineWish::shortestInterval / milliseconds(1));
@@ -40,12 +39,12 @@ constexpr auto fractionBitsKey = "fraction-bits";
 
 constexpr std::array numberSettings{
     NumberSetting{"baud", 50, fastestRate, [](LineLink &link, int v) { link.wish.line.baudRate = v; }},
-    NumberSetting{"time-out", 1, longestTime,
+    NumberSetting{"time-out", 1, longestSetting,
                   [](LineLink &link, int v) { link.wish.timing.answerTimeOut = milliseconds(v); }},
     NumberSetting{"retries", 0, mostRetries, [](LineLink &link, int v) { link.wish.timing.retries = v; }},
-    NumberSetting{"quiet", 0, longestTime,
+    NumberSetting{"quiet", 0, longestSetting,
                   [](LineLink &link, int v) { link.wish.timing.quietAfterWrite = milliseconds(v); }},
-    NumberSetting{"poll", shortestPoll, longestTime,
+    NumberSetting{"poll", shortestPoll, longestSetting,
                   [](LineLink &link, int v) { link.wish.pollInterval = milliseconds(v); }},
     NumberSetting{"top-speed", 1, fastestShaft, [](LineLink &link, int v) { link.wish.topSpeed = v; }},
     NumberSetting{fractionBitsKey, esc::fewestFractionBits, esc::mostFractionBits,

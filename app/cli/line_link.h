@@ -10,6 +10,9 @@
 
 namespace codewheel {
 
+// Before the port in --link, and before the address of an encoder on a line.
+inline constexpr QLatin1String linePrefix("esc:");
+
 // The serial line that --link names.
 struct LineLink
 {

@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Instant lookInterval = 20ms;
+constexpr Instant scanLookInterval = 20ms;
 const std::vector<int> ratesOfEncoders{19'200, 9'600, 4'800};
 
 Checked<LineAddress> addressOf(const Arguments &arguments, const char *option, std::uint8_t otherwise)
@@ -71,7 +71,7 @@ std::optional<ScanEnded> search(const Call &call, LineSession &line, const ScanW
     line.scan(wish);
     bool isConnected = true;
     while (!ended && isConnected) {
-        isConnected = call.line->advance(lookInterval);
+        isConnected = call.line->advance(scanLookInterval);
         if (stop.came())
             line.cancelScan();
     }
@@ -110,7 +110,7 @@ QJsonObject foundJson(const FoundEncoder &one)
             {QStringLiteral("version"), one.version.isEmpty() ? QJsonValue() : QJsonValue(one.version)}};
 }
 
-Answer answerOf(const ScanEnded &ended)
+Answer scanAnswer(const ScanEnded &ended)
 {
     QJsonArray encoders;
     for (const FoundEncoder &one : ended.found)
@@ -155,7 +155,7 @@ Checked<Answer> scanLine(const Call &call)
     const auto ended = search(call, **line, *wish);
     if (!ended)
         return tl::unexpected(call.line->portLost());
-    Answer answer = answerOf(*ended);
+    Answer answer = scanAnswer(*ended);
     answer.json.insert(QStringLiteral("port"), call.line->portKey());
     return answer;
 }

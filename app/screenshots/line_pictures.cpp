@@ -19,7 +19,7 @@ namespace {
 
 using namespace scene;
 
-constexpr QSize tall(1280, 1150);
+constexpr QSize tallLine(1280, 1150);
 constexpr LineAddress turning{3};
 constexpr LineAddress standing{5};
 constexpr int untilRead = 3'000;    // ms
@@ -64,7 +64,7 @@ QWidget *terminalAtWork(TrainingWindow &shown)
     return dock(shown, "terminalDock");
 }
 
-QWidget *wholeWindow(TrainingWindow &shown)
+QWidget *windowWithLine(TrainingWindow &shown)
 {
     readAllOf(shown, turning);
     choose(shown, DeviceNumber::onLine(turning));
@@ -99,16 +99,16 @@ QWidget *searchAtWork(TrainingWindow &shown)
 std::vector<Picture> linePictures()
 {
     return {
-        pictureOf("line", wholeWindow),
-        pictureOf("line-small", wholeWindow, {1024, 640}),
-        pictureOf("line-terminal", terminalAtWork, tall),
+        pictureOf("line", windowWithLine),
+        pictureOf("line-small", windowWithLine, {1024, 640}),
+        pictureOf("line-terminal", terminalAtWork, tallLine),
         pictureOf(
             "line-figures",
             [](TrainingWindow &shown) {
                 typeSome(shown);
                 return dock(shown, "lineDock");
             },
-            tall),
+            tallLine),
         pictureOf("line-settings", settingsAtWork),
         pictureOf("line-search", searchAtWork),
         pictureOf("line-parameters",
@@ -125,7 +125,7 @@ std::vector<Picture> linePictures()
                 shown.advance(whileMilliseconds);
                 return seen;
             },
-            tall),
+            tallLine),
     };
 }
 

@@ -24,9 +24,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto busPeriod = 1ms;      // of the training bus
-constexpr auto picturePeriod = 33ms; // 30 pictures a second
-constexpr auto measuredRun = 2s;     // then a measured start ends
+constexpr auto busPeriod = 1ms;   // of the training bus
+constexpr auto pollPeriod = 33ms; // 30 pictures a second
+constexpr auto measuredRun = 2s;  // then a measured start ends
 
 } // namespace
 
@@ -99,7 +99,7 @@ void Program::startBus()
     attach();
     openProject();
     m_training.bus->startThread(busPeriod);
-    m_pictures.start(picturePeriod);
+    m_pictures.start(pollPeriod);
     if (measured)
         QTimer::singleShot(measuredRun, &m_application, [] {
             reportMemory();

@@ -14,9 +14,8 @@
 namespace codewheel {
 namespace {
 
-constexpr char formatName[] = "codewheel-cams";
-constexpr std::int64_t formatVersion = 1;
-constexpr std::int64_t largestTotalRange = largestCamPosition + 1;
+constexpr char camFormat[] = "codewheel-cams";
+constexpr std::int64_t camVersion = 1;
 
 // The rules of the file, part by part.
 class CamFileReader
@@ -38,20 +37,20 @@ private:
 
 void CamFileReader::checkFormat(const Json::Value &root, FaultKeeper &faults)
 {
-    if (!root.isObject() || root["format"] == Json::Value(formatName))
+    if (!root.isObject() || root["format"] == Json::Value(camFormat))
         return;
     faults.report(
         root.isMember("format") ? root["format"] : root, QStringLiteral("format"),
-        tr("This is no file of cam programs: the format is not \"%1\".").arg(QLatin1String(formatName)));
+        tr("This is no file of cam programs: the format is not \"%1\".").arg(QLatin1String(camFormat)));
 }
 
 CamFile CamFileReader::read(const JsonObject &json) const
 {
-    if (json.number("version") != formatVersion)
-        json.report("version", tr("Only version %1 of the format can be read.").arg(formatVersion));
+    if (json.number("version") != camVersion)
+        json.report("version", tr("Only version %1 of the format can be read.").arg(camVersion));
     CamFile file;
     file.device = json.text("device");
-    file.totalRange = json.optionalNumber("totalRange", 1, largestTotalRange);
+    file.totalRange = json.optionalNumber("totalRange", 1, k3::largestTotalRange);
 
     CamProgramReader programs(file.totalRange ? std::min(m_largestPosition, *file.totalRange - 1)
                                               : m_largestPosition);
@@ -69,8 +68,8 @@ QByteArray camFileToJson(CamFile file)
 {
     std::ranges::sort(file.programs, {}, &CamProgram::number);
     JsonWriter json;
-    json.member("format", formatName);
-    json.member("version", formatVersion);
+    json.member("format", camFormat);
+    json.member("version", camVersion);
     json.member("device", file.device);
     if (file.totalRange)
         json.member("totalRange", *file.totalRange);

@@ -3,11 +3,12 @@
 
 #include "encoder/cam_program.h"
 #include "encoder/refusal.h"
+#include "words/k3_word.h"
 
 namespace codewheel {
 
 // The largest position 25 bits hold: the limit where the total range is not known.
-inline constexpr std::int64_t largestCamPosition = (std::int64_t{1} << 25) - 1;
+inline constexpr std::int64_t largestCamPosition = k3::largestTotalRange - 1;
 
 // Whether there is such a program: 1..8 (camProgramOutOfRange).
 Result<void> checkCamProgramNumber(std::int64_t number);

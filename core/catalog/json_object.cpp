@@ -196,6 +196,11 @@ std::optional<std::int64_t> JsonObject::optionalNumber(const char *key, std::int
     return has(key) ? std::optional(number(key, minimum, maximum)) : std::nullopt;
 }
 
+int JsonObject::numberOr(const char *key, int otherwise, int minimum, int maximum) const
+{
+    return static_cast<int>(optionalNumber(key, minimum, maximum).value_or(otherwise));
+}
+
 double JsonObject::decimalOr(const char *key, double otherwise, double minimum, double maximum) const
 {
     if (!has(key))

@@ -66,6 +66,8 @@ public:
     std::optional<std::int64_t>
     optionalNumber(const char *key, std::int64_t minimum = std::numeric_limits<std::int64_t>::min(),
                    std::int64_t maximum = std::numeric_limits<std::int64_t>::max()) const;
+    // A small whole number; `otherwise` where the key is not there.
+    int numberOr(const char *key, int otherwise, int minimum, int maximum) const;
     // Any number; `otherwise` where the key is not there.
     double decimalOr(const char *key, double otherwise, double minimum, double maximum) const;
     // Text as the field writes it: "37h".

@@ -12,12 +12,12 @@ namespace {
 // The number of the word that sets a K3 to default (FRABA manual 5.3, Baumer manual 5).
 constexpr unsigned resetNumber = 7;
 
-QString textOf(std::optional<unsigned> number)
+QString shownPlace(std::optional<unsigned> number)
 {
     return number ? QString::number(*number) : QString();
 }
 
-QString textOf(std::optional<esc::Command> command)
+QString shownPlace(std::optional<esc::Command> command)
 {
     return command ? QLatin1StringView(esc::shapeOf(*command).letters) : QString();
 }
@@ -61,7 +61,7 @@ public:
             return;
         row.report(key, known
                             ? tr("%1 has %2 here. Anything else makes the encoder do or tell something else.")
-                                  .arg(owner, textOf(known))
+                                  .arg(owner, shownPlace(known))
                             : tr("%1 has nothing here. Leave it out: the encoder would do or tell something "
                                  "else.")
                                   .arg(owner));

@@ -11,7 +11,7 @@ namespace codewheel {
 namespace {
 
 // "Steps = 255, Direction = cw"
-QString textOf(const ParameterValues &values, const DeviceDescription &device)
+QString valuesText(const ParameterValues &values, const DeviceDescription &device)
 {
     QStringList texts;
     for (const ParameterValue &value : values) {
@@ -35,7 +35,7 @@ Message written(const Outcome &outcome, const DeviceDescription &device)
 {
     return {.id = MessageId::parametersWritten,
             .arguments = {static_cast<std::int64_t>(outcome.written.size()),
-                          std::int64_t{outcome.eepromWrites}, textOf(outcome.written, device)}};
+                          std::int64_t{outcome.eepromWrites}, valuesText(outcome.written, device)}};
 }
 
 Message presetDone(const Outcome &outcome)
@@ -77,7 +77,7 @@ Message restored(const Outcome &outcome, const DeviceDescription &device)
 {
     QStringList texts;
     if (!outcome.written.empty())
-        texts += textOf(outcome.written, device);
+        texts += valuesText(outcome.written, device);
     if (!outcome.camsWritten.empty())
         texts +=
             QCoreApplication::translate("JobReport", "cam program %1").arg(programs(outcome.camsWritten));

@@ -8,7 +8,7 @@
 namespace codewheel {
 namespace {
 
-using State = K3Handshake::State;
+using K3State = K3Handshake::State;
 
 bool confirms(Word in, Word out)
 {
@@ -37,21 +37,21 @@ void K3Handshake::begin(const K3Step &step, Word in, Instant now)
     m_answeredSince = now;
 }
 
-State K3Handshake::cycle(Word in, Word out, Instant now)
+K3State K3Handshake::cycle(Word in, Word out, Instant now)
 {
     if (out != m_step.out)
-        return State::waiting; // another word went out in this cycle
+        return K3State::waiting; // another word went out in this cycle
     m_now = now;
     ++m_cycles;
     m_inChanged = m_inChanged || in != m_inAtBegin;
     m_hasConfirmed = m_hasConfirmed || (m_inChanged && confirms(in, m_step.out));
-    const State state = answerTo(in);
-    if (state == State::waiting && now - m_begin >= m_timing.timeOut)
-        return isErrorAnswer(in, m_dialect) ? State::error : State::noAnswer;
+    const K3State state = answerTo(in);
+    if (state == K3State::waiting && now - m_begin >= m_timing.timeOut)
+        return isErrorAnswer(in, m_dialect) ? K3State::error : K3State::noAnswer;
     return state;
 }
 
-State K3Handshake::answerTo(Word in)
+K3State K3Handshake::answerTo(Word in)
 {
     const bool answered = [&] {
         switch (m_step.kind) {
@@ -79,7 +79,7 @@ State K3Handshake::answerTo(Word in)
     case StepKind::initialisePreset:
         return presetAnswer(in);
     case StepKind::manufacturerPreset:
-        return State::done; // one cycle, and not one more
+        return K3State::done; // one cycle, and not one more
     case StepKind::switchMode:
         return switchAnswer(in);
     case StepKind::toNormal:
@@ -97,122 +97,122 @@ State K3Handshake::answerTo(Word in)
     default:
         break;
     }
-    return State::waiting;
+    return K3State::waiting;
 }
 
 // FRABA confirms first and refuses afterwards, so a confirmation has to stand for the settle time.
-State K3Handshake::confirmation(Word in) const
+K3State K3Handshake::confirmation(Word in) const
 {
     if (isNewError(in))
-        return State::error;
-    return confirms(in, m_step.out) && hasSettled() ? State::done : State::waiting;
+        return K3State::error;
+    return confirms(in, m_step.out) && hasSettled() ? K3State::done : K3State::waiting;
 }
 
-State K3Handshake::runAnswer(Word in)
+K3State K3Handshake::runAnswer(Word in)
 {
     if (isNewError(in))
-        return m_step.tolerateError ? State::done : State::error;
+        return m_step.tolerateError ? K3State::done : K3State::error;
     if (!k3::isOperation(m_inAtBegin)) {
         if (in == 0) {
             m_sawZero = true;
-            return m_now - m_answeredSince >= m_timing.restart ? State::done : State::waiting;
+            return m_now - m_answeredSince >= m_timing.restart ? K3State::done : K3State::waiting;
         }
         if (k3::isOperation(in))
-            return State::done;
+            return K3State::done;
         if (m_sawZero && k3::isConfirmation(in)) // C0000000h: the checks at start-up
-            return State::restarted;
+            return K3State::restarted;
     }
-    return runs(in) && hasSettled() ? State::done : State::waiting;
+    return runs(in) && hasSettled() ? K3State::done : K3State::waiting;
 }
 
 // Nothing acknowledges 40000000h: the position changes, or it was the preset already.
-State K3Handshake::presetAnswer(Word in) const
+K3State K3Handshake::presetAnswer(Word in) const
 {
     if (isNewError(in))
-        return State::error;
-    return k3::isOperation(in) && hasSettled() ? State::done : State::waiting;
+        return K3State::error;
+    return k3::isOperation(in) && hasSettled() ? K3State::done : K3State::waiting;
 }
 
 // A mode word acts at once, without acknowledgement or run (FRABA manual 5.4.2, 5.4.4). Where IN becomes
 // 00000000h, the encoder may have lost its power before it took the word: it stands until that is over.
-State K3Handshake::switchAnswer(Word in) const
+K3State K3Handshake::switchAnswer(Word in) const
 {
     if (isNewError(in))
-        return State::error;
+        return K3State::error;
     const bool isWatched = m_answered ? hasSettled() : m_now - m_begin >= m_timing.restart;
-    return m_cycles >= m_step.holdCycles && isWatched ? State::done : State::waiting;
+    return m_cycles >= m_step.holdCycles && isWatched ? K3State::done : K3State::waiting;
 }
 
-State K3Handshake::normalAnswer(Word in) const
+K3State K3Handshake::normalAnswer(Word in) const
 {
     if (m_step.mustOperate && isErrorAnswer(in, m_dialect))
-        return State::error;
+        return K3State::error;
     const bool normal = m_step.mustOperate ? runs(in) : !showsReadOut(in);
-    return normal && hasSettled() ? State::done : State::waiting;
+    return normal && hasSettled() ? K3State::done : K3State::waiting;
 }
 
-State K3Handshake::readOutAnswer(Word in) const
+K3State K3Handshake::readOutAnswer(Word in) const
 {
     if (!k3::isReadOutAnswer(in))
-        return State::waiting;
-    return k3::number(in) == 0 ? State::done : State::error; // A4......: unknown parameter in read-out
+        return K3State::waiting;
+    return k3::number(in) == 0 ? K3State::done : K3State::error; // A4......: unknown parameter in read-out
 }
 
 // Outside cam mode 2020xxxx is an undefined word: 84000000. An answer that comes out of a long 00000000h is
 // that of an encoder that has just started, in a program that is not known.
-State K3Handshake::camReadOutAnswer(Word in) const
+K3State K3Handshake::camReadOutAnswer(Word in) const
 {
     if (isNewError(in))
-        return State::error;
-    const State answer = readOutAnswer(in);
+        return K3State::error;
+    const K3State answer = readOutAnswer(in);
     const bool hasStarted = m_inAtBegin == 0 && m_now - m_begin >= m_timing.restart;
-    return answer == State::done && hasStarted ? State::restarted : answer;
+    return answer == K3State::done && hasStarted ? K3State::restarted : answer;
 }
 
 // IN = OUT with D31 D30 = 11, or an error in its place (FRABA manual 5.4.4, 10.6).
-State K3Handshake::camAcknowledgement(Word in) const
+K3State K3Handshake::camAcknowledgement(Word in) const
 {
     if (isNewError(in))
-        return State::error;
-    return in == (m_step.out | k3::confirmation) ? State::done : State::waiting;
+        return K3State::error;
+    return in == (m_step.out | k3::confirmation) ? K3State::done : K3State::waiting;
 }
 
-State K3Handshake::readOutEnd(Word in) const
+K3State K3Handshake::readOutEnd(Word in) const
 {
-    return showsReadOut(in) ? State::waiting : State::done;
+    return showsReadOut(in) ? K3State::waiting : K3State::done;
 }
 
 // Words as the user gave them: each until it is acknowledged, by the manual's table, without settling.
-State K3Handshake::wordAnswer(Word in) const
+K3State K3Handshake::wordAnswer(Word in) const
 {
     const Word out = m_step.out;
     if (m_step.inCamMode && fieldSetBy(out))
         return camAcknowledgement(in);
     if (k3::isParameterWord(out)) {
         if (isNewError(in))
-            return State::error;
+            return K3State::error;
         const bool numberStoodBefore = confirms(m_inAtBegin, out);
         const bool echoed =
             confirms(in, out) && (!numberStoodBefore || k3::data(in) == k3::data(out) || m_inChanged);
-        return echoed ? State::done : State::waiting;
+        return echoed ? K3State::done : K3State::waiting;
     }
     if (out == k3::run) {
         if (isNewError(in))
-            return State::error;
+            return K3State::error;
         if (k3::isOperation(in) && !k3::isOperation(m_inAtBegin))
-            return State::done;
-        return runs(in) && m_cycles >= m_step.holdCycles ? State::done : State::waiting;
+            return K3State::done;
+        return runs(in) && m_cycles >= m_step.holdCycles ? K3State::done : K3State::waiting;
     }
     const bool readsCams = m_step.inCamMode && k3::isCamReadOutRequest(out);
     if (readsCams || (k3::isReadOutRequest(out) && m_dialect == k3::Dialect::fraba)) {
         if (!k3::isReadOutAnswer(in) ||
             (k3::isReadOutAnswer(m_inAtBegin) && !m_inChanged && m_cycles < m_step.holdCycles))
-            return State::waiting;
-        return k3::number(in) == 0 ? State::done : State::error;
+            return K3State::waiting;
+        return k3::number(in) == 0 ? K3State::done : K3State::error;
     }
     if (isNewError(in))
-        return State::error;
-    return m_cycles >= m_step.holdCycles ? State::done : State::waiting;
+        return K3State::error;
+    return m_cycles >= m_step.holdCycles ? K3State::done : K3State::waiting;
 }
 
 bool K3Handshake::showsReadOut(Word in) const

@@ -6,17 +6,17 @@
 namespace codewheel {
 namespace {
 
-using State = La66Handshake::State;
+using La66State = La66Handshake::State;
 
 // A write comes back as it went out. Other data are the answer to a service from before.
-State answerToService(Word in, Word out)
+La66State answerToService(Word in, Word out)
 {
     if (!la66::answers(in, out))
-        return State::waiting;
+        return La66State::waiting;
     if (la66::hasError(in))
-        return State::refused;
+        return La66State::refused;
     const bool isOurs = !la66::isWrite(out) || la66::data(in) == la66::data(out);
-    return isOurs ? State::done : State::waiting;
+    return isOurs ? La66State::done : La66State::waiting;
 }
 
 // Without a service bit in OUT, the encoder must be in normal mode too.
@@ -34,26 +34,27 @@ void La66Handshake::begin(const La66Step &step, Instant now)
     m_begin = now;
 }
 
-State La66Handshake::cycle(Word in, Word out, Instant now)
+La66State La66Handshake::cycle(Word in, Word out, Instant now)
 {
     if (out != m_step.out)
-        return State::waiting; // another word went out in this cycle
-    const State state = answerTo(in);
-    return state == State::waiting && now - m_begin >= m_timing.timeOut ? State::noAnswer : state;
+        return La66State::waiting; // another word went out in this cycle
+    const La66State state = answerTo(in);
+    return state == La66State::waiting && now - m_begin >= m_timing.timeOut ? La66State::noAnswer : state;
 }
 
-State La66Handshake::answerTo(Word in)
+La66State La66Handshake::answerTo(Word in)
 {
     switch (m_step.kind) {
     case StepKind::serviceBit:
         return answerToService(in, m_step.out);
     case StepKind::service: // an answer that still stands must go before the next service is asked for
         m_cycles = la66::isServiceMode(in) ? 0 : m_cycles + 1;
-        return m_cycles >= m_timing.dataCycles ? State::done : State::waiting;
+        return m_cycles >= m_timing.dataCycles ? La66State::done : La66State::waiting;
     case StepKind::word:
-        return ++m_cycles >= m_step.holdCycles && isThrough(in, m_step.out) ? State::done : State::waiting;
+        return ++m_cycles >= m_step.holdCycles && isThrough(in, m_step.out) ? La66State::done
+                                                                            : La66State::waiting;
     default:
-        return isThrough(in, m_step.out) ? State::done : State::waiting;
+        return isThrough(in, m_step.out) ? La66State::done : La66State::waiting;
     }
 }
 

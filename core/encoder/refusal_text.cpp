@@ -15,7 +15,7 @@ namespace codewheel {
 namespace {
 
 // %1, %2, ... are the arguments in the order told in encoder/refusal.h.
-struct Row
+struct RefusalRow
 {
     RefusalId id;
     const char *key;
@@ -23,336 +23,388 @@ struct Row
     const char *textWithoutArguments = nullptr; // where they, or one of them, may be left out
 };
 
-constexpr std::array rows{
+constexpr std::array refusalRows{
     // badInput
-    Row{RefusalId::valueOutOfRange, "valueOutOfRange",
-        QT_TRANSLATE_NOOP("Refusal", "%1 = %2 is out of range. Give a value from %3 to %4.")},
-    Row{RefusalId::valueNotAllowed, "valueNotAllowed",
-        QT_TRANSLATE_NOOP("Refusal", "%1 cannot be \"%2\". Allowed are: %3.")},
-    Row{RefusalId::parameterGivenTwice, "parameterGivenTwice",
-        QT_TRANSLATE_NOOP("Refusal", "%1 is given twice. Give it once.")},
-    Row{RefusalId::parameterReadOnly, "parameterReadOnly",
-        QT_TRANSLATE_NOOP("Refusal", "%1 of the %2 can be read but not written. Leave it out.")},
-    Row{RefusalId::nothingToDo, "nothingToDo",
+    RefusalRow{RefusalId::valueOutOfRange, "valueOutOfRange",
+               QT_TRANSLATE_NOOP("Refusal", "%1 = %2 is out of range. Give a value from %3 to %4.")},
+    RefusalRow{RefusalId::valueNotAllowed, "valueNotAllowed",
+               QT_TRANSLATE_NOOP("Refusal", "%1 cannot be \"%2\". Allowed are: %3.")},
+    RefusalRow{RefusalId::parameterGivenTwice, "parameterGivenTwice",
+               QT_TRANSLATE_NOOP("Refusal", "%1 is given twice. Give it once.")},
+    RefusalRow{RefusalId::parameterReadOnly, "parameterReadOnly",
+               QT_TRANSLATE_NOOP("Refusal", "%1 of the %2 can be read but not written. Leave it out.")},
+    RefusalRow{
+        RefusalId::nothingToDo, "nothingToDo",
         QT_TRANSLATE_NOOP("Refusal", "There is nothing to do. Name at least one parameter, value or word.")},
-    Row{RefusalId::unknownDevice, "unknownDevice",
-        QT_TRANSLATE_NOOP("Refusal", "There is no device at %1. There are devices at: %2.")},
-    Row{RefusalId::totalRangeTooLarge, "totalRangeTooLarge",
+    RefusalRow{RefusalId::unknownDevice, "unknownDevice",
+               QT_TRANSLATE_NOOP("Refusal", "There is no device at %1. There are devices at: %2.")},
+    RefusalRow{
+        RefusalId::totalRangeTooLarge, "totalRangeTooLarge",
         QT_TRANSLATE_NOOP("Refusal",
                           "The total range would be %1 steps; the largest is %2. Choose fewer steps or more "
                           "revolutions.")},
-    Row{RefusalId::tooManyStepsPerTurn, "tooManyStepsPerTurn",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "%1 steps in revolutions %2 are finer than the %3 steps per turn the encoder "
-                          "has. Choose fewer steps or more revolutions.")},
-    Row{RefusalId::valueAboveTotalRange, "valueAboveTotalRange",
+    RefusalRow{RefusalId::tooManyStepsPerTurn, "tooManyStepsPerTurn",
+               QT_TRANSLATE_NOOP(
+                   "Refusal", "%1 steps in revolutions %2 are finer than the %3 steps per turn the encoder "
+                              "has. Choose fewer steps or more revolutions.")},
+    RefusalRow{
+        RefusalId::valueAboveTotalRange, "valueAboveTotalRange",
         QT_TRANSLATE_NOOP("Refusal", "%1 = %2 is outside the total range. Give a value of at most %3.")},
-    Row{RefusalId::presetNeedsValue, "presetNeedsValue",
-        QT_TRANSLATE_NOOP("Refusal", "The %1 needs the position it is to be set to. Give a value.")},
-    Row{RefusalId::camProgramOutOfRange, "camProgramOutOfRange",
-        QT_TRANSLATE_NOOP("Refusal", "There is no cam program %1. Choose a program from 1 to 8.")},
-    Row{RefusalId::camOutOfRange, "camOutOfRange",
-        QT_TRANSLATE_NOOP("Refusal", "There is no cam %1. Choose a cam from 0 to 7.")},
-    Row{RefusalId::camPositionTooLarge, "camPositionTooLarge",
+    RefusalRow{RefusalId::presetNeedsValue, "presetNeedsValue",
+               QT_TRANSLATE_NOOP("Refusal", "The %1 needs the position it is to be set to. Give a value.")},
+    RefusalRow{RefusalId::camProgramOutOfRange, "camProgramOutOfRange",
+               QT_TRANSLATE_NOOP("Refusal", "There is no cam program %1. Choose a program from 1 to 8.")},
+    RefusalRow{RefusalId::camOutOfRange, "camOutOfRange",
+               QT_TRANSLATE_NOOP("Refusal", "There is no cam %1. Choose a cam from 0 to 7.")},
+    RefusalRow{
+        RefusalId::camPositionTooLarge, "camPositionTooLarge",
         QT_TRANSLATE_NOOP("Refusal", "Cam %1 cannot start or stop at %2. Give a position from 0 to %3.")},
-    Row{RefusalId::camShiftOutOfRange, "camShiftOutOfRange",
-        QT_TRANSLATE_NOOP("Refusal", "The shift cannot be %1. Give a value from 0 to 25.")},
-    Row{RefusalId::camProgramGivenTwice, "camProgramGivenTwice",
-        QT_TRANSLATE_NOOP("Refusal", "Cam program %1 is given twice. Give it once.")},
-    Row{RefusalId::camFileBroken, "camFileBroken",
-        QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 Nothing was taken from the file."),
-        QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 Nothing was taken from the file.")},
-    Row{RefusalId::camFileOfOtherProgram, "camFileOfOtherProgram",
+    RefusalRow{RefusalId::camShiftOutOfRange, "camShiftOutOfRange",
+               QT_TRANSLATE_NOOP("Refusal", "The shift cannot be %1. Give a value from 0 to 25.")},
+    RefusalRow{RefusalId::camProgramGivenTwice, "camProgramGivenTwice",
+               QT_TRANSLATE_NOOP("Refusal", "Cam program %1 is given twice. Give it once.")},
+    RefusalRow{RefusalId::camFileBroken, "camFileBroken",
+               QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 Nothing was taken from the file."),
+               QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 Nothing was taken from the file.")},
+    RefusalRow{
+        RefusalId::camFileOfOtherProgram, "camFileOfOtherProgram",
         QT_TRANSLATE_NOOP("Refusal", "%1 holds cam program %2, not %3. Choose program %2, or another file.")},
-    Row{RefusalId::labelKeyNotUnderstood, "labelKeyNotUnderstood",
-        QT_TRANSLATE_NOOP("Refusal", "\"%2\" in \"%1\" is not understood. There may stand: %3.")},
-    Row{RefusalId::deviceFileBroken, "deviceFileBroken",
-        QT_TRANSLATE_NOOP("Refusal", "%1: %2 This description was left out; all others were taken.")},
-    Row{RefusalId::deviceCodeDiffers, "deviceCodeDiffers",
+    RefusalRow{RefusalId::labelKeyNotUnderstood, "labelKeyNotUnderstood",
+               QT_TRANSLATE_NOOP("Refusal", "\"%2\" in \"%1\" is not understood. There may stand: %3.")},
+    RefusalRow{RefusalId::deviceFileBroken, "deviceFileBroken",
+               QT_TRANSLATE_NOOP("Refusal", "%1: %2 This description was left out; all others were taken.")},
+    RefusalRow{
+        RefusalId::deviceCodeDiffers, "deviceCodeDiffers",
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 has the device code %2: it cannot be the %3, which has %4. Choose an encoder "
                           "of the same device code.")},
-    Row{RefusalId::fileNotReadable, "fileNotReadable", QT_TRANSLATE_NOOP("Refusal", "%1 cannot be read: %2")},
-    Row{RefusalId::fileNotWritten, "fileNotWritten",
-        QT_TRANSLATE_NOOP("Refusal", "%1 cannot be written: %2 Nothing was changed there.")},
-    Row{RefusalId::fileTooLarge, "fileTooLarge",
+    RefusalRow{RefusalId::fileNotReadable, "fileNotReadable",
+               QT_TRANSLATE_NOOP("Refusal", "%1 cannot be read: %2")},
+    RefusalRow{RefusalId::fileNotWritten, "fileNotWritten",
+               QT_TRANSLATE_NOOP("Refusal", "%1 cannot be written: %2 Nothing was changed there.")},
+    RefusalRow{
+        RefusalId::fileTooLarge, "fileTooLarge",
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 has %2 MB; the largest file that is read has %3 MB. Is it the right file?")},
-    Row{RefusalId::projectFileBroken, "projectFileBroken",
-        QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 The project was not opened."),
-        QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 The project was not opened.")},
-    Row{RefusalId::projectFileNewer, "projectFileNewer",
-        QT_TRANSLATE_NOOP("Refusal", "%1 was saved by a newer Codewheel (version %2 of the file; this one "
-                                     "reads up to %3). Open it with that one. Nothing was changed.")},
-    Row{RefusalId::faultPlanBroken, "faultPlanBroken",
-        QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 The fault plan was not loaded."),
-        QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 The fault plan was not loaded.")},
-    Row{RefusalId::structureBroken, "structureBroken",
-        QT_TRANSLATE_NOOP("Refusal", "The bus cannot be built like this: %1")},
-    Row{RefusalId::noSuchProjectDevice, "noSuchProjectDevice",
-        QT_TRANSLATE_NOOP("Refusal", "The project has no device at %1. It has: %2.")},
-    Row{RefusalId::projectEmpty, "projectEmpty",
-        QT_TRANSLATE_NOOP("Refusal", "The project has no devices. Insert one, or read in the ring.")},
-    Row{RefusalId::lineAddressWrong, "lineAddressWrong",
+    RefusalRow{RefusalId::projectFileBroken, "projectFileBroken",
+               QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 The project was not opened."),
+               QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 The project was not opened.")},
+    RefusalRow{RefusalId::projectFileNewer, "projectFileNewer",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "%1 was saved by a newer Codewheel (version %2 of the file; this one "
+                                 "reads up to %3). Open it with that one. Nothing was changed.")},
+    RefusalRow{RefusalId::faultPlanBroken, "faultPlanBroken",
+               QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 The fault plan was not loaded."),
+               QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 The fault plan was not loaded.")},
+    RefusalRow{RefusalId::structureBroken, "structureBroken",
+               QT_TRANSLATE_NOOP("Refusal", "The bus cannot be built like this: %1")},
+    RefusalRow{RefusalId::noSuchProjectDevice, "noSuchProjectDevice",
+               QT_TRANSLATE_NOOP("Refusal", "The project has no device at %1. It has: %2.")},
+    RefusalRow{RefusalId::projectEmpty, "projectEmpty",
+               QT_TRANSLATE_NOOP("Refusal", "The project has no devices. Insert one, or read in the ring.")},
+    RefusalRow{
+        RefusalId::lineAddressWrong, "lineAddressWrong",
         QT_TRANSLATE_NOOP(
             "Refusal",
             "\"%1\" is no address of an encoder on a serial line. Addresses go from 01 to 1F (1 to 31).")},
-    Row{RefusalId::lineSettingWrong, "lineSettingWrong",
-        QT_TRANSLATE_NOOP("Refusal", "The serial line cannot be set to \"%1\". Allowed are: %2.")},
-    Row{RefusalId::lineAddressTaken, "lineAddressTaken",
+    RefusalRow{RefusalId::lineSettingWrong, "lineSettingWrong",
+               QT_TRANSLATE_NOOP("Refusal", "The serial line cannot be set to \"%1\". Allowed are: %2.")},
+    RefusalRow{
+        RefusalId::lineAddressTaken, "lineAddressTaken",
         QT_TRANSLATE_NOOP(
             "Refusal",
             "Address %1 is taken: %2 answers there. Choose another, or two encoders would answer at once.")},
     // notSupported
-    Row{RefusalId::parameterNotSupported, "parameterNotSupported",
+    RefusalRow{
+        RefusalId::parameterNotSupported, "parameterNotSupported",
         QT_TRANSLATE_NOOP("Refusal",
                           "The %2 does not have the parameter \"%1\". Leave it out, or check which encoder "
                           "it is.")},
-    Row{RefusalId::readingNotSupported, "readingNotSupported",
-        QT_TRANSLATE_NOOP("Refusal", "The %1 has no read-out: its values cannot be read.")},
-    Row{RefusalId::writingNotSupported, "writingNotSupported",
-        QT_TRANSLATE_NOOP("Refusal", "The %1 cannot be parameterized over the bus.")},
-    Row{RefusalId::presetNotSupported, "presetNotSupported",
-        QT_TRANSLATE_NOOP("Refusal", "The position of the %1 cannot be set over the bus.")},
-    Row{RefusalId::modeNotKnown, "modeNotKnown",
+    RefusalRow{RefusalId::readingNotSupported, "readingNotSupported",
+               QT_TRANSLATE_NOOP("Refusal", "The %1 has no read-out: its values cannot be read.")},
+    RefusalRow{RefusalId::writingNotSupported, "writingNotSupported",
+               QT_TRANSLATE_NOOP("Refusal", "The %1 cannot be parameterized over the bus.")},
+    RefusalRow{RefusalId::presetNotSupported, "presetNotSupported",
+               QT_TRANSLATE_NOOP("Refusal", "The position of the %1 cannot be set over the bus.")},
+    RefusalRow{
+        RefusalId::modeNotKnown, "modeNotKnown",
         QT_TRANSLATE_NOOP("Refusal",
                           "Nothing was sent: the mode of the encoder is not known. In cam mode the word %1 "
                           "%2. Make sure that the encoder is in position mode, and confirm it.")},
-    Row{RefusalId::inCamMode, "inCamMode",
+    RefusalRow{
+        RefusalId::inCamMode, "inCamMode",
         QT_TRANSLATE_NOOP("Refusal",
                           "Nothing was sent: the encoder is in cam mode, where the word %1 %2. Switch it to "
                           "position mode first.")},
-    Row{RefusalId::camsNotSupported, "camsNotSupported", QT_TRANSLATE_NOOP("Refusal", "The %1 has no cams.")},
-    Row{RefusalId::velocityNotSupported, "velocityNotSupported",
-        QT_TRANSLATE_NOOP("Refusal", "The %1 has no velocity mode.")},
-    Row{RefusalId::manufacturerPresetNotSupported, "manufacturerPresetNotSupported",
+    RefusalRow{RefusalId::camsNotSupported, "camsNotSupported",
+               QT_TRANSLATE_NOOP("Refusal", "The %1 has no cams.")},
+    RefusalRow{RefusalId::velocityNotSupported, "velocityNotSupported",
+               QT_TRANSLATE_NOOP("Refusal", "The %1 has no velocity mode.")},
+    RefusalRow{
+        RefusalId::manufacturerPresetNotSupported, "manufacturerPresetNotSupported",
         QT_TRANSLATE_NOOP("Refusal",
                           "The %1 does not know the FRABA preset. Set the position with the preset of the "
                           "profile.")},
-    Row{RefusalId::linkDoesNotBoundCycles, "linkDoesNotBoundCycles",
+    RefusalRow{
+        RefusalId::linkDoesNotBoundCycles, "linkDoesNotBoundCycles",
         QT_TRANSLATE_NOOP("Refusal",
                           "Nothing was sent: this link cannot make sure that the word %1 stands on the bus "
                           "for one cycle only. Set the position with the preset of the profile.")},
-    Row{RefusalId::resetNotSupported, "resetNotSupported",
-        QT_TRANSLATE_NOOP("Refusal", "The %1 cannot be reset to factory settings over the bus.")},
-    Row{RefusalId::sendingNotSupported, "sendingNotSupported",
-        QT_TRANSLATE_NOOP("Refusal", "%1 has no OUT word: nothing can be sent to it.")},
-    Row{RefusalId::jobNotSupported, "jobNotSupported",
-        QT_TRANSLATE_NOOP("Refusal", "The %1 cannot do this.")},
-    Row{RefusalId::masterServiceNotSupported, "masterServiceNotSupported",
+    RefusalRow{RefusalId::resetNotSupported, "resetNotSupported",
+               QT_TRANSLATE_NOOP("Refusal", "The %1 cannot be reset to factory settings over the bus.")},
+    RefusalRow{RefusalId::sendingNotSupported, "sendingNotSupported",
+               QT_TRANSLATE_NOOP("Refusal", "%1 has no OUT word: nothing can be sent to it.")},
+    RefusalRow{RefusalId::jobNotSupported, "jobNotSupported",
+               QT_TRANSLATE_NOOP("Refusal", "The %1 cannot do this.")},
+    RefusalRow{
+        RefusalId::masterServiceNotSupported, "masterServiceNotSupported",
         QT_TRANSLATE_NOOP(
             "Refusal",
             "This link does not reach the master: %1 is not possible. It shows the process data only.")},
-    Row{RefusalId::encodersDiffer, "encodersDiffer",
+    RefusalRow{
+        RefusalId::encodersDiffer, "encodersDiffer",
         QT_TRANSLATE_NOOP(
             "Refusal", "%1 (%2) and %3 (%4) are not the same kind of encoder. Choose encoders of one kind.")},
     // busy
-    Row{RefusalId::jobRunning, "jobRunning",
+    RefusalRow{
+        RefusalId::jobRunning, "jobRunning",
         QT_TRANSLATE_NOOP("Refusal", "A job is running at %1. Wait for its end, or cancel it."),
         QT_TRANSLATE_NOOP("Refusal", "A job is running at this encoder. Wait for its end, or cancel it.")},
-    Row{RefusalId::wordHeldByJob, "wordHeldByJob",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "Nothing was sent to %1: a job holds its OUT word. Wait for its end, or cancel "
-                          "it."),
-        QT_TRANSLATE_NOOP("Refusal",
-                          "Nothing was sent: a job holds the OUT word. Wait for its end, or cancel it.")},
-    Row{RefusalId::watchOnly, "watchOnly",
+    RefusalRow{RefusalId::wordHeldByJob, "wordHeldByJob",
+               QT_TRANSLATE_NOOP(
+                   "Refusal", "Nothing was sent to %1: a job holds its OUT word. Wait for its end, or cancel "
+                              "it."),
+               QT_TRANSLATE_NOOP(
+                   "Refusal", "Nothing was sent: a job holds the OUT word. Wait for its end, or cancel it.")},
+    RefusalRow{
+        RefusalId::watchOnly, "watchOnly",
         QT_TRANSLATE_NOOP("Refusal",
                           "Nothing was sent to %1: the program only watches. Switch to Operate first."),
         QT_TRANSLATE_NOOP("Refusal", "Nothing was sent: the program only watches. Switch to Operate first.")},
-    Row{RefusalId::notRunning, "notRunning",
-        QT_TRANSLATE_NOOP("Refusal", "Nothing was sent to %1: the bus is stopped. Start it first."),
-        QT_TRANSLATE_NOOP("Refusal", "Nothing was sent: the bus is stopped. Start it first.")},
-    Row{RefusalId::inParameterization, "inParameterization",
+    RefusalRow{RefusalId::notRunning, "notRunning",
+               QT_TRANSLATE_NOOP("Refusal", "Nothing was sent to %1: the bus is stopped. Start it first."),
+               QT_TRANSLATE_NOOP("Refusal", "Nothing was sent: the bus is stopped. Start it first.")},
+    RefusalRow{
+        RefusalId::inParameterization, "inParameterization",
         QT_TRANSLATE_NOOP("Refusal",
                           "Nothing was sent: the encoder is in parameterization already (IN %1). End that "
                           "first, with run.")},
-    Row{RefusalId::masterStateWrong, "masterStateWrong",
-        QT_TRANSLATE_NOOP("Refusal", "%1 is not possible while the master is in the state %2.")},
-    Row{RefusalId::noConfiguration, "noConfiguration",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "The master keeps no configuration. Read in the ring, or download one.")},
-    Row{RefusalId::eepromBudgetUsed, "eepromBudgetUsed",
-        QT_TRANSLATE_NOOP("Refusal", "%1: this program has written %2 times to its EEPROM; its manual speaks "
-                                     "of about %3. Say that you want to write.")},
-    Row{RefusalId::eepromLimitPassed, "eepromLimitPassed",
-        QT_TRANSLATE_NOOP("Refusal", "%1: this program has written %2 times to its EEPROM; beyond %3 its "
-                                     "manual guarantees nothing. Type the place to write nevertheless.")},
+    RefusalRow{RefusalId::masterStateWrong, "masterStateWrong",
+               QT_TRANSLATE_NOOP("Refusal", "%1 is not possible while the master is in the state %2.")},
+    RefusalRow{RefusalId::noConfiguration, "noConfiguration",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "The master keeps no configuration. Read in the ring, or download one.")},
+    RefusalRow{RefusalId::eepromBudgetUsed, "eepromBudgetUsed",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "%1: this program has written %2 times to its EEPROM; its manual speaks "
+                                 "of about %3. Say that you want to write.")},
+    RefusalRow{RefusalId::eepromLimitPassed, "eepromLimitPassed",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "%1: this program has written %2 times to its EEPROM; beyond %3 its "
+                                 "manual guarantees nothing. Type the place to write nevertheless.")},
     // device
-    Row{RefusalId::wrongParameterData, "wrongParameterData",
+    RefusalRow{
+        RefusalId::wrongParameterData, "wrongParameterData",
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 1: the encoder refused the value of %1 (IN %2). Check the value and write "
                           "it again."),
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 1: the encoder refused a value (IN %2). Check the values and write them "
                           "again.")},
-    Row{RefusalId::unknownParameterNumber, "unknownParameterNumber",
+    RefusalRow{
+        RefusalId::unknownParameterNumber, "unknownParameterNumber",
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 2: the encoder does not know the number of %1 (IN %2). Check which encoder "
                           "it is."),
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 2: the encoder does not know a parameter number (IN %2). Check which "
                           "encoder it is.")},
-    Row{RefusalId::parametersLost, "parametersLost",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "Error 3: the encoder has lost its parameters (IN %1). Write parameters 1 to 4 "
-                          "again, or reset it to factory settings.")},
-    Row{RefusalId::eepromStoreError, "eepromStoreError",
+    RefusalRow{RefusalId::parametersLost, "parametersLost",
+               QT_TRANSLATE_NOOP(
+                   "Refusal", "Error 3: the encoder has lost its parameters (IN %1). Write parameters 1 to 4 "
+                              "again, or reset it to factory settings.")},
+    RefusalRow{
+        RefusalId::eepromStoreError, "eepromStoreError",
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 13: the encoder could not store its parameters (IN %1). Write them again; "
                           "if the error comes back, replace the encoder.")},
-    Row{RefusalId::batteryLow, "batteryLow",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "Error 14: the battery of the encoder is low (IN %1). Have it replaced; run "
-                          "brings the encoder back to operation.")},
-    Row{RefusalId::codeDiscFault, "codeDiscFault",
+    RefusalRow{RefusalId::batteryLow, "batteryLow",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "Error 14: the battery of the encoder is low (IN %1). Have it replaced; run "
+                                 "brings the encoder back to operation.")},
+    RefusalRow{
+        RefusalId::codeDiscFault, "codeDiscFault",
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 15: the encoder reads a faulty value from its code disc (IN %1). Send run; "
                           "if the error comes back, replace the encoder.")},
-    Row{RefusalId::readOutUnknown, "readOutUnknown",
+    RefusalRow{
+        RefusalId::readOutUnknown, "readOutUnknown",
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder does not know the read-out code %1 (IN %2). Check which encoder it "
                           "is, and whether it has what you want to read.")},
-    Row{RefusalId::manufacturerError, "manufacturerError",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "The encoder reports the manufacturer's error %1 (IN %2). See its manual.")},
-    Row{RefusalId::noValidPosition, "noValidPosition",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "The encoder gives no valid position (IN %1). Turn the shaft more slowly, and "
-                          "send run.")},
-    Row{RefusalId::otherDeviceError, "otherDeviceError",
+    RefusalRow{RefusalId::manufacturerError, "manufacturerError",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "The encoder reports the manufacturer's error %1 (IN %2). See its manual.")},
+    RefusalRow{RefusalId::noValidPosition, "noValidPosition",
+               QT_TRANSLATE_NOOP(
+                   "Refusal", "The encoder gives no valid position (IN %1). Turn the shaft more slowly, and "
+                              "send run.")},
+    RefusalRow{
+        RefusalId::otherDeviceError, "otherDeviceError",
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder reports error %1 (IN %2), which its description does not name. See "
                           "its manual.")},
-    Row{RefusalId::noAnswer, "noAnswer",
+    RefusalRow{
+        RefusalId::noAnswer, "noAnswer",
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder did not answer within %1 s (OUT %2, IN %3). Check which encoder it "
                           "is, and whether it is switched on.")},
-    Row{RefusalId::verificationFailed, "verificationFailed",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "%1 was written as %2 but read back as %3. Read the encoder before you rely on "
-                          "it, and write again.")},
-    Row{RefusalId::unknownState, "unknownState",
+    RefusalRow{RefusalId::verificationFailed, "verificationFailed",
+               QT_TRANSLATE_NOOP(
+                   "Refusal", "%1 was written as %2 but read back as %3. Read the encoder before you rely on "
+                              "it, and write again.")},
+    RefusalRow{
+        RefusalId::unknownState, "unknownState",
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder shows a state that is in no manual (IN %1). Send run, or switch the "
                           "encoder off and on.")},
-    Row{RefusalId::restarted, "restarted",
-        QT_TRANSLATE_NOOP(
-            "Refusal",
-            "The encoder left parameterization before run was sent or answered, as after a loss "
-            "of power (IN %1). It may have kept its old values: check its supply and write again.")},
-    Row{RefusalId::camWordRefused, "camWordRefused",
+    RefusalRow{RefusalId::restarted, "restarted",
+               QT_TRANSLATE_NOOP(
+                   "Refusal",
+                   "The encoder left parameterization before run was sent or answered, as after a loss "
+                   "of power (IN %1). It may have kept its old values: check its supply and write again.")},
+    RefusalRow{
+        RefusalId::camWordRefused, "camWordRefused",
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder refused the word %1, which %2 in cam mode (IN %3). It kept the old "
                           "value: compare the cam program with the encoder, and check which encoder it is.")},
-    Row{RefusalId::camsInParameterization, "camsInParameterization",
+    RefusalRow{
+        RefusalId::camsInParameterization, "camsInParameterization",
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder took no cam word (OUT %1, IN %2): it was in a parameterization that "
                           "was begun before. Run was not sent, since it makes valid what was confirmed "
                           "there. End that parameterization first, then try again.")},
-    Row{RefusalId::camPositionAboveRange, "camPositionAboveRange",
+    RefusalRow{
+        RefusalId::camPositionAboveRange, "camPositionAboveRange",
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 98000004: a start or stop of cam %1 is above the largest position (IN %2). "
                           "Give a position within the total range.")},
-    Row{RefusalId::lostInCamMode, "lostInCamMode",
+    RefusalRow{
+        RefusalId::lostInCamMode, "lostInCamMode",
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 3: the encoder has lost its parameters (IN %1). In cam mode it takes none: "
                           "switch it to position mode, write parameters 1 to 4 there or reset it to factory "
                           "settings, and compare the cam programs.")},
-    Row{RefusalId::camVerificationFailed, "camVerificationFailed",
+    RefusalRow{
+        RefusalId::camVerificationFailed, "camVerificationFailed",
         QT_TRANSLATE_NOOP("Refusal",
                           "Cam program %1 was written but read back differently. Compare it before you rely "
                           "on it, and write again.")},
-    Row{RefusalId::serviceRefused, "serviceRefused",
+    RefusalRow{
+        RefusalId::serviceRefused, "serviceRefused",
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder refused service %1 (IN %2). Nothing was changed: check the value and "
                           "write it again.")},
-    Row{RefusalId::magnetOutOfRange, "magnetOutOfRange",
+    RefusalRow{
+        RefusalId::magnetOutOfRange, "magnetOutOfRange",
         QT_TRANSLATE_NOOP("Refusal",
                           "The magnet is outside the measuring range (IN %1): the last position is shown. "
                           "Move the magnet back, then read the error status.")},
-    Row{RefusalId::noValuesFromBefore, "noValuesFromBefore",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "There is nothing to restore at %1: no values from before a write are kept.")},
-    Row{RefusalId::escCommandUnknown, "escCommandUnknown",
-        QT_TRANSLATE_NOOP("Refusal", "The encoder does not know the command %1 (answer 03). Nothing was "
-                                     "changed; its version may be older than the manual.")},
-    Row{RefusalId::escOutOfRange, "escOutOfRange",
-        QT_TRANSLATE_NOOP("Refusal", "The encoder refused %1 as incomplete or out of range (answer 05). It "
-                                     "kept the old value: give another one.")},
-    Row{RefusalId::escNoAnswer, "escNoAnswer",
-        QT_TRANSLATE_NOOP("Refusal", "No answer to %1 (tries: %2). Check address, baud rate, wiring and "
-                                     "supply; an RS-422 encoder also needs ST (pin 7) at +UB.")},
-    Row{RefusalId::escReadsDisagree, "escReadsDisagree",
-        QT_TRANSLATE_NOOP("Refusal", "%1 was read as %2 and then as %3, so neither is taken. Check the line "
-                                     "for disturbances, then read again.")},
-    Row{RefusalId::escWriteUnknown, "escWriteUnknown",
+    RefusalRow{RefusalId::noValuesFromBefore, "noValuesFromBefore",
+               QT_TRANSLATE_NOOP(
+                   "Refusal", "There is nothing to restore at %1: no values from before a write are kept.")},
+    RefusalRow{RefusalId::escCommandUnknown, "escCommandUnknown",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "The encoder does not know the command %1 (answer 03). Nothing was "
+                                 "changed; its version may be older than the manual.")},
+    RefusalRow{RefusalId::escOutOfRange, "escOutOfRange",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "The encoder refused %1 as incomplete or out of range (answer 05). It "
+                                 "kept the old value: give another one.")},
+    RefusalRow{RefusalId::escNoAnswer, "escNoAnswer",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "No answer to %1 (tries: %2). Check address, baud rate, wiring and "
+                                 "supply; an RS-422 encoder also needs ST (pin 7) at +UB.")},
+    RefusalRow{RefusalId::escReadsDisagree, "escReadsDisagree",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "%1 was read as %2 and then as %3, so neither is taken. Check the line "
+                                 "for disturbances, then read again.")},
+    RefusalRow{
+        RefusalId::escWriteUnknown, "escWriteUnknown",
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 was sent and not answered, and it could not be found out afterwards whether "
                           "it was carried out: it is not known whether the encoder has the new value. Check "
                           "the line, and read the encoder before you go on.")},
-    Row{RefusalId::escWriteNotDone, "escWriteNotDone",
-        QT_TRANSLATE_NOOP("Refusal", "%1 was sent and not answered, and the encoder still has the old value. "
-                                     "Check the line, then write again.")},
-    Row{RefusalId::escNotFoundAgain, "escNotFoundAgain",
-        QT_TRANSLATE_NOOP(
-            "Refusal",
-            "The encoder does not answer any more at %1. Search the line for it at all baud rates.")},
-    Row{RefusalId::escFactorFitsNothing, "escFactorFitsNothing",
+    RefusalRow{RefusalId::escWriteNotDone, "escWriteNotDone",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "%1 was sent and not answered, and the encoder still has the old value. "
+                                 "Check the line, then write again.")},
+    RefusalRow{RefusalId::escNotFoundAgain, "escNotFoundAgain",
+               QT_TRANSLATE_NOOP(
+                   "Refusal",
+                   "The encoder does not answer any more at %1. Search the line for it at all baud rates.")},
+    RefusalRow{
+        RefusalId::escFactorFitsNothing, "escFactorFitsNothing",
         QT_TRANSLATE_NOOP("Refusal",
                           "The scaling factor %1 fits %2 steps per turn and a measuring range of %3 in no "
                           "format, or in more than one. Leave the number of fraction bits as it is, or "
                           "write the scaling anew.")},
     // link
-    Row{RefusalId::linkFailed, "linkFailed", QT_TRANSLATE_NOOP("Refusal", "The link failed: %1")},
-    Row{RefusalId::ringDiffers, "ringDiffers",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "%1: configured is %2, found was %3. Compare, and take over what is right.")},
-    Row{RefusalId::busFault, "busFault", QT_TRANSLATE_NOOP("Refusal", "The bus does not run: %1.")},
-    Row{RefusalId::notInRing, "notInRing",
+    RefusalRow{RefusalId::linkFailed, "linkFailed", QT_TRANSLATE_NOOP("Refusal", "The link failed: %1")},
+    RefusalRow{RefusalId::ringDiffers, "ringDiffers",
+               QT_TRANSLATE_NOOP(
+                   "Refusal", "%1: configured is %2, found was %3. Compare, and take over what is right.")},
+    RefusalRow{RefusalId::busFault, "busFault", QT_TRANSLATE_NOOP("Refusal", "The bus does not run: %1.")},
+    RefusalRow{
+        RefusalId::notInRing, "notInRing",
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 is not in the ring: its segment is switched off, or a fault lies before it.")},
-    Row{RefusalId::databaseFailed, "databaseFailed", QT_TRANSLATE_NOOP("Refusal", "%1 cannot be used: %2")},
-    Row{RefusalId::portNotFound, "portNotFound",
+    RefusalRow{RefusalId::databaseFailed, "databaseFailed",
+               QT_TRANSLATE_NOOP("Refusal", "%1 cannot be used: %2")},
+    RefusalRow{
+        RefusalId::portNotFound, "portNotFound",
         QT_TRANSLATE_NOOP(
             "Refusal", "There is no serial port %1. Plug the adapter in, and choose a port from the list.")},
-    Row{RefusalId::portInUse, "portInUse",
-        QT_TRANSLATE_NOOP(
-            "Refusal",
-            "The serial port %1 is used by another program. Close that program, then connect again.")},
-    Row{RefusalId::portNoRights, "portNoRights",
-        QT_TRANSLATE_NOOP("Refusal", "You may not use the serial port %1: it belongs to the group %2. Run "
-                                     "\"%3\", log out and in again.")},
-    Row{RefusalId::portLost, "portLost",
-        QT_TRANSLATE_NOOP("Refusal", "The serial port %1 is gone: the adapter was unplugged or has lost its "
-                                     "supply. Plug it in again.")},
-    Row{RefusalId::portOfOther, "portOfOther",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "%1 is another adapter than %2. Choose the port again if you mean this one.")},
-    Row{RefusalId::lineClosed, "lineClosed",
-        QT_TRANSLATE_NOOP("Refusal", "The serial line is not open. Connect it first.")},
+    RefusalRow{RefusalId::portInUse, "portInUse",
+               QT_TRANSLATE_NOOP(
+                   "Refusal",
+                   "The serial port %1 is used by another program. Close that program, then connect again.")},
+    RefusalRow{RefusalId::portNoRights, "portNoRights",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "You may not use the serial port %1: it belongs to the group %2. Run "
+                                 "\"%3\", log out and in again.")},
+    RefusalRow{RefusalId::portLost, "portLost",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "The serial port %1 is gone: the adapter was unplugged or has lost its "
+                                 "supply. Plug it in again.")},
+    RefusalRow{RefusalId::portOfOther, "portOfOther",
+               QT_TRANSLATE_NOOP(
+                   "Refusal", "%1 is another adapter than %2. Choose the port again if you mean this one.")},
+    RefusalRow{RefusalId::lineClosed, "lineClosed",
+               QT_TRANSLATE_NOOP("Refusal", "The serial line is not open. Connect it first.")},
     // stopped
-    Row{RefusalId::cancelled, "cancelled", QT_TRANSLATE_NOOP("Refusal", "The job was cancelled.")},
-    Row{RefusalId::alarmStop, "alarmStop",
+    RefusalRow{RefusalId::cancelled, "cancelled", QT_TRANSLATE_NOOP("Refusal", "The job was cancelled.")},
+    RefusalRow{
+        RefusalId::alarmStop, "alarmStop",
         QT_TRANSLATE_NOOP("Refusal", "ALARM STOP ended the job. Check in which state it left the encoder.")},
-    Row{RefusalId::busStopped, "busStopped",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "The job ended because the bus was stopped. Start the bus, and check in which "
-                          "state the encoder is.")},
-    Row{RefusalId::stoppedInWrite, "stoppedInWrite",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "The job ended after %1 was sent and before it was answered: it is not known "
-                          "whether the encoder has the new value. Read it before you go on.")},
+    RefusalRow{RefusalId::busStopped, "busStopped",
+               QT_TRANSLATE_NOOP(
+                   "Refusal", "The job ended because the bus was stopped. Start the bus, and check in which "
+                              "state the encoder is.")},
+    RefusalRow{RefusalId::stoppedInWrite, "stoppedInWrite",
+               QT_TRANSLATE_NOOP(
+                   "Refusal", "The job ended after %1 was sent and before it was answered: it is not known "
+                              "whether the encoder has the new value. Read it before you go on.")},
 };
 
-static_assert(areInOrder(rows, &Row::id) && rows.size() == refusalCount);
+static_assert(areInOrder(refusalRows, &RefusalRow::id) && refusalRows.size() == refusalCount);
 
-const Row &rowOf(RefusalId id)
+const RefusalRow &refusalRow(RefusalId id)
 {
-    return rows.at(static_cast<std::size_t>(id));
+    return refusalRows.at(static_cast<std::size_t>(id));
 }
 
-QString pattern(const char *text)
+QString refusalPattern(const char *text)
 {
     return QCoreApplication::translate("Refusal", text);
 }
@@ -363,20 +415,20 @@ QString effectInCamMode(Word word)
     const QString cam = argumentText(std::int64_t{k3::number(word)});
     const QString position = argumentText(std::int64_t{k3::data(word)});
     if (k3::isCamStart(word))
-        return sentence(pattern(QT_TRANSLATE_NOOP("Refusal", "sets the start of cam %1 to %2")),
+        return sentence(refusalPattern(QT_TRANSLATE_NOOP("Refusal", "sets the start of cam %1 to %2")),
                         {cam, position});
     if (k3::isCamStop(word))
-        return sentence(pattern(QT_TRANSLATE_NOOP("Refusal", "sets the stop of cam %1 to %2")),
+        return sentence(refusalPattern(QT_TRANSLATE_NOOP("Refusal", "sets the stop of cam %1 to %2")),
                         {cam, position});
     if (k3::isCamShift(word))
-        return sentence(pattern(QT_TRANSLATE_NOOP("Refusal", "sets the shift to %1")),
+        return sentence(refusalPattern(QT_TRANSLATE_NOOP("Refusal", "sets the shift to %1")),
                         {argumentText(std::int64_t{word & 0xFF})});
     if (k3::isProgramWord(word))
-        return sentence(pattern(QT_TRANSLATE_NOOP("Refusal", "switches to cam program %1")),
+        return sentence(refusalPattern(QT_TRANSLATE_NOOP("Refusal", "switches to cam program %1")),
                         {argumentText(std::int64_t{word & 0xF})});
     if (k3::isCamConfiguration(word))
-        return pattern(QT_TRANSLATE_NOOP("Refusal", "changes which cams are active"));
-    return pattern(QT_TRANSLATE_NOOP("Refusal", "is a wrong command"));
+        return refusalPattern(QT_TRANSLATE_NOOP("Refusal", "changes which cams are active"));
+    return refusalPattern(QT_TRANSLATE_NOOP("Refusal", "is a wrong command"));
 }
 
 // The word, what it does, and what else there is.
@@ -386,17 +438,18 @@ QString wordText(const Refusal &refusal)
     const auto *word = refusal.arguments.empty() ? nullptr : std::get_if<Word>(&refusal.arguments.front());
     parts.resize(std::max<qsizetype>(parts.size(), 1));
     parts.insert(1, effectInCamMode(word ? *word : k3::initialisePreset));
-    return sentence(pattern(rowOf(refusal.id).text), parts);
+    return sentence(refusalPattern(refusalRow(refusal.id).text), parts);
 }
 
 QString camPositionText(const Refusal &refusal)
 {
     const bool isKnown = refusal.arguments.size() > 1;
     return sentence(
-        pattern(isKnown ? rowOf(refusal.id).text
-                        : QT_TRANSLATE_NOOP("Refusal", "Error 98000004: a start or stop of a cam is above "
-                                                       "the largest position (IN %1). Compare the cam "
-                                                       "programs with the total range.")),
+        refusalPattern(isKnown
+                           ? refusalRow(refusal.id).text
+                           : QT_TRANSLATE_NOOP("Refusal", "Error 98000004: a start or stop of a cam is above "
+                                                          "the largest position (IN %1). Compare the cam "
+                                                          "programs with the total range.")),
         argumentTexts(refusal.arguments));
 }
 
@@ -404,14 +457,15 @@ QString labelKeyText(const Refusal &refusal)
 {
     const QStringList parts = argumentTexts(refusal.arguments);
     if (parts.value(1).isEmpty())
-        return sentence(pattern(QT_TRANSLATE_NOOP("Refusal", "\"%1\" ends too early. There may follow: %3.")),
-                        parts);
+        return sentence(
+            refusalPattern(QT_TRANSLATE_NOOP("Refusal", "\"%1\" ends too early. There may follow: %3.")),
+            parts);
     if (parts.value(2).isEmpty())
         return sentence(
-            pattern(QT_TRANSLATE_NOOP("Refusal",
-                                      "\"%2\" in \"%1\" is too much: the key ends before it. Leave it out.")),
+            refusalPattern(QT_TRANSLATE_NOOP(
+                "Refusal", "\"%2\" in \"%1\" is too much: the key ends before it. Leave it out.")),
             parts);
-    return sentence(pattern(rowOf(refusal.id).text), parts);
+    return sentence(refusalPattern(refusalRow(refusal.id).text), parts);
 }
 
 // The parameters that may be to blame, and IN. A number stands for a parameter without a name.
@@ -423,14 +477,14 @@ QString suspectsText(const Refusal &refusal)
         if (std::holds_alternative<Word>(argument))
             in = argumentText(argument);
         else if (std::holds_alternative<std::int64_t>(argument))
-            suspects << sentence(pattern(QT_TRANSLATE_NOOP("Refusal", "parameter %1")),
+            suspects << sentence(refusalPattern(QT_TRANSLATE_NOOP("Refusal", "parameter %1")),
                                  {argumentText(argument)});
         else
             suspects << argumentText(argument);
     }
-    const Row &row = rowOf(refusal.id);
-    const QString either = pattern(QT_TRANSLATE_NOOP("Refusal", " or "));
-    return sentence(pattern(suspects.isEmpty() ? row.textWithoutArguments : row.text),
+    const RefusalRow &row = refusalRow(refusal.id);
+    const QString either = refusalPattern(QT_TRANSLATE_NOOP("Refusal", " or "));
+    return sentence(refusalPattern(suspects.isEmpty() ? row.textWithoutArguments : row.text),
                     {suspects.join(either), in});
 }
 
@@ -438,8 +492,8 @@ QString suspectsText(const Refusal &refusal)
 QString brokenFileText(const Refusal &refusal)
 {
     const QStringList parts = argumentTexts(refusal.arguments);
-    const Row &row = rowOf(refusal.id);
-    return sentence(pattern(parts.value(2).isEmpty() ? row.textWithoutArguments : row.text), parts);
+    const RefusalRow &row = refusalRow(refusal.id);
+    return sentence(refusalPattern(parts.value(2).isEmpty() ? row.textWithoutArguments : row.text), parts);
 }
 
 // What the system says ends without a full stop.
@@ -448,7 +502,7 @@ QString fileText(const Refusal &refusal)
     QStringList parts = argumentTexts(refusal.arguments);
     if (parts.size() > 1 && !parts[1].endsWith(u'.'))
         parts[1] += u'.';
-    return sentence(pattern(rowOf(refusal.id).text), parts);
+    return sentence(refusalPattern(refusalRow(refusal.id).text), parts);
 }
 
 } // namespace
@@ -473,20 +527,21 @@ QString refusalText(const Refusal &refusal)
     case RefusalId::fileNotWritten:
         return fileText(refusal);
     case RefusalId::busFault:
-        return sentence(pattern(rowOf(refusal.id).text), {busFaultText(refusal.arguments)});
+        return sentence(refusalPattern(refusalRow(refusal.id).text), {busFaultText(refusal.arguments)});
     case RefusalId::labelKeyNotUnderstood:
         return labelKeyText(refusal);
     default:
         break;
     }
-    const Row &row = rowOf(refusal.id);
+    const RefusalRow &row = refusalRow(refusal.id);
     const bool bare = refusal.arguments.empty() && row.textWithoutArguments;
-    return sentence(pattern(bare ? row.textWithoutArguments : row.text), argumentTexts(refusal.arguments));
+    return sentence(refusalPattern(bare ? row.textWithoutArguments : row.text),
+                    argumentTexts(refusal.arguments));
 }
 
 QString refusalKey(RefusalId id)
 {
-    return QString::fromLatin1(rowOf(id).key);
+    return QString::fromLatin1(refusalRow(id).key);
 }
 
 } // namespace codewheel

@@ -7,7 +7,6 @@
 namespace codewheel {
 namespace {
 
-constexpr double micrometresPerMillimetre = 1'000;
 constexpr int mostDecimals = 3;
 
 std::optional<std::int64_t> valueOf(const std::optional<Known> &known)

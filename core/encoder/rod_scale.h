@@ -5,6 +5,8 @@
 
 namespace codewheel {
 
+inline constexpr double micrometresPerMillimetre = 1'000;
+
 // What makes millimetres of the position of a rod: its measuring length in steps and on its label (LA-66
 // manual 3.2: steps = length [mm] / resolution [mm]).
 struct RodScale

@@ -10,7 +10,7 @@ namespace {
 
 struct ArgumentText
 {
-    QString operator()(std::int64_t number) const { return QLocale().toString(qlonglong{number}); }
+    QString operator()(std::int64_t number) const { return numberText(number); }
     QString operator()(double number) const { return QLocale().toString(number, 'g', 4); }
     QString operator()(Word word) const { return hexWord(word); }
     QString operator()(Parameter parameter) const { return parameterName(parameter); }
@@ -34,6 +34,11 @@ QString sentence(const QString &pattern, const QStringList &parts)
             result += pattern[i];
     }
     return result;
+}
+
+QString numberText(std::int64_t number)
+{
+    return QLocale().toString(qlonglong{number});
 }
 
 QString argumentText(const RefusalArgument &argument)

@@ -11,6 +11,9 @@ namespace codewheel {
 // missing is shown as "?".
 QString sentence(const QString &pattern, const QStringList &parts);
 
+// A whole number by locale.
+QString numberText(std::int64_t number);
+
 // Numbers by locale, words with eight hexadecimal digits, parameters by name.
 QString argumentText(const RefusalArgument &argument);
 QStringList argumentTexts(const std::vector<RefusalArgument> &arguments);

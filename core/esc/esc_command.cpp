@@ -15,7 +15,7 @@ constexpr std::uint32_t disc = 33'554'432; // steps on the code disc over all tu
 // Special format, two's complement: esc_scaling.h knows more.
 constexpr std::uint32_t mostFactor = 0x7FFF'FFFF;
 
-constexpr std::array rows{
+constexpr std::array commandShapes{
     // The answers of reads. Bits, numbers of devices and times are whatever comes.
     CommandShape{Command::operatingParameters, "O", false, 4, 0, all16},
     CommandShape{Command::version, "V", false, 0, 0, 0},
@@ -48,26 +48,26 @@ constexpr std::array rows{
     CommandShape{Command::writeBaudRate, "Y", true, 1, 0, 2},
 };
 
-static_assert(areInOrder(rows, &CommandShape::command) &&
-              rows.size() == static_cast<std::size_t>(Command::writeBaudRate) + 1);
+static_assert(areInOrder(commandShapes, &CommandShape::command) &&
+              commandShapes.size() == static_cast<std::size_t>(Command::writeBaudRate) + 1);
 
 } // namespace
 
 std::span<const CommandShape> allCommands()
 {
-    return rows;
+    return commandShapes;
 }
 
 const CommandShape &shapeOf(Command command)
 {
-    return rows.at(static_cast<std::size_t>(command));
+    return commandShapes.at(static_cast<std::size_t>(command));
 }
 
 std::optional<Command> commandOf(QByteArrayView letters)
 {
     const std::string_view wanted(letters.data(), static_cast<std::size_t>(letters.size()));
-    const auto row = std::ranges::find(rows, wanted, &CommandShape::letters);
-    if (row == rows.end())
+    const auto row = std::ranges::find(commandShapes, wanted, &CommandShape::letters);
+    if (row == commandShapes.end())
         return std::nullopt;
     return row->command;
 }

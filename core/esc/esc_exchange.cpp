@@ -14,12 +14,12 @@ constexpr int drainingAtMost = 10;
 // So much garbage is no answer any more.
 constexpr qsizetype mostBytes = 4'096;
 
-enum class Stage { sending, listening, draining, done };
-
 } // namespace
 
 struct Exchange::Private
 {
+    enum class Stage { sending, listening, draining, done };
+
     Request request;
     Timing timing;
     ExchangeResult result{};
@@ -132,7 +132,7 @@ void Exchange::Private::giveUp(Instant now)
     ++result.timeOuts;
     keepRows({});
     const bool again = !writes() && result.sent <= timing.retries;
-    drain(now, quietAfterTimeOut(), again ? Stage::sending : Stage::done);
+    drain(now, quietAfterTimeOut(), again ? Stage::sending : Private::Stage::done);
 }
 
 void Exchange::Private::drain(Instant from, Instant quietTime, Stage next)
@@ -175,12 +175,12 @@ Exchange::Action Exchange::next(Instant now)
 {
     d->pass(now);
     switch (d->stage) {
-    case Stage::sending:
+    case Private::Stage::sending:
         return d->send(now);
-    case Stage::listening:
-    case Stage::draining:
+    case Private::Stage::listening:
+    case Private::Stage::draining:
         return d->waitFor();
-    case Stage::done:
+    case Private::Stage::done:
         break;
     }
     return Done{};
@@ -191,13 +191,13 @@ void Exchange::received(const QByteArray &bytes, Instant at)
     if (bytes.isEmpty())
         return;
     d->pass(at - d->characters(bytes.size() - 1));
-    if (d->stage == Stage::listening) {
+    if (d->stage == Private::Stage::listening) {
         d->listen(bytes, at);
         return;
     }
     // What lies there before a request goes out belongs to one before it, and more of it may come.
-    if (d->stage == Stage::sending)
-        d->drain(at, d->quietAfterTimeOut(), Stage::sending);
+    if (d->stage == Private::Stage::sending)
+        d->drain(at, d->quietAfterTimeOut(), Private::Stage::sending);
     d->addLate(bytes, at);
 }
 

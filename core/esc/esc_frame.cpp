@@ -6,7 +6,7 @@
 namespace codewheel::esc {
 namespace {
 
-using Kind = Answer::Kind;
+using AnswerKind = Answer::Kind;
 
 // A read of text has no digits.
 std::optional<Answer> contentOf(QByteArrayView text, const CommandShape &shape)
@@ -14,11 +14,11 @@ std::optional<Answer> contentOf(QByteArrayView text, const CommandShape &shape)
     if (shape.digits > 0) {
         if (text.size() != shape.digits || !std::ranges::all_of(text, isHexDigit))
             return std::nullopt;
-        return Answer{Kind::value, text.toByteArray().toUInt(nullptr, 16), text.toByteArray()};
+        return Answer{AnswerKind::value, text.toByteArray().toUInt(nullptr, 16), text.toByteArray()};
     }
     if (text.size() < shortestText || text.size() > longestText || !std::ranges::all_of(text, isPrintable))
         return std::nullopt;
-    return Answer{Kind::text, 0, text.toByteArray()};
+    return Answer{AnswerKind::text, 0, text.toByteArray()};
 }
 
 } // namespace
@@ -51,11 +51,11 @@ std::vector<Frame> valuesIn(QByteArrayView bytes, const CommandShape &shape)
 std::optional<Answer> wordlessAnswer(QByteArrayView bytes, const CommandShape &shape)
 {
     if (shape.writes && bytes == QByteArrayView(lineEnd))
-        return Answer{Kind::accepted, 0, {}};
+        return Answer{AnswerKind::accepted, 0, {}};
     if (bytes == QByteArrayView("03\r\n"))
-        return Answer{Kind::unknownCommand, 0, "03"};
+        return Answer{AnswerKind::unknownCommand, 0, "03"};
     if (bytes == QByteArrayView("05\r\n"))
-        return Answer{Kind::outOfRange, 0, "05"};
+        return Answer{AnswerKind::outOfRange, 0, "05"};
     return std::nullopt;
 }
 

@@ -6,7 +6,7 @@
 namespace codewheel::esc {
 namespace {
 
-using Kind = LineRow::Kind;
+using RowKind = LineRow::Kind;
 
 // A clock that is read after the bytes came in tells a time that is rather late; one that is told the baud
 // rate alone may be a little off.
@@ -110,17 +110,17 @@ std::optional<Reception::Found> Reception::answer() const
 
 std::vector<LineRow> Reception::rows(const std::optional<Found> &taken) const
 {
-    std::vector<Kind> kinds(m_times.size(), Kind::garbage);
-    const auto mark = [&](qsizetype begin, qsizetype size, Kind kind) {
+    std::vector<RowKind> kinds(m_times.size(), RowKind::garbage);
+    const auto mark = [&](qsizetype begin, qsizetype size, RowKind kind) {
         std::fill_n(kinds.begin() + begin, size, kind);
     };
     for (const qsizetype echo : echoes())
-        mark(echo, m_echo.size(), Kind::echo);
+        mark(echo, m_echo.size(), RowKind::echo);
     if (taken) {
         for (const Frame &frame : frames())
             if (isTooEarly(frame))
-                mark(frame.begin, frame.size(), Kind::late);
-        mark(taken->frame.begin, taken->frame.size(), Kind::answer);
+                mark(frame.begin, frame.size(), RowKind::late);
+        mark(taken->frame.begin, taken->frame.size(), RowKind::answer);
     }
     std::vector<LineRow> rows;
     for (std::size_t i = 0; i < kinds.size(); ++i) {

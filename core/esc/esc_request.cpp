@@ -16,7 +16,7 @@ bool areHexDigits(QByteArrayView text)
 }
 
 // Data of a write: 1 to `digits` digits. A read has none.
-bool fits(QByteArrayView data, const CommandShape &shape)
+bool isDataOf(QByteArrayView data, const CommandShape &shape)
 {
     if (!shape.writes)
         return data.isEmpty();
@@ -51,7 +51,7 @@ std::optional<Request> parseRequest(QByteArrayView text)
     if (!to || rest.size() < letters)
         return std::nullopt;
     const auto command = commandOf(rest.first(letters));
-    if (!command || !fits(rest.sliced(letters), shapeOf(*command)))
+    if (!command || !isDataOf(rest.sliced(letters), shapeOf(*command)))
         return std::nullopt;
     return Request{*to, *command, rest.sliced(letters).toByteArray().toUInt(nullptr, 16)};
 }

@@ -17,7 +17,7 @@ bool isFormat(int fractionBits)
 }
 
 // The device may have rounded either way, and so has the factor.
-bool fits(double factor, double discCount, std::uint32_t shown, int fractionBits)
+bool showsAs(double factor, double discCount, std::uint32_t shown, int fractionBits)
 {
     const double roundedBy = 1 + std::ldexp(discCount, -fractionBits);
     return std::abs(factor * discCount - shown) <= roundedBy;
@@ -73,10 +73,10 @@ std::optional<int> fractionBitsFrom(std::uint32_t factor, std::uint32_t stepsPer
     std::vector<int> byBoth;
     for (int bits = fewestFractionBits; bits <= mostFractionBits; ++bits) {
         const double value = scalingFactor(factor, bits);
-        if (!isScalingFactor(factor, bits) || !fits(value, discSteps, stepsPerTurn, bits))
+        if (!isScalingFactor(factor, bits) || !showsAs(value, discSteps, stepsPerTurn, bits))
             continue;
         bySteps.push_back(bits);
-        if (fits(value, double{discSteps} * discTurns, measuringRange, bits))
+        if (showsAs(value, double{discSteps} * discTurns, measuringRange, bits))
             byBoth.push_back(bits);
     }
     const std::vector<int> &found = bySteps.size() == 1 ? bySteps : byBoth;

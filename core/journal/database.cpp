@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/database.h"
 
-#include <QCoreApplication>
+#include "journal/journal_texts.h"
+
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
@@ -14,11 +15,6 @@
 
 namespace codewheel {
 namespace {
-
-struct Journal
-{
-    Q_DECLARE_TR_FUNCTIONS(codewheel::Journal)
-};
 
 // Primary result codes of SQLite, as QSqlError::nativeErrorCode() gives them.
 constexpr int sqliteNoMemory = 7;

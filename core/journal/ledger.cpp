@@ -14,12 +14,12 @@
 namespace codewheel {
 namespace {
 
-constexpr int applicationId = 0x43574545; // "CWEE"
+constexpr int ledgerApplication = 0x43574545; // "CWEE"
 
-const DatabaseSchema &schema()
+const DatabaseSchema &ledgerSchema()
 {
     static const DatabaseSchema ledger{
-        .applicationId = applicationId,
+        .applicationId = ledgerApplication,
         .version = 1,
         .statements = {QStringLiteral(
                            "CREATE TABLE entry (id INTEGER PRIMARY KEY AUTOINCREMENT, at INTEGER NOT NULL, "
@@ -32,16 +32,16 @@ const DatabaseSchema &schema()
 }
 
 constexpr QLatin1String
-    columns("id, at, identity, counted_by, place, device, planned, writes, settled, before, "
-            "written");
+    ledgerColumns("id, at, identity, counted_by, place, device, planned, writes, settled, before, "
+                  "written");
 constexpr QLatin1String parameterName("parameter");
 constexpr QLatin1String valueName("value");
 constexpr QLatin1String evidenceName("evidence");
 constexpr QLatin1String atName("at");
 
-constexpr std::array kinds{std::pair{CountedBy::serialNumber, QLatin1String("serial-number")},
-                           std::pair{CountedBy::labelSerialNumber, QLatin1String("label")},
-                           std::pair{CountedBy::place, QLatin1String("place")}};
+constexpr std::array countedByNames{std::pair{CountedBy::serialNumber, QLatin1String("serial-number")},
+                                    std::pair{CountedBy::labelSerialNumber, QLatin1String("label")},
+                                    std::pair{CountedBy::place, QLatin1String("place")}};
 constexpr std::array evidences{std::pair{Evidence::read, QLatin1String("read")},
                                std::pair{Evidence::echoed, QLatin1String("echoed")},
                                std::pair{Evidence::told, QLatin1String("told")}};
@@ -99,7 +99,7 @@ Ledger::Entry entryOf(const QSqlQuery &row)
     Ledger::Entry entry{.id = row.value(0).toLongLong(),
                         .at = QDateTime::fromMSecsSinceEpoch(row.value(1).toLongLong(), Qt::UTC),
                         .identity = row.value(2).toString(),
-                        .by = idIn(kinds, row.value(3).toString(), CountedBy::place),
+                        .by = idIn(countedByNames, row.value(3).toString(), CountedBy::place),
                         .place = DeviceNumber::parse(row.value(4).toString()).value_or(DeviceNumber()),
                         .device = row.value(5).toString(),
                         .planned = row.value(6).toInt(),
@@ -166,7 +166,7 @@ QString EncoderIdentity::key() const
 
 Stored<Ledger> Ledger::open(const DatabasePlace &place)
 {
-    auto database = Database::open(place, schema());
+    auto database = Database::open(place, ledgerSchema());
     if (!database)
         return tl::unexpected(database.error());
     return Ledger(std::move(*database));
@@ -177,11 +177,11 @@ Stored<qint64> Ledger::begin(const Entry &entry)
     QSqlQuery query =
         m_database.query(QStringLiteral("INSERT INTO entry (%1) VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, "
                                         "?, ?, ?)")
-                             .arg(columns));
+                             .arg(ledgerColumns));
     for (const QVariant &value : std::initializer_list<QVariant>{
-             entry.at.toMSecsSinceEpoch(), entry.identity, nameIn(kinds, entry.by), entry.place.toString(),
-             entry.device.isNull() ? QStringLiteral("") : entry.device, entry.planned, entry.writes,
-             entry.settled ? 1 : 0, toJson(entry.before), toJson(entry.written)})
+             entry.at.toMSecsSinceEpoch(), entry.identity, nameIn(countedByNames, entry.by),
+             entry.place.toString(), entry.device.isNull() ? QStringLiteral("") : entry.device, entry.planned,
+             entry.writes, entry.settled ? 1 : 0, toJson(entry.before), toJson(entry.written)})
         query.addBindValue(value);
     if (auto inserted = done(query); !inserted)
         return tl::unexpected(inserted.error());
@@ -232,7 +232,7 @@ Stored<void> Ledger::attribute(const std::vector<qint64> &ids, const EncoderIden
             QSqlQuery query = m_database.query(
                 QStringLiteral("UPDATE entry SET identity = ?, counted_by = ? WHERE id = ?"));
             query.addBindValue(identity.key());
-            query.addBindValue(nameIn(kinds, identity.by));
+            query.addBindValue(nameIn(countedByNames, identity.by));
             query.addBindValue(id);
             if (auto updated = done(query); !updated)
                 return updated;
@@ -255,7 +255,7 @@ Stored<void> Ledger::copyPlaces(const QString &from, const QString &to, Places p
             "WHERE substr(identity, 1, length(:from)) = :from AND (place LIKE 'esc:%') = :line "
             "AND id NOT IN (%2) AND NOT EXISTS (SELECT 1 FROM entry WHERE at = old.at AND "
             "device = old.device AND identity = :to || substr(old.identity, length(:from) + 1))")
-            .arg(columns, ids.join(u',')));
+            .arg(ledgerColumns, ids.join(u',')));
     query.bindValue(QStringLiteral(":from"), placePrefix(from));
     query.bindValue(QStringLiteral(":to"), placePrefix(to));
     query.bindValue(QStringLiteral(":line"), places == Places::ofLine ? 1 : 0);
@@ -288,7 +288,7 @@ std::vector<Ledger::Entry> Ledger::valuesBefore(const EncoderIdentity &identity)
 {
     QSqlQuery query = m_database.query(
         QStringLiteral("SELECT %1 FROM entry WHERE identity = ? AND before <> '[]' ORDER BY id DESC")
-            .arg(columns));
+            .arg(ledgerColumns));
     query.addBindValue(identity.key());
     std::vector<Entry> entries;
     query.exec();
@@ -311,7 +311,7 @@ std::vector<Ledger::Account> Ledger::accounts() const
                         .place = DeviceNumber::parse(query.value(2).toString()).value_or(DeviceNumber()),
                         .device = query.value(3).toString(),
                         .count = countOf(query, 5)};
-        account.count.by = idIn(kinds, query.value(1).toString(), CountedBy::place);
+        account.count.by = idIn(countedByNames, query.value(1).toString(), CountedBy::place);
         if (account.identity.startsWith(serialPrefix))
             account.count.serialNumber = account.identity.section(u'/', 2);
         accounts.push_back(std::move(account));

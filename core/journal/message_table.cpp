@@ -10,12 +10,12 @@
 namespace codewheel {
 namespace {
 
-constexpr int applicationId = 0x43574D53; // "CWMS"
+constexpr int messagesApplication = 0x43574D53; // "CWMS"
 
-const DatabaseSchema &schema()
+const DatabaseSchema &messagesSchema()
 {
     static const DatabaseSchema messages{
-        .applicationId = applicationId,
+        .applicationId = messagesApplication,
         .version = 1,
         .statements = {QStringLiteral("CREATE TABLE message (id INTEGER PRIMARY KEY AUTOINCREMENT, "
                                       "at INTEGER NOT NULL, severity INTEGER NOT NULL, place TEXT, "
@@ -24,7 +24,7 @@ const DatabaseSchema &schema()
     return messages;
 }
 
-const QString columns = QStringLiteral("id, at, severity, place, code, arguments, refusal");
+const QString messageColumns = QStringLiteral("id, at, severity, place, code, arguments, refusal");
 
 // What a file holds may be anything.
 Severity severityOf(int number)
@@ -32,7 +32,7 @@ Severity severityOf(int number)
     return number <= 0 ? Severity::information : number == 1 ? Severity::attention : Severity::fault;
 }
 
-StoredMessage rowOf(const QSqlQuery &query)
+StoredMessage messageOf(const QSqlQuery &query)
 {
     return {.id = query.value(0).toLongLong(),
             .at = query.value(1).toLongLong(),
@@ -80,7 +80,7 @@ QVariant orNull(const QString &text)
 
 Stored<MessageTable> MessageTable::open(const DatabasePlace &place)
 {
-    auto database = Database::open(place, schema());
+    auto database = Database::open(place, messagesSchema());
     if (!database)
         return tl::unexpected(database.error());
     return MessageTable(std::move(*database));
@@ -114,7 +114,7 @@ Stored<void> MessageTable::insert(const std::vector<StoredMessage> &messages, bo
 {
     return m_database.inTransaction([&]() -> Stored<void> {
         QSqlQuery row = m_database.query(
-            QStringLiteral("INSERT INTO message (%1) VALUES (?, ?, ?, ?, ?, ?, ?)").arg(columns));
+            QStringLiteral("INSERT INTO message (%1) VALUES (?, ?, ?, ?, ?, ?, ?)").arg(messageColumns));
         QSqlQuery place = m_database.query(QStringLiteral("INSERT OR IGNORE INTO place VALUES (?)"));
         std::optional<DeviceNumber> noted;
         for (const StoredMessage &message : messages) {
@@ -147,13 +147,14 @@ Stored<std::vector<StoredMessage>> MessageTable::read(const std::vector<qint64> 
     if (count > 1 && ids.back() - ids.front() == count - 1 && std::ranges::is_sorted(ids))
         if (auto run = read(ids.front(), ids.back()); !run || std::ssize(*run) == count)
             return run;
-    QSqlQuery query = m_database.query(QStringLiteral("SELECT %1 FROM message WHERE id = ?").arg(columns));
+    QSqlQuery query =
+        m_database.query(QStringLiteral("SELECT %1 FROM message WHERE id = ?").arg(messageColumns));
     std::vector<StoredMessage> messages;
     for (const qint64 id : ids) {
         query.bindValue(0, id);
         if (!query.exec())
             return tl::unexpected(Database::errorOf(query.lastError()));
-        messages.push_back(query.next() ? rowOf(query) : StoredMessage());
+        messages.push_back(query.next() ? messageOf(query) : StoredMessage());
     }
     return messages;
 }
@@ -162,10 +163,10 @@ Stored<std::vector<StoredMessage>> MessageTable::read(qint64 first, qint64 last,
                                                       const MessageFilter &filter) const
 {
     QSqlQuery query =
-        m_database.query(QStringLiteral("SELECT %1 FROM message").arg(columns) + conditions(filter));
+        m_database.query(QStringLiteral("SELECT %1 FROM message").arg(messageColumns) + conditions(filter));
     query.bindValue(0, first);
     query.bindValue(1, last);
-    return all<StoredMessage>(std::move(query), rowOf);
+    return all<StoredMessage>(std::move(query), messageOf);
 }
 
 Stored<std::vector<qint64>> MessageTable::ids(qint64 first, qint64 last, const MessageFilter &filter) const

@@ -4,19 +4,14 @@
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "journal/argument_json.h"
+#include "journal/journal_texts.h"
 
-#include <QCoreApplication>
 #include <QHash>
 #include <QJsonDocument>
 #include <QJsonObject>
 
 namespace codewheel {
 namespace {
-
-struct Journal
-{
-    Q_DECLARE_TR_FUNCTIONS(codewheel::Journal)
-};
 
 constexpr QLatin1String kindKey("kind");
 constexpr QLatin1String codeKey("code");
@@ -61,7 +56,7 @@ std::vector<RefusalArgument> parsedArguments(const QString &json)
     return argumentsFromJson(QJsonDocument::fromJson(json.toUtf8()).array());
 }
 
-QString toJson(const Refusal &refusal)
+QString refusalJson(const Refusal &refusal)
 {
     QString kind;
     for (const auto &[id, key] : refusalKinds)
@@ -100,7 +95,7 @@ StoredMessage storedMessage(const Message &message, const QDateTime &at)
             .place = message.place,
             .code = messageKey(message.id),
             .arguments = jsonLine(argumentsToJson(message.arguments)),
-            .refusal = message.refusal ? toJson(*message.refusal) : QString()};
+            .refusal = message.refusal ? refusalJson(*message.refusal) : QString()};
 }
 
 std::optional<Message> messageOf(const StoredMessage &stored)

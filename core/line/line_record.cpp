@@ -9,21 +9,21 @@
 namespace codewheel {
 namespace {
 
-constexpr char formatName[] = "codewheel-line-session";
-constexpr std::int64_t formatVersion = 1;
-constexpr std::int64_t latest = std::int64_t{366} * 24 * 3600 * 1'000'000; // us; a year on one line
-constexpr qsizetype mostBytes = 65'536;                                    // in a row
-constexpr int fastest = 10'000'000;                                        // Bd
+constexpr char sessionFormat[] = "codewheel-line-session";
+constexpr std::int64_t sessionVersion = 1;
+constexpr std::int64_t latestRow = std::int64_t{366} * 24 * 3600 * 1'000'000; // us; a year on one line
+constexpr qsizetype mostBytes = 65'536;                                       // in a row
+constexpr int fastestSession = 10'000'000;                                    // Bd
 
-constexpr NamedValue<esc::LineRow::Kind> kinds[] = {
+constexpr NamedValue<esc::LineRow::Kind> rowKinds[] = {
     {"sent", esc::LineRow::Kind::sent}, {"answer", esc::LineRow::Kind::answer},
     {"echo", esc::LineRow::Kind::echo}, {"garbage", esc::LineRow::Kind::garbage},
     {"late", esc::LineRow::Kind::late},
 };
 
-const char *nameOf(esc::LineRow::Kind kind)
+const char *kindName(esc::LineRow::Kind kind)
 {
-    return kinds[static_cast<std::size_t>(kind)].name;
+    return rowKinds[static_cast<std::size_t>(kind)].name;
 }
 
 // The rules of the file, part by part.
@@ -43,28 +43,28 @@ private:
 
 void LineRecordReader::checkFormat(const Json::Value &root, FaultKeeper &faults)
 {
-    if (root.isObject() && root["format"] == Json::Value(formatName))
+    if (root.isObject() && root["format"] == Json::Value(sessionFormat))
         return;
-    faults.report(
-        root, QString(),
-        tr("This is no session of a serial line: \"format\" is not \"%1\".").arg(QLatin1String(formatName)));
+    faults.report(root, QString(),
+                  tr("This is no session of a serial line: \"format\" is not \"%1\".")
+                      .arg(QLatin1String(sessionFormat)));
 }
 
 LineRecord LineRecordReader::read(const JsonObject &json)
 {
-    if (json.number("version") != formatVersion)
-        json.report("version", tr("Only version %1 of the format can be read.").arg(formatVersion));
+    if (json.number("version") != sessionVersion)
+        json.report("version", tr("Only version %1 of the format can be read.").arg(sessionVersion));
     LineRecord record;
     record.begin = QDateTime::fromString(json.text("begin"), Qt::ISODateWithMs);
     if (!record.begin.isValid())
         json.report("begin", tr("A date and time is expected here, as in 2026-11-21T12:00:00.000+01:00."));
     record.port = json.freeText("port");
-    record.baudRate = static_cast<int>(json.number("baudRate", 1, fastest));
+    record.baudRate = static_cast<int>(json.number("baudRate", 1, fastestSession));
     const auto rows = json.array("rows", {"at", "kind", "bytes", "typed"}, LineRecord::mostRows);
     record.rows.reserve(rows.size());
     for (const JsonObject &row : rows)
-        record.rows.push_back({.what = {.at = Instant{row.number("at", 0, latest)},
-                                        .kind = row.oneOf("kind", kinds),
+        record.rows.push_back({.what = {.at = Instant{row.number("at", 0, latestRow)},
+                                        .kind = row.oneOf("kind", rowKinds),
                                         .bytes = bytesOf(row)},
                                .typed = row.flagOr("typed", false)});
     return record;
@@ -95,15 +95,15 @@ QString LineRecordReader::textOf(const Catalog::Fault &fault)
 QByteArray lineRecordToJson(const LineRecord &record)
 {
     JsonWriter json;
-    json.member("format", formatName);
-    json.member("version", formatVersion);
+    json.member("format", sessionFormat);
+    json.member("version", sessionVersion);
     json.member("begin",
                 record.begin.toOffsetFromUtc(record.begin.offsetFromUtc()).toString(Qt::ISODateWithMs));
     json.member("port", record.port);
     json.member("baudRate", record.baudRate);
     json.lines("rows", record.rows, [&](const LineRecord::Row &row) {
         json.member("at", row.what.at.count());
-        json.member("kind", nameOf(row.what.kind));
+        json.member("kind", kindName(row.what.kind));
         json.member("bytes", QString::fromLatin1(row.what.bytes.toHex(' ').toUpper()));
         if (row.typed)
             json.flag("typed", true);

@@ -9,7 +9,7 @@
 namespace codewheel {
 namespace {
 
-using Kind = esc::LineRow::Kind;
+using RowKind = esc::LineRow::Kind;
 
 // The context of these texts.
 struct LineRowText
@@ -59,18 +59,18 @@ QString byteText(const QByteArray &bytes)
     return QString::fromLatin1(bytes.toHex(' ').toUpper());
 }
 
-QString rowKindWord(Kind kind)
+QString rowKindWord(RowKind kind)
 {
     switch (kind) {
-    case Kind::sent:
+    case RowKind::sent:
         return LineRowText::tr("sent");
-    case Kind::answer:
+    case RowKind::answer:
         return LineRowText::tr("answer");
-    case Kind::echo:
+    case RowKind::echo:
         return LineRowText::tr("echo");
-    case Kind::garbage:
+    case RowKind::garbage:
         return LineRowText::tr("garbage");
-    case Kind::late:
+    case RowKind::late:
         break;
     }
     return LineRowText::tr("late");
@@ -91,17 +91,17 @@ QString rowMeaning(const esc::LineRow &row, const std::optional<esc::Request> &r
                    const esc::ExplainOptions &options)
 {
     switch (row.kind) {
-    case Kind::sent:
+    case RowKind::sent:
         return sentMeaning(request, options);
-    case Kind::answer:
+    case RowKind::answer:
         return answerMeaning(row, request, options);
-    case Kind::echo:
+    case RowKind::echo:
         return LineRowText::tr("what was sent, echoed by the adapter: dropped");
-    case Kind::garbage:
+    case RowKind::garbage:
         return request ? sentence(LineRowText::tr("no well-formed answer to \"%1\": dropped"),
                                   {esc::requestText(*request, options)})
                        : LineRowText::tr("nobody asked for it: dropped");
-    case Kind::late:
+    case RowKind::late:
         break;
     }
     return LineRowText::tr("came after its time-out: dropped");

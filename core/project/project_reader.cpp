@@ -20,11 +20,6 @@ using namespace project_keys;
 constexpr int largestNumber = std::numeric_limits<int>::max();
 constexpr int mostWords = ring_limit::points / 16; // of the whole ring in one direction
 
-int numberOr(const JsonObject &json, const char *key, int otherwise, int maximum)
-{
-    return static_cast<int>(json.optionalNumber(key, 0, maximum).value_or(otherwise));
-}
-
 std::optional<int> address(const JsonObject &json, const char *key)
 {
     const auto number = json.optionalNumber(key, 0, largestAddress);
@@ -76,7 +71,7 @@ AddressRules ProjectReader::readAddresses(const JsonObject &json)
     AddressRules rules;
     if (json.has("unit"))
         rules.unit = json.oneOf("unit", units);
-    rules.first = numberOr(json, "first", 0, largestAddress);
+    rules.first = json.numberOr("first", 0, 0, largestAddress);
     rules.step5 = json.flagOr("step5", false);
     return rules;
 }
@@ -111,7 +106,7 @@ Participant ProjectReader::readParticipant(const JsonObject &json)
 {
     Participant participant;
     participant.number = readPlace(json);
-    participant.level = numberOr(json, "level", 0, ring_limit::levels - 1);
+    participant.level = json.numberOr("level", 0, 0, ring_limit::levels - 1);
     participant.deviceCode = json.hexNumber("deviceCode");
     if (participant.deviceCode > 0xFFFF)
         json.report("deviceCode", tr("A device code has at most four digits, such as \"0237h\"."));
@@ -139,7 +134,7 @@ DeviceNumber ProjectReader::readPlace(const JsonObject &json)
 
 DeviceLabel ProjectReader::readLabel(const JsonObject &json)
 {
-    return {numberOr(json, "turns", 0, largestNumber), numberOr(json, "stepsPerTurn", 0, largestNumber),
+    return {json.numberOr("turns", 0, 0, largestNumber), json.numberOr("stepsPerTurn", 0, 0, largestNumber),
             json.freeText("serialNumber")};
 }
 

@@ -19,16 +19,11 @@ constexpr int mostRetries = 10;
 constexpr double highestSpeed = 100'000;
 constexpr int largestUsbNumber = 0xFFFF;
 
-int number(const JsonObject &json, const char *key, int otherwise, int least, int most)
-{
-    return static_cast<int>(json.optionalNumber(key, least, most).value_or(otherwise));
-}
-
 // Of which the file has whole milliseconds.
 Instant time(const JsonObject &json, const char *key, Instant otherwise, int least, int most)
 {
     const auto usual = std::chrono::duration_cast<milliseconds>(otherwise);
-    return milliseconds(number(json, key, static_cast<int>(usual.count()), least, most));
+    return milliseconds(json.numberOr(key, static_cast<int>(usual.count()), least, most));
 }
 
 } // namespace
@@ -40,19 +35,19 @@ ProjectLine ProjectReader::readLine(const JsonObject &json)
     wish.port = json.freeText("port");
     if (json.has("adapter"))
         line.adapter = readAdapter(json.object("adapter", {"vendor", "product", "serialNumber", "usbPath"}));
-    wish.line.baudRate = number(json, "baudRate", wish.line.baudRate, 1, fastestRate);
-    wish.line.dataBits = number(json, "dataBits", wish.line.dataBits, 7, 8);
+    wish.line.baudRate = json.numberOr("baudRate", wish.line.baudRate, 1, fastestRate);
+    wish.line.dataBits = json.numberOr("dataBits", wish.line.dataBits, 7, 8);
     if (json.has("parity"))
         wish.line.parity = json.oneOf("parity", parities);
-    wish.line.stopBits = number(json, "stopBits", wish.line.stopBits, 1, 2);
+    wish.line.stopBits = json.numberOr("stopBits", wish.line.stopBits, 1, 2);
     wish.line.lowLatency = json.flagOr("lowLatency", wish.line.lowLatency);
     wish.pollInterval = time(json, "pollInterval", wish.pollInterval,
                              static_cast<int>(LineWish::shortestInterval / milliseconds(1)), longestInterval);
     wish.timing.answerTimeOut = time(json, "timeOut", wish.timing.answerTimeOut, 1, longestTime);
-    wish.timing.retries = number(json, "retries", wish.timing.retries, 0, mostRetries);
+    wish.timing.retries = json.numberOr("retries", wish.timing.retries, 0, mostRetries);
     wish.timing.quietAfterWrite = time(json, "quietAfterWrite", wish.timing.quietAfterWrite, 0, longestTime);
     wish.fractionBits =
-        number(json, "fractionBits", wish.fractionBits, esc::fewestFractionBits, esc::mostFractionBits);
+        json.numberOr("fractionBits", wish.fractionBits, esc::fewestFractionBits, esc::mostFractionBits);
     wish.topSpeed = json.decimalOr("topSpeed", wish.topSpeed, 1, highestSpeed);
     wish.timing.character = wish.line.timeOf(1);
     if (json.has("encoders"))

@@ -9,8 +9,8 @@
 namespace codewheel {
 namespace {
 
-constexpr char formatName[] = "codewheel-sequence";
-constexpr std::int64_t formatVersion = 1;
+constexpr char wordListFormat[] = "codewheel-sequence";
+constexpr std::int64_t wordListVersion = 1;
 
 class SequenceFile
 {
@@ -25,17 +25,17 @@ public:
 
 void SequenceFile::checkFormat(const Json::Value &root, FaultKeeper &faults)
 {
-    if (root.isObject() && root["format"] == Json::Value(formatName))
+    if (root.isObject() && root["format"] == Json::Value(wordListFormat))
         return;
     faults.report(
         root, QString(),
-        tr("This is no sequence of words: \"format\" is not \"%1\".").arg(QLatin1String(formatName)));
+        tr("This is no sequence of words: \"format\" is not \"%1\".").arg(QLatin1String(wordListFormat)));
 }
 
 WordList SequenceFile::read(const JsonObject &json)
 {
-    if (json.number("version") != formatVersion)
-        json.report("version", tr("Only version %1 of the format can be read.").arg(formatVersion));
+    if (json.number("version") != wordListVersion)
+        json.report("version", tr("Only version %1 of the format can be read.").arg(wordListVersion));
     return readWordList(json);
 }
 
@@ -69,8 +69,8 @@ void writeWordList(JsonWriter &json, const WordList &list)
 QByteArray sequenceToJson(const WordList &list)
 {
     JsonWriter json;
-    json.member("format", formatName);
-    json.member("version", formatVersion);
+    json.member("format", wordListFormat);
+    json.member("version", wordListVersion);
     writeWordList(json, list);
     return json.finish();
 }

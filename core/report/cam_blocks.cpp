@@ -11,7 +11,6 @@
 namespace codewheel {
 namespace {
 
-using report_words::number;
 using Column = ReportTable::Column;
 
 // One cam program of an encoder; at least one of both is there.
@@ -33,7 +32,7 @@ QString camText(const Cam &cam)
 {
     if (cam == Cam{})
         return ReportTexts::tr("not set");
-    const QStringList range{number(cam.start), number(cam.stop)};
+    const QStringList range{numberText(cam.start), numberText(cam.stop)};
     return cam.active ? sentence(ReportTexts::tr("%1 to %2, active"), range)
                       : sentence(ReportTexts::tr("%1 to %2, inactive"), range);
 }
@@ -67,21 +66,21 @@ ReportTable camTable(const BothPrograms &both)
 // The positions of the encoder, as far as they are known; else those that the cams show.
 CamPicture pictureOf(const ReportedDevice &device, const CamProgram &program, const QString &title)
 {
-    CamPicture picture{title, program, 1, number(0), {}};
+    CamPicture picture{title, program, 1, numberText(0), {}};
     ParameterValues values = device.knownValues();
     for (const ParameterValue &wanted : device.planned->wanted)
         replaceValue(values, wanted);
     const auto range = device.description ? totalRange(*device.description, values) : std::nullopt;
     if (range) {
         picture.positions = *range;
-        picture.lastText = number(*range - 1);
+        picture.lastText = numberText(*range - 1);
         return picture;
     }
     for (const Cam &cam : program.cam)
         picture.positions = std::max({picture.positions, cam.start + 1, cam.stop + 1});
     picture.lastText =
         sentence(ReportTexts::tr("%1, the largest position of a cam; the total range is unknown"),
-                 {number(picture.positions - 1)});
+                 {numberText(picture.positions - 1)});
     return picture;
 }
 

@@ -26,7 +26,7 @@ QString toldBy(const EepromCount &count)
 
 QString writesText(const EepromCount &count)
 {
-    const QStringList numbers{report_words::number(count.writes), report_words::number(count.perhaps)};
+    const QStringList numbers{numberText(count.writes), numberText(count.perhaps)};
     return count.perhaps > 0 ? sentence(ReportTexts::tr("%1, perhaps %2 more"), numbers) : numbers.front();
 }
 
@@ -34,8 +34,7 @@ QString budget(const Capabilities &can)
 {
     if (!can.eepromBudget)
         return ReportTexts::tr("not stated");
-    const QStringList numbers{report_words::number(*can.eepromBudget),
-                              report_words::number(can.eepromLimit.value_or(0))};
+    const QStringList numbers{numberText(*can.eepromBudget), numberText(can.eepromLimit.value_or(0))};
     return can.eepromLimit ? sentence(ReportTexts::tr("about %1; nothing is guaranteed beyond %2"), numbers)
                            : sentence(ReportTexts::tr("about %1"), numbers);
 }

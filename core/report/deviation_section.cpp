@@ -31,7 +31,7 @@ QString camValue(CamField field, std::int64_t value)
 {
     if (field.value == CamValue::activeCams)
         return QString::number(value, 2).rightJustified(CamProgram::cams, u'0');
-    return report_words::number(value);
+    return numberText(value);
 }
 
 QString withUnit(const ReportedDevice &device, Parameter parameter, std::int64_t value)

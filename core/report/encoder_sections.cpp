@@ -31,10 +31,9 @@ QString serialNumber(const ReportedDevice &device)
 
 QString labelText(const DeviceLabel &label)
 {
-    return sentence(
-        ReportTexts::tr("%1 revolutions, %2 steps per revolution"),
-        {label.turns > 0 ? report_words::number(label.turns) : report_words::unknown(),
-         label.stepsPerTurn > 0 ? report_words::number(label.stepsPerTurn) : report_words::unknown()});
+    return sentence(ReportTexts::tr("%1 revolutions, %2 steps per revolution"),
+                    {label.turns > 0 ? numberText(label.turns) : report_words::unknown(),
+                     label.stepsPerTurn > 0 ? numberText(label.stepsPerTurn) : report_words::unknown()});
 }
 
 ReportFacts factsOf(const ReportedDevice &device)
@@ -47,7 +46,7 @@ ReportFacts factsOf(const ReportedDevice &device)
         facts.push_back({ReportTexts::tr("Group"), planned.group});
     if (const auto range = totalRange(*device.description, device.knownValues()))
         facts.push_back({ReportTexts::tr("Total range"),
-                         sentence(ReportTexts::tr("%1 positions"), {report_words::number(*range)})});
+                         sentence(ReportTexts::tr("%1 positions"), {numberText(*range)})});
     facts.push_back({ReportTexts::tr("Known values"),
                      device.isLive ? ReportTexts::tr("of the connected encoder")
                                    : ReportTexts::tr("as stored in the project; the encoder was not asked")});

@@ -44,7 +44,7 @@ QString busText(const ReportInput &input, const Catalog &catalog)
     if (differences->isEmpty())
         return ReportTexts::tr("connected as configured");
     return sentence(ReportTexts::tr("not connected as configured; lines that differ: %1"),
-                    {report_words::number(differences->size())});
+                    {numberText(differences->size())});
 }
 
 ReportFacts factsOf(const ReportInput &input, const Catalog &catalog,
@@ -63,10 +63,10 @@ ReportFacts factsOf(const ReportInput &input, const Catalog &catalog,
         QStringLiteral("%1 (%2)").arg(report_words::time(input.now, input.now), zoneText(input.now)));
     add(ReportTexts::tr("Program"), program);
     add(ReportTexts::tr("Link"), linkText(input.project.link));
-    add(ReportTexts::tr("Devices"), sentence(ReportTexts::tr("%1, encoders among them: %2"),
-                                             {report_words::number(static_cast<std::int64_t>(devices.size())),
-                                              report_words::number(encoders)}));
-    add(ReportTexts::tr("Deviations of encoders"), report_words::number(countDeviations(devices).deviations));
+    add(ReportTexts::tr("Devices"),
+        sentence(ReportTexts::tr("%1, encoders among them: %2"),
+                 {numberText(static_cast<std::int64_t>(devices.size())), numberText(encoders)}));
+    add(ReportTexts::tr("Deviations of encoders"), numberText(countDeviations(devices).deviations));
     add(ReportTexts::tr("Bus"), busText(input, catalog));
     return facts;
 }

@@ -10,11 +10,6 @@
 
 namespace codewheel::report_words {
 
-QString number(std::int64_t number)
-{
-    return QLocale().toString(qlonglong{number});
-}
-
 QString time(const QDateTime &at, const QDateTime &now)
 {
     const QLocale locale;
@@ -39,7 +34,7 @@ QString value(const ReportedDevice &device, Parameter parameter, std::int64_t va
 {
     const ParameterDescription *described =
         device.description ? device.description->find(parameter) : nullptr;
-    return described ? valueText(*described, value) : number(value);
+    return described ? valueText(*described, value) : numberText(value);
 }
 
 QString unit(const ReportedDevice &device, Parameter parameter)

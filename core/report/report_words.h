@@ -6,7 +6,6 @@
 // How the report puts values, times and devices into words; used by all of its sections.
 namespace codewheel::report_words {
 
-QString number(std::int64_t number); // by locale
 // "1 Mar 2026 14:02", by locale, the year with four digits, in the time zone of `now`.
 QString time(const QDateTime &at, const QDateTime &now);
 // "FRABA OCD-IB K3", "bus terminal"; a key that no description has stands as it is.

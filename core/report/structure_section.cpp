@@ -124,7 +124,7 @@ ReportSection cycleTime(const ReportInput &input)
     add(ReportTexts::tr("2 MBd"), bitAt2MBd);
     const QString from =
         sentence(ReportTexts::tr("Bytes of process data: %1, remote bus devices: %2, km of cable: %3."),
-                 {report_words::number(load.dataBytes), report_words::number(load.remoteBusDevices),
+                 {numberText(load.dataBytes), numberText(load.remoteBusDevices),
                   QLocale().toString(load.cableKilometres, 'f', 3)});
     return {.heading = ReportTexts::tr("Approximate cycle time"), .blocks = {std::move(table), from}};
 }

@@ -16,35 +16,35 @@ constexpr unsigned drivePcpClass = 0xE0;
 constexpr unsigned encoderPcpClass = 0xF4;
 constexpr int bitsPerWord = 16;
 
-struct Kind
+struct IdCodeRow
 {
     unsigned idCode;
     const char *name;
     bool isLocal = false;
 };
-constexpr std::array kinds{
-    Kind{0x01, QT_TRANSLATE_NOOP("IdCode", "digital output")},
-    Kind{0x02, QT_TRANSLATE_NOOP("IdCode", "digital input")},
-    Kind{0x03, QT_TRANSLATE_NOOP("IdCode", "digital input and output")},
-    Kind{busTerminalIdCode, QT_TRANSLATE_NOOP("IdCode", "bus terminal")},
-    Kind{0x31, QT_TRANSLATE_NOOP("IdCode", "analog output")},
-    Kind{0x32, QT_TRANSLATE_NOOP("IdCode", "analog input")},
-    Kind{0x33, QT_TRANSLATE_NOOP("IdCode", "analog input and output")},
-    Kind{0x36, QT_TRANSLATE_NOOP("IdCode", "encoder K1 or K2")},
-    Kind{0x37, QT_TRANSLATE_NOOP("IdCode", "encoder K3")},
-    Kind{0xB2, QT_TRANSLATE_NOOP("IdCode", "encoder K1 or K2, Loop 2"), true},
-    Kind{0xB3, QT_TRANSLATE_NOOP("IdCode", "encoder K3, Loop 2"), true},
-    Kind{0xBE, QT_TRANSLATE_NOOP("IdCode", "Inline digital input"), true},
-    Kind{0xE0, QT_TRANSLATE_NOOP("IdCode", "drive with PCP")},
-    Kind{0xE1, QT_TRANSLATE_NOOP("IdCode", "drive with PCP")},
-    Kind{0xE3, QT_TRANSLATE_NOOP("IdCode", "drive with PCP")},
-    Kind{0xF7, QT_TRANSLATE_NOOP("IdCode", "encoder K4")},
+constexpr std::array idCodes{
+    IdCodeRow{0x01, QT_TRANSLATE_NOOP("IdCode", "digital output")},
+    IdCodeRow{0x02, QT_TRANSLATE_NOOP("IdCode", "digital input")},
+    IdCodeRow{0x03, QT_TRANSLATE_NOOP("IdCode", "digital input and output")},
+    IdCodeRow{busTerminalIdCode, QT_TRANSLATE_NOOP("IdCode", "bus terminal")},
+    IdCodeRow{0x31, QT_TRANSLATE_NOOP("IdCode", "analog output")},
+    IdCodeRow{0x32, QT_TRANSLATE_NOOP("IdCode", "analog input")},
+    IdCodeRow{0x33, QT_TRANSLATE_NOOP("IdCode", "analog input and output")},
+    IdCodeRow{0x36, QT_TRANSLATE_NOOP("IdCode", "encoder K1 or K2")},
+    IdCodeRow{0x37, QT_TRANSLATE_NOOP("IdCode", "encoder K3")},
+    IdCodeRow{0xB2, QT_TRANSLATE_NOOP("IdCode", "encoder K1 or K2, Loop 2"), true},
+    IdCodeRow{0xB3, QT_TRANSLATE_NOOP("IdCode", "encoder K3, Loop 2"), true},
+    IdCodeRow{0xBE, QT_TRANSLATE_NOOP("IdCode", "Inline digital input"), true},
+    IdCodeRow{0xE0, QT_TRANSLATE_NOOP("IdCode", "drive with PCP")},
+    IdCodeRow{0xE1, QT_TRANSLATE_NOOP("IdCode", "drive with PCP")},
+    IdCodeRow{0xE3, QT_TRANSLATE_NOOP("IdCode", "drive with PCP")},
+    IdCodeRow{0xF7, QT_TRANSLATE_NOOP("IdCode", "encoder K4")},
 };
 
-const Kind *kindOf(unsigned idCode)
+const IdCodeRow *idCodeRow(unsigned idCode)
 {
-    const auto *found = std::ranges::find(kinds, idCode, &Kind::idCode);
-    return found == kinds.end() ? nullptr : found;
+    const auto *found = std::ranges::find(idCodes, idCode, &IdCodeRow::idCode);
+    return found == idCodes.end() ? nullptr : found;
 }
 
 int wordsFor(int bits)
@@ -101,13 +101,13 @@ Participant deviceOf(unsigned deviceCode)
 
 QString idCodeName(unsigned idCode)
 {
-    const Kind *kind = kindOf(idCode);
+    const IdCodeRow *kind = idCodeRow(idCode);
     return kind ? QCoreApplication::translate("IdCode", kind->name) : QString();
 }
 
 bool standsOnLocalBus(unsigned idCode)
 {
-    const Kind *kind = kindOf(idCode);
+    const IdCodeRow *kind = idCodeRow(idCode);
     return kind && kind->isLocal;
 }
 

@@ -32,7 +32,7 @@ constexpr std::array<BitRow, diagnosticBits> bits{{
     {"SDSI", QT_TRANSLATE_NOOP("Master", "A message waits in the master.")},
 }};
 
-QString translated(const char *text)
+QString masterWord(const char *text)
 {
     return QCoreApplication::translate("Master", text);
 }
@@ -45,13 +45,13 @@ QString masterStateName(MasterState state)
     case MasterState::ready:
         break;
     case MasterState::active:
-        return translated(QT_TRANSLATE_NOOP("Master", "ACTIVE"));
+        return masterWord(QT_TRANSLATE_NOOP("Master", "ACTIVE"));
     case MasterState::run:
-        return translated(QT_TRANSLATE_NOOP("Master", "RUN"));
+        return masterWord(QT_TRANSLATE_NOOP("Master", "RUN"));
     case MasterState::busFail:
-        return translated(QT_TRANSLATE_NOOP("Master", "BUS FAIL"));
+        return masterWord(QT_TRANSLATE_NOOP("Master", "BUS FAIL"));
     }
-    return translated(QT_TRANSLATE_NOOP("Master", "READY"));
+    return masterWord(QT_TRANSLATE_NOOP("Master", "READY"));
 }
 
 QString masterServiceName(MasterService service)
@@ -60,25 +60,25 @@ QString masterServiceName(MasterService service)
     case MasterService::loadConfiguration:
         break;
     case MasterService::readConfiguration:
-        return translated(QT_TRANSLATE_NOOP("Master", "reading the configuration (030B)"));
+        return masterWord(QT_TRANSLATE_NOOP("Master", "reading the configuration (030B)"));
     case MasterService::startDataTransfer:
-        return translated(QT_TRANSLATE_NOOP("Master", "starting data transfer (0701)"));
+        return masterWord(QT_TRANSLATE_NOOP("Master", "starting data transfer (0701)"));
     case MasterService::stopDataTransfer:
-        return translated(QT_TRANSLATE_NOOP("Master", "stopping data transfer (0702)"));
+        return masterWord(QT_TRANSLATE_NOOP("Master", "stopping data transfer (0702)"));
     case MasterService::createConfiguration:
-        return translated(QT_TRANSLATE_NOOP("Master", "reading in the ring (0710)"));
+        return masterWord(QT_TRANSLATE_NOOP("Master", "reading in the ring (0710)"));
     case MasterService::activateConfiguration:
-        return translated(QT_TRANSLATE_NOOP("Master", "activating the configuration (0711)"));
+        return masterWord(QT_TRANSLATE_NOOP("Master", "activating the configuration (0711)"));
     case MasterService::deactivateConfiguration:
-        return translated(QT_TRANSLATE_NOOP("Master", "deactivating the configuration (0712)"));
+        return masterWord(QT_TRANSLATE_NOOP("Master", "deactivating the configuration (0712)"));
     case MasterService::switchSegment:
-        return translated(QT_TRANSLATE_NOOP("Master", "switching a segment (0713)"));
+        return masterWord(QT_TRANSLATE_NOOP("Master", "switching a segment (0713)"));
     case MasterService::confirmDiagnostics:
-        return translated(QT_TRANSLATE_NOOP("Master", "confirming the diagnostics (0760)"));
+        return masterWord(QT_TRANSLATE_NOOP("Master", "confirming the diagnostics (0760)"));
     case MasterService::alarmStop:
-        return translated(QT_TRANSLATE_NOOP("Master", "alarm stop (1303)"));
+        return masterWord(QT_TRANSLATE_NOOP("Master", "alarm stop (1303)"));
     }
-    return translated(QT_TRANSLATE_NOOP("Master", "downloading the configuration"));
+    return masterWord(QT_TRANSLATE_NOOP("Master", "downloading the configuration"));
 }
 
 QString diagnosticBitName(int bit)
@@ -88,14 +88,14 @@ QString diagnosticBitName(int bit)
 
 QString diagnosticBitText(int bit)
 {
-    return translated(bits.at(static_cast<std::size_t>(bit)).text);
+    return masterWord(bits.at(static_cast<std::size_t>(bit)).text);
 }
 
 QString masterFaultText(const MasterStatus &status)
 {
     if (status.isFaulty())
         return status.faultText();
-    return translated(status.state == MasterState::ready
+    return masterWord(status.state == MasterState::ready
                           ? QT_TRANSLATE_NOOP("Master", "not looked for in READY")
                           : QT_TRANSLATE_NOOP("Master", "none"));
 }

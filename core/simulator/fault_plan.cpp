@@ -11,50 +11,52 @@
 namespace codewheel {
 namespace {
 
-constexpr char formatName[] = "codewheel-faults";
-constexpr std::int64_t formatVersion = 1;
-constexpr std::int64_t latest = 24LL * 3'600 * 1'000; // a day
+constexpr char planFormat[] = "codewheel-faults";
+constexpr std::int64_t planVersion = 1;
+constexpr std::int64_t latestStep = 24LL * 3'600 * 1'000; // a day
 
-struct Row
+struct FaultRow
 {
     TrainingFault fault;
     const char *key;
     const char *text;
 };
-constexpr std::array rows{
-    Row{TrainingFault::wireBreak, "wireBreak",
-        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wire break before it")},
-    Row{TrainingFault::crcErrors, "crcErrors",
-        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "CRC errors in the segment")},
-    Row{TrainingFault::noSupply, "noSupply",
-        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Device without supply")},
-    Row{TrainingFault::wrongDevice, "wrongDevice",
-        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wrong device in place")},
-    Row{TrainingFault::peripheralFault, "peripheralFault",
-        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Peripheral fault")},
-    Row{TrainingFault::powerOff, "powerOff",
-        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Encoder switched off")},
-    Row{TrainingFault::slowConfirmation, "slowConfirmation",
-        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Slow confirmation")},
-    Row{TrainingFault::eepromWornOut, "eepromWornOut",
-        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "EEPROM worn out")},
-    Row{TrainingFault::parametersLost, "parametersLost",
-        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Parameters lost")},
-    Row{TrainingFault::batteryLow, "batteryLow", QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Battery low")},
-    Row{TrainingFault::codeDiscFault, "codeDiscFault",
-        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Code disc faulty")},
-    Row{TrainingFault::camOutOfRange, "camOutOfRange",
-        QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Cam out of range")},
-    Row{TrainingFault::magnetLost, "magnetLost", QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Magnet lost")},
+constexpr std::array faultRows{
+    FaultRow{TrainingFault::wireBreak, "wireBreak",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wire break before it")},
+    FaultRow{TrainingFault::crcErrors, "crcErrors",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "CRC errors in the segment")},
+    FaultRow{TrainingFault::noSupply, "noSupply",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Device without supply")},
+    FaultRow{TrainingFault::wrongDevice, "wrongDevice",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wrong device in place")},
+    FaultRow{TrainingFault::peripheralFault, "peripheralFault",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Peripheral fault")},
+    FaultRow{TrainingFault::powerOff, "powerOff",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Encoder switched off")},
+    FaultRow{TrainingFault::slowConfirmation, "slowConfirmation",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Slow confirmation")},
+    FaultRow{TrainingFault::eepromWornOut, "eepromWornOut",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "EEPROM worn out")},
+    FaultRow{TrainingFault::parametersLost, "parametersLost",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Parameters lost")},
+    FaultRow{TrainingFault::batteryLow, "batteryLow",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Battery low")},
+    FaultRow{TrainingFault::codeDiscFault, "codeDiscFault",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Code disc faulty")},
+    FaultRow{TrainingFault::camOutOfRange, "camOutOfRange",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Cam out of range")},
+    FaultRow{TrainingFault::magnetLost, "magnetLost",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Magnet lost")},
 };
-static_assert(areInOrder(rows, &Row::fault) && rows.size() == trainingFaults);
+static_assert(areInOrder(faultRows, &FaultRow::fault) && faultRows.size() == trainingFaults);
 
-const Row &rowOf(TrainingFault fault)
+const FaultRow &faultRow(TrainingFault fault)
 {
-    return rows.at(static_cast<std::size_t>(fault));
+    return faultRows.at(static_cast<std::size_t>(fault));
 }
 
-QString translated(const char *text)
+QString faultText(const char *text)
 {
     return QCoreApplication::translate("codewheel::FaultPlan", text);
 }
@@ -85,16 +87,16 @@ private:
 // Before anything else: what is of another kind has other keys.
 void FaultPlanReader::checkFormat(const Json::Value &root, FaultKeeper &faults)
 {
-    if (!root.isObject() || root["format"] == Json::Value(formatName))
+    if (!root.isObject() || root["format"] == Json::Value(planFormat))
         return;
     faults.report(root.isMember("format") ? root["format"] : root, QStringLiteral("format"),
-                  tr("This is no fault plan: the format is not \"%1\".").arg(QLatin1String(formatName)));
+                  tr("This is no fault plan: the format is not \"%1\".").arg(QLatin1String(planFormat)));
 }
 
 FaultPlan FaultPlanReader::read(const JsonObject &json)
 {
-    if (json.number("version") != formatVersion)
-        json.report("version", tr("Only version %1 of the format can be read.").arg(formatVersion));
+    if (json.number("version") != planVersion)
+        json.report("version", tr("Only version %1 of the format can be read.").arg(planVersion));
     m_plan.title = json.textOr("title", {});
     for (const JsonObject &row : json.array("steps", {"at", "fault", "place", "on", "perThousand"}))
         readStep(row);
@@ -106,7 +108,7 @@ FaultPlan FaultPlanReader::read(const JsonObject &json)
 void FaultPlanReader::readStep(const JsonObject &json)
 {
     FaultStep step;
-    step.at = std::chrono::milliseconds(json.number("at", 0, latest));
+    step.at = std::chrono::milliseconds(json.number("at", 0, latestStep));
     if (!m_plan.steps.empty() && step.at < m_plan.steps.back().at)
         json.report("at", tr("The step above comes later: the steps stand in the order of their times."));
     step.fault = readFault(json);
@@ -125,11 +127,11 @@ TrainingFault FaultPlanReader::readFault(const JsonObject &json)
 {
     const QString name = json.text("fault");
     const auto found =
-        std::ranges::find_if(rows, [&](const Row &row) { return name == QLatin1String(row.key); });
-    if (found != rows.end())
+        std::ranges::find_if(faultRows, [&](const FaultRow &row) { return name == QLatin1String(row.key); });
+    if (found != faultRows.end())
         return found->fault;
     QStringList known;
-    for (const Row &row : rows)
+    for (const FaultRow &row : faultRows)
         known << QString::fromLatin1(row.key);
     json.reportUnknownName("fault", name, known);
     return {};
@@ -166,12 +168,12 @@ int FaultPlanReader::readValue(const JsonObject &json, TrainingFault fault)
 
 QString trainingFaultName(TrainingFault fault)
 {
-    return translated(rowOf(fault).text);
+    return faultText(faultRow(fault).text);
 }
 
 QString trainingFaultKey(TrainingFault fault)
 {
-    return QString::fromLatin1(rowOf(fault).key);
+    return QString::fromLatin1(faultRow(fault).key);
 }
 
 QString trainingFaultText(TrainingFault fault, DeviceNumber place, int value)
@@ -180,8 +182,7 @@ QString trainingFaultText(TrainingFault fault, DeviceNumber place, int value)
                               ? QT_TRANSLATE_NOOP("codewheel::FaultPlan", "%1: %2, %3 of 1000 cycles")
                           : value > 0 ? QT_TRANSLATE_NOOP("codewheel::FaultPlan", "%1: %2")
                                       : QT_TRANSLATE_NOOP("codewheel::FaultPlan", "%1: %2 is over");
-    return sentence(translated(pattern),
-                    {place.toString(), trainingFaultName(fault), QString::number(value)});
+    return sentence(faultText(pattern), {place.toString(), trainingFaultName(fault), QString::number(value)});
 }
 
 Result<FaultPlan> faultPlanFromJson(const QByteArray &json, const QString &name,

@@ -35,7 +35,6 @@ inline constexpr unsigned setToDefault = 7;
 inline constexpr unsigned measuringRange = 15;
 } // namespace parameter_number
 
-inline constexpr std::int64_t largestTotalRange = std::int64_t{k3::dataMask} + 1; // 25 bit
 inline constexpr std::int64_t mostTurns = 4096;
 
 // Steps over the whole measuring range; 0 where the set makes no sense.
@@ -52,7 +51,7 @@ constexpr bool isAdmissible(const ParameterSet &set, PhysicalResolution physical
     return set.steps >= 1 && set.steps <= k3::dataMask && set.revolutions >= 1 &&
            set.revolutions <= mostTurns && set.coding >= 1 && set.coding <= 6 && set.measuringRange >= 1 &&
            set.measuringRange <= mostTurns && set.steps <= physical.stepsPerTurn * set.revolutions &&
-           total >= 1 && total <= largestTotalRange && set.preset < total && set.offset < total;
+           total >= 1 && total <= k3::largestTotalRange && set.preset < total && set.offset < total;
 }
 
 } // namespace codewheel

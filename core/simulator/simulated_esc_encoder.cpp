@@ -7,7 +7,7 @@ namespace codewheel {
 namespace {
 
 constexpr std::int64_t fastestSteps = 819; // steps per ms: 6000 rpm, above which it warns (assumed)
-constexpr qsizetype addressDigits = 2;
+constexpr qsizetype digitsOfAddress = 2;
 constexpr std::int64_t tenthHour = 360'000; // ms
 
 } // namespace
@@ -38,13 +38,13 @@ std::optional<SimulatedEscEncoder::Reply> SimulatedEscEncoder::hear(char byte)
         return std::nullopt;
     }
     const auto text = m_listener.hear(byte);
-    if (!text || text->size() < addressDigits)
+    if (!text || text->size() < digitsOfAddress)
         return std::nullopt;
-    const auto to = LineAddress::fromWire(QString::fromLatin1(text->first(addressDigits)));
+    const auto to = LineAddress::fromWire(QString::fromLatin1(text->first(digitsOfAddress)));
     if (!to || (!to->isMaster() && *to != m_address))
         return std::nullopt;
     const int baudRate = m_baudRate;
-    const QByteArray answer = answerTo(QByteArrayView(*text).sliced(addressDigits));
+    const QByteArray answer = answerTo(QByteArrayView(*text).sliced(digitsOfAddress));
     if (m_condition.mute)
         return std::nullopt;
     return Reply{answer, baudRate};

@@ -9,7 +9,7 @@
 namespace codewheel {
 namespace {
 
-constexpr auto fastest = static_cast<std::int64_t>(TrainingControls::fastest);
+constexpr auto fastestShaft = static_cast<std::int64_t>(TrainingControls::fastest);
 
 constexpr std::int64_t shortestRod = 20; // mm
 constexpr std::int64_t longestRod = 10'000;
@@ -131,7 +131,7 @@ void TrainingPlanReader::readShaft(const JsonObject &row, TrainingParticipant &p
     const std::int64_t range = std::int64_t{device.physicalStepsPerTurn} * device.physicalTurns;
     participant.position = row.optionalNumber("position", 0, range - 1).value_or(0);
     participant.revolutionsPerMinute =
-        row.optionalNumber("revolutionsPerMinute", -fastest, fastest).value_or(0);
+        row.optionalNumber("revolutionsPerMinute", -fastestShaft, fastestShaft).value_or(0);
 }
 
 void TrainingPlanReader::readKnown(const JsonObject &row, TrainingParticipant &participant)

@@ -21,7 +21,7 @@ struct Texts
 };
 
 // "FRABA OCD-IB K3", "bus terminal", "0237h"
-QString nameOf(const Participant &participant, const Catalog &catalog)
+QString nameOrCode(const Participant &participant, const Catalog &catalog)
 {
     const DeviceDescription *device = catalog.find(participant.deviceKey);
     if (device == nullptr || device->deviceCode != participant.deviceCode)
@@ -50,7 +50,7 @@ Refusal whyNot(const ComparisonLine &line, const Participant &configured, const 
     const QString place = configured.number.toString();
     if (found == connected.end())
         return {RefusalKind::link, RefusalId::notInRing, {place}};
-    const QString name = nameOf(configured, catalog);
+    const QString name = nameOrCode(configured, catalog);
     const Participant *partner = line.connected ? &connected[*line.connected] : nullptr;
     const bool isUncertain =
         line.kind != ComparisonKind::differs && partner && partner->number == configured.number;
@@ -61,7 +61,7 @@ Refusal whyNot(const ComparisonLine &line, const Participant &configured, const 
                  Texts::tr("perhaps another one: beside it, one of the same kind is missing or additional")}};
     return {RefusalKind::link,
             RefusalId::ringDiffers,
-            {place, configuredText(line, name, partner), nameOf(*found, catalog)}};
+            {place, configuredText(line, name, partner), nameOrCode(*found, catalog)}};
 }
 
 } // namespace

@@ -43,7 +43,7 @@ QString positionText(const std::optional<std::int64_t> &position)
     return position ? QLocale().toString(qlonglong{*position}) : TransferReport::tr("not known");
 }
 
-ReportFacts factsOf(const EncoderAccount &account)
+ReportFacts accountFacts(const EncoderAccount &account)
 {
     ReportFacts facts{{TransferReport::tr("Device"), account.device},
                       {TransferReport::tr("Result"), transfer_words::outcome(account)}};
@@ -146,7 +146,7 @@ Report reportOf(const TransferAccount &account, const Catalog &catalog, const QS
         {TransferReport::tr("Software"), QStringLiteral("Codewheel %1").arg(version)}};
     for (const EncoderAccount &encoder : account.encoders)
         report.sections.push_back(
-            {.heading = headingOf(encoder), .blocks = {factsOf(encoder), tableOf(encoder, catalog)}});
+            {.heading = headingOf(encoder), .blocks = {accountFacts(encoder), tableOf(encoder, catalog)}});
     return report;
 }
 

@@ -20,11 +20,6 @@ struct TransferWords
     Q_DECLARE_TR_FUNCTIONS(codewheel::TransferWords)
 };
 
-QString number(std::int64_t number)
-{
-    return QLocale().toString(qlonglong{number});
-}
-
 QString evidence(Evidence evidence)
 {
     switch (evidence) {
@@ -73,7 +68,7 @@ QString became(const AccountCamRow &row)
 QString value(const DeviceDescription *device, const ParameterValue &value)
 {
     const ParameterDescription *parameter = device ? device->find(value.parameter) : nullptr;
-    return parameter ? valueText(*parameter, value.value) : number(value.value);
+    return parameter ? valueText(*parameter, value.value) : numberText(value.value);
 }
 
 QString known(const DeviceDescription *device, Parameter parameter, const std::optional<Known> &known)
@@ -120,7 +115,7 @@ QStringList notes(const EncoderPlan &plan)
                                    "are left.");
     if (plan.position)
         notes << sentence(TransferWords::tr("The position is set to %1 at the end of it."),
-                          {number(*plan.position)});
+                          {numberText(*plan.position)});
     if (plan.presetIsRearmed)
         notes << TransferWords::tr("A preset acts once: it is programmed again where it is used up.");
     return notes;
@@ -137,7 +132,7 @@ QString summary(const EncoderPlan &plan)
     const auto values = std::ranges::count(plan.rows, false, &TransferRow::isThere);
     const auto cams = std::ranges::count(plan.cams, false, &TransferCamRow::isThere);
     return sentence(TransferWords::tr("Values and cam programs to write: %1. EEPROM writes: at most %2."),
-                    {number(values + cams), number(plan.eepromWrites)});
+                    {numberText(values + cams), numberText(plan.eepromWrites)});
 }
 
 QString outcome(const EncoderAccount &account)
@@ -161,13 +156,13 @@ QStringList differences(const ReplacementDifferences &differences, const Replace
     if (differences.stepsPerTurn)
         lines << sentence(
             TransferWords::tr("It has %2 physical steps per turn, the one before had %1."),
-            {number(differences.stepsPerTurn->first), number(differences.stepsPerTurn->second)});
+            {numberText(differences.stepsPerTurn->first), numberText(differences.stepsPerTurn->second)});
     if (differences.turns)
         lines << sentence(TransferWords::tr("It has %2 turns, the one before had %1."),
-                          {number(differences.turns->first), number(differences.turns->second)});
+                          {numberText(differences.turns->first), numberText(differences.turns->second)});
     for (const ParameterValue &value : differences.notTaken)
         lines << sentence(TransferWords::tr("It has no \"%1\": the value %2 is not written."),
-                          {parameterName(value.parameter), number(value.value)});
+                          {parameterName(value.parameter), numberText(value.value)});
     if (differences.camsNotTaken)
         lines << TransferWords::tr("It has no cams: the cam programs are not written.");
     return lines;

@@ -17,7 +17,7 @@ SwitchMode modeOf(const Reading &reading)
 
 // Those of `now`, and of `before` what has no other there; in the order of the key.
 template <typename Stored, typename Key>
-std::vector<Stored> merged(std::vector<Stored> now, const std::vector<Stored> &before, Key key)
+std::vector<Stored> mergedStore(std::vector<Stored> now, const std::vector<Stored> &before, Key key)
 {
     const std::size_t known = now.size();
     for (const Stored &one : before)
@@ -65,10 +65,10 @@ std::vector<StoredCams> camsToStore(const EncoderSession &encoder)
 
 ProjectDevice withStored(ProjectDevice device, const EncoderSession &encoder)
 {
-    device.stored = merged(valuesToStore(encoder), device.stored,
-                           [](const StoredValue &value) { return value.parameter; });
-    device.storedCams = merged(camsToStore(encoder), device.storedCams,
-                               [](const StoredCams &cams) { return cams.program.number; });
+    device.stored = mergedStore(valuesToStore(encoder), device.stored,
+                                [](const StoredValue &value) { return value.parameter; });
+    device.storedCams = mergedStore(camsToStore(encoder), device.storedCams,
+                                    [](const StoredCams &cams) { return cams.program.number; });
     if (const auto position = positionToKeep(encoder))
         device.lastPosition = position;
     return device;

@@ -26,6 +26,8 @@ inline constexpr Word numberMask = 0x1E00'0000; // D28..D25
 inline constexpr Word statusMask = 0xE000'0000; // D31..D29
 inline constexpr Word controlMask = statusMask | numberMask;
 
+inline constexpr std::int64_t largestTotalRange = std::int64_t{dataMask} + 1; // positions; 25 bit
+
 // OUT
 inline constexpr Word startBit = 0x8000'0000;
 inline constexpr Word presetBit = 0x4000'0000;

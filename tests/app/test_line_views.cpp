@@ -14,7 +14,7 @@
 namespace codewheel {
 namespace {
 
-const DeviceNumber standing = DeviceNumber::onLine({5}); // at 1235h = 4661
+const DeviceNumber standingEncoder = DeviceNumber::onLine({5}); // at 1235h = 4661
 
 class LineViewsTest : public test::WindowTest
 {
@@ -107,7 +107,7 @@ TEST_F(LineViewsTest, EnterOnTheLineOpensItsFiguresAndOnAnEncoderTheTerminal)
     advance(50);
     EXPECT_TRUE(view<LinePanel>().isVisible());
     EXPECT_FALSE(view<LinePanel>().visibleRegion().isEmpty());
-    view<StructureView>().choose(standing);
+    view<StructureView>().choose(standingEncoder);
     tree().setFocus();
     QTest::keyClick(&tree(), Qt::Key_Return);
     advance(50);
@@ -116,17 +116,17 @@ TEST_F(LineViewsTest, EnterOnTheLineOpensItsFiguresAndOnAnEncoderTheTerminal)
 
 TEST_F(LineViewsTest, WhatIsFoundIsTakenOver)
 {
-    ASSERT_TRUE(line().remove(standing));
+    ASSERT_TRUE(line().remove(standingEncoder));
     advance(50);
     const auto *model = static_cast<const StructureModel *>(tree().model());
-    ASSERT_FALSE(model->indexOf(standing).isValid());
+    ASSERT_FALSE(model->indexOf(standingEncoder).isValid());
     actions().lineSearch->trigger();
     ASSERT_TRUE(view<LineSearch>().isVisible());
     QTest::mouseClick(button(view<LineSearch>(), QStringLiteral("Search")), Qt::LeftButton);
     advance(20'000);
     QTest::mouseClick(button(view<LineSearch>(), QStringLiteral("Take over")), Qt::LeftButton);
     advance(100);
-    EXPECT_TRUE(model->indexOf(standing).isValid());
+    EXPECT_TRUE(model->indexOf(standingEncoder).isValid());
     EXPECT_EQ(model->rowCount(model->lineIndex()), 3);
     EXPECT_FALSE(project().line) << "they are no more than simulated";
 }
@@ -175,15 +175,15 @@ TEST_F(LineViewsTest, WhatAnswersAtAnotherBaudRateIsNotTakenOverAndThatIsSaid)
 
 TEST_F(LineViewsTest, AnEncoderIsRemovedFromLineAndProject)
 {
-    plan({test::plannedEncoder(standing), test::plannedEncoder(DeviceNumber::onLine({7}))});
+    plan({test::plannedEncoder(standingEncoder), test::plannedEncoder(DeviceNumber::onLine({7}))});
     PtyPair pty;
     connectPort(pty.path());
-    view<StructureView>().choose(standing);
+    view<StructureView>().choose(standingEncoder);
     advance(50);
     EXPECT_TRUE(actions().removeFromLine->isEnabled());
     actions().removeFromLine->trigger();
     advance(50);
-    EXPECT_EQ(line().encoder(standing), nullptr);
+    EXPECT_EQ(line().encoder(standingEncoder), nullptr);
     EXPECT_EQ(project().line->encoders, std::vector{test::plannedEncoder(DeviceNumber::onLine({7}))});
     view<StructureView>().choose(test::fraba);
     EXPECT_FALSE(actions().removeFromLine->isEnabled());
@@ -191,13 +191,13 @@ TEST_F(LineViewsTest, AnEncoderIsRemovedFromLineAndProject)
 
 TEST_F(LineViewsTest, RemovedFromTheTrainingLineTheProjectsOwnStays)
 {
-    plan({test::plannedEncoder(standing)});
-    view<StructureView>().choose(standing);
+    plan({test::plannedEncoder(standingEncoder)});
+    view<StructureView>().choose(standingEncoder);
     advance(50);
     actions().removeFromLine->trigger();
     advance(50);
-    EXPECT_EQ(line().encoder(standing), nullptr);
-    EXPECT_EQ(project().line->encoders, std::vector{test::plannedEncoder(standing)});
+    EXPECT_EQ(line().encoder(standingEncoder), nullptr);
+    EXPECT_EQ(project().line->encoders, std::vector{test::plannedEncoder(standingEncoder)});
 }
 
 TEST_F(LineViewsTest, NoTrainingEncoderIsTakenAlongToAPort)
@@ -211,7 +211,7 @@ TEST_F(LineViewsTest, NoTrainingEncoderIsTakenAlongToAPort)
 
 TEST_F(LineViewsTest, ThePortOfAnEncoderIsConnectedInWatch)
 {
-    plan({test::plannedEncoder(standing, QStringLiteral("Slide")),
+    plan({test::plannedEncoder(standingEncoder, QStringLiteral("Slide")),
           test::plannedEncoder(DeviceNumber::onLine({7}))});
     PtyPair pty;
     connectPort(pty.path());
@@ -221,9 +221,9 @@ TEST_F(LineViewsTest, ThePortOfAnEncoderIsConnectedInWatch)
     EXPECT_FALSE(line().isOperating());
     EXPECT_FALSE(bus().isOperating()) << "one decision for both";
     EXPECT_EQ(project().line->wish, view<LineSettingsForm>().wish());
-    EXPECT_EQ(line().numbers(), (std::vector{standing, DeviceNumber::onLine({7})}))
+    EXPECT_EQ(line().numbers(), (std::vector{standingEncoder, DeviceNumber::onLine({7})}))
         << "the encoders of the project";
-    EXPECT_EQ(findDevice(project(), standing)->station, QStringLiteral("Slide"));
+    EXPECT_EQ(findDevice(project(), standingEncoder)->station, QStringLiteral("Slide"));
 
     actions().disconnectLine->trigger();
     advance(50);
@@ -232,7 +232,7 @@ TEST_F(LineViewsTest, ThePortOfAnEncoderIsConnectedInWatch)
     actions().lineTraining->trigger();
     advance(200);
     EXPECT_NE(shown->line().training(), nullptr);
-    EXPECT_EQ(line().encoder(standing)->latest().position, 0x1235);
+    EXPECT_EQ(line().encoder(standingEncoder)->latest().position, 0x1235);
 }
 
 TEST_F(LineViewsTest, APortThatIsNotThereIsToldOnTheSpotAndTheLineGoesOn)
@@ -271,12 +271,12 @@ TEST_F(LineViewsTest, TheTrainerDisturbsTheLine)
     advance(3000);
     EXPECT_TRUE(line().latest().connected) << "it is looked for";
 
-    view<StructureView>().choose(standing);
+    view<StructureView>().choose(standingEncoder);
     advance(50);
     ASSERT_NE(box(QStringLiteral("Battery flat")), nullptr);
     box(QStringLiteral("Battery flat"))->click();
     advance(3000);
-    EXPECT_EQ(line().encoder(standing)->latest().alarms, 0x4000);
+    EXPECT_EQ(line().encoder(standingEncoder)->latest().alarms, 0x4000);
     view<StructureView>().choose(test::fraba);
     advance(50);
     EXPECT_EQ(box(QStringLiteral("Adapter unplugged")), nullptr) << "the ring has none";

@@ -5,6 +5,7 @@
 #include "app/window/program.h"
 #include "project/project_file.h"
 #include "ring/bus_session.h"
+#include "tests/app/window_test.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/wizard/parameter_wizard.h"
@@ -16,8 +17,9 @@
 namespace codewheel {
 namespace {
 
-constexpr DeviceNumber fraba{1, 0};
-constexpr DeviceNumber baumer{2, 0};
+using test::baumer;
+using test::fraba;
+
 constexpr int generous = 60'000; // ms; sanitizers are slow
 
 class RunningProgram : public testing::Test

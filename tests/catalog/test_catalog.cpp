@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
+#include "tests/catalog/breakage.h"
 
 #include <QFile>
 
@@ -44,25 +45,11 @@ const QByteArray sound = R"({
 }
 )";
 
-QByteArray broken(const char *from, const char *to)
+QByteArray brokenBy(const char *from, const char *to)
 {
     QByteArray json = sound;
     EXPECT_EQ(json.count(from), 1) << from;
     return json.replace(from, to);
-}
-
-struct Breakage
-{
-    const char *from;
-    const char *to;
-    int line;
-    const char *key;
-    const char *reason; // a part of it
-};
-
-void PrintTo(const Breakage &breakage, std::ostream *out)
-{
-    *out << breakage.from << " -> " << breakage.to;
 }
 
 class BrokenDescription : public testing::TestWithParam<Breakage>
@@ -71,7 +58,7 @@ class BrokenDescription : public testing::TestWithParam<Breakage>
 TEST_P(BrokenDescription, IsRefusedWithLineKeyAndReason)
 {
     Catalog catalog;
-    const auto added = catalog.add(broken(GetParam().from, GetParam().to), QStringLiteral("some.json"));
+    const auto added = catalog.add(brokenBy(GetParam().from, GetParam().to), QStringLiteral("some.json"));
     ASSERT_FALSE(added);
     EXPECT_TRUE(catalog.devices().empty());
     EXPECT_EQ(added.error().file, QStringLiteral("some.json"));

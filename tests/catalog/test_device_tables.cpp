@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
+#include "tests/catalog/breakage.h"
 
 #include <gtest/gtest.h>
 
 namespace codewheel {
 namespace {
 
-const QByteArray sound = R"({
+const QByteArray soundTables = R"({
   "key": "some-k1",
   "vendor": "Some",
   "name": "K1",
@@ -66,26 +67,12 @@ const QByteArray sound = R"({
 }
 )";
 
-struct Breakage
-{
-    const char *from;
-    const char *to;
-    int line;
-    const char *key;
-    const char *reason; // a part of it
-};
-
-void PrintTo(const Breakage &breakage, std::ostream *out)
-{
-    *out << breakage.from << " -> " << breakage.to;
-}
-
 class BrokenTables : public testing::TestWithParam<Breakage>
 {};
 
 TEST_P(BrokenTables, AreRefusedWithLineKeyAndReason)
 {
-    QByteArray json = sound;
+    QByteArray json = soundTables;
     ASSERT_EQ(json.count(GetParam().from), 1);
     json.replace(GetParam().from, GetParam().to);
     Catalog catalog;
@@ -98,7 +85,7 @@ TEST_P(BrokenTables, AreRefusedWithLineKeyAndReason)
         << added.error().reason.toStdString();
 }
 
-constexpr Breakage breakages[] = {
+constexpr Breakage tableBreakages[] = {
     // texts
     {R"({"en": "In", "de": "An"})", "7", 22, "connectors[0].name", "{\"en\""},
     {R"({"en": "In", "de": "An"})", R"({"de": "An"})", 22, "connectors[0].name.en", "missing"},
@@ -140,12 +127,12 @@ constexpr Breakage breakages[] = {
     {R"("profile": "K1")", R"("profile": "ESC")", 7, "idCode", "serial line"},
 };
 
-INSTANTIATE_TEST_SUITE_P(Catalog, BrokenTables, testing::ValuesIn(breakages));
+INSTANTIATE_TEST_SUITE_P(Catalog, BrokenTables, testing::ValuesIn(tableBreakages));
 
 TEST(DeviceTables, AreReadAsTheyStand)
 {
     Catalog catalog;
-    const auto added = catalog.add(sound, QStringLiteral("some.json"));
+    const auto added = catalog.add(soundTables, QStringLiteral("some.json"));
     ASSERT_TRUE(added) << added.error().reason.toStdString();
     const DeviceDescription &device = *catalog.find(u"some-k1");
     EXPECT_EQ(device.connectors[0].pins[1].signal.toString(), QStringLiteral("DI"));
@@ -159,8 +146,8 @@ TEST(DeviceTables, AreReadAsTheyStand)
 TEST(DeviceTables, MayBeThoseOfAnotherDevice)
 {
     Catalog catalog;
-    ASSERT_TRUE(catalog.add(sound, QStringLiteral("some.json")));
-    QByteArray json = sound;
+    ASSERT_TRUE(catalog.add(soundTables, QStringLiteral("some.json")));
+    QByteArray json = soundTables;
     json.replace("some-k1", "some-k1-b");
     json = json.first(json.indexOf("  \"connectors\"")) +
            R"(  "tablesOf": "some-k1", "supply": {"value": "12 V", "chapter": "1"}})";

@@ -7,8 +7,8 @@
 namespace codewheel {
 namespace {
 
-constexpr k3::ExplainContext out{WordDirection::out, {}, Mode::position, {}, {}};
-constexpr k3::ExplainContext in{WordDirection::in, {}, Mode::position, {}, {}};
+constexpr k3::ExplainContext positionOut{WordDirection::out, {}, Mode::position, {}, {}};
+constexpr k3::ExplainContext positionIn{WordDirection::in, {}, Mode::position, {}, {}};
 
 class ExplainWord : public testing::Test
 {
@@ -34,29 +34,29 @@ protected:
 // The rows of the FRABA appendix are in test_fraba_appendix.cpp; here is what stands between them.
 TEST_F(ExplainWord, OutWordsOfFraba)
 {
-    EXPECT_EQ(text(fraba, 0x8200'0000, out), "Run; the other bits (02000000) are ignored");
-    EXPECT_EQ(text(fraba, 0x0600'0005, out), "Parameter 3 direction = 5");
-    EXPECT_EQ(text(fraba, 0x0E00'0001, out), "Parameter 7 = 1");
+    EXPECT_EQ(text(fraba, 0x8200'0000, positionOut), "Run; the other bits (02000000) are ignored");
+    EXPECT_EQ(text(fraba, 0x0600'0005, positionOut), "Parameter 3 direction = 5");
+    EXPECT_EQ(text(fraba, 0x0E00'0001, positionOut), "Parameter 7 = 1");
 }
 
 TEST_F(ExplainWord, InWordsOfFraba)
 {
-    EXPECT_EQ(text(fraba, 0x0001'2A4F, in), "Running, position 76367");
-    EXPECT_EQ(text(fraba, 0xC200'00FF, in), "Parameter 1 steps = 255 confirmed");
+    EXPECT_EQ(text(fraba, 0x0001'2A4F, positionIn), "Running, position 76367");
+    EXPECT_EQ(text(fraba, 0xC200'00FF, positionIn), "Parameter 1 steps = 255 confirmed");
     EXPECT_EQ(inBeside(fraba, 0xC200'00FF, 0x0400'0001), "Old confirmation: parameter 1 steps = 255");
     EXPECT_EQ(inBeside(fraba, 0xA000'FFCE, 0x2021'000C), "Read-out: temperature = -5.0 °C");
     EXPECT_EQ(inBeside(fraba, 0xA1FF'FFCE, 0x2021'000C), "Read-out: temperature = -5.0 °C");
     EXPECT_EQ(inBeside(fraba, 0xA000'0009, 0x2021'0008), "Read-out: operating time = 1.5 h");
     EXPECT_EQ(inBeside(fraba, 0xA000'0005, 0x2021'0009), "Read-out: start-up mode = 5 (cam program 3)");
-    EXPECT_EQ(text(fraba, 0xA000'2000, in), "Self test, or read-out of 8192");
-    EXPECT_EQ(text(fraba, 0x9800'0017, in), "Manufacturer's error 23");
-    EXPECT_EQ(text(fraba, 0x9800'0100, in), "Error 12: an error of the manufacturer's own");
-    EXPECT_EQ(text(fraba, 0x4000'0000, in), "D31 D30 = 01: a state in no manual");
+    EXPECT_EQ(text(fraba, 0xA000'2000, positionIn), "Self test, or read-out of 8192");
+    EXPECT_EQ(text(fraba, 0x9800'0017, positionIn), "Manufacturer's error 23");
+    EXPECT_EQ(text(fraba, 0x9800'0100, positionIn), "Error 12: an error of the manufacturer's own");
+    EXPECT_EQ(text(fraba, 0x4000'0000, positionIn), "D31 D30 = 01: a state in no manual");
 }
 
 TEST_F(ExplainWord, CamWordsOfFraba)
 {
-    k3::ExplainContext cam = out;
+    k3::ExplainContext cam = positionOut;
     cam.mode = Mode::cam;
     EXPECT_EQ(text(fraba, 0x2040'0000, cam), "Active cams: none");
     EXPECT_EQ(inBeside(fraba, 0x0000'2008, 0x8000'0000, Mode::cam), "Running, cams on: 3, position part 32");
@@ -74,25 +74,27 @@ TEST_F(ExplainWord, UnknownModeGivesEachMeaning)
 
 TEST_F(ExplainWord, WordsOfBaumer)
 {
-    EXPECT_EQ(text(baumer, 0xCE00'0000, in), "Parameter 7 = 0 (reset to factory settings) confirmed");
-    EXPECT_EQ(text(baumer, 0x0600'0003, out), "Parameter 3 coding = 3 (unsigned, CW)");
-    EXPECT_EQ(text(baumer, 0x1E00'1000, out), "Parameter 15 measuring range = 4096");
-    EXPECT_EQ(text(baumer, 0x2200'00FF, out), "Parameter 1 steps = 255 (D29 is ignored)");
+    EXPECT_EQ(text(baumer, 0xCE00'0000, positionIn), "Parameter 7 = 0 (reset to factory settings) confirmed");
+    EXPECT_EQ(text(baumer, 0x0600'0003, positionOut), "Parameter 3 coding = 3 (unsigned, CW)");
+    EXPECT_EQ(text(baumer, 0x1E00'1000, positionOut), "Parameter 15 measuring range = 4096");
+    EXPECT_EQ(text(baumer, 0x2200'00FF, positionOut), "Parameter 1 steps = 255 (D29 is ignored)");
     EXPECT_EQ(inBeside(baumer, 0xC000'4E20, 0x0400'4E20), "Processing, data 20000");
-    EXPECT_EQ(text(baumer, 0x9C00'0000, in), "Error 14: battery low");
-    EXPECT_EQ(text(baumer, 0x8800'0000, in), "Error 4: not defined for this encoder");
+    EXPECT_EQ(text(baumer, 0x9C00'0000, positionIn), "Error 14: battery low");
+    EXPECT_EQ(text(baumer, 0x8800'0000, positionIn), "Error 4: not defined for this encoder");
     // its coding is a parameter, and not told here
-    EXPECT_EQ(text(baumer, 0x0001'2A4F, in), "Running, position 00012A4F in a coding that is not known");
-    k3::ExplainContext decoded = in;
+    EXPECT_EQ(text(baumer, 0x0001'2A4F, positionIn),
+              "Running, position 00012A4F in a coding that is not known");
+    k3::ExplainContext decoded = positionIn;
     decoded.coding = PositionCoding::signedBinary;
     EXPECT_EQ(text(baumer, 0x01FF'FFFF, decoded), "Running, position -1 (signed)");
 }
 
 TEST_F(ExplainWord, WordsOfAnUnnamedK3)
 {
-    EXPECT_EQ(text(generic, 0x0200'00FF, out), "Parameter 1 steps = 255");
-    EXPECT_EQ(text(generic, 0x0600'0003, out), "Parameter 3 = 3");
-    EXPECT_EQ(text(generic, 0x2021'0001, out), "Manufacturer specific (D29), and the make is not known");
+    EXPECT_EQ(text(generic, 0x0200'00FF, positionOut), "Parameter 1 steps = 255");
+    EXPECT_EQ(text(generic, 0x0600'0003, positionOut), "Parameter 3 = 3");
+    EXPECT_EQ(text(generic, 0x2021'0001, positionOut),
+              "Manufacturer specific (D29), and the make is not known");
 }
 
 // It may be a FRABA; one that is named has the modes of its description.
@@ -109,7 +111,7 @@ TEST_F(ExplainWord, AnUnnamedK3MayHaveModes)
     EXPECT_EQ(text(generic, 0x0000'0101, {WordDirection::in, {}, {}, {}, {}}),
               "Running, position 00000101 in a coding that is not known, or: speed 257 rpm, or: cams on: 0, "
               "position part 1");
-    EXPECT_EQ(text(generic, 0x4000'0000, out), "Initialise the preset");
+    EXPECT_EQ(text(generic, 0x4000'0000, positionOut), "Initialise the preset");
     for (const char *key : {"baumer-gxp6w", "twk-k3"}) {
         const DeviceDescription &named = *catalog.find(QString::fromLatin1(key));
         EXPECT_FALSE(named.mayHaveModes()) << key;
@@ -121,49 +123,56 @@ TEST_F(ExplainWord, AnUnnamedK3MayHaveModes)
 
 TEST_F(ExplainWord, WordsOfARod)
 {
-    EXPECT_EQ(text(rod, 0x4200'C350, out), "Service 2 measuring length in steps: write 50000, service bit 0");
-    EXPECT_EQ(text(rod, 0xC200'C350, out), "Service 2 measuring length in steps: write 50000, service bit 1");
-    EXPECT_EQ(text(rod, 0x8200'0000, out), "Service 2 measuring length in steps: read, service bit 1");
-    EXPECT_EQ(text(rod, 0xC100'0001, out), "Service 1 direction: write 1 (decreasing), service bit 1");
-    EXPECT_EQ(text(rod, 0xC600'03E8, out), "Service 6 preset adjustment: write 1000, service bit 1");
-    EXPECT_EQ(text(rod, 0xC200'0000, out),
+    EXPECT_EQ(text(rod, 0x4200'C350, positionOut),
+              "Service 2 measuring length in steps: write 50000, service bit 0");
+    EXPECT_EQ(text(rod, 0xC200'C350, positionOut),
+              "Service 2 measuring length in steps: write 50000, service bit 1");
+    EXPECT_EQ(text(rod, 0x8200'0000, positionOut),
+              "Service 2 measuring length in steps: read, service bit 1");
+    EXPECT_EQ(text(rod, 0xC100'0001, positionOut),
+              "Service 1 direction: write 1 (decreasing), service bit 1");
+    EXPECT_EQ(text(rod, 0xC600'03E8, positionOut), "Service 6 preset adjustment: write 1000, service bit 1");
+    EXPECT_EQ(text(rod, 0xC200'0000, positionOut),
               "Service 2 measuring length in steps: write 0, service bit 1; the encoder refuses this value");
-    EXPECT_EQ(text(rod, 0xC300'0000, out), "Not defined for this encoder");
-    EXPECT_EQ(text(rod, 0x0000'3039, in), "Running, position 12345");
-    EXPECT_EQ(text(rod, 0x2000'3039, in),
+    EXPECT_EQ(text(rod, 0xC300'0000, positionOut), "Not defined for this encoder");
+    EXPECT_EQ(text(rod, 0x0000'3039, positionIn), "Running, position 12345");
+    EXPECT_EQ(text(rod, 0x2000'3039, positionIn),
               "Error bit: the magnet is or was outside the measuring range; position 12345");
-    EXPECT_EQ(text(rod, 0xC200'C350, in), "Service 2 measuring length in steps: 50000 written");
-    EXPECT_EQ(text(rod, 0x8400'1388, in), "Service 4 external preset: 5000 read");
-    EXPECT_EQ(text(rod, 0x8800'0020, in),
+    EXPECT_EQ(text(rod, 0xC200'C350, positionIn), "Service 2 measuring length in steps: 50000 written");
+    EXPECT_EQ(text(rod, 0x8400'1388, positionIn), "Service 4 external preset: 5000 read");
+    EXPECT_EQ(text(rod, 0x8800'0020, positionIn),
               "Service 8 error status: 32 (magnet outside the measuring range) read");
-    EXPECT_EQ(text(rod, 0xE100'0002, in),
+    EXPECT_EQ(text(rod, 0xE100'0002, positionIn),
               "Refused: Service 1 direction: write 2, service bit 1; the encoder refuses this value");
-    EXPECT_EQ(text(rod, 0xA600'0000, in), "Refused: Not defined for this encoder");
+    EXPECT_EQ(text(rod, 0xA600'0000, positionIn), "Refused: Not defined for this encoder");
     EXPECT_EQ(inBeside(rod, 0x8100'0000, 0x8800'0000), "Old answer: service 1 direction, 0 (increasing)");
 }
 
 TEST_F(ExplainWord, WordsOfEncodersThatOnlyTellTheirPosition)
 {
     const DeviceDescription &k1 = *catalog.find(u"fraba-ocd-ib-k1");
-    EXPECT_EQ(text(k1, 0x0000'0FFF, in), "Running, position 4095");
-    EXPECT_EQ(text(k1, 0x0000'9800, in), "No position: D15, D12 should be 0, since the position has 12 bits");
-    EXPECT_EQ(text(k1, 0x0200'00FF, out), "This encoder has no OUT word: it only tells its position");
+    EXPECT_EQ(text(k1, 0x0000'0FFF, positionIn), "Running, position 4095");
+    EXPECT_EQ(text(k1, 0x0000'9800, positionIn),
+              "No position: D15, D12 should be 0, since the position has 12 bits");
+    EXPECT_EQ(text(k1, 0x0200'00FF, positionOut), "This encoder has no OUT word: it only tells its position");
     const DeviceDescription &k2 = *catalog.find(u"fraba-ocd-ib-k2");
-    EXPECT_EQ(text(k2, 0x00FF'FFFF, in), "Running, position 16777215");
-    EXPECT_EQ(text(k2, 0x0100'0000, in), "No position: D24 should be 0, since the position has 24 bits");
-    EXPECT_EQ(text(*catalog.find(u"generic-k2"), 0x01FF'FFFF, in), "Running, position 33554431");
-    EXPECT_EQ(text(*catalog.find(u"twk-k2"), 0xC200'0005, in),
+    EXPECT_EQ(text(k2, 0x00FF'FFFF, positionIn), "Running, position 16777215");
+    EXPECT_EQ(text(k2, 0x0100'0000, positionIn),
+              "No position: D24 should be 0, since the position has 24 bits");
+    EXPECT_EQ(text(*catalog.find(u"generic-k2"), 0x01FF'FFFF, positionIn), "Running, position 33554431");
+    EXPECT_EQ(text(*catalog.find(u"twk-k2"), 0xC200'0005, positionIn),
               "No position: D31, D30, D25 should be 0, since the position has 25 bits");
     const DeviceDescription &k4 = *catalog.find(u"twk-k4");
-    EXPECT_EQ(text(k4, 0x0001'2A4F, in), "Running, position 76367, as long as all four status bits are 0: "
-                                         "where they stand is in no source");
-    EXPECT_EQ(text(k4, 0x0200'00FF, out), "The OUT word of a K4 encoder is described in no source");
+    EXPECT_EQ(text(k4, 0x0001'2A4F, positionIn),
+              "Running, position 76367, as long as all four status bits are 0: "
+              "where they stand is in no source");
+    EXPECT_EQ(text(k4, 0x0200'00FF, positionOut), "The OUT word of a K4 encoder is described in no source");
 
     DeviceDescription coded = k2;
     coded.coding = PositionCoding::gray;
-    EXPECT_EQ(text(coded, 0x0000'0214, in), "Running, position 999 (Gray code 00000214)");
+    EXPECT_EQ(text(coded, 0x0000'0214, positionIn), "Running, position 999 (Gray code 00000214)");
     coded.coding = PositionCoding::signedBinary;
-    EXPECT_EQ(text(coded, 0x00FF'FFFF, in), "Running, position -1 (signed)");
+    EXPECT_EQ(text(coded, 0x00FF'FFFF, positionIn), "Running, position -1 (signed)");
 }
 
 TEST_F(ExplainWord, BitsAreNamedAsInTheManual)

@@ -91,14 +91,14 @@ TEST(CliCommandLine, JsonHasCommandAndExitCode)
     EXPECT_EQ(refused.json()[u"error"][u"arguments"][0], QStringLiteral("Baumer GXP6W K3"));
 }
 
-struct BadCall
+struct BadCommandLine
 {
     const char *line;
     const char *key;
     const char *help;
 };
 
-class CliCommandLineBadInput : public testing::TestWithParam<BadCall>
+class CliCommandLineBadInput : public testing::TestWithParam<BadCommandLine>
 {};
 
 TEST_P(CliCommandLineBadInput, SaysWhatWouldBeRightAndExits2)
@@ -117,19 +117,19 @@ TEST_P(CliCommandLineBadInput, SaysWhatWouldBeRightAndExits2)
 
 INSTANTIATE_TEST_SUITE_P(
     Calls, CliCommandLineBadInput,
-    testing::Values(BadCall{"", "missingCommand", "devices, scan, compare, explain, words, read, write"},
-                    BadCall{"--quiet", "unknownOption", "--json"},
-                    BadCall{"rad 1.0", "unknownCommand",
-                            "devices, scan, compare, explain, words, read, write"},
-                    BadCall{"scan --all", "unknownOption", "--json"},
-                    BadCall{"write 1.0 steps=1 --force", "unknownOption", "--dry-run"},
-                    BadCall{"scan 1.0", "tooManyArguments", "codewheel-cli scan"},
-                    BadCall{"preset 1.0 5 6", "tooManyArguments", "\"6\" is too much"},
-                    BadCall{"read", "missingArgument", "read PLACE [PARAMETER...]"},
-                    BadCall{"write 1.0", "missingArgument", "write PLACE PARAMETER=VALUE..."},
-                    BadCall{"words 1.0", "missingArgument", "words PLACE WORD..."},
-                    BadCall{"scan --link modbus", "unknownLink", "training"},
-                    BadCall{"devices --link modbus", "unknownLink", "training"}));
+    testing::Values(
+        BadCommandLine{"", "missingCommand", "devices, scan, compare, explain, words, read, write"},
+        BadCommandLine{"--quiet", "unknownOption", "--json"},
+        BadCommandLine{"rad 1.0", "unknownCommand", "devices, scan, compare, explain, words, read, write"},
+        BadCommandLine{"scan --all", "unknownOption", "--json"},
+        BadCommandLine{"write 1.0 steps=1 --force", "unknownOption", "--dry-run"},
+        BadCommandLine{"scan 1.0", "tooManyArguments", "codewheel-cli scan"},
+        BadCommandLine{"preset 1.0 5 6", "tooManyArguments", "\"6\" is too much"},
+        BadCommandLine{"read", "missingArgument", "read PLACE [PARAMETER...]"},
+        BadCommandLine{"write 1.0", "missingArgument", "write PLACE PARAMETER=VALUE..."},
+        BadCommandLine{"words 1.0", "missingArgument", "words PLACE WORD..."},
+        BadCommandLine{"scan --link modbus", "unknownLink", "training"},
+        BadCommandLine{"devices --link modbus", "unknownLink", "training"}));
 
 } // namespace
 } // namespace codewheel

@@ -88,14 +88,14 @@ TEST(CliExplain, TheCodingDecidesWhatAPositionIs)
                 ElementsAre("grayPosition"));
 }
 
-struct BadCall
+struct BadExplain
 {
     const char *line;
     const char *key;
     const char *help;
 };
 
-class CliExplainBadInput : public testing::TestWithParam<BadCall>
+class CliExplainBadInput : public testing::TestWithParam<BadExplain>
 {};
 
 TEST_P(CliExplainBadInput, IsRefused)
@@ -109,17 +109,17 @@ TEST_P(CliExplainBadInput, IsRefused)
 INSTANTIATE_TEST_SUITE_P(
     Calls, CliExplainBadInput,
     testing::Values(
-        BadCall{"020000FF --direction in", "missingOption", "fraba-ocd-ib"},
-        BadCall{"020000FF --device fraba-ocd-ib", "missingOption", "in, out"},
-        BadCall{"020000FF --device fraba --direction in", "unknownDeviceName", "fraba-ocd-ib"},
-        BadCall{"020000FF --device fraba-ocd-ib --direction up", "optionNotAllowed", "in, out"},
-        BadCall{"020000FF --device fraba-ocd-ib --direction in --mode x", "optionNotAllowed",
-                "position, cam, velocity"},
-        BadCall{"020000FF --device fraba-ocd-ib --direction in --coding 3", "oneCodingOnly", "--coding"},
-        BadCall{"020000FF --device baumer-gxp6w --direction in --coding 7", "valueNotAllowed",
-                "signed-cw (1)"},
-        BadCall{"020000FF --device baumer-gxp6w --direction in --other xyz", "notAWord", "\"xyz\""},
-        BadCall{"0020000FF --device baumer-gxp6w --direction in", "notAWord", "8 hexadecimal digits"}));
+        BadExplain{"020000FF --direction in", "missingOption", "fraba-ocd-ib"},
+        BadExplain{"020000FF --device fraba-ocd-ib", "missingOption", "in, out"},
+        BadExplain{"020000FF --device fraba --direction in", "unknownDeviceName", "fraba-ocd-ib"},
+        BadExplain{"020000FF --device fraba-ocd-ib --direction up", "optionNotAllowed", "in, out"},
+        BadExplain{"020000FF --device fraba-ocd-ib --direction in --mode x", "optionNotAllowed",
+                   "position, cam, velocity"},
+        BadExplain{"020000FF --device fraba-ocd-ib --direction in --coding 3", "oneCodingOnly", "--coding"},
+        BadExplain{"020000FF --device baumer-gxp6w --direction in --coding 7", "valueNotAllowed",
+                   "signed-cw (1)"},
+        BadExplain{"020000FF --device baumer-gxp6w --direction in --other xyz", "notAWord", "\"xyz\""},
+        BadExplain{"0020000FF --device baumer-gxp6w --direction in", "notAWord", "8 hexadecimal digits"}));
 
 } // namespace
 } // namespace codewheel

@@ -14,14 +14,14 @@ namespace {
 
 using testing::HasSubstr;
 
-struct BadCall
+struct BadLineCall
 {
     const char *line;
     const char *key;
     int exit;
 };
 
-class CliLineErrors : public testing::TestWithParam<BadCall>
+class CliLineErrors : public testing::TestWithParam<BadLineCall>
 {};
 
 TEST_P(CliLineErrors, AreSaidInASentence)
@@ -34,28 +34,32 @@ TEST_P(CliLineErrors, AreSaidInASentence)
 
 INSTANTIATE_TEST_SUITE_P(
     Calls, CliLineErrors,
-    testing::Values(BadCall{"read 00", "lineAddressWrong", 2}, BadCall{"read 20", "lineAddressWrong", 2},
-                    BadCall{"read 32", "lineAddressWrong", 2}, BadCall{"read esc:5", "lineAddressWrong", 2},
-                    BadCall{"read FF", "lineAddressWrong", 2}, BadCall{"read 07", "encoderSilent", 1},
-                    BadCall{"monitor 1F", "encoderSilent", 1}, BadCall{"preset 07 5", "encoderSilent", 1},
-                    BadCall{"read 1.0 --link esc:training", "placeOnBus", 2},
-                    BadCall{"read hoist --link esc:training", "lineAddressWrong", 2},
-                    BadCall{"read 05 coding", "parameterNotSupported", 2},
-                    BadCall{"read 05 --link esc:training,baud=9600", "encoderSilent", 1}));
+    testing::Values(
+        BadLineCall{"read 00", "lineAddressWrong", 2}, BadLineCall{"read 20", "lineAddressWrong", 2},
+        BadLineCall{"read 32", "lineAddressWrong", 2}, BadLineCall{"read esc:5", "lineAddressWrong", 2},
+        BadLineCall{"read FF", "lineAddressWrong", 2}, BadLineCall{"read 07", "encoderSilent", 1},
+        BadLineCall{"monitor 1F", "encoderSilent", 1}, BadLineCall{"preset 07 5", "encoderSilent", 1},
+        BadLineCall{"read 1.0 --link esc:training", "placeOnBus", 2},
+        BadLineCall{"read hoist --link esc:training", "lineAddressWrong", 2},
+        BadLineCall{"read 05 coding", "parameterNotSupported", 2},
+        BadLineCall{"read 05 --link esc:training,baud=9600", "encoderSilent", 1}));
 
 INSTANTIATE_TEST_SUITE_P(
     CommandsOfTheBus, CliLineErrors,
     testing::Values(
-        BadCall{"words 05 020000FF", "notOnSerialLine", 2}, BadCall{"velocity 05 on", "notOnSerialLine", 2},
-        BadCall{"reset 05 --yes", "notOnSerialLine", 2}, BadCall{"cams 05 read", "notOnSerialLine", 2},
-        BadCall{"clone 05 12 --yes", "notOnSerialLine", 2}, BadCall{"restore 05", "notOnSerialLine", 2},
-        BadCall{"master --link esc:training", "notOnSerialLine", 2},
-        BadCall{"compare docs/examples/crane.codewheel --link esc:training", "notOnSerialLine", 2},
-        BadCall{"store x.codewheel --link esc:training", "notOnSerialLine", 2},
-        BadCall{"transfer x.codewheel --link esc:/dev/none", "notOnSerialLine", 2},
-        BadCall{"replace 1.0 --project x.codewheel --link esc:training", "notOnSerialLine", 2},
-        BadCall{"report x.codewheel -o x.html --read --link esc:training", "notOnSerialLine", 2},
-        BadCall{"scan --link esc:training --fault-plan x.json", "faultPlanOnLine", 2}));
+        BadLineCall{"words 05 020000FF", "notOnSerialLine", 2},
+        BadLineCall{"velocity 05 on", "notOnSerialLine", 2},
+        BadLineCall{"reset 05 --yes", "notOnSerialLine", 2},
+        BadLineCall{"cams 05 read", "notOnSerialLine", 2},
+        BadLineCall{"clone 05 12 --yes", "notOnSerialLine", 2},
+        BadLineCall{"restore 05", "notOnSerialLine", 2},
+        BadLineCall{"master --link esc:training", "notOnSerialLine", 2},
+        BadLineCall{"compare docs/examples/crane.codewheel --link esc:training", "notOnSerialLine", 2},
+        BadLineCall{"store x.codewheel --link esc:training", "notOnSerialLine", 2},
+        BadLineCall{"transfer x.codewheel --link esc:/dev/none", "notOnSerialLine", 2},
+        BadLineCall{"replace 1.0 --project x.codewheel --link esc:training", "notOnSerialLine", 2},
+        BadLineCall{"report x.codewheel -o x.html --read --link esc:training", "notOnSerialLine", 2},
+        BadLineCall{"scan --link esc:training --fault-plan x.json", "faultPlanOnLine", 2}));
 
 // A project with a device of the ring and one of the line whose stations look like addresses.
 class CliLineStations : public testing::Test

@@ -11,19 +11,19 @@ namespace {
 
 using testing::HasSubstr;
 
-QString line(const char *what)
+QString explainLine(const char *what)
 {
     return QStringLiteral("explain %1 --device kuebler-esc-rs485").arg(QString::fromLatin1(what));
 }
 
 TEST(CliLineExplain, TellsWhatARequestMeans)
 {
-    const CliRun run = runLine(line("03gp5200"));
+    const CliRun run = runLine(explainLine("03gp5200"));
     EXPECT_EQ(run.exit, 0);
     EXPECT_EQ(run.out,
               "03GP00005200 (1B 30 33 47 50 30 30 30 30 35 32 30 30 0D 0A), Kübler 5882 / 5862 / 9081 "
               "RS-485\n  03: set preset to 5200h = 20992\n");
-    const QJsonObject json = runLine(line("05P --direction out --json")).json();
+    const QJsonObject json = runLine(explainLine("05P --direction out --json")).json();
     EXPECT_EQ(json[u"letters"], QStringLiteral("P"));
     EXPECT_EQ(json[u"bytes"], QStringLiteral("1B 30 35 50 0D 0A"));
     EXPECT_EQ(json[u"direction"], QStringLiteral("out"));
@@ -32,20 +32,20 @@ TEST(CliLineExplain, TellsWhatARequestMeans)
 // The vectors of the manual.
 TEST(CliLineExplain, TellsWhatAnAnswerMeans)
 {
-    EXPECT_THAT(runLine(line("00001235 --other 05P")).out, HasSubstr("05: position? -> 1235h = 4661"));
-    EXPECT_THAT(runLine(line("5000 --other 05A --direction in")).out,
+    EXPECT_THAT(runLine(explainLine("00001235 --other 05P")).out, HasSubstr("05: position? -> 1235h = 4661"));
+    EXPECT_THAT(runLine(explainLine("5000 --other 05A --direction in")).out,
                 HasSubstr("5000h: battery flat, general fault"));
-    EXPECT_THAT(runLine(line("CRLF --other 05GD1")).out, HasSubstr("accepted"));
-    EXPECT_THAT(runLine(line("05 --other 05GD1")).out, HasSubstr("out of range (05)"));
-    EXPECT_THAT(runLine(line("03 --other 05P")).out, HasSubstr("command unknown (03)"));
-    const QJsonObject json = runLine(line("7005 --other 05O --json")).json();
+    EXPECT_THAT(runLine(explainLine("CRLF --other 05GD1")).out, HasSubstr("accepted"));
+    EXPECT_THAT(runLine(explainLine("05 --other 05GD1")).out, HasSubstr("out of range (05)"));
+    EXPECT_THAT(runLine(explainLine("03 --other 05P")).out, HasSubstr("command unknown (03)"));
+    const QJsonObject json = runLine(explainLine("7005 --other 05O --json")).json();
     EXPECT_EQ(json[u"value"], 0x7005);
     EXPECT_EQ(json[u"bits"].toArray().size(), 5);
 }
 
 TEST(CliLineExplain, SwappedWarningsAreALinksSetting)
 {
-    EXPECT_THAT(runLine(line("0098 --other 05E --link esc:training,swap-warnings=1")).out,
+    EXPECT_THAT(runLine(explainLine("0098 --other 05E --link esc:training,swap-warnings=1")).out,
                 HasSubstr("standstill"));
     EXPECT_THAT(runLine(QStringLiteral("read 05 warnings --link esc:training,swap-warnings=1")).out,
                 HasSubstr("8000h, bytes swapped 0080h"));
@@ -53,12 +53,12 @@ TEST(CliLineExplain, SwappedWarningsAreALinksSetting)
 
 TEST(CliLineExplain, RefusesWhatIsNoneOfThem)
 {
-    EXPECT_EQ(errorKey(runLine(line("P05 --json"))), "notARequest");
-    EXPECT_EQ(errorKey(runLine(line("05P --direction in --json"))), "requestMissing");
-    EXPECT_EQ(errorKey(runLine(line("05P --direction out --other 05P --json"))), "requestTooMuch");
-    EXPECT_EQ(errorKey(runLine(line("1235 --other 05P --json"))), "notAnAnswer");
-    EXPECT_EQ(errorKey(runLine(line("CRLF --other 05P --json"))), "notAnAnswer");
-    EXPECT_EQ(errorKey(runLine(line("05P --mode cam --json"))), "optionOfWords");
+    EXPECT_EQ(errorKey(runLine(explainLine("P05 --json"))), "notARequest");
+    EXPECT_EQ(errorKey(runLine(explainLine("05P --direction in --json"))), "requestMissing");
+    EXPECT_EQ(errorKey(runLine(explainLine("05P --direction out --other 05P --json"))), "requestTooMuch");
+    EXPECT_EQ(errorKey(runLine(explainLine("1235 --other 05P --json"))), "notAnAnswer");
+    EXPECT_EQ(errorKey(runLine(explainLine("CRLF --other 05P --json"))), "notAnAnswer");
+    EXPECT_EQ(errorKey(runLine(explainLine("05P --mode cam --json"))), "optionOfWords");
 }
 
 TEST(CliDevices, ASerialEncoderHasItsCommands)

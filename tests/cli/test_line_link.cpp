@@ -8,7 +8,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-LineLink line(const char *text)
+LineLink lineLink(const char *text)
 {
     const auto link = linkMeant(QString::fromLatin1(text));
     EXPECT_TRUE(link) << text;
@@ -25,11 +25,12 @@ std::string refusal(const char *text)
 TEST(CliLineLink, APortStandsByItselfOrWithSettings)
 {
     EXPECT_TRUE(linkMeant(QStringLiteral("training"))->hasRing);
-    EXPECT_TRUE(line("esc:training").isSimulated());
-    EXPECT_EQ(line("esc:ttyUSB0").wish.port, QStringLiteral("ttyUSB0"));
-    EXPECT_EQ(line("esc:ttyUSB0").wish.line, LineSettings());
-    const LineLink all = line("esc:/dev/pts/5,baud=9600,format=7e1,time-out=250,retries=0,quiet=0,poll=20,"
-                              "top-speed=3000,fraction-bits=28,swap-warnings=1,low-latency=0");
+    EXPECT_TRUE(lineLink("esc:training").isSimulated());
+    EXPECT_EQ(lineLink("esc:ttyUSB0").wish.port, QStringLiteral("ttyUSB0"));
+    EXPECT_EQ(lineLink("esc:ttyUSB0").wish.line, LineSettings());
+    const LineLink all =
+        lineLink("esc:/dev/pts/5,baud=9600,format=7e1,time-out=250,retries=0,quiet=0,poll=20,"
+                 "top-speed=3000,fraction-bits=28,swap-warnings=1,low-latency=0");
     EXPECT_EQ(all.wish.port, QStringLiteral("/dev/pts/5"));
     EXPECT_EQ(all.wish.line, (LineSettings{9'600, 7, LineSettings::Parity::even, 1, false}));
     EXPECT_EQ(all.wish.timing.answerTimeOut, 250ms);
@@ -39,8 +40,8 @@ TEST(CliLineLink, APortStandsByItselfOrWithSettings)
     EXPECT_EQ(all.driver().topSpeed, 3'000);
     EXPECT_EQ(all.driver().fractionBits, 28);
     EXPECT_TRUE(all.explainOptions().swaps({5}));
-    EXPECT_FALSE(line("esc:ttyUSB0").explainOptions().swaps({5}));
-    EXPECT_TRUE(line("esc:ttyUSB0,fraction-bits=device").asksForFractionBits);
+    EXPECT_FALSE(lineLink("esc:ttyUSB0").explainOptions().swaps({5}));
+    EXPECT_TRUE(lineLink("esc:ttyUSB0,fraction-bits=device").asksForFractionBits);
 }
 
 TEST(CliLineLink, TheLineOfAProjectKeepsItsSettingsSaveThoseTyped)

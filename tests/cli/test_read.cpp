@@ -119,14 +119,14 @@ TEST(CliRead, ReadsAnEncoderOnTheLoop)
     EXPECT_EQ(errorKey(runLine(QStringLiteral("read 6.0 --json"))), "noEncoder");
 }
 
-struct BadCall
+struct BadRead
 {
     const char *line;
     const char *key;
     const char *help;
 };
 
-class CliReadBadInput : public testing::TestWithParam<BadCall>
+class CliReadBadInput : public testing::TestWithParam<BadRead>
 {};
 
 TEST_P(CliReadBadInput, IsRefusedAndNothingIsSent)
@@ -140,10 +140,10 @@ TEST_P(CliReadBadInput, IsRefusedAndNothingIsSent)
 }
 
 INSTANTIATE_TEST_SUITE_P(Calls, CliReadBadInput,
-                         testing::Values(BadCall{"read 1.0 colour", "unknownParameter", "serial-number"},
-                                         BadCall{"read 1.0 coding", "parameterNotSupported", "It has: steps"},
-                                         BadCall{"read 1.0 steps steps", "parameterGivenTwice", "once"},
-                                         BadCall{"read 1.1", "unknownDevice", "1.0, 2.0"}));
+                         testing::Values(BadRead{"read 1.0 colour", "unknownParameter", "serial-number"},
+                                         BadRead{"read 1.0 coding", "parameterNotSupported", "It has: steps"},
+                                         BadRead{"read 1.0 steps steps", "parameterGivenTwice", "once"},
+                                         BadRead{"read 1.1", "unknownDevice", "1.0, 2.0"}));
 
 } // namespace
 } // namespace codewheel

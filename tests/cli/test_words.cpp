@@ -116,7 +116,7 @@ TEST(CliWords, TakesTheNotationsOfTheManuals)
     EXPECT_EQ(rowsOf(runLine(QStringLiteral("words 1.0 0x20000ff 80000000h --json")).json()), expected);
 }
 
-struct BadCall
+struct BadWords
 {
     const char *line;
     const char *key;
@@ -132,7 +132,7 @@ TEST(CliWords, AnEncoderWithoutOutTakesNone)
     EXPECT_EQ(shared.bus().channel({3, 0})->out(), 0u);
 }
 
-class CliWordsBadInput : public testing::TestWithParam<BadCall>
+class CliWordsBadInput : public testing::TestWithParam<BadWords>
 {};
 
 TEST_P(CliWordsBadInput, IsRefusedAndNothingIsSent)
@@ -147,13 +147,13 @@ TEST_P(CliWordsBadInput, IsRefusedAndNothingIsSent)
 
 INSTANTIATE_TEST_SUITE_P(
     Calls, CliWordsBadInput,
-    testing::Values(BadCall{"words 1.0 020000FF 0200XYFF", "notAWord", "\"0200XYFF\" is no word"},
-                    BadCall{"words 1.0 0020000FF", "notAWord", "up to 8 hexadecimal digits"},
-                    BadCall{"words 1.0 -1", "notAWord", "\"-1\""},
-                    BadCall{"words 7.0 020000FF", "unknownDevice", "1.0, 2.0"},
-                    BadCall{"words one 020000FF", "unknownDevice", "1.0, 2.0"},
-                    BadCall{"words 1.0 020000FF --hold 0", "optionOutOfRange", "from 1 to"},
-                    BadCall{"words 1.0 020000FF --hold x", "optionOutOfRange", "\"x\""}));
+    testing::Values(BadWords{"words 1.0 020000FF 0200XYFF", "notAWord", "\"0200XYFF\" is no word"},
+                    BadWords{"words 1.0 0020000FF", "notAWord", "up to 8 hexadecimal digits"},
+                    BadWords{"words 1.0 -1", "notAWord", "\"-1\""},
+                    BadWords{"words 7.0 020000FF", "unknownDevice", "1.0, 2.0"},
+                    BadWords{"words one 020000FF", "unknownDevice", "1.0, 2.0"},
+                    BadWords{"words 1.0 020000FF --hold 0", "optionOutOfRange", "from 1 to"},
+                    BadWords{"words 1.0 020000FF --hold x", "optionOutOfRange", "\"x\""}));
 
 TEST(CliWords, AWrongCommandInCamModeIsToldAsOne)
 {

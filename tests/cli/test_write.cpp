@@ -185,14 +185,14 @@ TEST(CliWrite, WhatTheEncoderRefusesIsExit1AndSaysWhereItWasLeft)
                 HasSubstr("steps        = 20000  did not become active\n"));
 }
 
-struct BadCall
+struct BadWrite
 {
     const char *values;
     const char *key;
     const char *help;
 };
 
-class CliWriteBadInput : public testing::TestWithParam<BadCall>
+class CliWriteBadInput : public testing::TestWithParam<BadWrite>
 {};
 
 TEST_P(CliWriteBadInput, IsRefusedAndNothingIsSent)
@@ -220,19 +220,19 @@ TEST(CliWrite, AnEncoderThatOnlyTellsItsPositionTakesNoParameters)
 INSTANTIATE_TEST_SUITE_P(
     Calls, CliWriteBadInput,
     testing::Values(
-        BadCall{"1.0 stepps=255", "unknownParameter", "steps, revolutions, direction, preset, zero-offset"},
-        BadCall{"1.0 coding=3", "parameterNotSupported", "It has: steps, revolutions, direction"},
-        BadCall{"1.0 serial-number=3", "parameterReadOnly", "It has: steps, revolutions, direction"},
-        BadCall{"1.0 steps=0", "valueOutOfRange", "from 1 to 33554431"},
-        BadCall{"1.0 steps=33554432", "valueOutOfRange", "from 1 to 33554431"},
-        BadCall{"1.0 steps=", "valueNotAllowed", "Allowed are: 1..33554431."},
-        BadCall{"1.0 steps=-5", "valueNotAllowed", "Allowed are: 1..33554431."},
-        BadCall{"1.0 steps=FF", "valueNotAllowed", "0xFF or FFh"},
-        BadCall{"1.0 direction=left", "valueNotAllowed", "cw (3), ccw (4)"},
-        BadCall{"1.0 direction=1", "valueNotAllowed", "cw (3), ccw (4)"},
-        BadCall{"1.0 steps=1 preset=2 steps=3", "parameterGivenTwice", "Give it once"},
-        BadCall{"1.0 steps", "notAnAssignment", "steps=255"},
-        BadCall{"7.0 steps=255", "unknownDevice", "1.0, 2.0"}));
+        BadWrite{"1.0 stepps=255", "unknownParameter", "steps, revolutions, direction, preset, zero-offset"},
+        BadWrite{"1.0 coding=3", "parameterNotSupported", "It has: steps, revolutions, direction"},
+        BadWrite{"1.0 serial-number=3", "parameterReadOnly", "It has: steps, revolutions, direction"},
+        BadWrite{"1.0 steps=0", "valueOutOfRange", "from 1 to 33554431"},
+        BadWrite{"1.0 steps=33554432", "valueOutOfRange", "from 1 to 33554431"},
+        BadWrite{"1.0 steps=", "valueNotAllowed", "Allowed are: 1..33554431."},
+        BadWrite{"1.0 steps=-5", "valueNotAllowed", "Allowed are: 1..33554431."},
+        BadWrite{"1.0 steps=FF", "valueNotAllowed", "0xFF or FFh"},
+        BadWrite{"1.0 direction=left", "valueNotAllowed", "cw (3), ccw (4)"},
+        BadWrite{"1.0 direction=1", "valueNotAllowed", "cw (3), ccw (4)"},
+        BadWrite{"1.0 steps=1 preset=2 steps=3", "parameterGivenTwice", "Give it once"},
+        BadWrite{"1.0 steps", "notAnAssignment", "steps=255"},
+        BadWrite{"7.0 steps=255", "unknownDevice", "1.0, 2.0"}));
 
 } // namespace
 } // namespace codewheel

@@ -7,15 +7,11 @@
 #include <gtest/gtest.h>
 
 namespace codewheel {
-namespace {
-
 const DeviceDescription &describe(QStringView key)
 {
     static const Catalog catalog = Catalog::builtIn();
     return *catalog.find(key);
 }
-
-} // namespace
 
 DriverTable::DriverTable(QStringView device, K3Timing timing)
     : m_driver(std::make_unique<K3Driver>(describe(device), timing))

@@ -12,6 +12,10 @@
 
 namespace codewheel {
 
+// What an encoder shows that stands still.
+inline constexpr Word pos = 0x0000'3039;          // 12345
+inline constexpr Word posInCamMode = 0x0030'3900; // the same in cam mode, no cam on
+
 // One bus cycle as the manuals' tables write it: the OUT word the driver must have put there, and the IN word
 // beside it.
 struct Row
@@ -19,6 +23,9 @@ struct Row
     Word out;
     Word in;
 };
+
+// Of the built-in catalog.
+const DeviceDescription &describe(QStringView key);
 
 // A driver on a table instead of a bus: plays rows and collects what the driver says. 1 cycle = 1 ms.
 class DriverTable

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/drivers/esc_bench.h"
 
+#include "tests/drivers/driver_table.h"
+
 #include <algorithm>
 #include <gtest/gtest.h>
 
@@ -11,12 +13,6 @@ using namespace std::chrono_literals;
 
 constexpr Instant answerTime = 10'300us; // 18 characters of 11 bits at 19200 Bd
 constexpr Instant timeOut = 110ms;
-
-const DeviceDescription &describe(QStringView key)
-{
-    static const Catalog catalog = Catalog::builtIn();
-    return *catalog.find(key);
-}
 
 std::string hex(std::uint32_t value, int digits)
 {

@@ -9,7 +9,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-struct Row
+struct ReadRow
 {
     Parameter parameter;
     const char *letters;
@@ -18,7 +18,7 @@ struct Row
 };
 
 // Manual, "Read only parameters" and its examples: all numbers are hexadecimal.
-const Row rows[] = {
+const ReadRow readRows[] = {
     {Parameter::operatingParameters, "O", "7005", 0x7005},
     {Parameter::direction, "O", "7005", 1},
     {Parameter::direction, "O", "7004", 0},
@@ -41,7 +41,7 @@ const Row rows[] = {
 
 TEST(EscRead, ReadsEveryValueOfTheTableTwice)
 {
-    for (const Row &row : rows) {
+    for (const ReadRow &row : readRows) {
         EscBench bench;
         bench.settle();
         bench.has[row.letters] = row.answer;

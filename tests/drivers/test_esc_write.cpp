@@ -10,12 +10,12 @@ using namespace std::chrono_literals;
 using Fate = EscBench::Fate;
 using Lines = std::vector<std::string>;
 
-WriteParameters writing(ParameterValues values, bool onlyWhatDiffers = false)
+WriteParameters writingAll(ParameterValues values, bool onlyWhatDiffers = false)
 {
     return {.values = std::move(values), .onlyWhatDiffers = onlyWhatDiffers, .previous = {}};
 }
 
-struct Row
+struct WriteRow
 {
     int address;
     Parameter parameter;
@@ -25,7 +25,7 @@ struct Row
 
 // Manual, "Programmable parameters" with their examples; GR and GT bring the scaling factor along, 32 bit
 // with 29 fraction bits: 864/8192 = 03600000h, 100000h of 2000000h = 01000000h.
-const Row rows[] = {
+const WriteRow writeRows[] = {
     {3,
      Parameter::steps,
      0x360,
@@ -60,26 +60,26 @@ TEST(EscWrite, StepsAndMeasuringRangeActThroughOneFactor)
     for (const ParameterValues &values : {together, ParameterValues{together[1], together[0]}}) {
         EscBench bench;
         bench.settle();
-        ASSERT_TRUE(bench.finish(writing(values)).result);
+        ASSERT_TRUE(bench.finish(writingAll(values)).result);
         EXPECT_EQ(bench.value(Parameter::scalingFactor), 1000 << 16) << "1000 / 8192 with 29 fraction bits";
     }
     EscBench bench;
     bench.settle();
     const ParameterValues apart{{Parameter::measuringRange, 0x20000}, {Parameter::steps, 1000}};
-    const auto refused = bench.begin(writing(apart));
+    const auto refused = bench.begin(writingAll(apart));
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().id, RefusalId::valueNotAllowed);
     EXPECT_EQ(refused.error().arguments.front(), RefusalArgument(Parameter::steps));
-    EXPECT_TRUE(bench.begin(writing({apart[0], apart[1], {Parameter::scalingFactor, 0x200'0000}})))
+    EXPECT_TRUE(bench.begin(writingAll({apart[0], apart[1], {Parameter::scalingFactor, 0x200'0000}})))
         << "the factor says which";
 }
 
 TEST(EscWrite, SendsTheRequestsOfTheManualAndReadsThemBack)
 {
-    for (const Row &row : rows) {
+    for (const WriteRow &row : writeRows) {
         EscBench bench({}, {static_cast<std::uint8_t>(row.address)});
         bench.settle();
-        const Outcome &outcome = bench.finish(writing({{row.parameter, row.value}}));
+        const Outcome &outcome = bench.finish(writingAll({{row.parameter, row.value}}));
         EXPECT_TRUE(outcome.result) << row.requests.front();
         EXPECT_EQ(bench.jobLog(), row.requests);
         EXPECT_EQ(valueOf(outcome.written, row.parameter), row.value);
@@ -95,7 +95,7 @@ TEST(EscWrite, TheFractionBitsOfTheFactorAreSettable)
 {
     EscBench bench({.fractionBits = 30});
     bench.settle();
-    bench.finish(writing({{Parameter::steps, 4096}}));
+    bench.finish(writingAll({{Parameter::steps, 4096}}));
     EXPECT_EQ(bench.has["F"], "20000000");
 }
 
@@ -104,7 +104,7 @@ TEST(EscWrite, AFactorThatIsGivenTakesThePlaceOfTheComputedOne)
     EscBench bench;
     bench.settle();
     const Outcome &outcome =
-        bench.finish(writing({{Parameter::steps, 4096}, {Parameter::scalingFactor, 0x12345678}}));
+        bench.finish(writingAll({{Parameter::steps, 4096}, {Parameter::scalingFactor, 0x12345678}}));
     EXPECT_TRUE(outcome.result);
     EXPECT_EQ(bench.has["F"], "12345678");
     EXPECT_EQ(bench.count("GF"), 1);
@@ -116,7 +116,7 @@ TEST(EscWrite, TheFactorOfARangeKnowsTheRevolutions)
     EscBench bench;
     bench.settle();
     const Outcome &outcome =
-        bench.finish(writing({{Parameter::measuringRange, 0x100000}, {Parameter::revolutions, 1000}}));
+        bench.finish(writingAll({{Parameter::measuringRange, 0x100000}, {Parameter::revolutions, 1000}}));
     EXPECT_TRUE(outcome.result);
     EXPECT_EQ(bench.has["U"], "03E8");
     EXPECT_EQ(bench.has["F"], "04189375");
@@ -129,7 +129,7 @@ TEST(EscWrite, OnlyWhatDiffersIsWritten)
 {
     EscBench bench;
     bench.settle();
-    const Outcome &outcome = bench.finish(writing(
+    const Outcome &outcome = bench.finish(writingAll(
         {{Parameter::steps, 8192}, {Parameter::direction, 1}, {Parameter::upperLimit, 0x200000}}, true));
     EXPECT_TRUE(outcome.result);
     EXPECT_EQ(outcome.alreadyThere, (ParameterValues{{Parameter::steps, 8192}, {Parameter::direction, 1}}));
@@ -142,8 +142,8 @@ TEST(EscWrite, NothingIsWrittenWhereAllIsThere)
 {
     EscBench bench;
     bench.settle();
-    const Outcome &outcome = bench.finish(
-        writing({{Parameter::steps, 8192}, {Parameter::lineAddress, 3}, {Parameter::baudRate, 19200}}, true));
+    const Outcome &outcome = bench.finish(writingAll(
+        {{Parameter::steps, 8192}, {Parameter::lineAddress, 3}, {Parameter::baudRate, 19200}}, true));
     EXPECT_TRUE(outcome.result);
     EXPECT_EQ(outcome.alreadyThere.size(), 3u);
     EXPECT_EQ(outcome.eepromWrites, 0);
@@ -157,7 +157,7 @@ TEST(EscWrite, TheFactorGoesAlongAlthoughItIsThere)
     bench.has["D"] = "1000";
     bench.settle();
     const Outcome &outcome =
-        bench.finish(writing({{Parameter::steps, 8192}, {Parameter::scalingFactor, 0x20000000}}, true));
+        bench.finish(writingAll({{Parameter::steps, 8192}, {Parameter::scalingFactor, 0x20000000}}, true));
     EXPECT_TRUE(outcome.result);
     EXPECT_EQ(bench.count("GR"), 1);
     EXPECT_EQ(bench.count("GF"), 1);
@@ -171,7 +171,7 @@ TEST(EscWrite, WhatIsRefusedEndsTheJobAndTheEncoderKeepsWhatItHad)
         bench.settle();
         bench.answerNext("GL", answer);
         const Outcome &outcome =
-            bench.finish(writing({{Parameter::lowerLimit, 0x200}, {Parameter::upperLimit, 0x300}}));
+            bench.finish(writingAll({{Parameter::lowerLimit, 0x200}, {Parameter::upperLimit, 0x300}}));
         ASSERT_FALSE(outcome.result);
         EXPECT_EQ(outcome.result.error().id, id);
         EXPECT_EQ(outcome.result.error().arguments,
@@ -187,7 +187,7 @@ TEST(EscWrite, WhatWasAcceptedBeforeARefusalIsReadBack)
     EscBench bench;
     bench.settle();
     bench.answerNext("GF", "05");
-    const Outcome &outcome = bench.finish(writing({{Parameter::steps, 4096}}));
+    const Outcome &outcome = bench.finish(writingAll({{Parameter::steps, 4096}}));
     ASSERT_FALSE(outcome.result);
     EXPECT_EQ(outcome.result.error().id, RefusalId::escOutOfRange);
     EXPECT_EQ(outcome.written, (ParameterValues{{Parameter::steps, 4096}}));
@@ -201,7 +201,7 @@ TEST(EscWrite, AnAcceptedWriteThatReadsOtherwiseIsNotBelieved)
     EscBench bench;
     bench.settle();
     bench.answerNext("GL", "");
-    const Outcome &outcome = bench.finish(writing({{Parameter::lowerLimit, 0x200}}));
+    const Outcome &outcome = bench.finish(writingAll({{Parameter::lowerLimit, 0x200}}));
     ASSERT_FALSE(outcome.result);
     EXPECT_EQ(outcome.result.error().id, RefusalId::verificationFailed);
     EXPECT_EQ(
@@ -217,7 +217,7 @@ TEST(EscWrite, ALieInReadingBackIsReadAgain)
     EscBench bench;
     bench.settle();
     bench.answerNext("L", "00000201");
-    EXPECT_TRUE(bench.finish(writing({{Parameter::lowerLimit, 0x200}})).result);
+    EXPECT_TRUE(bench.finish(writingAll({{Parameter::lowerLimit, 0x200}})).result);
     EXPECT_EQ(bench.count("GL"), 1);
 }
 
@@ -227,7 +227,7 @@ TEST(EscWrite, WithoutAnAnswerTheEncoderIsReadDone)
     bench.settle();
     bench.next("GL", Fate::unanswered);
     const Outcome &outcome =
-        bench.finish(writing({{Parameter::lowerLimit, 0x200}, {Parameter::direction, 0}}));
+        bench.finish(writingAll({{Parameter::lowerLimit, 0x200}, {Parameter::direction, 0}}));
     EXPECT_TRUE(outcome.result) << "it was done, and the job went on";
     EXPECT_EQ(bench.jobLog(), (Lines{"03GL00000200", "03L", "03L", "03GD0", "03O", "03O"}));
     EXPECT_EQ(outcome.written, (ParameterValues{{Parameter::lowerLimit, 0x200}, {Parameter::direction, 0}}));
@@ -240,7 +240,7 @@ TEST(EscWrite, WithoutAnAnswerTheEncoderIsReadNotDone)
     bench.settle();
     bench.next("GL", Fate::lost);
     const Outcome &outcome =
-        bench.finish(writing({{Parameter::lowerLimit, 0x200}, {Parameter::direction, 0}}));
+        bench.finish(writingAll({{Parameter::lowerLimit, 0x200}, {Parameter::direction, 0}}));
     ASSERT_FALSE(outcome.result);
     EXPECT_EQ(outcome.result.error().id, RefusalId::escWriteNotDone);
     EXPECT_EQ(outcome.result.error().arguments,
@@ -261,7 +261,7 @@ TEST(EscWrite, WithoutAnAnswerAndUnreadableNothingIsKnown)
         bench.next("GL", isDone ? Fate::unanswered : Fate::lost);
         bench.always("L", Fate::lost);
         const Outcome &outcome =
-            bench.finish(writing({{Parameter::lowerLimit, 0x200}, {Parameter::direction, 0}}));
+            bench.finish(writingAll({{Parameter::lowerLimit, 0x200}, {Parameter::direction, 0}}));
         ASSERT_FALSE(outcome.result);
         EXPECT_EQ(outcome.result.error().id, RefusalId::escWriteUnknown);
         EXPECT_EQ(bench.jobLog(), (Lines{"03GL00000200", "03L"}));
@@ -274,7 +274,7 @@ TEST(EscWrite, TheEncoderIsUnpluggedInTheMiddle)
 {
     EscBench bench;
     bench.settle();
-    ASSERT_TRUE(bench.begin(writing({{Parameter::lowerLimit, 0x200}, {Parameter::upperLimit, 0x300}})));
+    ASSERT_TRUE(bench.begin(writingAll({{Parameter::lowerLimit, 0x200}, {Parameter::upperLimit, 0x300}})));
     bench.runUntil([&] { return bench.count("GH") == 1; });
     bench.isOn = false;
     bench.runUntil([&] { return bench.outcome.has_value(); });
@@ -296,7 +296,8 @@ TEST(EscWrite, TheOldScalingIsNoProofThatItWasNotWritten)
         EscBench bench;
         bench.settle();
         bench.next(letters, Fate::lost); // or carried out, and not shown yet
-        const Outcome &outcome = bench.finish(writing({{Parameter::lowerLimit, 0x200}, {parameter, value}}));
+        const Outcome &outcome =
+            bench.finish(writingAll({{Parameter::lowerLimit, 0x200}, {parameter, value}}));
         ASSERT_FALSE(outcome.result);
         EXPECT_EQ(outcome.result.error().id, RefusalId::escWriteUnknown);
         EXPECT_EQ(outcome.eepromWrites, 2) << "with that of the limit";
@@ -312,7 +313,7 @@ TEST(EscWrite, AnUnansweredWriteOfTheScalingIsReadBeforeTheNext)
     EscBench bench;
     bench.settle();
     bench.next("GR", Fate::unanswered);
-    const Outcome &outcome = bench.finish(writing({{Parameter::steps, 4096}}));
+    const Outcome &outcome = bench.finish(writingAll({{Parameter::steps, 4096}}));
     EXPECT_TRUE(outcome.result);
     const Lines lines = bench.jobLog();
     EXPECT_EQ(Lines(lines.begin(), lines.begin() + 6),
@@ -325,7 +326,7 @@ TEST(EscWrite, ByHandEachWriteWaitsAndThePositionGoesOn)
     EscBench bench;
     bench.settle();
     ASSERT_TRUE(
-        bench.begin(writing({{Parameter::lowerLimit, 0x200}, {Parameter::direction, 0}}), Pace::byHand));
+        bench.begin(writingAll({{Parameter::lowerLimit, 0x200}, {Parameter::direction, 0}}), Pace::byHand));
     bench.run(2s);
     EXPECT_EQ(bench.jobLog(), Lines());
     EXPECT_TRUE(bench.progress.waitsForUser);
@@ -346,7 +347,7 @@ TEST(EscWrite, AnotherDirectionMakesNoPositionSuspect)
 {
     EscBench bench;
     bench.settle();
-    ASSERT_TRUE(bench.begin(writing({{Parameter::direction, 0}})));
+    ASSERT_TRUE(bench.begin(writingAll({{Parameter::direction, 0}})));
     bench.runUntil([&] { return bench.count("GD") == 1; });
     bench.has["P"] = "01FFEDCA";
     bench.runUntil([&] { return bench.outcome.has_value(); });

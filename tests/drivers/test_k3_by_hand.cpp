@@ -6,8 +6,6 @@
 namespace codewheel {
 namespace {
 
-constexpr Word pos = 0x0000'3039;
-
 TEST(K3ByHand, EachWordWaitsForTheUser)
 {
     DriverTable table(u"baumer-gxp6w");

@@ -8,9 +8,6 @@
 namespace codewheel {
 namespace {
 
-constexpr Word pos = 0x0000'3039;
-constexpr Word cams = 0x0030'3900;
-
 class CamWire : public testing::Test
 {
 protected:
@@ -25,11 +22,13 @@ protected:
     void enter(Word program)
     {
         play({{0x0000'0000, pos}, {0x2080'0000 | program, pos}, {0x2080'0000 | program, pos}});
-        play({{0x2080'0000 | program, cams}, {0x0000'0000, cams}});
+        play({{0x2080'0000 | program, posInCamMode}, {0x0000'0000, posInCamMode}});
     }
     void readOut(Word what, Word value)
     {
-        play({{0x2020'0000 | what, cams}, {0x2020'0000 | what, 0xA000'0000 | value}, {0x0000'0000, cams}});
+        play({{0x2020'0000 | what, posInCamMode},
+              {0x2020'0000 | what, 0xA000'0000 | value},
+              {0x0000'0000, posInCamMode}});
     }
     void readAll(Word value)
     {
@@ -42,10 +41,10 @@ protected:
     }
     void setCam3()
     {
-        play({{0x4600'0015, cams},
+        play({{0x4600'0015, posInCamMode},
               {0x4600'0015, 0xC600'0015},
               {0x8000'0000, 0xC600'0015},
-              {0x8000'0000, cams}});
+              {0x8000'0000, posInCamMode}});
     }
     std::optional<std::int64_t> startOfCam3(unsigned program)
     {
@@ -85,7 +84,10 @@ TEST_F(CamWire, ARefusedWordTeachesNothing)
 {
     enter(1);
     readAll(1000);
-    play({{0x47FF'FFFF, cams}, {0x47FF'FFFF, 0x9800'0004}, {0x8000'0000, 0x9800'0004}, {0x8000'0000, cams}});
+    play({{0x47FF'FFFF, posInCamMode},
+          {0x47FF'FFFF, 0x9800'0004},
+          {0x8000'0000, 0x9800'0004},
+          {0x8000'0000, posInCamMode}});
     EXPECT_EQ(startOfCam3(1), 1003);
     enter(2);
     EXPECT_EQ(fraba.eepromWrites(), 0);
@@ -95,13 +97,16 @@ TEST_F(CamWire, LeavingAChangedProgramIsOneWriteHoweverManyValuesWereChanged)
 {
     enter(1);
     setCam3();
-    play({{0x2040'0008, cams}, {0x2040'0008, 0xE040'0008}, {0x8000'0000, 0xE040'0008}, {0x8000'0000, cams}});
+    play({{0x2040'0008, posInCamMode},
+          {0x2040'0008, 0xE040'0008},
+          {0x8000'0000, 0xE040'0008},
+          {0x8000'0000, posInCamMode}});
     EXPECT_EQ(fraba.eepromWrites(), 0);
     enter(2);
     EXPECT_EQ(fraba.eepromWrites(), 1);
     enter(1);
     EXPECT_EQ(fraba.eepromWrites(), 1) << "program 2 was not changed";
-    play({{0x2080'0000, cams}, {0x2080'0000, cams}, {0x2080'0000, pos}});
+    play({{0x2080'0000, posInCamMode}, {0x2080'0000, posInCamMode}, {0x2080'0000, pos}});
     EXPECT_EQ(fraba.eepromWrites(), 1);
     EXPECT_EQ(fraba.mode(), Mode::position);
 }
@@ -110,10 +115,13 @@ TEST_F(CamWire, PowerOffBeforeTheProgramIsLeftLosesTheChange)
 {
     enter(1);
     readAll(1000);
-    play({{0x4600'0015, cams}, {0x4600'0015, 0xC600'0015}, {0x4600'0015, 0x0000'0000}, {0x0000'0000, cams}});
+    play({{0x4600'0015, posInCamMode},
+          {0x4600'0015, 0xC600'0015},
+          {0x4600'0015, 0x0000'0000},
+          {0x0000'0000, posInCamMode}});
     EXPECT_EQ(startOfCam3(1), 1003) << "only power-off ends a cam parameterization without run";
     setCam3();
-    play({{0x0000'0000, cams}, {0x0000'0000, 0x0000'0000}, {0x0000'0000, cams}});
+    play({{0x0000'0000, posInCamMode}, {0x0000'0000, 0x0000'0000}, {0x0000'0000, posInCamMode}});
     EXPECT_EQ(startOfCam3(1), std::nullopt) << "IN 00000000 may be an encoder without power";
 }
 
@@ -123,7 +131,7 @@ TEST_F(CamWire, ASavedProgramStaysKnownOverPowerOff)
     readAll(1000);
     setCam3();
     enter(2);
-    play({{0x0000'0000, 0x0000'0000}, {0x0000'0000, cams}});
+    play({{0x0000'0000, 0x0000'0000}, {0x0000'0000, posInCamMode}});
     EXPECT_EQ(startOfCam3(1), 0x15);
 }
 
@@ -131,7 +139,7 @@ TEST_F(CamWire, WhereTheProgramIsNotKnownAnAcknowledgementMakesAllUnknown)
 {
     enter(1);
     readAll(1000);
-    play({{0x2080'0003, cams}, {0x0000'0000, cams}}); // may have been taken, or not
+    play({{0x2080'0003, posInCamMode}, {0x0000'0000, posInCamMode}}); // may have been taken, or not
     EXPECT_EQ(fraba.mode(), std::nullopt);
     EXPECT_EQ(startOfCam3(1), 1003);
     setCam3();
@@ -142,7 +150,10 @@ TEST_F(CamWire, AWordWithdrawnBeforeItWasAnsweredMayHaveBeenTaken)
 {
     enter(1);
     readAll(1000);
-    play({{0x4600'0015, cams}, {0x0000'0000, cams}, {0x8000'0000, cams}, {0x0000'0000, cams}});
+    play({{0x4600'0015, posInCamMode},
+          {0x0000'0000, posInCamMode},
+          {0x8000'0000, posInCamMode},
+          {0x0000'0000, posInCamMode}});
     EXPECT_EQ(startOfCam3(1), std::nullopt);
     readOut(0x13, 0x15);
     EXPECT_EQ(startOfCam3(1), 0x15);
@@ -152,7 +163,7 @@ TEST_F(CamWire, ALateAcknowledgementIsTaken)
 {
     enter(1);
     readAll(1000);
-    play({{0x4600'0015, cams}, {0x0000'0000, cams}, {0x0000'0000, 0xC600'0015}});
+    play({{0x4600'0015, posInCamMode}, {0x0000'0000, posInCamMode}, {0x0000'0000, 0xC600'0015}});
     EXPECT_EQ(startOfCam3(1), 0x15);
 }
 
@@ -170,8 +181,8 @@ TEST_F(CamWire, AnAcknowledgementAfterAZeroIsTaken)
 {
     enter(1);
     readAll(1000);
-    play({{0x4600'0015, cams}, {0x4600'0015, 0x0000'0000}, {0x4600'0015, 0xC600'0015}});
-    play({{0x8000'0000, 0xC600'0015}, {0x8000'0000, cams}, {0x0000'0000, cams}});
+    play({{0x4600'0015, posInCamMode}, {0x4600'0015, 0x0000'0000}, {0x4600'0015, 0xC600'0015}});
+    play({{0x8000'0000, 0xC600'0015}, {0x8000'0000, posInCamMode}, {0x0000'0000, posInCamMode}});
     EXPECT_EQ(startOfCam3(1), 0x15);
     enter(2);
     EXPECT_EQ(fraba.eepromWrites(), 1);
@@ -179,7 +190,7 @@ TEST_F(CamWire, AnAcknowledgementAfterAZeroIsTaken)
 
 TEST_F(CamWire, AChangeOfAProgramNobodyKnowsIsCountedWhenItIsLeft)
 {
-    play({{0x0000'0000, cams}});
+    play({{0x0000'0000, posInCamMode}});
     setCam3();
     EXPECT_EQ(fraba.eepromWrites(), 0);
     enter(2);
@@ -189,7 +200,7 @@ TEST_F(CamWire, AChangeOfAProgramNobodyKnowsIsCountedWhenItIsLeft)
 TEST_F(CamWire, LostParametersEndVelocityModeToo)
 {
     enter(1);
-    play({{0x2080'0000, cams}, {0x2080'0000, cams}, {0x2080'0000, pos}, {0x0000'0000, pos}});
+    play({{0x2080'0000, posInCamMode}, {0x2080'0000, posInCamMode}, {0x2080'0000, pos}, {0x0000'0000, pos}});
     play({{0x2040'0001, pos}, {0x2040'0001, pos}, {0x2040'0001, 0}, {0x0000'0000, 0}});
     ASSERT_EQ(fraba.mode(), Mode::velocity);
     play({{0x0000'0000, 0x8600'0000}});
@@ -207,7 +218,7 @@ TEST_F(CamWire, InPositionModeNoWordTouchesThePrograms)
 {
     enter(1);
     readAll(1000);
-    play({{0x2080'0000, cams}, {0x2080'0000, cams}, {0x2080'0000, pos}, {0x0000'0000, pos}});
+    play({{0x2080'0000, posInCamMode}, {0x2080'0000, posInCamMode}, {0x2080'0000, pos}, {0x0000'0000, pos}});
     play({{0x4600'0015, pos}, {0x4600'0015, 0x8400'0000}, {0x8000'0000, 0x8400'0000}, {0x8000'0000, pos}});
     EXPECT_EQ(startOfCam3(1), 1003);
     EXPECT_EQ(fraba.eepromWrites(), 0);

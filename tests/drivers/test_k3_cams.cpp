@@ -7,9 +7,6 @@
 namespace codewheel {
 namespace {
 
-constexpr Word pos = 0x0000'3039;
-constexpr Word cams = 0x0030'3900; // cam mode: the position above, no cam on
-
 class K3Cams : public testing::Test
 {
 protected:
@@ -21,10 +18,10 @@ protected:
         m_table.play({{0x0000'0000, pos},
                       {0x2080'0000 | program, pos},
                       {0x2080'0000 | program, pos},
-                      {0x2080'0000 | program, cams}});
+                      {0x2080'0000 | program, posInCamMode}});
         answer(0x2020'0000, configuration);
     }
-    void answer(Word readOut, Word value, Word otherwise = cams)
+    void answer(Word readOut, Word value, Word otherwise = posInCamMode)
     {
         m_table.play({{readOut, otherwise}, {readOut, 0xA000'0000 | value}, {0x0000'0000, otherwise}});
     }
@@ -59,19 +56,19 @@ TEST_F(K3Cams, Manual544WrittenWordByWordAndReadBack)
     ASSERT_TRUE(m_table.begin(WriteCams{.programs = {manualProgram()}, .afterwards = {}}));
     enter(1, 0x0000);
     answerRest(nothing(), 0);
-    m_table.play({{0x4600'0015, cams},
+    m_table.play({{0x4600'0015, posInCamMode},
                   {0x4600'0015, 0xC600'0015},
                   {0x6600'0213, 0xC600'0015},
                   {0x6600'0213, 0xE600'0213},
                   {0x2040'0008, 0xE600'0213},
                   {0x2040'0008, 0xE040'0008},
                   {0x8000'0000, 0xE040'0008},
-                  {0x8000'0000, cams},
-                  {0x0000'0000, cams}});
+                  {0x8000'0000, posInCamMode},
+                  {0x0000'0000, posInCamMode}});
     answer(0x2020'0013, 0x15);
     answer(0x2020'0023, 0x213);
     answer(0x2020'0000, 0x08);
-    m_table.play({{0x0000'0000, cams}});
+    m_table.play({{0x0000'0000, posInCamMode}});
     ASSERT_TRUE(m_table.outcome());
     EXPECT_TRUE(m_table.outcome()->result);
     EXPECT_EQ(m_table.outcome()->camsWritten, std::vector{manualProgram()});
@@ -86,7 +83,7 @@ TEST_F(K3Cams, WhatTheEncoderHasIsNotWrittenAgain)
     auto values = nothing();
     values[3] = {0x15, 0x213};
     answerRest(values, 0);
-    m_table.play({{0x0000'0000, cams}});
+    m_table.play({{0x0000'0000, posInCamMode}});
     ASSERT_TRUE(m_table.outcome());
     EXPECT_TRUE(m_table.outcome()->result);
     EXPECT_TRUE(m_table.outcome()->camsWritten.empty());
@@ -103,7 +100,7 @@ TEST_F(K3Cams, NoWordThatMeansSomethingElseInPositionModeOpensTheParameterizatio
     auto values = nothing();
     values[0] = {0x10, 0x20};
     answerRest(values, 5);
-    m_table.play({{0x2010'0000, cams}, // differs, but would be the last
+    m_table.play({{0x2010'0000, posInCamMode}, // differs, but would be the last
                   {0x2010'0000, 0xE010'0000},
                   {0x4000'0000, 0xE010'0000},
                   {0x4000'0000, 0xC000'0000},
@@ -112,7 +109,7 @@ TEST_F(K3Cams, NoWordThatMeansSomethingElseInPositionModeOpensTheParameterizatio
                   {0x2040'0001, 0xE000'0000},
                   {0x2040'0001, 0xE040'0001},
                   {0x8000'0000, 0xE040'0001},
-                  {0x8000'0000, cams}});
+                  {0x8000'0000, posInCamMode}});
 }
 
 // Not in cam mode after all, e.g. another make: nothing but the question was sent, and its error is ended.
@@ -148,7 +145,7 @@ TEST_F(K3Cams, AnEncoderThatIsSilentGetsNoCamWord)
     EXPECT_EQ(table.outcome()->result.error().id, RefusalId::noAnswer);
 }
 
-struct ErrorRow
+struct CamErrorRow
 {
     const char *name;
     CamProgram program;
@@ -158,7 +155,7 @@ struct ErrorRow
     std::vector<RefusalArgument> arguments;
 };
 
-class K3CamError : public testing::TestWithParam<ErrorRow>
+class K3CamError : public testing::TestWithParam<CamErrorRow>
 {};
 
 CamProgram with(std::size_t cam, Cam values, unsigned shift = 0)
@@ -170,59 +167,59 @@ CamProgram with(std::size_t cam, Cam values, unsigned shift = 0)
 
 // FRABA manual 10.6, in place of the acknowledgement
 INSTANTIATE_TEST_SUITE_P(Manual106, K3CamError,
-                         testing::Values(ErrorRow{"startAbove",
-                                                  with(2, {9000, 0, false}),
-                                                  0x4400'2328,
-                                                  0x9800'0004,
-                                                  RefusalId::camPositionAboveRange,
-                                                  {std::int64_t{2}, Word{0x9800'0004}}},
-                                         ErrorRow{"stopAbove",
-                                                  with(7, {0, 9000, false}),
-                                                  0x6E00'2328,
-                                                  0x9800'0004,
-                                                  RefusalId::camPositionAboveRange,
-                                                  {std::int64_t{7}, Word{0x9800'0004}}},
-                                         ErrorRow{"wrongData",
-                                                  with(0, {}, 25),
-                                                  0x2010'0019,
-                                                  0x8200'0000,
-                                                  RefusalId::camWordRefused,
-                                                  {Word{0x2010'0019}, Word{0x8200'0000}}},
-                                         ErrorRow{"wrongCommand",
-                                                  with(5, {1, 0, false}),
-                                                  0x4A00'0001,
-                                                  0x8400'0000,
-                                                  RefusalId::camWordRefused,
-                                                  {Word{0x4A00'0001}, Word{0x8400'0000}}},
-                                         ErrorRow{"parametersLost",
-                                                  with(5, {1, 0, false}),
-                                                  0x4A00'0001,
-                                                  0x8600'0000,
-                                                  RefusalId::lostInCamMode,
-                                                  {Word{0x8600'0000}}},
-                                         ErrorRow{"anotherOfTheManufacturer",
-                                                  with(5, {1, 0, false}),
-                                                  0x4A00'0001,
-                                                  0x9800'0007,
-                                                  RefusalId::manufacturerError,
-                                                  {std::int64_t{7}, Word{0x9800'0007}}}),
+                         testing::Values(CamErrorRow{"startAbove",
+                                                     with(2, {9000, 0, false}),
+                                                     0x4400'2328,
+                                                     0x9800'0004,
+                                                     RefusalId::camPositionAboveRange,
+                                                     {std::int64_t{2}, Word{0x9800'0004}}},
+                                         CamErrorRow{"stopAbove",
+                                                     with(7, {0, 9000, false}),
+                                                     0x6E00'2328,
+                                                     0x9800'0004,
+                                                     RefusalId::camPositionAboveRange,
+                                                     {std::int64_t{7}, Word{0x9800'0004}}},
+                                         CamErrorRow{"wrongData",
+                                                     with(0, {}, 25),
+                                                     0x2010'0019,
+                                                     0x8200'0000,
+                                                     RefusalId::camWordRefused,
+                                                     {Word{0x2010'0019}, Word{0x8200'0000}}},
+                                         CamErrorRow{"wrongCommand",
+                                                     with(5, {1, 0, false}),
+                                                     0x4A00'0001,
+                                                     0x8400'0000,
+                                                     RefusalId::camWordRefused,
+                                                     {Word{0x4A00'0001}, Word{0x8400'0000}}},
+                                         CamErrorRow{"parametersLost",
+                                                     with(5, {1, 0, false}),
+                                                     0x4A00'0001,
+                                                     0x8600'0000,
+                                                     RefusalId::lostInCamMode,
+                                                     {Word{0x8600'0000}}},
+                                         CamErrorRow{"anotherOfTheManufacturer",
+                                                     with(5, {1, 0, false}),
+                                                     0x4A00'0001,
+                                                     0x9800'0007,
+                                                     RefusalId::manufacturerError,
+                                                     {std::int64_t{7}, Word{0x9800'0007}}}),
                          [](const auto &row) { return row.param.name; });
 
 TEST_P(K3CamError, IsNamedAndStopsTheJob)
 {
-    const ErrorRow &row = GetParam();
+    const CamErrorRow &row = GetParam();
     DriverTable table(u"fraba-ocd-ib");
     ASSERT_TRUE(table.begin(WriteCams{.programs = {row.program}, .afterwards = {}}));
     table.play({{0x0000'0000, pos}});
     table.repeat(2, {0x2080'0001, pos});
-    table.play({{0x2080'0001, cams}});
+    table.play({{0x2080'0001, posInCamMode}});
     std::vector<Word> readOuts{0x2020'0000};
     for (Word cam = 0; cam < 8; ++cam)
         readOuts.insert(readOuts.end(), {0x2020'0010 | cam, 0x2020'0020 | cam});
     readOuts.push_back(0x2020'0040);
     for (const Word readOut : readOuts)
-        table.play({{readOut, cams}, {readOut, 0xA000'0000}, {0x0000'0000, cams}});
-    table.play({{row.out, cams}, {row.out, row.in}, {0x0000'0000, row.in}, {0x0000'0000, row.in}});
+        table.play({{readOut, posInCamMode}, {readOut, 0xA000'0000}, {0x0000'0000, posInCamMode}});
+    table.play({{row.out, posInCamMode}, {row.out, row.in}, {0x0000'0000, row.in}, {0x0000'0000, row.in}});
     ASSERT_TRUE(table.outcome());
     ASSERT_FALSE(table.outcome()->result);
     EXPECT_EQ(table.outcome()->result.error(), (Refusal{RefusalKind::device, row.id, row.arguments}));
@@ -235,13 +232,13 @@ TEST_F(K3Cams, AProgramThatReadsBackDifferentlyEndsTheJob)
         .programs = {with(0, {1, 0, false}), {.number = 2, .cam = {}, .shift = 0}}, .afterwards = {}}));
     enter(1, 0x0000);
     answerRest(nothing(), 0);
-    m_table.play({{0x4000'0001, cams},
+    m_table.play({{0x4000'0001, posInCamMode},
                   {0x4000'0001, 0xC000'0001},
                   {0x8000'0000, 0xC000'0001},
-                  {0x8000'0000, cams},
-                  {0x0000'0000, cams}});
+                  {0x8000'0000, posInCamMode},
+                  {0x0000'0000, posInCamMode}});
     answer(0x2020'0010, 0x02);
-    m_table.play({{0x0000'0000, cams}, {0x0000'0000, cams}});
+    m_table.play({{0x0000'0000, posInCamMode}, {0x0000'0000, posInCamMode}});
     EXPECT_EQ(refusal(), (Refusal{RefusalKind::device, RefusalId::camVerificationFailed, {std::int64_t{1}}}));
     EXPECT_TRUE(m_table.outcome()->camsWritten.empty());
 }
@@ -252,15 +249,15 @@ TEST_F(K3Cams, LeavingAChangedProgramIsOneEepromWrite)
         WriteCams{.programs = {with(0, {1, 0, false})}, .afterwards = SwitchMode{Mode::position}}));
     enter(1, 0x0000);
     answerRest(nothing(), 0);
-    m_table.play({{0x4000'0001, cams},
+    m_table.play({{0x4000'0001, posInCamMode},
                   {0x4000'0001, 0xC000'0001},
                   {0x8000'0000, 0xC000'0001},
-                  {0x8000'0000, cams},
-                  {0x0000'0000, cams}});
+                  {0x8000'0000, posInCamMode},
+                  {0x0000'0000, posInCamMode}});
     answer(0x2020'0010, 0x01);
     EXPECT_EQ(m_table.eepromWrites(), 0);
-    m_table.play({{0x2080'0000, cams},
-                  {0x2080'0000, cams},
+    m_table.play({{0x2080'0000, posInCamMode},
+                  {0x2080'0000, posInCamMode},
                   {0x2080'0000, pos},
                   {0x0000'0000, pos},
                   {0x0000'0000, pos}});
@@ -280,23 +277,23 @@ TEST_F(K3Cams, TheProgramTheEncoderIsInIsReadFirst)
     m_table.play({{0x0000'0000, pos},
                   {0x2080'0003, pos},
                   {0x2080'0003, pos},
-                  {0x2080'0003, cams},
-                  {0x0000'0000, cams},
-                  {0x0000'0000, cams}});
+                  {0x2080'0003, posInCamMode},
+                  {0x0000'0000, posInCamMode},
+                  {0x0000'0000, posInCamMode}});
     EXPECT_EQ(m_table.driver().reading().camProgram, 3u);
     EXPECT_EQ(m_table.driver().reading().cams, (Reading::Cams{0x00, 0x3039}));
     EXPECT_EQ(m_table.driver().reading().position, std::nullopt);
 
     ASSERT_TRUE(m_table.begin(ReadCams{.programs = {1, 3}, .afterwards = SwitchMode{Mode::cam, 3}}));
-    m_table.play({{0x0000'0000, cams}});
+    m_table.play({{0x0000'0000, posInCamMode}});
     for (const Word program : {3u, 1u}) {
         if (program == 1)
-            m_table.repeat(3, {0x2080'0001, cams});
+            m_table.repeat(3, {0x2080'0001, posInCamMode});
         answer(0x2020'0000, program);
         answerRest(nothing(), 0);
     }
-    m_table.repeat(3, {0x2080'0003, cams});
-    m_table.repeat(2, {0x0000'0000, cams});
+    m_table.repeat(3, {0x2080'0003, posInCamMode});
+    m_table.repeat(2, {0x0000'0000, posInCamMode});
     ASSERT_TRUE(m_table.outcome());
     ASSERT_EQ(m_table.outcome()->camsRead.size(), 2u);
     EXPECT_EQ(m_table.outcome()->camsRead[0],
@@ -387,18 +384,18 @@ TEST_F(K3Cams, RestoredCamsAreReadBack)
     ASSERT_TRUE(m_table.begin(WriteCams{.programs = {manualProgram()}, .afterwards = {}}));
     enter(1, 0x0000);
     answerRest(nothing(), 0);
-    m_table.play({{0x4600'0015, cams}, {0x4600'0015, 0xC600'0015}, {0x6600'0213, 0xC600'0015}});
+    m_table.play({{0x4600'0015, posInCamMode}, {0x4600'0015, 0xC600'0015}, {0x6600'0213, 0xC600'0015}});
     m_table.driver().cancel(OnCancel::restorePrevious, Instant{});
     m_table.play({{0x6600'0213, 0xE600'0213}, {0x0000'0000, 0xE600'0213}});
     answer(0x2020'0000, 0x00, 0xE600'0213);
     m_table.play({{0x4600'0000, 0xE600'0213},
                   {0x4600'0000, 0xC600'0000},
                   {0x6600'0000, 0xE600'0000},
-                  {0x8000'0000, cams},
-                  {0x0000'0000, cams}});
+                  {0x8000'0000, posInCamMode},
+                  {0x0000'0000, posInCamMode}});
     answer(0x2020'0013, 0x00);
     answer(0x2020'0023, 0x00);
-    m_table.play({{0x0000'0000, cams}});
+    m_table.play({{0x0000'0000, posInCamMode}});
     EXPECT_EQ(refusal().id, RefusalId::cancelled);
     EXPECT_EQ(m_table.outcome()->restored, Evidence::read);
     EXPECT_EQ(m_table.outcome()->camsWritten, std::vector{CamProgram{}});
@@ -409,11 +406,11 @@ TEST_F(K3Cams, APowerLossInTheParameterizationIsNoticedBeforeTheNextWord)
     ASSERT_TRUE(m_table.begin(WriteCams{.programs = {manualProgram()}, .afterwards = {}}));
     enter(1, 0x0000);
     answerRest(nothing(), 0);
-    m_table.play({{0x4600'0015, cams},
+    m_table.play({{0x4600'0015, posInCamMode},
                   {0x4600'0015, 0xC600'0015},
                   {0x6600'0213, 0x0000'0000}, // no power
                   {0x0000'0000, 0x0000'0000},
-                  {0x0000'0000, cams}});
+                  {0x0000'0000, posInCamMode}});
     EXPECT_EQ(refusal().id, RefusalId::restarted);
     ASSERT_TRUE(m_table.cams(1));
     EXPECT_EQ(m_table.cams(1)->program, CamProgram{}) << "as it was read, and saved";

@@ -7,8 +7,6 @@
 namespace codewheel {
 namespace {
 
-constexpr Word pos = 0x0000'3039;
-
 class K3Cancel : public testing::Test
 {
 protected:

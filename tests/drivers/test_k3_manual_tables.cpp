@@ -7,7 +7,6 @@
 namespace codewheel {
 namespace {
 
-constexpr Word pos = 0x0000'3039;
 constexpr Word newPos = 0x0000'0180;
 
 const std::vector<Word> manualWords{0x0200'00FF, 0x0400'0001, 0x0600'0003,

@@ -8,7 +8,6 @@
 namespace codewheel {
 namespace {
 
-constexpr Word pos = 0x0000'3039;
 constexpr Word minus150 = 0x01FF'FF6A; // rpm
 
 class K3Modes : public testing::Test

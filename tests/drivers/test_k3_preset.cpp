@@ -6,8 +6,6 @@
 namespace codewheel {
 namespace {
 
-constexpr Word pos = 0x0000'3039;
-
 DriverTable frabaInPositionMode()
 {
     DriverTable table(u"fraba-ocd-ib");

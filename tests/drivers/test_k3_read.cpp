@@ -6,8 +6,6 @@
 namespace codewheel {
 namespace {
 
-constexpr Word pos = 0x0000'3039;
-
 // FRABA manual 10.2: answer A0000000 + value without the number, as long as 2021xxxx stands in OUT; then
 // 00000000
 TEST(K3Read, EachReadOutEndsBeforeTheNextBegins)

@@ -7,8 +7,6 @@
 namespace codewheel {
 namespace {
 
-constexpr Word pos = 0x0000'3039;
-
 // A read-out that stands alone between two 00000000.
 void playReadOut(DriverTable &table, Word request, Word answer)
 {

@@ -6,8 +6,6 @@
 namespace codewheel {
 namespace {
 
-constexpr Word pos = 0x0000'3039;
-
 WriteParameters write(ParameterValues values, bool onlyWhatDiffers = false)
 {
     return WriteParameters{.values = std::move(values), .onlyWhatDiffers = onlyWhatDiffers, .previous = {}};

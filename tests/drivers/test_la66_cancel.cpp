@@ -6,8 +6,6 @@
 namespace codewheel {
 namespace {
 
-constexpr Word pos = 0x0000'3039;
-
 WriteParameters lengthAndDirection()
 {
     return {.values = {{Parameter::measuringLength, 5'000}, {Parameter::direction, 1}}, .previous = {}};

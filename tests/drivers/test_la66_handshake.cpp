@@ -8,14 +8,12 @@
 namespace codewheel {
 namespace {
 
-constexpr Word pos = 0x0000'3039;
-
 DriverTable rod(La66Timing timing = {})
 {
     return DriverTable(timing);
 }
 
-WriteParameters write(ParameterValues values, bool onlyWhatDiffers = false)
+WriteParameters writeLa66(ParameterValues values, bool onlyWhatDiffers = false)
 {
     return WriteParameters{.values = std::move(values), .onlyWhatDiffers = onlyWhatDiffers, .previous = {}};
 }
@@ -23,7 +21,7 @@ WriteParameters write(ParameterValues values, bool onlyWhatDiffers = false)
 TEST(La66Driver, AWriteIsAServiceAndIsReadBack)
 {
     DriverTable table = rod();
-    ASSERT_TRUE(table.begin(write({{Parameter::measuringLength, 50'000}})));
+    ASSERT_TRUE(table.begin(writeLa66({{Parameter::measuringLength, 50'000}})));
     table.play({
         {0x0000'0000, pos},
         {0x4200'C350, pos},         // service and data, D31 = 0
@@ -74,9 +72,10 @@ TEST_P(La66Service, GoesOutAsTheManualSays)
 INSTANTIATE_TEST_SUITE_P(
     OfTheManual, La66Service,
     testing::Values(
-        ServiceRow{"writeDirection", write({{Parameter::direction, 1}}), 0xC100'0001, 0xC100'0001},
-        ServiceRow{"writeLength", write({{Parameter::measuringLength, 5'000}}), 0xC200'1388, 0xC200'1388},
-        ServiceRow{"writePreset", write({{Parameter::externalPreset, 0xFF'FFFF}}), 0xC4FF'FFFF, 0xC4FF'FFFF},
+        ServiceRow{"writeDirection", writeLa66({{Parameter::direction, 1}}), 0xC100'0001, 0xC100'0001},
+        ServiceRow{"writeLength", writeLa66({{Parameter::measuringLength, 5'000}}), 0xC200'1388, 0xC200'1388},
+        ServiceRow{"writePreset", writeLa66({{Parameter::externalPreset, 0xFF'FFFF}}), 0xC4FF'FFFF,
+                   0xC4FF'FFFF},
         ServiceRow{"adjustPreset", SetPreset{.value = 1'000}, 0xC600'03E8, 0xC600'03E8},
         ServiceRow{"readDirection", ReadParameters{{Parameter::direction}}, 0x8100'0000, 0x8100'0001},
         ServiceRow{"readLength", ReadParameters{{Parameter::measuringLength}}, 0x8200'0000, 0x8200'1388},
@@ -145,7 +144,8 @@ TEST(La66Driver, ThePositionIsNotSetWhileTheMagnetIsOutsideTheRange)
 TEST(La66Driver, WhatIsAlreadyThereIsNotWrittenAgain)
 {
     DriverTable table = rod();
-    ASSERT_TRUE(table.begin(write({{Parameter::measuringLength, 50'000}, {Parameter::direction, 1}}, true)));
+    ASSERT_TRUE(
+        table.begin(writeLa66({{Parameter::measuringLength, 50'000}, {Parameter::direction, 1}}, true)));
     table.play({
         {0x0000'0000, pos}, {0x0200'0000, pos},         {0x0200'0000, pos}, {0x8200'0000, 0x8200'C350},
         {0x0200'0000, pos}, {0x0100'0000, pos},         {0x0100'0000, pos}, {0x8100'0000, 0x8100'0000},
@@ -164,7 +164,7 @@ TEST(La66Driver, WhatIsAlreadyThereIsNotWrittenAgain)
 TEST(La66Driver, AReadBackThatDiffersIsAFailureAndEndsTheJob)
 {
     DriverTable table = rod();
-    ASSERT_TRUE(table.begin(write({{Parameter::measuringLength, 50'000}, {Parameter::direction, 1}})));
+    ASSERT_TRUE(table.begin(writeLa66({{Parameter::measuringLength, 50'000}, {Parameter::direction, 1}})));
     table.play({{0, pos}, {0x4200'C350, pos}, {0x4200'C350, pos}, {0xC200'C350, 0xC200'C350}});
     table.play({{0x4200'C350, pos},
                 {0x0200'0000, pos},
@@ -187,7 +187,7 @@ TEST(La66Driver, AReadBackThatDiffersIsAFailureAndEndsTheJob)
 TEST(La66Driver, ARefusedServiceIsNamedAndOutGoesBack)
 {
     DriverTable table = rod();
-    ASSERT_TRUE(table.begin(write({{Parameter::measuringLength, 50'000}})));
+    ASSERT_TRUE(table.begin(writeLa66({{Parameter::measuringLength, 50'000}})));
     table.play({{0, pos},
                 {0x4200'C350, pos},
                 {0x4200'C350, pos},
@@ -233,7 +233,7 @@ TEST(La66Driver, AnAnswerThatNeverEndsLeavesTheRestOfTheWordStanding)
 TEST(La66Driver, TheAnswerToAnEarlierServiceIsWaitedFor)
 {
     DriverTable table = rod();
-    ASSERT_TRUE(table.begin(write({{Parameter::measuringLength, 5'000}})));
+    ASSERT_TRUE(table.begin(writeLa66({{Parameter::measuringLength, 5'000}})));
     table.play({{0, pos},
                 {0x4200'1388, pos},
                 {0x4200'1388, 0xC200'C350}, // late
@@ -242,7 +242,7 @@ TEST(La66Driver, TheAnswerToAnEarlierServiceIsWaitedFor)
                 {0xC200'1388, pos}});
 
     DriverTable second = rod();
-    ASSERT_TRUE(second.begin(write({{Parameter::measuringLength, 5'000}})));
+    ASSERT_TRUE(second.begin(writeLa66({{Parameter::measuringLength, 5'000}})));
     second.play({{0, pos}, {0x4200'1388, pos}, {0x4200'1388, pos}, {0xC200'1388, 0xC200'C350}});
     second.repeat(5, {0xC200'1388, 0xC200'C350}); // not what was written
 }
@@ -318,14 +318,14 @@ TEST(La66Driver, ARefusedWordOfTheUserEndsTheSequenceWhereItIs)
     EXPECT_EQ(table.outcome()->leftIn, EncoderState::service);
 }
 
-struct BadInput
+struct BadRodInput
 {
     const char *name;
     Job job;
     RefusalId id;
 };
 
-class La66BadInput : public testing::TestWithParam<BadInput>
+class La66BadInput : public testing::TestWithParam<BadRodInput>
 {};
 
 TEST_P(La66BadInput, IsRefusedAndNothingIsSent)
@@ -340,31 +340,33 @@ TEST_P(La66BadInput, IsRefusedAndNothingIsSent)
 INSTANTIATE_TEST_SUITE_P(
     Rod, La66BadInput,
     testing::Values(
-        BadInput{"noLength", write({{Parameter::measuringLength, 0}}), RefusalId::valueOutOfRange},
-        BadInput{"tooLong", write({{Parameter::measuringLength, 0x100'0000}}), RefusalId::valueOutOfRange},
-        BadInput{"direction", write({{Parameter::direction, 2}}), RefusalId::valueNotAllowed},
-        BadInput{"rodLength", write({{Parameter::rodLength, 500'000}}), RefusalId::parameterReadOnly},
-        BadInput{"errorStatus", write({{Parameter::errorStatus, 0}}), RefusalId::parameterReadOnly},
-        BadInput{"steps", write({{Parameter::steps, 255}}), RefusalId::parameterNotSupported},
-        BadInput{"twice", write({{Parameter::direction, 0}, {Parameter::direction, 1}}),
-                 RefusalId::parameterGivenTwice},
-        BadInput{"nothing", write({}), RefusalId::nothingToDo},
-        BadInput{"noParameters", ReadParameters{}, RefusalId::nothingToDo},
-        BadInput{"readRodLength", ReadParameters{{Parameter::rodLength}}, RefusalId::parameterNotSupported},
-        BadInput{"noWords", SendWords{{}}, RefusalId::nothingToDo},
-        BadInput{"presetWithoutValue", SetPreset{}, RefusalId::presetNeedsValue},
-        BadInput{"presetTooLarge", SetPreset{.value = 0x100'0000}, RefusalId::valueOutOfRange},
-        BadInput{"negativePreset", SetPreset{.value = -1}, RefusalId::valueOutOfRange},
-        BadInput{"frabaPreset", SetPreset{.value = 1, .command = PresetCommand::manufacturer},
-                 RefusalId::manufacturerPresetNotSupported},
-        BadInput{
+        BadRodInput{"noLength", writeLa66({{Parameter::measuringLength, 0}}), RefusalId::valueOutOfRange},
+        BadRodInput{"tooLong", writeLa66({{Parameter::measuringLength, 0x100'0000}}),
+                    RefusalId::valueOutOfRange},
+        BadRodInput{"direction", writeLa66({{Parameter::direction, 2}}), RefusalId::valueNotAllowed},
+        BadRodInput{"rodLength", writeLa66({{Parameter::rodLength, 500'000}}), RefusalId::parameterReadOnly},
+        BadRodInput{"errorStatus", writeLa66({{Parameter::errorStatus, 0}}), RefusalId::parameterReadOnly},
+        BadRodInput{"steps", writeLa66({{Parameter::steps, 255}}), RefusalId::parameterNotSupported},
+        BadRodInput{"twice", writeLa66({{Parameter::direction, 0}, {Parameter::direction, 1}}),
+                    RefusalId::parameterGivenTwice},
+        BadRodInput{"nothing", writeLa66({}), RefusalId::nothingToDo},
+        BadRodInput{"noParameters", ReadParameters{}, RefusalId::nothingToDo},
+        BadRodInput{"readRodLength", ReadParameters{{Parameter::rodLength}},
+                    RefusalId::parameterNotSupported},
+        BadRodInput{"noWords", SendWords{{}}, RefusalId::nothingToDo},
+        BadRodInput{"presetWithoutValue", SetPreset{}, RefusalId::presetNeedsValue},
+        BadRodInput{"presetTooLarge", SetPreset{.value = 0x100'0000}, RefusalId::valueOutOfRange},
+        BadRodInput{"negativePreset", SetPreset{.value = -1}, RefusalId::valueOutOfRange},
+        BadRodInput{"frabaPreset", SetPreset{.value = 1, .command = PresetCommand::manufacturer},
+                    RefusalId::manufacturerPresetNotSupported},
+        BadRodInput{
             "initialise",
             WriteParameters{.values = {{Parameter::direction, 0}}, .previous = {}, .initialisePreset = true},
             RefusalId::presetNeedsValue},
-        BadInput{"mode", SwitchMode{}, RefusalId::velocityNotSupported},
-        BadInput{"reset", ResetToDefault{}, RefusalId::jobNotSupported},
-        BadInput{"cams", ReadCams{{1}, {}}, RefusalId::jobNotSupported},
-        BadInput{"writeCams", WriteCams{}, RefusalId::jobNotSupported}),
+        BadRodInput{"mode", SwitchMode{}, RefusalId::velocityNotSupported},
+        BadRodInput{"reset", ResetToDefault{}, RefusalId::jobNotSupported},
+        BadRodInput{"cams", ReadCams{{1}, {}}, RefusalId::jobNotSupported},
+        BadRodInput{"writeCams", WriteCams{}, RefusalId::jobNotSupported}),
     [](const auto &row) { return row.param.name; });
 
 TEST(La66Driver, ByHandItWaitsBeforeEachChangeOfOut)

@@ -8,8 +8,6 @@
 namespace codewheel {
 namespace {
 
-constexpr Word pos = 0x0000'3039;
-
 class La66Knows : public testing::Test
 {
 protected:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
 #include "drivers/la66_driver.h"
+#include "tests/drivers/driver_table.h"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -12,7 +13,6 @@ namespace codewheel {
 namespace {
 
 constexpr Word serviceBit = 0x8000'0000;
-constexpr Word pos = 0x0000'3039;
 constexpr int dataCycles = 2;
 
 // Any encoder the driver may meet.

@@ -54,6 +54,8 @@ Conversation converse(const Request &request, const Peer &peer, const Timing &ti
 Peer answering(const QByteArray &bytes);
 Peer silent();
 
+inline const Answer accepted{Answer::Kind::accepted, 0, {}};
+
 Request positionOf05();
 Request presetOf03(); // 5200h
 

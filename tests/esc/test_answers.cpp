@@ -13,7 +13,6 @@ using MaybeAnswer = std::optional<Answer>;
 const MaybeAnswer noise = std::nullopt;
 const Answer unknown{Kind::unknownCommand, 0, "03"};
 const Answer outOfRange{Kind::outOfRange, 0, "05"};
-const Answer accepted{Kind::accepted, 0, {}};
 
 Answer valueOf(std::uint32_t number, const char *digits)
 {
@@ -25,28 +24,28 @@ Answer textOf(const QByteArray &text)
     return {Kind::text, 0, text};
 }
 
-struct Row
+struct AnswerRow
 {
     const char *request;
     QByteArray bytes;
     MaybeAnswer answer;
 };
 
-MaybeAnswer answerTo(const Row &row)
+MaybeAnswer answerTo(const AnswerRow &row)
 {
     return converse(*parseRequest(row.request), answering(row.bytes)).result.answer;
 }
 
-void check(std::span<const Row> rows)
+void check(std::span<const AnswerRow> rows)
 {
-    for (const Row &row : rows)
+    for (const AnswerRow &row : rows)
         EXPECT_EQ(answerTo(row), row.answer)
             << row.request << " -> " << row.bytes.toPercentEncoding().constData();
 }
 
 TEST(EscAnswers, OfTheManual)
 {
-    check(std::vector<Row>{
+    check(std::vector<AnswerRow>{
         {"05P", QByteArray::fromHex("0D0A 3030303031323335 0D0A"), valueOf(0x1235, "00001235")},
         {"00O", QByteArray::fromHex("0D0A 37303035 0D0A"), valueOf(0x7005, "7005")},
         {"00A", "\r\n4000\r\n", valueOf(0x4000, "4000")},
@@ -62,7 +61,7 @@ TEST(EscAnswers, OfTheManual)
 
 TEST(EscAnswers, OfSixteenBitHaveFourDigits)
 {
-    check(std::vector<Row>{
+    check(std::vector<AnswerRow>{
         {"05D", "\r\n1FFF\r\n", valueOf(0x1FFF, "1FFF")},
         {"05D", "\r\n1fff\r\n", valueOf(0x1FFF, "1fff")},
         {"05D", "\r\n0003\r\n", valueOf(3, "0003")},
@@ -84,7 +83,7 @@ TEST(EscAnswers, OfSixteenBitHaveFourDigits)
 
 TEST(EscAnswers, NeedBothLineEnds)
 {
-    check(std::vector<Row>{
+    check(std::vector<AnswerRow>{
         {"05D", "2000\r\n", noise},
         {"05D", "\n2000\r\n", noise},
         {"05D", "\r2000\r\n", noise},
@@ -107,7 +106,7 @@ TEST(EscAnswers, NeedBothLineEnds)
 
 TEST(EscAnswers, HaveHexadecimalDigitsAndNothingElse)
 {
-    check(std::vector<Row>{
+    check(std::vector<AnswerRow>{
         {"05D", "\r\n20O0\r\n", noise},
         {"05D", "\r\nG000\r\n", noise},
         {"05D", "\r\n 200\r\n", noise},
@@ -128,7 +127,7 @@ TEST(EscAnswers, HaveHexadecimalDigitsAndNothingElse)
     // Every byte at every place of the digits.
     for (int place = 2; place < 6; ++place) {
         for (int byte = 0; byte < 256; ++byte) {
-            Row row{"05D", "\r\n2000\r\n", {}};
+            AnswerRow row{"05D", "\r\n2000\r\n", {}};
             row.bytes[place] = static_cast<char>(byte);
             EXPECT_EQ(answerTo(row).has_value(), byte < 128 && std::isxdigit(byte) != 0) << byte;
         }
@@ -139,7 +138,7 @@ TEST(EscAnswers, OfTheVersionAreFourToFortyPrintableCharacters)
 {
     const QByteArray manual = "5882 HW 2.1 SW 1.04 1998.";
     ASSERT_EQ(manual.size(), 25);
-    check(std::vector<Row>{
+    check(std::vector<AnswerRow>{
         {"05V", "\r\n" + manual + "\r\n", textOf(manual)},
         {"05V", "\r\nV1.0\r\n", textOf("V1.0")},
         {"05V", "\r\n~ ~ \r\n", textOf("~ ~ ")},
@@ -162,7 +161,7 @@ TEST(EscAnswers, OfTheVersionAreFourToFortyPrintableCharacters)
 
 TEST(EscAnswers, OfAWriteHaveNoDigits)
 {
-    check(std::vector<Row>{
+    check(std::vector<AnswerRow>{
         {"03GP5200", "\r\n00005200\r\n", noise},
         {"03GP5200", "\r\n0000\r\n", noise},
         {"03GP5200", "\r\n\r\n", noise},

@@ -6,7 +6,7 @@
 namespace codewheel::esc {
 namespace {
 
-struct Row
+struct BitCase
 {
     Command command;
     int bit;
@@ -15,7 +15,7 @@ struct Row
 };
 
 // Manual, "Warning Parameters", "Alarm Parameters", "Read Operating Parameters".
-const Row rows[] = {
+const BitCase bitCases[] = {
     {Command::operatingParameters, 0, "counterClockwise", "direction CCW"},
     {Command::operatingParameters, 1, "diagnosticActive", "diagnostic active"},
     {Command::operatingParameters, 2, "scalingOn", "scaling on"},
@@ -42,8 +42,8 @@ TEST(EscBits, AreThoseOfTheManual)
     std::size_t described = 0;
     for (const CommandShape &shape : allCommands())
         described += bitsOf(shape.command).size();
-    EXPECT_EQ(described, std::size(rows));
-    for (const Row &row : rows) {
+    EXPECT_EQ(described, std::size(bitCases));
+    for (const BitCase &row : bitCases) {
         SCOPED_TRACE(row.key);
         int found = 0;
         for (const BitRow &known : bitsOf(row.command)) {

@@ -6,7 +6,7 @@
 namespace codewheel::esc {
 namespace {
 
-struct Row
+struct CommandRow
 {
     const char *letters;
     Command command;
@@ -17,7 +17,7 @@ struct Row
 };
 
 // Manual, "ESC-Commands Overview".
-constexpr Row rows[] = {
+constexpr CommandRow commandRows[] = {
     {"O", Command::operatingParameters, false, 4, 0, 0xFFFF},
     {"V", Command::version, false, 0, 0, 0},
     {"M", Command::measuringRange, false, 8, 1, 33'554'432},
@@ -49,8 +49,8 @@ constexpr Row rows[] = {
 
 TEST(EscCommands, AreThoseOfBothTables)
 {
-    EXPECT_EQ(allCommands().size(), std::size(rows));
-    for (const Row &row : rows) {
+    EXPECT_EQ(allCommands().size(), std::size(commandRows));
+    for (const CommandRow &row : commandRows) {
         SCOPED_TRACE(row.letters);
         EXPECT_EQ(commandOf(row.letters), row.command);
         const CommandShape &shape = shapeOf(row.command);

@@ -9,8 +9,6 @@ namespace {
 
 using RowKind = LineRow::Kind;
 
-const Answer accepted{Answer::Kind::accepted, 0, {}};
-
 // `echo` while the request is sent, then `answer`.
 Peer echoing(const QByteArray &echo, const QByteArray &answer)
 {

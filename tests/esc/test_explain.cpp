@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "esc/esc_explain.h"
+#include "tests/esc/conversation.h"
 
 #include <gtest/gtest.h>
 #include <set>
@@ -9,7 +10,7 @@ namespace {
 
 using Kind = Answer::Kind;
 
-struct Row
+struct ExplainRow
 {
     const char *request;
     Answer answer;
@@ -21,9 +22,7 @@ Answer value(std::uint32_t number)
     return {Kind::value, number, {}};
 }
 
-const Answer accepted{Kind::accepted, 0, {}};
-
-const Row rows[] = {
+const ExplainRow explainRows[] = {
     {"05P", value(0x1235), "05: position? -> 1235h = 4661"},
     {"05P", value(0), "05: position? -> 0h = 0"},
     {"00O", value(0x7005),
@@ -61,7 +60,7 @@ const Row rows[] = {
 
 TEST(EscExplain, RequestsAndAnswersInWords)
 {
-    for (const Row &row : rows)
+    for (const ExplainRow &row : explainRows)
         EXPECT_EQ(exchangeText(*parseRequest(row.request), row.answer), QString::fromLatin1(row.text));
 }
 

@@ -12,8 +12,8 @@ using RowKind = LineRow::Kind;
 
 const QByteArray oldAnswer = "\r\n00001200\r\n";
 const QByteArray newAnswer = "\r\n00001235\r\n";
-constexpr Instant requestTime = 6 * character;
-constexpr Instant quiet = 2 * 44 * character;
+constexpr Instant readTime = 6 * character;
+constexpr Instant quietTwice = 2 * 44 * character;
 
 void expectNew(const Conversation &conversation)
 {
@@ -33,15 +33,15 @@ TEST(EscLateAnswers, ComeAfterTheTimeOutAndAreDrained)
     EXPECT_EQ(conversation.result.lateBytes, 12);
     EXPECT_EQ(conversation.result.garbageBytes, 0);
     EXPECT_EQ(conversation.result.timeOuts, 1);
-    const Instant lastByte = requestTime + 120 * millisecond + 12 * character;
-    EXPECT_EQ(conversation.sendings.at(1), lastByte + quiet);
+    const Instant lastByte = readTime + 120 * millisecond + 12 * character;
+    EXPECT_EQ(conversation.sendings.at(1), lastByte + quietTwice);
 }
 
 TEST(EscLateAnswers, OfASlowDeviceMakeTheQuietLonger)
 {
     const Timing timing{.retries = 1, .longestAnswer = 90 * millisecond, .adapterDelay = {}};
     const Conversation conversation = converse(positionOf05(), silent(), timing);
-    const Instant timeOut = requestTime + 100 * millisecond + character;
+    const Instant timeOut = readTime + 100 * millisecond + character;
     EXPECT_EQ(conversation.sendings.at(1), timeOut + 180 * millisecond);
 }
 
@@ -55,7 +55,7 @@ TEST(EscLateAnswers, AfterARetryTheNextRequestWaitsUntilTheLineIsQuiet)
     });
     expectNew(conversation);
     EXPECT_EQ(conversation.bytesOf(RowKind::late), oldAnswer);
-    EXPECT_GE(conversation.doneAt, conversation.sendings.at(1) + requestTime + 20 * millisecond + quiet);
+    EXPECT_GE(conversation.doneAt, conversation.sendings.at(1) + readTime + 20 * millisecond + quietTwice);
 }
 
 TEST(EscLateAnswers, ThatEndBeforeTheDeviceCanHaveAnsweredAreNotTaken)
@@ -70,15 +70,14 @@ TEST(EscLateAnswers, ThatEndBeforeTheDeviceCanHaveAnsweredAreNotTaken)
         expectNew(conversation);
         EXPECT_EQ(conversation.bytesOf(RowKind::late), oldAnswer);
         EXPECT_EQ(conversation.result.sent, 1);
-        EXPECT_GE(conversation.doneAt, requestTime + quiet); // there may be more of it
+        EXPECT_GE(conversation.doneAt, readTime + quietTwice); // there may be more of it
     }
 }
 
 TEST(EscLateAnswers, BeforeTheEchoAreNotTaken)
 {
     const Conversation conversation = converse(positionOf05(), [](int, Instant end) {
-        return Arrivals{whole(oldAnswer, end - 13 * character),
-                        whole(positionOf05().bytes(), end - requestTime),
+        return Arrivals{whole(oldAnswer, end - 13 * character), whole(positionOf05().bytes(), end - readTime),
                         whole(newAnswer, end + 2 * millisecond)};
     });
     expectNew(conversation);
@@ -103,7 +102,7 @@ TEST(EscLateAnswers, ThatComeTooEarlyAndAreFollowedByGarbageWithoutEndAreNotTake
 TEST(EscLateAnswers, APeerThatDoesNotKeepTheLinesTimeIsHeardAllTheSame)
 {
     const Conversation conversation = converse(positionOf05(), [](int, Instant end) {
-        return Arrivals{{end - requestTime + Instant{50}, newAnswer}};
+        return Arrivals{{end - readTime + Instant{50}, newAnswer}};
     });
     expectNew(conversation);
     EXPECT_EQ(conversation.result.sent, 1);
@@ -140,7 +139,7 @@ TEST(EscLateAnswers, ThatLieThereBeforeTheRequestAreDrained)
         converse(positionOf05(), answering(newAnswer), {}, {{10 * millisecond, oldAnswer}});
     expectNew(conversation);
     EXPECT_EQ(conversation.bytesOf(RowKind::late), oldAnswer);
-    EXPECT_EQ(conversation.sendings.at(0), 10 * millisecond + quiet);
+    EXPECT_EQ(conversation.sendings.at(0), 10 * millisecond + quietTwice);
     EXPECT_EQ(conversation.rows.front().kind, RowKind::late);
 }
 
@@ -151,8 +150,8 @@ TEST(EscLateAnswers, TheFirstHalfMayLieThereAndTheSecondComeLater)
     const auto wait = exchange.next(Instant{});
     ASSERT_TRUE(std::holds_alternative<Exchange::Wait>(wait));
     exchange.received("1200\r\n", 20 * millisecond);
-    EXPECT_EQ(std::get<Exchange::Wait>(exchange.next(20 * millisecond)).until, 20 * millisecond + quiet);
-    EXPECT_TRUE(std::holds_alternative<Exchange::Send>(exchange.next(20 * millisecond + quiet)));
+    EXPECT_EQ(std::get<Exchange::Wait>(exchange.next(20 * millisecond)).until, 20 * millisecond + quietTwice);
+    EXPECT_TRUE(std::holds_alternative<Exchange::Send>(exchange.next(20 * millisecond + quietTwice)));
     EXPECT_EQ(exchange.result().lateBytes, 12);
 }
 

@@ -6,7 +6,7 @@
 namespace codewheel::esc {
 namespace {
 
-struct Row
+struct RequestRow
 {
     std::uint8_t address;
     Command command;
@@ -16,7 +16,7 @@ struct Row
 };
 
 // The examples of the manual, as far as they do not contradict its tables (GD is printed as GF, O as 0).
-const Row rows[] = {
+const RequestRow requestRows[] = {
     {0x05, Command::position, 0, "05P", "1B303550 0D0A"},
     {0x00, Command::operatingParameters, 0, "00O", "1B30304F 0D0A"},
     {0x00, Command::alarms, 0, "00A", "1B303041 0D0A"},
@@ -36,14 +36,14 @@ const Row rows[] = {
     {0x0A, Command::writePreset, 0x1FFFFFF, "0AGP01FFFFFF", "1B3041 4750 3031464646464646 0D0A"},
 };
 
-Request requestOf(const Row &row)
+Request requestOf(const RequestRow &row)
 {
     return {LineAddress{row.address}, row.command, row.data};
 }
 
 TEST(EscRequests, TextAndBytesAreThoseOfTheManual)
 {
-    for (const Row &row : rows) {
+    for (const RequestRow &row : requestRows) {
         SCOPED_TRACE(row.text);
         EXPECT_EQ(requestOf(row).text(), row.text);
         EXPECT_EQ(requestOf(row).bytes(), QByteArray::fromHex(row.bytes));
@@ -52,7 +52,7 @@ TEST(EscRequests, TextAndBytesAreThoseOfTheManual)
 
 TEST(EscRequests, WhatWasTypedIsThatRequest)
 {
-    for (const Row &row : rows) {
+    for (const RequestRow &row : requestRows) {
         SCOPED_TRACE(row.text);
         EXPECT_EQ(parseRequest(row.text), requestOf(row));
         EXPECT_EQ(parseRequest(QByteArray(row.text).toLower()), requestOf(row));

@@ -6,8 +6,7 @@
 namespace codewheel::esc {
 namespace {
 
-constexpr Instant requestTime = 15 * character; // ESC 03GP00005200 CR LF
-const Answer accepted{Answer::Kind::accepted, 0, {}};
+constexpr Instant writeTime = 15 * character; // ESC 03GP00005200 CR LF
 const Timing noDelay{.adapterDelay = {}};
 
 TEST(EscWrites, AreAcceptedByALineEnd)
@@ -23,10 +22,10 @@ TEST(EscWrites, AreAcceptedByALineEnd)
 TEST(EscWrites, AreFollowedByQuiet)
 {
     const Conversation conversation = converse(presetOf03(), answering("\r\n"), noDelay);
-    EXPECT_EQ(conversation.doneAt, requestTime + 2 * millisecond + 2 * character + 100 * millisecond);
+    EXPECT_EQ(conversation.doneAt, writeTime + 2 * millisecond + 2 * character + 100 * millisecond);
     const Timing settable{.quietAfterWrite = 7 * millisecond, .adapterDelay = {}};
     EXPECT_EQ(converse(presetOf03(), answering("\r\n"), settable).doneAt,
-              requestTime + 2 * millisecond + 2 * character + 7 * millisecond);
+              writeTime + 2 * millisecond + 2 * character + 7 * millisecond);
 }
 
 TEST(EscWrites, AreSentOnce)
@@ -35,7 +34,7 @@ TEST(EscWrites, AreSentOnce)
     EXPECT_EQ(conversation.result.answer, std::nullopt);
     EXPECT_EQ(conversation.result.sent, 1);
     EXPECT_EQ(conversation.result.timeOuts, 1);
-    EXPECT_EQ(conversation.doneAt, requestTime + 100 * millisecond + character + 100 * millisecond);
+    EXPECT_EQ(conversation.doneAt, writeTime + 100 * millisecond + character + 100 * millisecond);
 }
 
 TEST(EscWrites, ALateReadAnswerBeginsWithALineEndToo)
@@ -68,7 +67,7 @@ TEST(EscWrites, APacketIsAsOldAsItsFirstByte)
 {
     Exchange exchange(presetOf03(), noDelay);
     EXPECT_TRUE(std::holds_alternative<Exchange::Send>(exchange.next(Instant{})));
-    const Instant accepting = requestTime + 2 * millisecond;
+    const Instant accepting = writeTime + 2 * millisecond;
     exchange.received("\r\n", accepting);
     exchange.received("00001235\r\n", accepting + 10 * character);
     EXPECT_TRUE(std::holds_alternative<Exchange::Wait>(exchange.next(accepting + 20 * character)));
@@ -107,7 +106,7 @@ TEST(EscWrites, AreRefused)
     const auto unknown = converse(presetOf03(), answering("03\r\n"), noDelay);
     ASSERT_TRUE(unknown.result.answer);
     EXPECT_EQ(unknown.result.answer->kind, Answer::Kind::unknownCommand);
-    EXPECT_EQ(unknown.doneAt, requestTime + 2 * millisecond + 4 * character + 100 * millisecond);
+    EXPECT_EQ(unknown.doneAt, writeTime + 2 * millisecond + 4 * character + 100 * millisecond);
 }
 
 TEST(EscWrites, AnAcceptanceAfterTheTimeOutIsLate)

@@ -7,7 +7,7 @@ namespace {
 
 using test::JournalFile;
 
-const QDateTime noon(QDate(2026, 3, 1), QTime(12, 0), Qt::UTC);
+const QDateTime noonOfWrite(QDate(2026, 3, 1), QTime(12, 0), Qt::UTC);
 
 EncoderIdentity serial(const char *number, const char *vendor = "FRABA")
 {
@@ -22,7 +22,7 @@ EncoderIdentity atPlace(DeviceNumber place, const QString &project = {})
     return {.by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = project, .place = place};
 }
 
-Ledger::Entry entryOf(const EncoderIdentity &identity, int planned, const QDateTime &at = noon)
+Ledger::Entry entryOf(const EncoderIdentity &identity, int planned, const QDateTime &at = noonOfWrite)
 {
     return {.at = at,
             .identity = identity.key(),
@@ -46,7 +46,7 @@ TEST_F(LedgerTest, CountsWhatWasSeen)
     const EepromCount count = ledger.writes(serial("4711"));
     EXPECT_EQ(count.writes, 3);
     EXPECT_EQ(count.perhaps, 0);
-    EXPECT_EQ(count.since, noon);
+    EXPECT_EQ(count.since, noonOfWrite);
     EXPECT_EQ(count.serialNumber, QStringLiteral("4711"));
     EXPECT_EQ(ledger.writes(serial("4712")),
               (EepromCount{.by = CountedBy::serialNumber, .serialNumber = QStringLiteral("4712")}));
@@ -100,17 +100,17 @@ TEST_F(LedgerTest, AttributesWhatWasNotedBefore)
 TEST_F(LedgerTest, TellsValuesFromBeforeTheNewestFirst)
 {
     Ledger::Entry entry = entryOf(serial("1"), 2);
-    entry.before = {{Parameter::steps, 4096, Evidence::read, noon.addSecs(-60)},
-                    {Parameter::preset, -1, Evidence::echoed, noon.addSecs(-30)}};
+    entry.before = {{Parameter::steps, 4096, Evidence::read, noonOfWrite.addSecs(-60)},
+                    {Parameter::preset, -1, Evidence::echoed, noonOfWrite.addSecs(-30)}};
     const qint64 first = *ledger.begin(entry);
     EXPECT_TRUE(ledger.count(first, 1));
     EXPECT_TRUE(ledger.settle(first, {{Parameter::steps, 255}}));
     EXPECT_TRUE(ledger.begin(entryOf(serial("1"), 1))); // nothing known
-    entry.at = noon.addSecs(60);
+    entry.at = noonOfWrite.addSecs(60);
     EXPECT_TRUE(ledger.begin(entry));
     const auto found = ledger.valuesBefore(serial("1"));
     ASSERT_EQ(found.size(), 2U);
-    EXPECT_EQ(found[0].at, noon.addSecs(60));
+    EXPECT_EQ(found[0].at, noonOfWrite.addSecs(60));
     EXPECT_FALSE(found[0].settled);
     EXPECT_EQ(found[1].before, entry.before);
     EXPECT_EQ(found[1].written, (ParameterValues{{Parameter::steps, 255}}));
@@ -118,19 +118,19 @@ TEST_F(LedgerTest, TellsValuesFromBeforeTheNewestFirst)
 
 TEST_F(LedgerTest, ListsAccountsWithWhereTheEncoderWasLast)
 {
-    Ledger::Entry entry = entryOf(serial("1"), 1, noon.addDays(1));
+    Ledger::Entry entry = entryOf(serial("1"), 1, noonOfWrite.addDays(1));
     entry.writes = 5;
     entry.settled = true;
     EXPECT_TRUE(ledger.begin(entry));
     entry.place = {3, 0};
-    entry.at = noon;
+    entry.at = noonOfWrite;
     EXPECT_TRUE(ledger.begin(entry));
     const auto accounts = ledger.accounts();
     ASSERT_EQ(accounts.size(), 1U);
     EXPECT_EQ(accounts[0].identity, QStringLiteral("serial/FRABA/1"));
     EXPECT_EQ(accounts[0].place, (DeviceNumber{3, 0}));
     EXPECT_EQ(accounts[0].count.writes, 10);
-    EXPECT_EQ(accounts[0].count.since, noon);
+    EXPECT_EQ(accounts[0].count.since, noonOfWrite);
     EXPECT_EQ(accounts[0].count.serialNumber, QStringLiteral("1"));
 }
 

@@ -10,13 +10,13 @@ namespace {
 
 using Format = MessageWriter::Format;
 
-const QDateTime afternoon(QDate(2026, 3, 1), QTime(14, 2, 0, 10));
+const QDateTime twoOClock(QDate(2026, 3, 1), QTime(14, 2, 0, 10));
 
 QString written(Format format, const std::vector<Message> &messages)
 {
     std::vector<StoredMessage> stored;
     for (const Message &message : messages)
-        stored.push_back(storedMessage(message, afternoon));
+        stored.push_back(storedMessage(message, twoOClock));
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     MessageWriter writer(buffer, format);
@@ -24,14 +24,14 @@ QString written(Format format, const std::vector<Message> &messages)
     return QString::fromUtf8(buffer.data());
 }
 
-Message training(const char *what)
+Message trainingText(const char *what)
 {
     return {.id = MessageId::training, .arguments = {QString::fromUtf8(what)}};
 }
 
 TEST(MessageWriter, WritesCsv)
 {
-    const QString time = afternoon.toOffsetFromUtc(afternoon.offsetFromUtc()).toString(Qt::ISODateWithMs);
+    const QString time = twoOClock.toOffsetFromUtc(twoOClock.offsetFromUtc()).toString(Qt::ISODateWithMs);
     EXPECT_EQ(written(Format::csv, {{.id = MessageId::busStarted},
                                     {.place = DeviceNumber{1, 0},
                                      .severity = Severity::fault,
@@ -41,12 +41,12 @@ TEST(MessageWriter, WritesCsv)
                              "%1,information,,busStarted,\"The bus runs.\"\r\n"
                              "%1,fault,1.0,deviceFault,\"The encoder reports error 3 (IN 86000000).\"\r\n")
                   .arg(time));
-    EXPECT_NE(afternoon.toOffsetFromUtc(7200).toString(Qt::ISODateWithMs), afternoon.toString(Qt::ISODate));
+    EXPECT_NE(twoOClock.toOffsetFromUtc(7200).toString(Qt::ISODateWithMs), twoOClock.toString(Qt::ISODate));
 }
 
 TEST(MessageWriter, DoublesQuotesAndKeepsUtf8)
 {
-    EXPECT_TRUE(written(Format::csv, {training("say \"¼, turn\"")})
+    EXPECT_TRUE(written(Format::csv, {trainingText("say \"¼, turn\"")})
                     .endsWith(QStringLiteral("training,\"say \"\"¼, turn\"\"\"\r\n")));
 }
 
@@ -59,7 +59,7 @@ TEST(MessageWriter, NamesWhatWasRefused)
 
 TEST(MessageWriter, WritesAPage)
 {
-    const QString html = written(Format::html, {training("<script>1 & 2</script>")});
+    const QString html = written(Format::html, {trainingText("<script>1 & 2</script>")});
     EXPECT_TRUE(html.startsWith(QStringLiteral("<!DOCTYPE html>")));
     EXPECT_TRUE(html.contains(QStringLiteral("<td>Bus</td><td>&lt;script&gt;1 &amp; 2&lt;/script&gt;</td>")));
     EXPECT_TRUE(html.contains(QStringLiteral("14:02:00.010</td>")));

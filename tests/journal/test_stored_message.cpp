@@ -7,7 +7,7 @@
 namespace codewheel {
 namespace {
 
-const QDateTime noon(QDate(2026, 3, 1), QTime(12, 0, 0, 7), Qt::UTC);
+const QDateTime noonAndSevenMs(QDate(2026, 3, 1), QTime(12, 0, 0, 7), Qt::UTC);
 
 TEST(StoredMessage, GivesBackEveryMessage)
 {
@@ -16,7 +16,7 @@ TEST(StoredMessage, GivesBackEveryMessage)
                         .severity = Severity::attention,
                         .id = static_cast<MessageId>(i),
                         .arguments = {std::int64_t{3}, Word{0x86000000}, QStringLiteral("x")}};
-        EXPECT_EQ(messageOf(storedMessage(message, noon)), message) << i;
+        EXPECT_EQ(messageOf(storedMessage(message, noonAndSevenMs)), message) << i;
     }
 }
 
@@ -26,7 +26,7 @@ TEST(StoredMessage, GivesBackEveryRefusal)
         Message message{.severity = Severity::attention};
         message.refusal = Refusal{
             RefusalKind::device, static_cast<RefusalId>(i), {Parameter::steps, std::int64_t{-1}, Word{1}}};
-        const StoredMessage stored = storedMessage(message, noon);
+        const StoredMessage stored = storedMessage(message, noonAndSevenMs);
         EXPECT_EQ(messageOf(stored), message) << i;
         EXPECT_EQ(codeOf(stored), refusalKey(static_cast<RefusalId>(i)));
         EXPECT_EQ(messageText(stored), messageText(message));
@@ -40,8 +40,8 @@ TEST(StoredMessage, KeepsCodesAndNoText)
                        .id = MessageId::deviceFault,
                        .arguments = {std::int64_t{3}, Word{0x86000000}},
                        .refusal = Refusal{RefusalKind::device, RefusalId::parametersLost, {}}},
-                      noon);
-    EXPECT_EQ(stored.at, noon.toMSecsSinceEpoch());
+                      noonAndSevenMs);
+    EXPECT_EQ(stored.at, noonAndSevenMs.toMSecsSinceEpoch());
     EXPECT_EQ(stored.code, QStringLiteral("deviceFault"));
     EXPECT_EQ(stored.arguments, QStringLiteral("[3,{\"word\":\"86000000\"}]"));
     EXPECT_EQ(stored.refusal,

@@ -19,7 +19,7 @@ QByteArray wire(const char *text)
 }
 
 // A poll that was sent twice, a typed position, a serial number without an answer, a preset.
-LineRecord example()
+LineRecord recordToReplay()
 {
     LineRecord record;
     record.rows = {{{1ms, Kind::sent, wire("05P")}},          {{2ms, Kind::sent, wire("05P")}},
@@ -37,14 +37,14 @@ const ReplayStep preset{{{5}, esc::Command::writePreset, 1}, QByteArray("")};
 
 TEST(ReplaySteps, AreTheRequestsInTheirOrder)
 {
-    EXPECT_EQ(replaySteps(example(), {.polls = true, .writes = true}),
+    EXPECT_EQ(replaySteps(recordToReplay(), {.polls = true, .writes = true}),
               (std::vector{poll, typed, silent, preset}));
 }
 
 TEST(ReplaySteps, LeaveOutPollsAndWritesUnlessAskedFor)
 {
-    EXPECT_EQ(replaySteps(example(), {}), (std::vector{typed, silent}));
-    EXPECT_EQ(replaySteps(example(), {.writes = true}), (std::vector{typed, silent, preset}));
+    EXPECT_EQ(replaySteps(recordToReplay(), {}), (std::vector{typed, silent}));
+    EXPECT_EQ(replaySteps(recordToReplay(), {.writes = true}), (std::vector{typed, silent, preset}));
 }
 
 TEST(ReplaySteps, KeepTheBlanksOfAVersion)

@@ -6,7 +6,7 @@
 namespace codewheel {
 namespace {
 
-QString fault(const char *text)
+QString faultOf(const char *text)
 {
     const auto request = typedRequest(QString::fromUtf8(text));
     return request ? QString() : request.error();
@@ -52,8 +52,8 @@ TEST(TypedRequest, SaysWhatIsWrong)
         {"02Y3", "3h = 3 is outside"},
     };
     for (const auto &row : rows)
-        EXPECT_TRUE(fault(row.typed).contains(QString::fromUtf8(row.named)))
-            << row.typed << ": " << fault(row.typed).toStdString();
+        EXPECT_TRUE(faultOf(row.typed).contains(QString::fromUtf8(row.named)))
+            << row.typed << ": " << faultOf(row.typed).toStdString();
 }
 
 TEST(TypedRequest, IsKnownAgainByItsBytes)

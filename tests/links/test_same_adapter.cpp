@@ -8,7 +8,7 @@ namespace {
 
 using Kind = AdapterMatch::Kind;
 
-PortInfo adapter(const char *path, const char *serialNumber, const char *usbPath, int product = 0x6001)
+PortInfo plugged(const char *path, const char *serialNumber, const char *usbPath, int product = 0x6001)
 {
     return {.path = QString::fromLatin1(path),
             .serialNumber = QString::fromLatin1(serialNumber),
@@ -17,47 +17,47 @@ PortInfo adapter(const char *path, const char *serialNumber, const char *usbPath
             .product = product};
 }
 
-const PortInfo numbered = adapter("/dev/ttyUSB0", "A50285BI", "1-2:1.0");
-const PortInfo nameless = adapter("/dev/ttyUSB0", "", "1-2:1.0");
+const PortInfo numbered = plugged("/dev/ttyUSB0", "A50285BI", "1-2:1.0");
+const PortInfo pluggedNameless = plugged("/dev/ttyUSB0", "", "1-2:1.0");
 
 TEST(SameAdapter, IsFoundByItsSerialNumberWhereverItIsPluggedIn)
 {
-    const PortInfo elsewhere = adapter("/dev/ttyUSB3", "A50285BI", "3-1.4:1.0");
-    const PortInfo other = adapter("/dev/ttyUSB0", "FT9QZZZZ", "1-2:1.0");
+    const PortInfo elsewhere = plugged("/dev/ttyUSB3", "A50285BI", "3-1.4:1.0");
+    const PortInfo other = plugged("/dev/ttyUSB0", "FT9QZZZZ", "1-2:1.0");
     EXPECT_EQ(sameAdapter(numbered, {other, elsewhere}), (AdapterMatch{Kind::found, {elsewhere}}));
 }
 
 TEST(SameAdapter, WithASerialNumberNoOtherIsTakenNorAskedFor)
 {
     EXPECT_EQ(sameAdapter(numbered, {}), AdapterMatch{});
-    EXPECT_EQ(sameAdapter(numbered, {adapter("/dev/ttyUSB0", "FT9QZZZZ", "1-2:1.0")}), AdapterMatch{});
-    EXPECT_EQ(sameAdapter(numbered, {nameless}), AdapterMatch{});
+    EXPECT_EQ(sameAdapter(numbered, {plugged("/dev/ttyUSB0", "FT9QZZZZ", "1-2:1.0")}), AdapterMatch{});
+    EXPECT_EQ(sameAdapter(numbered, {pluggedNameless}), AdapterMatch{});
     // The same number at another model is another adapter.
-    EXPECT_EQ(sameAdapter(numbered, {adapter("/dev/ttyUSB0", "A50285BI", "1-2:1.0", 0x6015)}),
+    EXPECT_EQ(sameAdapter(numbered, {plugged("/dev/ttyUSB0", "A50285BI", "1-2:1.0", 0x6015)}),
               AdapterMatch{});
 }
 
 TEST(SameAdapter, OfSeveralPortsWithOneSerialNumberTheInterfaceDecides)
 {
-    const PortInfo second = adapter("/dev/ttyUSB1", "A50285BI", "1-2:1.1");
-    const PortInfo firstElsewhere = adapter("/dev/ttyUSB4", "A50285BI", "2-1:1.0");
-    const PortInfo secondElsewhere = adapter("/dev/ttyUSB5", "A50285BI", "2-1:1.1");
+    const PortInfo second = plugged("/dev/ttyUSB1", "A50285BI", "1-2:1.1");
+    const PortInfo firstElsewhere = plugged("/dev/ttyUSB4", "A50285BI", "2-1:1.0");
+    const PortInfo secondElsewhere = plugged("/dev/ttyUSB5", "A50285BI", "2-1:1.1");
     EXPECT_EQ(sameAdapter(second, {firstElsewhere, secondElsewhere}),
               (AdapterMatch{Kind::found, {secondElsewhere}}));
-    const PortInfo twin = adapter("/dev/ttyUSB6", "A50285BI", "4-1:1.1");
+    const PortInfo twin = plugged("/dev/ttyUSB6", "A50285BI", "4-1:1.1");
     EXPECT_EQ(sameAdapter(second, {secondElsewhere, twin}),
               (AdapterMatch{Kind::ask, {secondElsewhere, twin}}));
 }
 
 TEST(SameAdapter, WithoutASerialNumberThePlaceOnUsbDecides)
 {
-    const PortInfo here = adapter("/dev/ttyUSB7", "", "1-2:1.0");
-    const PortInfo there = adapter("/dev/ttyUSB0", "", "1-3:1.0");
-    EXPECT_EQ(sameAdapter(nameless, {there, here}), (AdapterMatch{Kind::found, {here}}));
-    EXPECT_EQ(sameAdapter(nameless, {there}), (AdapterMatch{Kind::ask, {there}}));
-    EXPECT_EQ(sameAdapter(nameless, {numbered}), AdapterMatch{});
-    EXPECT_EQ(sameAdapter(nameless, {adapter("/dev/ttyUSB0", "", "1-2:1.0", 0x6015)}), AdapterMatch{});
-    const PortInfo placeless = adapter("/dev/ttyUSB0", "", "");
+    const PortInfo here = plugged("/dev/ttyUSB7", "", "1-2:1.0");
+    const PortInfo there = plugged("/dev/ttyUSB0", "", "1-3:1.0");
+    EXPECT_EQ(sameAdapter(pluggedNameless, {there, here}), (AdapterMatch{Kind::found, {here}}));
+    EXPECT_EQ(sameAdapter(pluggedNameless, {there}), (AdapterMatch{Kind::ask, {there}}));
+    EXPECT_EQ(sameAdapter(pluggedNameless, {numbered}), AdapterMatch{});
+    EXPECT_EQ(sameAdapter(pluggedNameless, {plugged("/dev/ttyUSB0", "", "1-2:1.0", 0x6015)}), AdapterMatch{});
+    const PortInfo placeless = plugged("/dev/ttyUSB0", "", "");
     EXPECT_EQ(sameAdapter(placeless, {placeless}), (AdapterMatch{Kind::ask, {placeless}}));
 }
 

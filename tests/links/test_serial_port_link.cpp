@@ -23,7 +23,7 @@ using namespace std::chrono_literals;
 constexpr LineSettings usual{};
 
 template <typename T>
-RefusalId idOf(const Result<T> &result)
+RefusalId refusalOf(const Result<T> &result)
 {
     return result ? RefusalId::nothingToDo : result.error().id;
 }
@@ -110,10 +110,10 @@ TEST_F(SerialLink, SetsTheLine)
 TEST_F(SerialLink, TakesAnyBaudRateAndRefusesWhatIsNone)
 {
     open({.baudRate = 12'345});
-    EXPECT_EQ(idOf(m_link.setBaudRate(0)), RefusalId::lineSettingWrong);
-    EXPECT_EQ(idOf(m_link.open({.baudRate = -1})), RefusalId::lineSettingWrong);
-    EXPECT_EQ(idOf(m_link.open({.dataBits = 9})), RefusalId::lineSettingWrong);
-    EXPECT_EQ(idOf(m_link.open({.stopBits = 3})), RefusalId::lineSettingWrong);
+    EXPECT_EQ(refusalOf(m_link.setBaudRate(0)), RefusalId::lineSettingWrong);
+    EXPECT_EQ(refusalOf(m_link.open({.baudRate = -1})), RefusalId::lineSettingWrong);
+    EXPECT_EQ(refusalOf(m_link.open({.dataBits = 9})), RefusalId::lineSettingWrong);
+    EXPECT_EQ(refusalOf(m_link.open({.stopBits = 3})), RefusalId::lineSettingWrong);
 }
 
 TEST_F(SerialLink, InterruptEndsTheReadUnderWayOrTheNext)
@@ -140,24 +140,24 @@ TEST_F(SerialLink, AnUnpluggedPortIsToldOnce)
     open();
     m_pty.unplug();
     const auto gone = m_link.read(m_link.now() + 1h);
-    EXPECT_EQ(idOf(gone), RefusalId::portLost);
+    EXPECT_EQ(refusalOf(gone), RefusalId::portLost);
     EXPECT_EQ(gone.error().arguments, (std::vector<RefusalArgument>{m_link.name()}));
-    EXPECT_EQ(idOf(m_link.read(m_link.now() + 1h)), RefusalId::lineClosed);
-    EXPECT_EQ(idOf(m_link.write("x")), RefusalId::lineClosed);
-    EXPECT_EQ(idOf(m_link.setBaudRate(9'600)), RefusalId::lineClosed);
-    EXPECT_EQ(idOf(m_link.open(usual)), RefusalId::portNotFound);
+    EXPECT_EQ(refusalOf(m_link.read(m_link.now() + 1h)), RefusalId::lineClosed);
+    EXPECT_EQ(refusalOf(m_link.write("x")), RefusalId::lineClosed);
+    EXPECT_EQ(refusalOf(m_link.setBaudRate(9'600)), RefusalId::lineClosed);
+    EXPECT_EQ(refusalOf(m_link.open(usual)), RefusalId::portNotFound);
 }
 
 TEST_F(SerialLink, UnpluggingIsNoticedByAWriteAndDuringARead)
 {
     open();
     m_pty.unplug();
-    EXPECT_EQ(idOf(m_link.write("x")), RefusalId::portLost);
+    EXPECT_EQ(refusalOf(m_link.write("x")), RefusalId::portLost);
     PtyPair second;
     SerialPortLink link(second.path());
     ASSERT_TRUE(link.open(usual));
     const std::jthread other([&] { second.unplug(); });
-    EXPECT_EQ(idOf(link.read(link.now() + 1h)), RefusalId::portLost);
+    EXPECT_EQ(refusalOf(link.read(link.now() + 1h)), RefusalId::portLost);
 }
 
 TEST_F(SerialLink, WhatCameBeforeItWasUnpluggedIsReadFirst)
@@ -170,14 +170,14 @@ TEST_F(SerialLink, WhatCameBeforeItWasUnpluggedIsReadFirst)
     if (words) {
         EXPECT_EQ(*words, "last words");
     }
-    EXPECT_EQ(idOf(words ? m_link.read(m_link.now() + 1h) : words), RefusalId::portLost);
+    EXPECT_EQ(refusalOf(words ? m_link.read(m_link.now() + 1h) : words), RefusalId::portLost);
 }
 
 TEST_F(SerialLink, APortThatIsTakenIsRefused)
 {
     open();
     SerialPortLink second(m_pty.path());
-    EXPECT_EQ(idOf(second.open(usual)), RefusalId::portInUse);
+    EXPECT_EQ(refusalOf(second.open(usual)), RefusalId::portInUse);
     m_link.close();
     EXPECT_TRUE(second.open(usual));
 }
@@ -189,17 +189,17 @@ TEST_F(SerialLink, APortThatIsLockedIsRefused)
         ::open(m_pty.path().toLocal8Bit().constData(), O_RDWR | O_NOCTTY | O_CLOEXEC); // NOLINT(*-vararg)
     ASSERT_GE(other, 0);
     ASSERT_EQ(::flock(other, LOCK_EX | LOCK_NB), 0);
-    EXPECT_EQ(idOf(m_link.open(usual)), RefusalId::portInUse);
+    EXPECT_EQ(refusalOf(m_link.open(usual)), RefusalId::portInUse);
     ::close(other);
     EXPECT_TRUE(m_link.open(usual));
 }
 
 TEST_F(SerialLink, WhatIsNoPortIsRefused)
 {
-    EXPECT_EQ(idOf(SerialPortLink(QStringLiteral("ttyNone7")).open(usual)), RefusalId::portNotFound);
+    EXPECT_EQ(refusalOf(SerialPortLink(QStringLiteral("ttyNone7")).open(usual)), RefusalId::portNotFound);
     for (const char *path : {"/dev/null", "/tmp"}) {
         const auto none = SerialPortLink(QString::fromLatin1(path)).open(usual);
-        ASSERT_EQ(idOf(none), RefusalId::linkFailed) << path;
+        ASSERT_EQ(refusalOf(none), RefusalId::linkFailed) << path;
         EXPECT_TRUE(refusalText(none.error())
                         .endsWith(QString::fromLatin1(path) + QStringLiteral(" is no serial port.")));
     }
@@ -236,7 +236,7 @@ TEST_F(SerialLink, MissingRightsAreToldWithTheGroupAndTheCommand)
         const WithoutRights rights;
         return m_link.open(usual);
     }();
-    ASSERT_EQ(idOf(refused), RefusalId::portNoRights);
+    ASSERT_EQ(refusalOf(refused), RefusalId::portNoRights);
     const std::vector<RefusalArgument> &arguments = refused.error().arguments;
     ASSERT_EQ(arguments.size(), 3U);
     const QString group = std::get<QString>(arguments[1]);

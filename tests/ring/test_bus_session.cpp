@@ -16,15 +16,15 @@ using testing::IsEmpty;
 
 const Word wordA = 0x020000FF;
 const Word wordB = 0x04000001;
-const DeviceNumber first{1, 0};
-const DeviceNumber second{2, 0};
-const DeviceNumber digitalInput{3, 0};
+const DeviceNumber firstPlace{1, 0};
+const DeviceNumber secondPlace{2, 0};
+const DeviceNumber thirdPlace{3, 0};
 
 RingStructure mixedRing()
 {
-    return {{first, 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")},
-            {second, 0x37, 0x0237, 2, 2, {}},
-            {digitalInput, 0xBE, 0x81BE, 1, 0, {}}};
+    return {{firstPlace, 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")},
+            {secondPlace, 0x37, 0x0237, 2, 2, {}},
+            {thirdPlace, 0xBE, 0x81BE, 1, 0, {}}};
 }
 
 // Two encoders, one of them of an unknown make, and a digital input.
@@ -53,8 +53,8 @@ protected:
         QObject::connect(channel(), &WordChannel::refused, m_bus.get(),
                          [this](const Refusal &why) { m_refused.push_back(why.id); });
     }
-    EncoderSession *encoder() const { return m_bus->encoder(first); }
-    WordChannel *channel() const { return m_bus->channel(first); }
+    EncoderSession *encoder() const { return m_bus->encoder(firstPlace); }
+    WordChannel *channel() const { return m_bus->channel(firstPlace); }
     std::vector<MessageId> messages() const
     {
         std::vector<MessageId> ids;
@@ -80,7 +80,7 @@ TEST_F(BusSessionTest, OpeningShowsOutAsReadBackAndSendsNothing)
     EXPECT_FALSE(m_bus->isOperating());
     EXPECT_EQ(m_link->exchanges(), 0);
     EXPECT_EQ(channel()->out(), wordA);
-    EXPECT_THAT(m_bus->devicesWithOut(), ElementsAre(first));
+    EXPECT_THAT(m_bus->devicesWithOut(), ElementsAre(firstPlace));
     m_bus->advance(3);
     EXPECT_EQ(m_link->peerOut()[0], wordA);
     EXPECT_EQ(m_bus->latest().at, std::chrono::milliseconds(3));
@@ -101,11 +101,11 @@ TEST_F(BusSessionTest, ALinkThatDoesNotOpenLeavesNothingRunning)
 TEST_F(BusSessionTest, EncodersAreDescribedByTheirKeyOrByTheirIdCode)
 {
     open(BusSession::Start::watching);
-    EXPECT_THAT(m_bus->numbers(), ElementsAre(first, second, digitalInput));
+    EXPECT_THAT(m_bus->numbers(), ElementsAre(firstPlace, secondPlace, thirdPlace));
     EXPECT_EQ(encoder()->device().key, QStringLiteral("fraba-ocd-ib"));
-    EXPECT_TRUE(m_bus->encoder(second)->device().isGeneric());
-    EXPECT_EQ(m_bus->encoder(digitalInput), nullptr);
-    ASSERT_NE(m_bus->channel(digitalInput), nullptr);
+    EXPECT_TRUE(m_bus->encoder(secondPlace)->device().isGeneric());
+    EXPECT_EQ(m_bus->encoder(thirdPlace), nullptr);
+    ASSERT_NE(m_bus->channel(thirdPlace), nullptr);
     EXPECT_EQ(m_bus->encoder({9, 0}), nullptr);
     EXPECT_EQ(m_bus->channel({9, 0}), nullptr);
 }
@@ -152,7 +152,7 @@ TEST_F(BusSessionTest, WritingIsAnsweredAtOnce)
     EXPECT_THAT(m_refused,
                 ElementsAre(RefusalId::watchOnly, RefusalId::wordHeldByJob, RefusalId::notRunning));
     EXPECT_EQ(channel()->staged(), wordA);
-    EXPECT_EQ(m_bus->channel(digitalInput)->write().error().id, RefusalId::sendingNotSupported);
+    EXPECT_EQ(m_bus->channel(thirdPlace)->write().error().id, RefusalId::sendingNotSupported);
 }
 
 TEST_F(BusSessionTest, ALateRefusalComesAsASignalAndKeepsTheStagedWord)
@@ -188,7 +188,7 @@ TEST_F(BusSessionTest, AJobRunsAndItsEndIsReported)
         out.push_back(row.out);
     EXPECT_THAT(out, ElementsAre(0u, wordA, wordB, 0u));
     EXPECT_EQ(m_messages.back().id, MessageId::wordsSent);
-    EXPECT_EQ(m_messages.back().place, first);
+    EXPECT_EQ(m_messages.back().place, firstPlace);
     EXPECT_EQ(m_messages.back().at, std::chrono::milliseconds(3));
 }
 
@@ -217,8 +217,8 @@ TEST_F(BusSessionTest, ANextJobCanBeStartedWhenOneHasFinished)
 TEST_F(BusSessionTest, AlarmStopEndsTheJobAndZeroesTheRing)
 {
     open(BusSession::Start::operating);
-    m_bus->channel(second)->stage(wordB);
-    ASSERT_TRUE(m_bus->channel(second)->write());
+    m_bus->channel(secondPlace)->stage(wordB);
+    ASSERT_TRUE(m_bus->channel(secondPlace)->write());
     ASSERT_TRUE(encoder()->start(SendWords{{wordA, wordA, wordA, wordA}}));
     m_bus->advance(2);
     m_bus->alarmStop();
@@ -233,11 +233,11 @@ TEST_F(BusSessionTest, OutOfOneDeviceCanBeZeroed)
 {
     m_link->setPeerOut({wordA, wordB, 0});
     open(BusSession::Start::operating);
-    m_bus->zeroOut(second);
-    m_bus->zeroOut(digitalInput);
+    m_bus->zeroOut(secondPlace);
+    m_bus->zeroOut(thirdPlace);
     m_bus->advance(1);
     EXPECT_THAT(m_link->peerOut(), ElementsAre(wordA, 0u, 0u));
-    EXPECT_THAT(m_bus->devicesWithOut(), ElementsAre(first));
+    EXPECT_THAT(m_bus->devicesWithOut(), ElementsAre(firstPlace));
 }
 
 TEST_F(BusSessionTest, ClosingEndsJobsAndTellsSo)

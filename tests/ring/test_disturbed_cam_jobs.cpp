@@ -10,7 +10,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int longEnoughToRestart = 200; // cycles
+constexpr int camRestart = 200; // cycles
 
 // The words are the manual's, literally; the driver has no part in it.
 class ByHand
@@ -106,7 +106,7 @@ protected:
             disturb(*driven);
             ASSERT_TRUE(driven->finish()) << "the job does not end";
             EXPECT_EQ(driven->outcome()->leftIn, driven->state());
-            driven->cycles(longEnoughToRestart);
+            driven->cycles(camRestart);
             EXPECT_EQ(driven->out(), 0u);
             check(*driven);
         }
@@ -164,7 +164,7 @@ TEST_F(DisturbedCams, AWriteIsWhatTheEncoderHas)
     EXPECT_EQ(driven->encoder().eepromWrites(), writesBefore + 2);
     EXPECT_EQ(driven->driver().reading().camProgram, 2u);
     driven->encoder().powerCycle();
-    driven->cycles(longEnoughToRestart);
+    driven->cycles(camRestart);
     ByHand encoder(driven->encoder());
     EXPECT_EQ(encoder.program(2), wanted(2)) << "it was left, and so it is saved";
     EXPECT_EQ(encoder.program(1), wanted(1));

@@ -15,8 +15,8 @@ namespace {
 
 using testing::ElementsAre;
 
-const DeviceNumber first{1, 0};
-const DeviceNumber digitalInput{2, 0};
+const DeviceNumber encoderPlace{1, 0};
+const DeviceNumber inputPlace{2, 0};
 
 // An encoder whose make nobody has named, and a digital input. The encoder stands at 12345 and answers each
 // parameter at once.
@@ -25,7 +25,7 @@ class Naming : public testing::Test
 protected:
     Naming()
         : m_link(new ScriptedLink(
-              RingStructure{{first, 0x37, 0x0237, 2, 2, {}}, {digitalInput, 0xBE, 0x81BE, 1, 0, {}}}))
+              RingStructure{{encoderPlace, 0x37, 0x0237, 2, 2, {}}, {inputPlace, 0xBE, 0x81BE, 1, 0, {}}}))
         , m_bus(std::unique_ptr<ScriptedLink>(m_link), m_catalog,
                 QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC))
     {
@@ -40,7 +40,7 @@ protected:
                          [this](const Message &message) { m_messages.push_back(message); });
         m_bus.advance(3);
     }
-    EncoderSession *encoder() const { return m_bus.encoder(first); }
+    EncoderSession *encoder() const { return m_bus.encoder(encoderPlace); }
 
     ScriptedLink *m_link; // owned by the bus
     const Catalog m_catalog = Catalog::builtIn();
@@ -54,23 +54,23 @@ TEST_F(Naming, GivesTheEncoderTheDriverOfItsMakeAndSendsNothing)
 {
     EXPECT_TRUE(encoder()->device().isGeneric());
     EXPECT_EQ(encoder()->device().find(Parameter::direction), nullptr);
-    ASSERT_TRUE(m_bus.name(first, QStringLiteral("fraba-ocd-ib")));
+    ASSERT_TRUE(m_bus.name(encoderPlace, QStringLiteral("fraba-ocd-ib")));
     EXPECT_EQ(encoder()->device().key, QStringLiteral("fraba-ocd-ib"));
     EXPECT_TRUE(encoder()->can().reads);
     EXPECT_EQ(m_bus.structure()[0].deviceKey, QStringLiteral("fraba-ocd-ib"));
-    EXPECT_THAT(m_named, ElementsAre(first));
+    EXPECT_THAT(m_named, ElementsAre(encoderPlace));
     encoder()->tell(Parameter::startUpMode, 1); // K3: only a driver of FRABA's asks for that
     m_bus.advance(5);
     EXPECT_EQ(encoder()->latest().position, 12345);
     EXPECT_EQ(m_sent.size(), 1u) << "only 00000000 went out";
     ASSERT_FALSE(m_messages.empty());
     EXPECT_EQ(m_messages.back().id, MessageId::deviceNamed);
-    EXPECT_EQ(m_messages.back().place, first);
+    EXPECT_EQ(m_messages.back().place, encoderPlace);
 }
 
 TEST_F(Naming, TheDriverOfTheMakeDoesTheJobsAfterwards)
 {
-    ASSERT_TRUE(m_bus.name(first, QStringLiteral("fraba-ocd-ib")));
+    ASSERT_TRUE(m_bus.name(encoderPlace, QStringLiteral("fraba-ocd-ib")));
     std::optional<Outcome> outcome;
     QObject::connect(encoder(), &EncoderSession::finished, &m_bus,
                      [&](const Outcome &finished) { outcome = finished; });
@@ -85,7 +85,7 @@ TEST_F(Naming, ForgetsWhatWasKnown)
     const QPointer<EncoderSession> before = encoder();
     encoder()->tell(Parameter::steps, 4096);
     ASSERT_TRUE(encoder()->known(Parameter::steps));
-    ASSERT_TRUE(m_bus.name(first, QStringLiteral("baumer-gxp6w")));
+    ASSERT_TRUE(m_bus.name(encoderPlace, QStringLiteral("baumer-gxp6w")));
     EXPECT_TRUE(before.isNull()) << "views let go of the session before";
     m_bus.advance(2);
     EXPECT_FALSE(encoder()->known(Parameter::steps));
@@ -93,9 +93,9 @@ TEST_F(Naming, ForgetsWhatWasKnown)
 
 TEST_F(Naming, CanBeTakenBack)
 {
-    ASSERT_TRUE(m_bus.name(first, QStringLiteral("baumer-gxp6w")));
+    ASSERT_TRUE(m_bus.name(encoderPlace, QStringLiteral("baumer-gxp6w")));
     m_bus.advance(2);
-    ASSERT_TRUE(m_bus.name(first, {}));
+    ASSERT_TRUE(m_bus.name(encoderPlace, {}));
     m_bus.advance(2);
     EXPECT_TRUE(encoder()->device().isGeneric());
     EXPECT_EQ(m_bus.structure()[0].deviceKey, QString());
@@ -104,7 +104,7 @@ TEST_F(Naming, CanBeTakenBack)
 
 TEST_F(Naming, TakesTheResolutionOfTheLabel)
 {
-    ASSERT_TRUE(m_bus.name(first, QStringLiteral("fraba-ocd-ib"), 1, 4096));
+    ASSERT_TRUE(m_bus.name(encoderPlace, QStringLiteral("fraba-ocd-ib"), 1, 4096));
     EXPECT_EQ(encoder()->device().physicalTurns, 1);
     EXPECT_EQ(encoder()->device().physicalStepsPerTurn, 4096);
     EXPECT_EQ(m_catalog.find(u"fraba-ocd-ib")->physicalTurns, 4096);
@@ -112,10 +112,10 @@ TEST_F(Naming, TakesTheResolutionOfTheLabel)
 
 TEST_F(Naming, IsRefusedForAnotherDeviceCode)
 {
-    const auto named = m_bus.name(digitalInput, QStringLiteral("fraba-ocd-ib"));
+    const auto named = m_bus.name(inputPlace, QStringLiteral("fraba-ocd-ib"));
     ASSERT_FALSE(named);
     EXPECT_EQ(named.error().id, RefusalId::deviceCodeDiffers);
-    EXPECT_EQ(m_bus.encoder(digitalInput), nullptr);
+    EXPECT_EQ(m_bus.encoder(inputPlace), nullptr);
     EXPECT_TRUE(m_named.empty());
 }
 
@@ -123,7 +123,7 @@ TEST_F(Naming, IsRefusedWhileAJobRuns)
 {
     ASSERT_TRUE(encoder()->start(SendWords{.words = {0x0200'00FF}, .holdCycles = 50}));
     m_bus.advance(1);
-    const auto named = m_bus.name(first, QStringLiteral("fraba-ocd-ib"));
+    const auto named = m_bus.name(encoderPlace, QStringLiteral("fraba-ocd-ib"));
     ASSERT_FALSE(named);
     EXPECT_EQ(named.error().id, RefusalId::jobRunning);
     EXPECT_TRUE(encoder()->device().isGeneric());
@@ -133,7 +133,7 @@ TEST_F(Naming, InTheMidstOfASignalOfTheSessionIsSafe)
 {
     QObject::connect(encoder(), &EncoderSession::latestChanged, &m_bus, [this] {
         if (encoder()->device().isGeneric()) {
-            EXPECT_TRUE(m_bus.name(first, QStringLiteral("fraba-ocd-ib")));
+            EXPECT_TRUE(m_bus.name(encoderPlace, QStringLiteral("fraba-ocd-ib")));
         }
     });
     m_bus.advance(1);
@@ -149,9 +149,9 @@ TEST_F(Naming, EventsOfTheDriverBeforeAreDropped)
     QObject::connect(&m_bus, &BusSession::named, &m_bus, [&] {
         QObject::connect(encoder(), &EncoderSession::knownChanged, &m_bus, [&] { ++changes; });
     });
-    ASSERT_TRUE(m_bus.channel(first));
-    ASSERT_TRUE(m_bus.name(first, QStringLiteral("fraba-ocd-ib")));
-    ASSERT_TRUE(m_bus.name(first, QStringLiteral("baumer-gxp6w")));
+    ASSERT_TRUE(m_bus.channel(encoderPlace));
+    ASSERT_TRUE(m_bus.name(encoderPlace, QStringLiteral("fraba-ocd-ib")));
+    ASSERT_TRUE(m_bus.name(encoderPlace, QStringLiteral("baumer-gxp6w")));
     m_bus.advance(10);
     EXPECT_EQ(changes, 0);
     EXPECT_EQ(encoder()->device().key, QStringLiteral("baumer-gxp6w"));

@@ -79,8 +79,8 @@ protected:
     Instant m_now{};
 };
 
-const Word wordA = 0x020000FF;
-const Word wordB = 0x04000001;
+const Word firstWord = 0x020000FF;
+const Word secondWord = 0x04000001;
 
 Refusal refusalAt(RefusalId id, const char *place)
 {
@@ -100,24 +100,24 @@ TEST_F(RingRunnerTest, AWrittenWordGoesOutInTheSameCycle)
 {
     makeRing(2);
     startOperating();
-    m_runner->post(command::SetOut{1, wordA});
+    m_runner->post(command::SetOut{1, firstWord});
     cycle();
-    EXPECT_THAT(m_link->peerOut(), ElementsAre(0u, wordA));
+    EXPECT_THAT(m_link->peerOut(), ElementsAre(0u, firstWord));
     EXPECT_THAT(messages(), ElementsAre(MessageId::busStarted, MessageId::operateOn, MessageId::wordWritten));
     const Message written = taken<Message>().back();
     EXPECT_EQ(written.place, (DeviceNumber{2, 0}));
-    EXPECT_EQ(written.arguments, std::vector<RefusalArgument>{wordA});
+    EXPECT_EQ(written.arguments, std::vector<RefusalArgument>{firstWord});
     EXPECT_EQ(written.at, std::chrono::milliseconds(1));
 }
 
 TEST_F(RingRunnerTest, InWatchOutStaysAsItWasReadBack)
 {
-    makeRing(1, {wordB});
+    makeRing(1, {secondWord});
     m_runner->post(command::StartBus{});
-    m_runner->post(command::SetOut{0, wordA});
-    startJob(0, 7, {wordA});
+    m_runner->post(command::SetOut{0, firstWord});
+    startJob(0, 7, {firstWord});
     cycle(3);
-    EXPECT_THAT(m_link->peerOut(), ElementsAre(wordB));
+    EXPECT_THAT(m_link->peerOut(), ElementsAre(secondWord));
     EXPECT_EQ(taken<Message>().back().refusal, refusalAt(RefusalId::watchOnly, "1.0"));
     ASSERT_EQ(taken<Outcome>().size(), 1u);
     EXPECT_EQ(taken<Outcome>()[0].job, 7u);
@@ -129,12 +129,12 @@ TEST_F(RingRunnerTest, OutOfADriverGoesOutOneCycleLater)
     makeRing(1);
     startOperating();
     std::vector<Word> wire;
-    startJob(0, 1, {wordA, wordB});
+    startJob(0, 1, {firstWord, secondWord});
     for (int i = 0; i < 5; ++i) {
         cycle();
         wire.push_back(m_link->peerOut()[0]);
     }
-    EXPECT_THAT(wire, ElementsAre(0u, wordA, wordB, 0u, 0u));
+    EXPECT_THAT(wire, ElementsAre(0u, firstWord, secondWord, 0u, 0u));
     ASSERT_EQ(taken<Outcome>().size(), 1u);
     EXPECT_TRUE(taken<Outcome>()[0].result);
 }
@@ -143,14 +143,14 @@ TEST_F(RingRunnerTest, AJobHoldsItsWordAndNoOther)
 {
     makeRing(2);
     startOperating();
-    startJob(0, 1, {wordA, wordA, wordA});
+    startJob(0, 1, {firstWord, firstWord, firstWord});
     cycle();
     EXPECT_TRUE(shown(0).heldByJob);
-    m_runner->post(command::SetOut{0, wordB});
-    m_runner->post(command::SetOut{1, wordB});
-    startJob(0, 2, {wordB});
+    m_runner->post(command::SetOut{0, secondWord});
+    m_runner->post(command::SetOut{1, secondWord});
+    startJob(0, 2, {secondWord});
     cycle();
-    EXPECT_THAT(m_link->peerOut(), ElementsAre(wordA, wordB));
+    EXPECT_THAT(m_link->peerOut(), ElementsAre(firstWord, secondWord));
     EXPECT_EQ(taken<Message>().at(2).refusal, refusalAt(RefusalId::wordHeldByJob, "1.0"));
     EXPECT_EQ(taken<Outcome>().at(0).result.error(), refusalAt(RefusalId::jobRunning, "1.0"));
 }
@@ -170,7 +170,7 @@ TEST_F(RingRunnerTest, SwitchingToWatchIsRefusedDuringAJob)
 {
     makeRing(1);
     startOperating();
-    startJob(0, 1, {wordA, wordB});
+    startJob(0, 1, {firstWord, secondWord});
     m_runner->post(command::SetOperate{false});
     cycle();
     EXPECT_TRUE(m_runner->takeLatest()->operate);
@@ -181,9 +181,9 @@ TEST_F(RingRunnerTest, AlarmStopZeroesTheWholeRingAndEndsAllJobs)
 {
     makeRing(3);
     startOperating();
-    m_runner->post(command::SetOut{2, wordB});
-    startJob(0, 1, {wordA, wordA, wordA, wordA});
-    startJob(1, 2, {wordA, wordA, wordA, wordA});
+    m_runner->post(command::SetOut{2, secondWord});
+    startJob(0, 1, {firstWord, firstWord, firstWord, firstWord});
+    startJob(1, 2, {firstWord, firstWord, firstWord, firstWord});
     cycle(2);
     m_runner->post(command::AlarmStop{});
     cycle();
@@ -198,7 +198,7 @@ TEST_F(RingRunnerTest, AlarmStopZeroesTheWholeRingAndEndsAllJobs)
 
 TEST_F(RingRunnerTest, AlarmStopWorksInWatch)
 {
-    makeRing(1, {wordB});
+    makeRing(1, {secondWord});
     m_runner->post(command::StartBus{});
     cycle();
     m_runner->post(command::AlarmStop{});
@@ -208,19 +208,19 @@ TEST_F(RingRunnerTest, AlarmStopWorksInWatch)
 
 TEST_F(RingRunnerTest, ZerosOfAnAlarmStopGoOutBeforeAnythingPostedAfterIt)
 {
-    makeRing(1, {wordB});
+    makeRing(1, {secondWord});
     startOperating();
     m_runner->post(command::AlarmStop{});
-    m_runner->post(command::SetOut{0, wordA});
+    m_runner->post(command::SetOut{0, firstWord});
     cycle();
     EXPECT_THAT(m_link->peerOut(), ElementsAre(0u));
     cycle();
-    EXPECT_THAT(m_link->peerOut(), ElementsAre(wordA));
+    EXPECT_THAT(m_link->peerOut(), ElementsAre(firstWord));
 }
 
 TEST_F(RingRunnerTest, AlarmStopWhileStoppedZeroesWhatGoesOutAtTheNextStart)
 {
-    makeRing(1, {wordB});
+    makeRing(1, {secondWord});
     m_runner->post(command::AlarmStop{});
     cycle();
     EXPECT_EQ(shown(0).out, 0u);
@@ -234,26 +234,26 @@ TEST_F(RingRunnerTest, StoppingTheBusEndsJobsAndKeepsTheWordsOnTheWire)
 {
     makeRing(1);
     startOperating();
-    startJob(0, 1, {wordA, wordB});
+    startJob(0, 1, {firstWord, secondWord});
     cycle(2); // wordA is out, wordB would be next
     m_runner->post(command::StopBus{});
     cycle(2);
     EXPECT_EQ(m_link->exchanges(), 2);
-    EXPECT_EQ(shown(0).out, wordA);
+    EXPECT_EQ(shown(0).out, firstWord);
     EXPECT_EQ(taken<Outcome>().at(0).result.error().id, RefusalId::busStopped);
-    m_runner->post(command::SetOut{0, wordB});
+    m_runner->post(command::SetOut{0, secondWord});
     cycle();
     EXPECT_EQ(taken<Message>().back().refusal, refusalAt(RefusalId::notRunning, "1.0"));
     m_runner->post(command::StartBus{});
     cycle();
-    EXPECT_THAT(m_link->peerOut(), ElementsAre(wordA));
+    EXPECT_THAT(m_link->peerOut(), ElementsAre(firstWord));
 }
 
 TEST_F(RingRunnerTest, AFailingLinkIsToldOnceAndJobsEnd)
 {
     makeRing(1);
     startOperating();
-    startJob(0, 1, {wordA, wordB, wordB});
+    startJob(0, 1, {firstWord, secondWord, secondWord});
     cycle(2);
     m_link->failAt(1);
     cycle(5);
@@ -267,7 +267,7 @@ TEST_F(RingRunnerTest, AFailingLinkIsToldOnceAndJobsEnd)
     m_runner->post(command::StartBus{});
     cycle();
     EXPECT_EQ(m_runner->takeLatest()->state, MasterState::run);
-    EXPECT_THAT(m_link->peerOut(), ElementsAre(wordA)) << "a word that never went out is not sent later";
+    EXPECT_THAT(m_link->peerOut(), ElementsAre(firstWord)) << "a word that never went out is not sent later";
 }
 
 TEST_F(RingRunnerTest, AWordThatDidNotGoOutIsNotReportedAsWritten)
@@ -275,7 +275,7 @@ TEST_F(RingRunnerTest, AWordThatDidNotGoOutIsNotReportedAsWritten)
     makeRing(1);
     startOperating();
     m_link->failAt(1);
-    m_runner->post(command::SetOut{0, wordA});
+    m_runner->post(command::SetOut{0, firstWord});
     cycle(2);
     EXPECT_THAT(messages(), ElementsAre(MessageId::busStarted, MessageId::operateOn, MessageId::refused));
     EXPECT_EQ(shown(0).out, 0u);
@@ -305,14 +305,15 @@ TEST_F(RingRunnerTest, ATraceRowIsAChangeOfOutOrStatusNeverOfThePositionAlone)
     m_link->answerWith(
         [&](std::size_t, Word) { return in[static_cast<std::size_t>(m_link->exchanges() - 1)]; });
     cycle(7);
-    m_runner->post(command::SetOut{0, wordA});
+    m_runner->post(command::SetOut{0, firstWord});
     cycle();
     std::vector<std::uint64_t> rows;
     for (const Exchange &row : taken<Exchange>())
         rows.push_back(row.cycle);
     EXPECT_THAT(rows, ElementsAre(1u, 4u, 5u, 6u, 8u));
     const Exchange last = taken<Exchange>().back();
-    EXPECT_EQ(last, (Exchange{8, std::chrono::milliseconds(8), wordA, 0x1005, Mode::position, std::nullopt}));
+    EXPECT_EQ(last,
+              (Exchange{8, std::chrono::milliseconds(8), firstWord, 0x1005, Mode::position, std::nullopt}));
 }
 
 TEST_F(RingRunnerTest, ASnapshotCarriesTheEdgesOfAllCyclesSinceTheOneBefore)
@@ -322,12 +323,12 @@ TEST_F(RingRunnerTest, ASnapshotCarriesTheEdgesOfAllCyclesSinceTheOneBefore)
     m_link->answerWith([this](std::size_t, Word) -> Word { return m_link->exchanges() == 3 ? 0x10 : 0x01; });
     cycle();
     EXPECT_EQ(shown(0).inEdges, 0u) << "the first cycle is no change";
-    m_runner->post(command::SetOut{0, wordA});
+    m_runner->post(command::SetOut{0, firstWord});
     cycle(4);
     const auto device = shown(0);
     EXPECT_EQ(device.in, 0x01u);
     EXPECT_EQ(device.inEdges, 0x11u);
-    EXPECT_EQ(device.outEdges, wordA);
+    EXPECT_EQ(device.outEdges, firstWord);
     EXPECT_FALSE(m_runner->takeLatest());
     cycle();
     EXPECT_EQ(shown(0).inEdges, 0u);
@@ -355,9 +356,9 @@ TEST_F(RingRunnerTest, ADeviceWithoutADriverShowsAndSendsItsWords)
     RingRunner runner(link, ScriptedLink::ringOf(1), std::move(none), {0});
     runner.post(command::StartBus{});
     runner.post(command::SetOperate{true});
-    runner.post(command::SetOut{0, wordA});
+    runner.post(command::SetOut{0, firstWord});
     runner.cycle(Instant{1000});
-    EXPECT_EQ(runner.takeLatest()->devices[0].in, wordA);
+    EXPECT_EQ(runner.takeLatest()->devices[0].in, firstWord);
 }
 
 TEST_F(RingRunnerTest, KnownValuesReachTheDriver)

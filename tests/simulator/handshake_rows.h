@@ -2,6 +2,7 @@
 #pragma once
 
 #include "simulator/simulated_device.h"
+#include "simulator/turning_shaft.h"
 
 #include <cstdio>
 #include <gtest/gtest.h>
@@ -9,6 +10,10 @@
 #include <string>
 
 namespace codewheel {
+
+inline constexpr PhysicalResolution thirteenPlusTwelve{8192, 4096};
+inline constexpr Word pos = 0x0000'3039;    // 12345
+inline constexpr Word pos255 = 0x0000'0180; // floor(12345 x 255 / 8192) = 384
 
 // A row of a manual's table: what stands in OUT and IN, for so many cycles.
 struct HandshakeRow

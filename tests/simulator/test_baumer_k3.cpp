@@ -5,8 +5,6 @@
 namespace codewheel {
 namespace {
 
-constexpr Word pos = 0x0000'3039; // 12345
-
 class BaumerHandshake : public testing::Test
 {
 protected:

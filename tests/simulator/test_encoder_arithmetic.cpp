@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "handshake_rows.h"
 #include "simulator/encoder_arithmetic.h"
 #include "words/position_code.h"
 
@@ -7,8 +8,6 @@
 
 namespace codewheel {
 namespace {
-
-constexpr PhysicalResolution thirteenPlusTwelve{8192, 4096};
 
 // Baumer 5, preset: total 1000, API 300, preset 100 give NPV 800 and PI 100.
 TEST(EncoderArithmetic, PresetInitialisationFindsTheZeroOffset)

@@ -5,9 +5,6 @@
 namespace codewheel {
 namespace {
 
-constexpr PhysicalResolution thirteenPlusTwelve{8192, 4096};
-constexpr Word pos = 0x0000'3039; // 12345
-
 struct ReadOutRow
 {
     Word out;

@@ -5,10 +5,6 @@
 namespace codewheel {
 namespace {
 
-constexpr PhysicalResolution thirteenPlusTwelve{8192, 4096};
-constexpr Word pos = 0x0000'3039;    // 12345
-constexpr Word pos255 = 0x0000'0180; // floor(12345 x 255 / 8192) = 384
-
 class FrabaHandshake : public testing::Test
 {
 protected:

@@ -10,7 +10,6 @@ namespace {
 constexpr PhysicalResolution twelveBit{4096, 1};
 constexpr PhysicalResolution thirteenBit{8192, 1};
 constexpr PhysicalResolution twelvePlusTwelveBit{4096, 4096};
-constexpr PhysicalResolution thirteenPlusTwelveBit{8192, 4096};
 
 struct Row
 {
@@ -31,7 +30,7 @@ TEST(PositionEncoder, ShowsItsRawPosition)
         {twelvePlusTwelveBit, 16'777'215, "00FFFFFF"},
         {twelvePlusTwelveBit, 16'777'216, "00000000"},
         {twelvePlusTwelveBit, -1, "00FFFFFF"},
-        {thirteenPlusTwelveBit, 33'554'431, "01FFFFFF"},
+        {thirteenPlusTwelve, 33'554'431, "01FFFFFF"},
     };
     for (const Row &row : rows) {
         SimulatedPositionEncoder encoder(row.resolution, row.raw);

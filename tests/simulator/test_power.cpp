@@ -7,10 +7,6 @@
 namespace codewheel {
 namespace {
 
-constexpr PhysicalResolution thirteenPlusTwelve{8192, 4096};
-constexpr Word pos = 0x0000'3039;    // 12345
-constexpr Word pos255 = 0x0000'0180; // 384
-
 class Power : public testing::Test
 {
 protected:

@@ -13,7 +13,6 @@
 namespace codewheel {
 namespace {
 
-constexpr PhysicalResolution thirteenPlusTwelve{8192, 4096};
 constexpr int words = 1'000'000;
 constexpr int wordsBetweenRecoveries = 500;
 

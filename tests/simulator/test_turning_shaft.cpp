@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "handshake_rows.h"
 #include "simulator/turning_shaft.h"
 
 #include <gtest/gtest.h>
@@ -6,8 +7,6 @@
 
 namespace codewheel {
 namespace {
-
-constexpr PhysicalResolution thirteenPlusTwelve{8192, 4096};
 
 void advance(TurningShaft &shaft, int cycles)
 {

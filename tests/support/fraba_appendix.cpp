@@ -19,7 +19,7 @@ const std::vector<Word> camMode4096{0x0200'0001, 0x8000'0000, 0x2080'0001};
 const std::vector<Word> preset100{0x0800'0064, 0x8000'0000, 0x0000'0000};
 
 // clang-format off
-const AppendixRow rows[] = {
+const AppendixRow appendixRows[] = {
     {"10.1", "Normal running", "0xxxxxxx", out, Mode::position, nothing, {},
      0x0000'0000, 0x0000'3039, {normalRunning}, at12345, "Normal running", "Running, position 12345"},
     {"10.1", "Normal running", "0xxxxxxx", out, Mode::position, nothing, {},
@@ -208,7 +208,7 @@ const AppendixRow rows[] = {
 
 std::span<const AppendixRow> frabaAppendix()
 {
-    return rows;
+    return appendixRows;
 }
 
 } // namespace codewheel

@@ -20,7 +20,7 @@ std::int64_t rounded(double position, const RulerScale &scale)
     return std::llround(position / static_cast<double>(step)) * step;
 }
 
-Cam drawn(double from, double to, const RulerScale &scale)
+Cam drawnCam(double from, double to, const RulerScale &scale)
 {
     const auto within = [&](double position) {
         return std::clamp<std::int64_t>(rounded(std::floor(position), scale), 0, scale.largest());
@@ -65,7 +65,7 @@ Cam gripMoved(const Cam &cam, CamGrip grip, std::int64_t by, std::int64_t total)
 Cam CamDrag::at(double position, const RulerScale &scale) const
 {
     if (creates)
-        return drawn(from, position, scale);
+        return drawnCam(from, position, scale);
     const std::int64_t total = scale.total();
     const std::int64_t edge =
         grip == CamGrip::stop ? before.start + cam_circle::length(before, total) - 1 : before.start;

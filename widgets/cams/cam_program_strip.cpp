@@ -20,8 +20,8 @@ namespace codewheel {
 namespace {
 
 constexpr int lineHeight = 3; // of a cam in miniature, with the gap below it
-constexpr int markSize = 12;
-constexpr int pale = 110;
+constexpr int stateMarkSize = 12;
+constexpr int paleState = 110;
 
 } // namespace
 
@@ -79,7 +79,7 @@ void CamProgramButton::drawCams(QPainter &painter, const QRectF &room) const
     for (const Cam &cam : program.cam) {
         QColor color = roleColor(cam.active ? Role::setBit : Role::inactive, palette());
         if (!cam.active)
-            color.setAlpha(pale);
+            color.setAlpha(paleState);
         if (!cam_circle::isEmpty(cam))
             for (const auto &stretch : cam_circle::stretches(cam, m_sheet.largest())) {
                 const double left = room.left() + static_cast<double>(stretch.first) * perPosition;
@@ -106,11 +106,12 @@ void CamProgramButton::paintEvent(QPaintEvent *)
     const QRect label(box.left() + grid::unit + 1, box.top(), digit + 2, box.height());
     painter.drawText(label, Qt::AlignCenter, this->text());
     const bool isMarked = m_sheet.differs(m_number).value_or(false);
-    const int right = isMarked ? markSize + grid::unit : grid::unit;
+    const int right = isMarked ? stateMarkSize + grid::unit : grid::unit;
     drawCams(painter, QRectF(box).adjusted(label.right() + grid::unit, 2, -right, -2));
     if (isMarked)
         lineIcon(Icon::attention, Role::attention)
-            .paint(&painter, QRect(box.right() - markSize - 1, box.top() + 2, markSize, markSize));
+            .paint(&painter,
+                   QRect(box.right() - stateMarkSize - 1, box.top() + 2, stateMarkSize, stateMarkSize));
 
     painter.setBrush(Qt::NoBrush);
     if (isChecked())

@@ -10,11 +10,11 @@
 namespace codewheel {
 namespace {
 
-constexpr double radius = 3;
-constexpr int tickHeight = 5;
+constexpr double barRadius = 3;
+constexpr int rulerTick = 5;
 constexpr int smallTickHeight = 3;
 constexpr double narrowestBar = 3;
-constexpr int pale = 70;       // alpha of an active cam that is not on
+constexpr int paleBar = 70;    // alpha of an active cam that is not on
 constexpr int encoderLine = 3; // height
 
 } // namespace
@@ -52,9 +52,9 @@ void CamRulerPainter::drawTick(std::int64_t tick)
     // A number at an end of the ruler stays within it.
     const double left = std::clamp(x(tick) - width / 2.0, 1.0, std::max(1.0, m_ruler.width() - width - 1.0));
     m_painter.setPen(roleColor(Role::inactive, m_palette));
-    m_painter.drawLine(QPointF(x(tick), m_axis - 1 - tickHeight), QPointF(x(tick), m_axis - 1));
+    m_painter.drawLine(QPointF(x(tick), m_axis - 1 - rulerTick), QPointF(x(tick), m_axis - 1));
     m_painter.setPen(m_palette.color(QPalette::WindowText));
-    m_painter.drawText(QRectF(left, 0, width + 1, m_axis - tickHeight - 1), Qt::AlignLeft | Qt::AlignVCenter,
+    m_painter.drawText(QRectF(left, 0, width + 1, m_axis - rulerTick - 1), Qt::AlignLeft | Qt::AlignVCenter,
                        text);
 }
 
@@ -104,11 +104,11 @@ void CamRulerPainter::drawBar(std::size_t number, const cam_circle::Stretch &str
                                                     : Role::inactive,
                                  m_palette);
     QColor fill = rim;
-    fill.setAlpha(isOn ? 255 : cam.active ? pale : 0);
+    fill.setAlpha(isOn ? 255 : cam.active ? paleBar : 0);
     m_painter.setRenderHint(QPainter::Antialiasing);
     m_painter.setBrush(fill);
     m_painter.setPen(QPen(rim, 1.5, cam.active ? Qt::SolidLine : Qt::DashLine));
-    m_painter.drawRoundedRect(bar.adjusted(0.75, 0.75, -0.75, -0.75), radius, radius);
+    m_painter.drawRoundedRect(bar.adjusted(0.75, 0.75, -0.75, -0.75), barRadius, barRadius);
     if (number == m_sheet.current()) {
         if (stretch.hasStart)
             drawEdge(bar, CamGrip::start);
@@ -163,7 +163,7 @@ void CamRulerPainter::drawPosition()
     const QRectF line(middle - 1, m_axis, 2, m_ruler.height() - m_axis);
     if (right - left > line.width()) {
         QColor band = ink;
-        band.setAlpha(pale / 2);
+        band.setAlpha(paleBar / 2);
         m_painter.fillRect(QRectF(left, m_axis, right - left, line.height()), band);
     }
     m_painter.fillRect(line, ink);

@@ -10,7 +10,7 @@
 namespace codewheel {
 namespace {
 
-QString deviceText(const RingStructure &ring, std::optional<std::size_t> place, const Catalog &catalog)
+QString placeText(const RingStructure &ring, std::optional<std::size_t> place, const Catalog &catalog)
 {
     if (!place)
         return {};
@@ -59,8 +59,8 @@ void ComparisonModel::compare(const RingStructure &configured, const RingStructu
             rows.push_back(
                 {.line = i,
                  .kind = line.kind,
-                 .configured = deviceText(configured, line.configured, catalog),
-                 .connected = deviceText(connected, line.connected, catalog),
+                 .configured = placeText(configured, line.configured, catalog),
+                 .connected = placeText(connected, line.connected, catalog),
                  .text = isSame ? QString() : comparisonText(line, configured, connected, catalog)});
     }
     setRows(std::move(rows));

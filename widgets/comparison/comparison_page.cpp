@@ -31,7 +31,7 @@ std::vector<std::size_t> allOf(const Comparison &comparison)
     return lines;
 }
 
-QString nameOf(const KeptConfiguration &kept)
+QString keptName(const KeptConfiguration &kept)
 {
     return kept.fileName.isEmpty() ? ComparisonPage::tr("a configuration without a name") : kept.fileName;
 }
@@ -206,7 +206,7 @@ void ComparisonPage::loadBack()
     plan(m_kept->structure, comparison, allOf(comparison), tr("Load the configuration of the master"));
     m_message->showMessage(Role::running, tr("The ring is planned as the master keeps it: %1, %n devices.",
                                              nullptr, static_cast<int>(m_kept->structure.size()))
-                                              .arg(nameOf(*m_kept)));
+                                              .arg(keptName(*m_kept)));
 }
 
 void ComparisonPage::takeIntoMaster(const std::vector<std::size_t> &lines)
@@ -248,7 +248,7 @@ void ComparisonPage::showKept(const std::optional<KeptConfiguration> &configurat
         codewheel::differences(compareRings(structureOf(m_document.project()), m_kept->structure));
     const QString kept =
         tr("The master keeps %1 with %n devices.", nullptr, static_cast<int>(m_kept->structure.size()))
-            .arg(nameOf(*m_kept));
+            .arg(keptName(*m_kept));
     const QString loaded = others == 0
                                ? tr("Loaded back, it is the project's.")
                                : tr("Loaded back, %n lines differ from the project.", nullptr, others);

@@ -36,7 +36,7 @@ private:
     QString m_html;
 };
 
-QString rangeOf(const ParameterDescription &parameter)
+QString rangeText(const ParameterDescription &parameter)
 {
     if (parameter.choices.empty())
         return QStringLiteral("%1 ... %2")
@@ -165,7 +165,7 @@ void DeviceHtml::addParameters()
     for (const ParameterDescription &parameter : m_device.parameters)
         rows += {parameterName(parameter.parameter),
                  parameter.number ? QString::number(*parameter.number) : QStringLiteral("-"),
-                 rangeOf(parameter), unitText(parameter.unit), parameter.chapter.toString()};
+                 rangeText(parameter), unitText(parameter.unit), parameter.chapter.toString()};
     addTable({tr("Name"), tr("No."), tr("Values"), tr("Unit"), tr("Manual")}, rows);
 }
 

@@ -47,7 +47,7 @@ void drawTrack(QPainter &painter, int track, double inner, double outer)
     }
 }
 
-QPixmap drawn(int diameter, qreal scale, const QPalette &palette)
+QPixmap drawnDisc(int diameter, qreal scale, const QPalette &palette)
 {
     const int side = qFloor(diameter * scale);
     QPixmap picture(side, side);
@@ -79,7 +79,7 @@ const QPixmap &DiscFace::picture(int diameter, qreal scale, const QPalette &pale
     const qreal fineScale = scale * 2; // turned edges stay smooth
     if (m_picture.isNull() || m_picture.width() != qFloor(diameter * fineScale) ||
         !qFuzzyCompare(m_picture.devicePixelRatio(), fineScale))
-        m_picture = drawn(diameter, fineScale, palette);
+        m_picture = drawnDisc(diameter, fineScale, palette);
     return m_picture;
 }
 

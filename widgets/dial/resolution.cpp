@@ -9,18 +9,18 @@
 namespace codewheel {
 namespace {
 
-constexpr int mostDigits = 6;
+constexpr int mostDecimals = 6;
 constexpr int usualDigits = 3; // of a resolution
 
 // Digits after the point until the number is told to a ten-thousandth of itself.
 int digitsFor(double number)
 {
-    for (int digits = usualDigits; digits < mostDigits; ++digits) {
+    for (int digits = usualDigits; digits < mostDecimals; ++digits) {
         const double scale = std::pow(10, digits);
         if (std::abs(std::round(number * scale) / scale - number) <= number * 1e-4)
             return digits;
     }
-    return mostDigits;
+    return mostDecimals;
 }
 
 } // namespace

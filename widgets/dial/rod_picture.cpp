@@ -28,7 +28,7 @@ constexpr int headHeight = 34;
 constexpr int rodHeight = 8;
 constexpr int magnetWidth = 14;
 constexpr int magnetHeight = 26;
-constexpr int tickHeight = 5;
+constexpr int rodTick = 5;
 constexpr int arrowHead = 4;
 constexpr int ticks = 10; // over the measuring length
 
@@ -58,7 +58,7 @@ std::optional<double> magnetPlace(const RodState &state)
 
 int RodPicture::height()
 {
-    return smallLine() + grid::unit + headHeight + tickHeight + smallLine() + grid::unit;
+    return smallLine() + grid::unit + headHeight + rodTick + smallLine() + grid::unit;
 }
 
 QPointF RodPicture::magnetAt(double place) const
@@ -100,7 +100,7 @@ void RodPicture::drawScale(QPainter &painter, const QPalette &palette, const Rod
     painter.setPen(QPen(roleColor(Role::inactive, palette), 1));
     for (int tick = 0; tick <= ticks; ++tick) {
         const double x = std::round(magnetAt(double(tick) / ticks).x()) + 0.5;
-        const int longer = tick % (ticks / 2) == 0 ? tickHeight : tickHeight - 2;
+        const int longer = tick % (ticks / 2) == 0 ? rodTick : rodTick - 2;
         painter.drawLine(QPointF(x, top), QPointF(x, top + longer));
     }
     if (!state.length || !state.countsUpToTheEnd)
@@ -108,7 +108,7 @@ void RodPicture::drawScale(QPainter &painter, const QPalette &palette, const Rod
     painter.setFont(textFont(TextSize::small));
     painter.setPen(palette.color(QPalette::WindowText));
     const QString unit = state.scale ? RodPictureText::tr("mm") : RodPictureText::tr("steps", "unit");
-    const double bottom = top + tickHeight;
+    const double bottom = top + rodTick;
     for (const double share : {0.0, 0.5, 1.0}) {
         const double x = magnetAt(*state.countsUpToTheEnd ? share : 1 - share).x();
         const QString number = scaleNumber(state, share);

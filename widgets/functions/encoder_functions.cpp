@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t startsUpAsK3 = 1; // read-out 9, FRABA manual 10.2
 
-void describe(QAction &action, const char *name, const QString &what, const QKeySequence &key = {})
+void describeAction(QAction &action, const char *name, const QString &what, const QKeySequence &key = {})
 {
     action.setObjectName(QLatin1String(name));
     action.setStatusTip(what);
@@ -35,19 +35,20 @@ EncoderFunctions::EncoderFunctions(QWidget *window)
 {
     m_position->setCheckable(true);
     m_velocity->setCheckable(true);
-    describe(
+    describeAction(
         *m_isInPositionMode, "isInPositionMode",
         tr("Say so where you have made sure of it: in cam mode, the word that sets the position sets a cam. "
            "Nothing is sent."));
-    describe(*m_position, "positionMode", tr("The encoder sends its position; ends velocity and cam mode"),
-             Qt::CTRL | Qt::SHIFT | Qt::Key_M);
-    describe(*m_velocity, "velocityMode",
-             tr("The encoder sends its speed in revolutions per minute instead of its position"),
-             Qt::CTRL | Qt::SHIFT | Qt::Key_V);
-    describe(*m_frabaPreset, "frabaPreset",
-             tr("Sets the position to the programmed preset, as often as wanted; asks first"),
-             Qt::CTRL | Qt::SHIFT | Qt::Key_P);
-    describe(*m_reset, "resetToDefault", tr("Tells what is lost, and asks first"));
+    describeAction(*m_position, "positionMode",
+                   tr("The encoder sends its position; ends velocity and cam mode"),
+                   Qt::CTRL | Qt::SHIFT | Qt::Key_M);
+    describeAction(*m_velocity, "velocityMode",
+                   tr("The encoder sends its speed in revolutions per minute instead of its position"),
+                   Qt::CTRL | Qt::SHIFT | Qt::Key_V);
+    describeAction(*m_frabaPreset, "frabaPreset",
+                   tr("Sets the position to the programmed preset, as often as wanted; asks first"),
+                   Qt::CTRL | Qt::SHIFT | Qt::Key_P);
+    describeAction(*m_reset, "resetToDefault", tr("Tells what is lost, and asks first"));
     connect(m_isInPositionMode, &QAction::triggered, this, &EncoderFunctions::tellPositionMode);
     connect(m_position, &QAction::triggered, this, &EncoderFunctions::goToPositionMode);
     connect(m_velocity, &QAction::triggered, this, &EncoderFunctions::goToVelocityMode);

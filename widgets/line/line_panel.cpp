@@ -18,13 +18,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int usualHeight = 300; // the rest is scrolled to
-
-void setTextOf(QLabel *label, const QString &text)
-{
-    if (label->text() != text)
-        label->setText(text);
-}
+constexpr int linePanelHeight = 300; // the rest is scrolled to
 
 QString characterText(const LineSettings &settings)
 {
@@ -160,15 +154,15 @@ void LinePanel::showState()
     else
         m_state->setState(Role::inactive, tr("Not connected"));
     const QString none = QStringLiteral("\u2013");
-    setTextOf(m_port, m_line ? m_line->linkName() : none);
-    setTextOf(m_rate, m_line ? sentence(tr("%1 Bd, %2"), {QLocale().toString(m_line->settings().baudRate),
-                                                          characterText(m_line->settings())})
-                             : none);
-    setTextOf(m_latency, isConnected ? latencyText(m_line->latest().lowLatency) : none);
-    setTextOf(m_polling, !isConnected ? none : m_line->isPolling() ? tr("runs") : tr("stopped"));
-    setTextOf(m_mode, !isConnected            ? none
-                      : m_line->isOperating() ? tr("Operate: allowed")
-                                              : tr("Watch: only reads are sent"));
+    m_port->setText(m_line ? m_line->linkName() : none);
+    m_rate->setText(m_line ? sentence(tr("%1 Bd, %2"), {QLocale().toString(m_line->settings().baudRate),
+                                                        characterText(m_line->settings())})
+                           : none);
+    m_latency->setText(isConnected ? latencyText(m_line->latest().lowLatency) : none);
+    m_polling->setText(!isConnected ? none : m_line->isPolling() ? tr("runs") : tr("stopped"));
+    m_mode->setText(!isConnected            ? none
+                    : m_line->isOperating() ? tr("Operate: allowed")
+                                            : tr("Watch: only reads are sent"));
 }
 
 void LinePanel::showFigures()
@@ -177,16 +171,16 @@ void LinePanel::showFigures()
     m_figures->show(shown);
     m_dropped->setVisible(shown.droppedRows > 0);
     if (shown.droppedRows > 0)
-        setTextOf(m_dropped,
-                  sentence(tr("%1 rows of the terminal were lost: the window was busy for too long."),
-                           {QLocale().toString(qulonglong{shown.droppedRows})}));
+        m_dropped->setText(
+            sentence(tr("%1 rows of the terminal were lost: the window was busy for too long."),
+                     {QLocale().toString(qulonglong{shown.droppedRows})}));
 }
 
 QSize LinePanel::sizeHint() const
 {
     const QSize content = m_content->sizeHint();
     return {content.width() + verticalScrollBar()->sizeHint().width(),
-            std::min(content.height(), usualHeight)};
+            std::min(content.height(), linePanelHeight)};
 }
 
 } // namespace codewheel

@@ -20,7 +20,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int mostNamed = 10; // writes in the question; the table has all
+constexpr int writesNamed = 10; // writes in the question; the table has all
 
 bool writes(const ReplayStep &step)
 {
@@ -160,11 +160,11 @@ void LineRecordView::askForWrites(const std::vector<ReplayStep> &steps, int writ
 {
     QStringList named;
     for (const ReplayStep &step : steps)
-        if (writes(step) && named.size() < mostNamed)
+        if (writes(step) && named.size() < writesNamed)
             named << sentence(QStringLiteral("%1 (%2)"), {QString::fromLatin1(step.request.text()),
                                                           esc::requestText(step.request, m_options)});
-    if (writeCount > mostNamed)
-        named << tr("and %n more, listed below", nullptr, writeCount - mostNamed);
+    if (writeCount > writesNamed)
+        named << tr("and %n more, listed below", nullptr, writeCount - writesNamed);
     const QString question =
         sentence(tr("%1 of the %2 requests write to encoders: %3."),
                  {QLocale().toString(writeCount), QLocale().toString(static_cast<qulonglong>(steps.size())),

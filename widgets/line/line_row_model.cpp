@@ -10,7 +10,7 @@ namespace codewheel {
 namespace {
 
 // Dropped at once, so that it is seldom.
-constexpr int dropChunk = 5'000;
+constexpr int rowsDropped = 5'000;
 
 bool isSending(const ShownLineRow &row, const esc::Request &request)
 {
@@ -49,8 +49,8 @@ void LineRowModel::add(const esc::LineRow &row)
 {
     m_waiting.push_back(shown({.what = row}));
     if (waiting() > mostRows) {
-        m_waiting.erase(m_waiting.begin(), m_waiting.begin() + dropChunk);
-        m_dropped += dropChunk;
+        m_waiting.erase(m_waiting.begin(), m_waiting.begin() + rowsDropped);
+        m_dropped += rowsDropped;
     }
 }
 
@@ -85,7 +85,7 @@ void LineRowModel::dropOldest()
 {
     if (rowCount() <= mostRows)
         return;
-    const int surplus = std::max(rowCount() - mostRows, dropChunk);
+    const int surplus = std::max(rowCount() - mostRows, rowsDropped);
     removeFirst(surplus);
     m_dropped += static_cast<quint64>(surplus);
 }

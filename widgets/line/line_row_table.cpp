@@ -12,7 +12,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int meaningLetters = 40;
+constexpr int lineMeaningLetters = 40;
 constexpr int shownBytes = 12; // of an answer of 8 digits; of longer ones the tooltip has the rest
 
 } // namespace
@@ -60,7 +60,7 @@ void LineRowTable::setColumnWidths()
     setColumnWidth(LineRowModel::time, numbers.horizontalAdvance(QStringLiteral("00:00:00.000")) + gap);
     setColumnWidth(LineRowModel::kind, word + grid::smallIcon + gap);
     setColumnWidth(LineRowModel::text, numbers.horizontalAdvance(QString(shownBytes, u'W')) + gap);
-    setColumnWidth(LineRowModel::meaning, meaningLetters * texts.averageCharWidth());
+    setColumnWidth(LineRowModel::meaning, lineMeaningLetters * texts.averageCharWidth());
     setColumnWidth(LineRowModel::bytes, numbers.horizontalAdvance(QString(3 * shownBytes, u'0')) + gap);
     verticalHeader()->setDefaultSectionSize(std::max({grid::smallIcon, numbers.height(), texts.height()}) +
                                             grid::unit);

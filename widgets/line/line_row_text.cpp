@@ -8,7 +8,7 @@
 namespace codewheel {
 namespace {
 
-using Kind = esc::LineRow::Kind;
+using RowKind = esc::LineRow::Kind;
 
 constexpr char16_t escapePicture = 0x241B;
 
@@ -20,18 +20,18 @@ ControlCharacters shownControls()
     return hasPictures ? ControlCharacters::pictures : ControlCharacters::numbers;
 }
 
-QIcon rowKindIcon(Kind kind)
+QIcon rowKindIcon(RowKind kind)
 {
     switch (kind) {
-    case Kind::sent:
+    case RowKind::sent:
         return lineIcon(Icon::next);
-    case Kind::answer:
+    case RowKind::answer:
         return lineIcon(Icon::back);
-    case Kind::echo:
+    case RowKind::echo:
         return lineIcon(Icon::refresh, Role::inactive);
-    case Kind::garbage:
+    case RowKind::garbage:
         return lineIcon(Icon::fault, Role::fault);
-    case Kind::late:
+    case RowKind::late:
         break;
     }
     return lineIcon(Icon::attention, Role::attention);

@@ -29,7 +29,7 @@ constexpr int longestTime = 10'000;     // ms
 constexpr int mostRetries = 10;
 constexpr double highestSpeed = 100'000.0;
 
-int milliseconds(Instant time)
+int wholeMilliseconds(Instant time)
 {
     return static_cast<int>(std::chrono::duration_cast<std::chrono::milliseconds>(time).count());
 }
@@ -173,7 +173,7 @@ void LineSettingsForm::makeTimes(QFormLayout &form)
     m_pollInterval =
         addNumber(form, tr("Poll &interval"),
                   tr("Between position requests of one encoder; 10 ms is the shortest of the manual"),
-                  milliseconds(LineWish::shortestInterval), longestInterval);
+                  wholeMilliseconds(LineWish::shortestInterval), longestInterval);
     m_timeOut = addNumber(form, tr("&Time-out"),
                           tr("From the end of a request to the beginning of its answer"), 1, longestTime);
     m_retries = addNumber(form, tr("&Number of retries"),
@@ -315,10 +315,10 @@ void LineSettingsForm::setWish(const LineWish &wish)
     choose(*m_stopBits, wish.line.stopBits);
     m_lowLatency->setChecked(wish.line.lowLatency);
     m_timing = wish.timing;
-    m_pollInterval->setValue(milliseconds(wish.pollInterval));
-    m_timeOut->setValue(milliseconds(wish.timing.answerTimeOut));
+    m_pollInterval->setValue(wholeMilliseconds(wish.pollInterval));
+    m_timeOut->setValue(wholeMilliseconds(wish.timing.answerTimeOut));
     m_retries->setValue(wish.timing.retries);
-    m_quiet->setValue(milliseconds(wish.timing.quietAfterWrite));
+    m_quiet->setValue(wholeMilliseconds(wish.timing.quietAfterWrite));
     m_fractionBits->setValue(wish.fractionBits);
     m_topSpeed->setValue(wish.topSpeed);
 }

@@ -43,7 +43,7 @@ QByteArray drawing(Icon icon, int logicalSize)
                                   "stroke-width=\"" + QByteArray::number(width) + '"');
 }
 
-QPixmap drawn(Icon icon, QSize size, qreal scale, const QColor &color)
+QPixmap drawnIcon(Icon icon, QSize size, qreal scale, const QColor &color)
 {
     QPixmap pixmap(size);
     pixmap.fill(Qt::transparent);
@@ -101,7 +101,7 @@ QPixmap LineIconEngine::scaledPixmap(const QSize &size, QIcon::Mode mode, QIcon:
                                  .arg(ink.rgba(), 8, 16);
     QPixmap found;
     if (!QPixmapCache::find(cacheKey, &found)) {
-        found = drawn(m_icon, size, scale, ink);
+        found = drawnIcon(m_icon, size, scale, ink);
         QPixmapCache::insert(cacheKey, found);
     }
     return found;

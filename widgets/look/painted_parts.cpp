@@ -156,7 +156,7 @@ int PartsAccessible::indexOfChild(const QAccessibleInterface *child) const
     return part != nullptr && part->parent() == this ? part->part() : -1;
 }
 
-QAccessibleInterface *makeInterface(const QString &, QObject *object)
+QAccessibleInterface *makePartsInterface(const QString &, QObject *object)
 {
     const bool hasParts = object != nullptr && dynamic_cast<PaintedParts *>(object) != nullptr;
     return hasParts ? new PartsAccessible(*static_cast<QWidget *>(object)) : nullptr;
@@ -166,7 +166,7 @@ QAccessibleInterface *makeInterface(const QString &, QObject *object)
 
 void installPaintedPartsAccessibility()
 {
-    QAccessible::installFactory(makeInterface); // ignored if it is there already
+    QAccessible::installFactory(makePartsInterface); // ignored if it is there already
 }
 
 void announcePartFocus(QWidget &widget, int part)

@@ -22,7 +22,7 @@ public:
     }
 };
 
-QAccessibleInterface *makeInterface(const QString &className, QObject *object)
+QAccessibleInterface *makeValueInterface(const QString &className, QObject *object)
 {
     auto *widget =
         className == QLatin1String("codewheel::ValueWidget") ? qobject_cast<ValueWidget *>(object) : nullptr;
@@ -34,7 +34,7 @@ QAccessibleInterface *makeInterface(const QString &className, QObject *object)
 ValueWidget::ValueWidget(QWidget *parent)
     : QWidget(parent)
 {
-    QAccessible::installFactory(makeInterface); // ignored if it is there already
+    QAccessible::installFactory(makeValueInterface); // ignored if it is there already
 }
 
 } // namespace codewheel

@@ -31,14 +31,8 @@
 namespace codewheel {
 namespace {
 
-constexpr int usualHeight = 260; // the rest is scrolled to
+constexpr int masterPanelHeight = 260; // the rest is scrolled to
 constexpr int segmentsInSight = 6;
-
-void setTextOf(QLabel *label, const QString &text)
-{
-    if (label->text() != text)
-        label->setText(text);
-}
 
 } // namespace
 
@@ -275,20 +269,20 @@ void MasterPanel::showFault()
 {
     const MasterStatus *master = m_bus.master();
     if (!master) {
-        setTextOf(m_fault, tr("This link does not reach the master."));
+        m_fault->setText(tr("This link does not reach the master."));
         for (QLabel *label : {m_errorCode, m_parameter, m_configuration})
-            setTextOf(label, QStringLiteral("-"));
+            label->setText(QStringLiteral("-"));
         return;
     }
     m_bits->showBits(master->statusBits);
-    setTextOf(m_fault, masterFaultText(*master));
-    setTextOf(m_errorCode, hexCode(master->errorCode, 4));
+    m_fault->setText(masterFaultText(*master));
+    m_errorCode->setText(hexCode(master->errorCode, 4));
     const QString hex = hexCode(master->parameter, 4);
     const auto place = master->faultPlace();
-    setTextOf(m_parameter, place                ? QStringLiteral("%1: %2").arg(hex, faultPlaceText(*place))
-                           : master->isFaulty() ? tr("%1: not located").arg(hex)
-                                                : hex);
-    setTextOf(m_configuration, master->configurationName.value_or(tr("no configuration")));
+    m_parameter->setText(place                ? QStringLiteral("%1: %2").arg(hex, faultPlaceText(*place))
+                         : master->isFaulty() ? tr("%1: not located").arg(hex)
+                                              : hex);
+    m_configuration->setText(master->configurationName.value_or(tr("no configuration")));
 }
 
 void MasterPanel::showReadIn()
@@ -322,7 +316,7 @@ QSize MasterPanel::sizeHint() const
 {
     const QSize content = m_content->sizeHint();
     return {content.width() + verticalScrollBar()->sizeHint().width(),
-            std::min(content.height(), usualHeight)};
+            std::min(content.height(), masterPanelHeight)};
 }
 
 } // namespace codewheel

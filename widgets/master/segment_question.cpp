@@ -12,9 +12,9 @@
 namespace codewheel {
 namespace {
 
-constexpr qsizetype mostNamed = 8;
+constexpr qsizetype devicesNamed = 8;
 
-QString deviceText(const BusSession &bus, const Participant &device)
+QString lostDeviceText(const BusSession &bus, const Participant &device)
 {
     const EncoderSession *encoder = bus.encoder(device.number);
     return QStringLiteral("%1 %2").arg(device.number.toString(),
@@ -23,8 +23,8 @@ QString deviceText(const BusSession &bus, const Participant &device)
 
 QString listText(const QStringList &texts)
 {
-    const QString named = texts.first(std::min(texts.size(), mostNamed)).join(QStringLiteral(", "));
-    const auto more = static_cast<int>(texts.size() - mostNamed);
+    const QString named = texts.first(std::min(texts.size(), devicesNamed)).join(QStringLiteral(", "));
+    const auto more = static_cast<int>(texts.size() - devicesNamed);
     return more > 0 ? MasterPanel::tr("%1 and %n more", nullptr, more).arg(named) : named;
 }
 
@@ -37,7 +37,7 @@ QString segmentQuestion(const BusSession &bus, int segment)
     int withOutputs = 0;
     for (const std::size_t place : placesBehindSegment(bus.structure(), segment)) {
         const Participant &device = bus.structure()[place];
-        devices << deviceText(bus, device);
+        devices << lostDeviceText(bus, device);
         withOutputs += device.outWords > 0 ? 1 : 0;
         if (const WordChannel *channel = bus.channel(device.number); channel && channel->out() != 0)
             outputs << MasterPanel::tr("OUT %1 is %2").arg(device.number.toString(), hexWord(channel->out()));

@@ -14,7 +14,7 @@ namespace codewheel {
 namespace {
 
 constexpr int barHeight = 2 * grid::unit;
-constexpr int tickHeight = 3;
+constexpr int barTick = 3;
 
 } // namespace
 
@@ -63,7 +63,7 @@ QString BarView::valueText() const
 
 QSize BarView::sizeHint() const
 {
-    return {50 * grid::unit, barHeight + tickHeight + 1};
+    return {50 * grid::unit, barHeight + barTick + 1};
 }
 
 QSize BarView::minimumSizeHint() const
@@ -86,7 +86,7 @@ void BarView::paintEvent(QPaintEvent *)
     painter.setPen(rim);
     for (int quarter = 0; quarter <= 4; ++quarter) {
         const int x = quarter * (width() - 1) / 4;
-        painter.drawLine(x, barHeight + 1, x, barHeight + tickHeight);
+        painter.drawLine(x, barHeight + 1, x, barHeight + barTick);
     }
 }
 

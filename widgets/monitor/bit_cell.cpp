@@ -11,8 +11,8 @@ namespace codewheel {
 
 namespace {
 
-constexpr qreal radius = 3;
-constexpr qreal markSize = 5;
+constexpr qreal cellRadius = 3;
+constexpr qreal changeMarkSize = 5;
 
 std::size_t indexOf(BitCell cell)
 {
@@ -45,7 +45,7 @@ private:
     {
         m_painter.setPen(QPen(m_text, 2));
         m_painter.setBrush(Qt::NoBrush);
-        m_painter.drawRoundedRect(m_box, radius + 1, radius + 1);
+        m_painter.drawRoundedRect(m_box, cellRadius + 1, cellRadius + 1);
         m_box.adjust(2.5, 2.5, -2.5, -2.5);
     }
 
@@ -54,12 +54,12 @@ private:
         const QRectF line = m_box.adjusted(0.5, 0.5, -0.5, -0.5);
         m_painter.setBrush(m_palette.color(QPalette::Base));
         m_painter.setPen(Qt::NoPen);
-        m_painter.drawRoundedRect(m_box, radius, radius);
+        m_painter.drawRoundedRect(m_box, cellRadius, cellRadius);
         if (m_cell.set) {
             const qreal inset = m_cell.staged ? 2.5 : 0;
             m_painter.setBrush(m_fill);
-            m_painter.drawRoundedRect(m_box.adjusted(inset, inset, -inset, -inset), radius - inset / 2,
-                                      radius - inset / 2);
+            m_painter.drawRoundedRect(m_box.adjusted(inset, inset, -inset, -inset), cellRadius - inset / 2,
+                                      cellRadius - inset / 2);
         }
         m_painter.setBrush(Qt::NoBrush);
         if (m_cell.staged) {
@@ -67,13 +67,13 @@ private:
             pen.setDashPattern({2, 1.5});
             pen.setCapStyle(Qt::FlatCap);
             m_painter.setPen(pen);
-            m_painter.drawRoundedRect(line, radius, radius);
+            m_painter.drawRoundedRect(line, cellRadius, cellRadius);
         } else if (m_cell.hovered) {
             m_painter.setPen(QPen(m_text, 1.5));
-            m_painter.drawRoundedRect(line, radius, radius);
+            m_painter.drawRoundedRect(line, cellRadius, cellRadius);
         } else if (!m_cell.set) {
             m_painter.setPen(QPen(roleColor(Role::inactive, m_palette), 1));
-            m_painter.drawRoundedRect(line, radius, radius);
+            m_painter.drawRoundedRect(line, cellRadius, cellRadius);
         }
     }
 
@@ -81,7 +81,8 @@ private:
     {
         const qreal inset = m_cell.staged ? 4 : 2;
         const QPointF corner = m_box.topRight() + QPointF(-inset, inset);
-        const std::array points{corner, corner - QPointF(markSize, 0), corner + QPointF(0, markSize)};
+        const std::array points{corner, corner - QPointF(changeMarkSize, 0),
+                                corner + QPointF(0, changeMarkSize)};
         m_painter.setPen(Qt::NoPen);
         m_painter.setBrush(inkOnBox());
         m_painter.drawPolygon(points.data(), static_cast<int>(points.size()));

@@ -27,7 +27,7 @@ const QLatin1String kindKey("kind");
 const QLatin1String highHalfKey("highHalf");
 const QLatin1String displayKey("display");
 
-constexpr std::array allKinds{MonitorKind::in32, MonitorKind::out32, MonitorKind::in16};
+constexpr std::array everyKind{MonitorKind::in32, MonitorKind::out32, MonitorKind::in16};
 
 } // namespace
 
@@ -128,7 +128,7 @@ void MonitorArea::fillAddMenu()
 {
     m_addMenu->clear();
     for (const DeviceNumber number : m_bus.numbers())
-        for (const MonitorKind kind : allKinds) {
+        for (const MonitorKind kind : everyKind) {
             if (!hasWord(number, kind))
                 continue;
             const EncoderSession *encoder = m_bus.encoder(number);
@@ -294,7 +294,7 @@ void MonitorArea::restoreState(const QJsonObject &state)
 {
     closeAll();
     const QJsonObject displays = state.value(displayKey).toObject();
-    for (const MonitorKind kind : allKinds)
+    for (const MonitorKind kind : everyKind)
         if (const QJsonValue display = displays.value(monitorKindText(kind)); display.isObject())
             setDisplay(kind, MonitorDisplay::fromJson(display.toObject()));
     for (const QJsonValue &json : state.value(monitorsKey).toArray()) {

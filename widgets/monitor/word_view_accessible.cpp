@@ -7,7 +7,7 @@ namespace codewheel {
 
 namespace {
 
-QAccessibleInterface *makeInterface(const QString &className, QObject *object)
+QAccessibleInterface *makeWordInterface(const QString &className, QObject *object)
 {
     auto *view =
         className == QLatin1String("codewheel::WordView") ? qobject_cast<WordView *>(object) : nullptr;
@@ -23,7 +23,7 @@ int indexOfBit(const WordView &view, int bit)
 
 void installWordViewAccessibility()
 {
-    QAccessible::installFactory(makeInterface); // ignored if it is there already
+    QAccessible::installFactory(makeWordInterface); // ignored if it is there already
 }
 
 void announceBitFocus(WordView &view, int bit)

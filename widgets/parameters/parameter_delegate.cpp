@@ -17,7 +17,7 @@ namespace codewheel {
 
 namespace {
 
-constexpr int markSize = 12;
+constexpr int warningMarkSize = 12;
 
 QColor inkOf(const QStyleOptionViewItem &option, bool isPale)
 {
@@ -91,8 +91,8 @@ void ParameterDelegate::paint(QPainter *painter, const QStyleOptionViewItem &giv
     if (const QVariant mark = index.data(ParameterModel::detailMarkRole); mark.isValid()) {
         const int width = painter->fontMetrics().horizontalAdvance(detail);
         const auto role = static_cast<Role>(mark.toInt());
-        const QRect place(second.right() - width - markSize - grid::unit, second.center().y() - markSize / 2,
-                          markSize, markSize);
+        const QRect place(second.right() - width - warningMarkSize - grid::unit,
+                          second.center().y() - warningMarkSize / 2, warningMarkSize, warningMarkSize);
         lineIcon(roleIcon(role), role)
             .paint(painter, place, Qt::AlignCenter,
                    option.state.testFlag(QStyle::State_Selected) ? QIcon::Selected : QIcon::Normal);
@@ -108,7 +108,7 @@ QSize ParameterDelegate::sizeHint(const QStyleOptionViewItem &option, const QMod
     const bool isMarked = index.data(ParameterModel::detailMarkRole).isValid();
     const int width = std::max(big.horizontalAdvance(index.data().toString()),
                                small.horizontalAdvance(index.data(ParameterModel::detailRole).toString()) +
-                                   (isMarked ? markSize + grid::unit : 0));
+                                   (isMarked ? warningMarkSize + grid::unit : 0));
     const double factor = option.widget ? controlFactor(*option.widget) : 1;
     const int line = QFontMetrics(textFont()).height();
     const auto *table = qobject_cast<const QTableView *>(option.widget);

@@ -4,6 +4,7 @@
 #include "catalog/value_text.h"
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
+#include "encoder/rod_scale.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/roles.h"
 #include "widgets/parameters/parameter_words.h"
@@ -20,9 +21,8 @@ namespace codewheel {
 
 namespace {
 
-constexpr double micrometresPerMillimetre = 1000;
 constexpr double largestMillimetres = 1e9;
-constexpr int mostDigits = 12;
+constexpr int typedDigits = 12;
 
 // As it is typed: mm for a length that goes in micrometres, the bits of a scaling factor, else a whole
 // number.
@@ -34,7 +34,7 @@ QString inputText(const ParameterDescription &parameter, std::int64_t value)
         return QString::number(value);
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(static_cast<double>(value) / micrometresPerMillimetre, 'g', mostDigits);
+    return locale.toString(static_cast<double>(value) / micrometresPerMillimetre, 'g', typedDigits);
 }
 
 std::optional<std::int64_t> inputNumber(const ParameterDescription &parameter, const QString &text)

@@ -11,7 +11,7 @@ namespace codewheel {
 
 namespace {
 
-bool isWritable(const DeviceDescription &device, Parameter parameter)
+bool canBeWritten(const DeviceDescription &device, Parameter parameter)
 {
     const ParameterDescription *description = device.find(parameter);
     return description != nullptr && description->canBeWritten();
@@ -21,7 +21,7 @@ ParameterValues writable(const DeviceDescription &device, const std::vector<Know
 {
     ParameterValues values;
     for (const Known &one : known)
-        if (isWritable(device, one.parameter))
+        if (canBeWritten(device, one.parameter))
             values.push_back({one.parameter, one.value});
     return values;
 }

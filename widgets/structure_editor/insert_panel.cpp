@@ -42,7 +42,7 @@ std::optional<unsigned> hexByte(QString text)
     return isNumber && value <= 0xFF ? std::optional(value) : std::nullopt;
 }
 
-QString deviceText(const Participant &device, const Catalog &catalog)
+QString offeredText(const Participant &device, const Catalog &catalog)
 {
     return QStringLiteral("%1  (%2)").arg(planName(device, catalog), hexCode(device.deviceCode, 4));
 }
@@ -178,7 +178,7 @@ void InsertPanel::fillCatalog()
 {
     m_devices->clear();
     const auto add = [this](const Participant &device) {
-        const QString text = deviceText(device, m_catalog);
+        const QString text = offeredText(device, m_catalog);
         if (!text.contains(m_search->text().trimmed(), Qt::CaseInsensitive))
             return;
         auto *item = new QListWidgetItem(text, m_devices);

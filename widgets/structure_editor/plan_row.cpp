@@ -8,7 +8,7 @@
 namespace codewheel {
 namespace {
 
-const DeviceDescription *describe(const Participant &participant, const Catalog &catalog)
+const DeviceDescription *descriptionOf(const Participant &participant, const Catalog &catalog)
 {
     const DeviceDescription *named = catalog.find(participant.deviceKey);
     return named ? named : catalog.generic(participant.deviceCode);
@@ -18,7 +18,7 @@ const DeviceDescription *describe(const Participant &participant, const Catalog 
 
 QString planName(const Participant &participant, const Catalog &catalog)
 {
-    if (const DeviceDescription *device = describe(participant, catalog))
+    if (const DeviceDescription *device = descriptionOf(participant, catalog))
         return device->fullName();
     const QString kind = idCodeName(participant.idCode);
     return kind.isEmpty() ? participantName(participant, nullptr) : kind;
@@ -36,7 +36,7 @@ std::vector<PlanRow> planRows(const Project &project, const Catalog &catalog)
     rows.reserve(project.devices.size());
     for (std::size_t place = 0; place < project.devices.size(); ++place) {
         const ProjectDevice &device = project.devices[place];
-        const DeviceDescription *described = describe(device.participant, catalog);
+        const DeviceDescription *described = descriptionOf(device.participant, catalog);
         rows.push_back({.participant = device.participant,
                         .station = device.station,
                         .group = device.group,

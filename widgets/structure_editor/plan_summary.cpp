@@ -17,7 +17,7 @@
 namespace codewheel {
 namespace {
 
-QString milliseconds(MicrosecondsOnTheWire time)
+QString cycleTimeText(MicrosecondsOnTheWire time)
 {
     return QLocale().toString(time.count() / 1000, 'f', 2);
 }
@@ -93,8 +93,8 @@ QString PlanSummary::timesText() const
 {
     const RingLoad load = ringLoad(structureOf(m_document.project()), m_document.project().cableKilometres);
     const auto both = [&](MicrosecondsOnTheWire bit) {
-        return QStringLiteral("%1 / %2").arg(milliseconds(cycleTime(load, bit, CycleTimeForm::g3)),
-                                             milliseconds(cycleTime(load, bit, CycleTimeForm::g4)));
+        return QStringLiteral("%1 / %2").arg(cycleTimeText(cycleTime(load, bit, CycleTimeForm::g3)),
+                                             cycleTimeText(cycleTime(load, bit, CycleTimeForm::g4)));
     };
     return tr("Cycle about %1 ms at 500 kBd, %2 ms at 2 MBd (G3 / G4)")
         .arg(both(bitAt500kBd), both(bitAt2MBd));

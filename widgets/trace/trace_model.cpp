@@ -12,7 +12,7 @@ namespace codewheel {
 namespace {
 
 // Dropped at once, so that it is seldom.
-constexpr int dropChunk = 500;
+constexpr int traceRowsDropped = 500;
 
 } // namespace
 
@@ -43,10 +43,10 @@ void TraceModel::add(const Exchange &exchange, const QDateTime &at)
 void TraceModel::dropOldest()
 {
     if (m_held && waiting() > mostRows) {
-        m_waiting.erase(m_waiting.begin(), m_waiting.begin() + dropChunk);
-        m_dropped += dropChunk;
+        m_waiting.erase(m_waiting.begin(), m_waiting.begin() + traceRowsDropped);
+        m_dropped += traceRowsDropped;
     } else if (!m_held && rowCount() > mostRows) {
-        const int surplus = std::max(rowCount() - mostRows, dropChunk);
+        const int surplus = std::max(rowCount() - mostRows, traceRowsDropped);
         removeFirst(surplus);
         m_dropped += static_cast<quint64>(surplus);
     }

@@ -28,7 +28,7 @@ bool isOnly(const Explanation &explanation, MeaningId id)
     return explanation.isUnique() && explanation.first().id == id;
 }
 
-double milliseconds(Instant duration)
+double inMilliseconds(Instant duration)
 {
     return std::chrono::duration<double, std::milli>(duration).count();
 }
@@ -72,22 +72,23 @@ QString traceTimeText(const TraceRow &row)
 
 QString sinceLastText(const TraceRow &row)
 {
-    return row.sinceLast ? QLocale().toString(milliseconds(*row.sinceLast), 'f', 1) : QString();
+    return row.sinceLast ? QLocale().toString(inMilliseconds(*row.sinceLast), 'f', 1) : QString();
 }
 
 QByteArray traceCsv(const DeviceDescription &device, const std::vector<TraceRow> &rows)
 {
     QString csv = QStringLiteral("time,since_last_ms,cycle,out,in,meaning,remark\r\n");
     for (const TraceRow &row : rows)
-        csv += QStringList{row.at.toString(Qt::ISODateWithMs),
-                           row.sinceLast ? QString::number(milliseconds(*row.sinceLast), 'f', 1) : QString(),
-                           QString::number(row.exchange.cycle),
-                           hexWord(row.exchange.out),
-                           hexWord(row.exchange.in),
-                           quoted(exchangeText(device, row)),
-                           quoted(row.remark)}
-                   .join(QLatin1Char(',')) +
-               QLatin1String("\r\n");
+        csv +=
+            QStringList{row.at.toString(Qt::ISODateWithMs),
+                        row.sinceLast ? QString::number(inMilliseconds(*row.sinceLast), 'f', 1) : QString(),
+                        QString::number(row.exchange.cycle),
+                        hexWord(row.exchange.out),
+                        hexWord(row.exchange.in),
+                        quoted(exchangeText(device, row)),
+                        quoted(row.remark)}
+                .join(QLatin1Char(',')) +
+            QLatin1String("\r\n");
     return csv.toUtf8();
 }
 

@@ -24,7 +24,7 @@ namespace codewheel {
 
 namespace {
 
-constexpr int meaningLetters = 60; // about as long as the sentences of a handshake
+constexpr int traceMeaningLetters = 60; // about as long as the sentences of a handshake
 constexpr int fewestLetters = 20;
 constexpr int remarkWidth = 25 * grid::unit;
 
@@ -218,7 +218,7 @@ void TraceView::fitMeaning()
     for (int column = 0; column < TraceModel::meaning; ++column)
         left -= m_table->columnWidth(column);
     if (left - remarkWidth > fewestLetters * letter)
-        left = std::min(left - remarkWidth, meaningLetters * letter);
+        left = std::min(left - remarkWidth, traceMeaningLetters * letter);
     m_table->setColumnWidth(TraceModel::meaning, std::max(left, fewestLetters * letter));
 }
 

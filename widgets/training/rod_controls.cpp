@@ -24,7 +24,7 @@ constexpr int tenths = 10; // of a mm, the unit of the track
 constexpr int placeDecimals = 2;
 constexpr double fastest = 10'000; // mm/s
 
-QString number(double millimetres)
+QString placeNumber(double millimetres)
 {
     return QLocale().toString(millimetres, 'f', placeDecimals);
 }
@@ -121,7 +121,7 @@ void RodControls::showRod(const TrainingControls::Rod &rod)
 
 void RodControls::showPlace(double millimetres)
 {
-    m_place->setText(number(millimetres));
+    m_place->setText(placeNumber(millimetres));
     if (m_track->isSliderDown())
         return;
     const QSignalBlocker silent(m_track);
@@ -146,7 +146,7 @@ void RodControls::moveTo()
     m_target->interpretText();
     m_controls.moveMagnetTo(m_shown->number, m_target->value());
     m_leftAlone.forget();
-    Q_EMIT acted(tr("Magnet moved to %1 mm.").arg(number(m_target->value())));
+    Q_EMIT acted(tr("Magnet moved to %1 mm.").arg(placeNumber(m_target->value())));
 }
 
 void RodControls::setSpeed(double millimetresPerSecond)
@@ -168,7 +168,7 @@ void RodControls::setInRange(bool inRange)
 void RodControls::tellOfMoving()
 {
     m_leftAlone.forget();
-    Q_EMIT acted(tr("Magnet moved by hand to %1 mm.").arg(number(m_shown->millimetres)));
+    Q_EMIT acted(tr("Magnet moved by hand to %1 mm.").arg(placeNumber(m_shown->millimetres)));
 }
 
 } // namespace codewheel

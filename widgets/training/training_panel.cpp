@@ -29,7 +29,7 @@ using namespace training_fields;
 
 namespace {
 
-constexpr int usualHeight = 260; // the rest is scrolled to
+constexpr int trainingPanelHeight = 260; // the rest is scrolled to
 
 } // namespace
 
@@ -327,7 +327,7 @@ QSize TrainingPanel::sizeHint() const
 {
     const QSize content = m_content->sizeHint();
     return {content.width() + verticalScrollBar()->sizeHint().width(),
-            std::min(content.height(), usualHeight)};
+            std::min(content.height(), trainingPanelHeight)};
 }
 
 } // namespace codewheel

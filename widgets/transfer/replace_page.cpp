@@ -20,7 +20,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int widthWithStepList = 560;
+constexpr int replaceStepsFrom = 560;
 
 } // namespace
 
@@ -116,7 +116,7 @@ void ReplacePage::replace(DeviceNumber number)
     makeSteps();
     auto *middle = static_cast<QHBoxLayout *>(layout()->itemAt(1)->layout());
     middle->insertWidget(0, m_list);
-    m_list->setVisible(width() >= widthWithStepList);
+    m_list->setVisible(width() >= replaceStepsFrom);
     showStep(device);
 }
 
@@ -146,7 +146,7 @@ void ReplacePage::leaveProject()
 void ReplacePage::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    m_list->setVisible(width() >= widthWithStepList);
+    m_list->setVisible(width() >= replaceStepsFrom);
 }
 
 void ReplacePage::showStep(int step)

@@ -29,7 +29,7 @@ const DeviceDescription *deviceAt(const BusSession &bus, DeviceNumber place)
     return encoder ? &encoder->device() : nullptr;
 }
 
-QString nameOf(const QString &device, const QString &station)
+QString lineName(const QString &device, const QString &station)
 {
     const QString name = device.isEmpty() ? TransferLines::tr("not there") : device;
     return station.isEmpty() ? name : QStringLiteral("%1, %2").arg(name, station);
@@ -38,7 +38,7 @@ QString nameOf(const QString &device, const QString &station)
 TransferLine headOf(const EncoderPlan &plan)
 {
     return {.place = plan.place,
-            .what = nameOf(plan.device, plan.station),
+            .what = lineName(plan.device, plan.station),
             .eeprom = plan.isWritten() ? QString::number(plan.eepromWrites) : QString(),
             .tip = transfer_words::summary(plan),
             .canBeChosen = plan.isWritten(),
@@ -111,7 +111,7 @@ void addToStore(std::vector<TransferLine> &lines, const EncoderSession &encoder,
     const EncoderJobs jobs = jobsToStore(encoder, withCams);
     const QString reading = readingText(encoder, jobs);
     lines.push_back({.place = place,
-                     .what = nameOf(encoder.device().fullName(), planned.station),
+                     .what = lineName(encoder.device().fullName(), planned.station),
                      .tip = reading,
                      .canBeChosen = !jobs.jobs.empty() || !allKnown(encoder).empty()});
     lines.push_back(note(place, reading));
@@ -133,7 +133,7 @@ void addHindered(std::vector<TransferLine> &lines, const EncoderSession &encoder
                  const ProjectDevice &planned, const Refusal &why)
 {
     lines.push_back({.place = encoder.number(),
-                     .what = nameOf(encoder.device().fullName(), planned.station),
+                     .what = lineName(encoder.device().fullName(), planned.station),
                      .tip = refusalText(why),
                      .isHindered = true});
     lines.push_back(note(encoder.number(), refusalText(why), true));

@@ -13,7 +13,7 @@
 namespace codewheel {
 namespace {
 
-using Kind = TransferLine::Kind;
+using LineKind = TransferLine::Kind;
 
 bool isNumber(int column)
 {
@@ -24,7 +24,7 @@ QString textOf(const TransferLine &line, int column)
 {
     switch (column) {
     case TransferModel::place:
-        return line.kind == Kind::encoder ? line.place.toString() : QString();
+        return line.kind == LineKind::encoder ? line.place.toString() : QString();
     case TransferModel::what:
         return line.what;
     case TransferModel::now:
@@ -40,21 +40,21 @@ QString textOf(const TransferLine &line, int column)
 
 QFont fontOf(const TransferLine &line, int column)
 {
-    if (column == TransferModel::word && line.kind == Kind::value && !line.isThere)
+    if (column == TransferModel::word && line.kind == LineKind::value && !line.isThere)
         return numberFont();
     QFont font = textFont();
-    font.setBold(line.kind == Kind::encoder && column <= TransferModel::what);
+    font.setBold(line.kind == LineKind::encoder && column <= TransferModel::what);
     return font;
 }
 
 QVariant iconOf(const TransferLine &line, int column)
 {
-    if (column != TransferModel::what || line.kind == Kind::value)
+    if (column != TransferModel::what || line.kind == LineKind::value)
         return line.isHindered && column == TransferModel::what ? lineIcon(Icon::attention, Role::attention)
                                                                 : QVariant();
     if (line.isHindered)
         return lineIcon(Icon::attention, Role::attention);
-    if (line.kind == Kind::note)
+    if (line.kind == LineKind::note)
         return lineIcon(Icon::information);
     return line.isThere ? QVariant(lineIcon(Icon::ok, Role::running)) : QVariant();
 }
@@ -83,7 +83,7 @@ void TransferModel::show(std::vector<TransferLine> lines, Heads heads)
 bool TransferModel::isChosen(DeviceNumber number) const
 {
     const auto line = std::ranges::find_if(rows(), [number](const TransferLine &one) {
-        return one.kind == Kind::encoder && one.place == number;
+        return one.kind == LineKind::encoder && one.place == number;
     });
     if (line == rows().end() || !line->canBeChosen)
         return false;
@@ -119,7 +119,7 @@ std::vector<DeviceNumber> TransferModel::chosen() const
 {
     std::vector<DeviceNumber> numbers;
     for (const TransferLine &line : rows())
-        if (line.kind == Kind::encoder && isChosen(line.place))
+        if (line.kind == LineKind::encoder && isChosen(line.place))
             numbers.push_back(line.place);
     return numbers;
 }
@@ -169,13 +169,14 @@ QVariant TransferModel::cell(const TransferLine &line, int column, int role) con
     case Qt::DisplayRole:
         return textOf(line, column);
     case Qt::CheckStateRole:
-        if (column != place || m_choice == Choice::fixed || line.kind != Kind::encoder || !line.canBeChosen)
+        if (column != place || m_choice == Choice::fixed || line.kind != LineKind::encoder ||
+            !line.canBeChosen)
             return {};
         return isChosen(line.place) ? Qt::Checked : Qt::Unchecked;
     case Qt::ToolTipRole:
         return line.tip;
     case Qt::AccessibleTextRole:
-        return column == place && line.kind == Kind::encoder
+        return column == place && line.kind == LineKind::encoder
                    ? tr("%1 %2").arg(line.place.toString(), line.tip)
                    : textOf(line, column);
     case Qt::TextAlignmentRole:
@@ -183,7 +184,7 @@ QVariant TransferModel::cell(const TransferLine &line, int column, int role) con
     case Qt::FontRole:
         return fontOf(line, column);
     case Qt::ForegroundRole:
-        return line.kind == Kind::value && (line.isThere || !isChosen(line.place))
+        return line.kind == LineKind::value && (line.isThere || !isChosen(line.place))
                    ? QVariant(QGuiApplication::palette().placeholderText())
                    : QVariant();
     case Qt::DecorationRole:

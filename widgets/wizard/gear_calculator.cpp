@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/gear_calculator.h"
 
+#include "words/k3_word.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace codewheel {
 namespace {
 
-constexpr std::int64_t largestTotalRange = 33'554'432; // 25 bit
-constexpr double equallyClose = 1e-9;                  // of a turn's steps
+constexpr double equallyClose = 1e-9; // of a turn's steps
 
 bool isPositive(double number)
 {
@@ -17,7 +18,7 @@ bool isPositive(double number)
 
 std::int64_t mostSteps(const GearLimits &limits, std::int64_t revolutions)
 {
-    std::int64_t most = std::min(limits.maxSteps, largestTotalRange * revolutions / limits.turns);
+    std::int64_t most = std::min(limits.maxSteps, k3::largestTotalRange * revolutions / limits.turns);
     if (limits.physicalStepsPerTurn > 0)
         most = std::min(most, limits.physicalStepsPerTurn * revolutions);
     return most;

@@ -13,7 +13,7 @@
 namespace codewheel {
 namespace {
 
-QString number(double value, int digits)
+QString gearNumber(double value, int digits)
 {
     return QLocale().toString(value, 'g', digits);
 }
@@ -77,8 +77,8 @@ void GearPanel::calculate()
     m_answer->setText(tr("%1 steps in %2 revolutions: %3 mm per step, %4 mm off over %5 mm.")
                           .arg(QLocale().toString(qlonglong{m_result->steps}),
                                QLocale().toString(qlonglong{m_result->revolutions}),
-                               number(m_result->mmPerStep, 6), number(m_result->errorOverTravel, 3),
-                               number(m_result->travel, 7)));
+                               gearNumber(m_result->mmPerStep, 6), gearNumber(m_result->errorOverTravel, 3),
+                               gearNumber(m_result->travel, 7)));
 }
 
 } // namespace codewheel

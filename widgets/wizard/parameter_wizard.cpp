@@ -23,7 +23,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int widthWithStepList = 680; // logical pixels
+constexpr int wizardStepsFrom = 680; // logical pixels
 
 } // namespace
 
@@ -135,7 +135,7 @@ void ParameterWizard::follow(EncoderSession *encoder)
 void ParameterWizard::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    m_stepList->setVisible(width() >= widthWithStepList);
+    m_stepList->setVisible(width() >= wizardStepsFrom);
 }
 
 void ParameterWizard::focusPage()

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
 #include "line/line_encoder_session.h"
 #include "ring/bus_session.h"
 #include "ring/ring_encoder_session.h"
@@ -17,7 +18,6 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QRadioButton>
 #include <QStyledItemDelegate>
 
@@ -25,11 +25,6 @@
 
 namespace codewheel {
 namespace {
-
-QString number(std::int64_t value)
-{
-    return QLocale().toString(qlonglong{value});
-}
 
 // A value takes two sevenths of the table, and more only where a word of it needs it; what is longer stands
 // on several lines.
@@ -138,7 +133,7 @@ void ReviewPage::plan()
     }
     if (const auto position = m_setup.wish.setPositionTo) {
         const auto now = encoder.latest().position;
-        rows.push_back({Parameter::preset, now ? number(*now) : QString(), number(*position),
+        rows.push_back({Parameter::preset, now ? numberText(*now) : QString(), numberText(*position),
                         tr("the position is set to it")});
     }
     m_changes.setRows(std::move(rows));

@@ -2,6 +2,8 @@
 #include "widgets/wizard/rod_consequences.h"
 
 #include "catalog/device_description.h"
+#include "encoder/rod_scale.h"
+#include "encoder/sentence.h"
 #include "widgets/dial/resolution.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -14,16 +16,6 @@
 #include <cmath>
 
 namespace codewheel {
-namespace {
-
-constexpr double micrometresPerMillimetre = 1000;
-
-QString number(std::int64_t value)
-{
-    return QLocale().toString(qlonglong{value});
-}
-
-} // namespace
 
 RodConsequences::RodConsequences(Setup &setup, QWidget *parent)
     : Consequences(setup, parent)
@@ -71,10 +63,10 @@ QString RodConsequences::scaleText() const
         return tr("Positions from 0 to %1. For mm, calculate the measuring length from the length of the "
                   "rod, "
                   "or tell that length under What is known.")
-            .arg(number(*steps));
+            .arg(numberText(*steps));
     const double millimetres = static_cast<double>(*length) / micrometresPerMillimetre;
     return tr("Positions from 0 to %1 over %2 mm: %3.")
-        .arg(number(*steps), QLocale().toString(millimetres, 'g', 7),
+        .arg(numberText(*steps), QLocale().toString(millimetres, 'g', 7),
              resolution(millimetres / static_cast<double>(*steps)));
 }
 
@@ -85,10 +77,10 @@ QString RodConsequences::warning() const
     const auto preset = m_setup.valueAfter(Parameter::externalPreset);
     if (steps && preset && *preset > *steps)
         return tr("The external preset %1 lies beyond the measuring length of %2 steps.")
-            .arg(number(*preset), number(*steps));
+            .arg(numberText(*preset), numberText(*steps));
     if (steps && m_setup.wish.setPositionTo && *m_setup.wish.setPositionTo > *steps)
         return tr("The position to be set, %1, lies beyond the measuring length of %2 steps.")
-            .arg(number(*m_setup.wish.setPositionTo), number(*steps));
+            .arg(numberText(*m_setup.wish.setPositionTo), numberText(*steps));
     return {};
 }
 

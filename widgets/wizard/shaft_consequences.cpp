@@ -2,12 +2,14 @@
 #include "widgets/wizard/shaft_consequences.h"
 
 #include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/models/device_traits.h"
 #include "widgets/wizard/gear_panel.h"
 #include "widgets/wizard/scale_preview.h"
 #include "widgets/wizard/wanted_scale.h"
+#include "words/k3_word.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -15,16 +17,6 @@
 #include <QVBoxLayout>
 
 namespace codewheel {
-namespace {
-
-constexpr std::int64_t largestTotalRange = 33'554'432; // 25 bit
-
-QString number(std::int64_t value)
-{
-    return QLocale().toString(qlonglong{value});
-}
-
-} // namespace
 
 ShaftConsequences::ShaftConsequences(Setup &setup, QWidget *parent)
     : Consequences(setup, parent)
@@ -92,7 +84,7 @@ QString ShaftConsequences::scaleText(const PositionScale &scale) const
 {
     return tr("Resolution %1 steps per turn, total range %2 steps over %3 turns.")
         .arg(QLocale().toString(scale.resolution(), 'f', scale.steps % scale.revolutions == 0 ? 0 : 3),
-             number(scale.total()), number(scale.turns));
+             numberText(scale.total()), numberText(scale.turns));
 }
 
 QString ShaftConsequences::warningFor(const PositionScale &scale) const
@@ -102,9 +94,9 @@ QString ShaftConsequences::warningFor(const PositionScale &scale) const
         return refusalText({RefusalKind::badInput,
                             RefusalId::tooManyStepsPerTurn,
                             {scale.steps, scale.revolutions, scale.physicalStepsPerTurn}});
-    if (scale.total() > largestTotalRange)
+    if (scale.total() > k3::largestTotalRange)
         return refusalText(
-            {RefusalKind::badInput, RefusalId::totalRangeTooLarge, {scale.total(), largestTotalRange}});
+            {RefusalKind::badInput, RefusalId::totalRangeTooLarge, {scale.total(), k3::largestTotalRange}});
     for (const Parameter parameter : {Parameter::preset, Parameter::offset})
         if (const auto value = m_setup.valueAfter(parameter);
             value && *value >= scale.total() && !isOnLine(m_setup.encoder->device()))
@@ -118,12 +110,13 @@ QString ShaftConsequences::warningFor(const PositionScale &scale) const
         return tr("The position will jump: the measuring range of %1 turns does not divide the %2 turns of "
                   "the "
                   "encoder. Where those are used up, it goes from %3 to 0.")
-            .arg(number(scale.turns), number(scale.physicalTurns), number(lastPositionBeforeWrap(scale)));
+            .arg(numberText(scale.turns), numberText(scale.physicalTurns),
+                 numberText(lastPositionBeforeWrap(scale)));
     case WrapJump::totalIsNotWhole:
         return tr("The position will jump a little: %1 steps in %2 revolutions give no whole number of steps "
                   "over "
                   "%3 turns. A fraction of a step is lost each time they are used up.")
-            .arg(number(scale.steps), number(scale.revolutions), number(scale.turns));
+            .arg(numberText(scale.steps), numberText(scale.revolutions), numberText(scale.turns));
     }
     return {};
 }

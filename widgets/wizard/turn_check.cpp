@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/turn_check.h"
 
+#include "words/k3_word.h"
+
 namespace codewheel {
-namespace {
-
-constexpr std::int64_t largestTotalRange = 33'554'432; // 25 bit
-
-} // namespace
 
 void TurnCheck::begin(std::optional<std::int64_t> totalRange)
 {
     *this = {};
-    m_total = totalRange.value_or(largestTotalRange);
+    m_total = totalRange.value_or(k3::largestTotalRange);
 }
 
 void TurnCheck::take(std::int64_t position)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/cams/cam_test.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/cams/cam_document.h"
 
 #include <QSignalSpy>
@@ -7,10 +8,9 @@
 namespace codewheel {
 namespace {
 
+using test::fraba;
 using test::manualCam;
 using test::manualValue;
-
-constexpr DeviceNumber fraba{1, 0};
 
 CamProgram programWith(unsigned number, std::size_t cam, const Cam &value)
 {

@@ -15,10 +15,10 @@ QAbstractButton *buttonNamed(const QWidget &parent, const QString &name)
     return nullptr;
 }
 
-class Message : public testing::Test
+class InlineMessages : public testing::Test
 {
 protected:
-    Message()
+    InlineMessages()
     {
         window.resize(600, 100);
         window.show();
@@ -29,7 +29,7 @@ protected:
     QString sentence = QStringLiteral("The word has 9 digits. At most 8 fit.");
 };
 
-TEST_F(Message, IsNotThereUntilThereIsSomethingToSay)
+TEST_F(InlineMessages, IsNotThereUntilThereIsSomethingToSay)
 {
     EXPECT_FALSE(message.isVisible());
     message.showMessage(Role::fault, sentence);
@@ -39,7 +39,7 @@ TEST_F(Message, IsNotThereUntilThereIsSomethingToSay)
               QStringLiteral("Fault: ") + sentence);
 }
 
-TEST_F(Message, GoesWithItsCause)
+TEST_F(InlineMessages, GoesWithItsCause)
 {
     const QSignalSpy closed(&message, &InlineMessage::closed);
     message.showMessage(Role::fault, sentence);
@@ -49,7 +49,7 @@ TEST_F(Message, GoesWithItsCause)
     EXPECT_TRUE(closed.isEmpty());
 }
 
-TEST_F(Message, InANarrowPanelTheButtonStandsBelowTheSentence)
+TEST_F(InlineMessages, InANarrowPanelTheButtonStandsBelowTheSentence)
 {
     auto *column = new QVBoxLayout(&window);
     column->setContentsMargins(0, 0, 0, 0);
@@ -73,7 +73,7 @@ TEST_F(Message, InANarrowPanelTheButtonStandsBelowTheSentence)
     EXPECT_FALSE(isBelow(600));
 }
 
-TEST_F(Message, CanBeClosed)
+TEST_F(InlineMessages, CanBeClosed)
 {
     const QSignalSpy closed(&message, &InlineMessage::closed);
     message.showMessage(Role::attention, sentence);
@@ -84,7 +84,7 @@ TEST_F(Message, CanBeClosed)
     EXPECT_EQ(closed.size(), 1);
 }
 
-TEST_F(Message, OffersWhatHelps)
+TEST_F(InlineMessages, OffersWhatHelps)
 {
     const QSignalSpy triggered(&message, &InlineMessage::actionTriggered);
     message.showMessage(Role::attention, sentence, QStringLiteral("Operate"));

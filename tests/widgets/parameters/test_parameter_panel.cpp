@@ -4,6 +4,7 @@
 #include "ring/bus_session.h"
 #include "simulator/training_bus.h"
 #include "tests/support/model_tester.h"
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
 #include "widgets/parameters/parameter_model.h"
@@ -16,8 +17,8 @@
 namespace codewheel {
 namespace {
 
-constexpr DeviceNumber fraba{1, 0};
-constexpr DeviceNumber baumer{2, 0};
+using test::baumer;
+using test::fraba;
 
 class Parameters : public testing::Test
 {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/training_bus_session.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/project/project_document.h"
 
 namespace codewheel {
 namespace {
 
-constexpr DeviceNumber fraba{1, 0};
-constexpr DeviceNumber baumer{2, 0};
+using test::baumer;
+using test::fraba;
 
 TEST(WantedValues, AreKeptForEachDevice)
 {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/rod_bus.h"
 #include "widgets/training/training_panel.h"
 
 namespace codewheel {
 namespace {
 
 constexpr DeviceNumber k1{3, 0};
-constexpr DeviceNumber rodPlace{5, 0};
+using test::rodPlace;
 
 // A ring of a single-turn encoder without parameters and a rod, that does at once what it is told.
 class RodRing final : public TrainingControls
