@@ -10,6 +10,11 @@ target_compile_definitions(codewheel_options INTERFACE
 target_compile_options(codewheel_options INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${CODEWHEEL_WERROR}>:-Werror>)
 
+# clang takes a name that another source of the same unit has for one that is hidden; GCC looks after those.
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    target_compile_options(codewheel_options INTERFACE -Wno-shadow)
+endif()
+
 if(CODEWHEEL_SANITIZERS)
     target_compile_options(codewheel_options INTERFACE
         -fsanitize=${CODEWHEEL_SANITIZERS} -fno-omit-frame-pointer -fno-sanitize-recover=all)
@@ -17,6 +22,8 @@ if(CODEWHEEL_SANITIZERS)
 endif()
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
     target_compile_options(codewheel_options INTERFACE -fstack-protector-strong -D_FORTIFY_SOURCE=2)
+    # GCC 12 sees bounds and uninitialized values wrongly where much is inlined; the dev build keeps both warnings.
+    target_compile_options(codewheel_options INTERFACE -Wno-array-bounds -Wno-maybe-uninitialized)
     target_link_options(codewheel_options INTERFACE -Wl,-z,relro,-z,now)
 endif()
 
@@ -24,18 +31,23 @@ endif()
 function(codewheel_library name)
     add_library(${name} STATIC)
     target_link_libraries(${name} PUBLIC codewheel_options ${ARGN})
-    if(CODEWHEEL_SANITIZERS)
-        codewheel_precompile(${name} ${ARGN})
+    if("Qt6::Widgets" IN_LIST ARGN OR "codewheel_widgets" IN_LIST ARGN)
+        target_precompile_headers(${name} REUSE_FROM codewheel_gui_pch)
+    else()
+        target_precompile_headers(${name} REUSE_FROM codewheel_pch)
     endif()
 endfunction()
 
-# Sanitizers double what a file takes to compile; precompiled headers give that back. The other builds go without, so that
-# they show which file lacks an include of its own.
-function(codewheel_precompile name)
-    set(qt <QtCore>)
-    if("Qt6::Widgets" IN_LIST ARGN OR "codewheel_widgets" IN_LIST ARGN)
-        set(qt <QtWidgets>)
-    endif()
-    target_precompile_headers(${name} PRIVATE
-        ${qt} <algorithm> <array> <functional> <map> <memory> <optional> <span> <variant> <vector> <tl/expected.hpp>)
+# codewheel_precompiled(NAME LIBRARY HEADERS...): carries headers that are compiled once, for all targets that reuse them.
+function(codewheel_precompiled name library)
+    file(GENERATE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp" CONTENT "")
+    add_library(${name} OBJECT "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+    target_link_libraries(${name} PRIVATE codewheel_options ${library})
+    target_precompile_headers(${name} PRIVATE ${ARGN})
+    set_target_properties(${name} PROPERTIES AUTOMOC OFF UNITY_BUILD OFF)
 endfunction()
+
+set(codewheel_std_headers <algorithm> <array> <functional> <map> <memory> <optional> <span> <variant> <vector>
+    <tl/expected.hpp>)
+codewheel_precompiled(codewheel_pch "Qt6::Core;tl::expected" <QtCore> ${codewheel_std_headers})
+codewheel_precompiled(codewheel_gui_pch "Qt6::Widgets;tl::expected" <QtWidgets> ${codewheel_std_headers})
