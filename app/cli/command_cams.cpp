@@ -152,6 +152,7 @@ Checked<void> checkCamFileIsFree(const Arguments &arguments)
 std::vector<unsigned> numbersOf(const std::vector<CamProgram> &programs)
 {
     std::vector<unsigned> numbers;
+    numbers.reserve(programs.size());
     for (const CamProgram &program : programs)
         numbers.push_back(program.number);
     return numbers;

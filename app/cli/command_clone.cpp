@@ -63,6 +63,7 @@ Checked<Answer> runClone(const Call &call)
     if (const auto read = readFirst(call, **from); !read)
         return tl::unexpected(read.error());
     std::vector<TransferWish> wishes;
+    wishes.reserve(targets.size());
     for (const EncoderSession *to : targets)
         wishes.push_back(wishToClone(**from, *to, call.arguments.has("--cams")));
     if (wishes.front().values.empty())

@@ -113,7 +113,7 @@ Checked<LinkWish> checkLink(const Subcommand &command, const Arguments &argument
         isLineOfProject(typed) ? projectNamed(arguments) : Checked<std::optional<Project>>(std::nullopt);
     if (!project)
         return tl::unexpected(project.error());
-    const auto link = linkMeant(typed, *project ? &**project : nullptr);
+    auto link = linkMeant(typed, *project ? &**project : nullptr);
     if (!link || link->hasRing || !needsBus(command, arguments))
         return link;
     if (command.whyNotOnLine != nullptr)

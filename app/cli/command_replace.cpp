@@ -123,7 +123,7 @@ Checked<void> putIntoProject(const Call &call, const ProjectDevice &planned, con
         if (device.participant.number == planned.participant.number)
             device = replaced(planned, now, position);
     const QString file = *call.arguments.value("--project");
-    if (const auto saved = saveUnlessChanged(project, file, projectMark(*call.project)); !saved)
+    if (auto saved = saveUnlessChanged(project, file, projectMark(*call.project)); !saved)
         return saved;
     if (call.ledger != nullptr)
         call.ledger->setLabel(planned.participant.number, now.serialNumber);

@@ -137,13 +137,12 @@ QString valueText(const ParameterDescription &parameter, std::int64_t value,
 {
     if (isOpcRegister(parameter.parameter))
         return hexWord(static_cast<Word>(value)).right(registerDigits) + u'h';
-    if (const QString text = escText(parameter, value, options); !text.isEmpty())
+    if (QString text = escText(parameter, value, options); !text.isEmpty())
         return text;
     const double divisor = divisorOf(parameter.unit);
     const int decimals = parameter.unit == Unit::micrometres ? 3 : 1;
-    const QString number = divisor > 1
-                               ? QLocale().toString(static_cast<double>(value) / divisor, 'f', decimals)
-                               : QLocale().toString(qlonglong{value});
+    QString number = divisor > 1 ? QLocale().toString(static_cast<double>(value) / divisor, 'f', decimals)
+                                 : QLocale().toString(qlonglong{value});
     const QString name = choiceName(parameter, value);
     if (name == QString::number(value)) // a baud rate has no other name than its number
         return number;

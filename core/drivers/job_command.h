@@ -36,7 +36,7 @@ struct SetKnown
 using JobCommand = std::variant<command::StartJob, command::Proceed, command::Cancel, command::SetKnown>;
 
 // How a job ended that was not taken.
-inline Outcome notTaken(JobId job, Refusal why, EncoderState leftIn)
+inline Outcome notTaken(JobId job, const Refusal &why, EncoderState leftIn)
 {
     Outcome outcome;
     outcome.job = job;

@@ -108,6 +108,7 @@ void appendAfterwards(K3Steps &steps, const SwitchMode &afterwards)
 std::vector<unsigned> numbersOf(const std::vector<CamProgram> &programs)
 {
     std::vector<unsigned> numbers;
+    numbers.reserve(programs.size());
     for (const CamProgram &program : programs)
         numbers.push_back(program.number);
     return numbers;

@@ -59,7 +59,7 @@ std::uint16_t diagnosticParameterOf(const FaultPlace &place)
 
 QString faultPlaceText(const FaultPlace &place)
 {
-    const QString number = place.number.toString();
+    QString number = place.number.toString();
     switch (place.spot) {
     case FaultSpot::outgoingRemoteBus:
         return sentence(translated(QT_TRANSLATE_NOOP("BusFault", "outgoing remote bus of %1")), {number});

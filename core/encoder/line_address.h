@@ -15,6 +15,8 @@ struct LineAddress
 {
     std::uint8_t value = 0;
 
+    // clang-tidy 14 takes the 0 in a defaulted <=> for a null pointer.
+    // NOLINTNEXTLINE(modernize-use-nullptr)
     friend constexpr auto operator<=>(const LineAddress &, const LineAddress &) = default;
 
     static constexpr std::uint8_t last = 31;

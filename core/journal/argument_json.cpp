@@ -72,7 +72,7 @@ QJsonArray argumentsToJson(const std::vector<RefusalArgument> &arguments)
 std::vector<RefusalArgument> argumentsFromJson(const QJsonArray &json)
 {
     std::vector<RefusalArgument> arguments;
-    for (const QJsonValue &value : json)
+    for (const QJsonValue value : json)
         arguments.push_back(argumentFromJson(value));
     return arguments;
 }

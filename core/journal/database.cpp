@@ -246,7 +246,7 @@ Stored<qint64> Database::number(const QString &sql) const
 QString putAside(const QString &path)
 {
     const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
-    const QString aside = QStringLiteral("%1.damaged-%2").arg(path, stamp);
+    QString aside = QStringLiteral("%1.damaged-%2").arg(path, stamp);
     if (!QFile::rename(path, aside))
         return {};
     for (const QString &suffix : {QStringLiteral("-wal"), QStringLiteral("-shm")})

@@ -84,7 +84,7 @@ QString toJson(const ParameterValues &values)
 std::vector<Ledger::Value> valuesFrom(const QString &text)
 {
     std::vector<Ledger::Value> values;
-    for (const QJsonValue &element : QJsonDocument::fromJson(text.toUtf8()).array()) {
+    for (const QJsonValue element : QJsonDocument::fromJson(text.toUtf8()).array()) {
         const QJsonObject json = element.toObject();
         if (const auto parameter = parameterFromKey(json.value(parameterName).toString()))
             values.push_back({*parameter, json.value(valueName).toInteger(),

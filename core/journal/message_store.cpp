@@ -74,7 +74,7 @@ void MessageStore::run(const std::stop_token &stop)
             failed(*reported);
         const std::size_t count = batch.size();
         if (count > 0) {
-            write(std::move(batch));
+            write(batch);
             dropOldest();
         }
         const std::lock_guard lock(m_mutex);
@@ -147,7 +147,7 @@ void MessageStore::give(DatabasePlace place)
     m_committed.notify_all();
 }
 
-void MessageStore::write(Batch batch)
+void MessageStore::write(const Batch &batch)
 {
     if (!m_table)
         return;

@@ -50,7 +50,7 @@ private:
     Stored<void> openFile();
     void openMemory(const Batch &newest);
     void give(DatabasePlace place);
-    void write(Batch batch);
+    void write(const Batch &batch);
     void failed(const DatabaseError &error);
     void dropOldest();
     void tell(MessageId id, Severity severity, std::vector<RefusalArgument> arguments);

@@ -73,7 +73,7 @@ LineRecord LineRecordReader::read(const JsonObject &json)
 QByteArray LineRecordReader::bytesOf(const JsonObject &json)
 {
     const QByteArray hex = json.text("bytes").toLatin1();
-    const QByteArray bytes = QByteArray::fromHex(hex);
+    QByteArray bytes = QByteArray::fromHex(hex);
     // fromHex() skips what it does not know.
     if (bytes.toHex(' ').toUpper() != hex)
         json.report("bytes", tr("Bytes are expected here, as in \"1B 30 35 50 0D 0A\"."));

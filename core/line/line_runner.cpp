@@ -223,7 +223,7 @@ void LineRunner::Private::publish()
             shown.reading = device.driver->reading();
             shown.hasJob = device.driver->busy();
         }
-        made->devices.push_back(std::move(shown));
+        made->devices.push_back(shown);
     }
     const std::scoped_lock lock(latestMutex);
     latest = std::move(made);

@@ -79,7 +79,7 @@ QString rowKindWord(RowKind kind)
 std::optional<esc::Answer> answerIn(const QByteArray &bytes, esc::Command command)
 {
     const esc::CommandShape &shape = esc::shapeOf(command);
-    if (const auto wordless = esc::wordlessAnswer(bytes, shape))
+    if (auto wordless = esc::wordlessAnswer(bytes, shape))
         return wordless;
     const auto frames = esc::valuesIn(bytes, shape);
     if (frames.size() != 1 || frames.front().size() != bytes.size())

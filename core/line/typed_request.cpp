@@ -42,12 +42,12 @@ private:
 
 QString TypedParts::fault() const
 {
-    if (const QString wrong = addressFault(); !wrong.isEmpty())
+    if (QString wrong = addressFault(); !wrong.isEmpty())
         return wrong;
-    if (const QString wrong = commandFault(); !wrong.isEmpty())
+    if (QString wrong = commandFault(); !wrong.isEmpty())
         return wrong;
     const esc::CommandShape &shape = esc::shapeOf(*esc::commandOf(m_letters.toLatin1()));
-    if (const QString wrong = dataFault(shape); !wrong.isEmpty())
+    if (QString wrong = dataFault(shape); !wrong.isEmpty())
         return wrong;
     return shape.writes ? valueFault(shape) : QString();
 }

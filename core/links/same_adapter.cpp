@@ -34,7 +34,7 @@ AdapterMatch bySerialNumber(const PortInfo &wanted, const std::vector<PortInfo> 
         those(sameModel, [&](const PortInfo &port) { return port.serialNumber == wanted.serialNumber; });
     const auto sameInterface =
         those(same, [&](const PortInfo &port) { return interfaceOf(port) == interfaceOf(wanted); });
-    return matchOf(sameInterface.empty() ? std::move(same) : sameInterface);
+    return matchOf(sameInterface.empty() ? same : sameInterface);
 }
 
 AdapterMatch byPlace(const PortInfo &wanted, const std::vector<PortInfo> &sameModel)

@@ -141,7 +141,7 @@ DeviceLabel ProjectReader::readLabel(const JsonObject &json)
 // Without its time nobody can tell whether the shaft still stands there.
 LastPosition ProjectReader::readLastPosition(const JsonObject &json)
 {
-    const LastPosition last{json.number("position"), readTime(json)};
+    LastPosition last{json.number("position"), readTime(json)};
     if (!json.has("at"))
         json.report("at", tr("A time such as \"2026-03-01T14:02:00.000Z\" is expected here (UTC)."));
     return last;
@@ -150,7 +150,7 @@ LastPosition ProjectReader::readLastPosition(const JsonObject &json)
 QDateTime ProjectReader::readTime(const JsonObject &json)
 {
     const QString text = json.freeText("at");
-    const QDateTime at = QDateTime::fromString(text, Qt::ISODateWithMs);
+    QDateTime at = QDateTime::fromString(text, Qt::ISODateWithMs);
     if (at.isValid() != json.has("at") || (at.isValid() && at.toUTC().toString(Qt::ISODateWithMs) != text))
         json.report("at", tr("A time such as \"2026-03-01T14:02:00.000Z\" is expected here (UTC)."));
     return at;

@@ -12,9 +12,9 @@ namespace codewheel {
 class FaultPlanRun
 {
 public:
-    void start(FaultPlan plan)
+    void start(const FaultPlan &plan)
     {
-        m_plan = std::make_shared<const FaultPlan>(std::move(plan));
+        m_plan = std::make_shared<const FaultPlan>(plan);
         m_next = 0;
         m_elapsed = -1; // the next cycle is at 0
         m_isRunning = true;

@@ -83,7 +83,7 @@ std::unique_ptr<SimulatedDevice> deviceOf(const TrainingParticipant &planned)
     return encoder;
 }
 
-TrainingBus busOf(std::shared_ptr<SimulatedRing> ring)
+TrainingBus busOf(const std::shared_ptr<SimulatedRing> &ring)
 {
     return {.link = std::make_unique<SimulatedRingLink>(ring), .controls = ring};
 }

@@ -26,7 +26,8 @@ TurningShaft::TurningShaft(PhysicalResolution resolution, std::int64_t raw)
 
 double TurningShaft::speed() const
 {
-    return static_cast<double>(m_unitsPerCycle / m_resolution.stepsPerTurn) / thousandths;
+    const std::int64_t revolutions = m_unitsPerCycle / m_resolution.stepsPerTurn; // in thousandths
+    return static_cast<double>(revolutions) / thousandths;
 }
 
 TrainingControls::Shaft TurningShaft::state() const

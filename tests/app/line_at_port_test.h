@@ -7,7 +7,14 @@
 #include "widgets/line/line_settings_form.h"
 #include "widgets/look/inline_message.h"
 
+#include <QComboBox>
+#include <QLineEdit>
 #include <QProcess>
+#include <QPushButton>
+#include <QTest>
+#include <QWidget>
+
+#include <vector>
 
 namespace codewheel::test {
 

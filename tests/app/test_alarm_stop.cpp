@@ -3,6 +3,13 @@
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 
+#include <QApplication>
+#include <QTest>
+#include <QToolButton>
+#include <QWidget>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

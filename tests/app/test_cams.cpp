@@ -4,6 +4,10 @@
 #include "widgets/cams/cam_editor.h"
 #include "widgets/structure/structure_view.h"
 
+#include <QTest>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

@@ -5,10 +5,14 @@
 #include "widgets/comparison/comparison_page.h"
 #include "widgets/look/inline_message.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableView>
+#include <QTest>
+
+#include <gtest/gtest.h>
 
 namespace codewheel {
 namespace {

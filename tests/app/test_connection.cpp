@@ -8,11 +8,15 @@
 #include "widgets/structure_editor/plan_edits.h"
 #include "widgets/structure_editor/structure_editor.h"
 
+#include <QAbstractItemModel>
 #include <QAction>
 #include <QCheckBox>
 #include <QPushButton>
 #include <QTableView>
+#include <QTest>
 #include <QTreeView>
+
+#include <gtest/gtest.h>
 
 namespace codewheel {
 namespace {

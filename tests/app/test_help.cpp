@@ -3,7 +3,10 @@
 
 #include <QAction>
 #include <QDialog>
+#include <QTest>
 #include <QTextBrowser>
+
+#include <gtest/gtest.h>
 
 namespace codewheel {
 namespace {

@@ -5,6 +5,14 @@
 #include "tests/support/pty_pair.h"
 #include "widgets/look/inline_message.h"
 
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QFile>
+#include <QTest>
+
+#include <gtest/gtest.h>
+#include <vector>
+
 namespace codewheel {
 namespace {
 

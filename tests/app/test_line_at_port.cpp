@@ -7,8 +7,16 @@
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/structure/structure_view.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
+#include <QPushButton>
+#include <QTableView>
+#include <QTest>
+#include <QWidget>
+
+#include <gtest/gtest.h>
+#include <vector>
 
 namespace codewheel {
 namespace {

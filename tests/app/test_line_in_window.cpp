@@ -14,6 +14,21 @@
 #include "widgets/structure/structure_view.h"
 #include "widgets/wizard/parameter_wizard.h"
 
+#include <QAbstractItemModel>
+#include <QAction>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLocale>
+#include <QModelIndex>
+#include <QPushButton>
+#include <QStatusBar>
+#include <QTableView>
+#include <QTest>
+#include <QTextBrowser>
+#include <QTreeView>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

@@ -11,6 +11,19 @@
 #include "widgets/structure/structure_view.h"
 #include "widgets/training/training_panel.h"
 
+#include <QApplication>
+#include <QCheckBox>
+#include <QDockWidget>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTableView>
+#include <QTest>
+#include <QTreeView>
+#include <QWidget>
+
+#include <gtest/gtest.h>
+#include <vector>
+
 namespace codewheel {
 namespace {
 

@@ -6,6 +6,12 @@
 #include "tests/app/window_test.h"
 #include "widgets/wizard/parameter_wizard.h"
 
+#include <QAccessible>
+#include <QApplication>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

@@ -3,6 +3,32 @@
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
 
+#include <QAbstractButton>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QAccessible>
+#include <QAccessibleInterface>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMap>
+#include <QMenuBar>
+#include <QScrollBar>
+#include <QSize>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QTableView>
+#include <QTest>
+#include <QToolBar>
+#include <QTreeView>
+#include <QWidget>
+
+#include <gtest/gtest.h>
+#include <vector>
+
 namespace codewheel {
 namespace {
 

@@ -5,8 +5,15 @@
 #include "tests/app/window_test.h"
 
 #include <QAbstractButton>
+#include <QAction>
+#include <QDockWidget>
+#include <QKeySequence>
+#include <QLabel>
+#include <QLocale>
 #include <QMenuBar>
+#include <QWidget>
 
+#include <gtest/gtest.h>
 #include <map>
 
 namespace codewheel {

@@ -9,7 +9,11 @@
 #include "widgets/structure_editor/structure_editor.h"
 
 #include <QAction>
+#include <QModelIndex>
+#include <QTest>
 #include <QTreeView>
+
+#include <gtest/gtest.h>
 
 namespace codewheel {
 namespace {

@@ -5,6 +5,9 @@
 
 #include <QAction>
 #include <QPushButton>
+#include <QTest>
+
+#include <gtest/gtest.h>
 
 namespace codewheel {
 namespace {

@@ -10,7 +10,11 @@
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/wizard/parameter_wizard.h"
 
+#include <QAbstractButton>
+#include <QApplication>
+#include <QLocale>
 #include <QTemporaryDir>
+#include <QTest>
 
 #include <gtest/gtest.h>
 

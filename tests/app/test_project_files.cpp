@@ -10,13 +10,26 @@
 #include "widgets/look/inline_message.h"
 
 #include <QAction>
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QDropEvent>
 #include <QFile>
+#include <QIODevice>
+#include <QKeySequence>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
+#include <QPoint>
+#include <QPointF>
 #include <QPushButton>
+#include <QTest>
 #include <QTimer>
+#include <QUrl>
+#include <QWidget>
 
+#include <gtest/gtest.h>
 #include <optional>
 
 namespace codewheel {

@@ -7,9 +7,14 @@
 
 #include <QAction>
 #include <QFile>
+#include <QIODevice>
 #include <QLineEdit>
+#include <QTest>
+#include <QWidget>
 
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vector>
 
 namespace codewheel {
 namespace {

@@ -6,7 +6,19 @@
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/structure_editor.h"
 
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QKeySequence>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPoint>
+#include <QRect>
+#include <QSize>
 #include <QStatusBar>
+
+#include <gtest/gtest.h>
 
 namespace codewheel {
 namespace {

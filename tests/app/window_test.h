@@ -8,6 +8,7 @@
 #include "widgets/monitor/word_monitor.h"
 
 #include <QTemporaryDir>
+#include <QTest>
 
 #include <gtest/gtest.h>
 

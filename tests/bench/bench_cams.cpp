@@ -27,7 +27,7 @@ void setAllCams(CamDocument &document)
     for (unsigned number = 1; number <= CamProgram::programs; ++number) {
         CamProgram program{.number = number};
         for (std::size_t cam = 0; cam < CamProgram::cams; ++cam) {
-            const auto start = static_cast<std::int64_t>(number * 8 + cam) * 500'009;
+            const auto start = (std::int64_t{number} * 8 + static_cast<std::int64_t>(cam)) * 500'009;
             program.cam.at(cam) = {start, (start * 7 + 3'000'000) % (largest + 1), true};
         }
         all.push_back(program);

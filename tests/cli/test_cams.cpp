@@ -22,7 +22,7 @@ protected:
     // The path holds no space.
     QString file(const QByteArray &json)
     {
-        const QString name = m_directory.filePath(QStringLiteral("cams.json"));
+        QString name = m_directory.filePath(QStringLiteral("cams.json"));
         QFile file(name);
         EXPECT_TRUE(file.open(QIODevice::WriteOnly));
         file.write(json);

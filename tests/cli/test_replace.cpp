@@ -106,7 +106,7 @@ TEST_F(CliReplace, WhatWasInterruptedIsRepeated)
     EXPECT_EQ(again.exit, 0) << again.err;
     const QJsonObject account = again.json()[u"encoders"][0].toObject();
     ASSERT_EQ(account[u"values"].toArray().size(), 3);
-    for (const QJsonValue &value : account[u"values"].toArray())
+    for (const QJsonValue value : account[u"values"].toArray())
         EXPECT_EQ(value[u"became"], QStringLiteral("written"));
     EXPECT_EQ(account[u"cams"][0][u"became"], QStringLiteral("written"));
     EXPECT_EQ(saved().devices[0].wantedCams, std::vector{cams});

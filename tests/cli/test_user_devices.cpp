@@ -39,7 +39,7 @@ protected:
             EXPECT_EQ(json.count(from), 1);
             json.replace(from, to);
         }
-        const QString path = QDir(userDeviceFolder()).filePath(name);
+        QString path = QDir(userDeviceFolder()).filePath(name);
         QFile file(path);
         EXPECT_TRUE(file.open(QIODevice::WriteOnly));
         file.write(json);

@@ -56,7 +56,7 @@ bool isRead(const std::string &line)
 // The factor goes with what is written, in whatever order it is given; what contradicts is refused.
 TEST(EscWrite, StepsAndMeasuringRangeActThroughOneFactor)
 {
-    const ParameterValues together{{Parameter::measuringRange, 4096 * 1000}, {Parameter::steps, 1000}};
+    const ParameterValues together{{Parameter::measuringRange, 4'096'000}, {Parameter::steps, 1000}};
     for (const ParameterValues &values : {together, ParameterValues{together[1], together[0]}}) {
         EscBench bench;
         bench.settle();

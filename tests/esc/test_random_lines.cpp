@@ -102,7 +102,7 @@ TEST(EscRandomLines, NothingButAWellFormedAnswerIsTaken)
             if (random.oneIn(2))
                 bytes += answerFor(request, random) + random.bytes(junk, 6);
             const Instant start = end - character * request.bytes().size();
-            const Arrivals arrivals = random.pieces(bytes, start + Instant{random.below(160'000)});
+            Arrivals arrivals = random.pieces(bytes, start + Instant{random.below(160'000)});
             all = all + arrivals;
             return arrivals;
         };

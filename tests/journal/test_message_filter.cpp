@@ -40,7 +40,7 @@ TEST(MessageTextMatcher, FindsWhatIsShownInAnyColumn)
 TEST(MessageTextMatcher, SeesTheTimesThatAreShown)
 {
     for (qint64 at = afternoon.toMSecsSinceEpoch(); at < afternoon.addDays(300).toMSecsSinceEpoch();
-         at += 47 * 61'000) {
+         at += qint64{47} * 61'000) {
         const QString shown = messageTime(at);
         MessageTextMatcher matcher(shown);
         StoredMessage message = fault();

@@ -15,6 +15,7 @@ const QDateTime twoOClock(QDate(2026, 3, 1), QTime(14, 2, 0, 10));
 QString written(Format format, const std::vector<Message> &messages)
 {
     std::vector<StoredMessage> stored;
+    stored.reserve(messages.size());
     for (const Message &message : messages)
         stored.push_back(storedMessage(message, twoOClock));
     QBuffer buffer;

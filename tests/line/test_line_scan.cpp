@@ -105,6 +105,7 @@ TEST(LineScan, AsksAgainWhereOnlyGarbageCame)
         return result;
     });
     std::vector<int> addresses;
+    addresses.reserve(steps.size());
     for (const auto &step : steps)
         addresses.push_back(step.request.to.value);
     EXPECT_EQ(addresses, (std::vector{1, 1, 1, 2, 2})) << "2 again at the end: the line is damaged";

@@ -117,11 +117,11 @@ TEST_F(Recoveries, NothingIsWrittenWhileNothingChanges)
 TEST_F(Recoveries, TheNewestComesFirst)
 {
     for (const int hour : {2, 3, 1})
-        crash(m_project, today.addSecs(3600 * hour));
+        crash(m_project, today.addSecs(qint64{3600} * hour));
     const auto left = leftProjects(folder());
     ASSERT_EQ(left.size(), 3u);
     for (const int hour : {3, 2, 1})
-        EXPECT_EQ(left[static_cast<std::size_t>(3 - hour)].keptAt(), today.addSecs(3600 * hour));
+        EXPECT_EQ(left[static_cast<std::size_t>(3 - hour)].keptAt(), today.addSecs(qint64{3600} * hour));
 }
 
 TEST_F(Recoveries, ABrokenOneIsOfferedAndRefused)

@@ -184,6 +184,7 @@ TEST_F(BusSessionTest, AJobRunsAndItsEndIsReported)
     ASSERT_EQ(m_outcomes.size(), 1u);
     EXPECT_EQ(m_outcomes[0].job, *job);
     std::vector<Word> out;
+    out.reserve(rows.size());
     for (const Exchange &row : rows)
         out.push_back(row.out);
     EXPECT_THAT(out, ElementsAre(0u, wordA, wordB, 0u));

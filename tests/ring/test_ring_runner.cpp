@@ -17,7 +17,7 @@ using testing::IsEmpty;
 class RingRunnerTest : public testing::Test
 {
 protected:
-    void makeRing(std::size_t devices, std::vector<Word> peerOut = {})
+    void makeRing(std::size_t devices, const std::vector<Word> &peerOut = {})
     {
         m_link = std::make_unique<ScriptedLink>(devices);
         EXPECT_TRUE(m_link->open());

@@ -80,9 +80,9 @@ TEST(EncoderArithmetic, ScalesByAFraction)
     const EncoderArithmetic arithmetic(set, thirteenPlusTwelve);
     EXPECT_EQ(arithmetic.total(), 1'365'333);
     EXPECT_EQ(arithmetic.absoluteValue(8192), 333);
-    EXPECT_EQ(arithmetic.absoluteValue(2 * 8192), 666);
-    EXPECT_EQ(arithmetic.absoluteValue(3 * 8192 - 1), 999);
-    EXPECT_EQ(arithmetic.absoluteValue(3 * 8192), 1000);
+    EXPECT_EQ(arithmetic.absoluteValue(16'384), 666);
+    EXPECT_EQ(arithmetic.absoluteValue(24'575), 999);
+    EXPECT_EQ(arithmetic.absoluteValue(24'576), 1000);
 }
 
 TEST(EncoderArithmetic, IsTheFloorOfTheExactQuotient)

@@ -235,7 +235,7 @@ QString CamReview::notes() const
 
 QString CamReview::notesOnWords() const
 {
-    const QString readOuts = tr("Not listed are the words that read: 2020.... and the 00000000 behind each.");
+    QString readOuts = tr("Not listed are the words that read: 2020.... and the 00000000 behind each.");
     if (m_writeAll->isChecked())
         return readOuts;
     QStringList sentences{tr("The encoder is read first; what it already has is not written again."),

@@ -191,6 +191,7 @@ void ComparisonPage::takeIntoProject(const std::vector<std::size_t> &lines)
 
 // As `ring` has it, in these lines of the comparison of the project with it. By value: the page compares anew
 // while the project changes.
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
 void ComparisonPage::plan(RingStructure ring, Comparison comparison, const std::vector<std::size_t> &lines,
                           const QString &what)
 {
@@ -227,6 +228,7 @@ bool ComparisonPage::mayChangeRing()
 }
 
 // Downloads it, and loads back what the master keeps then. By value: taking back passes m_before itself.
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
 void ComparisonPage::keep(KeptConfiguration configuration)
 {
     if (!mayChangeRing())

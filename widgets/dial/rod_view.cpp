@@ -142,7 +142,7 @@ QString RodView::speedText() const
         return {};
     const double speed = *m_state.stepsPerSecond * (m_state.scale ? millimetresPerStep(*m_state.scale) : 1);
     const QString number = locale().toString(std::abs(speed), 'f', 1);
-    const QString text = m_state.scale ? tr("%1 mm/s").arg(number) : tr("%1 steps/s").arg(number);
+    QString text = m_state.scale ? tr("%1 mm/s").arg(number) : tr("%1 steps/s").arg(number);
     if (std::abs(speed) < 0.05 || !m_state.countsUpToTheEnd)
         return text;
     return (speed > 0) == *m_state.countsUpToTheEnd ? tr("%1 to the end", "of the rod").arg(text)

@@ -61,7 +61,8 @@ void LineRowTable::setColumnWidths()
     setColumnWidth(LineRowModel::kind, word + grid::smallIcon + gap);
     setColumnWidth(LineRowModel::text, numbers.horizontalAdvance(QString(shownBytes, u'W')) + gap);
     setColumnWidth(LineRowModel::meaning, lineMeaningLetters * texts.averageCharWidth());
-    setColumnWidth(LineRowModel::bytes, numbers.horizontalAdvance(QString(3 * shownBytes, u'0')) + gap);
+    setColumnWidth(LineRowModel::bytes,
+                   numbers.horizontalAdvance(QString(qsizetype{3} * shownBytes, u'0')) + gap);
     verticalHeader()->setDefaultSectionSize(std::max({grid::smallIcon, numbers.height(), texts.height()}) +
                                             grid::unit);
 }

@@ -248,9 +248,9 @@ StoredMessage MessageModel::message(int row) const
     const int first = row - row % fetched;
     for (int near = first; near < std::min(first + fetched, rowCount()); ++near)
         ids.push_back(m_ids.at(near));
-    for (StoredMessage &message : read(ids))
+    for (const StoredMessage &message : read(ids))
         if (message.id != 0)
-            m_cache.insert(message.id, new StoredMessage(std::move(message)));
+            m_cache.insert(message.id, new StoredMessage(message));
     const StoredMessage *found = m_cache.object(id);
     return found == nullptr ? StoredMessage() : *found;
 }

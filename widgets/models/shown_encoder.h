@@ -21,9 +21,9 @@ public:
     ShownEncoder(EncoderSession *session)
         : m_session(session)
     {}
-    ShownEncoder(DeviceNumber number, DeviceDescription planned)
+    ShownEncoder(DeviceNumber number, const DeviceDescription &planned)
         : m_number(number)
-        , m_planned(std::make_shared<const DeviceDescription>(std::move(planned)))
+        , m_planned(std::make_shared<const DeviceDescription>(planned))
     {}
 
     bool isThere() const { return m_session || m_planned; }

@@ -297,7 +297,7 @@ void MonitorArea::restoreState(const QJsonObject &state)
     for (const MonitorKind kind : everyKind)
         if (const QJsonValue display = displays.value(monitorKindText(kind)); display.isObject())
             setDisplay(kind, MonitorDisplay::fromJson(display.toObject()));
-    for (const QJsonValue &json : state.value(monitorsKey).toArray()) {
+    for (const QJsonValue json : state.value(monitorsKey).toArray()) {
         const auto number = DeviceNumber::parse(json[placeKey].toString());
         const auto kind = monitorKindFromText(json[kindKey].toString());
         if (number && kind && hasWord(*number, *kind) && !monitor(*number, *kind))

@@ -107,7 +107,7 @@ QString WordView::bitName(int bit) const
 
 QString WordView::bitDescription(int bit) const
 {
-    const QString meaning = m_bitText ? m_bitText(bit) : QString();
+    QString meaning = m_bitText ? m_bitText(bit) : QString();
     if (!isStaged(bit))
         return meaning;
     return meaning.isEmpty() ? tr("Not sent yet") : tr("%1 (not sent yet)", "meaning of a bit").arg(meaning);

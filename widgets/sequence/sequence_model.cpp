@@ -21,6 +21,7 @@ std::vector<Word> SequenceModel::words() const
 void SequenceModel::setWords(const std::vector<Word> &words)
 {
     std::vector<SequenceRow> all;
+    all.reserve(words.size());
     for (const Word each : words)
         all.push_back({.word = each});
     setRows(std::move(all));

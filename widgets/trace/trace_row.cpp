@@ -47,7 +47,7 @@ QString exchangeText(const DeviceDescription &device, const TraceRow &row)
 {
     const Explanation out = explained(device, row, WordDirection::out);
     const Explanation in = explained(device, row, WordDirection::in);
-    const QString said = explanationText(device, in);
+    QString said = explanationText(device, in);
     if (isOnly(out, MeaningId::normalRunning))
         return said;
     const QString asked = explanationText(device, out);

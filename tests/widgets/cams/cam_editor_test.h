@@ -9,6 +9,11 @@
 #include "widgets/look/inline_message.h"
 
 #include <QAbstractButton>
+#include <QAction>
+#include <QLatin1Char>
+#include <QTest>
+
+#include <gtest/gtest.h>
 
 namespace codewheel::test {
 

@@ -7,6 +7,10 @@
 #include "widgets/cams/position_input.h"
 #include "widgets/look/empty_state.h"
 
+#include <QTest>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

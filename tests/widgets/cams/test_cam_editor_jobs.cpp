@@ -4,6 +4,13 @@
 #include "tests/widgets/cams/cam_editor_test.h"
 #include "widgets/cams/cam_mode_bar.h"
 
+#include <QCheckBox>
+#include <QPushButton>
+#include <QTest>
+#include <QWidget>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

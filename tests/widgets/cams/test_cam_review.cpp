@@ -8,8 +8,11 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QTest>
 
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vector>
 
 namespace codewheel {
 namespace {

@@ -3,6 +3,16 @@
 #include "widgets/cams/cam_ruler.h"
 
 #include <QAccessible>
+#include <QAccessibleActionInterface>
+#include <QAccessibleInterface>
+#include <QCoreApplication>
+#include <QPoint>
+#include <QPointF>
+#include <QTest>
+#include <QWheelEvent>
+#include <QWidget>
+
+#include <gtest/gtest.h>
 
 namespace codewheel {
 namespace {

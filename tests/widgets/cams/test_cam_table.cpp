@@ -5,6 +5,16 @@
 #include "widgets/cams/cam_table_model.h"
 #include "widgets/cams/position_input.h"
 
+#include <QAbstractItemModel>
+#include <QCoreApplication>
+#include <QEvent>
+#include <QModelIndex>
+#include <QPoint>
+#include <QRect>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

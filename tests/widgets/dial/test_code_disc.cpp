@@ -1,6 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/dial/code_disc.h"
 
+#include <QAccessible>
+#include <QCoreApplication>
+#include <QEvent>
+#include <QImage>
+#include <QLocale>
+#include <QPoint>
+#include <QRect>
+#include <QRgb>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

@@ -4,6 +4,12 @@
 #include "widgets/dial/dial_panel.h"
 #include "widgets/dial/shaft_motion.h"
 
+#include <QCoreApplication>
+#include <QPushButton>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

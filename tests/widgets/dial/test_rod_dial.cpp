@@ -4,6 +4,13 @@
 #include "widgets/dial/dial_panel.h"
 #include "widgets/dial/rod_view.h"
 
+#include <QCoreApplication>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

@@ -3,6 +3,16 @@
 #include "widgets/dial/rod_view.h"
 #include "widgets/look/fonts.h"
 
+#include <QAccessible>
+#include <QFontMetrics>
+#include <QImage>
+#include <QLocale>
+#include <QPoint>
+#include <QPointF>
+#include <QRgb>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

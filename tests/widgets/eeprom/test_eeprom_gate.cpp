@@ -10,6 +10,23 @@
 #include "widgets/parameters/write_review.h"
 #include "widgets/wizard/cancel_question.h"
 
+#include <QApplication>
+#include <QCheckBox>
+#include <QDate>
+#include <QDateTime>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPointer>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTime>
+#include <QTimer>
+#include <QWidget>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

@@ -7,7 +7,15 @@
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/project/project_document.h"
 
+#include <QAction>
+#include <QMenu>
+#include <QPoint>
+#include <QSignalSpy>
+#include <QTest>
+
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vector>
 
 namespace codewheel {
 namespace {

@@ -5,6 +5,15 @@
 #include "widgets/line/replay_model.h"
 #include "widgets/look/inline_message.h"
 
+#include <QCheckBox>
+#include <QDate>
+#include <QDateTime>
+#include <QPushButton>
+#include <QTime>
+
+#include <gtest/gtest.h>
+#include <vector>
+
 namespace codewheel {
 namespace {
 

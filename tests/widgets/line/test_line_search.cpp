@@ -5,10 +5,17 @@
 #include "widgets/line/line_search.h"
 #include "widgets/look/inline_message.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QModelIndex>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QSpinBox>
+#include <QTest>
+
+#include <gtest/gtest.h>
+#include <vector>
 
 namespace codewheel {
 namespace {

@@ -6,10 +6,17 @@
 #include "widgets/look/inline_message.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QFile>
+#include <QIODevice>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+#include <vector>
 
 namespace codewheel {
 namespace {

@@ -2,6 +2,17 @@
 #include "widgets/look/appearance.h"
 #include "widgets/look/icons.h"
 
+#include <QApplication>
+#include <QIcon>
+#include <QImage>
+#include <QPalette>
+#include <QPixmap>
+#include <QRgb>
+#include <QSet>
+#include <QSize>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

@@ -3,6 +3,18 @@
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
 
+#include <QAbstractButton>
+#include <QAccessible>
+#include <QAccessibleInterface>
+#include <QCoreApplication>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+#include <QVBoxLayout>
+#include <QWidget>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

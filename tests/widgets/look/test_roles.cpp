@@ -5,7 +5,23 @@
 #include "widgets/look/role_label.h"
 #include "widgets/monitor/word_view.h"
 
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QImage>
+#include <QLineEdit>
+#include <QPalette>
+#include <QPushButton>
+#include <QRect>
+#include <QRegion>
+#include <QRgb>
+#include <QSpinBox>
+#include <QStyle>
+#include <QWidget>
+
 #include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
 
 namespace codewheel {
 namespace {

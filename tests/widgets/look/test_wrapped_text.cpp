@@ -42,7 +42,9 @@ TEST(WrappedText, StandsOnOneLineWhereThereIsRoom)
 TEST(WrappedText, BreaksBetweenWordsFirst)
 {
     const QString two = word + u' ' + word;
-    EXPECT_EQ(heightOf(two, widthOf(word) + 4), 2 * heightOf(word, widthOf(word) + 4));
+    const int width = widthOf(word) + 4;
+    const int twoLines = 2 * heightOf(word, width);
+    EXPECT_EQ(heightOf(two, width), twoLines);
 }
 
 TEST(WrappedText, AWordThatIsTooLongIsBrokenAndNothingIsCutOff)

@@ -10,11 +10,16 @@
 #include "widgets/master/segment_model.h"
 #include "widgets/structure/structure_model.h"
 
+#include <QAbstractItemModel>
+#include <QCoreApplication>
 #include <QLabel>
+#include <QModelIndex>
+#include <QPoint>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTableView>
+#include <QTest>
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,16 @@
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/messages/message_model.h"
 
+#include <QAbstractItemModel>
+#include <QDate>
+#include <QDateTime>
+#include <QIcon>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTime>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

@@ -2,7 +2,15 @@
 #include "tests/support/model_tester.h"
 #include "widgets/models/table_model_base.h"
 
+#include <QAbstractItemModel>
+#include <QAbstractListModel>
+#include <QModelIndex>
+#include <QSignalSpy>
+#include <QVariant>
+
 #include <gtest/gtest-spi.h>
+#include <gtest/gtest.h>
+#include <vector>
 
 namespace codewheel {
 namespace {

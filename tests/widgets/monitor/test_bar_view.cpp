@@ -2,6 +2,12 @@
 #include "widgets/look/roles.h"
 #include "widgets/monitor/bar_view.h"
 
+#include <QAccessible>
+#include <QImage>
+#include <QLocale>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

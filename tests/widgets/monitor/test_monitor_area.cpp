@@ -6,6 +6,16 @@
 #include "widgets/monitor/number_field.h"
 #include "widgets/monitor/word_monitor.h"
 
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLabel>
+#include <QLatin1Char>
+#include <QMenu>
+#include <QTest>
+#include <QToolButton>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

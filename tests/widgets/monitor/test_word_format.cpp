@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/word_format.h"
 
+#include <QLocale>
+
 #include <gtest/gtest.h>
 
 namespace codewheel {

@@ -7,6 +7,19 @@
 #include "widgets/monitor/word_monitor.h"
 #include "widgets/monitor/word_view.h"
 
+#include <QAbstractButton>
+#include <QApplication>
+#include <QClipboard>
+#include <QCoreApplication>
+#include <QEvent>
+#include <QPoint>
+#include <QPushButton>
+#include <QTest>
+#include <QVBoxLayout>
+#include <QWidget>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

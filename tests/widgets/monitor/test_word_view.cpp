@@ -3,6 +3,25 @@
 #include "widgets/look/appearance.h"
 #include "widgets/monitor/word_view.h"
 
+#include <QApplication>
+#include <QCoreApplication>
+#include <QEvent>
+#include <QHelpEvent>
+#include <QImage>
+#include <QLineEdit>
+#include <QPaintEvent>
+#include <QPoint>
+#include <QRegion>
+#include <QSignalSpy>
+#include <QSize>
+#include <QStatusTipEvent>
+#include <QTest>
+#include <QToolTip>
+#include <QVariant>
+#include <QWidget>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

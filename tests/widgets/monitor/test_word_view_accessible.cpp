@@ -2,6 +2,16 @@
 // What assistive technology can do with a word, through QAccessible interfaces alone.
 #include "widgets/monitor/word_view.h"
 
+#include <QAccessible>
+#include <QAccessibleActionInterface>
+#include <QAccessibleInterface>
+#include <QPoint>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWidget>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

@@ -14,6 +14,29 @@
 #include "widgets/parameters/write_review.h"
 #include "widgets/project/project_document.h"
 
+#include <QAbstractButton>
+#include <QAbstractItemModel>
+#include <QAccessible>
+#include <QCheckBox>
+#include <QCoreApplication>
+#include <QDate>
+#include <QDateTime>
+#include <QEvent>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLatin1Char>
+#include <QMenu>
+#include <QModelIndex>
+#include <QPoint>
+#include <QPointer>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTime>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

@@ -11,8 +11,15 @@
 #include "widgets/project/project_document.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemModel>
+#include <QAction>
+#include <QCoreApplication>
 #include <QLabel>
 #include <QMenu>
+#include <QModelIndex>
+#include <QTest>
+
+#include <gtest/gtest.h>
 
 namespace codewheel {
 namespace {

@@ -11,6 +11,20 @@
 #include "widgets/parameters/write_review.h"
 #include "widgets/project/project_document.h"
 
+#include <QAbstractButton>
+#include <QAbstractItemModel>
+#include <QAction>
+#include <QCoreApplication>
+#include <QEvent>
+#include <QLatin1Char>
+#include <QLocale>
+#include <QMenu>
+#include <QModelIndex>
+#include <QPushButton>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

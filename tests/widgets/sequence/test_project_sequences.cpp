@@ -4,9 +4,12 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QLineEdit>
+#include <QTest>
 
 #include <gtest/gtest.h>
+#include <vector>
 
 namespace codewheel {
 namespace {

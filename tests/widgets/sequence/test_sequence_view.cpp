@@ -6,6 +6,21 @@
 #include "widgets/sequence/sequence_model.h"
 #include "widgets/sequence/sequence_view.h"
 
+#include <QApplication>
+#include <QClipboard>
+#include <QCoreApplication>
+#include <QFile>
+#include <QIODevice>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+#include <vector>
+
 namespace codewheel {
 namespace {
 

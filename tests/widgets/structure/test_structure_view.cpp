@@ -7,6 +7,15 @@
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
 
+#include <QAbstractItemModel>
+#include <QModelIndex>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTreeView>
+#include <QWidget>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

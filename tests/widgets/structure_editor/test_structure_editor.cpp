@@ -4,16 +4,26 @@
 #include "widgets/structure_editor/plan_model.h"
 #include "widgets/structure_editor/structure_editor.h"
 
+#include <QAbstractButton>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
+#include <QDragEnterEvent>
+#include <QDragMoveEvent>
 #include <QDropEvent>
+#include <QEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMimeData>
+#include <QModelIndex>
+#include <QPoint>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTest>
 #include <QTreeView>
+
+#include <gtest/gtest.h>
 
 namespace codewheel {
 namespace {

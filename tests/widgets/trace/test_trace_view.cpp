@@ -6,6 +6,24 @@
 #include "widgets/trace/trace_model.h"
 #include "widgets/trace/trace_view.h"
 
+#include <QApplication>
+#include <QClipboard>
+#include <QCoreApplication>
+#include <QFile>
+#include <QFont>
+#include <QFontMetrics>
+#include <QIODevice>
+#include <QLabel>
+#include <QLatin1Char>
+#include <QLineEdit>
+#include <QModelIndex>
+#include <QScrollBar>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
 namespace codewheel {
 namespace {
 

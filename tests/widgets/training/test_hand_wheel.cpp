@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/training/hand_wheel.h"
 
+#include <QAbstractButton>
 #include <QDial>
+#include <QPoint>
+#include <QTest>
+
+#include <gtest/gtest.h>
+#include <vector>
 
 namespace codewheel {
 namespace {

@@ -5,10 +5,13 @@
 #include "widgets/training/training_panel.h"
 
 #include <QCheckBox>
+#include <QFile>
+#include <QIODevice>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
+#include <QTest>
 
 #include <gtest/gtest.h>
 
@@ -56,7 +59,7 @@ protected:
     }
     QString file(const QByteArray &content)
     {
-        const QString path = folder.filePath(QStringLiteral("lesson.json"));
+        QString path = folder.filePath(QStringLiteral("lesson.json"));
         QFile file(path);
         EXPECT_TRUE(file.open(QIODevice::WriteOnly));
         file.write(content);

@@ -2,6 +2,20 @@
 #include "tests/widgets/rod_bus.h"
 #include "widgets/training/training_panel.h"
 
+#include <QCheckBox>
+#include <QDial>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLocale>
+#include <QPoint>
+#include <QPushButton>
+#include <QSlider>
+#include <QTest>
+#include <QToolButton>
+
+#include <gtest/gtest.h>
+#include <vector>
+
 namespace codewheel {
 namespace {
 

@@ -2,6 +2,19 @@
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/training/training_panel.h"
 
+#include <QAbstractButton>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLocale>
+#include <QPoint>
+#include <QSpinBox>
+#include <QTest>
+
+#include <gtest/gtest.h>
+#include <vector>
+
 namespace codewheel {
 namespace {
 

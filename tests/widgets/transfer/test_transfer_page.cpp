@@ -6,14 +6,22 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/transfer/transfer_page.h"
 
+#include <QAbstractItemModel>
 #include <QClipboard>
+#include <QCoreApplication>
 #include <QFile>
 #include <QGuiApplication>
+#include <QLineEdit>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
+#include <QTest>
+#include <QVariant>
+#include <QWidget>
 
+#include <gtest/gtest.h>
 #include <utility>
+#include <vector>
 
 namespace codewheel {
 namespace {
