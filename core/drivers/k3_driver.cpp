@@ -72,15 +72,8 @@ Result<void> K3Driver::begin(JobId id, const Job &job, Pace pace, Word in, Word 
     if (auto checked = checkMode(job); !checked)
         return checked;
 
-    Run run;
-    run.id = id;
-    run.job = job;
-    run.pace = pace;
+    Run run(id, job, pace, m_knowledge.values());
     run.writesBefore = m_knowledge.eepromWrites();
-    run.before = m_knowledge.values();
-    if (const auto *write = std::get_if<WriteParameters>(&job))
-        for (const ParameterValue &value : write->previous)
-            replaceValue(run.before, value);
     for (unsigned program = 1; program <= CamProgram::programs; ++program)
         if (const auto known = m_knowledge.cams(program))
             run.cams.before[program] = known->program;
@@ -167,7 +160,7 @@ Word K3Driver::cycle(Word in, Word out, Instant now)
     m_view.mode = m_knowledge.mode();
     m_view.camProgram = m_knowledge.camProgram();
     m_reading = decodeReading(in, now, m_view);
-    if (m_run && !m_run->prepared && !m_run->cancelled) {
+    if (m_run && m_run->needsPlan()) {
         if (auto prepared = prepare(in, out); !prepared)
             finish(std::move(prepared));
     }

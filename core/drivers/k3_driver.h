@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drivers/cyclic_driver.h"
+#include "drivers/job_run.h"
 #include "drivers/k3_cam_record.h"
 #include "drivers/k3_handshake.h"
 #include "drivers/k3_knowledge.h"
@@ -32,38 +33,20 @@ public:
     std::vector<Event> takeEvents() override;
 
 private:
-    // A job on its way.
-    struct Run
+    struct Run : JobRun
     {
-        JobId id = 0;
-        Job job;
-        Pace pace = Pace::byItself;
-        bool prepared = false;            // its steps are planned
+        using JobRun::JobRun;
+
         bool foundParameterizing = false; // the encoder was in a parameterization before the job
         K3Steps steps;
-        std::size_t index = 0;
-        bool begun = false;    // steps[index] is in OUT, or goes there now
-        bool mayBegin = false; // by hand: the user said "next step"
-        bool asked = false;    // by hand: the user was told that it waits
         Word inWhenAsked = 0;
-        std::optional<Refusal> failure; // the remaining steps only bring OUT back
-        std::optional<OnCancel> cancelled;
-        bool cancelPlanned = false; // its steps have been appended
-        bool restores = false;      // the last steps give the values from before back
         Instant cancelledAt{};
-        std::optional<K3Step> inFlight; // cancelled before it was confirmed; it may be taken yet
-        int writesBefore = 0;
-        ParameterValues before;      // values from before this job
-        ParameterValues confirmed;   // since the last run
-        bool resetConfirmed = false; // likewise
-        ParameterValues written;
+        std::optional<K3Step> inFlight;  // cancelled before it was confirmed; it may be taken yet
+        ParameterValues confirmed;       // since the last run
+        bool resetConfirmed = false;     // likewise
         bool ranAtZero = false;          // 00000000h answered run
         std::optional<Refusal> mismatch; // of the read-back, which goes on
-        ParameterValues alreadyThere;
-        ParameterValues read;
         K3CamRecord cams;
-        std::optional<std::int64_t> positionBefore;
-        std::optional<std::int64_t> positionAfter;
     };
 
     Result<void> checkMode(const Job &job) const;

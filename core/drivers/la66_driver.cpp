@@ -22,15 +22,8 @@ Result<void> La66Driver::begin(JobId id, const Job &job, Pace pace, Word in, Wor
         return refuse(RefusalKind::busy, RefusalId::jobRunning);
     if (auto checked = m_plan.check(job); !checked)
         return checked;
-    Run run;
-    run.id = id;
-    run.job = job;
-    run.pace = pace;
+    Run run(id, job, pace, m_knowledge.values().values());
     run.writesBefore = m_knowledge.values().eepromWrites();
-    run.before = m_knowledge.values().values();
-    if (const auto *write = std::get_if<WriteParameters>(&job))
-        for (const ParameterValue &value : write->previous)
-            replaceValue(run.before, value);
     m_run = std::move(run);
     if (m_reading.state != EncoderState::notSeen) // else IN is not known before the first cycle
         prepare(in, out);
@@ -71,7 +64,7 @@ Word La66Driver::cycle(Word in, Word out, Instant now)
     flushKnowledge();
     m_reading = decodeLa66(in, now);
     m_out = out;
-    if (m_run && !m_run->prepared)
+    if (m_run && m_run->needsPlan())
         prepare(in, out);
     return m_run ? carryOn(in, out, now) : out;
 }

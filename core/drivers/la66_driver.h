@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drivers/cyclic_driver.h"
+#include "drivers/job_run.h"
 #include "drivers/la66_handshake.h"
 #include "drivers/la66_knowledge.h"
 #include "drivers/la66_plan.h"
@@ -29,29 +30,11 @@ public:
     std::vector<Event> takeEvents() override;
 
 private:
-    // A job on its way.
-    struct Run
+    struct Run : JobRun
     {
-        JobId id = 0;
-        Job job;
-        Pace pace = Pace::byItself;
-        bool prepared = false; // its steps are planned
+        using JobRun::JobRun;
+
         La66Steps steps;
-        std::size_t index = 0;
-        bool begun = false;             // steps[index] is in OUT, or goes there now
-        bool mayBegin = false;          // by hand: the user said "next step"
-        bool asked = false;             // by hand: the user was told that it waits
-        std::optional<Refusal> failure; // the remaining steps only bring OUT back
-        std::optional<OnCancel> cancelled;
-        bool cancelPlanned = false; // its steps have been appended
-        bool restores = false;      // the last steps give the values from before back
-        int writesBefore = 0;       // to EEPROM
-        ParameterValues before;     // values from before this job
-        ParameterValues written;
-        ParameterValues alreadyThere;
-        ParameterValues read;
-        std::optional<std::int64_t> positionBefore;
-        std::optional<std::int64_t> positionAfter;
     };
 
     void prepare(Word in, Word out);

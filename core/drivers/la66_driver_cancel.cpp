@@ -18,6 +18,8 @@ void La66Driver::cancel(OnCancel how, Instant)
         return;
     }
     run.cancelled = how;
+    if (!run.prepared)
+        return; // nothing was sent
     const bool isAsked = run.begun && current().kind == StepKind::serviceBit;
     const std::size_t kept = run.index + (isAsked ? 1 : 0);
     run.begun = isAsked;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/drivers/esc_bench.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace codewheel {
@@ -206,6 +207,43 @@ TEST(EscStop, BetweenWritesSaysWhatEndedIt)
     bench.step();
     ASSERT_TRUE(bench.outcome);
     EXPECT_EQ(bench.outcome->result.error(), lost);
+}
+
+// Between every two requests, and before the first.
+TEST(EscCancel, NothingIsWrittenAfterIt)
+{
+    const std::pair<const char *, Job> jobs[] = {
+        {"read", ReadParameters{{Parameter::steps, Parameter::preset}}},
+        {"limits", limits()},
+        {"steps", WriteParameters{.values = {{Parameter::steps, 0x360}}, .previous = {}}},
+        {"what differs", WriteParameters{.values = {{Parameter::lowerLimit, 0x200}},
+                                         .onlyWhatDiffers = true,
+                                         .previous = {}}},
+        {"address", WriteParameters{.values = {{Parameter::lineAddress, 9}}, .previous = {}}},
+        {"preset", SetPreset{.value = 5}},
+    };
+    const auto writes = [](const EscBench &bench) {
+        return std::ranges::count_if(bench.log,
+                                     [](const std::string &line) { return lettersOf(line)[0] == 'G'; });
+    };
+    for (const auto &[name, job] : jobs)
+        for (int k = 0; k < 40 && !testing::Test::HasFailure(); ++k) {
+            SCOPED_TRACE(name + std::string(", request ") + std::to_string(k));
+            EscBench bench;
+            bench.settle();
+            ASSERT_TRUE(bench.begin(job));
+            for (int i = 0; i < k && !bench.outcome; ++i)
+                bench.step();
+            if (bench.outcome)
+                break;
+            const auto before = writes(bench);
+            bench.driver.cancel(OnCancel::leaveAsIs, bench.now);
+            bench.runUntil([&] { return bench.outcome.has_value(); });
+            bench.run(std::chrono::seconds(2));
+            ASSERT_FALSE(bench.outcome->result);
+            EXPECT_EQ(bench.outcome->result.error().id, RefusalId::cancelled);
+            EXPECT_EQ(writes(bench), before);
+        }
 }
 
 } // namespace
