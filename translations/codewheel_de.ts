@@ -2649,6 +2649,10 @@
         <source>No answer to %1 (tries: %2). Check address, baud rate, wiring and supply; an RS-422 encoder also needs ST (pin 7) at +UB.</source>
         <translation>Keine Antwort auf %1 (Versuche: %2). Adresse, Baudrate, Verdrahtung und Versorgung prüfen; ein RS-422-Geber braucht außerdem ST (Pin 7) an +UB.</translation>
     </message>
+    <message>
+        <source>%1: %2 Give a value from %3 to %4.</source>
+        <translation>%1: %2 Einen Wert von %3 bis %4 eingeben.</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>
@@ -5987,6 +5991,25 @@ beendet die Folge. Worte sind hexadezimal, wie in den Handbüchern.</translation
             <numerusform>Der Ring ist geplant, wie ihn der Master hält: %1, %n Gerät.</numerusform>
             <numerusform>Der Ring ist geplant, wie ihn der Master hält: %1, %n Geräte.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::DecimalText</name>
+    <message>
+        <source>&quot;%1&quot; may mean %2 or %3. Leave the sign between thousands out, or write the decimals with &quot;%4&quot;.</source>
+        <translation>&quot;%1&quot; kann %2 oder %3 bedeuten. Ohne Tausenderzeichen eingeben, oder die Nachkommastellen mit &quot;%4&quot; schreiben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has point and comma. Write it without signs between thousands.</source>
+        <translation>&quot;%1&quot; hat Punkt und Komma. Ohne Tausenderzeichen eingeben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number.</source>
+        <translation>&quot;%1&quot; ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>%1 has decimals; a whole number belongs here.</source>
+        <translation>%1 hat Nachkommastellen; hier gehört eine ganze Zahl hin.</translation>
     </message>
 </context>
 <context>
@@ -9924,6 +9947,10 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
         <source>The place where it stands becomes the position you type</source>
         <translation>Die Stelle, an der er steht, wird zur eingetippten Position</translation>
     </message>
+    <message>
+        <source>Known values wanted for %1</source>
+        <translation>Bekannte Werte für %1 gewünscht</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ParameterTable</name>
@@ -11916,6 +11943,17 @@ Worte: IN %5, OUT %6</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::Setup</name>
+    <message>
+        <source>Values wanted for %1</source>
+        <translation>Gewünschte Werte für %1</translation>
+    </message>
+    <message>
+        <source>Wizard for %1 cancelled</source>
+        <translation>Assistent für %1 abgebrochen</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::ShaftConsequences</name>
     <message>
         <source>Resolution and range can be told once steps, revolutions and direction are known or wanted.</source>
@@ -12034,6 +12072,17 @@ Worte: IN %5, OUT %6</translation>
     <message>
         <source>Raw word %1. The make of the encoder is not known, and so neither is its coding: name it in the bus structure.</source>
         <translation>Rohwort %1. Der Hersteller des Gebers ist nicht bekannt und damit auch nicht die Codierung: Den Geber im Busaufbau benennen.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::SpinField</name>
+    <message>
+        <source>%1 is outside %2 to %3.</source>
+        <translation>%1 liegt außerhalb von %2 bis %3.</translation>
+    </message>
+    <message>
+        <source>%1 The value before stands.</source>
+        <translation>%1 Der Wert davor gilt weiter.</translation>
     </message>
 </context>
 <context>

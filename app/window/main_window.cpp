@@ -13,6 +13,7 @@
 #include "ring/bus_session.h"
 #include "simulator/training_controls.h"
 #include "transfer/last_positions.h"
+#include "widgets/input/wheel_rule.h"
 #include "widgets/cams/cam_editor.h"
 #include "widgets/comparison/comparison_page.h"
 #include "widgets/device/device_panel.h"
@@ -61,6 +62,7 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
     , m_files(new ProjectFiles(*this, project, settings, m_actions, *m_notice))
 {
     setObjectName(QStringLiteral("mainWindow"));
+    qApp->installEventFilter(new WheelRule(this));
     auto *center = new QWidget(this);
     auto *rows = new QVBoxLayout(center);
     rows->setContentsMargins({});

@@ -40,7 +40,7 @@ inline Outcome notTaken(JobId job, const Refusal &why, EncoderState leftIn)
 {
     Outcome outcome;
     outcome.job = job;
-    outcome.result = tl::unexpected(std::move(why));
+    outcome.result = tl::unexpected(why);
     outcome.leftIn = leftIn;
     return outcome;
 }

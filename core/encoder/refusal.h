@@ -27,6 +27,7 @@ enum class RefusalKind : std::uint8_t {
 enum class RefusalId : std::uint8_t {
     // badInput
     valueOutOfRange,       // Parameter, value, minimum, maximum
+    inputNotUnderstood,    // Parameter, sentence about what was typed, minimum, maximum
     valueNotAllowed,       // Parameter, text, allowed texts
     parameterGivenTwice,   // Parameter
     parameterReadOnly,     // Parameter, device name

@@ -27,6 +27,8 @@ constexpr std::array refusalRows{
     // badInput
     RefusalRow{RefusalId::valueOutOfRange, "valueOutOfRange",
                QT_TRANSLATE_NOOP("Refusal", "%1 = %2 is out of range. Give a value from %3 to %4.")},
+    RefusalRow{RefusalId::inputNotUnderstood, "inputNotUnderstood",
+               QT_TRANSLATE_NOOP("Refusal", "%1: %2 Give a value from %3 to %4.")},
     RefusalRow{RefusalId::valueNotAllowed, "valueNotAllowed",
                QT_TRANSLATE_NOOP("Refusal", "%1 cannot be \"%2\". Allowed are: %3.")},
     RefusalRow{RefusalId::parameterGivenTwice, "parameterGivenTwice",

@@ -2,6 +2,7 @@
 #include "widgets/line/line_settings_form.h"
 
 #include "encoder/sentence.h"
+#include "widgets/input/number_fields.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
@@ -102,7 +103,7 @@ QComboBox *LineSettingsForm::addChoice(QFormLayout &form, const QString &label, 
 QSpinBox *LineSettingsForm::addNumber(QFormLayout &form, const QString &label, const QString &toolTip,
                                       int least, int most)
 {
-    auto *field = new QSpinBox(m_content);
+    auto *field = new IntegerField(m_content);
     field->setRange(least, most);
     field->setToolTip(toolTip);
     field->setAccessibleDescription(toolTip);
@@ -187,7 +188,7 @@ void LineSettingsForm::makeTimes(QFormLayout &form)
 void LineSettingsForm::makeEncoder(QFormLayout &form)
 {
     makeFractionBits(form);
-    m_topSpeed = new QDoubleSpinBox(m_content);
+    m_topSpeed = new DecimalField(m_content);
     m_topSpeed->setRange(1.0, highestSpeed);
     m_topSpeed->setDecimals(0);
     m_topSpeed->setSingleStep(100.0);
@@ -202,7 +203,7 @@ void LineSettingsForm::makeEncoder(QFormLayout &form)
 
 void LineSettingsForm::makeFractionBits(QFormLayout &form)
 {
-    m_fractionBits = new QSpinBox(m_content);
+    m_fractionBits = new IntegerField(m_content);
     m_fractionBits->setRange(esc::fewestFractionBits, esc::mostFractionBits);
     m_fractionBits->setAccessibleName(tr("Fraction bits of the scaling factor"));
     m_fractionBits->setToolTip(tr("29 fits the example of the manual; it can be determined from a device"));

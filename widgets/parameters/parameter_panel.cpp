@@ -288,9 +288,12 @@ void ParameterPanel::bringBack()
 
 void ParameterPanel::takeKnownAsWanted()
 {
-    for (const ParameterRow &row : std::vector(m_model->rows()))
+    ParameterValues values = m_wanted.values(m_encoder.number());
+    for (const ParameterRow &row : m_model->rows())
         if (row.known && !row.isReadOnly())
-            m_wanted.set(m_encoder.number(), row.parameter.parameter, row.known->value);
+            replaceValue(values, {row.parameter.parameter, row.known->value});
+    m_wanted.replace(m_encoder.number(), std::move(values),
+                     tr("Known values wanted for %1").arg(m_encoder.number().toString()));
 }
 
 void ParameterPanel::leaveAllAsTheyAre()

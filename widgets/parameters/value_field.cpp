@@ -18,7 +18,13 @@ ValueField::ValueField(const ParameterDescription &parameter, const QString &ifE
     layout->addWidget(m_input);
     setFocusProxy(m_input);
     if (const auto *number = qobject_cast<NumberInput *>(m_input)) {
-        connect(number, &QLineEdit::textChanged, this, &ValueField::edited);
+        connect(number, &QLineEdit::textEdited, this, [this] { m_isTyped = true; });
+        connect(number, &QLineEdit::textChanged, this, [this] {
+            Q_EMIT typed();
+            if (!std::exchange(m_isTyped, false))
+                takeText();
+        });
+        connect(number, &QLineEdit::editingFinished, this, &ValueField::takeText);
         connect(number, &QLineEdit::returnPressed, this, &ValueField::entered);
     } else {
         connect(static_cast<QComboBox *>(m_input), &QComboBox::currentIndexChanged, this,
@@ -26,10 +32,27 @@ ValueField::ValueField(const ParameterDescription &parameter, const QString &ifE
     }
 }
 
+// Losing the focus by going is no leaving of the field.
+ValueField::~ValueField()
+{
+    m_input->disconnect(this);
+}
+
 void ValueField::setValue(std::optional<std::int64_t> value)
 {
     const QSignalBlocker quiet(this);
     setInputValue(*m_input, value);
+    if (const auto *number = qobject_cast<NumberInput *>(m_input))
+        m_taken = number->text();
+}
+
+void ValueField::takeText()
+{
+    const QString text = static_cast<const NumberInput *>(m_input)->text();
+    if (!value() || signalsBlocked() || text == m_taken)
+        return;
+    m_taken = text;
+    Q_EMIT edited();
 }
 
 Result<std::optional<std::int64_t>> ValueField::value() const

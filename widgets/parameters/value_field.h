@@ -19,17 +19,26 @@ class ValueField : public QWidget
 public:
     // `ifEmpty` stands in the empty field: "as it is".
     ValueField(const ParameterDescription &parameter, const QString &ifEmpty, QWidget *parent = nullptr);
+    ~ValueField() override;
 
     void setValue(std::optional<std::int64_t> value);
     // Nothing: empty. Refused: no number, or out of the parameter's range.
     Result<std::optional<std::int64_t>> value() const;
 
 Q_SIGNALS:
-    void edited();  // by mouse, keys or a screen reader; not by setValue()
-    void entered(); // Enter in a number that is good
+    // Not by setValue(). typed: another character stands there. edited: a value was taken, since the field
+    // was left, Return was pressed, a choice made, or a screen reader has set it. What is refused is not
+    // taken.
+    void typed();
+    void edited();
+    void entered(); // Return in a number that is good
 
 private:
+    void takeText();
+
     QWidget *m_input;
+    QString m_taken;        // as it stood when a value was taken last
+    bool m_isTyped = false; // the change that is told now
 };
 
 } // namespace codewheel

@@ -5,11 +5,10 @@
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
 #include "encoder/rod_scale.h"
+#include "widgets/input/decimal_text.h"
 #include "widgets/look/fonts.h"
-#include "widgets/look/roles.h"
 #include "widgets/parameters/parameter_words.h"
 
-#include <QAction>
 #include <QComboBox>
 #include <QLocale>
 #include <QValidator>
@@ -21,7 +20,7 @@ namespace codewheel {
 
 namespace {
 
-constexpr double largestMillimetres = 1e9;
+constexpr double largestInput = 1e12; // beyond every range
 constexpr int typedDigits = 12;
 
 // As it is typed: mm for a length that goes in micrometres, the bits of a scaling factor, else a whole
@@ -37,17 +36,26 @@ QString inputText(const ParameterDescription &parameter, std::int64_t value)
     return locale.toString(static_cast<double>(value) / micrometresPerMillimetre, 'g', typedDigits);
 }
 
-std::optional<std::int64_t> inputNumber(const ParameterDescription &parameter, const QString &text)
+tl::expected<std::int64_t, QString> wholeNumber(const QString &text)
+{
+    if (const auto number = parseNumber(text))
+        return *number;
+    const auto decimal = readDecimal(text, QLocale());
+    if (!decimal)
+        return tl::unexpected(decimal.error());
+    if (*decimal != std::floor(*decimal))
+        return tl::unexpected(hasDecimalsText(text));
+    return std::llround(std::clamp(*decimal, -largestInput, largestInput)); // below 0, or beyond every range
+}
+
+tl::expected<std::int64_t, QString> inputNumber(const ParameterDescription &parameter, const QString &text)
 {
     if (parameter.unit != Unit::micrometres)
-        return parseNumber(text);
-    QLocale locale;
-    locale.setNumberOptions(QLocale::RejectGroupSeparator);
-    bool isNumber = false;
-    const double millimetres = locale.toDouble(text.trimmed(), &isNumber);
-    if (!isNumber || std::abs(millimetres) > largestMillimetres)
-        return std::nullopt;
-    return std::llround(millimetres * micrometresPerMillimetre);
+        return wholeNumber(text);
+    const auto millimetres = readDecimal(text, QLocale());
+    if (!millimetres)
+        return tl::unexpected(millimetres.error());
+    return std::llround(std::clamp(*millimetres, -largestInput, largestInput) * micrometresPerMillimetre);
 }
 
 // Anything can be typed, so that what is wrong can be said; only what is good is taken.
@@ -70,13 +78,12 @@ private:
 NumberInput::NumberInput(ParameterDescription parameter, QWidget *parent)
     : QLineEdit(parent)
     , m_parameter(std::move(parameter))
-    , m_mark(addAction(lineIcon(Icon::fault, Role::fault), QLineEdit::TrailingPosition))
+    , m_mark(*this)
 {
     setFont(numberFont());
     setAlignment(Qt::AlignRight);
     setToolTip(parameter_words::rangeAndFactory(m_parameter));
     setValidator(new RangeCheck(*this));
-    m_mark->setVisible(false);
     connect(this, &QLineEdit::textChanged, this, &NumberInput::check);
 }
 
@@ -90,26 +97,28 @@ Result<std::optional<std::int64_t>> NumberInput::value() const
     if (text().trimmed().isEmpty())
         return std::optional<std::int64_t>();
     const auto number = inputNumber(m_parameter, text());
-    if (number && *number >= m_parameter.minimum && *number <= m_parameter.maximum)
-        return number;
     const auto argument = [this](std::int64_t value) {
         return m_parameter.unit == Unit::micrometres
                    ? RefusalArgument(QStringLiteral("%1 %2").arg(valueText(m_parameter, value),
                                                                  unitText(m_parameter.unit)))
                    : RefusalArgument(value);
     };
+    if (!number)
+        return refuse(RefusalKind::badInput, RefusalId::inputNotUnderstood,
+                      {m_parameter.parameter, number.error(), argument(m_parameter.minimum),
+                       argument(m_parameter.maximum)});
+    if (*number >= m_parameter.minimum && *number <= m_parameter.maximum)
+        return *number;
     return refuse(RefusalKind::badInput, RefusalId::valueOutOfRange,
-                  {m_parameter.parameter, number ? argument(*number) : RefusalArgument(text().trimmed()),
-                   argument(m_parameter.minimum), argument(m_parameter.maximum)});
+                  {m_parameter.parameter, argument(*number), argument(m_parameter.minimum),
+                   argument(m_parameter.maximum)});
 }
 
 void NumberInput::check()
 {
     const auto checked = value();
     const QString wrong = checked ? QString() : refusalText(checked.error());
-    m_mark->setVisible(!checked);
-    m_mark->setToolTip(wrong);
-    setAccessibleDescription(wrong);
+    m_mark.show(wrong);
     Q_EMIT inputChecked(wrong);
 }
 

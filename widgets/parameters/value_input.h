@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/refusal.h"
+#include "widgets/input/input_mark.h"
 
 #include <QLineEdit>
 
@@ -30,7 +31,7 @@ private:
     void check();
 
     ParameterDescription m_parameter;
-    QAction *m_mark; // at the field while its input is bad
+    InputMark m_mark;
 };
 
 // What an item delegate, the "tell" row and a page of fields need: a NumberInput, or a combo box for the

@@ -41,6 +41,13 @@ void WantedValues::set(DeviceNumber number, Parameter parameter, std::optional<s
     });
 }
 
+void WantedValues::replace(DeviceNumber number, ParameterValues values, const QString &what)
+{
+    std::ranges::sort(values, {}, &ParameterValue::parameter);
+    if (values != this->values(number))
+        m_project.editDevice(number, what, [&](ProjectDevice &device) { device.wanted = std::move(values); });
+}
+
 void WantedValues::clear(DeviceNumber number)
 {
     if (!values(number).empty())

@@ -26,6 +26,8 @@ public:
     ParameterValues values(DeviceNumber number) const; // in the order of the parameters
     // Nothing: leave it as it is.
     void set(DeviceNumber number, Parameter parameter, std::optional<std::int64_t> value);
+    // All of them at once: one step of undo, called `what`.
+    void replace(DeviceNumber number, ParameterValues values, const QString &what);
     void clear(DeviceNumber number);
 
 Q_SIGNALS:

@@ -5,6 +5,7 @@
 #include "encoder/refusal_text.h"
 #include "project/file_access.h"
 #include "widgets/eeprom/eeprom_question.h"
+#include "widgets/input/number_fields.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -37,7 +38,7 @@ SequenceView::SequenceView(QWidget *parent)
     , m_empty(new EmptyState(Icon::sequence, {}, {}, this))
     , m_tools(new QToolBar(this))
     , m_table(new QTableView(this))
-    , m_hold(new QSpinBox(this))
+    , m_hold(new IntegerField(this))
     , m_summary(new QLabel(this))
     , m_send(new QPushButton(lineIcon(Icon::start), tr("&Send"), this))
     , m_stop(new QPushButton(lineIcon(Icon::stop), tr("S&top"), this))

@@ -4,6 +4,7 @@
 #include "project/project_take_over.h"
 #include "ring/cycle_time.h"
 #include "ring/ring_rules.h"
+#include "widgets/input/number_fields.h"
 #include "widgets/look/grid.h"
 #include "widgets/project/project_document.h"
 
@@ -29,7 +30,7 @@ PlanSummary::PlanSummary(ProjectDocument &document, QWidget *parent)
     , m_document(document)
     , m_counts(new QLabel(this))
     , m_times(new QLabel(this))
-    , m_cable(new QDoubleSpinBox(this))
+    , m_cable(new DecimalField(this))
 {
     m_counts->setObjectName(QStringLiteral("planCounts"));
     m_counts->setWordWrap(true);

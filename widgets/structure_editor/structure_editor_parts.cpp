@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the structure editor is made of, and how its parts are connected.
 #include "project/process_addresses.h"
+#include "widgets/input/number_fields.h"
 #include "widgets/look/content_scroll_area.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
@@ -51,7 +52,7 @@ StructureEditor::StructureEditor(ProjectDocument &document, const Catalog &catal
     , m_message(new InlineMessage(this))
     , m_summary(new PlanSummary(document, this))
     , m_unit(new QComboBox(this))
-    , m_first(new QSpinBox(this))
+    , m_first(new IntegerField(this))
     , m_step5(new QCheckBox(tr("Step &5"), this))
     , m_findings(new QToolButton(this))
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/training/line_encoder_box.h"
 
+#include "widgets/input/number_fields.h"
 #include "widgets/look/grid.h"
 #include "widgets/training/hand_wheel.h"
 #include "widgets/training/training_fields.h"
@@ -21,7 +22,7 @@ LineEncoderBox::LineEncoderBox(QWidget *parent)
     : QWidget(parent)
     , m_wheel(new HandWheel(this))
     , m_raw(numberLabel(tr("Raw position"), this))
-    , m_speed(new QDoubleSpinBox(this))
+    , m_speed(new DecimalField(this))
     , m_troubles{{
           {&EscCondition::powered, tr("Power on"), tr("Supply of the encoder; it keeps what was written")},
           {&EscCondition::mute, tr("Silent"), tr("It hears and acts, and says nothing")},

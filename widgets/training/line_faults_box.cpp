@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/training/line_faults_box.h"
 
+#include "widgets/input/number_fields.h"
 #include "widgets/look/grid.h"
 #include "widgets/training/training_fields.h"
 
@@ -41,7 +42,7 @@ LineFaultsBox::LineFaultsBox(QWidget *parent)
                {&LineFaults::delayed, tr("Delayed bytes"),
                 tr("Of 1000 bytes, both ways; they and all behind them come later"),
                 tr("Delayed bytes: %1 of 1000.")}}}
-    , m_delay(new QSpinBox(this))
+    , m_delay(new IntegerField(this))
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -65,7 +66,7 @@ void LineFaultsBox::makeRates(QGridLayout &grid)
 {
     int row = 0;
     for (Rate &rate : m_rates) {
-        rate.field = new QSpinBox(this);
+        rate.field = new IntegerField(this);
         rate.field->setRange(0, mostPerThousand);
         prepare(rate.field, 5);
         rate.field->setAccessibleName(tr("%1, of 1000").arg(rate.name));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/training/ring_faults.h"
 
+#include "widgets/input/number_fields.h"
 #include "widgets/look/grid.h"
 #include "widgets/training/training_fields.h"
 
@@ -57,7 +58,7 @@ void RingFaults::addRate(QVBoxLayout *column)
     row->setContentsMargins({});
     row->setSpacing(grid::unit);
     auto *caption = new QLabel(tr("CRC errors per 1000"), m_rateRow);
-    m_rate = new QSpinBox(m_rateRow);
+    m_rate = new IntegerField(m_rateRow);
     prepare(m_rate, 4);
     m_rate->setRange(0, mostCrcErrors);
     m_rate->setAccessibleName(tr("CRC errors of 1000 data cycles"));

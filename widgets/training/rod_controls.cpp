@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/training/rod_controls.h"
 
+#include "widgets/input/number_fields.h"
 #include "widgets/look/grid.h"
 #include "widgets/training/training_fields.h"
 
@@ -36,8 +37,8 @@ RodControls::RodControls(TrainingControls &controls, QWidget *parent)
     , m_controls(controls)
     , m_track(new QSlider(Qt::Horizontal, this))
     , m_place(numberLabel(tr("Place of the magnet in mm"), this))
-    , m_target(new QDoubleSpinBox(this))
-    , m_speed(new QDoubleSpinBox(this))
+    , m_target(new DecimalField(this))
+    , m_speed(new DecimalField(this))
 {
     m_track->setAccessibleName(tr("Magnet on the rod"));
     m_track->setToolTip(tr("Move the magnet by hand: drag, or use the arrow keys and Page Up, Page Down. The "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/training/shaft_controls.h"
 
+#include "widgets/input/number_fields.h"
 #include "widgets/look/grid.h"
 #include "widgets/training/hand_wheel.h"
 #include "widgets/training/training_fields.h"
@@ -27,8 +28,8 @@ ShaftControls::ShaftControls(TrainingControls &controls, QWidget *parent)
     , m_wheel(new HandWheel(this))
     , m_raw(numberLabel(tr("Raw position"), this))
     , m_turn(numberLabel(tr("Turn"), this))
-    , m_target(new QSpinBox(this))
-    , m_speed(new QDoubleSpinBox(this))
+    , m_target(new IntegerField(this))
+    , m_speed(new DecimalField(this))
 {
     auto *numbers = new QGridLayout;
     numbers->setVerticalSpacing(grid::unit / 2);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/calculator_field.h"
 
+#include "widgets/input/number_fields.h"
 #include "widgets/look/fonts.h"
 
 #include <QDoubleSpinBox>
@@ -17,7 +18,7 @@ constexpr double largest = 1'000'000;
 QDoubleSpinBox *addCalculatorField(QGridLayout &grid, QWidget &parent, const CalculatorField &field,
                                    double value)
 {
-    auto *box = new QDoubleSpinBox(&parent);
+    auto *box = new DecimalField(&parent);
     box->setDecimals(field.decimals);
     box->setRange(field.least, largest);
     box->setValue(value);

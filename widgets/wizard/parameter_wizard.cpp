@@ -73,7 +73,11 @@ ParameterWizard::ParameterWizard(ConnectedEncoders &connected, WantedValues &wan
     showPage(device);
 }
 
-ParameterWizard::~ParameterWizard() = default;
+// The pages go before what they share: a field that is left as they go would still take its value.
+ParameterWizard::~ParameterWizard()
+{
+    delete m_pages;
+}
 
 void ParameterWizard::makePages()
 {
@@ -119,6 +123,7 @@ void ParameterWizard::follow(EncoderSession *encoder)
     m_setup->encoder = encoder;
     m_setup->wish = {};
     m_setup->takeWanted();
+    m_setup->keep();
     m_setup->record = {};
     if (encoder == nullptr)
         return;
@@ -181,6 +186,11 @@ void ParameterWizard::next()
         return;
     }
     const bool starts = page() == review;
+    current()->leave();
+    if (!current()->mayGoOn())
+        return;
+    if (starts)
+        m_setup->keep();
     showPage(page() + 1);
     if (starts)
         m_handshakePage->start();
@@ -188,6 +198,7 @@ void ParameterWizard::next()
 
 void ParameterWizard::back()
 {
+    current()->leave();
     showPage(page() == report ? int(values) : page() == handshake ? int(review) : page() - 1);
 }
 
@@ -197,6 +208,7 @@ void ParameterWizard::cancel()
         m_handshakePage->cancel();
         return;
     }
+    m_setup->takeBack();
     showPage(device);
     Q_EMIT closeRequested();
 }

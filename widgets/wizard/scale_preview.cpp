@@ -2,6 +2,7 @@
 #include "widgets/wizard/scale_preview.h"
 
 #include "widgets/dial/code_disc.h"
+#include "widgets/input/number_fields.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 
@@ -16,7 +17,7 @@ namespace codewheel {
 ScalePreview::ScalePreview(QWidget *parent)
     : QWidget(parent)
     , m_dial(new CodeDisc(this))
-    , m_turns(new QDoubleSpinBox(this))
+    , m_turns(new DecimalField(this))
 {
     auto *title = new QLabel(tr("Will read, &after turns from here:"), this);
     title->setWordWrap(true);

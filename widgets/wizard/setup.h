@@ -8,6 +8,8 @@
 
 #include <QPointer>
 
+#include <map>
+
 namespace codewheel {
 
 class ConnectedEncoders;
@@ -19,6 +21,12 @@ struct Setup
     QPointer<EncoderSession> encoder;
     WantedValues &wanted; // shared with the parameter panel
     WriteWish wish;
+    struct Given
+    {
+        std::optional<std::int64_t> before;
+        std::optional<std::int64_t> now;
+    };
+    std::map<Parameter, Given> given = {}; // by the pages of the wizard
     bool byHand = true;
     HandshakeRecord record;
 
@@ -33,11 +41,16 @@ struct Setup
         const auto known = encoder ? encoder->known(parameter) : std::nullopt;
         return known ? std::optional(known->value) : std::nullopt;
     }
-    void want(Parameter parameter, std::optional<std::int64_t> value)
-    {
-        wanted.set(encoder->number(), parameter, value);
-        takeWanted();
-    }
+    using Wishes = std::map<Parameter, std::optional<std::int64_t>>; // nothing: unchanged
+
+    // One step of undo.
+    void want(const Wishes &wishes);
+    void want(Parameter parameter, std::optional<std::int64_t> value) { want(Wishes{{parameter, value}}); }
+    // What the pages of the wizard have put among the wanted values is as it was before; what was changed
+    // elsewhere since stays.
+    void takeBack();
+    // It is the user's now: nothing is taken back.
+    void keep() { given.clear(); }
     void takeWanted() { wish.wanted = encoder ? wanted.values(encoder->number()) : ParameterValues{}; }
 };
 

@@ -41,7 +41,7 @@ ValuesPage::ValuesPage(Setup &setup, QWidget *parent)
     connect(m_initialise, &QCheckBox::clicked, this, [this](bool on) {
         const bool needsValue = m_setup.encoder->can().presetNeedsValue;
         m_setup.wish.initialisePreset = on && !needsValue;
-        readFields();
+        takeFields();
         if (on && needsValue)
             m_position->setFocus();
     });
@@ -55,7 +55,7 @@ void ValuesPage::enter()
         row.field->setValue(valueOf(m_setup.wish.wanted, parameter));
     showSetting();
     showKnown();
-    readFields();
+    takeFields();
 }
 
 // Either the preset that is programmed, or a position given with the command.
@@ -86,7 +86,8 @@ void ValuesPage::makePositionField()
     m_position->focusProxy()->setAccessibleName(tr("Position to set now"));
     m_position->focusProxy()->setToolTip(positionToSetText(*m_setup.encoder));
     m_setting->insertWidget(1, m_position);
-    connect(m_position, &ValueField::edited, this, &ValuesPage::readFields);
+    connect(m_position, &ValueField::typed, this, &ValuesPage::checkFields);
+    connect(m_position, &ValueField::edited, this, &ValuesPage::takeFields);
     setTabOrder(m_initialise, m_position->focusProxy());
 }
 
@@ -100,7 +101,7 @@ void ValuesPage::makeRows()
     connect(m_consequences, &Consequences::chosen, this, [this](const ParameterValues &values) {
         for (const ParameterValue &value : values)
             m_rows.at(value.parameter).field->setValue(value.value);
-        readFields();
+        takeFields();
     });
     m_rows.clear();
     delete m_form->layout();
@@ -122,13 +123,14 @@ void ValuesPage::makeRows()
         form->addWidget(new QLabel(unitText(parameter.unit), m_form), at, 2);
         form->addWidget(row.now, at, 3);
         m_rows[parameter.parameter] = row;
+        connect(field, &ValueField::typed, this, &ValuesPage::checkFields);
         connect(field, &ValueField::edited, this, [this, changed = parameter.parameter] {
             if (changed == Parameter::preset) { // who gives a preset wants it to hold
                 const auto value = m_rows.at(Parameter::preset).field->value();
                 m_setup.wish.initialisePreset = value && *value && m_setup.encoder->can().presets;
                 m_initialise->setChecked(m_setup.wish.initialisePreset);
             }
-            readFields();
+            takeFields();
         });
         field->show(); // at once, to take the focus
         if (before == nullptr)
@@ -155,21 +157,32 @@ void ValuesPage::showLatest()
     m_consequences->refresh();
 }
 
-void ValuesPage::readFields()
+// What stands there, while it is typed as well. Nothing of it is wanted yet.
+void ValuesPage::checkFields()
 {
     m_inputIsGood = true;
     m_badInput->withdraw();
+    bool hasValue = false;
     for (const auto &[parameter, row] : m_rows) {
         const auto value = row.field->value();
-        if (value)
-            m_setup.want(parameter, *value);
-        else if (std::exchange(m_inputIsGood, false))
+        hasValue = hasValue || (value && *value);
+        if (!value && std::exchange(m_inputIsGood, false))
             m_badInput->showMessage(Role::attention, refusalText(value.error()));
     }
     readPosition();
-    m_hasAny = !m_setup.wish.wanted.empty() || m_setup.wish.initialisePreset || m_setup.wish.setPositionTo;
-    m_consequences->refresh();
+    m_hasAny = hasValue || m_setup.wish.initialisePreset || m_setup.wish.setPositionTo;
     Q_EMIT changed();
+}
+
+void ValuesPage::takeFields()
+{
+    Setup::Wishes wishes;
+    for (const auto &[parameter, row] : m_rows)
+        if (const auto value = row.field->value())
+            wishes[parameter] = *value;
+    m_setup.want(wishes);
+    checkFields();
+    m_consequences->refresh();
 }
 
 void ValuesPage::readPosition()

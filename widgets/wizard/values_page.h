@@ -26,6 +26,7 @@ public:
     explicit ValuesPage(Setup &setup, QWidget *parent = nullptr);
 
     void enter() override;
+    void leave() override { takeFields(); }
     bool mayGoOn() const override { return m_inputIsGood && m_hasAny; }
     void showLatest() override;
     void showKnown() override;
@@ -38,7 +39,8 @@ private:
     };
 
     void makeRows();
-    void readFields();
+    void checkFields();
+    void takeFields();
     void readPosition();
     void showSetting();
     void makePositionField();

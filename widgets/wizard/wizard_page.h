@@ -23,6 +23,7 @@ public:
 
     const QString &title() const { return m_title; }
     virtual void enter() {} // the page is shown: fill it
+    virtual void leave() {} // for the next one, or the one before: what stands in its fields is taken
     virtual bool mayGoOn() const { return true; }
     virtual bool mayGoBack() const { return true; }
     virtual QString nextText() const { return tr("&Next"); }

@@ -48,6 +48,7 @@ TEST_F(WizardMainJob, ByMouse)
     type("steps", "255");
     type("revolutions", "1");
     type("preset", "0");
+    leaveField();
     EXPECT_TRUE(find<QAbstractButton>("initialisePreset")->isChecked());
     EXPECT_TRUE(text("scaleText").contains(QStringLiteral("255 steps per turn")));
     next();

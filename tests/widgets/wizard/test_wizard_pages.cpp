@@ -107,6 +107,39 @@ TEST_F(WizardPages, BadInputIsNamedAtItsPlaceAndHoldsThePage)
     EXPECT_TRUE(isEnabled("wizardNext"));
 }
 
+TEST_F(WizardPages, NeitherWhatIsHalfTypedNorWhatIsRefusedIsWanted)
+{
+    wizard.setEncoder(&baumer());
+    next();
+    next();
+    next();
+    type("steps", "99999999");
+    EXPECT_FALSE(wanted.value({2, 0}, Parameter::steps));
+    leaveField();
+    EXPECT_FALSE(wanted.value({2, 0}, Parameter::steps));
+    EXPECT_FALSE(isEnabled("wizardNext"));
+    type("steps", "400");
+    EXPECT_FALSE(wanted.value({2, 0}, Parameter::steps));
+    leaveField();
+    EXPECT_EQ(wanted.value({2, 0}, Parameter::steps), 400);
+}
+
+TEST_F(WizardPages, CancelRestoresWhatWasWantedBefore)
+{
+    wanted.set({2, 0}, Parameter::steps, 100);
+    wizard.setEncoder(&baumer());
+    next();
+    next();
+    next();
+    type("steps", "400");
+    leaveField();
+    type("revolutions", "2");
+    leaveField();
+    wanted.set({2, 0}, Parameter::offset, 7); // in the parameter panel beside it
+    click("wizardCancel");
+    EXPECT_EQ(wanted.values({2, 0}), (ParameterValues{{Parameter::steps, 100}, {Parameter::offset, 7}}));
+}
+
 TEST_F(WizardPages, AMeasuringRangeThatJumpsIsSaid)
 {
     for (const auto &[parameter, value] :
@@ -117,9 +150,11 @@ TEST_F(WizardPages, AMeasuringRangeThatJumpsIsSaid)
     next();
     next();
     type("measuring-range", "5");
+    leaveField();
     EXPECT_TRUE(sentence("scaleWarning").contains(QStringLiteral("jump")));
     EXPECT_TRUE(text("scaleText").contains(QStringLiteral("total range 1000 steps")));
     type("measuring-range", "8");
+    leaveField();
     EXPECT_EQ(sentence("scaleWarning"), QString());
 }
 

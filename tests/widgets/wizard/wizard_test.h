@@ -70,6 +70,7 @@ protected:
         edit->selectAll();
         QTest::keyClicks(edit, QString::fromLatin1(text));
     }
+    void leaveField() { QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab); }
     QString sentence(const char *message) const { return find<InlineMessage>(message)->sentence(); }
     QString text(const char *label) const { return find<QLabel>(label)->text(); }
     bool isEnabled(const char *button) const { return find<QAbstractButton>(button)->isEnabled(); }

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <tl/expected.hpp>
+
+class QLocale;
+
+namespace codewheel {
+
+// A number as somebody typed it, with point or comma, whatever the country. Refused with a sentence: what is
+// no number, and a sign that may stand between thousands as well as before decimals ("1,000" in English: 1000
+// or 1.000).
+tl::expected<double, QString> readDecimal(const QString &text, const QLocale &locale);
+
+// "\"x\" is no number."
+QString noNumberText(const QString &text);
+// "2.5 has decimals; a whole number belongs here."
+QString hasDecimalsText(const QString &text);
+
+} // namespace codewheel

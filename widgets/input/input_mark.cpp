@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/input/input_mark.h"
+
+#include "widgets/look/icons.h"
+#include "widgets/look/roles.h"
+
+#include <QAction>
+#include <QLineEdit>
+
+namespace codewheel {
+
+InputMark::InputMark(QLineEdit &field)
+    : m_field(field)
+    , m_mark(field.addAction(lineIcon(Icon::fault, Role::fault), QLineEdit::TrailingPosition))
+{
+    m_mark->setVisible(false);
+}
+
+void InputMark::show(const QString &wrong)
+{
+    m_mark->setVisible(!wrong.isEmpty());
+    m_mark->setToolTip(wrong);
+    m_field.setAccessibleDescription(wrong);
+}
+
+} // namespace codewheel

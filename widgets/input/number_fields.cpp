@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/input/number_fields.h"
+
+#include "widgets/input/decimal_text.h"
+
+#include <QCoreApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QToolTip>
+
+#include <cmath>
+#include <type_traits>
+
+namespace codewheel {
+namespace {
+
+struct SpinFieldTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::SpinField)
+};
+
+} // namespace
+
+template <typename SpinBox>
+SpinField<SpinBox>::SpinField(QWidget *parent)
+    : SpinBox(parent)
+    , m_mark(*this->lineEdit())
+{
+    this->setKeyboardTracking(false);
+    QObject::connect(this->lineEdit(), &QLineEdit::textChanged, this, [this] { m_mark.show(complaint()); });
+}
+
+// Without what the field itself puts before and behind the number.
+template <typename SpinBox>
+QString SpinField<SpinBox>::bareText(QString text) const
+{
+    if (!this->specialValueText().isEmpty() && text == this->specialValueText())
+        return this->textFromValue(this->minimum());
+    if (text.startsWith(this->prefix()))
+        text.remove(0, this->prefix().size());
+    if (text.endsWith(this->suffix()))
+        text.chop(this->suffix().size());
+    return text.trimmed();
+}
+
+template <typename SpinBox>
+auto SpinField<SpinBox>::read(const QString &text) const -> tl::expected<Value, QString>
+{
+    const QString bare = bareText(text);
+    const auto number = readDecimal(bare, this->locale());
+    if (!number)
+        return tl::unexpected(number.error());
+    if (std::is_integral_v<Value> && *number != std::floor(*number))
+        return tl::unexpected(hasDecimalsText(bare));
+    if (*number < this->minimum() || *number > this->maximum())
+        return tl::unexpected(
+            SpinFieldTexts::tr("%1 is outside %2 to %3.")
+                .arg(bare, this->textFromValue(this->minimum()), this->textFromValue(this->maximum())));
+    return static_cast<Value>(*number);
+}
+
+template <typename SpinBox>
+QString SpinField<SpinBox>::complaint() const
+{
+    const QString text = this->lineEdit()->text();
+    const auto number = read(text);
+    return number || bareText(text).isEmpty() ? QString() : number.error();
+}
+
+template <typename SpinBox>
+QValidator::State SpinField<SpinBox>::validate(QString &text, int &) const
+{
+    return read(text) ? QValidator::Acceptable : QValidator::Intermediate;
+}
+
+template <typename SpinBox>
+auto SpinField<SpinBox>::valueFromText(const QString &text) const -> Value
+{
+    return read(text).value_or(this->value());
+}
+
+// Esc is for the field where something was typed, and Return where it is good; else for whoever is around it.
+template <typename SpinBox>
+void SpinField<SpinBox>::keyPressEvent(QKeyEvent *event)
+{
+    const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (const QString wrong = complaint(); enters && !wrong.isEmpty()) {
+        tell(wrong);
+        return;
+    }
+    const QString before = this->prefix() + this->textFromValue(this->value()) + this->suffix();
+    if (event->key() == Qt::Key_Escape && bareText(this->lineEdit()->text()) != bareText(before)) {
+        this->lineEdit()->setText(before);
+        this->selectAll();
+        return;
+    }
+    SpinBox::keyPressEvent(event);
+}
+
+// What is refused is not taken, and the value before stands again; the sentence stays in sight for a while.
+template <typename SpinBox>
+void SpinField<SpinBox>::focusOutEvent(QFocusEvent *event)
+{
+    if (const QString wrong = complaint(); !wrong.isEmpty())
+        tell(SpinFieldTexts::tr("%1 The value before stands.").arg(wrong));
+    SpinBox::focusOutEvent(event);
+    m_mark.show(complaint());
+}
+
+template <typename SpinBox>
+void SpinField<SpinBox>::tell(const QString &sentence) const
+{
+    QToolTip::showText(this->mapToGlobal(QPoint(0, this->height())), sentence);
+}
+
+template class SpinField<QDoubleSpinBox>;
+template class SpinField<QSpinBox>;
+
+} // namespace codewheel

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/input/input_mark.h"
+
+#include <QDoubleSpinBox>
+#include <QSpinBox>
+
+#include <tl/expected.hpp>
+
+namespace codewheel {
+
+// The field for a number in every form. What is typed is taken when the field is left or Return is pressed,
+// and only if it is good; until then a mark tells what is wrong. Esc gives the value before. Point and comma
+// both stand before decimals.
+template <typename SpinBox>
+class SpinField : public SpinBox
+{
+public:
+    using Value = decltype(std::declval<SpinBox>().value());
+
+    explicit SpinField(QWidget *parent = nullptr);
+
+protected:
+    QValidator::State validate(QString &text, int &position) const override;
+    Value valueFromText(const QString &text) const override;
+    void fixup(QString &) const override {} // Qt's own would take signs between thousands out
+    void keyPressEvent(QKeyEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
+
+private:
+    QString bareText(QString text) const;
+    tl::expected<Value, QString> read(const QString &text) const;
+    void tell(const QString &sentence) const;
+    QString complaint() const; // about what stands in the field; empty: none
+
+    InputMark m_mark;
+};
+
+extern template class SpinField<QDoubleSpinBox>;
+extern template class SpinField<QSpinBox>;
+
+using DecimalField = SpinField<QDoubleSpinBox>;
+using IntegerField = SpinField<QSpinBox>;
+
+} // namespace codewheel

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+namespace codewheel {
+
+// No field changes by the wheel unless it has the focus, and the wheel gives no focus: whoever scrolls over a
+// form scrolls. Put on the application, it holds for every number, choice and slider of the program.
+class WheelRule : public QObject
+{
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject *watched, QEvent *event) override;
+};
+
+} // namespace codewheel

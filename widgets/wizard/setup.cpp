@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/wizard/setup.h"
+
+#include <QCoreApplication>
+
+namespace codewheel {
+namespace {
+
+struct SetupTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::Setup)
+};
+
+void put(ParameterValues &values, Parameter parameter, std::optional<std::int64_t> value)
+{
+    if (value)
+        replaceValue(values, {parameter, *value});
+    else
+        std::erase_if(values, [&](const ParameterValue &each) { return each.parameter == parameter; });
+}
+
+} // namespace
+
+void Setup::want(const Wishes &wishes)
+{
+    ParameterValues values = wish.wanted;
+    for (const auto &[parameter, value] : wishes) {
+        const auto before = valueOf(wish.wanted, parameter);
+        if (before == value)
+            continue;
+        put(values, parameter, value);
+        given.try_emplace(parameter, Given{before, value}).first->second.now = value;
+    }
+    wanted.replace(encoder->number(), std::move(values),
+                   SetupTexts::tr("Values wanted for %1").arg(encoder->number().toString()));
+    takeWanted();
+}
+
+void Setup::takeBack()
+{
+    if (!encoder)
+        return;
+    takeWanted();
+    ParameterValues values = wish.wanted;
+    for (const auto &[parameter, change] : given)
+        if (valueOf(wish.wanted, parameter) == change.now)
+            put(values, parameter, change.before);
+    wanted.replace(encoder->number(), std::move(values),
+                   SetupTexts::tr("Wizard for %1 cancelled").arg(encoder->number().toString()));
+    keep();
+    takeWanted();
+}
+
+} // namespace codewheel
