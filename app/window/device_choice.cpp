@@ -56,8 +56,9 @@ ShownEncoder DeviceChoice::find() const
     if (m_number && m_connected.isConnected(*m_number))
         return m_connected.encoder(*m_number);
     if (m_number && m_planned)
-        if (auto description = plannedDescription(m_project.device(*m_number), m_connected.bus().catalog()))
-            return {*m_number, std::move(*description)};
+        if (const auto description =
+                plannedDescription(m_project.device(*m_number), m_connected.bus().catalog()))
+            return {*m_number, *description};
     return {};
 }
 

@@ -13,11 +13,11 @@
 #include "ring/bus_session.h"
 #include "simulator/training_controls.h"
 #include "transfer/last_positions.h"
-#include "widgets/input/wheel_rule.h"
 #include "widgets/cams/cam_editor.h"
 #include "widgets/comparison/comparison_page.h"
 #include "widgets/device/device_panel.h"
 #include "widgets/dial/dial_panel.h"
+#include "widgets/input/wheel_rule.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/models/connected_encoders.h"
@@ -33,6 +33,7 @@
 #include "widgets/training/training_panel.h"
 #include "widgets/wizard/parameter_wizard.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QScreen>
 #include <QStackedWidget>

@@ -170,7 +170,7 @@ std::optional<int> SimulatedRing::standingOfRing(TrainingFault fault, std::size_
 void SimulatedRing::startFaultPlan(FaultPlan plan)
 {
     const std::scoped_lock lock(m_mutex);
-    m_plan.start(std::move(plan));
+    m_plan.start(plan);
 }
 
 void SimulatedRing::stopFaultPlan()

@@ -108,7 +108,7 @@ TrainingBus makeTrainingBus(const TrainingPlan &plan)
     for (const TrainingParticipant &planned : plan)
         ring->add(participantOf(planned), deviceOf(planned));
     ring->keepConfiguration(QStringLiteral("training.json"));
-    return busOf(std::move(ring));
+    return busOf(ring);
 }
 
 TrainingBus makeTrainingBus(const Catalog &catalog)
@@ -126,7 +126,7 @@ TrainingBus makeMovingRing(int count)
         encoder->setSpeed(slowestOfRing + i * speedDifference);
         ring->add(frabaAt(i + 1), std::move(encoder));
     }
-    return busOf(std::move(ring));
+    return busOf(ring);
 }
 
 } // namespace codewheel

@@ -67,8 +67,10 @@ int main(int argc, char **argv)
         QElapsedTimer clock;
         clock.start();
         mouse(*ruler, QEvent::MouseMove, from + i % 300);
-        sheet.setLive(
-            {.on = static_cast<std::uint8_t>(i), .isTold = true, .position = CamLive::Position{i, i}});
+        CamLive live{.on = {}, .isTold = true, .position = CamLive::Position{i, i}};
+        for (std::size_t cam = 0; cam < live.on.size(); ++cam)
+            live.on.at(cam) = ((i >> cam) & 1) != 0;
+        sheet.setLive(live);
         QApplication::processEvents();
         if (i >= warmUp)
             times.push_back(static_cast<double>(clock.nsecsElapsed()) * 1e-6);

@@ -196,6 +196,7 @@ TEST(Appearance, LargeControlsAreOneAndAHalfTimesAsHigh)
     const std::array controls{static_cast<QWidget *>(&button), static_cast<QWidget *>(&field),
                               static_cast<QWidget *>(&number), static_cast<QWidget *>(&choice)};
     std::vector<int> usual;
+    usual.reserve(controls.size());
     for (QWidget *control : controls)
         usual.push_back(control->sizeHint().height());
     applyAppearance(*qApp, {.scheme = Scheme::light, .largeControls = true});
