@@ -12080,10 +12080,6 @@ Worte: IN %5, OUT %6</translation>
         <source>%1 is outside %2 to %3.</source>
         <translation>%1 liegt außerhalb von %2 bis %3.</translation>
     </message>
-    <message>
-        <source>%1 The value before stands.</source>
-        <translation>%1 Der Wert davor gilt weiter.</translation>
-    </message>
 </context>
 <context>
     <name>codewheel::StatusBits</name>

@@ -27,7 +27,8 @@ SpinField<SpinBox>::SpinField(QWidget *parent)
     , m_mark(*this->lineEdit())
 {
     this->setKeyboardTracking(false);
-    QObject::connect(this->lineEdit(), &QLineEdit::textChanged, this, [this] { m_mark.show(complaint()); });
+    QObject::connect(this->lineEdit(), &QLineEdit::textChanged, this, [this] { check(); });
+    QObject::connect(this, &SpinBox::valueChanged, this, [this] { check(); }); // may be set by others
 }
 
 // Without what the field itself puts before and behind the number.
@@ -84,8 +85,8 @@ template <typename SpinBox>
 void SpinField<SpinBox>::keyPressEvent(QKeyEvent *event)
 {
     const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (const QString wrong = complaint(); enters && !wrong.isEmpty()) {
-        tell(wrong);
+    if (enters && !complaint().isEmpty()) {
+        check();
         return;
     }
     const QString before = this->prefix() + this->textFromValue(this->value()) + this->suffix();
@@ -97,20 +98,28 @@ void SpinField<SpinBox>::keyPressEvent(QKeyEvent *event)
     SpinBox::keyPressEvent(event);
 }
 
-// What is refused is not taken, and the value before stands again; the sentence stays in sight for a while.
+// What is refused is not taken. It stays in the field with its mark, to be corrected; Qt would put the value
+// before there without a word.
 template <typename SpinBox>
 void SpinField<SpinBox>::focusOutEvent(QFocusEvent *event)
 {
-    if (const QString wrong = complaint(); !wrong.isEmpty())
-        tell(SpinFieldTexts::tr("%1 The value before stands.").arg(wrong));
+    const bool isRefused = !complaint().isEmpty();
+    const QString typed = this->lineEdit()->text();
     SpinBox::focusOutEvent(event);
-    m_mark.show(complaint());
+    if (isRefused)
+        this->lineEdit()->setText(typed);
 }
 
 template <typename SpinBox>
-void SpinField<SpinBox>::tell(const QString &sentence) const
+void SpinField<SpinBox>::check()
 {
-    QToolTip::showText(this->mapToGlobal(QPoint(0, this->height())), sentence);
+    const QString wrong = complaint();
+    m_mark.show(wrong);
+    if (!this->hasFocus())
+        return;
+    const QString inLines =
+        wrong.isEmpty() ? QString() : QStringLiteral("<qt>%1</qt>").arg(wrong.toHtmlEscaped());
+    QToolTip::showText(this->mapToGlobal(QPoint(0, this->height())), inLines, this); // none: it goes
 }
 
 template class SpinField<QDoubleSpinBox>;

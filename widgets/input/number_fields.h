@@ -31,7 +31,7 @@ protected:
 private:
     QString bareText(QString text) const;
     tl::expected<Value, QString> read(const QString &text) const;
-    void tell(const QString &sentence) const;
+    void check();
     QString complaint() const; // about what stands in the field; empty: none
 
     InputMark m_mark;
