@@ -3,12 +3,10 @@
 // ends, OUT is 0 again, and no word that commands anything goes out that did not stand there already.
 #include "catalog/catalog.h"
 #include "drivers/make_driver.h"
-#include "simulator/baumer_k3.h"
-#include "simulator/fraba_k3.h"
 #include "simulator/simulated_la66.h"
+#include "tests/ring/driven_encoder.h"
 
 #include <algorithm>
-#include <functional>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -28,12 +26,12 @@ struct CancelledEncoder
 
 std::unique_ptr<SimulatedDevice> fraba()
 {
-    return std::make_unique<FrabaK3>(PhysicalResolution{8192, 4096}, 12'345, FrabaPlate{.serialNumber = 1});
+    return frabaK3();
 }
 
 std::unique_ptr<SimulatedDevice> baumer()
 {
-    return std::make_unique<BaumerK3>(PhysicalResolution{8192, 4096}, 12'345);
+    return baumerK3();
 }
 
 std::unique_ptr<SimulatedDevice> rod()

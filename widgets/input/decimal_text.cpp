@@ -50,13 +50,8 @@ tl::expected<double, QString> readDecimal(const QString &text, const QLocale &lo
     bool isNumber = false;
     const double number = plain.replace(u',', u'.').toDouble(&isNumber);
     if (!isNumber || !qIsFinite(number))
-        return tl::unexpected(noNumberText(typed));
+        return tl::unexpected(DecimalText::tr("\"%1\" is no number.").arg(typed));
     return number;
-}
-
-QString noNumberText(const QString &text)
-{
-    return DecimalText::tr("\"%1\" is no number.").arg(text.trimmed());
 }
 
 QString hasDecimalsText(const QString &text)

@@ -14,8 +14,6 @@ namespace codewheel {
 // or 1.000).
 tl::expected<double, QString> readDecimal(const QString &text, const QLocale &locale);
 
-// "\"x\" is no number."
-QString noNumberText(const QString &text);
 // "2.5 has decimals; a whole number belongs here."
 QString hasDecimalsText(const QString &text);
 

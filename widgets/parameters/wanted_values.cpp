@@ -8,6 +8,14 @@
 
 namespace codewheel {
 
+void putWanted(ParameterValues &values, Parameter parameter, std::optional<std::int64_t> value)
+{
+    if (value)
+        replaceValue(values, {parameter, *value});
+    else
+        std::erase_if(values, [&](const ParameterValue &each) { return each.parameter == parameter; });
+}
+
 WantedValues::WantedValues(ProjectDocument &project, QObject *parent)
     : QObject(parent)
     , m_project(project)
@@ -31,14 +39,9 @@ void WantedValues::set(DeviceNumber number, Parameter parameter, std::optional<s
     if (this->value(number, parameter) == value)
         return;
     const QString what = tr("%1 wanted for %2").arg(parameterName(parameter), number.toString());
-    m_project.editDevice(number, what, [&](ProjectDevice &device) {
-        if (value)
-            replaceValue(device.wanted, {parameter, *value});
-        else
-            std::erase_if(device.wanted,
-                          [&](const ParameterValue &each) { return each.parameter == parameter; });
-        std::ranges::sort(device.wanted, {}, &ParameterValue::parameter);
-    });
+    ParameterValues all = values(number);
+    putWanted(all, parameter, value);
+    replace(number, std::move(all), what);
 }
 
 void WantedValues::replace(DeviceNumber number, ParameterValues values, const QString &what)

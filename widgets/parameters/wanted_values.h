@@ -13,6 +13,9 @@ namespace codewheel {
 
 class ProjectDocument;
 
+// Takes the place of what is wanted of the parameter; nothing: it is unchanged.
+void putWanted(ParameterValues &values, Parameter parameter, std::optional<std::int64_t> value);
+
 // What the user wants each encoder to have: typed, not sent. A face of the project, shared by parameter panel
 // and wizard; each change is a step of undo.
 class WantedValues : public QObject

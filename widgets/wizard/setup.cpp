@@ -11,14 +11,6 @@ struct SetupTexts
     Q_DECLARE_TR_FUNCTIONS(codewheel::Setup)
 };
 
-void put(ParameterValues &values, Parameter parameter, std::optional<std::int64_t> value)
-{
-    if (value)
-        replaceValue(values, {parameter, *value});
-    else
-        std::erase_if(values, [&](const ParameterValue &each) { return each.parameter == parameter; });
-}
-
 } // namespace
 
 void Setup::want(const Wishes &wishes)
@@ -28,7 +20,7 @@ void Setup::want(const Wishes &wishes)
         const auto before = valueOf(wish.wanted, parameter);
         if (before == value)
             continue;
-        put(values, parameter, value);
+        putWanted(values, parameter, value);
         given.try_emplace(parameter, Given{before, value}).first->second.now = value;
     }
     wanted.replace(encoder->number(), std::move(values),
@@ -44,7 +36,7 @@ void Setup::takeBack()
     ParameterValues values = wish.wanted;
     for (const auto &[parameter, change] : given)
         if (valueOf(wish.wanted, parameter) == change.now)
-            put(values, parameter, change.before);
+            putWanted(values, parameter, change.before);
     wanted.replace(encoder->number(), std::move(values),
                    SetupTexts::tr("Wizard for %1 cancelled").arg(encoder->number().toString()));
     keep();
