@@ -5,7 +5,7 @@
 #include "drivers/values_to_write.h"
 #include "ring/ring_encoder_session.h"
 #include "widgets/cams/cam_texts.h"
-#include "widgets/wizard/step_table.h"
+#include "widgets/parameters/step_text.h"
 #include "words/k3_cam_word.h"
 
 #include <QCoreApplication>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/job_strip.h"
 
-#include "catalog/explain_word.h"
 #include "journal/eeprom_cost.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/models/device_traits.h"
 #include "widgets/parameters/parameter_words.h"
+#include "widgets/parameters/step_text.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -25,11 +25,6 @@ QPushButton *button(const QString &text, const QString &tip, QWidget *parent)
     auto *made = new QPushButton(text, parent);
     made->setToolTip(tip);
     return made;
-}
-
-bool isCamWord(const Step &step)
-{
-    return step.kind == StepKind::camParameter || step.kind == StepKind::camReadOut;
 }
 
 // Cams are acknowledged one by one, too, but are no parameters.
@@ -119,22 +114,11 @@ void JobStrip::showProgress(const Progress &progress)
         m_step->setText(tr("Step %1 of %2: %3")
                             .arg(progress.index + 1)
                             .arg(count)
-                            .arg(stepText(progress.steps[static_cast<std::size_t>(progress.index)])));
+                            .arg(stepText(m_encoder->device(),
+                                          progress.steps[static_cast<std::size_t>(progress.index)])));
     m_restore->setEnabled(progress.canRestore);
     if (!m_choices->isHidden() || (m_asksIfTaken && progress.hasTaken))
         showChoices(true); // it may have taken more
-}
-
-QString JobStrip::stepText(const Step &step) const
-{
-    const DeviceDescription &device = m_encoder->device();
-    const Explanation meaning = explainWord(device, step.out,
-                                            {.direction = WordDirection::out,
-                                             .dialect = device.dialect,
-                                             .mode = isCamWord(step) ? Mode::cam : Mode::position,
-                                             .coding = {},
-                                             .counterpart = {}});
-    return explanationText(device, meaning);
 }
 
 // Before the encoder has taken anything, OUT goes back to 0 and that is all.

@@ -30,7 +30,6 @@ private:
     void showChoices(bool visible);
     void leave(OnCancel how);
     QString question() const;
-    QString stepText(const Step &step) const;
 
     QPointer<EncoderSession> m_encoder;
     Progress m_progress;

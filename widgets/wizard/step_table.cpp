@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/step_table.h"
 
-#include "catalog/explain_word.h"
 #include "encoder/hex.h"
-#include "esc/esc_explain.h"
-#include "line/typed_request.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
 #include "widgets/models/device_traits.h"
+#include "widgets/parameters/step_text.h"
 
 #include <QCoreApplication>
 
@@ -49,57 +47,7 @@ QVariant stateIcon(StepState state)
     return {};
 }
 
-Mode modeOf(StepKind kind)
-{
-    return kind == StepKind::camParameter || kind == StepKind::camReadOut ? Mode::cam : Mode::position;
-}
-
-QString requestStepText(const Step &step)
-{
-    const QString line = QString::fromLatin1(step.line);
-    const auto request = typedRequest(line);
-    return request ? esc::requestText(*request) : StepTable::tr("Send %1").arg(line);
-}
-
 } // namespace
-
-QString stepText(const DeviceDescription &device, const Step &step)
-{
-    switch (step.kind) {
-    case StepKind::toNormal:
-        return step.out == 0 ? StepTable::tr("Back to normal running")
-                             : StepTable::tr("Take the service bit back");
-    case StepKind::run:
-        return StepTable::tr("Run: the values become valid");
-    case StepKind::initialisePreset:
-        return StepTable::tr("Set the position to the preset");
-    case StepKind::readOut:
-        if (step.parameter == Parameter::multiTurnAndStepsMinusOne)
-            return StepTable::tr("Read whether the encoder counts steps minus 1");
-        return step.parameter ? StepTable::tr("Read %1").arg(parameterNameInText(*step.parameter))
-                              : StepTable::tr("Read out");
-    case StepKind::endReadOut:
-        return StepTable::tr("End the read-out");
-    case StepKind::manufacturerPreset:
-        return StepTable::tr("Set the position to the preset, for one bus cycle");
-    case StepKind::request:
-        return requestStepText(step);
-    case StepKind::service:
-    case StepKind::serviceBit:
-    case StepKind::switchMode:
-    case StepKind::camParameter:
-    case StepKind::camReadOut:
-    case StepKind::parameter:
-    case StepKind::word:
-        break;
-    }
-    return explanationText(device, explainWord(device, step.out,
-                                               {.direction = WordDirection::out,
-                                                .dialect = {},
-                                                .mode = modeOf(step.kind),
-                                                .coding = {},
-                                                .counterpart = {}}));
-}
 
 StepTable::StepTable(Stage stage, QObject *parent)
     : TableModelBase(parent)

@@ -57,7 +57,4 @@ private:
     int m_current = -1;
 };
 
-// "Steps = 255", "Read steps", "Run: activate and check the values".
-QString stepText(const DeviceDescription &device, const Step &step);
-
 } // namespace codewheel

@@ -5,8 +5,8 @@
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
 #include "widgets/models/device_traits.h"
+#include "widgets/parameters/step_text.h"
 #include "widgets/wizard/known_text.h"
-#include "widgets/wizard/step_table.h"
 
 #include <QCoreApplication>
 #include <QLocale>
