@@ -98,9 +98,16 @@ void LineRowModel::setHeld(bool held)
 
 void LineRowModel::clear()
 {
-    m_waiting.clear();
-    m_dropped = 0;
-    setRows({});
+    clearRows(std::exchange(m_waiting, {}), mostRows);
+    m_droppedBefore += std::exchange(m_dropped, 0);
+    Q_EMIT countsChanged();
+}
+
+void LineRowModel::bringBack()
+{
+    bringRowsBack();
+    m_dropped += std::exchange(m_droppedBefore, 0);
+    dropOldest();
     Q_EMIT countsChanged();
 }
 

@@ -44,7 +44,9 @@ public:
     int waiting() const { return static_cast<int>(m_waiting.size()); }
     quint64 dropped() const { return m_dropped; } // since it was cleared
     bool isEmpty() const { return rowCount() == 0 && m_waiting.empty(); }
+    // All rows go, also those that wait; bringBack() shows them again, before those that came since.
     void clear();
+    void bringBack();
 
     // All rows anew, as they were kept.
     void setRecord(const LineRecord &record);
@@ -73,6 +75,7 @@ private:
     std::optional<esc::Request> m_lastRequest;
     bool m_held = false;
     quint64 m_dropped = 0;
+    quint64 m_droppedBefore = 0; // it was cleared
 };
 
 } // namespace codewheel

@@ -35,14 +35,9 @@ void LineTerminal::setLine(LineSession *line)
     m_question->withdraw();
     m_record->setLine(line);
     if (line) {
-        if (m_rows->isEmpty())
+        if (m_rows->isEmpty() && !m_rows->hasCleared())
             m_rows->setBegin(line->dateTime({}));
-        m_clockOffset = std::chrono::milliseconds(m_rows->begin().msecsTo(line->dateTime({})));
-        connect(line, &LineSession::passed, this, [this](const esc::LineRow &row) {
-            esc::LineRow shifted = row;
-            shifted.at += m_clockOffset;
-            m_rows->add(shifted);
-        });
+        connect(line, &LineSession::passed, this, &LineTerminal::add);
         connect(line, &LineSession::updated, this, [this] { m_rows->showWaiting(); });
         connect(line, &LineSession::typedAnswered, this, &LineTerminal::takeAnswer);
         connect(line, &LineSession::stateChanged, this, [this] {
@@ -83,6 +78,16 @@ bool LineTerminal::isConnected() const
 bool LineTerminal::hasJob() const
 {
     return std::ranges::any_of(m_line->latest().devices, &LineSnapshot::Device::hasJob);
+}
+
+// The rows of several connections, and from before and after the computer slept, are on one clock.
+void LineTerminal::add(const esc::LineRow &row)
+{
+    const auto onItsClock = std::chrono::duration_cast<std::chrono::milliseconds>(row.at);
+    const std::chrono::milliseconds onOurs{m_rows->begin().msecsTo(m_line->dateTime(row.at))};
+    esc::LineRow shifted = row;
+    shifted.at += onOurs - onItsClock;
+    m_rows->add(shifted);
 }
 
 void LineTerminal::send()
@@ -209,15 +214,6 @@ void LineTerminal::askExport()
         exportText(path);
 }
 
-void LineTerminal::clear()
-{
-    m_rows->clear();
-    if (m_line) {
-        m_rows->setBegin(m_line->dateTime({}));
-        m_clockOffset = {};
-    }
-}
-
 void LineTerminal::showCounts()
 {
     const int shown = m_table->model()->rowCount();
@@ -231,6 +227,7 @@ void LineTerminal::showCounts()
     m_counts->setText(texts.join(QStringLiteral("; ")));
     m_content->setCurrentIndex(m_rows->isEmpty() ? 1 : 0);
     m_save->setEnabled(!m_rows->isEmpty());
+    m_bringBack->setEnabled(m_rows->hasCleared());
     if (m_follow->isChecked() && !m_rows->isHeld())
         m_table->scrollToBottom();
 }

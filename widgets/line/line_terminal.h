@@ -59,14 +59,13 @@ private:
     void askSave();
     void askOpen();
     void askExport();
-    void clear();
+    void add(const esc::LineRow &row);
     void showCounts();
     void showWhatIsPossible();
     bool isConnected() const;
     bool hasJob() const;
 
     QPointer<LineSession> m_line;
-    Instant m_clockOffset{}; // from the line's clock to that of the rows
     esc::ExplainOptions m_options;
     std::optional<esc::Request> m_asked; // in the question
     std::optional<esc::Request> m_typed; // sent from the field and not answered yet
@@ -78,6 +77,7 @@ private:
     QAction *m_follow = nullptr;
     QAction *m_hold = nullptr;
     QAction *m_save = nullptr;
+    QAction *m_bringBack = nullptr;
     QLabel *m_counts;
     RequestField *m_field;
     QPushButton *m_send;

@@ -108,13 +108,17 @@ void LineTerminal::makeTools(QToolBar &bar)
                                      tr("Write the rows shown to a text file")});
     const QAction *clearing =
         make({Icon::remove, tr("Clear"), QKeySequence(Qt::CTRL | Qt::Key_Delete), tr("Remove all rows")});
+    m_bringBack = make({Icon::back, tr("Bring back"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Delete),
+                        tr("Show the rows again that Clear removed")});
+    m_bringBack->setEnabled(false);
     connect(m_follow, &QAction::toggled, this, &LineTerminal::showCounts);
     connect(m_hold, &QAction::toggled, m_rows, &LineRowModel::setHeld);
     connect(copying, &QAction::triggered, m_table, &LineRowTable::copy);
     connect(m_save, &QAction::triggered, this, &LineTerminal::askSave);
     connect(opening, &QAction::triggered, this, &LineTerminal::askOpen);
     connect(exporting, &QAction::triggered, this, &LineTerminal::askExport);
-    connect(clearing, &QAction::triggered, this, &LineTerminal::clear);
+    connect(clearing, &QAction::triggered, m_rows, &LineRowModel::clear);
+    connect(m_bringBack, &QAction::triggered, m_rows, &LineRowModel::bringBack);
 }
 
 void LineTerminal::makeSending(QVBoxLayout &rows)

@@ -73,6 +73,27 @@ public:
         Q_EMIT dataChanged(index(row, 0), index(row, columns() - 1));
     }
 
+    // Takes all rows away, and `more` that were not shown yet. What was cleared since it was brought back
+    // last, the newest `most` rows of it, can be brought back before what came since.
+    void clearRows(std::vector<Row> more, int most)
+    {
+        for (auto *part : {&m_rows, &more})
+            std::move(part->begin(), part->end(), std::back_inserter(m_cleared));
+        if (const auto surplus = std::ssize(m_cleared) - most; surplus > 0)
+            m_cleared.erase(m_cleared.begin(), m_cleared.begin() + surplus);
+        setRows({});
+    }
+    bool hasCleared() const { return !m_cleared.empty(); }
+    void bringRowsBack()
+    {
+        if (!hasCleared())
+            return;
+        beginInsertRows({}, 0, static_cast<int>(m_cleared.size()) - 1);
+        std::move(m_rows.begin(), m_rows.end(), std::back_inserter(m_cleared));
+        m_rows = std::exchange(m_cleared, {});
+        endInsertRows();
+    }
+
     void removeAt(int row) { removeSpan(row, 1); }
 
     // The oldest rows, where a table is bounded.
@@ -94,6 +115,7 @@ private:
     }
 
     std::vector<Row> m_rows;
+    std::vector<Row> m_cleared;
 };
 
 } // namespace codewheel

@@ -64,10 +64,17 @@ void TraceModel::setHeld(bool held)
 
 void TraceModel::clear()
 {
-    setRows({});
-    m_waiting.clear();
+    clearRows(std::exchange(m_waiting, {}), mostRows);
     m_last.reset();
-    m_dropped = 0;
+    m_droppedBefore += std::exchange(m_dropped, 0);
+    Q_EMIT countsChanged();
+}
+
+void TraceModel::bringBack()
+{
+    bringRowsBack();
+    m_dropped += std::exchange(m_droppedBefore, 0);
+    dropOldest();
     Q_EMIT countsChanged();
 }
 

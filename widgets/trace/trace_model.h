@@ -25,7 +25,9 @@ public:
     bool isHeld() const { return m_held; }
     int waiting() const { return static_cast<int>(m_waiting.size()); }
     quint64 dropped() const { return m_dropped; } // since it was cleared
+    // All rows go, also those that wait; bringBack() shows them again, before those that came since.
     void clear();
+    void bringBack();
 
     Qt::ItemFlags flags(const QModelIndex &index) const override;
     bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
@@ -47,6 +49,7 @@ private:
     std::optional<Exchange> m_last;
     bool m_held = false;
     quint64 m_dropped = 0;
+    quint64 m_droppedBefore = 0; // it was cleared
 };
 
 } // namespace codewheel

@@ -98,6 +98,9 @@ void TraceView::makeTools()
                                          tr("Save all rows as a CSV file")});
     const QAction *clearing = makeTool({Icon::remove, tr("Clear"), QKeySequence(Qt::CTRL | Qt::Key_Delete),
                                         tr("Remove all rows of this encoder")});
+    m_bringBack = makeTool({Icon::back, tr("Bring back"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Delete),
+                            tr("Show the rows again that Clear removed")});
+    m_bringBack->setEnabled(false);
     connect(m_follow, &QAction::toggled, this, &TraceView::follow);
     connect(m_hold, &QAction::toggled, this, [this](bool held) {
         for (const auto &[number, model] : m_models)
@@ -109,6 +112,10 @@ void TraceView::makeTools()
     connect(clearing, &QAction::triggered, this, [this] {
         if (m_shown)
             m_shown->clear();
+    });
+    connect(m_bringBack, &QAction::triggered, this, [this] {
+        if (m_shown)
+            m_shown->bringBack();
     });
 }
 
@@ -236,6 +243,7 @@ void TraceView::showCounts()
     if (m_shown->dropped() > 0)
         texts << tr("%1 oldest dropped").arg(QLocale().toString(m_shown->dropped()));
     m_counts->setText(texts.join(QStringLiteral("; ")));
+    m_bringBack->setEnabled(m_shown->hasCleared());
     follow();
 }
 

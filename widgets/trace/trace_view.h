@@ -66,6 +66,7 @@ private:
     QToolBar *m_tools;
     QAction *m_follow = nullptr;
     QAction *m_hold = nullptr;
+    QAction *m_bringBack = nullptr;
     QTableView *m_table;
     QLabel *m_counts;
     InlineMessage *m_message;

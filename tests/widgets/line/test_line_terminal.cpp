@@ -232,5 +232,26 @@ TEST_F(LineTerminalTest, EveryButtonHasATooltip)
     test::expectAccessible(terminal);
 }
 
+TEST_F(LineTerminalTest, WhatWasClearedIsBroughtBackWithItsTimes)
+{
+    bench.open();
+    type("05N");
+    const int rows = table.model()->rowCount();
+    ASSERT_GT(rows, 0);
+    const QString first = cell(0, LineRowModel::time);
+    QAction *bringBack = test::action(terminal, QStringLiteral("Bring back"));
+    ASSERT_TRUE(bringBack);
+    EXPECT_FALSE(bringBack->isEnabled());
+    test::action(terminal, QStringLiteral("Clear"))->trigger();
+    EXPECT_EQ(table.model()->rowCount(), 0);
+    type("05V");
+    const int since = table.model()->rowCount();
+    ASSERT_TRUE(bringBack->isEnabled());
+    bringBack->trigger();
+    EXPECT_EQ(table.model()->rowCount(), rows + since);
+    EXPECT_EQ(cell(0, LineRowModel::time), first);
+    EXPECT_FALSE(bringBack->isEnabled());
+}
+
 } // namespace
 } // namespace codewheel

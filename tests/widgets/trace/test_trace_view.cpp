@@ -232,5 +232,56 @@ TEST_F(TraceViewTest, WhatWasCollectedOutlivesTheConnection)
     EXPECT_GT(model().rowCount(), before);
 }
 
+TEST_F(TraceViewTest, WhatWasClearedIsBroughtBackBeforeWhatCameSince)
+{
+    model().bringBack(); // of the beginning
+    const int before = model().rowCount();
+    write(fraba, 0x0200'00FF);
+    const int rows = model().rowCount();
+    ASSERT_GT(rows, before);
+    const QString first = cell(0, TraceModel::time);
+    key(Qt::Key_Delete);
+    EXPECT_EQ(model().rowCount(), 0);
+    write(fraba, 0);
+    const int since = model().rowCount();
+    key(Qt::Key_Delete); // twice
+    write(fraba, 0x0200'0100);
+    const int last = model().rowCount();
+    key(Qt::Key_Delete, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(model().rowCount(), rows + since + last);
+    EXPECT_EQ(cell(0, TraceModel::time), first);
+    EXPECT_EQ(cell(model().rowCount() - last, TraceModel::out), QStringLiteral("02000100"));
+    EXPECT_FALSE(model().hasCleared());
+}
+
+TEST_F(TraceViewTest, WhatIsHeldBackIsClearedAndBroughtBackToo)
+{
+    key(Qt::Key_P);
+    write(fraba, 0x0200'00FF);
+    const int waiting = model().waiting();
+    ASSERT_GT(waiting, 0);
+    key(Qt::Key_Delete);
+    EXPECT_EQ(model().waiting(), 0);
+    key(Qt::Key_Delete, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_GE(model().rowCount(), waiting);
+    key(Qt::Key_P);
+}
+
+// As many as a table holds, the newest.
+TEST_F(TraceViewTest, WhatIsClearedIsBounded)
+{
+    const auto fill = [this](std::uint64_t from) {
+        for (std::uint64_t n = 0; n < TraceModel::mostRows; ++n)
+            model().add({.cycle = from + n, .at = {}, .out = 0, .in = 0, .mode = {}, .coding = {}}, {});
+    };
+    fill(0);
+    model().clear();
+    fill(100'000);
+    model().clear();
+    model().bringBack();
+    EXPECT_EQ(model().rowCount(), TraceModel::mostRows);
+    EXPECT_EQ(model().rowAt(0).exchange.cycle, 100'000U);
+}
+
 } // namespace
 } // namespace codewheel
