@@ -2,6 +2,14 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>AgeText</name>
+    <message>
+        <source>%1 Shown is how it was %2.</source>
+        <comment>reason, 20 s ago</comment>
+        <translation>%1 Gezeigt ist der Stand %2.</translation>
+    </message>
+</context>
+<context>
     <name>BitText</name>
     <message>
         <source>D31: start (run), when it changes from 0 to 1</source>
@@ -568,6 +576,11 @@
         <source>Nothing comes from the encoder.</source>
         <translation>Vom Geber kommt nichts.</translation>
     </message>
+    <message>
+        <source>Not up to date: %1</source>
+        <comment>a sentence</comment>
+        <translation>Nicht aktuell: %1</translation>
+    </message>
 </context>
 <context>
     <name>EscBit</name>
@@ -823,6 +836,53 @@
     <message>
         <source>%1, which goes with a measuring range of %2</source>
         <translation>%1, passend zu einem Messbereich von %2</translation>
+    </message>
+</context>
+<context>
+    <name>Freshness</name>
+    <message>
+        <source>%1 s ago</source>
+        <translation>vor %1 s</translation>
+    </message>
+    <message>
+        <source>%1 min ago</source>
+        <translation>vor %1 min</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min ago</source>
+        <translation>vor %1 h %2 min</translation>
+    </message>
+    <message>
+        <source>Nothing came from the encoder yet.</source>
+        <translation>Vom Geber kam noch nichts.</translation>
+    </message>
+    <message>
+        <source>Not connected.</source>
+        <translation>Nicht verbunden.</translation>
+    </message>
+    <message>
+        <source>The port is gone.</source>
+        <translation>Der Anschluss ist weg.</translation>
+    </message>
+    <message>
+        <source>The bus does not run.</source>
+        <translation>Der Bus läuft nicht.</translation>
+    </message>
+    <message>
+        <source>The device is not in the ring.</source>
+        <translation>Das Gerät ist nicht im Ring.</translation>
+    </message>
+    <message>
+        <source>The encoder does not answer.</source>
+        <translation>Der Geber antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>The encoder is not being asked: something else keeps the line busy.</source>
+        <translation>Der Geber wird gerade nicht gefragt: Die Leitung ist anderweitig belegt.</translation>
+    </message>
+    <message>
+        <source>The computer slept since.</source>
+        <translation>Der Rechner hat inzwischen geschlafen.</translation>
     </message>
 </context>
 <context>
@@ -1825,6 +1885,10 @@
         <source>No device answered when the ring was read in. Check the cable to the first device, and its supply.</source>
         <translation>Beim Einlesen des Rings hat kein Gerät geantwortet. Das Kabel zum ersten Gerät und dessen Versorgung prüfen.</translation>
     </message>
+    <message>
+        <source>The computer slept for %1 s: the bus is in Watch, and what was shown before is old.</source>
+        <translation>Der Rechner hat %1 s geschlafen: Der Bus steht auf Beobachten, und was davor gezeigt wurde, ist alt.</translation>
+    </message>
 </context>
 <context>
     <name>Parameter</name>
@@ -2653,6 +2717,10 @@
         <source>%1: %2 Give a value from %3 to %4.</source>
         <translation>%1: %2 Einen Wert von %3 bis %4 eingeben.</translation>
     </message>
+    <message>
+        <source>The job ended because the computer slept. Check in which state the encoder is, and change to Operate before you write again.</source>
+        <translation>Der Auftrag endete, weil der Rechner geschlafen hat. Prüfen Sie, in welchem Zustand der Geber ist, und schalten Sie auf Bedienen, bevor Sie wieder schreiben.</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>
@@ -3227,6 +3295,11 @@
         <comment>value, range</comment>
         <translation>%1 von %2 bis %3</translation>
     </message>
+    <message>
+        <source>%1, not up to date</source>
+        <comment>value of range</comment>
+        <translation>%1, nicht aktuell</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CamBoard</name>
@@ -3524,6 +3597,11 @@
     <message>
         <source>The largest position cannot be %1: the encoder shows %2.</source>
         <translation>Die größte Position kann nicht %1 sein: Der Geber zeigt %2.</translation>
+    </message>
+    <message>
+        <source>Not up to date: %1</source>
+        <comment>a sentence</comment>
+        <translation>Nicht aktuell: %1</translation>
     </message>
 </context>
 <context>
@@ -4025,6 +4103,10 @@
     <message>
         <source>Velocity %1</source>
         <translation>Drehzahl %1</translation>
+    </message>
+    <message>
+        <source>Last position %1</source>
+        <translation>Letzte Position %1</translation>
     </message>
 </context>
 <context>
@@ -8896,6 +8978,14 @@ Zustand: %4</translation>
         <source>Request</source>
         <translation>Anfrage</translation>
     </message>
+    <message>
+        <source>Bring back</source>
+        <translation>Zurückholen</translation>
+    </message>
+    <message>
+        <source>Show the rows again that Clear removed</source>
+        <translation>Zeigt die Zeilen wieder, die Leeren entfernt hat</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LineViews</name>
@@ -12574,6 +12664,11 @@ ID-Code %3, Gerätecode %4
 Worte: IN %5, OUT %6
 Zustand: %7</translation>
     </message>
+    <message>
+        <source>%1, not up to date</source>
+        <comment>a position</comment>
+        <translation>%1, nicht aktuell</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::StructureView</name>
@@ -12740,6 +12835,14 @@ Zustand: %7</translation>
     <message>
         <source>Open the terminal</source>
         <translation>Terminal öffnen</translation>
+    </message>
+    <message>
+        <source>Bring back</source>
+        <translation>Zurückholen</translation>
+    </message>
+    <message>
+        <source>Show the rows again that Clear removed</source>
+        <translation>Zeigt die Zeilen wieder, die Leeren entfernt hat</translation>
     </message>
 </context>
 <context>
@@ -14110,9 +14213,9 @@ Zustand: %7</translation>
         <translation>%1 hat kein OUT-Wort: Dorthin kann nichts gesendet werden.</translation>
     </message>
     <message>
-        <source>Not up to date: %1</source>
-        <comment>meaning of a word</comment>
-        <translation>Nicht aktuell: %1</translation>
+        <source>Not up to date, %1: %2</source>
+        <comment>20 s ago, meaning of a word</comment>
+        <translation>Nicht aktuell, %1: %2</translation>
     </message>
 </context>
 <context>

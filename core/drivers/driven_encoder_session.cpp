@@ -73,11 +73,12 @@ void DrivenEncoderSession::cancel(OnCancel how)
     post(command::Cancel{m_place, how});
 }
 
-void DrivenEncoderSession::show(const Reading &reading)
+void DrivenEncoderSession::show(const Reading &reading, const Freshness::Circumstances &bus)
 {
-    const bool fresh = reading.at != m_reading.at || reading.state != m_reading.state;
+    const bool isNewer = reading.at != m_reading.at || reading.state != m_reading.state;
     m_reading = reading;
-    if (fresh)
+    setFreshness({reading, bus});
+    if (isNewer)
         Q_EMIT latestChanged();
 }
 

@@ -39,7 +39,7 @@ public:
     int eepromWrites() const override { return m_eepromWrites; }
     void countEepromWrites(int writes) { m_eepromWrites += writes; }
 
-    void show(const Reading &reading);
+    void show(const Reading &reading, const Freshness::Circumstances &bus);
     void take(const Event &event, Instant at);
 
 Q_SIGNALS:

@@ -5,11 +5,13 @@
 #include "encoder/device_number.h"
 #include "encoder/eeprom_count.h"
 #include "encoder/event.h"
+#include "encoder/freshness.h"
 
 #include <QDateTime>
 #include <QObject>
 
 #include <optional>
+#include <utility>
 
 namespace codewheel {
 
@@ -30,6 +32,8 @@ public:
     virtual const Capabilities &can() const = 0;
 
     virtual const Reading &latest() const = 0;
+    // Whether that is how the encoder stands now.
+    const Freshness &freshness() const { return m_freshness; }
     virtual std::optional<Known> known(Parameter parameter) const = 0;
     // A cam program the encoder is known to have, 1..8.
     virtual std::optional<KnownCams> cams(unsigned program) const = 0;
@@ -60,7 +64,8 @@ public:
     virtual QDateTime dateTime(Instant at) const = 0;
 
 Q_SIGNALS:
-    void latestChanged(); // a newer reading, which may say the same; at most once a picture
+    void latestChanged();    // a newer reading, which may say the same; at most once a picture
+    void freshnessChanged(); // live, old or unknown, or why
     void knownChanged();
     // The encoder stored to its EEPROM because of what this program sent, so many times.
     void eepromWritten(int writes);
@@ -72,7 +77,16 @@ Q_SIGNALS:
     void finished(const codewheel::Outcome &outcome);
     void exchanged(const codewheel::Exchange &row);
 
+protected:
+    void setFreshness(const Freshness &freshness)
+    {
+        const Freshness before = std::exchange(m_freshness, freshness);
+        if (!before.isSameStateAs(freshness))
+            Q_EMIT freshnessChanged();
+    }
+
 private:
+    Freshness m_freshness;
     std::optional<EepromCount> m_count;
 };
 

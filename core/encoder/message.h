@@ -20,6 +20,7 @@ enum class MessageId : std::uint8_t {
     alarmStop,         // all OUT words set to 0
     operateOn,         // writing is allowed
     watchOn,           // nothing is sent any more
+    computerSlept,     // seconds; writing is not allowed any more
     wordWritten,       // Word
     parametersWritten, // number of parameters, EEPROM writes, texts "Steps = 255" joined
     restoredReadBack,  // values from before: their texts joined, EEPROM writes

@@ -30,6 +30,10 @@ constexpr std::array messageRows{
                QT_TRANSLATE_NOOP("Message", "Operate: writing is allowed.")},
     MessageRow{MessageId::watchOn, "watchOn",
                QT_TRANSLATE_NOOP("Message", "Watch: nothing is sent any more.")},
+    MessageRow{MessageId::computerSlept, "computerSlept",
+               QT_TRANSLATE_NOOP("Message",
+                                 "The computer slept for %1 s: the bus is in Watch, and what was shown "
+                                 "before is old.")},
     MessageRow{MessageId::wordWritten, "wordWritten", QT_TRANSLATE_NOOP("Message", "OUT %1 written.")},
     MessageRow{
         MessageId::parametersWritten, "parametersWritten",

@@ -133,6 +133,7 @@ enum class RefusalId : std::uint8_t {
     cancelled,      //
     alarmStop,      //
     busStopped,     //
+    computerSlept,  //
     stoppedInWrite, // command: whether it was carried out is not known
 };
 inline constexpr std::size_t refusalCount = static_cast<std::size_t>(RefusalId::stoppedInWrite) + 1;

@@ -393,6 +393,11 @@ constexpr std::array refusalRows{
                QT_TRANSLATE_NOOP(
                    "Refusal", "The job ended because the bus was stopped. Start the bus, and check in which "
                               "state the encoder is.")},
+    RefusalRow{
+        RefusalId::computerSlept, "computerSlept",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The job ended because the computer slept. Check in which state the encoder is, "
+                          "and change to Operate before you write again.")},
     RefusalRow{RefusalId::stoppedInWrite, "stoppedInWrite",
                QT_TRANSLATE_NOOP(
                    "Refusal", "The job ended after %1 was sent and before it was answered: it is not known "

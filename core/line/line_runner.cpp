@@ -212,6 +212,7 @@ void LineRunner::Private::publish()
     auto made = std::make_shared<LineSnapshot>();
     made->at = link.now();
     static_cast<LineState &>(*made) = state;
+    made->awakeSince = awakeSince;
     made->scanning = scan.has_value();
     made->figures = counter.figures();
     made->droppedRows = droppedRows;
@@ -245,6 +246,20 @@ void LineRunner::run(Instant until)
         else
             d->waitForPort(until);
     }
+}
+
+void LineRunner::slept(std::chrono::milliseconds duration)
+{
+    d->awakeSince = d->link.now();
+    d->dropTyped();
+    d->endScan(true);
+    d->stopJobs({RefusalKind::stopped, RefusalId::computerSlept, {}});
+    d->state.operate = false;
+    const auto seconds = std::chrono::ceil<std::chrono::seconds>(duration).count();
+    d->tell({.severity = Severity::attention,
+             .id = MessageId::computerSlept,
+             .arguments = {std::int64_t{seconds}}});
+    d->publish();
 }
 
 void LineRunner::finish()

@@ -27,6 +27,9 @@ public:
 
     // Works until `until` on the link's clock.
     void run(Instant until);
+    // The computer slept so long: the jobs end, nothing that was typed is sent any more, and the line is in
+    // Watch.
+    void slept(std::chrono::milliseconds duration);
     // Before the link is closed: carries out what was posted, and ends the jobs.
     void finish();
 

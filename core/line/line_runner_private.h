@@ -107,6 +107,7 @@ struct LineRunner::Private
     std::uint64_t turns = 0;
     Instant doubtfulFrom{}; // before that none that did not answer is asked, while others answer
     LineState state{.connected = true};
+    Instant awakeSince{};
     Instant reopenAt{};
     std::optional<Refusal> notBack; // as it was told
     bool isBegun = false;

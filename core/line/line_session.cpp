@@ -3,6 +3,7 @@
 
 #include "catalog/catalog.h"
 #include "drivers/esc_fraction_bits.h"
+#include "encoder/wall_time.h"
 #include "line/line_encoder_session.h"
 #include "line/line_runner.h"
 #include "line/line_thread.h"
@@ -23,7 +24,8 @@ struct LineSession::Private
         std::unique_ptr<LineEncoderSession> session; // null: removed
     };
 
-    Result<void> begin(Drive drive, const esc::Timing &timing);
+    Result<void> begin(Drive drive, const esc::Timing &timing, SleepWatch::Slept slept);
+    Freshness::Circumstances circumstances() const;
     void end();
     Encoder *find(DeviceNumber number)
     {
@@ -39,7 +41,7 @@ struct LineSession::Private
 
     std::unique_ptr<ByteLink> link;
     const Catalog &catalog;
-    QDateTime beginning;
+    WallTime wallTime;
     DriverFactory makeDriver;
     LineSettings settings{};
     int fractionBits = EscSettings{}.fractionBits;
@@ -55,7 +57,8 @@ struct LineSession::Private
 LineSession::LineSession(std::unique_ptr<ByteLink> link, const Catalog &catalog, QDateTime begin,
                          DriverFactory makeDriver, QObject *parent)
     : EncoderBus(parent)
-    , d(std::make_unique<Private>(Private{std::move(link), catalog, std::move(begin), std::move(makeDriver)}))
+    , d(std::make_unique<Private>(
+          Private{std::move(link), catalog, WallTime(std::move(begin)), std::move(makeDriver)}))
 {}
 
 LineSession::~LineSession()
@@ -65,17 +68,26 @@ LineSession::~LineSession()
 }
 
 // Who drives the line opens and closes the link.
-Result<void> LineSession::Private::begin(Drive drive, const esc::Timing &timing)
+Result<void> LineSession::Private::begin(Drive drive, const esc::Timing &timing, SleepWatch::Slept slept)
 {
     runner = std::make_unique<LineRunner>(*link, settings, timing);
     if (drive == Drive::byThread)
-        thread = std::make_unique<LineThread>(*runner, *link, settings);
+        thread = std::make_unique<LineThread>(*runner, *link, settings, std::move(slept));
     auto opened = thread ? thread->opened() : link->open(settings);
     if (!opened) {
         thread.reset();
         runner.reset();
     }
     return opened;
+}
+
+Freshness::Circumstances LineSession::Private::circumstances() const
+{
+    return {.isConnected = runner != nullptr,
+            .isLinkThere = latest->connected,
+            .isRunning = latest->polling,
+            .awakeSince = latest->awakeSince,
+            .now = latest->at};
 }
 
 void LineSession::Private::end()
@@ -89,11 +101,11 @@ void LineSession::Private::end()
 }
 
 Result<void> LineSession::open(const LineSettings &settings, const esc::Timing &timing, Start start,
-                               Drive drive)
+                               Drive drive, SleepWatch::Slept slept)
 {
     close();
     d->settings = settings;
-    if (auto opened = d->begin(drive, timing); !opened)
+    if (auto opened = d->begin(drive, timing, std::move(slept)); !opened)
         return opened;
     d->encoders.clear();
     post(line_command::SetPolling{true});
@@ -126,6 +138,7 @@ void LineSession::close()
     auto closed = std::make_shared<LineSnapshot>(*d->latest);
     static_cast<LineState &>(*closed) = {};
     d->latest = std::move(closed);
+    showLatest();
     Q_EMIT messaged({.at = d->latest->at, .id = MessageId::lineClosed, .arguments = {d->link->name()}});
     Q_EMIT stateChanged();
 }
@@ -172,6 +185,7 @@ void LineSession::pump()
 void LineSession::showLatest()
 {
     const auto shown = d->latest;
+    const Freshness::Circumstances circumstances = d->circumstances();
     const std::size_t count = std::min(shown->devices.size(), d->encoders.size());
     for (std::size_t i = 0; i < count; ++i) {
         LineEncoderSession *session = d->encoders[i].session.get();
@@ -180,7 +194,7 @@ void LineSession::showLatest()
         const DeviceNumber before = session->number();
         const DeviceNumber now = DeviceNumber::onLine(shown->devices[i].address);
         session->moveTo(now);
-        session->show(shown->devices[i].reading);
+        session->show(shown->devices[i].reading, circumstances);
         if (now != before)
             Q_EMIT moved(before, now);
     }
@@ -206,6 +220,9 @@ void LineSession::dispatch(const LineEvent &event)
 
 void LineSession::dispatch(const Message &message)
 {
+    if (message.id == MessageId::computerSlept)
+        d->wallTime.slept(std::chrono::seconds(std::get<std::int64_t>(message.arguments.front())),
+                          message.at);
     Q_EMIT messaged(message);
     if (message.refusal && message.refusal->id == RefusalId::portOfOther)
         Q_EMIT otherAdapterFound(*message.refusal);
@@ -322,7 +339,7 @@ bool LineSession::isRunning() const
 
 QDateTime LineSession::dateTime(Instant at) const
 {
-    return d->beginning.addMSecs(std::chrono::duration_cast<std::chrono::milliseconds>(at).count());
+    return d->wallTime.dateTime(at);
 }
 
 void LineSession::takeOtherAdapter()

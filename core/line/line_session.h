@@ -2,6 +2,7 @@
 #pragma once
 
 #include "encoder/encoder_bus.h"
+#include "encoder/sleep_watch.h"
 #include "esc/esc_explain.h"
 #include "line/byte_link.h"
 #include "line/line_command.h"
@@ -42,7 +43,8 @@ public:
     ~LineSession() override;
 
     // Opens the line; it is polled from then on. Encoders and sessions of a connection before end.
-    Result<void> open(const LineSettings &settings, const esc::Timing &timing, Start start, Drive drive);
+    Result<void> open(const LineSettings &settings, const esc::Timing &timing, Start start, Drive drive,
+                      SleepWatch::Slept slept = SleepWatch::ofThisComputer);
     // Ends the thread and closes the link. Jobs end as stopped; the sessions stay to be looked at.
     void close();
 

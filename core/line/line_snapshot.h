@@ -35,6 +35,7 @@ struct LineSnapshot : LineState
     };
 
     Instant at{};
+    Instant awakeSince{}; // the computer slept until then; 0: not since the line was opened
     bool scanning = false;
     LineFigures figures;
     std::uint64_t droppedRows = 0; // terminal rows lost because nobody took them

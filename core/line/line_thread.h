@@ -2,6 +2,7 @@
 #pragma once
 
 #include "encoder/refusal.h"
+#include "encoder/sleep_watch.h"
 #include "line/line_settings.h"
 
 #include <future>
@@ -17,7 +18,9 @@ class LineRunner;
 class LineThread
 {
 public:
-    LineThread(LineRunner &runner, ByteLink &link, const LineSettings &settings);
+    // After the computer slept the runner is told before the next request.
+    LineThread(LineRunner &runner, ByteLink &link, const LineSettings &settings,
+               SleepWatch::Slept slept = SleepWatch::ofThisComputer);
     ~LineThread();
 
     LineThread(const LineThread &) = delete;

@@ -56,6 +56,15 @@ std::unique_ptr<CyclicDriver> BusSession::Private::makeSession(BusSession &bus, 
     return driver;
 }
 
+Freshness::Circumstances BusSession::Private::circumstances(std::size_t place) const
+{
+    return {.isConnected = runner != nullptr,
+            .isRunning = latest->state == MasterState::run,
+            .isInRing = latest->devices[place].inRing,
+            .awakeSince = latest->awakeSince,
+            .now = latest->at};
+}
+
 void BusSession::Private::fetch()
 {
     for (RingEvent &event : runner->takeEvents()) {
@@ -158,10 +167,11 @@ void BusSession::close()
     showLatest();
 }
 
-void BusSession::startThread(std::chrono::nanoseconds period)
+void BusSession::startThread(std::chrono::nanoseconds period, SleepWatch::Slept slept)
 {
     if (d->runner && !d->thread)
-        d->thread = std::make_unique<PacedThread>(*d->runner, *d->link, period, d->latest->at);
+        d->thread =
+            std::make_unique<PacedThread>(*d->runner, *d->link, period, d->latest->at, std::move(slept));
 }
 
 void BusSession::advance(int cycles)
@@ -212,9 +222,10 @@ void BusSession::showLatest()
     if (shown->master)
         d->crcHistory.note(*shown->master, shown->at);
     for (std::size_t i = 0; i < shown->devices.size(); ++i) {
-        d->channels[i]->show(*shown);
+        const Freshness::Circumstances circumstances = d->circumstances(i);
+        d->channels[i]->show(*shown, circumstances);
         if (d->sessions[i] && !d->isStale(i))
-            d->sessions[i]->show(shown->devices[i].reading);
+            d->sessions[i]->show(shown->devices[i].reading, circumstances);
     }
     const bool stateIsOther = std::exchange(d->toldState, shown->state) != shown->state;
     const bool operateIsOther = std::exchange(d->toldOperate, shown->operate) != shown->operate;
@@ -243,6 +254,9 @@ void BusSession::dispatch(const RingEvent &event)
     const bool isFault = session && message.id == MessageId::deviceFault;
     if (isFault)
         message.refusal = session->nameOf(message);
+    if (message.id == MessageId::computerSlept)
+        d->wallTime.slept(std::chrono::seconds(std::get<std::int64_t>(message.arguments.front())),
+                          message.at);
     Q_EMIT messaged(message);
     if (isFault)
         session->takeFault(message);
@@ -389,7 +403,7 @@ std::vector<DeviceNumber> BusSession::devicesWithOut() const
 
 QDateTime BusSession::dateTime(Instant at) const
 {
-    return d->begin.addMSecs(std::chrono::duration_cast<std::chrono::milliseconds>(at).count());
+    return d->wallTime.dateTime(at);
 }
 
 void BusSession::startBus()

@@ -3,6 +3,7 @@
 
 #include "drivers/cyclic_driver.h"
 #include "encoder/encoder_bus.h"
+#include "encoder/sleep_watch.h"
 #include "ring/command.h"
 #include "ring/master_link.h"
 #include "ring/participant.h"
@@ -46,7 +47,7 @@ public:
     void close();
 
     // Cycles by a thread of its own, on absolute deadlines ...
-    void startThread(std::chrono::nanoseconds period);
+    void startThread(std::chrono::nanoseconds period, SleepWatch::Slept slept = SleepWatch::ofThisComputer);
     // ... or by hand in virtual time: each cycle is 1 ms later than the one before. Pumps afterwards.
     void advance(int cycles);
     // Takes what came from the bus since the last call and emits it. The window calls this 30 times a second.

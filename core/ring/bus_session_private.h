@@ -3,6 +3,7 @@
 
 #include "catalog/catalog.h"
 #include "drivers/make_driver.h"
+#include "encoder/wall_time.h"
 #include "ring/bus_session.h"
 #include "ring/crc_history.h"
 #include "ring/paced_thread.h"
@@ -21,7 +22,7 @@ struct BusSession::Private
             DriverFactory factory)
         : link(std::move(usedLink))
         , catalog(usedCatalog)
-        , begin(std::move(instantZero))
+        , wallTime(std::move(instantZero))
         , driverFor(factory ? std::move(factory) : DriverFactory(makeDriver))
     {}
 
@@ -30,6 +31,7 @@ struct BusSession::Private
     // The session at a place of the ring, for `description` if there is one, and its driver.
     std::unique_ptr<CyclicDriver> makeSession(BusSession &bus, std::size_t place,
                                               const DeviceDescription *description);
+    Freshness::Circumstances circumstances(std::size_t place) const;
     bool isStale(std::size_t place) const { return renamings[place] > 0; }
     void fetch();
     void keepEepromWrites(const RingEvent &event);
@@ -39,7 +41,7 @@ struct BusSession::Private
 
     std::unique_ptr<ProcessDataLink> link;
     const Catalog &catalog;
-    QDateTime begin;
+    WallTime wallTime;
     DriverFactory driverFor;
 
     // What was found by open(), in ring order.

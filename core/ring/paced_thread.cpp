@@ -27,13 +27,17 @@ bool sleepUntil(Clock::time_point deadline, const std::stop_token &stop)
     return false;
 }
 
-void runCycles(const std::stop_token &stop, RingRunner &runner, std::chrono::nanoseconds period, Instant from)
+void runCycles(const std::stop_token &stop, RingRunner &runner, std::chrono::nanoseconds period, Instant from,
+               SleepWatch sleep)
 {
     const Clock::time_point start = Clock::now();
     Pacer pacer(start, period);
     while (sleepUntil(pacer.deadline(), stop)) {
+        const Instant now = from + std::chrono::duration_cast<Instant>(Clock::now() - start);
+        if (const auto slept = sleep.sleptSinceLast(); slept.count() > 0)
+            runner.slept(slept, now);
         runner.setPacing(period, pacer.lateCycles());
-        runner.cycle(from + std::chrono::duration_cast<Instant>(Clock::now() - start));
+        runner.cycle(now);
         pacer.cycleEnded(Clock::now());
     }
 }
@@ -41,10 +45,11 @@ void runCycles(const std::stop_token &stop, RingRunner &runner, std::chrono::nan
 } // namespace
 
 PacedThread::PacedThread(RingRunner &runner, ProcessDataLink &link, std::chrono::nanoseconds period,
-                         Instant from)
+                         Instant from, SleepWatch::Slept slept)
     : m_link(link)
-    , m_thread(
-          [&runner, period, from](const std::stop_token &stop) { runCycles(stop, runner, period, from); })
+    , m_thread([&runner, period, from, sleep = SleepWatch(std::move(slept))](const std::stop_token &stop) {
+        runCycles(stop, runner, period, from, sleep);
+    })
 {}
 
 PacedThread::~PacedThread()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "encoder/instant.h"
+#include "encoder/sleep_watch.h"
 
 #include <chrono>
 #include <thread>
@@ -16,8 +17,10 @@ class RingRunner;
 class PacedThread
 {
 public:
-    // period > 0. The first cycle comes at once and is at `from`.
-    PacedThread(RingRunner &runner, ProcessDataLink &link, std::chrono::nanoseconds period, Instant from);
+    // period > 0. The first cycle comes at once and is at `from`. After the computer slept the runner is told
+    // before the next cycle.
+    PacedThread(RingRunner &runner, ProcessDataLink &link, std::chrono::nanoseconds period, Instant from,
+                SleepWatch::Slept slept = SleepWatch::ofThisComputer);
     ~PacedThread();
 
     PacedThread(const PacedThread &) = delete;

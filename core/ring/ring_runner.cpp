@@ -246,6 +246,12 @@ void RingRunner::Private::leaveRun(MasterState state)
         written.clear();
         return;
     }
+    goOnWithWhatWasExchanged();
+}
+
+// But not with a word that nobody could take away in Watch.
+void RingRunner::Private::goOnWithWhatWasExchanged()
+{
     for (std::size_t i = 0; i < image.size(); ++i) {
         const Word last = ring.devices[i].out;
         image[i] = drivers[i] && !drivers[i]->mayStand(last) ? Word{0} : last;
@@ -319,6 +325,19 @@ void RingRunner::cycle(Instant now)
         d->tellOfRing(std::move(*message));
     d->ring.droppedRows = d->events.droppedRows();
     d->latest.publish(d->ring);
+}
+
+void RingRunner::slept(std::chrono::milliseconds duration, Instant now)
+{
+    d->ring.at = now;
+    d->ring.awakeSince = now;
+    d->endJobs(RefusalId::computerSlept);
+    d->goOnWithWhatWasExchanged();
+    d->ring.operate = false;
+    const auto seconds = std::chrono::ceil<std::chrono::seconds>(duration).count();
+    d->tellOfRing({.severity = Severity::attention,
+                   .id = MessageId::computerSlept,
+                   .arguments = {std::int64_t{seconds}}});
 }
 
 void RingRunner::finish(Instant now)

@@ -37,6 +37,9 @@ public:
     void cycle(Instant now);
     // Before the first cycle: writing was allowed already.
     void beginOperating();
+    // The computer slept so long, just before `now`: the jobs end, what was not exchanged is not sent any
+    // more, and the bus is in Watch.
+    void slept(std::chrono::milliseconds duration, Instant now);
     // Before another runner takes over, any number of times: carries out what was posted, and ends the jobs.
     void finish(Instant now);
     Drivers takeDrivers(); // by place; no call but takeEvents() afterwards

@@ -43,6 +43,7 @@ struct RingRunner::Private
     void showStandingWords();
     void leaveRun(MasterState state);
     void endJobs(RefusalId why);
+    void goOnWithWhatWasExchanged();
     void takeBackWhatMustNotStand();
     void refuseWord(std::size_t device, Refusal why);
     void refuseOfRing(const Refusal &why);

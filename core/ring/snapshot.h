@@ -28,6 +28,7 @@ struct Snapshot
     Instant at{};
     MasterState state = MasterState::ready;
     bool operate = false;              // writing is allowed
+    Instant awakeSince{};              // the computer slept until then; 0: not since the bus was opened
     std::uint64_t lateCycles = 0;      // counted by the paced thread since it started
     std::chrono::nanoseconds period{}; // of the paced thread; 0 when cycles are driven by hand
     std::uint64_t droppedRows = 0;     // trace rows lost because nobody took them

@@ -15,6 +15,11 @@ WordChannel::WordChannel(BusSession &bus, std::size_t device, DeviceNumber numbe
     , m_outWords(outWords)
 {}
 
+QDateTime WordChannel::dateTime(Instant at) const
+{
+    return m_bus.dateTime(at);
+}
+
 void WordChannel::stage(Word word)
 {
     if (m_staged == word)
@@ -44,14 +49,15 @@ void WordChannel::wasWritten(Word word, Instant at)
     m_written = {word, at};
 }
 
-void WordChannel::show(const Snapshot &ring)
+void WordChannel::show(const Snapshot &ring, const Freshness::Circumstances &bus)
 {
     const auto shown = [this] {
-        return std::tuple(m_in, m_out, m_inEdges, m_outEdges, m_heldByJob, m_isUpToDate);
+        return std::tuple(m_in, m_out, m_inEdges, m_outEdges, m_heldByJob, m_freshness.state(),
+                          m_freshness.reason());
     };
     const auto before = shown();
     const Snapshot::Device &device = ring.devices[m_device];
-    m_isUpToDate = ring.state == MasterState::run && device.inRing;
+    m_freshness = {ring.cycle > 0 ? std::optional(device.reading.at) : std::nullopt, bus};
     m_in = device.in;
     m_out = device.out;
     m_inEdges = device.inEdges;

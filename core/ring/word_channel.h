@@ -2,9 +2,11 @@
 #pragma once
 
 #include "encoder/device_number.h"
+#include "encoder/freshness.h"
 #include "encoder/refusal.h"
 #include "ring/snapshot.h"
 
+#include <QDateTime>
 #include <QObject>
 
 #include <optional>
@@ -31,7 +33,8 @@ public:
     Word inEdges() const { return m_inEdges; } // bits that changed in any cycle since the last picture
     Word outEdges() const { return m_outEdges; }
     bool heldByJob() const { return m_heldByJob; }
-    bool isUpToDate() const { return m_isUpToDate; } // false: the ring stands, or the device is not in it
+    const Freshness &freshness() const { return m_freshness; } // of both words
+    QDateTime dateTime(Instant at) const;
 
     std::optional<Word> staged() const { return m_staged; } // nothing: as on the bus
     Word shownOut() const { return m_staged.value_or(m_out); }
@@ -43,13 +46,13 @@ public:
     Result<void> write();
 
 Q_SIGNALS:
-    void changed(); // in, out, edges: at most once per picture
+    void changed(); // in, out, edges, or whether they are live: at most once per picture
     void stagedChanged();
     void refused(const codewheel::Refusal &why);
 
 private:
     friend class BusSession;
-    void show(const Snapshot &ring);
+    void show(const Snapshot &ring, const Freshness::Circumstances &bus);
     void wasWritten(Word word, Instant at);
     void moveTo(std::size_t device) { m_device = device; } // the ring is another
 
@@ -69,7 +72,7 @@ private:
     Word m_inEdges = 0;
     Word m_outEdges = 0;
     bool m_heldByJob = false;
-    bool m_isUpToDate = false;
+    Freshness m_freshness;
     std::optional<Word> m_staged;
     std::optional<Written> m_written; // told by the bus, not shown by a snapshot yet
 };

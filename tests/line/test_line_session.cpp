@@ -3,6 +3,8 @@
 #include "line/line_session.h"
 #include "tests/line/scripted_line.h"
 
+#include <algorithm>
+#include <atomic>
 #include <gtest/gtest.h>
 
 namespace codewheel {
@@ -52,6 +54,42 @@ TEST_F(LineSessionTest, ShowsAnEncoderByItsAddress)
     line->advance(50ms);
     EXPECT_EQ(encoder->latest().position, 0x1235);
     EXPECT_GT(line->shown(place)->figures.answers, 2U);
+}
+
+TEST_F(LineSessionTest, WhatIsShownIsOldOncePollingStops)
+{
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
+    ASSERT_TRUE(line->add({5}, rs485));
+    const EncoderSession *encoder = line->encoder(DeviceNumber::onLine({5}));
+    EXPECT_EQ(encoder->freshness().state(), Freshness::State::unknown);
+    line->advance(50ms);
+    EXPECT_TRUE(encoder->freshness().isLive());
+    line->stopPolling();
+    line->advance(50ms);
+    EXPECT_EQ(encoder->freshness().reason(), Freshness::Reason::stopped);
+    line->startPolling();
+    line->advance(50ms);
+    EXPECT_TRUE(encoder->freshness().isLive());
+    line->close();
+    EXPECT_EQ(encoder->freshness().reason(), Freshness::Reason::disconnected);
+}
+
+TEST_F(LineSessionTest, AfterTheComputerSleptTheLineIsInWatch)
+{
+    std::atomic<std::int64_t> slept{0}; // ms
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::operating, LineSession::Drive::byThread,
+                           [&] { return std::chrono::milliseconds(slept); }));
+    ASSERT_TRUE(line->add({5}, rs485));
+    slept = 3'600'000;
+    const auto told = [this] {
+        return std::ranges::find(messages, MessageId::computerSlept, &Message::id) != messages.end();
+    };
+    while (!told())
+        line->pump();
+    EXPECT_FALSE(line->isOperating());
+    EXPECT_TRUE(line->isPolling());
+    EXPECT_EQ(line->encoder(DeviceNumber::onLine({5}))->start(SetPreset{1}).error().id, RefusalId::watchOnly);
+    line->close();
 }
 
 TEST_F(LineSessionTest, RefusesAddressesThatCannotBe)

@@ -2,8 +2,11 @@
 // The whole way of the main job below the window: session, runner, driver, simulated encoder.
 #include "catalog/catalog.h"
 #include "ring/bus_session.h"
+#include "ring/word_channel.h"
 #include "simulator/training_bus.h"
 
+#include <algorithm>
+#include <atomic>
 #include <gtest/gtest.h>
 
 namespace codewheel {
@@ -80,6 +83,67 @@ TEST_F(TrainingBusSession, AlarmStopInTheMiddleOfAHandshakeZeroesOut)
     EXPECT_TRUE(m_bus.devicesWithOut().empty());
     ASSERT_TRUE(m_outcome);
     EXPECT_EQ(m_outcome->result.error().id, RefusalId::alarmStop);
+}
+
+TEST_F(TrainingBusSession, WhatIsShownIsOldOnceTheBusStops)
+{
+    std::vector<Freshness::Reason> told;
+    QObject::connect(&encoder(), &EncoderSession::freshnessChanged, &m_bus,
+                     [&] { told.push_back(encoder().freshness().reason()); });
+    EXPECT_TRUE(encoder().freshness().isLive());
+    EXPECT_TRUE(m_bus.channel(fraba)->freshness().isLive());
+    const Instant last = m_bus.now();
+    m_bus.alarmStop();
+    m_bus.advance(2000);
+    EXPECT_TRUE(encoder().freshness().isOld());
+    EXPECT_TRUE(m_bus.channel(fraba)->freshness().isOld());
+    EXPECT_EQ(encoder().freshness().seen(), last);
+    m_bus.startBus();
+    m_bus.advance(10);
+    EXPECT_TRUE(encoder().freshness().isLive());
+    m_bus.close();
+    EXPECT_TRUE(encoder().freshness().isOld());
+    EXPECT_EQ(told, (std::vector{Freshness::Reason::stopped, Freshness::Reason::none,
+                                 Freshness::Reason::stopped, Freshness::Reason::disconnected}));
+}
+
+TEST_F(TrainingBusSession, WhatIsBehindASwitchedOffSegmentIsOld)
+{
+    const DeviceNumber behind = m_bus.numbers().back();
+    m_bus.switchSegment(behind.segment, false);
+    m_bus.advance(10);
+    EXPECT_EQ(m_bus.channel(behind)->freshness().reason(), Freshness::Reason::notInRing);
+    EXPECT_TRUE(encoder().freshness().isLive());
+}
+
+// Closing the lid in the midst of a handshake.
+TEST_F(TrainingBusSession, AfterTheComputerSleptNothingMoreIsSent)
+{
+    std::vector<Message> messages;
+    QObject::connect(&m_bus, &BusSession::messaged, &m_bus,
+                     [&](const Message &message) { messages.push_back(message); });
+    const auto said = [&](MessageId id) {
+        return std::ranges::find(messages, id, &Message::id) != messages.end();
+    };
+    std::atomic<std::int64_t> slept{0}; // ms
+    m_bus.startThread(std::chrono::milliseconds(1), [&] { return std::chrono::milliseconds(slept); });
+    ASSERT_TRUE(encoder().start(WriteParameters{{{Parameter::steps, 255}}, false, {}, false}, Pace::byHand));
+    while (m_bus.channel(fraba)->out() == 0)
+        m_bus.pump();
+    const QDateTime before = m_bus.dateTime(m_bus.now());
+    slept = 7'200'000;
+    while (!said(MessageId::computerSlept))
+        m_bus.pump();
+    ASSERT_TRUE(m_outcome);
+    EXPECT_EQ(m_outcome->result.error().id, RefusalId::computerSlept);
+    EXPECT_FALSE(m_bus.isOperating());
+    EXPECT_TRUE(m_bus.isRunning());
+    EXPECT_GE(before.secsTo(m_bus.dateTime(m_bus.now())), 7200);
+    const auto told = std::ranges::find(messages, MessageId::computerSlept, &Message::id);
+    EXPECT_EQ(told->arguments, (std::vector<RefusalArgument>{std::int64_t{7200}}));
+    EXPECT_EQ(encoder().start(SendWords{{0x020000FF}}).error().id, RefusalId::watchOnly);
+    while (!encoder().freshness().isLive())
+        m_bus.pump();
 }
 
 } // namespace

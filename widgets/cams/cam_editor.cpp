@@ -14,6 +14,8 @@
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/models/age_text.h"
+#include "widgets/models/age_timer.h"
 #include "widgets/parameters/job_strip.h"
 #include "widgets/wizard/known_text.h"
 
@@ -71,6 +73,7 @@ void CamEditor::setEncoder(const ShownEncoder &encoder)
 void CamEditor::connectSession(EncoderSession &session)
 {
     connect(&session, &EncoderSession::latestChanged, this, &CamEditor::showLive);
+    connect(&session, &EncoderSession::freshnessChanged, this, &CamEditor::showLive);
     connect(&session, &EncoderSession::knownChanged, this, &CamEditor::showKnown);
     connect(&session, &EncoderSession::jobStarted, this, [this] {
         m_message->withdraw();
@@ -142,6 +145,8 @@ void CamEditor::showLive()
 {
     if (!m_encoder.isThere() || !isVisible() || m_pages->currentWidget() == m_empty)
         return;
+    if (session())
+        m_age->follow(session()->freshness());
     m_sheet->setLive(session() ? camLive(*session(), m_sheet->program(), m_sheet->largest()) : CamLive());
     m_board->setNote(session() ? note(session()->latest())
                                : tr("Not connected: what the encoder has and shows is not known. The cams "
@@ -151,6 +156,8 @@ void CamEditor::showLive()
 QString CamEditor::note(const Reading &reading) const
 {
     const CamLive &live = m_sheet->live();
+    if (live.isOld)
+        return tr("Not up to date: %1", "a sentence").arg(ageSentence(*session()));
     if (reading.cams && live.isTold)
         return tr("Program %1 runs in the encoder. \"Now\" is what it shows.").arg(m_sheet->number());
     const QString would = live.knowsAny()

@@ -20,6 +20,7 @@ class QToolBar;
 
 namespace codewheel {
 
+class AgeTimer;
 class CamBoard;
 class CamModeBar;
 class CamRangeBar;
@@ -114,6 +115,7 @@ private:
     ShownEncoder m_encoder; // with cams, or none
     std::map<DeviceNumber, std::unique_ptr<Work>> m_works;
     CamSheet *m_sheet;
+    AgeTimer *m_age;
     CamJobs *m_jobs;
     std::function<void(const SwitchMode &)> m_whenAnswered;
     std::optional<Cause> m_cause; // of the message that is shown

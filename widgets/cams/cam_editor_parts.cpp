@@ -9,6 +9,7 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/tool.h"
+#include "widgets/models/age_timer.h"
 #include "widgets/parameters/job_strip.h"
 
 #include <QMenu>
@@ -25,6 +26,7 @@ CamEditor::CamEditor(const Catalog &catalog, ProjectDocument &project, QWidget *
     , m_catalog(catalog)
     , m_project(project)
     , m_sheet(new CamSheet(project, this))
+    , m_age(new AgeTimer(this))
     , m_jobs(new CamJobs(this))
     , m_tools(new QToolBar(this))
     , m_menu(new QMenu(this))
@@ -156,6 +158,7 @@ void CamEditor::makeMenu()
 
 void CamEditor::connectParts()
 {
+    connect(m_age, &QTimer::timeout, this, &CamEditor::showLive);
     connect(m_jobs, &CamJobs::ended, this, &CamEditor::finished);
     connect(m_board, &CamBoard::programChosen, this, &CamEditor::chooseProgram);
     const auto checked = [this](const QString &wrong) {

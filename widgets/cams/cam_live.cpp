@@ -31,11 +31,12 @@ CamLive camLive(const EncoderSession &encoder, const CamProgram &shown, std::int
 {
     const Reading &reading = encoder.latest();
     CamLive live;
+    live.isOld = encoder.freshness().isOld();
     if (reading.cams) {
         const auto running = reading.camProgram ? encoder.cams(*reading.camProgram) : std::nullopt;
         if (running)
             live.position = positionOf(*reading.cams, running->program.shift, largest);
-        if (reading.camProgram == shown.number) {
+        if (reading.camProgram == shown.number && !live.isOld) {
             for (std::size_t n = 0; n < CamProgram::cams; ++n)
                 live.on.at(n) = (reading.cams->on >> n & 1U) != 0;
             live.isTold = true;
@@ -44,7 +45,7 @@ CamLive camLive(const EncoderSession &encoder, const CamProgram &shown, std::int
     } else if (reading.position && *reading.position >= 0) {
         live.position = CamLive::Position{*reading.position, *reading.position};
     }
-    if (live.position)
+    if (live.position && !live.isOld)
         for (std::size_t n = 0; n < CamProgram::cams; ++n)
             live.on.at(n) = isOn(shown.cam.at(n), live.position->first, live.position->last);
     return live;

@@ -24,6 +24,7 @@ struct CamLive
     std::array<std::optional<bool>, CamProgram::cams> on{}; // nothing: not known
     bool isTold = false; // by the encoder in cam mode; else worked out from the position
     std::optional<Position> position;
+    bool isOld = false; // the position is of before, and how the cams are now is not known
 
     bool knowsAny() const; // of `on`
 

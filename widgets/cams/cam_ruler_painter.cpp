@@ -158,7 +158,8 @@ void CamRulerPainter::drawPosition()
         return;
     const double left = x(position->first);
     const double right = x(position->last + 1);
-    const QColor ink = m_palette.color(QPalette::Text);
+    const bool isOld = m_sheet.live().isOld;
+    const QColor ink = isOld ? roleColor(Role::inactive, m_palette) : m_palette.color(QPalette::Text);
     const double middle = std::floor((left + right) / 2) + 0.5;
     const QRectF line(middle - 1, m_axis, 2, m_ruler.height() - m_axis);
     if (right - left > line.width()) {
@@ -166,10 +167,11 @@ void CamRulerPainter::drawPosition()
         band.setAlpha(paleBar / 2);
         m_painter.fillRect(QRectF(left, m_axis, right - left, line.height()), band);
     }
-    m_painter.fillRect(line, ink);
+    m_painter.setPen(QPen(ink, line.width(), isOld ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap));
+    m_painter.drawLine(QPointF(middle, line.top()), QPointF(middle, line.bottom()));
     m_painter.setRenderHint(QPainter::Antialiasing);
-    m_painter.setPen(Qt::NoPen);
-    m_painter.setBrush(ink);
+    m_painter.setPen(isOld ? QPen(ink, 1.5) : QPen(Qt::NoPen));
+    m_painter.setBrush(isOld ? m_palette.brush(QPalette::Base) : QBrush(ink));
     const std::array tip{QPointF(middle - 5, m_axis - 7), QPointF(middle + 5, m_axis - 7),
                          QPointF(middle, m_axis)};
     m_painter.drawPolygon(tip.data(), static_cast<int>(tip.size()));

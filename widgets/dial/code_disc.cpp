@@ -64,7 +64,8 @@ void CodeDisc::setState(const DialState &state)
 {
     const DialState before = std::exchange(m_state, state);
     if (before.note != state.note || before.position.has_value() != state.position.has_value() ||
-        before.role != state.role || before.turnFraction.has_value() != state.turnFraction.has_value()) {
+        before.role != state.role || before.isLastKnown != state.isLastKnown ||
+        before.turnFraction.has_value() != state.turnFraction.has_value()) {
         arrange();
         update();
         return;
@@ -75,6 +76,8 @@ void CodeDisc::setState(const DialState &state)
         update(m_number);
     if (before.rpm != state.rpm)
         update(QRegion(m_dial) + m_speed);
+    if (before.age != state.age)
+        update(m_speed);
 }
 
 QSize CodeDisc::sizeHint() const
@@ -186,13 +189,14 @@ void CodeDisc::drawDisc(QPainter &painter)
         return;
     painter.save();
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.setOpacity(m_state.turnFraction ? 1.0 : 0.35); // it stands for none: unknown
+    painter.setOpacity(m_state.turnFraction && !m_state.isLastKnown ? 1.0 : 0.35); // no place of now
     painter.rotate(360.0 * placeOf(m_state.turnFraction).value_or(0) / pointerPlaces);
     painter.drawPixmap(QPointF(-radius, -radius),
                        m_face.picture(qRound(2 * radius), devicePixelRatioF(), palette()));
     painter.setPen(QPen(roleColor(Role::inactive, palette()), 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(QPointF(), radius - 0.5, radius - 0.5);
+    painter.setOpacity(1);
     if (m_state.turnFraction)
         drawPointer(painter, radius);
     painter.restore();
@@ -200,13 +204,15 @@ void CodeDisc::drawDisc(QPainter &painter)
 
 void CodeDisc::drawPointer(QPainter &painter, double radius) const
 {
-    const QColor color = m_state.role == Role::inactive ? palette().color(QPalette::WindowText)
-                                                        : roleColor(m_state.role, palette());
+    const bool isPlain = m_state.role == Role::inactive && !m_state.isLastKnown;
+    const QColor color = isPlain               ? palette().color(QPalette::WindowText)
+                         : m_state.isLastKnown ? roleColor(Role::inactive, palette())
+                                               : roleColor(m_state.role, palette());
     const std::array head{QPointF(0, -radius - 5), QPointF(-5, -radius + 5), QPointF(5, -radius + 5)};
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(color);
+    painter.setPen(m_state.isLastKnown ? QPen(color, 1.5) : QPen(Qt::NoPen));
+    painter.setBrush(m_state.isLastKnown ? palette().brush(QPalette::Window) : QBrush(color));
     painter.drawPolygon(head.data(), static_cast<int>(head.size()));
-    painter.setPen(QPen(color, 1.5));
+    painter.setPen(QPen(color, 1.5, m_state.isLastKnown ? Qt::DashLine : Qt::SolidLine));
     painter.drawLine(QPointF(0, -radius), QPointF(0, -radius * DiscFace::hubShare));
 }
 
@@ -220,7 +226,7 @@ void CodeDisc::drawHub(QPainter &painter) const
     painter.drawEllipse(QPointF(), radius, radius);
     if (!m_state.turn)
         return;
-    painter.setPen(palette().color(QPalette::WindowText));
+    painter.setPen(numberColor());
     painter.setFont(textFont(TextSize::small));
     const int small = painter.fontMetrics().height();
     painter.drawText(QRectF(-radius, -small, 2 * radius, small), Qt::AlignCenter, tr("turn"));
@@ -231,11 +237,16 @@ void CodeDisc::drawHub(QPainter &painter) const
 
 void CodeDisc::drawNumbers(QPainter &painter) const
 {
-    painter.setPen(palette().color(QPalette::WindowText));
+    painter.setPen(numberColor());
     painter.setFont(numberFont(TextSize::large));
     painter.drawText(m_number, Qt::AlignCenter, numberText());
-    painter.setFont(numberFont());
-    painter.drawText(m_speed, Qt::AlignCenter, m_state.rpm ? speedText() : QString());
+    painter.setFont(m_state.isLastKnown ? font() : numberFont());
+    painter.drawText(m_speed, Qt::AlignCenter, m_state.rpm ? speedText() : m_state.age);
+}
+
+QColor CodeDisc::numberColor() const
+{
+    return palette().color(m_state.isLastKnown ? QPalette::PlaceholderText : QPalette::WindowText);
 }
 
 QString CodeDisc::numberText() const
@@ -269,7 +280,8 @@ QString CodeDisc::valueText() const
 {
     QStringList parts;
     if (m_state.position)
-        parts.append(tr("Position %1").arg(locale().toString(*m_state.position)));
+        parts.append((m_state.isLastKnown ? tr("Last position %1") : tr("Position %1"))
+                         .arg(locale().toString(*m_state.position)));
     if (m_state.velocity)
         parts.append(tr("Velocity %1").arg(numberText()));
     if (m_state.turn)
@@ -278,6 +290,8 @@ QString CodeDisc::valueText() const
         parts.append(tr("%1 degrees").arg(locale().toString(*m_state.turnFraction * 360, 'f', 0)));
     if (m_state.rpm)
         parts.append(speedText());
+    if (!m_state.age.isEmpty())
+        parts.append(m_state.age);
     if (!note().isEmpty())
         parts.append(note());
     return parts.join(QStringLiteral(", "));

@@ -40,6 +40,7 @@ private:
     void drawPointer(QPainter &painter, double radius) const;
     void drawHub(QPainter &painter) const;
     void drawNumbers(QPainter &painter) const;
+    QColor numberColor() const;
     QString numberText() const;
     QString speedText() const;
     QString note() const;

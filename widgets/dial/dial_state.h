@@ -17,6 +17,8 @@ struct DialState
     std::optional<qint64> turn = {};         // whole turns, from 0
     std::optional<qint64> velocity = {};     // rpm, as the encoder sends it: positive where positions rise
     std::optional<double> rpm = {};          // positive: clockwise
+    bool isLastKnown = false;                // all of it is of before: how it stands now is not known
+    QString age = {};                        // of that: "20 s ago"
     QString note = {};                       // a sentence: what is wrong or missing, and how to get it
     Role role = Role::inactive;              // of the note, and of the pointer
 

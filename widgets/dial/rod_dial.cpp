@@ -7,6 +7,8 @@
 #include "widgets/dial/state_note.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
+#include "widgets/models/age_text.h"
+#include "widgets/models/age_timer.h"
 #include "widgets/parameters/value_field.h"
 
 #include <QGridLayout>
@@ -28,6 +30,7 @@ std::optional<std::int64_t> valueKnown(const EncoderSession &encoder, Parameter 
 
 RodDial::RodDial(QWidget *parent)
     : QWidget(parent)
+    , m_age(new AgeTimer(this))
     , m_rod(new RodView(this))
     , m_missing(new MissingValues({Parameter::direction, Parameter::measuringLength}, this))
     , m_readStatus(new QPushButton(lineIcon(Icon::read), tr("Read error &status"), this))
@@ -50,6 +53,7 @@ RodDial::RodDial(QWidget *parent)
     column->addWidget(m_readStatus, 0, Qt::AlignHCenter);
     column->addWidget(m_tellRow);
     connect(m_missing, &MissingValues::changed, this, &RodDial::knownChanged);
+    connect(m_age, &QTimer::timeout, this, &RodDial::draw);
     connect(m_readStatus, &QPushButton::clicked, this, [this] { m_missing->read({Parameter::errorStatus}); });
     connect(m_tell, &QPushButton::clicked, this, &RodDial::tellLength);
 }
@@ -62,6 +66,7 @@ void RodDial::setEncoder(EncoderSession *encoder)
     if (encoder != nullptr) {
         m_rod->setPlace(encoder->number().toString());
         connect(encoder, &EncoderSession::latestChanged, this, &RodDial::draw);
+        connect(encoder, &EncoderSession::freshnessChanged, this, &RodDial::draw);
         showTellRow();
     }
     m_missing->setEncoder(encoder);
@@ -115,7 +120,22 @@ void RodDial::draw()
         return;
     const Reading &reading = m_encoder->latest();
     m_readStatus->setVisible(reading.state == EncoderState::error && m_encoder->can().reads);
-    m_rod->setState(stateOf(reading));
+    m_age->follow(m_encoder->freshness());
+    RodState state = stateOf(reading);
+    if (m_encoder->freshness().isOld())
+        makeOld(state);
+    m_rod->setState(state);
+}
+
+void RodDial::makeOld(RodState &state)
+{
+    m_motion.reset();
+    const StateNote note = noteOfAge(*m_encoder);
+    state.stepsPerSecond.reset();
+    state.isLastKnown = true;
+    state.age = ageText(*m_encoder);
+    state.note = note.sentence;
+    state.role = note.role;
 }
 
 RodState RodDial::stateOf(const Reading &reading)

@@ -12,6 +12,7 @@ class QPushButton;
 
 namespace codewheel {
 
+class AgeTimer;
 class MissingValues;
 class RodView;
 class ValueField;
@@ -33,12 +34,14 @@ private:
     void tellLength();
     void draw();
     RodState stateOf(const Reading &reading);
+    void makeOld(RodState &state);
     std::optional<double> stepsPerSecond(const Reading &reading);
     QString noteOfKnown() const;
 
     QPointer<EncoderSession> m_encoder;
     RodState m_known; // length, scale, direction
     ShaftMotion m_motion;
+    AgeTimer *m_age;
     RodView *m_rod;
     MissingValues *m_missing;
     QPushButton *m_readStatus;

@@ -18,7 +18,8 @@ struct RodState
     std::optional<RodScale> scale = {};        // needs the length of the rod
     std::optional<bool> countsUpToTheEnd = {}; // the direction of counting
     std::optional<double> stepsPerSecond = {}; // positive: counts up
-    bool isLastKnown = false;                  // the position is of before the magnet was lost
+    bool isLastKnown = false;                  // the position is of before: the magnet is lost, or it is old
+    QString age = {};                          // of what is old: "20 s ago"
     QString note = {};                         // a sentence: what is wrong or missing, and what to do
     Role role = Role::inactive;                // of the note, and of the magnet
 

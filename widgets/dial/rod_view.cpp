@@ -112,8 +112,8 @@ void RodView::drawNumbers(QPainter &painter) const
     painter.drawText(m_number, Qt::AlignCenter, m_state.position ? shownPosition() : QString(QChar(0x2013)));
     painter.setFont(numberFont());
     painter.drawText(m_millimetres, Qt::AlignCenter, m_state.position ? millimetreText() : QString());
+    painter.drawText(m_speed, Qt::AlignCenter, m_state.age.isEmpty() ? speedText() : m_state.age);
     painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(m_speed, Qt::AlignCenter, speedText());
     painter.setFont(font());
     painter.drawText(m_resolution, Qt::AlignCenter, resolutionText());
 }
@@ -171,7 +171,7 @@ QString RodView::valueText() const
     }
     if (m_state.length)
         parts.append(tr("measuring length %1 steps").arg(locale().toString(*m_state.length)));
-    for (const QString &text : {speedText(), resolutionText(), note()})
+    for (const QString &text : {speedText(), m_state.age, resolutionText(), note()})
         if (!text.isEmpty())
             parts.append(text);
     return parts.join(QStringLiteral(", "));

@@ -6,6 +6,8 @@
 #include "widgets/dial/code_disc.h"
 #include "widgets/dial/missing_values.h"
 #include "widgets/dial/state_note.h"
+#include "widgets/models/age_text.h"
+#include "widgets/models/age_timer.h"
 #include "widgets/models/device_traits.h"
 #include "widgets/monitor/position_range.h"
 
@@ -37,10 +39,23 @@ double partOfTurn(double turns, bool clockwise)
     return clockwise || part == 0 ? part : 1 - part;
 }
 
+// Where it stands and how fast it turns nobody knows any more.
+void makeOld(DialState &state, const EncoderSession &encoder)
+{
+    const StateNote note = noteOfAge(encoder);
+    state.isLastKnown = true;
+    state.age = ageText(encoder);
+    state.velocity.reset();
+    state.rpm.reset();
+    state.note = note.sentence;
+    state.role = note.role;
+}
+
 } // namespace
 
 ShaftDial::ShaftDial(QWidget *parent)
     : QWidget(parent)
+    , m_age(new AgeTimer(this))
     , m_disc(new CodeDisc(this))
     , m_missing(new MissingValues(
           {Parameter::steps, Parameter::revolutions, Parameter::direction, Parameter::coding}, this))
@@ -50,6 +65,7 @@ ShaftDial::ShaftDial(QWidget *parent)
     column->addWidget(m_disc, 1);
     column->addWidget(m_missing);
     connect(m_missing, &MissingValues::changed, this, &ShaftDial::knownChanged);
+    connect(m_age, &QTimer::timeout, this, &ShaftDial::draw);
 }
 
 void ShaftDial::setEncoder(EncoderSession *encoder)
@@ -60,6 +76,7 @@ void ShaftDial::setEncoder(EncoderSession *encoder)
     if (encoder != nullptr) {
         m_disc->setPlace(encoder->number().toString());
         connect(encoder, &EncoderSession::latestChanged, this, &ShaftDial::draw);
+        connect(encoder, &EncoderSession::freshnessChanged, this, &ShaftDial::draw);
     }
     m_missing->setEncoder(encoder);
 }
@@ -105,17 +122,22 @@ void ShaftDial::draw()
 {
     if (m_encoder == nullptr)
         return;
-    const Reading &reading = m_encoder->latest();
-    DialState state;
-    if (reading.state == EncoderState::operation) {
-        state = running(reading);
-    } else {
-        const StateNote note = noteOfState(m_encoder->device(), reading);
-        state = {.note = note.sentence, .role = note.role};
-    }
-    if (!state.position)
+    m_age->follow(m_encoder->freshness());
+    DialState state = stateOf(m_encoder->latest());
+    if (m_encoder->freshness().isOld())
+        makeOld(state, *m_encoder);
+    if (!state.position || state.isLastKnown)
         m_motion.reset();
     m_disc->setState(state);
+}
+
+// A serial encoder that is silent shows its last position.
+DialState ShaftDial::stateOf(const Reading &reading)
+{
+    if (reading.state == EncoderState::operation || reading.state == EncoderState::silent)
+        return running(reading);
+    const StateNote note = noteOfState(m_encoder->device(), reading);
+    return {.note = note.sentence, .role = note.role};
 }
 
 DialState ShaftDial::running(const Reading &reading)

@@ -10,6 +10,7 @@
 
 namespace codewheel {
 
+class AgeTimer;
 class CodeDisc;
 class MissingValues;
 
@@ -38,6 +39,7 @@ private:
     void draw();
     std::optional<Scale> scale() const;
     std::optional<Scale> physicalScale() const;
+    DialState stateOf(const Reading &reading);
     DialState running(const Reading &reading);
     DialState turning(std::int64_t velocity) const;
     QString rawNote(const Reading &reading) const;
@@ -46,6 +48,7 @@ private:
     QPointer<EncoderSession> m_encoder;
     std::optional<Scale> m_scale;
     ShaftMotion m_motion;
+    AgeTimer *m_age;
     CodeDisc *m_disc;
     MissingValues *m_missing;
 };

@@ -3,6 +3,8 @@
 
 #include "catalog/explain_word.h"
 #include "catalog/position_format.h"
+#include "encoder/encoder_session.h"
+#include "encoder/freshness_text.h"
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
 
@@ -59,6 +61,17 @@ StateNote noteOfState(const DeviceDescription &device, const Reading &reading)
         break;
     }
     return {{}, Role::running};
+}
+
+// The age stands below the number.
+StateNote noteOfAge(const EncoderSession &encoder)
+{
+    const Freshness::Reason reason = encoder.freshness().reason();
+    if (reason == Freshness::Reason::silent)
+        return noteOfState(encoder.device(), encoder.latest());
+    const bool isFault = reason == Freshness::Reason::linkLost;
+    return {DialNote::tr("Not up to date: %1", "a sentence").arg(freshnessText(reason)),
+            isFault ? Role::fault : Role::inactive};
 }
 
 } // namespace codewheel

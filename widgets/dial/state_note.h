@@ -9,13 +9,15 @@
 namespace codewheel {
 
 struct DeviceDescription;
+class EncoderSession;
 
-// What a dial says of an encoder that is not in operation.
+// What a dial says of an encoder that is not in operation, or whose reading is old.
 struct StateNote
 {
     QString sentence;
     Role role = Role::attention;
 };
 StateNote noteOfState(const DeviceDescription &device, const Reading &reading);
+StateNote noteOfAge(const EncoderSession &encoder);
 
 } // namespace codewheel

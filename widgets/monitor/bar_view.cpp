@@ -36,11 +36,12 @@ void BarView::setRange(qint64 first, qint64 last)
     update();
 }
 
-void BarView::setValue(std::optional<qint64> value)
+void BarView::setValue(std::optional<qint64> value, bool isOld)
 {
+    const bool isOther = std::exchange(m_isOld, isOld) != isOld;
     const std::optional<int> before = filledWidth();
     m_value = value;
-    if (filledWidth() != before)
+    if (isOther || filledWidth() != before)
         update();
 }
 
@@ -57,8 +58,10 @@ QString BarView::valueText() const
 {
     if (!m_value)
         return tr("Not known");
-    return tr("%1 of %2 to %3", "value, range")
-        .arg(locale().toString(*m_value), locale().toString(m_first), locale().toString(m_last));
+    const QString text =
+        tr("%1 of %2 to %3", "value, range")
+            .arg(locale().toString(*m_value), locale().toString(m_first), locale().toString(m_last));
+    return m_isOld ? tr("%1, not up to date", "value of range").arg(text) : text;
 }
 
 QSize BarView::sizeHint() const
@@ -79,9 +82,10 @@ void BarView::paintEvent(QPaintEvent *)
     painter.fillRect(bar, rim);
     painter.fillRect(bar.adjusted(1, 1, -1, -1), palette().color(QPalette::Base));
     if (const auto filled = filledWidth()) {
-        painter.fillRect(QRect(1, 1, *filled, barHeight - 2), rim);
+        if (!m_isOld)
+            painter.fillRect(QRect(1, 1, *filled, barHeight - 2), rim);
         painter.fillRect(QRect(std::max(0, *filled - 1), 0, 3, barHeight),
-                         palette().color(QPalette::WindowText));
+                         m_isOld ? rim : palette().color(QPalette::WindowText));
     }
     painter.setPen(rim);
     for (int quarter = 0; quarter <= 4; ++quarter) {

@@ -18,8 +18,9 @@ public:
     void setPlace(const QString &place); // "IN 1.0": for screen readers
     // last > first, e.g. 0 and total range - 1.
     void setRange(qint64 first, qint64 last);
-    // Nothing: not known; an empty bar. A value outside the range fills it or leaves it empty.
-    void setValue(std::optional<qint64> value);
+    // Nothing: not known; an empty bar. A value outside the range fills it or leaves it empty. What is of
+    // before is outlined.
+    void setValue(std::optional<qint64> value, bool isOld = false);
 
     QString valueText() const override;
     QSize sizeHint() const override;
@@ -34,6 +35,7 @@ private:
     qint64 m_first = 0;
     qint64 m_last = 1;
     std::optional<qint64> m_value;
+    bool m_isOld = false;
 };
 
 } // namespace codewheel

@@ -7,6 +7,7 @@
 #include "widgets/monitor/word_format.h"
 #include "words/k3_word.h"
 
+#include <QEvent>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -63,6 +64,32 @@ NumberFields::NumberFields(const QString &place, const WordForm &form, bool edit
     connect(m_hex, &QLineEdit::editingFinished, this, &NumberFields::hexLeft);
     setDisplay(m_display);
     showNumbers();
+}
+
+void NumberFields::setOld(bool old)
+{
+    if (std::exchange(m_old, old) != old)
+        showAge();
+}
+
+// A label of a caption has a colour of its own role, and stays.
+void NumberFields::showAge()
+{
+    for (auto field = m_captions.keyBegin(); field != m_captions.keyEnd(); ++field) {
+        QPalette colors;
+        if (m_old)
+            for (const auto group : {QPalette::Active, QPalette::Inactive})
+                colors.setColor(group, QPalette::Text, palette().color(group, QPalette::PlaceholderText));
+        colors.setResolveMask(m_old ? colors.resolveMask() : 0);
+        (*field)->setPalette(colors);
+    }
+}
+
+void NumberFields::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && m_old)
+        showAge();
 }
 
 void NumberFields::addField(QWidget *field, const QString &caption, const QString &name,

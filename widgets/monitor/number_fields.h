@@ -26,7 +26,8 @@ public:
     // What is being typed stays as it was typed, for as long as it says this word, or no word at all.
     void setWord(Word word);
     void setDisplay(const MonitorDisplay &display);
-    void restore(); // hexadecimal says the word again, whatever was typed
+    void setOld(bool old); // the word is of before: grey
+    void restore();        // hexadecimal says the word again, whatever was typed
     WordField *hexadecimal() const { return m_hex; }
 
 Q_SIGNALS:
@@ -34,7 +35,11 @@ Q_SIGNALS:
     void problemChanged(const QString &sentence); // empty: it is gone
     void entered();                               // Return, on a good word
 
+protected:
+    void changeEvent(QEvent *event) override;
+
 private:
+    void showAge();
     void addField(QWidget *field, const QString &caption, const QString &name, QBoxLayout *captioned);
     void show(QWidget *field, bool shown); // with its caption
     void hexTyped(const QString &text);
@@ -52,6 +57,7 @@ private:
     QHash<QWidget *, QLabel *> m_captions;
     MonitorDisplay m_display;
     Word m_word = 0;
+    bool m_old = false;
 };
 
 } // namespace codewheel

@@ -10,6 +10,8 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/models/age_text.h"
+#include "widgets/models/age_timer.h"
 #include "widgets/monitor/bar_view.h"
 #include "widgets/monitor/display_menu.h"
 #include "widgets/monitor/meaning_line.h"
@@ -48,6 +50,7 @@ WordMonitor::WordMonitor(WordChannel &channel, EncoderSession *encoder, const De
     , m_meaning(new MeaningLine(this))
     , m_numbers(new NumberFields(m_place, wordForm(kind, device), isOut(), this))
     , m_message(new InlineMessage(this))
+    , m_age(new AgeTimer(this))
 {
     setFrameShape(QFrame::StyledPanel);
     setAccessibleName(tr("Monitor %1", "Monitor OUT 1.0").arg(m_place));
@@ -70,6 +73,9 @@ WordMonitor::WordMonitor(WordChannel &channel, EncoderSession *encoder, const De
         setDisplay(display);
         Q_EMIT displayChosen(display);
     });
+    connect(m_channel, &WordChannel::changed, this, [this] { m_age->follow(m_channel->freshness()); });
+    connect(m_age, &QTimer::timeout, this, [this] { showWord(0); });
+    m_age->follow(m_channel->freshness());
     connect(m_message, &InlineMessage::closed, this, [this] { m_cause = Cause::none; });
     setDisplay(m_display);
     showWord(0);
@@ -309,8 +315,17 @@ void WordMonitor::showWord(Word edges)
     const Word mask = bitsOf(m_kind) == 16 ? 0xFFFF : ~Word{0};
     const auto part = [this, mask](Word word) { return word >> shift() & mask; };
     m_bits->setWord(part(shownWord()), part(onBus()), part(edges), m_now);
+    m_bits->setOld(isOld());
     m_numbers->setWord(part(shownWord()));
+    m_numbers->setOld(isOld());
     m_meaning->setText(explain());
+}
+
+// OUT is what goes out when the bus runs again; without a connection it is of before as well.
+bool WordMonitor::isOld() const
+{
+    const Freshness &freshness = m_channel->freshness();
+    return freshness.isOld() && (!isOut() || freshness.reason() == Freshness::Reason::disconnected);
 }
 
 void WordMonitor::showRange()
@@ -321,7 +336,7 @@ void WordMonitor::showRange()
     if (range && range != m_range)
         m_bar->setRange(range->first, range->last);
     m_range = range;
-    m_bar->setValue(m_range ? m_encoder->latest().position : std::nullopt);
+    m_bar->setValue(m_range ? m_encoder->latest().position : std::nullopt, isOld());
 }
 
 QString WordMonitor::explain() const
@@ -338,7 +353,9 @@ QString WordMonitor::explain() const
     const QString text = explanationText(*m_device, explainWord(*m_device, shownWord(), context));
     if (isOut())
         return m_channel->staged() ? tr("Not sent yet: %1", "meaning of a word").arg(text) : text;
-    return m_channel->isUpToDate() ? text : tr("Not up to date: %1", "meaning of a word").arg(text);
+    return isOld()
+               ? tr("Not up to date, %1: %2", "20 s ago, meaning of a word").arg(ageText(*m_channel), text)
+               : text;
 }
 
 void WordMonitor::showRefusal(const Refusal &why)

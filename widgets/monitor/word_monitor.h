@@ -16,6 +16,7 @@ class QLabel;
 
 namespace codewheel {
 
+class AgeTimer;
 class BarView;
 class DisplayMenu;
 class InlineMessage;
@@ -79,6 +80,7 @@ private:
     void showProblem(const QString &sentence);
     void showWord(Word edges);
     void showRange();
+    bool isOld() const;
     QString explain() const;
     void showRefusal(const Refusal &why);
     void askBeforeSending(Word word);
@@ -105,6 +107,7 @@ private:
     std::optional<Word> m_stagedBefore; // before the typing began
     bool m_hasSent = false;             // what comes back as refused now was sent from here
     Instant m_now{};
+    AgeTimer *m_age;
 };
 
 } // namespace codewheel

@@ -227,6 +227,12 @@ void WordView::changeEvent(QEvent *event)
     }
 }
 
+void WordView::setOld(bool old)
+{
+    if (std::exchange(m_old, old) != old)
+        update();
+}
+
 BitCell WordView::lookOf(int bit) const
 {
     return {.set = isSet(bit),
@@ -234,7 +240,7 @@ BitCell WordView::lookOf(int bit) const
             .staged = isStaged(bit),
             .focused = hasFocus() && bit == m_focusedBit,
             .hovered = m_editable && m_hoveredBit == bit,
-            .enabled = isEnabled()};
+            .enabled = isEnabled() && !m_old};
 }
 
 void WordView::paintEvent(QPaintEvent *event)

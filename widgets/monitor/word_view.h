@@ -30,6 +30,9 @@ public:
     QString place() const { return m_place; }
     void setEditable(bool editable);
     bool isEditable() const { return m_editable; }
+    // The bits are of before: grey.
+    void setOld(bool old);
+    bool isOld() const { return m_old; }
     // In rows of 8 bits, whatever the width of the window.
     void setMatrix(bool matrix);
     // What a bit means in this device, for tooltip, status tip and screen reader; empty where nothing is
@@ -96,6 +99,7 @@ private:
     Word m_staged = 0;
     ChangeMarks m_marks;
     bool m_editable = false;
+    bool m_old = false;
     bool m_matrix = false;
     int m_focusedBit;
     std::optional<int> m_hoveredBit;

@@ -6,6 +6,7 @@
 #include "line/line_encoder_session.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/roles.h"
+#include "widgets/models/age_text.h"
 #include "widgets/parameters/parameter_words.h"
 #include "widgets/wizard/known_text.h"
 
@@ -54,8 +55,10 @@ void ParameterModel::setEncoder(const ShownEncoder &encoder)
         before->disconnect(this);
     m_encoder = encoder;
     std::vector<ParameterRow> rows;
-    if (EncoderSession *session = encoder.session())
+    if (EncoderSession *session = encoder.session()) {
         connect(session, &EncoderSession::knownChanged, this, &ParameterModel::refresh);
+        connect(session, &EncoderSession::freshnessChanged, this, &ParameterModel::showAge);
+    }
     if (encoder.isThere()) {
         rows = rowsOf(isWritable);
         const std::vector<ParameterRow> readOnly = rowsOf(isReadOnlyValue);
@@ -136,6 +139,18 @@ void ParameterModel::refresh()
         if (ParameterRow now = rowFor(rowAt(row).parameter); now != rowAt(row))
             replace(row, std::move(now));
     }
+}
+
+void ParameterModel::showAge()
+{
+    if (rowCount() > 0)
+        Q_EMIT dataChanged(index(0, knownColumn), index(rowCount() - 1, knownColumn));
+}
+
+// What the encoder has was known of it once; since then nobody heard of it.
+bool ParameterModel::isKnownOfBefore(const ParameterRow &row) const
+{
+    return row.known && m_encoder.session() != nullptr && m_encoder.session()->freshness().isOld();
 }
 
 Qt::ItemFlags ParameterModel::flags(const QModelIndex &index) const
@@ -238,7 +253,7 @@ QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) con
         return column == wantedColumn && row.differs() ? QVariant(static_cast<int>(Role::attention))
                                                        : QVariant();
     case isPaleRole:
-        return isPale;
+        return isPale || (column == knownColumn && isKnownOfBefore(row));
     default:
         return {};
     }
@@ -296,7 +311,9 @@ QString ParameterModel::toolTip(const ParameterRow &row, int column) const
     if (m_encoder.session() == nullptr)
         return tr("Not connected: what the encoder has is not known.");
     const QDateTime when = row.known ? m_encoder.session()->dateTime(row.known->at) : QDateTime();
-    const QString how = parameter_words::howKnown(row.known, when);
+    QString how = parameter_words::howKnown(row.known, when);
+    if (isKnownOfBefore(row))
+        how += u'\n' + ageSentence(*m_encoder.session());
     return row.known ? QStringLiteral("%1\n%2").arg(valueWithUnit(m_encoder.device(),
                                                                   {row.parameter.parameter, row.known->value},
                                                                   explainOptionsOf(m_encoder.session())),

@@ -69,6 +69,8 @@ private:
     std::vector<ParameterRow> rowsOf(bool (*belongs)(const ParameterDescription &)) const;
     QVariant headCell(const ParameterRow &row, int column, int role) const;
     void refresh();
+    void showAge();
+    bool isKnownOfBefore(const ParameterRow &row) const;
     QString text(const ParameterRow &row, int column) const;
     QString detail(const ParameterRow &row, int column) const;
     QString toolTip(const ParameterRow &row, int column) const;

@@ -5,6 +5,7 @@
 #include "encoder/sentence.h"
 #include "esc/esc_bits.h"
 #include "line/line_session.h"
+#include "widgets/models/age_text.h"
 #include "widgets/project/project_document.h"
 
 #include <QLocale>
@@ -81,7 +82,8 @@ std::vector<LineBranch::Row> LineBranch::rows(const ProjectDocument *project) co
                         .name = encoder.device().fullName(),
                         .station = project ? project->device(number).station : QString(),
                         .shown = stateOf(number),
-                        .position = encoder.latest().position});
+                        .position = encoder.latest().position,
+                        .isOld = encoder.freshness().isOld()});
     }
     return rows;
 }
@@ -127,8 +129,12 @@ QString LineBranch::toolTip(const Row &row) const
     if (row.position)
         text += u'\n' + tr("Position %1").arg(QLocale().toString(qlonglong{*row.position}));
     const EncoderSession *encoder = m_line ? m_line->encoder(row.number) : nullptr;
-    const QString bits = encoder ? bitLines(encoder->latest()) : QString();
-    return bits.isEmpty() ? text : text + u'\n' + bits;
+    if (!encoder)
+        return text;
+    for (const QString &more : {ageSentence(*encoder), bitLines(encoder->latest())})
+        if (!more.isEmpty())
+            text += u'\n' + more;
+    return text;
 }
 
 } // namespace codewheel

@@ -37,6 +37,7 @@ public:
         QString station; // as the project has it; empty: none
         StateWord shown{};
         std::optional<std::int64_t> position{};
+        bool isOld = false; // the position
 
         friend bool operator==(const Row &, const Row &) = default;
     };

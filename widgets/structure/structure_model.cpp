@@ -11,9 +11,13 @@
 #include "ring/ring_tree.h"
 #include "ring/word_channel.h"
 #include "widgets/master/master_look.h"
+#include "widgets/models/age_text.h"
 #include "widgets/models/device_traits.h"
 #include "widgets/project/project_document.h"
 #include "widgets/structure/structure_ids.h"
+
+#include <QGuiApplication>
+#include <QPalette>
 
 #include <algorithm>
 #include <iterator>
@@ -47,6 +51,16 @@ QString errorText(const EncoderSession *encoder, const Reading &reading)
 }
 
 } // namespace
+
+// Grey, and said to those who do not see it.
+QVariant StructureModel::oldPositionLook(std::optional<std::int64_t> position, int role)
+{
+    if (role == Qt::ForegroundRole)
+        return QGuiApplication::palette().brush(QPalette::PlaceholderText);
+    if (role == Qt::AccessibleTextRole && position)
+        return tr("%1, not up to date", "a position").arg(positionText(position));
+    return {};
+}
 
 StructureModel::StructureModel(QObject *parent)
     : QAbstractItemModel(parent)
@@ -204,10 +218,14 @@ void StructureModel::refreshPositions()
         return;
     const std::size_t count = std::min(m_nodes.size(), m_bus->latest().devices.size());
     for (std::size_t place = 0; place < count; ++place) {
+        Node &shown = m_nodes[place];
+        const EncoderSession *encoder = m_bus->encoder(shown.participant.number);
         const auto position = m_bus->latest().devices[place].reading.position;
-        if (position == m_nodes[place].position)
+        const bool isOld = encoder != nullptr && encoder->freshness().isOld();
+        if (position == shown.position && isOld == shown.isOld)
             continue;
-        m_nodes[place].position = position;
+        shown.position = position;
+        shown.isOld = isOld;
         const int node = static_cast<int>(place);
         const QModelIndex cell = createIndex(rowOf(node), positionColumn, static_cast<quintptr>(place) + 1);
         Q_EMIT dataChanged(cell, cell);
@@ -420,6 +438,9 @@ QVariant StructureModel::deviceCell(const Node &node, int column, int role) cons
 {
     if (role == Qt::ToolTipRole)
         return toolTip(node);
+    if (column == positionColumn && node.isOld)
+        if (const QVariant look = oldPositionLook(node.position, role); look.isValid())
+            return look;
     if (role == Qt::DecorationRole) {
         if (column == deviceColumn)
             return lineIcon(node.participant.idCode == busTerminalIdCode ? Icon::ring : Icon::encoder);
@@ -478,7 +499,9 @@ QString StructureModel::ledsText(const Node &node) const
 
 QString StructureModel::toolTip(const Node &node) const
 {
-    QStringList more{ledsText(node), codingText(node)};
+    const EncoderSession *encoder = m_bus == nullptr ? nullptr : m_bus->encoder(node.participant.number);
+    QStringList more{ledsText(node), codingText(node),
+                     encoder == nullptr ? QString() : ageSentence(*encoder)};
     more.removeAll(QString());
     const QString text =
         tr("%1  %2\nID code %3, device code %4\nWords: IN %5, OUT %6\nState: %7")

@@ -72,6 +72,7 @@ private:
         std::vector<int> children;
         Shown shown;
         std::optional<std::int64_t> position;
+        bool isOld = false; // the position
     };
 
     void refresh();
@@ -105,6 +106,7 @@ private:
     void removeGoneEncoders();
     const LineBranch::Row *lineRow(const QModelIndex &index) const; // null: none of an encoder of the line
     QModelIndex lineRowIndex(DeviceNumber number, int column) const;
+    static QVariant oldPositionLook(std::optional<std::int64_t> position, int role);
     QVariant lineCell(int column, int role) const;
     QVariant lineEncoderCell(const LineBranch::Row &row, int column, int role) const;
 

@@ -12,6 +12,7 @@
 #include <QClipboard>
 #include <QCoreApplication>
 #include <QEvent>
+#include <QLocale>
 #include <QPoint>
 #include <QPushButton>
 #include <QTest>
@@ -135,14 +136,16 @@ TEST_F(WordMonitorTest, AWordFromBeforeIsToldAsSuch)
     EXPECT_FALSE(upToDate.startsWith(QStringLiteral("Not up to date")));
     ring.bus.stopBus();
     ring.bus.advance(40);
-    EXPECT_EQ(in.meaning(), QStringLiteral("Not up to date: ") + upToDate);
+    const QDateTime seen = ring.bus.dateTime(ring.channel(fraba).freshness().seen());
+    const QString lastSeen = QLocale().toString(seen.toLocalTime(), QLocale::ShortFormat);
+    EXPECT_EQ(in.meaning(), QStringLiteral("Not up to date, %1: %2").arg(lastSeen, upToDate));
     EXPECT_FALSE(out.meaning().startsWith(QStringLiteral("Not up to date"))) << "it is what will be sent";
     ring.bus.startBus();
     ring.bus.advance(40);
     EXPECT_EQ(in.meaning(), upToDate);
     ring.bus.switchSegment(fraba.segment, false);
     ring.bus.advance(40);
-    EXPECT_TRUE(in.meaning().startsWith(QStringLiteral("Not up to date: "))) << "the ring runs without it";
+    EXPECT_TRUE(in.meaning().startsWith(QStringLiteral("Not up to date, "))) << "the ring runs without it";
 }
 
 TEST_F(WordMonitorTest, AClickedBitIsStagedAndSentByWrite)

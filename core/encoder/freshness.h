@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/reading.h"
+
+namespace codewheel {
+
+// Whether what an encoder showed last is how it stands now. It is decided here alone: whoever shows a
+// position, a word, a value or a cam asks for it (EncoderSession::freshness(), WordChannel::freshness()).
+class Freshness
+{
+public:
+    enum class State : std::uint8_t {
+        unknown, // nothing was ever shown
+        live,
+        old, // it was so once; what is now nobody knows
+    };
+    // Why it is not live.
+    enum class Reason : std::uint8_t {
+        none,         // it is
+        notSeen,      // nothing came yet
+        disconnected, // by the user
+        linkLost,     // the port is gone
+        stopped,      // the bus does not run, or positions are not polled: ALARM STOP, a fault, by the user
+        notInRing,    // the segment is off, or behind a fault
+        silent,       // it does not answer
+        notAsked,     // not for `lateAfter`: something else keeps the line busy
+        slept,        // the computer slept since
+    };
+
+    // How the bus of an encoder stands.
+    struct Circumstances
+    {
+        bool isConnected = false;
+        bool isLinkThere = true;
+        bool isRunning = false;
+        bool isInRing = true;
+        Instant awakeSince{}; // what was shown before does not count: the computer slept until then
+        Instant now{};
+    };
+
+    static constexpr std::chrono::seconds lateAfter{5};
+
+    Freshness() = default;
+    // `seen`: when it was shown; nothing: never.
+    Freshness(std::optional<Instant> seen, const Circumstances &bus);
+    Freshness(const Reading &reading, const Circumstances &bus);
+
+    State state() const { return m_state; }
+    Reason reason() const { return m_reason; }
+    bool isLive() const { return m_state == State::live; }
+    bool isOld() const { return m_state == State::old; }
+    Instant seen() const { return m_seen; } // on the clock of the bus; unless unknown
+
+    // Whether both are to be shown alike: the time may differ.
+    bool isSameStateAs(const Freshness &other) const
+    {
+        return m_state == other.m_state && m_reason == other.m_reason;
+    }
+
+private:
+    State m_state = State::unknown;
+    Reason m_reason = Reason::notSeen;
+    Instant m_seen{};
+};
+
+} // namespace codewheel

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/freshness_text.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+// The context of these texts.
+struct FreshnessText
+{
+    Q_DECLARE_TR_FUNCTIONS(Freshness)
+};
+
+constexpr qint64 minute = 60;
+constexpr qint64 hour = 60 * minute;
+constexpr qint64 day = 24 * hour;
+
+} // namespace
+
+QString agoText(const QDateTime &then, const QDateTime &now)
+{
+    const qint64 seconds = std::max<qint64>(0, then.secsTo(now));
+    if (seconds < minute)
+        return FreshnessText::tr("%1 s ago").arg(seconds);
+    if (seconds < hour)
+        return FreshnessText::tr("%1 min ago").arg(seconds / minute);
+    if (seconds < day)
+        return FreshnessText::tr("%1 h %2 min ago").arg(seconds / hour).arg(seconds % hour / minute);
+    return QLocale().toString(then.toLocalTime(), QLocale::ShortFormat);
+}
+
+QString freshnessText(Freshness::Reason reason)
+{
+    switch (reason) {
+    case Freshness::Reason::none:
+        break;
+    case Freshness::Reason::notSeen:
+        return FreshnessText::tr("Nothing came from the encoder yet.");
+    case Freshness::Reason::disconnected:
+        return FreshnessText::tr("Not connected.");
+    case Freshness::Reason::linkLost:
+        return FreshnessText::tr("The port is gone.");
+    case Freshness::Reason::stopped:
+        return FreshnessText::tr("The bus does not run.");
+    case Freshness::Reason::notInRing:
+        return FreshnessText::tr("The device is not in the ring.");
+    case Freshness::Reason::silent:
+        return FreshnessText::tr("The encoder does not answer.");
+    case Freshness::Reason::notAsked:
+        return FreshnessText::tr("The encoder is not being asked: something else keeps the line busy.");
+    case Freshness::Reason::slept:
+        return FreshnessText::tr("The computer slept since.");
+    }
+    return {};
+}
+
+} // namespace codewheel

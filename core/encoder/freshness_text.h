@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/freshness.h"
+
+#include <QString>
+
+class QDateTime;
+
+namespace codewheel {
+
+// "20 s ago", "5 min ago", "2 h 5 min ago"; from a day on the date and time. A time to come is "0 s ago".
+QString agoText(const QDateTime &then, const QDateTime &now);
+
+// Why it is not live, as a sentence: "The bus does not run."; empty while it is.
+QString freshnessText(Freshness::Reason reason);
+
+} // namespace codewheel

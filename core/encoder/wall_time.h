@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/instant.h"
+
+#include <QDateTime>
+
+#include <vector>
+
+namespace codewheel {
+
+// The date and time of the instants of a bus. Its clock stands still while the computer sleeps.
+class WallTime
+{
+public:
+    explicit WallTime(QDateTime begin) // of Instant 0
+        : m_begin(std::move(begin))
+    {}
+
+    // The computer slept so long, just before `at`.
+    void slept(std::chrono::milliseconds duration, Instant at) { m_sleeps.push_back({at, duration}); }
+
+    QDateTime dateTime(Instant at) const
+    {
+        auto since = std::chrono::duration_cast<std::chrono::milliseconds>(at);
+        for (const Sleep &sleep : m_sleeps)
+            if (at >= sleep.until)
+                since += sleep.duration;
+        return m_begin.addMSecs(since.count());
+    }
+
+private:
+    struct Sleep
+    {
+        Instant until;
+        std::chrono::milliseconds duration;
+    };
+
+    QDateTime m_begin;
+    std::vector<Sleep> m_sleeps;
+};
+
+} // namespace codewheel

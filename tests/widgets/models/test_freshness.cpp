@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is live looks alive, what is old looks old, in every view.
+#include "tests/widgets/cams/cam_editor_test.h"
+#include "tests/widgets/rod_bus.h"
+#include "tests/widgets/training_bus_session.h"
+#include "widgets/dial/code_disc.h"
+#include "widgets/dial/dial_panel.h"
+#include "widgets/dial/rod_view.h"
+#include "widgets/monitor/bar_view.h"
+#include "widgets/monitor/number_field.h"
+#include "widgets/monitor/word_monitor.h"
+#include "widgets/monitor/word_view.h"
+#include "widgets/parameters/parameter_model.h"
+#include "widgets/parameters/wanted_values.h"
+#include "widgets/project/project_document.h"
+#include "widgets/structure/structure_model.h"
+
+#include <QLabel>
+#include <QLocale>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using test::baumer;
+using test::fraba;
+
+// The shaft of 1.0 turns with 60 rpm, and all is known.
+class FreshnessTest : public testing::Test
+{
+protected:
+    FreshnessTest()
+    {
+        EncoderSession &encoder = ring.encoder(fraba);
+        encoder.tell(Parameter::startUpMode, 1);
+        encoder.tell(Parameter::steps, 8192);
+        encoder.tell(Parameter::revolutions, 1);
+        encoder.tell(Parameter::direction, 3);
+        ring.controls->setSpeed(fraba, 60);
+        advance(500);
+    }
+    void advance(int milliseconds)
+    {
+        for (; milliseconds > 0; milliseconds -= 20)
+            ring.bus.advance(20);
+    }
+    // As it is told: more than a day ago, by the date and time.
+    QString lastSeen() const
+    {
+        const QDateTime seen = ring.bus.dateTime(ring.encoder(fraba).freshness().seen());
+        return QLocale().toString(seen.toLocalTime(), QLocale::ShortFormat);
+    }
+
+    test::TrainingBusSession ring;
+};
+
+TEST_F(FreshnessTest, TheDialShowsWhereTheShaftWasAndNoSpeed)
+{
+    DialPanel panel;
+    panel.show();
+    panel.setEncoder(&ring.encoder(fraba));
+    advance(500);
+    const DialState &shown = panel.findChild<CodeDisc *>()->state();
+    ASSERT_TRUE(shown.rpm);
+    EXPECT_FALSE(shown.isLastKnown);
+    EXPECT_TRUE(shown.age.isEmpty());
+
+    ring.bus.alarmStop();
+    advance(20'000);
+    const auto last = ring.encoder(fraba).latest().position;
+    ASSERT_TRUE(last);
+    EXPECT_EQ(shown.position, last);
+    EXPECT_TRUE(shown.isLastKnown);
+    EXPECT_FALSE(shown.rpm);
+    EXPECT_EQ(shown.role, Role::inactive);
+    EXPECT_EQ(shown.age, lastSeen());
+    EXPECT_EQ(shown.note, QStringLiteral("Not up to date: The bus does not run."));
+    EXPECT_TRUE(panel.findChild<CodeDisc *>()->valueText().startsWith(QStringLiteral("Last position")));
+
+    ring.bus.startBus();
+    advance(500);
+    EXPECT_FALSE(shown.isLastKnown);
+    EXPECT_TRUE(shown.rpm);
+    EXPECT_TRUE(shown.age.isEmpty());
+}
+
+// Nothing is asked of the bus for that.
+TEST_F(FreshnessTest, TheAgeGoesOnByItself)
+{
+    BusSession bus(makeTrainingBus(ring.catalog).link, ring.catalog,
+                   QDateTime::currentDateTime().addSecs(-30));
+    ASSERT_TRUE(bus.open(BusSession::Start::watching));
+    bus.advance(10);
+    DialPanel panel;
+    panel.show();
+    panel.setEncoder(bus.encoder(fraba));
+    bus.close();
+    const DialState &shown = panel.findChild<CodeDisc *>()->state();
+    const QString age = shown.age;
+    EXPECT_TRUE(age.endsWith(QStringLiteral(" s ago"))) << age.toStdString();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return shown.age != age; }));
+    EXPECT_EQ(shown.note, QStringLiteral("Not up to date: Not connected."));
+}
+
+TEST_F(FreshnessTest, ARodToo)
+{
+    test::TrainingBusSession rod(BusSession::Start::operating, test::makeRodBus);
+    DialPanel panel;
+    panel.show();
+    panel.setEncoder(&rod.encoder(test::rodPlace));
+    rod.bus.advance(100);
+    const RodState &shown = panel.findChild<RodView *>()->state();
+    EXPECT_FALSE(shown.isLastKnown);
+    rod.bus.stopBus();
+    rod.bus.advance(100);
+    EXPECT_TRUE(shown.isLastKnown);
+    EXPECT_FALSE(shown.age.isEmpty());
+    EXPECT_FALSE(shown.stepsPerSecond);
+}
+
+TEST_F(FreshnessTest, TheTreeShowsOldPositionsGreyAndSaysSo)
+{
+    StructureModel model;
+    model.setBus(&ring.bus);
+    advance(40);
+    const auto cell = [&](DeviceNumber number) {
+        return model.indexOf(number).siblingAtColumn(StructureModel::positionColumn);
+    };
+    EXPECT_FALSE(cell(fraba).data(Qt::ForegroundRole).isValid());
+    ring.bus.alarmStop();
+    advance(40);
+    EXPECT_EQ(cell(fraba).data(Qt::ForegroundRole).value<QBrush>(),
+              QGuiApplication::palette().brush(QPalette::PlaceholderText));
+    EXPECT_TRUE(
+        cell(fraba).data(Qt::AccessibleTextRole).toString().endsWith(QStringLiteral("not up to date")));
+    EXPECT_TRUE(
+        cell(fraba)
+            .data(Qt::ToolTipRole)
+            .toString()
+            .contains(QStringLiteral("The bus does not run. Shown is how it was %1.").arg(lastSeen())));
+    ring.bus.startBus();
+    advance(40);
+    EXPECT_FALSE(cell(fraba).data(Qt::ForegroundRole).isValid());
+}
+
+TEST_F(FreshnessTest, AMonitorShowsOldBitsAndNumbersGrey)
+{
+    WordMonitor in(ring.channel(fraba), &ring.encoder(fraba), &ring.encoder(fraba).device(),
+                   MonitorKind::in32);
+    WordMonitor out(ring.channel(fraba), &ring.encoder(fraba), &ring.encoder(fraba).device(),
+                    MonitorKind::out32);
+    const auto show = [&] {
+        in.showPicture(ring.bus.now());
+        out.showPicture(ring.bus.now());
+    };
+    const auto ink = [](WordMonitor &monitor) {
+        return monitor.findChild<NumberField *>()->palette().color(QPalette::Active, QPalette::Text);
+    };
+    show();
+    const QColor live = ink(in);
+    EXPECT_FALSE(in.findChild<WordView *>()->isOld());
+    ring.bus.stopBus();
+    advance(40);
+    show();
+    EXPECT_TRUE(in.findChild<WordView *>()->isOld());
+    EXPECT_FALSE(out.findChild<WordView *>()->isOld()) << "it goes out when the bus runs again";
+    EXPECT_EQ(ink(in), in.palette().color(QPalette::Active, QPalette::PlaceholderText));
+    EXPECT_TRUE(in.meaning().startsWith(QStringLiteral("Not up to date, %1: ").arg(lastSeen())))
+        << in.meaning().toStdString();
+    EXPECT_TRUE(in.findChild<BarView *>()->valueText().endsWith(QStringLiteral("not up to date")));
+
+    ring.bus.startBus();
+    advance(40);
+    show();
+    EXPECT_FALSE(in.findChild<WordView *>()->isOld());
+    EXPECT_EQ(ink(in), live);
+    ring.bus.close();
+    show();
+    EXPECT_TRUE(out.findChild<WordView *>()->isOld()) << "nobody knows what stands there now";
+}
+
+TEST_F(FreshnessTest, KnownParametersAreOfBefore)
+{
+    ProjectDocument project;
+    WantedValues wanted(project);
+    ParameterModel model(wanted);
+    model.setEncoder(&ring.encoder(fraba));
+    const auto steps = [&](int role) {
+        for (int row = 0; row < model.rowCount(); ++row)
+            if (model.rowAt(row).parameter.parameter == Parameter::steps)
+                return model.index(row, ParameterModel::knownColumn).data(role);
+        return QVariant();
+    };
+    EXPECT_EQ(steps(ParameterModel::isPaleRole), false);
+    ring.bus.stopBus();
+    advance(40);
+    EXPECT_EQ(steps(ParameterModel::isPaleRole), true);
+    EXPECT_TRUE(steps(Qt::ToolTipRole).toString().contains(QStringLiteral("The bus does not run.")));
+    ring.bus.startBus();
+    advance(40);
+    EXPECT_EQ(steps(ParameterModel::isPaleRole), false);
+}
+
+class OldCams : public test::CamEditorTest
+{
+protected:
+    bool sees(const char *beginning)
+    {
+        const auto labels = editor.findChildren<QLabel *>();
+        return std::ranges::any_of(labels, [&](const QLabel *label) {
+            return label->isVisible() && label->text().startsWith(QLatin1String(beginning));
+        });
+    }
+};
+
+TEST_F(OldCams, WhichCamsAreOnIsNotKnownAnyMore)
+{
+    tellAll();
+    setManualCam();
+    advance(40);
+    ASSERT_TRUE(sheet().isOn(test::manualCam));
+    ring.bus.alarmStop();
+    advance(40);
+    EXPECT_TRUE(sheet().live().isOld);
+    EXPECT_TRUE(sheet().live().position) << "where it was";
+    EXPECT_FALSE(sheet().isOn(test::manualCam));
+    EXPECT_TRUE(sees("Not up to date: The bus does not run. Shown is how it was "));
+    ring.bus.startBus();
+    advance(40);
+    EXPECT_TRUE(sheet().isOn(test::manualCam));
+}
+
+} // namespace
+} // namespace codewheel

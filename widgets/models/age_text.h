@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace codewheel {
+
+class EncoderSession;
+class WordChannel;
+
+// How old that is which is shown, by the clock on the wall: "20 s ago". Empty while it is live or unknown.
+QString ageText(const EncoderSession &encoder);
+QString ageText(const WordChannel &word);
+
+// With the reason: "The bus does not run. Shown is how it was 20 s ago." Empty while it is live or unknown.
+QString ageSentence(const EncoderSession &encoder);
+
+} // namespace codewheel
