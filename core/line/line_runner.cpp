@@ -251,6 +251,7 @@ void LineRunner::run(Instant until)
 void LineRunner::slept(std::chrono::milliseconds duration)
 {
     d->awakeSince = d->link.now();
+    d->carryOutCommands(); // of before
     d->dropTyped();
     d->endScan(true);
     d->stopJobs({RefusalKind::stopped, RefusalId::computerSlept, {}});

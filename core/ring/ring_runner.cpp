@@ -331,6 +331,8 @@ void RingRunner::slept(std::chrono::milliseconds duration, Instant now)
 {
     d->ring.at = now;
     d->ring.awakeSince = now;
+    while (!d->carryOutCommands()) { // of before
+    }
     d->endJobs(RefusalId::computerSlept);
     d->goOnWithWhatWasExchanged();
     d->ring.operate = false;

@@ -78,13 +78,15 @@ TEST_F(LineSessionTest, AfterTheComputerSleptTheLineIsInWatch)
 {
     std::atomic<std::int64_t> slept{0}; // ms
     ASSERT_TRUE(line->open({}, {}, LineSession::Start::operating, LineSession::Drive::byThread,
-                           [&] { return std::chrono::milliseconds(slept); }));
+                           [&slept] { return std::chrono::milliseconds(slept); }));
     ASSERT_TRUE(line->add({5}, rs485));
+    while (!line->encoder(DeviceNumber::onLine({5}))->freshness().isLive())
+        line->pump();
     slept = 3'600'000;
     const auto told = [this] {
         return std::ranges::find(messages, MessageId::computerSlept, &Message::id) != messages.end();
     };
-    while (!told())
+    while (!told() || line->isOperating())
         line->pump();
     EXPECT_FALSE(line->isOperating());
     EXPECT_TRUE(line->isPolling());

@@ -6,13 +6,21 @@
 #include "simulator/training_bus.h"
 
 #include <algorithm>
-#include <atomic>
 #include <gtest/gtest.h>
+#include <utility>
 
 namespace codewheel {
 namespace {
 
 const DeviceNumber fraba{1, 0};
+
+// A computer that sleeps once, right after somebody began to watch it.
+SleepWatch::Slept oneSleepOf(std::chrono::milliseconds duration)
+{
+    return [duration, isWatched = false]() mutable {
+        return std::exchange(isWatched, true) ? duration : std::chrono::milliseconds(0);
+    };
+}
 
 class TrainingBusSession : public testing::Test
 {
@@ -125,14 +133,12 @@ TEST_F(TrainingBusSession, AfterTheComputerSleptNothingMoreIsSent)
     const auto said = [&](MessageId id) {
         return std::ranges::find(messages, id, &Message::id) != messages.end();
     };
-    std::atomic<std::int64_t> slept{0}; // ms
-    m_bus.startThread(std::chrono::milliseconds(1), [&] { return std::chrono::milliseconds(slept); });
-    ASSERT_TRUE(encoder().start(WriteParameters{{{Parameter::steps, 255}}, false, {}, false}, Pace::byHand));
-    while (m_bus.channel(fraba)->out() == 0)
-        m_bus.pump();
+    ASSERT_TRUE(encoder().start(WriteParameters{{{Parameter::steps, 255}}, false, {}, false}));
+    m_bus.advance(3);
+    ASSERT_NE(m_bus.channel(fraba)->out(), 0U);
     const QDateTime before = m_bus.dateTime(m_bus.now());
-    slept = 7'200'000;
-    while (!said(MessageId::computerSlept))
+    m_bus.startThread(std::chrono::milliseconds(1), oneSleepOf(std::chrono::hours(2)));
+    while (!said(MessageId::computerSlept) || m_bus.isOperating())
         m_bus.pump();
     ASSERT_TRUE(m_outcome);
     EXPECT_EQ(m_outcome->result.error().id, RefusalId::computerSlept);
