@@ -33,8 +33,16 @@ Word RingEncoderSession::out() const
     return channel ? channel->out() : k3::normalRunning;
 }
 
+// Named or vanished meanwhile, it is still there for as long as handlers are being told.
+bool RingEncoderSession::isOfThisRing() const
+{
+    return m_bus.encoder(number()) == this;
+}
+
 Result<void> RingEncoderSession::mayStart(const Job &job) const
 {
+    if (!isOfThisRing())
+        return refuse(RefusalKind::link, RefusalId::notInRing, {number().toString()});
     if (auto allowed = maySend(m_bus.latest(), place(), number(), RefusalId::jobRunning); !allowed)
         return allowed;
     return checkLink(job);
@@ -56,8 +64,11 @@ Result<void> RingEncoderSession::checkLink(const Job &job) const
     return {};
 }
 
+// At its place may be another by now.
 void RingEncoderSession::post(JobCommand command)
 {
+    if (!isOfThisRing())
+        return;
     std::visit([this](auto &one) { m_bus.post(std::move(one)); }, command);
 }
 

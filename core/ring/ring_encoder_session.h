@@ -28,6 +28,7 @@ private:
     void report(Message message, Instant at) override;
     Instant now() const override;
 
+    bool isOfThisRing() const;
     Result<void> checkLink(const Job &job) const;
     // An error the encoder shows may say that it has lost its parameters.
     Refusal nameOf(const Message &fault) const;

@@ -38,7 +38,10 @@ void WordChannel::unstage()
 
 Result<void> WordChannel::write()
 {
-    Result<void> sent = m_bus.write(m_device, shownOut());
+    const bool isInRing = m_bus.channel(m_number) == this; // else at its place may be another by now
+    Result<void> sent =
+        isInRing ? m_bus.write(m_device, shownOut())
+                 : Result<void>(refuse(RefusalKind::link, RefusalId::notInRing, {m_number.toString()}));
     if (!sent)
         Q_EMIT refused(sent.error());
     return sent;

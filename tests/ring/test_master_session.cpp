@@ -72,6 +72,49 @@ protected:
     std::optional<RefusalId> m_failure;
 };
 
+// What waits to be told of the others comes to them; of the encoder that is named, its rows and its EEPROM
+// writes, and nothing that the driver before has learned.
+TEST_F(ASessionWithAMaster, NamingTakesNothingFromTheEventsOfOthers)
+{
+    const auto send = [this](Word word) {
+        for (const DeviceNumber place : {first, second}) {
+            m_bus.channel(place)->stage(word);
+            ASSERT_TRUE(m_bus.channel(place)->write());
+        }
+    };
+    for (const DeviceNumber place : {first, second})
+        m_bus.encoder(place)->tell(Parameter::startUpMode, 1);
+    send(0x0400'0002);
+    m_bus.advance(50);
+    send(0x8000'0000);
+    std::map<DeviceNumber, int> rows;
+    const auto follow = [&](DeviceNumber place) {
+        QObject::connect(m_bus.encoder(place), &EncoderSession::exchanged, &m_bus,
+                         [&rows, place] { ++rows[place]; });
+    };
+    follow(second);
+    bool isNamed = false;
+    QObject::connect(m_bus.encoder(first), &EncoderSession::latestChanged, &m_bus, [&] {
+        if (!std::exchange(isNamed, true)) {
+            EncoderSession *before = m_bus.encoder(first);
+            ASSERT_TRUE(m_bus.name(first, QStringLiteral("fraba-ocd-ib")));
+            follow(first);
+            const auto started = before->start(ReadParameters{{Parameter::steps}});
+            ASSERT_FALSE(started) << "nobody would tell its end";
+            EXPECT_EQ(started.error().id, RefusalId::notInRing);
+        }
+    });
+    m_bus.advance(500); // one picture, and all that has happened
+    EXPECT_TRUE(isNamed);
+    EXPECT_GT(rows[first], 0);
+    EXPECT_EQ(rows[first], rows[second]);
+    EXPECT_EQ(m_bus.encoder(first)->known(Parameter::revolutions), std::nullopt);
+    EXPECT_EQ(m_bus.encoder(first)->eepromWrites(), 1);
+    ASSERT_TRUE(m_bus.encoder(second)->known(Parameter::revolutions));
+    EXPECT_EQ(m_bus.encoder(second)->known(Parameter::revolutions)->value, 2);
+    EXPECT_EQ(m_bus.encoder(second)->eepromWrites(), 1);
+}
+
 TEST_F(ASessionWithAMaster, SaysOnConnectingWhichConfigurationTheMasterKeeps)
 {
     EXPECT_EQ(m_messages.front().id, MessageId::configurationFound);
@@ -381,6 +424,41 @@ TEST_F(ASessionWithAMaster, ReadingInAnotherRingKeepsWhatIsUnchanged)
     ASSERT_TRUE(gone->start(ReadParameters{{Parameter::steps}}));
     m_bus.advance(200);
     EXPECT_EQ(gone->known(Parameter::steps)->value, 8'192);
+}
+
+// Whoever has a vanished device at hand as the rings change may still look at it, and sends nothing with it:
+// at its place of the process image may be another.
+TEST_F(ASessionWithAMaster, WhatVanishedOutlivesTheHandlersAndSendsNothing)
+{
+    const QPointer<WordChannel> channel = m_bus.channel(onLocalBus);
+    const QPointer<EncoderSession> session = m_bus.encoder(onLocalBus);
+    std::optional<RefusalId> refusedWrite;
+    std::optional<RefusalId> refusedJob;
+    QObject::connect(channel, &WordChannel::refused, &m_bus,
+                     [&](const Refusal &why) { refusedWrite = why.id; });
+    QObject::connect(&m_bus, &BusSession::structureChanged, &m_bus, [&] {
+        ASSERT_NE(channel, nullptr);
+        ASSERT_NE(session, nullptr);
+        EXPECT_EQ(channel->number(), onLocalBus);
+        channel->stage(0x0200'00FF);
+        EXPECT_FALSE(channel->write());
+        session->tell(Parameter::steps, 4'096);
+        const auto started =
+            session->start(WriteParameters{.values = {{Parameter::steps, 255}}, .previous = {}});
+        ASSERT_FALSE(started);
+        refusedJob = started.error().id;
+    });
+    befall(TrainingFault::wireBreak, onLocalBus);
+    m_bus.advance(30);
+    readIn();
+    ASSERT_EQ(m_changes, 1);
+    EXPECT_EQ(refusedWrite, RefusalId::notInRing);
+    EXPECT_EQ(refusedJob, RefusalId::notInRing);
+    m_bus.advance(100);
+    EXPECT_EQ(channel, nullptr);
+    EXPECT_EQ(session, nullptr);
+    EXPECT_EQ(m_ring.ring->lastOut(), std::vector<Word>(m_bus.structure().size()));
+    EXPECT_EQ(m_bus.encoder({4, 0})->known(Parameter::steps), std::nullopt) << "it has its place now";
 }
 
 TEST_F(ASessionWithAMaster, AnotherDeviceInAPlaceGetsASessionOfItsOwn)
