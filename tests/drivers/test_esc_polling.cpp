@@ -80,6 +80,25 @@ TEST(EscPolling, ADamagedIdentityIsReadAgain)
     EXPECT_EQ(bench.count("N"), 4);
 }
 
+// Two reads that never agree, as with two encoders of one address: all else goes on being asked.
+TEST(EscPolling, WhatDoesNotAgreeIsPutOffAndKeepsNothingElseBack)
+{
+    EscBench bench;
+    for (int i = 0; i < 50; ++i) {
+        bench.answerNext("N", "00000001");
+        bench.answerNext("N", "00000002");
+    }
+    bench.run(900ms);
+    const int triedAtOnce = bench.count("N");
+    EXPECT_EQ(bench.value(Parameter::deviceCode), 0x8000);
+    EXPECT_EQ(bench.driver.reading().warnings, 0x8000);
+    EXPECT_EQ(bench.value(Parameter::serialNumber), std::nullopt);
+    EXPECT_LE(triedAtOnce, 2 * 2 * EscSettings().readTries) << "at first, and with the warnings";
+    bench.run(5s);
+    EXPECT_GT(bench.count("N"), triedAtOnce) << "with the warnings, again and again";
+    EXPECT_NEAR(bench.count("A"), 6, 1);
+}
+
 TEST(EscPolling, WhatTheEncoderDoesNotKnowIsNotAskedAgain)
 {
     EscBench bench;

@@ -416,5 +416,73 @@ TEST_F(K3Cams, APowerLossInTheParameterizationIsNoticedBeforeTheNextWord)
     EXPECT_EQ(m_table.cams(1)->program, CamProgram{}) << "as it was read, and saved";
 }
 
+// The first program was written and read back, the second is under way: then both are as before, and nothing
+// tells the first as written.
+TEST_F(K3Cams, CancelledInTheSecondProgramBothAreRestored)
+{
+    CamProgram first = with(0, {1, 0, false});
+    CamProgram second = with(0, {2, 3, false});
+    second.number = 2;
+    ASSERT_TRUE(m_table.begin(WriteCams{.programs = {first, second}, .afterwards = {}}));
+    enter(1, 0x0000);
+    answerRest(nothing(), 0);
+    m_table.play({{0x4000'0001, posInCamMode},
+                  {0x4000'0001, 0xC000'0001},
+                  {0x8000'0000, 0xC000'0001},
+                  {0x8000'0000, posInCamMode},
+                  {0x0000'0000, posInCamMode}});
+    answer(0x2020'0010, 0x01);
+    m_table.repeat(3, {0x2080'0002, posInCamMode});
+    answer(0x2020'0000, 0x00);
+    answerRest(nothing(), 0);
+    m_table.play({{0x4000'0002, posInCamMode}, {0x4000'0002, 0xC000'0002}, {0x6000'0003, 0xC000'0002}});
+    m_table.driver().cancel(OnCancel::restorePrevious, Instant{});
+    m_table.play({{0x6000'0003, 0xE000'0003}, {0x0000'0000, 0xE000'0003}});
+    answer(0x2020'0000, 0x00, 0xE000'0003);
+    m_table.play({{0x2010'0000, 0xE000'0003}, // opens what 40000000 must not
+                  {0x2010'0000, 0xE010'0000},
+                  {0x4000'0000, 0xC000'0000},
+                  {0x6000'0000, 0xE000'0000},
+                  {0x8000'0000, posInCamMode},
+                  {0x0000'0000, posInCamMode}});
+    answer(0x2020'0010, 0x00);
+    answer(0x2020'0020, 0x00);
+    m_table.repeat(3, {0x2080'0001, posInCamMode});
+    answer(0x2020'0000, 0x00);
+    m_table.play({{0x2010'0000, posInCamMode},
+                  {0x2010'0000, 0xE010'0000},
+                  {0x4000'0000, 0xC000'0000},
+                  {0x8000'0000, posInCamMode},
+                  {0x0000'0000, posInCamMode}});
+    answer(0x2020'0010, 0x00);
+    m_table.play({{0x0000'0000, posInCamMode}});
+    EXPECT_EQ(refusal().id, RefusalId::cancelled);
+    EXPECT_EQ(m_table.outcome()->restored, Evidence::read);
+    EXPECT_EQ(m_table.outcome()->camsWritten,
+              (std::vector{CamProgram{.number = 1, .cam = {}}, CamProgram{.number = 2, .cam = {}}}));
+}
+
+// Of what is sent as it is, only a word that sets something of a program is one that was taken of it.
+TEST_F(K3Cams, AWordByHandThatSetsNothingOfAProgramIsNotTakenForOne)
+{
+    m_table.repeat(3, {0x0000'0000, pos});
+    ASSERT_TRUE(m_table.begin(SwitchMode{Mode::cam, 3}));
+    m_table.play({{0x0000'0000, pos},
+                  {0x2080'0003, pos},
+                  {0x2080'0003, pos},
+                  {0x2080'0003, posInCamMode},
+                  {0x0000'0000, posInCamMode},
+                  {0x0000'0000, posInCamMode}});
+    ASSERT_TRUE(m_table.begin(SendWords{.words = {0x4600'0015, 0x8000'0000, 0x0000'0000}}));
+    m_table.play({{0x0000'0000, posInCamMode},
+                  {0x4600'0015, posInCamMode},
+                  {0x4600'0015, 0xC600'0015},
+                  {0x8000'0000, 0xC600'0015},
+                  {0x8000'0000, posInCamMode},
+                  {0x0000'0000, posInCamMode}});
+    EXPECT_FALSE(m_table.progress().canRestore) << "what the program was before is not known";
+    EXPECT_TRUE(m_table.progress().hasTaken);
+}
+
 } // namespace
 } // namespace codewheel

@@ -391,5 +391,26 @@ TEST(La66Driver, ByHandItWaitsBeforeEachChangeOfOut)
     EXPECT_EQ(table.progress().steps.size(), 4u);
 }
 
+// Writes of the jobs before are none of this one.
+TEST(La66Driver, EachJobTellsItsOwnEepromWrites)
+{
+    DriverTable table = rod();
+    for (int job = 1; job <= 3; ++job) {
+        ASSERT_TRUE(table.begin(SetPreset{.value = 1'000}));
+        table.play({
+            {0x0000'0000, pos},
+            {0x4600'03E8, pos},
+            {0x4600'03E8, pos},
+            {0xC600'03E8, 0xC600'03E8},
+            {0x4600'03E8, 0x0000'03E8},
+            {0x0000'0000, 0x0000'03E8},
+            {0x0000'0000, 0x0000'03E8},
+        });
+        ASSERT_TRUE(table.outcome());
+        EXPECT_EQ(table.outcome()->eepromWrites, 1) << job;
+        EXPECT_EQ(table.eepromWrites(), job);
+    }
+}
+
 } // namespace
 } // namespace codewheel
