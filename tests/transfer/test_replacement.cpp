@@ -87,6 +87,24 @@ TEST_F(Replacing, TellsHowTheNewOneDiffers)
             .areNone());
 }
 
+TEST_F(Replacing, EachDifferenceAloneIsOne)
+{
+    EXPECT_TRUE(ReplacementDifferences().areNone());
+    EXPECT_FALSE(ReplacementDifferences{.makeBefore = QStringLiteral("FRABA OCD-IB K3")}.areNone());
+    EXPECT_FALSE(ReplacementDifferences{.stepsPerTurn = std::pair(4096, 8192)}.areNone());
+    EXPECT_FALSE(ReplacementDifferences{.turns = std::pair(4096, 1)}.areNone());
+    EXPECT_FALSE((ReplacementDifferences{.notTaken = {{Parameter::offset, 5}}}.areNone()));
+    EXPECT_FALSE(ReplacementDifferences{.camsNotTaken = true}.areNone());
+
+    ProjectDevice device = planned(baumer, "baumer-gxp6w");
+    device.wanted.clear();
+    device.stored.clear();
+    const Replacement now = with("baumer-gxp6w");
+    ASSERT_TRUE(differencesOf(device, now.device, now).areNone());
+    device.wantedCams = {CamProgram{}};
+    EXPECT_FALSE(differencesOf(device, now.device, now).areNone()) << "it has no cams";
+}
+
 TEST_F(Replacing, OnlyTheSameDeviceCodeFits)
 {
     const TransferWish wish =

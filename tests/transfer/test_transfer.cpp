@@ -226,5 +226,77 @@ TEST_F(Transfer, CamProgramsAreWrittenAndTheModeIsAsBefore)
     EXPECT_TRUE(jobsOf(again).empty());
 }
 
+TEST_F(Transfer, ACamProgramThatIsFoundThereAndOneThatIsNotFinishedAreToldApart)
+{
+    CamProgram first;
+    first.cam[3] = {0x15, 0x213, true};
+    CamProgram second;
+    second.number = 2;
+    second.cam[0] = {0x10, 0x20, true};
+    ASSERT_TRUE(carryOut(planTransfer(bus, {{.place = fraba, .cams = {first}}})).isDone());
+    ASSERT_TRUE(bus.name(fraba, QStringLiteral("fraba-ocd-ib"))); // nothing is known of it
+    encoder(fraba).tell(Parameter::startUpMode, 1);
+    bus.advance(10);
+
+    const TransferPlan plan = planTransfer(bus, {{.place = fraba, .cams = {first, second}}});
+    ASSERT_FALSE(plan[0].cams[0].isThere);
+    round.start(jobsOf(plan), JobRound::AfterRefusal::goOn);
+    for (int i = 0; i < 10'000 && !round.jobProgress().hasTaken; ++i)
+        bus.advance(1);
+    ASSERT_TRUE(round.jobProgress().hasTaken);
+    round.cancel(OnCancel::leaveAsIs);
+    advance();
+    const TransferAccount account = accountOf(bus, TransferKind::write, plan, round.results());
+    ASSERT_EQ(account.encoders[0].cams.size(), 2u);
+    EXPECT_EQ(account.encoders[0].cams[0].became, Became::alreadyThere);
+    EXPECT_EQ(account.encoders[0].cams[1].became, Became::notDone);
+    EXPECT_FALSE(account.isDone());
+}
+
+TEST_F(Transfer, TellsWhichEncoderRunsAndHowFarItIs)
+{
+    EXPECT_EQ(round.progress().encoders, 0);
+    const TransferPlan plan = planTransfer(bus, {{.place = baumer, .values = {{Parameter::steps, 4096}}},
+                                                 {.place = onLoop, .values = {{Parameter::steps, 100}}}});
+    std::map<DeviceNumber, RoundProgress> last;
+    QObject::connect(&round, &JobRound::progressed, &bus, [&] {
+        if (!round.isRunning())
+            return;
+        const RoundProgress now = round.progress();
+        EXPECT_EQ(now.encoders, 2);
+        EXPECT_EQ(now.encoder, now.place == onLoop ? 1 : 0);
+        EXPECT_EQ(now.place, plan[static_cast<std::size_t>(now.encoder)].place);
+        EXPECT_LE(now.step, now.steps);
+        last[now.place] = now;
+    });
+    ASSERT_TRUE(carryOut(plan).isDone());
+    for (const DeviceNumber place : {baumer, onLoop}) {
+        EXPECT_GT(last[place].steps, 0) << place.toString().toStdString();
+        EXPECT_EQ(last[place].step, last[place].steps - 1);
+    }
+    EXPECT_EQ(round.progress().place, onLoop) << "the last one, when it is over";
+    EXPECT_EQ(round.progress().encoder, 1);
+}
+
+// Named, it gets another session: what came of the round stands.
+TEST_F(Transfer, AnEncoderIsNamedAfterItsRound)
+{
+    int finished = 0;
+    QObject::connect(&round, &JobRound::finished, &bus, [&] { ++finished; });
+    ASSERT_TRUE(carryOut(planTransfer(bus, {{.place = fraba, .values = setOf255},
+                                            {.place = baumer, .values = {{Parameter::steps, 4096}}}}))
+                    .isDone());
+    for (const DeviceNumber place : {fraba, baumer})
+        ASSERT_TRUE(bus.name(place, encoder(place).device().key));
+    bus.advance(100);
+    EXPECT_EQ(finished, 1);
+    EXPECT_FALSE(round.isRunning());
+    ASSERT_EQ(round.results().size(), 2u);
+    for (const EncoderResult &result : round.results()) {
+        EXPECT_FALSE(result.why);
+        EXPECT_EQ(result.outcomes.size(), 1u);
+    }
+}
+
 } // namespace
 } // namespace codewheel
