@@ -165,6 +165,34 @@ TEST_F(LedgerKeeperTest, NotesWhatRestoringWillWriteBeside)
     EXPECT_EQ(countAt(fraba).perhaps, 0);
 }
 
+TEST_F(LedgerKeeperTest, SaysSoWhereWhatRestoringWillWriteCannotBeNoted)
+{
+    keep(file.place());
+    EncoderSession &encoder = *bus.encoder(fraba);
+    ASSERT_TRUE(
+        encoder.start(WriteParameters{.values = {{Parameter::steps, 255}, {Parameter::revolutions, 1}},
+                                      .previous = {{Parameter::steps, 8192}}},
+                      Pace::byHand));
+    Progress progress;
+    QObject::connect(&encoder, &EncoderSession::progressed, keeper.get(),
+                     [&](const Progress &now) { progress = now; });
+    for (int i = 0; i < 10 && progress.confirmed.empty(); ++i) {
+        bus.advance(100);
+        encoder.proceed();
+    }
+    ASSERT_TRUE(messages.empty());
+    file.execute(QStringLiteral("CREATE TRIGGER full BEFORE UPDATE ON entry BEGIN "
+                                "SELECT raise(ABORT, 'no room'); END"));
+    encoder.cancel(OnCancel::restorePrevious);
+    ASSERT_EQ(messages.size(), 1U) << "before anything is restored";
+    EXPECT_EQ(messages[0].id, MessageId::notKept);
+    for (int i = 0; i < 100 && encoder.runningJob(); ++i)
+        bus.advance(10);
+    EXPECT_FALSE(encoder.runningJob());
+    EXPECT_EQ(encoder.known(Parameter::steps)->value, 8192) << "it is restored all the same";
+    EXPECT_EQ(messages.size(), 1U);
+}
+
 // The confirmation is on its way from the bus as the encoder is named.
 TEST_F(LedgerKeeperTest, CountsWhatComesWhileADeviceIsNamed)
 {
@@ -289,6 +317,50 @@ TEST_F(LedgerKeeperTest, AJobThatRunsWhileTheProjectIsSavedCountsOnce)
     EXPECT_EQ(countAt(baumer).writes, 1);
     EXPECT_EQ(countAt(baumer).perhaps, 0);
     EXPECT_EQ(keeper->ledger()->accounts().size(), 1U);
+}
+
+TEST_F(LedgerKeeperTest, AWordByHandThatStandsWhileTheProjectIsSavedCountsOnce)
+{
+    keep(file.place());
+    keeper->setProject(QStringLiteral("/plant.codewheel"));
+    const auto send = [&](Word word) {
+        bus.channel(fraba)->stage(word);
+        ASSERT_TRUE(bus.channel(fraba)->write());
+        bus.advance(50);
+    };
+    send(0x020000FF);
+    keeper->projectSavedAs(QStringLiteral("/copy.codewheel"));
+    ASSERT_EQ(keeper->ledger()->accounts().size(), 1U);
+    EXPECT_EQ(keeper->ledger()->writes(keeper->identity(fraba)).atMost(), 1) << "it went along";
+    send(0x80000000);
+    send(0);
+    for (int i = 0; i < 11; ++i)
+        bus.advance(100);
+    EXPECT_EQ(countAt(fraba).writes, 1);
+    EXPECT_EQ(countAt(fraba).perhaps, 0);
+    EXPECT_EQ(keeper->ledger()->accounts().size(), 1U);
+}
+
+// Another project is opened: what was begun in the one before is counted there.
+TEST_F(LedgerKeeperTest, AWordByHandThatStandsWhileAnotherProjectIsOpenedStaysWithTheFirst)
+{
+    keep(file.place());
+    keeper->setProject(QStringLiteral("/plant.codewheel"));
+    const auto send = [&](Word word) {
+        bus.channel(fraba)->stage(word);
+        ASSERT_TRUE(bus.channel(fraba)->write());
+        bus.advance(50);
+    };
+    send(0x020000FF);
+    keeper->setProject(QStringLiteral("/other.codewheel"));
+    send(0x80000000);
+    send(0);
+    for (int i = 0; i < 11; ++i)
+        bus.advance(100);
+    EXPECT_EQ(countAt(fraba).atMost(), 0);
+    keeper->setProject(QStringLiteral("/plant.codewheel"));
+    EXPECT_EQ(countAt(fraba).writes, 1);
+    EXPECT_EQ(countAt(fraba).perhaps, 0);
 }
 
 TEST_F(LedgerKeeperTest, ALinkToAProjectIsThatProject)

@@ -152,6 +152,28 @@ TEST(MessageStore, NewestMessagesStayInSightWhenTheFileFails)
     EXPECT_EQ(messageText(all(store).front()), QStringLiteral("before"));
 }
 
+TEST(MessageStore, TheNewestTenThousandGoOnWhenTheFileFails)
+{
+    constexpr int kept = 10'000;
+    const JournalFile file;
+    MessageStore store({.file = file.path});
+    for (int i = 1; i <= kept + 100; ++i)
+        store.add(training(std::to_string(i).c_str()), noon);
+    store.flush();
+    ASSERT_EQ(all(store).size(), kept + 100U);
+    file.execute(QStringLiteral("CREATE TRIGGER full BEFORE INSERT ON message BEGIN "
+                                "SELECT raise(ABORT, 'no room'); END"));
+    store.add(training("after"), noon);
+    store.flush();
+    ASSERT_TRUE(store.place()->inMemory);
+    const std::vector<StoredMessage> left = all(store);
+    ASSERT_EQ(left.size(), kept + 2U);
+    EXPECT_EQ(messageText(left.front()), QStringLiteral("101"));
+    EXPECT_EQ(messageText(left[kept - 1]), QString::number(kept + 100));
+    EXPECT_EQ(left[kept].code, QStringLiteral("notKept"));
+    EXPECT_EQ(messageText(left.back()), QStringLiteral("after"));
+}
+
 TEST(MessageStore, PutsAFileAsideThatAReaderFoundDamaged)
 {
     const JournalFile file;
