@@ -2,6 +2,7 @@
 // Session, runner, driver and simulated encoders together, in virtual time.
 #include "catalog/catalog.h"
 #include "drivers/esc_driver.h"
+#include "drivers/values_to_write.h"
 #include "line/line_session.h"
 #include "simulator/simulated_line_link.h"
 
@@ -56,6 +57,25 @@ protected:
         : EscLine(28)
     {}
 };
+
+// Without it, one would be computed from the steps, and sent.
+TEST_F(EscLine, AFactorThatIsThereGoesAlongWithTheStepsThatAreNot)
+{
+    ASSERT_TRUE(encoder().start(ReadParameters{{Parameter::steps, Parameter::scalingFactor}}));
+    line.advance(2s);
+    const auto known = encoder().known(Parameter::scalingFactor);
+    ASSERT_TRUE(known);
+    const ParameterValue wantedFactor{Parameter::scalingFactor, known->value};
+    const auto job = [&](std::int64_t steps) {
+        return jobForWish(encoder(), {.wanted = {wantedFactor, {Parameter::steps, steps}}});
+    };
+    const std::int64_t steps = encoder().known(Parameter::steps)->value;
+    EXPECT_TRUE(job(steps).values.empty()) << "all is there";
+    EXPECT_EQ(job(4'096).values, (ParameterValues{{Parameter::steps, 4'096}, wantedFactor}));
+    EXPECT_EQ(jobForWish(encoder(), {.wanted = {{Parameter::steps, 4'096}}}).values,
+              (ParameterValues{{Parameter::steps, 4'096}}))
+        << "none is wanted";
+}
 
 TEST_F(EscLine, GoesOnWhenTheAdapterIsBack)
 {

@@ -370,5 +370,52 @@ TEST_F(LineRunnerTest, AlarmStopEndsJobsAndDropsWhatWasTyped)
     EXPECT_FALSE(runner.takeLatest()->devices.front().hasJob);
 }
 
+// Nobody takes them: what passed first stays, what came after is counted, and no message is lost by it.
+TEST_F(LineRunnerTest, KeepsTenThousandRowsAndCountsTheRest)
+{
+    add(5);
+    poll();
+    run(2min);
+    runner.post(line_command::SetOperate{true});
+    run(1s);
+    const auto latest = runner.takeLatest();
+    ASSERT_TRUE(latest);
+    ASSERT_GT(latest->droppedRows, 0U);
+    std::vector<esc::LineRow> rows;
+    int messages = 0;
+    int others = 0;
+    for (const LineEvent &event : runner.takeEvents()) {
+        if (const auto *row = std::get_if<esc::LineRow>(&event.what))
+            rows.push_back(*row);
+        else
+            std::holds_alternative<Message>(event.what) ? ++messages : ++others;
+    }
+    EXPECT_EQ(messages, 2); // polling, and Operate
+    EXPECT_GE(rows.size(), 9'990U);
+    EXPECT_LE(rows.size(), 10'000U);
+    EXPECT_EQ(rows.size() + latest->droppedRows, 2 * latest->figures.requests);
+    EXPECT_LT(rows.front().at, 1s);
+    EXPECT_LT(rows.back().at, 100s);
+    run(1s);
+    EXPECT_GT(taken<esc::LineRow>().size(), 100U) << "now there is room again";
+    EXPECT_EQ(runner.takeLatest()->droppedRows, latest->droppedRows);
+}
+
+TEST_F(LineRunnerTest, TellsOfOperateAndOfWatchWhenTheyBegin)
+{
+    std::vector<MessageId> told;
+    for (const bool on : {false, true, true, false, false}) {
+        runner.post(line_command::SetOperate{on});
+        run(10ms);
+        for (const Message &message : messages()) {
+            EXPECT_FALSE(message.refusal);
+            EXPECT_EQ(message.severity, Severity::information);
+            told.push_back(message.id);
+        }
+        EXPECT_EQ(runner.takeLatest()->operate, on);
+    }
+    EXPECT_EQ(told, (std::vector{MessageId::operateOn, MessageId::watchOn}));
+}
+
 } // namespace
 } // namespace codewheel
