@@ -119,6 +119,32 @@ TEST(ProjectJson, TheOrderInWhichValuesCameToBeIsNotSeen)
     EXPECT_EQ(projectToJson(project), json);
 }
 
+// As somebody may write it by hand.
+TEST(ProjectJson, TheOrderInTheFileIsNotSeen)
+{
+    std::mt19937 random(3);
+    const Project project = madeUpProject(random, 20);
+    Json::Value json;
+    ASSERT_TRUE(Json::Reader().parse(projectToJson(project).toStdString(), json));
+    int turned = 0;
+    for (Json::Value &device : json["devices"])
+        for (const char *key : {"wanted", "stored", "wantedCams", "storedCams"}) {
+            Json::Value &rows = device[key];
+            if (rows.isNull()) {
+                device.removeMember(key);
+                continue;
+            }
+            const Json::Value before = rows;
+            for (Json::ArrayIndex i = 0; i < before.size(); ++i)
+                rows[i] = before[before.size() - 1 - i];
+            turned += before.size() > 1 && std::string_view(key) == "storedCams" ? 1 : 0;
+        }
+    ASSERT_GT(turned, 0);
+    const auto loaded = projectFromJson(QByteArray::fromStdString(Json::FastWriter().write(json)), fileName);
+    ASSERT_TRUE(loaded) << refusalText(loaded.error()).toStdString();
+    EXPECT_EQ(*loaded, project);
+}
+
 TEST(ProjectJson, AnEmptyProjectIsOne)
 {
     const auto project =
