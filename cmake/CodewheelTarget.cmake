@@ -10,6 +10,11 @@ target_compile_definitions(codewheel_options INTERFACE
 target_compile_options(codewheel_options INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${CODEWHEEL_WERROR}>:-Werror>)
 
+# Whatever is tested ends at an access out of range, or to a value that is not there; a release does not look.
+if(NOT CMAKE_BUILD_TYPE STREQUAL "Release")
+    target_compile_definitions(codewheel_options INTERFACE _GLIBCXX_ASSERTIONS)
+endif()
+
 # clang takes a name that another source of the same unit has for one that is hidden; GCC looks after those.
 if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     target_compile_options(codewheel_options INTERFACE -Wno-shadow)
