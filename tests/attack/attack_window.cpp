@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window for hours of bus time, which run ahead: one picture for each second of the bus, while somebody
+// works with it. What it holds of memory must be flat after warming up.
+//
+//   attack_window [--minutes N] [--warm-up MINUTES] [--seed N]
+//
+// Prints time of the bus, memory and pictures as it goes, and in the end what memory has grown by; exit code
+// 1 where that is more than what is allowed. Memory is looked at once a minute, with the window as it was the
+// other times.
+#include "app/window/training_window.h"
+#include "ring/bus_session.h"
+#include "ring/word_channel.h"
+#include "widgets/monitor/monitor_area.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QTemporaryDir>
+
+#include <chrono>
+#include <cstdio>
+#include <malloc.h>
+#include <random>
+
+namespace {
+
+using namespace codewheel;
+using namespace std::chrono_literals;
+
+constexpr DeviceNumber worked{1, 0};  // FRABA K3, told and asked
+constexpr DeviceNumber watched{2, 0}; // Baumer K3, which turns
+constexpr std::array words{0x0200'00FFU, 0x8000'0000U, 0x0000'0000U};
+constexpr std::array sizes{QSize(1600, 1000), QSize(1024, 768), QSize(1280, 900)};
+constexpr int lines = 12;             // that are printed
+constexpr double allowedGrowth = 1.0; // MB between the second and the last quarter
+constexpr double bytesPerMegabyte = 1e6;
+
+// What is in use, in MB; what was freed and is kept for later is none of it.
+double memoryInUse()
+{
+    const struct mallinfo2 heap = mallinfo2();
+    return static_cast<double>(heap.uordblks + heap.hblkhd) / bytesPerMegabyte;
+}
+
+// Somebody who sends words, reads parameters, goes to and fro between Watch and Operate, cuts the power and
+// resizes the window, opens and closes monitors: each about once a minute.
+class Somebody
+{
+public:
+    Somebody(TrainingWindow &shown, unsigned seed)
+        : m_shown(shown)
+        , m_random(seed)
+    {}
+
+    void work()
+    {
+        switch (std::uniform_int_distribution(0, 59)(m_random)) {
+        case 0:
+            sendNext();
+            break;
+        case 1:
+            if (!encoder().runningJob())
+                (void)encoder().start(ReadParameters{{Parameter::steps, Parameter::serialNumber}});
+            break;
+        case 2:
+            m_shown.controls().powerCycle(watched);
+            break;
+        case 3:
+            m_shown.window().resize(sizes[++m_size % sizes.size()]);
+            break;
+        case 4:
+            openAndCloseMonitors();
+            break;
+        case 5:
+            m_shown.bus().stopBus();
+            m_shown.bus().startBus();
+            break;
+        default:
+            break;
+        }
+    }
+
+    // Looks at it as the first time.
+    void lookAsAlways()
+    {
+        m_shown.window().resize(sizes.front());
+        openAndCloseMonitors();
+    }
+
+private:
+    EncoderSession &encoder() { return *m_shown.bus().encoder(worked); }
+    void sendNext()
+    {
+        WordChannel &channel = *m_shown.bus().channel(worked);
+        channel.stage(words[m_word % words.size()]);
+        if (channel.write())
+            ++m_word;
+    }
+    void openAndCloseMonitors()
+    {
+        auto *monitors = m_shown.window().findChild<MonitorArea *>();
+        monitors->closeAll();
+        for (const DeviceNumber place : {worked, watched})
+            for (const MonitorKind kind : {MonitorKind::in32, MonitorKind::out32})
+                monitors->openMonitor(place, kind);
+    }
+
+    TrainingWindow &m_shown;
+    std::mt19937 m_random;
+    std::size_t m_word = 0;
+    std::size_t m_size = 0;
+};
+
+// A second of the bus and of the line, and the picture of it.
+void letASecondPass(TrainingWindow &shown)
+{
+    shown.bus().advance(1'000);
+    if (LineSession *line = shown.line().session())
+        line->advance(1s);
+    shown.window().showPicture();
+    shown.messages().catchUp();
+    QCoreApplication::processEvents();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+}
+
+struct Soak
+{
+    int warmUp = 15;   // minutes of the bus, until what is bounded is full
+    int minutes = 480; // of the bus, after it
+    unsigned seed = 0;
+};
+
+// What it held at most in each half of the time, in MB.
+std::array<double, 2> watchMemory(TrainingWindow &shown, const Soak &soak)
+{
+    Somebody somebody(shown, soak.seed);
+    std::array<double, 2> most{};
+    const auto begin = std::chrono::steady_clock::now();
+    const int all = soak.warmUp + soak.minutes;
+    for (int minute = 0; minute < all; ++minute) {
+        for (int second = 0; second < 60; ++second) {
+            if (second < 59)
+                somebody.work();
+            else
+                somebody.lookAsAlways();
+            letASecondPass(shown);
+        }
+        const double memory = memoryInUse();
+        if (minute >= soak.warmUp) {
+            double &ofHalf = most[2 * (minute - soak.warmUp) < soak.minutes ? 0 : 1];
+            ofHalf = std::max(ofHalf, memory);
+        }
+        if ((minute + 1) % std::max(all / lines, 1) == 0) {
+            const std::chrono::duration<double> past = std::chrono::steady_clock::now() - begin;
+            std::printf("  %3d min of the bus, %6.2f MB in use, %.0f pictures a second\n", minute + 1, memory,
+                        60 * (minute + 1) / past.count());
+            std::fflush(stdout);
+        }
+    }
+    return most;
+}
+
+Soak soakOf(const QStringList &arguments)
+{
+    Soak soak;
+    QCommandLineParser options;
+    const QCommandLineOption minutes(QStringLiteral("minutes"), QStringLiteral("of the bus"),
+                                     QStringLiteral("N"), QString::number(soak.minutes));
+    const QCommandLineOption warmUp(QStringLiteral("warm-up"), QStringLiteral("before them"),
+                                    QStringLiteral("MINUTES"), QString::number(soak.warmUp));
+    const QCommandLineOption seed(QStringLiteral("seed"), QStringLiteral("of what is done"),
+                                  QStringLiteral("N"), QString::number(std::random_device()() % 1'000'000));
+    options.addOptions({minutes, warmUp, seed});
+    options.process(arguments);
+    soak.minutes = std::max(options.value(minutes).toInt(), 2);
+    soak.warmUp = std::max(options.value(warmUp).toInt(), 0);
+    soak.seed = options.value(seed).toUInt();
+    return soak;
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    QApplication application(argc, argv);
+    const Soak soak = soakOf(QApplication::arguments());
+    std::printf("seed %u; again with --seed %u\n", soak.seed, soak.seed);
+    const QTemporaryDir folder;
+    TrainingWindow shown(folder.filePath(QStringLiteral("attack.ini")), sizes.front());
+    shown.window().show();
+    const std::array<double, 2> most = watchMemory(shown, soak);
+    const double growth = most[1] - most[0];
+    const bool isFlat = growth <= allowedGrowth;
+    std::printf(
+        "window: %d pictures in %d min of the bus after warming up, at most %.2f MB in the first half "
+        "and %.2f MB in the second. %s: %+.2f MB, allowed %.2f MB.\n",
+        60 * soak.minutes, soak.minutes, most[0], most[1], isFlat ? "Flat" : "It grows", growth,
+        allowedGrowth);
+    return isFlat ? 0 : 1;
+}
