@@ -2721,6 +2721,10 @@
         <source>The job ended because the computer slept. Check in which state the encoder is, and change to Operate before you write again.</source>
         <translation>Der Auftrag endete, weil der Rechner geschlafen hat. Prüfen Sie, in welchem Zustand der Geber ist, und schalten Sie auf Bedienen, bevor Sie wieder schreiben.</translation>
     </message>
+    <message>
+        <source>%1 was accepted, but neither the preset value nor the position shows that the position was set to %2: it is not known whether it was. Check the line, and read position and preset before you go on.</source>
+        <translation>%1 wurde angenommen, aber weder der Presetwert noch die Position zeigt, dass die Position auf %2 gesetzt wurde: Ob sie es wurde, ist nicht bekannt. Die Leitung prüfen und Position und Preset lesen, bevor es weitergeht.</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>

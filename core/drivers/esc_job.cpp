@@ -71,8 +71,10 @@ void EscJob::begin(Instant now)
     if (step.task == EscStep::Task::search)
         beginSearch();
     step.line = (m_search ? m_search->request() : step.request).text();
-    if (step.request.command == esc::Command::writePreset)
+    if (step.request.command == esc::Command::writePreset) {
         m_preset.sentAt = now;
+        m_preset.line = step.line;
+    }
     reportProgress(false);
 }
 

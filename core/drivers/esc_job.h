@@ -36,10 +36,11 @@ public:
     void stop(const Refusal &why);
 
 private:
-    // What tells whether a preset that was not answered was done.
+    // What tells whether a preset was done.
     struct Preset
     {
         std::optional<Instant> sentAt;
+        QByteArray line;                         // the command
         std::optional<std::int64_t> valueBefore; // S
         std::optional<std::int64_t> valueAfter;
         Instant positionBeforeAt{};
@@ -79,6 +80,8 @@ private:
     void positionAnswered(const esc::ExchangeResult &result, Instant now);
     void positionKnown(Instant now);
     void presetDone(Instant now);
+    void judgeAccepted(Said position, Said value);
+    void judgeUnanswered(Said position, Said value);
     Said positionSays(Instant now) const;
     Said presetValueSays() const;
 

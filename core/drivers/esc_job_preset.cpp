@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The position before and after a preset, and what they say of one that was not answered.
+// The position before and after a preset, and what they say of what became of it.
 #include "drivers/esc_job.h"
 
 namespace codewheel {
@@ -38,31 +38,49 @@ void EscJob::positionKnown(Instant now)
 
 void EscJob::presetDone(Instant now)
 {
-    const EscStep step = current();
     const Said position = positionSays(now);
-    if (!m_unanswered) {
-        if (position == Said::notDone)
-            fail({RefusalKind::device,
-                  RefusalId::verificationFailed,
-                  {Parameter::preset, step.value, *m_outcome.positionAfter}});
-        else
-            stepDone();
-        return;
-    }
     const Said value = presetValueSays();
+    if (m_unanswered)
+        judgeUnanswered(position, value);
+    else
+        judgeAccepted(position, value);
+}
+
+// The encoder said that it took the command. Its preset value decides whether it did, and the position must
+// not speak against it; that alone proves it only where no shaft can have turned so far.
+void EscJob::judgeAccepted(Said position, Said value)
+{
+    const EscStep step = current();
+    const auto isNot = [&](std::int64_t has) {
+        fail({RefusalKind::device,
+              RefusalId::verificationFailed,
+              {Parameter::preset, step.value, std::int64_t{has}}});
+    };
+    if (value == Said::notDone)
+        isNot(*m_preset.valueAfter);
+    else if (position == Said::notDone)
+        isNot(*m_outcome.positionAfter);
+    else if (value == Said::done || position == Said::done)
+        stepDone();
+    else
+        fail({RefusalKind::device,
+              RefusalId::escPresetUnproven,
+              {QString::fromLatin1(m_preset.line), step.value}});
+}
+
+void EscJob::judgeUnanswered(Said position, Said value)
+{
     const bool contradict = position != Said::nothing && value != Said::nothing && position != value;
     const Said said = position == Said::nothing ? value : position;
-    if (said == Said::notDone && !contradict) {
-        fail({RefusalKind::device, RefusalId::escWriteNotDone, {QString::fromLatin1(m_unanswered->line)}});
-        return;
-    }
     if (said == Said::nothing || contradict) {
         failAsUnknown();
-        return;
+    } else if (said == Said::notDone) {
+        fail({RefusalKind::device, RefusalId::escWriteNotDone, {QString::fromLatin1(m_unanswered->line)}});
+    } else {
+        m_encoder.values.countEepromWrite();
+        m_unanswered.reset();
+        stepDone();
     }
-    m_encoder.values.countEepromWrite();
-    m_unanswered.reset();
-    stepDone();
 }
 
 EscJob::Said EscJob::positionSays(Instant now) const
@@ -77,11 +95,15 @@ EscJob::Said EscJob::positionSays(Instant now) const
     return fromPreset ? Said::done : Said::notDone;
 }
 
+// Of a command without an answer it tells that it was done only where it was another value before.
 EscJob::Said EscJob::presetValueSays() const
 {
-    if (!m_preset.valueAfter || m_preset.valueBefore == current().value)
+    if (!m_preset.valueAfter)
         return Said::nothing;
-    return m_preset.valueAfter == current().value ? Said::done : Said::notDone;
+    if (m_preset.valueAfter != current().value)
+        return Said::notDone;
+    const bool hasChanged = m_preset.valueBefore && m_preset.valueBefore != current().value;
+    return hasChanged || !m_unanswered ? Said::done : Said::nothing;
 }
 
 } // namespace codewheel

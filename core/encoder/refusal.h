@@ -115,6 +115,7 @@ enum class RefusalId : std::uint8_t {
     escReadsDisagree,       // Parameter, one value, the other
     escWriteUnknown,        // command: no answer, and what the encoder has could not be read
     escWriteNotDone,        // command: no answer, and the encoder has the old value
+    escPresetUnproven,      // command, preset: accepted, and neither S nor the position shows it
     escNotFoundAgain,       // where it was looked for
     escFactorFitsNothing,   // factor, steps, measuring range, as the encoder told them
     // link

@@ -341,6 +341,11 @@ constexpr std::array refusalRows{
                QT_TRANSLATE_NOOP("Refusal",
                                  "%1 was sent and not answered, and the encoder still has the old value. "
                                  "Check the line, then write again.")},
+    RefusalRow{RefusalId::escPresetUnproven, "escPresetUnproven",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "%1 was accepted, but neither the preset value nor the position shows that "
+                                 "the position was set to %2: it is not known whether it was. Check the "
+                                 "line, and read position and preset before you go on.")},
     RefusalRow{RefusalId::escNotFoundAgain, "escNotFoundAgain",
                QT_TRANSLATE_NOOP(
                    "Refusal",

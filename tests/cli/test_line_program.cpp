@@ -129,6 +129,15 @@ TEST(CliLineProgram, UnderstandsAPeerThatSharesNoCodeWithIt)
                 HasSubstr("\"version\":\"5882 PEER FOR TESTS V1.00\""));
 }
 
+// 1300h is as near to 1235h as the shaft could have turned to.
+TEST(CliLineProgram, APresetThatIsAcknowledgedAndNotDoneIsNoSuccess)
+{
+    const Port port = peer(QStringLiteral("--ignores GP"));
+    const CliRun run = call("preset 05 1300h", port);
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("Preset was written as 4864 but read back as 1."));
+}
+
 TEST(CliLineProgram, ATerminalTakesLinesAsTheyAreTyped)
 {
     const Port port = peer();

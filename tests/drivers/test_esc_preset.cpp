@@ -81,6 +81,53 @@ TEST(EscPreset, AcceptedAndNotThereIsNotBelieved)
     EXPECT_EQ(outcome.positionAfter, 0x1235);
 }
 
+// CR LF came, and nothing else happened: 1300h is as near as the shaft could have turned to.
+TEST(EscPreset, AcceptedWithThePresetValueAsItWasIsNotDone)
+{
+    EscBench bench;
+    bench.settle();
+    bench.answerNext("GP", "");
+    const Outcome &outcome = bench.finish(SetPreset{.value = 0x1300});
+    ASSERT_FALSE(outcome.result);
+    EXPECT_EQ(outcome.result.error(), (Refusal{RefusalKind::device,
+                                               RefusalId::verificationFailed,
+                                               {Parameter::preset, std::int64_t{0x1300}, std::int64_t{1}}}));
+}
+
+TEST(EscPreset, AcceptedWithoutProofIsNotKnown)
+{
+    EscBench bench;
+    bench.settle();
+    bench.always("S", Fate::lost);
+    const Outcome &outcome = bench.finish(SetPreset{.value = 0x1300});
+    ASSERT_FALSE(outcome.result);
+    EXPECT_EQ(outcome.result.error(), (Refusal{RefusalKind::device,
+                                               RefusalId::escPresetUnproven,
+                                               {QStringLiteral("03GP00001300"), std::int64_t{0x1300}}}));
+    EXPECT_EQ(outcome.eepromWrites, 1);
+}
+
+TEST(EscPreset, AJumpNoShaftCanMakeIsProofWithoutThePresetValue)
+{
+    EscBench bench;
+    bench.settle();
+    bench.always("S", Fate::lost);
+    EXPECT_TRUE(bench.finish(SetPreset{.value = 0x800000}).result);
+}
+
+// Nobody knows what S was before, so that it tells nothing of a command without an answer.
+TEST(EscPreset, ThePresetValueProvesNothingWhereItWasNotReadBefore)
+{
+    EscBench bench;
+    bench.settle();
+    bench.next("S", Fate::lost);
+    bench.has["S"] = "00001300";
+    bench.next("GP", Fate::lost);
+    const Outcome &outcome = bench.finish(SetPreset{.value = 0x1300});
+    ASSERT_FALSE(outcome.result);
+    EXPECT_EQ(outcome.result.error().id, RefusalId::escWriteUnknown);
+}
+
 TEST(EscPreset, WithoutAnAnswerItIsFoundDoneAndNeverRepeated)
 {
     EscBench bench;

@@ -36,8 +36,9 @@ OPERATING_BITS = {"GD": 0x0001, "GS": 0x0004}
 
 
 class Encoder:
-    def __init__(self, address, position, speed):
+    def __init__(self, address, position, speed, ignores):
         self.address = address
+        self.ignores = ignores  # commands that are accepted and do nothing
         self.start = position
         self.speed = speed  # steps a second
         self.values = {command: value for command, (_, value) in READS.items()}
@@ -68,6 +69,8 @@ class Encoder:
         value = int(data, 16)
         if not least <= value <= most:
             return "05"
+        if letters in self.ignores:
+            return ""
         if letters == "GP":
             self.values["C"] = (value - self.position() + self.values["C"]) % FULL_RANGE
         elif letters == "X":
@@ -84,7 +87,8 @@ class Line:
     def __init__(self, options):
         self.options = options
         self.random = random.Random(options.seed)
-        self.encoders = [Encoder(int(address, 16), 0x1235 if address == "05" else 1000000, options.speed)
+        self.encoders = [Encoder(int(address, 16), 0x1235 if address == "05" else 1000000, options.speed,
+                                 options.ignores.split(","))
                          for address in options.addresses.split(",")]
         for encoder in self.encoders:
             encoder.values["E"] = options.warnings
@@ -162,6 +166,7 @@ def main():
     parser.add_argument("--echo", action="store_true", help="send back what comes in, as a half-duplex adapter")
     parser.add_argument("--garbage", type=int, default=0, help="so many bytes of it before and after an answer")
     parser.add_argument("--silent", default="", help="addresses that do not answer")
+    parser.add_argument("--ignores", default="", help="commands that are accepted and do nothing: GP,GR")
     parser.add_argument("--delay", type=float, default=0, help="ms before an answer (0)")
     parser.add_argument("--byte-time", type=float, default=0, help="us for a byte; 573 is 19200 Bd 8N2 (0)")
     parser.add_argument("--warnings", type=lambda digits: int(digits, 16), default=READS["E"][1],
