@@ -57,12 +57,24 @@ QString whatBecameOf(const ParameterValue &value, const EncoderSession &encoder,
                                                           : CommandLine::tr("did not become active");
 }
 
-// How the encoder was before the job: a rod may have another scale afterwards.
-struct Before
+// How the encoder stood before the job and after it: a rod may have another scale afterwards.
+struct Stand
 {
     Reading reading;
     std::optional<RodScale> scale;
 };
+
+Stand standOf(const EncoderSession &encoder)
+{
+    return {encoder.latest(), rodScale(encoder)};
+}
+
+// On a serial line a single read may be damaged: the job's positions are those that reads agreed on.
+void takePositions(const Outcome &outcome, Stand &before, Stand &after)
+{
+    before.reading.position = outcome.positionBefore;
+    after.reading.position = outcome.positionAfter;
+}
 
 // A rod shows its last position in error as well.
 bool showsPosition(const Reading &reading)
@@ -82,9 +94,8 @@ QString valuesText(const EncoderSession &encoder, const ParameterValues &wanted,
     return values.toString();
 }
 
-QString accountText(const EncoderSession &encoder, const Outcome &outcome, const Before &before)
+QString accountText(const Outcome &outcome, const Stand &before, const Stand &after)
 {
-    const Reading &after = encoder.latest();
     QString text = sentence(CommandLine::tr("EEPROM writes:   %1"),
                             argumentTexts({std::int64_t{outcome.eepromWrites}})) +
                    u'\n';
@@ -92,12 +103,12 @@ QString accountText(const EncoderSession &encoder, const Outcome &outcome, const
         text += sentence(CommandLine::tr("Position before: %1"),
                          {positionText(before.reading.position, before.reading, before.scale)}) +
                 u'\n';
-    if (showsPosition(after))
+    if (showsPosition(after.reading))
         text += sentence(CommandLine::tr("Position after:  %1"),
-                         {positionText(after.position, after, rodScale(encoder))}) +
+                         {positionText(after.reading.position, after.reading, after.scale)}) +
                 u'\n';
-    if (outcome.result && after.state == EncoderState::error)
-        text += whereItWasLeft(after) + u'\n';
+    if (outcome.result && after.reading.state == EncoderState::error)
+        text += whereItWasLeft(after.reading) + u'\n';
     return text;
 }
 
@@ -114,14 +125,14 @@ QJsonArray writtenJson(const EncoderSession &encoder, const ParameterValues &val
     return json;
 }
 
-void addAccount(QJsonObject &json, const EncoderSession &encoder, const Outcome &outcome,
-                const Reading &before)
+void addAccount(QJsonObject &json, const EncoderSession &encoder, const Outcome &outcome, const Stand &before,
+                const Stand &after)
 {
     json.insert(QStringLiteral("written"), writtenJson(encoder, outcome.written));
     json.insert(QStringLiteral("alreadyThere"), writtenJson(encoder, outcome.alreadyThere));
     json.insert(QStringLiteral("eepromWrites"), outcome.eepromWrites);
-    json.insert(QStringLiteral("positionBefore"), numberJson(before.position));
-    json.insert(QStringLiteral("positionAfter"), numberJson(encoder.latest().position));
+    json.insert(QStringLiteral("positionBefore"), numberJson(before.reading.position));
+    json.insert(QStringLiteral("positionAfter"), numberJson(after.reading.position));
     json.insert(QStringLiteral("leftIn"), stateKey(outcome.leftIn));
     json.insert(QStringLiteral("onlyZeroSinceRun"), outcome.onlyZeroSinceRun);
 }
@@ -129,17 +140,20 @@ void addAccount(QJsonObject &json, const EncoderSession &encoder, const Outcome 
 void carryOutWrite(const Call &call, const AllowedJob &write, const WritePlan &plan, Answer &answer)
 {
     const EncoderSession &encoder = write.encoder();
-    const Before before{encoder.latest(), rodScale(encoder)};
+    const bool isOnLine = encoder.number().isOnLine();
+    Stand before = standOf(encoder);
     const FinishedJob job = runToEnd(call, write);
+    Stand after = standOf(encoder);
+    if (isOnLine)
+        takePositions(job.outcome, before, after);
     if (call.arguments.has("--trace")) {
         answer.text += u'\n' + traceText(call, encoder, job);
         answer.json.insert(QStringLiteral("trace"), traceJson(call, encoder, job));
     }
     const ParameterValues wanted = plan.job().values;
-    const bool isOnLine = encoder.number().isOnLine();
     const LineAccount onLine(encoder, wanted, job);
     answer.text += u'\n' + (isOnLine ? onLine.toText() : valuesText(encoder, wanted, job.outcome)) +
-                   accountText(encoder, job.outcome, before);
+                   accountText(job.outcome, before, after);
     if (isOnLine) {
         answer.json.insert(QStringLiteral("values"), onLine.toJson());
         answer.json.insert(QStringLiteral("placeNow"), encoder.number().toString());
@@ -147,7 +161,7 @@ void carryOutWrite(const Call &call, const AllowedJob &write, const WritePlan &p
     }
     if (job.outcome.onlyZeroSinceRun)
         answer.text += messageText({.id = MessageId::onlyZeroSinceRun}) + u'\n';
-    addAccount(answer.json, encoder, job.outcome, before.reading);
+    addAccount(answer.json, encoder, job.outcome, before, after);
     if (!job.outcome.result) {
         answer.complaint = complaintAboutJob(call, encoder, job.outcome.result.error());
         answer.complaint->text +=

@@ -64,8 +64,9 @@ void EscJob::begin(Instant now)
 {
     m_isBegun = true;
     m_waits = m_mayBegin = false;
-    m_reads = EscAgreement(std::max(m_encoder.settings.readTries, 1));
-    m_preset.positions = 0;
+    const int tries = std::max(m_encoder.settings.readTries, 1);
+    m_reads = EscAgreement(tries);
+    m_positions = EscPositionAgreement(2 * tries);
     EscStep &step = current();
     step.request.to = m_encoder.address; // another, where the job has changed it
     if (step.task == EscStep::Task::search)
@@ -232,6 +233,10 @@ void EscJob::finish(Result<void> result)
     m_outcome.result = std::move(result);
     m_outcome.eepromWrites += m_encoder.values.eepromWrites() - m_writesBefore;
     m_outcome.leftIn = m_encoder.reading.state;
+    if (m_positionBefore)
+        m_outcome.positionBefore = m_positionBefore->sample.position;
+    if (m_positionAfter)
+        m_outcome.positionAfter = m_positionAfter->sample.position;
     m_encoder.events.emplace_back(m_outcome);
 }
 

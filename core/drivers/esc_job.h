@@ -3,6 +3,7 @@
 
 #include "drivers/esc_agreement.h"
 #include "drivers/esc_encoder.h"
+#include "drivers/esc_position_agreement.h"
 #include "drivers/esc_search.h"
 
 #include <optional>
@@ -43,8 +44,12 @@ private:
         QByteArray line;                         // the command
         std::optional<std::int64_t> valueBefore; // S
         std::optional<std::int64_t> valueAfter;
-        Instant positionBeforeAt{};
-        int positions = 0; // taken in this step
+    };
+    // A position that reads agreed on.
+    struct AgreedPosition
+    {
+        EscPositionAgreement::Sample sample;
+        double speed = 0; // steps per us
     };
     enum class Said : std::uint8_t { done, notDone, nothing };
 
@@ -78,11 +83,15 @@ private:
 
     // esc_job_preset.cpp
     void positionAnswered(const esc::ExchangeResult &result, Instant now);
-    void positionKnown(Instant now);
-    void presetDone(Instant now);
+    void positionAgreed();
+    void positionNotRead(const Refusal &why);
+    void positionStepDone();
+    void presetDone();
     void judgeAccepted(Said position, Said value);
     void judgeUnanswered(Said position, Said value);
-    Said positionSays(Instant now) const;
+    Said positionSays() const;
+    bool hasTurnedFrom(const EscPositionAgreement::Sample &before, double speedThen) const;
+    bool hasTurnedFromPreset() const;
     Said presetValueSays() const;
 
     // esc_job_search.cpp
@@ -113,6 +122,9 @@ private:
     bool m_isCompared = false;
     bool m_isDone = false;
     EscAgreement m_reads;
+    EscPositionAgreement m_positions;
+    std::optional<AgreedPosition> m_positionBefore;
+    std::optional<AgreedPosition> m_positionAfter;
     std::optional<EscStep> m_unanswered; // the write of which nothing is known yet
     std::optional<EscSearch> m_search;
     std::optional<int> m_rateBefore; // the search for another baud rate

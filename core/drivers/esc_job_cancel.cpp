@@ -25,6 +25,11 @@ bool wasScalingWritten(Sent sent)
     });
 }
 
+bool wasAnythingWritten(Sent sent)
+{
+    return std::ranges::any_of(sent, [](const EscStep &step) { return step.task == EscStep::Task::write; });
+}
+
 bool wasPresetSent(Sent sent)
 {
     return std::ranges::any_of(
@@ -36,7 +41,7 @@ bool tellsOf(Sent sent, const EscStep &step)
 {
     switch (step.task) {
     case EscStep::Task::positionAfter:
-        return wasPresetSent(sent);
+        return wasAnythingWritten(sent);
     case EscStep::Task::refresh:
         if (step.parameter == Parameter::preset)
             return wasPresetSent(sent);
@@ -73,8 +78,7 @@ void EscJob::cancel(OnCancel how)
 bool EscJob::hasTaken() const
 {
     const Sent sent = Sent(m_steps).first(std::min(m_steps.size(), m_index + (m_isBegun ? 1 : 0)));
-    return !m_outcome.written.empty() ||
-           std::ranges::any_of(sent, [](const EscStep &step) { return step.task == EscStep::Task::write; });
+    return !m_outcome.written.empty() || wasAnythingWritten(sent);
 }
 
 // A write that waits for its answer may be carried out, so the outcome counts it; of the encoder it is

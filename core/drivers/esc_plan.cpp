@@ -88,7 +88,9 @@ ParameterValues EscPlan::completed(const ParameterValues &values) const
 EscSteps EscPlan::writes(const ParameterValues &values) const
 {
     const ParameterValues all = completed(values);
-    EscSteps steps;
+    if (all.empty())
+        return {};
+    EscSteps steps{step(EscStep::Task::positionBefore, esc::Command::position)};
     bool isScalingDone = false;
     for (const ParameterValue &value : all) {
         if (movesTheEncoder(value.parameter))
@@ -106,6 +108,7 @@ EscSteps EscPlan::writes(const ParameterValues &values) const
             steps.push_back(writing({last, *value}));
             steps.push_back(readBack(steps.back()));
         }
+    steps.push_back(step(EscStep::Task::positionAfter, esc::Command::position));
     return steps;
 }
 

@@ -31,7 +31,7 @@ public:
     Result<void> check(const Job &job) const;
     EscSteps stepsFor(const Job &job) const;
 
-    // In the order they are carried out: address and baud rate last, since all else goes to where the encoder
+    // Between the positions before and after, in the order they are carried out: address and baud rate last, since all else goes to where the encoder
     // still is; the scaling factor after the values it is computed from.
     EscSteps writes(const ParameterValues &values) const;
     EscStep readBack(const EscStep &write) const;

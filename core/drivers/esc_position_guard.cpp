@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/esc_position_guard.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -13,11 +12,18 @@ constexpr std::int64_t largestPosition = 33'554'432; // manual, table of the rea
 
 } // namespace
 
+std::int64_t EscPositionGuard::turned(std::int64_t from, std::int64_t to) const
+{
+    const std::int64_t distance = to - from;
+    if (!m_scale.total || std::abs(distance) > *m_scale.total)
+        return distance;
+    const std::int64_t otherWay = distance > 0 ? distance - *m_scale.total : distance + *m_scale.total;
+    return std::abs(otherWay) < std::abs(distance) ? otherWay : distance;
+}
+
 bool EscPositionGuard::canReach(std::int64_t from, std::int64_t to, Instant within) const
 {
-    std::int64_t distance = std::abs(to - from);
-    if (m_scale.total && distance <= *m_scale.total)
-        distance = std::min(distance, *m_scale.total - distance);
+    const std::int64_t distance = std::abs(turned(from, to));
     const double turns = m_scale.topSpeed / secondsPerMinute * std::chrono::duration<double>(within).count();
     return static_cast<double>(distance) <= std::ceil(turns * static_cast<double>(m_scale.stepsPerTurn)) + 1;
 }

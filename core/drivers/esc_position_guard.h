@@ -41,6 +41,8 @@ public:
 
     // Whether the encoder can have turned from one to the other in this time.
     bool canReach(std::int64_t from, std::int64_t to, Instant within) const;
+    // From one to the other the shorter way, in steps.
+    std::int64_t turned(std::int64_t from, std::int64_t to) const;
     const Figures &figures() const { return m_figures; }
 
 private:

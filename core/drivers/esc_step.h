@@ -16,8 +16,8 @@ struct EscStep : Step
         refresh,        // the same; only what is known is brought up to date, and a failure is none
         write,          // sent once
         readBack,       // what was written must be there
-        positionBefore, // before a preset
-        positionAfter,
+        positionBefore, // before the first write
+        positionAfter,  // after the last
         search, // of the encoder whose address or baud rate was changed
     };
 

@@ -75,7 +75,7 @@ struct Outcome
     bool onlyZeroSinceRun = false;
     std::vector<CamProgram> camsRead{};
     std::vector<CamProgram> camsWritten{};      // read back, where the job could
-    std::optional<std::int64_t> positionBefore; // steps; SetPreset
+    std::optional<std::int64_t> positionBefore; // steps; SetPreset, on a serial line also writing
     std::optional<std::int64_t> positionAfter;
     // The values from before were given back: how it is known that the encoder has them again. They stand in
     // `written` and `camsWritten`.

@@ -13,6 +13,19 @@ bool stopsAll(const Refusal &why)
            why.id == RefusalId::portLost;
 }
 
+// On a serial line a single read may be damaged: the jobs' positions are those that reads agreed on.
+void takePositions(EncoderResult &result)
+{
+    result.positionBefore.reset();
+    result.positionAfter.reset();
+    for (const Outcome &outcome : result.outcomes) {
+        if (!result.positionBefore)
+            result.positionBefore = outcome.positionBefore;
+        if (outcome.positionAfter)
+            result.positionAfter = outcome.positionAfter;
+    }
+}
+
 } // namespace
 
 JobRound::JobRound(EncoderBus &bus, QObject *parent)
@@ -136,6 +149,8 @@ void JobRound::endEncoder(std::optional<Refusal> why)
         result.leftIn = result.outcomes.empty() ? m_encoder->latest().state : result.outcomes.back().leftIn;
         result.positionAfter = m_encoder->latest().position;
     }
+    if (result.place.isOnLine())
+        takePositions(result);
     m_encoder = nullptr;
     result.why = std::move(why);
     result.ended = now();

@@ -222,6 +222,31 @@ TEST(CliLinePreset, SetsThePositionAtOnce)
     EXPECT_EQ(line.registers(0x05).preset, 1'000U);
 }
 
+// 7 bytes of 1000 are damaged, some 8 answers of 100. The shaft stands still.
+TEST(CliLinePreset, NoDamagedDigitGetsIntoTheAccount)
+{
+    SharedLine line;
+    ASSERT_EQ(line.runLine(QStringLiteral("preset 05 5000")).exit, 0);
+    line.simulated().setFaults({.corrupted = 7});
+    int told = 0;
+    for (int i = 0; i < 25; ++i) {
+        const auto stoodAt = QJsonValue(static_cast<qint64>(line.registers(0x05).preset));
+        const QString call = i % 2 ? QStringLiteral("write 05 lower-limit=%1 --yes --json").arg(10 + i)
+                                   : QStringLiteral("preset 05 %1 --json").arg(6000 + 100 * i);
+        const QJsonObject account = line.runLine(call).json();
+        const auto standsAt = QJsonValue(static_cast<qint64>(line.registers(0x05).preset));
+        if (!account[u"positionBefore"].isNull() && !account[u"positionBefore"].isUndefined()) {
+            EXPECT_EQ(account[u"positionBefore"], stoodAt) << call.toStdString();
+            ++told;
+        }
+        if (!account[u"positionAfter"].isNull() && !account[u"positionAfter"].isUndefined()) {
+            EXPECT_EQ(account[u"positionAfter"], standsAt) << call.toStdString();
+            ++told;
+        }
+    }
+    EXPECT_GT(told, 40) << "of 50";
+}
+
 TEST(CliLinePreset, NeedsAValueInRange)
 {
     SharedLine line;

@@ -69,7 +69,7 @@ TEST(EscCancel, OldValuesGoBackWhereTheyAreKnown)
     ASSERT_TRUE(bench.begin(limits(), Pace::byHand));
     bench.runUntil([&] { return bench.progress.waitsForUser; });
     bench.driver.proceed();
-    bench.runUntil([&] { return bench.progress.waitsForUser && bench.progress.index == 2; });
+    bench.runUntil([&] { return bench.progress.waitsForUser && bench.progress.index == 3; });
     EXPECT_TRUE(bench.progress.canRestore);
     bench.driver.cancel(OnCancel::restorePrevious, bench.now);
     bench.runUntil([&] { return bench.outcome.has_value(); });

@@ -2,6 +2,7 @@
 #include "tests/drivers/esc_bench.h"
 
 #include <gtest/gtest.h>
+#include <memory>
 
 namespace codewheel {
 namespace {
@@ -94,11 +95,51 @@ TEST(EscPreset, AcceptedWithThePresetValueAsItWasIsNotDone)
                                                {Parameter::preset, std::int64_t{0x1300}, std::int64_t{1}}}));
 }
 
+// S is the preset from the last time, and the shaft has turned on since: 1235h is near enough to 1300h.
+TEST(EscPreset, AcceptedWithThePresetValueOfTheLastTimeThePositionDecides)
+{
+    EscBench bench;
+    bench.has["S"] = "00001300";
+    bench.settle();
+    bench.answerNext("GP", "");
+    const Outcome &outcome = bench.finish(SetPreset{.value = 0x1300});
+    ASSERT_FALSE(outcome.result);
+    EXPECT_EQ(outcome.result.error().id, RefusalId::verificationFailed);
+    EXPECT_EQ(outcome.positionAfter, 0x1235);
+    EXPECT_TRUE(bench.finish(SetPreset{.value = 0x1300}).result);
+    EXPECT_TRUE(bench.finish(SetPreset{.value = 0x1300}).result) << "it is there, and was before";
+}
+
+// 20 steps a ms: the encoder went on turning as if nothing had been said.
+TEST(EscPreset, AcceptedByATurningShaftThatGoesOnIsNotDone)
+{
+    EscBench bench;
+    bench.has["S"] = "00001300";
+    bench.position = [](Instant at) { return static_cast<std::uint32_t>(0x10000 + at.count() / 50); };
+    bench.settle();
+    bench.answerNext("GP", "");
+    const Outcome &outcome = bench.finish(SetPreset{.value = 0x1300});
+    ASSERT_FALSE(outcome.result);
+    EXPECT_EQ(outcome.result.error().id, RefusalId::verificationFailed);
+}
+
+// From the command on the shaft turns, 20 steps a ms: whether from 1235h or from 1300h nobody can tell.
+void beginToTurnWithTheCommand(EscBench &bench)
+{
+    const auto begun = std::make_shared<std::optional<Instant>>();
+    bench.position = [&bench, begun](Instant at) {
+        if (!*begun && bench.count("GP") > 0)
+            *begun = at;
+        return static_cast<std::uint32_t>(0x1235 + (at - begun->value_or(at)).count() / 50);
+    };
+}
+
 TEST(EscPreset, AcceptedWithoutProofIsNotKnown)
 {
     EscBench bench;
     bench.settle();
     bench.always("S", Fate::lost);
+    beginToTurnWithTheCommand(bench);
     const Outcome &outcome = bench.finish(SetPreset{.value = 0x1300});
     ASSERT_FALSE(outcome.result);
     EXPECT_EQ(outcome.result.error(), (Refusal{RefusalKind::device,
@@ -123,6 +164,7 @@ TEST(EscPreset, ThePresetValueProvesNothingWhereItWasNotReadBefore)
     bench.next("S", Fate::lost);
     bench.has["S"] = "00001300";
     bench.next("GP", Fate::lost);
+    beginToTurnWithTheCommand(bench);
     const Outcome &outcome = bench.finish(SetPreset{.value = 0x1300});
     ASSERT_FALSE(outcome.result);
     EXPECT_EQ(outcome.result.error().id, RefusalId::escWriteUnknown);

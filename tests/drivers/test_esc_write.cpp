@@ -330,12 +330,13 @@ TEST(EscWrite, ByHandEachWriteWaitsAndThePositionGoesOn)
     bench.run(2s);
     EXPECT_EQ(bench.jobLog(), Lines());
     EXPECT_TRUE(bench.progress.waitsForUser);
-    EXPECT_EQ(bench.progress.steps[0].line, "03GL00000200");
+    EXPECT_EQ(bench.progress.steps[0].line, "03P");
+    EXPECT_EQ(bench.progress.steps[1].line, "03GL00000200");
     EXPECT_GT(bench.count("P"), 150);
     bench.driver.proceed();
     bench.run(2s);
     EXPECT_EQ(bench.jobLog(), (Lines{"03GL00000200", "03L", "03L"}));
-    EXPECT_EQ(bench.progress.index, 2);
+    EXPECT_EQ(bench.progress.index, 3);
     EXPECT_TRUE(bench.progress.waitsForUser);
     EXPECT_EQ(bench.progress.confirmed, (ParameterValues{{Parameter::lowerLimit, 0x200}}));
     bench.driver.proceed();

@@ -39,6 +39,10 @@ Outcome DoneJobs::followedBy(Outcome outcome) const
         prepend(outcome.written, before->written);
         prepend(outcome.alreadyThere, before->alreadyThere);
         prepend(outcome.read, before->read);
+        if (before->positionBefore)
+            outcome.positionBefore = before->positionBefore;
+        if (!outcome.positionAfter)
+            outcome.positionAfter = before->positionAfter;
     }
     return outcome;
 }

@@ -243,6 +243,8 @@ void HandshakePage::showOutcome(const Outcome &ended)
     (m_isRecovery ? record.recovery : record.outcome) = outcome;
     record.after = allKnown(*m_setup.encoder);
     record.positionAfter = m_setup.encoder->latest().position;
+    if (isOnLine(m_setup.encoder->device()))
+        record.takePositions(outcome);
     record.ended = m_setup.encoder->dateTime(m_setup.encoder->latest().at);
     record.eepromWritesInAll = m_setup.encoder->eepromCount().writes;
     const bool isBroughtBack = !outcome.result && outcome.result.error().id == RefusalId::cancelled;

@@ -28,4 +28,11 @@ ParameterValues HandshakeRecord::taken() const
     return values;
 }
 
+void HandshakeRecord::takePositions(const Outcome &last)
+{
+    if (!recovery)
+        positionBefore = last.positionBefore;
+    positionAfter = last.positionAfter;
+}
+
 } // namespace codewheel

@@ -34,6 +34,10 @@ struct HandshakeRecord
     // Has the encoder taken a value, in this handshake, that cancel would have to deal with?
     bool hasTaken() const;
     ParameterValues taken() const; // confirmed, or active by run
+
+    // On a serial line a single read may be damaged: the job's positions are those that reads agreed on.
+    // After bringing back, the one before stays.
+    void takePositions(const Outcome &last);
 };
 
 } // namespace codewheel

@@ -13,6 +13,8 @@ TEST(DoneJobs, TheJobOnItsWayIsSeenBehindThoseThatAreDone)
     const Step set{.kind = StepKind::serviceBit, .out = 0xC600'03E8, .parameter = {}};
     Outcome first;
     first.eepromWrites = 1;
+    first.positionBefore = 4661;
+    first.positionAfter = 4662;
     first.written = {{Parameter::measuringLength, 5000}};
     done.add({written}, first);
 
@@ -31,6 +33,7 @@ TEST(DoneJobs, TheJobOnItsWayIsSeenBehindThoseThatAreDone)
     EXPECT_EQ(all.job, 2U);
     EXPECT_EQ(all.eepromWrites, 2);
     EXPECT_EQ(all.written, first.written);
+    EXPECT_EQ(all.positionBefore, 4661);
     EXPECT_EQ(all.positionAfter, 1000);
 }
 
