@@ -5831,18 +5831,6 @@ wenn ein Geber nicht alles bekommen hat.</translation>
         <translation>Keine gespeicherte Meldung passt dazu.</translation>
     </message>
     <message>
-        <source>Sends words as they are, one after the other, and prints a row for each change of OUT or IN.
-A parameter word stands until the encoder has confirmed it, run (80000000) until it shows a position
-or an error, a read-out until it answers; any other word stands for 3 cycles. The FRABA preset
-(60000000) stands for one cycle, whatever --hold says: it acts in each. An error of the encoder
-ends the sequence. Words are hexadecimal, as the manuals print them.</source>
-        <translation>Sendet Worte unverändert nacheinander und gibt für jede Änderung von OUT oder IN eine Zeile aus.
-Ein Parameterwort steht, bis der Geber es quittiert hat, Run (80000000), bis er eine Position oder
-einen Fehler zeigt, ein Auslesen, bis er antwortet; jedes andere Wort steht 3 Zyklen. Der FRABA-Preset
-(60000000) steht einen Zyklus, was immer --hold sagt: Er wirkt in jedem. Ein Fehler des Gebers
-beendet die Folge. Worte sind hexadezimal, wie in den Handbüchern.</translation>
-    </message>
-    <message>
         <source>Another program has changed %1 since it was read here. It was left as it is; nothing was saved. Call again.</source>
         <translation>Ein anderes Programm hat %1 geändert, seit es hier gelesen wurde. Es blieb, wie es ist; gespeichert wurde nichts. Den Aufruf wiederholen.</translation>
     </message>
@@ -5857,6 +5845,28 @@ beendet die Folge. Worte sind hexadezimal, wie in den Handbüchern.</translation
     <message>
         <source>save what was written where: HTML where the name ends in .html, else text; a FILE that is there is replaced with --yes only</source>
         <translation>sichern, was wohin geschrieben wurde: als HTML, wenn der Name auf .html endet, sonst als Text; eine vorhandene Datei wird nur mit --yes ersetzt</translation>
+    </message>
+    <message>
+        <source>whether an error of the encoder ends the sequence (stop)</source>
+        <translation>ob ein Fehler des Gebers die Folge beendet (stop)</translation>
+    </message>
+    <message>
+        <source>Sends words as they are, one after the other, and prints a row for each change of OUT or IN.
+A parameter word stands until the encoder has confirmed it, run (80000000) until it shows a position
+or an error, a read-out until it answers; any other word stands for 3 cycles, 40000000 until the
+position has followed. --hold says otherwise. The FRABA preset (60000000) stands for one cycle,
+whatever --hold says: it acts in each. An error of the encoder ends the sequence; with
+--after-error go-on the next word is sent, so that a way out of it can be tried, and the exit code is
+1 only where the last word was answered by an error, or the encoder is left in one. Words are
+hexadecimal, as the manuals print them.</source>
+        <translation>Sendet Worte unverändert nacheinander und gibt für jede Änderung von OUT oder IN eine Zeile aus.
+Ein Parameterwort steht, bis der Geber es quittiert hat, Run (80000000), bis er eine Position oder
+einen Fehler zeigt, ein Auslesen, bis er antwortet; jedes andere Wort steht 3 Zyklen, 40000000, bis
+die Position gefolgt ist. Anderes sagt --hold. Der FRABA-Preset (60000000) steht einen Zyklus, was
+immer --hold sagt: Er wirkt in jedem. Ein Fehler des Gebers beendet die Folge; mit
+--after-error go-on wird das nächste Wort gesendet, damit sich ein Weg aus dem Fehler probieren lässt,
+und der Rückgabewert ist nur dann 1, wenn auf das letzte Wort ein Fehler kam oder der Geber in einem
+zurückbleibt. Worte sind hexadezimal, wie in den Handbüchern.</translation>
     </message>
 </context>
 <context>

@@ -28,6 +28,9 @@ constexpr std::array wordsOptions{
     Option{
         "--hold", "CYCLES",
         QT_TRANSLATE_NOOP("codewheel::CommandLine", "how long a word stands that nothing acknowledges (3)")},
+    Option{"--after-error", "stop|go-on",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "whether an error of the encoder ends the sequence (stop)")},
 };
 
 constexpr int longestHold = 100'000;
@@ -44,6 +47,18 @@ Checked<std::vector<Word>> wordsFrom(const QStringList &texts)
     return words;
 }
 
+Checked<SendWords::AfterError> afterErrorFrom(const Arguments &arguments)
+{
+    const QString text = arguments.value("--after-error").value_or(QStringLiteral("stop"));
+    if (text == QStringLiteral("stop"))
+        return SendWords::AfterError::stop;
+    if (text == QStringLiteral("go-on"))
+        return SendWords::AfterError::goOn;
+    return badInput(QStringLiteral("optionNotAllowed"),
+                    CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
+                    {QStringLiteral("--after-error"), text, QStringLiteral("stop, go-on")});
+}
+
 Checked<Answer> runWords(const Call &call)
 {
     const auto words = wordsFrom(call.arguments.rest.sliced(1));
@@ -52,11 +67,18 @@ Checked<Answer> runWords(const Call &call)
     const auto hold = call.arguments.number("--hold", 3, 1, longestHold);
     if (!hold)
         return tl::unexpected(hold.error());
+    const auto afterError = afterErrorFrom(call.arguments);
+    if (!afterError)
+        return tl::unexpected(afterError.error());
     const auto encoder = encoderAt(call);
     if (!encoder)
         return tl::unexpected(encoder.error());
 
-    const auto allowed = eepromConsent(call, **encoder, SendWords{*words, *hold}, AsksAnyway::no);
+    const SendWords send{.words = *words,
+                         .holdCycles = *hold,
+                         .afterError = *afterError,
+                         .presetStandsUntilItActs = !call.arguments.has("--hold")};
+    const auto allowed = eepromConsent(call, **encoder, send, AsksAnyway::no);
     if (!allowed)
         return tl::unexpected(allowed.error());
     const FinishedJob job = runToEnd(call, *allowed);
@@ -79,7 +101,7 @@ Checked<Answer> runWords(const Call &call)
 
 const Subcommand wordsCommand{
     .name = "words",
-    .usage = "PLACE WORD... [--hold CYCLES]",
+    .usage = "PLACE WORD... [--hold CYCLES] [--after-error stop|go-on]",
     .summary =
         QT_TRANSLATE_NOOP("codewheel::CommandLine", "send words as they are, and print what comes back"),
     .details = QT_TRANSLATE_NOOP(
@@ -87,9 +109,13 @@ const Subcommand wordsCommand{
         "Sends words as they are, one after the other, and prints a row for each change of OUT or IN.\n"
         "A parameter word stands until the encoder has confirmed it, run (80000000) until it shows a "
         "position\n"
-        "or an error, a read-out until it answers; any other word stands for 3 cycles. The FRABA preset\n"
-        "(60000000) stands for one cycle, whatever --hold says: it acts in each. An error of the encoder\n"
-        "ends the sequence. Words are hexadecimal, as the manuals print them."),
+        "or an error, a read-out until it answers; any other word stands for 3 cycles, 40000000 until the\n"
+        "position has followed. --hold says otherwise. The FRABA preset (60000000) stands for one cycle,\n"
+        "whatever --hold says: it acts in each. An error of the encoder ends the sequence; with\n"
+        "--after-error go-on the next word is sent, so that a way out of it can be tried, and the exit code "
+        "is\n"
+        "1 only where the last word was answered by an error, or the encoder is left in one. Words are\n"
+        "hexadecimal, as the manuals print them."),
     .examples = wordsExamples,
     .options = wordsOptions,
     .minimumArguments = 2,

@@ -183,6 +183,8 @@ Word K3Driver::carryOn(Word in, Word out, Instant now)
                 finish(tl::unexpected(*run.mismatch));
             else if (run.cancelled)
                 finish(refuse(RefusalKind::stopped, RefusalId::cancelled));
+            else if (endsInError())
+                finish(tl::unexpected(*run.lastError));
             else
                 finish(checkCams(in));
             return out;
@@ -211,7 +213,10 @@ Word K3Driver::carryOn(Word in, Word out, Instant now)
             fail(restarted(in));
             break;
         case K3Handshake::State::error:
-            failAt(in);
+            if (goesOnAfterError())
+                goOnAfterError(in);
+            else
+                failAt(in);
             break;
         case K3Handshake::State::noAnswer:
             fail(setsPosition(current()) && in == k3::error ? noValidPosition() : noAnswer(in));
@@ -219,6 +224,29 @@ Word K3Driver::carryOn(Word in, Word out, Instant now)
         }
     }
     return out;
+}
+
+bool K3Driver::goesOnAfterError() const
+{
+    const auto *send = std::get_if<SendWords>(&m_run->job);
+    return send != nullptr && send->afterError == SendWords::AfterError::goOn && !m_run->cancelled;
+}
+
+// The next word may be the way out of the error: run, once its cause is gone.
+void K3Driver::goOnAfterError(Word in)
+{
+    Run &run = *m_run;
+    run.lastError = refusalFor(in);
+    run.lastErrorAt = run.index;
+    run.begun = false;
+    ++run.index;
+}
+
+bool K3Driver::endsInError() const
+{
+    const Run &run = *m_run;
+    return run.lastError &&
+           (run.lastErrorAt + 1 == run.steps.size() || m_reading.state == EncoderState::error);
 }
 
 // The word behind 60000000 waits for nobody: that one is a cycle long.

@@ -41,11 +41,13 @@ private:
         K3Steps steps;
         Word inWhenAsked = 0;
         Instant cancelledAt{};
-        std::optional<K3Step> inFlight;  // cancelled before it was confirmed; it may be taken yet
-        ParameterValues confirmed;       // since the last run
-        bool resetConfirmed = false;     // likewise
-        bool ranAtZero = false;          // 00000000h answered run
-        std::optional<Refusal> mismatch; // of the read-back, which goes on
+        std::optional<K3Step> inFlight;   // cancelled before it was confirmed; it may be taken yet
+        ParameterValues confirmed;        // since the last run
+        bool resetConfirmed = false;      // likewise
+        bool ranAtZero = false;           // 00000000h answered run
+        std::optional<Refusal> mismatch;  // of the read-back, which goes on
+        std::optional<Refusal> lastError; // that the words of the user went on after
+        std::size_t lastErrorAt = 0;      // the step it answered
         K3CamRecord cams;
     };
 
@@ -76,6 +78,9 @@ private:
     bool bringsBack(Word in) const;
     void fail(Refusal why);
     void failAt(Word in);
+    bool goesOnAfterError() const;
+    void goOnAfterError(Word in);
+    bool endsInError() const;
     void finish(Result<void> result);
     static bool hasRestored(const Run &run);
     Evidence evidenceOf(const ParameterValues &written) const;

@@ -5,6 +5,10 @@
 #include "drivers/k3_reading.h"
 #include "words/k3_cam_word.h"
 
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
 namespace codewheel {
 namespace {
 
@@ -31,6 +35,9 @@ void K3Handshake::begin(const K3Step &step, Word in, Instant now)
     m_hasConfirmed = false;
     m_answered = false;
     m_sawZero = false;
+    m_hasJumped = false;
+    m_movement = 0;
+    m_lastIn = in;
     m_cycles = 0;
     m_begin = now;
     m_now = now;
@@ -44,6 +51,7 @@ K3State K3Handshake::cycle(Word in, Word out, Instant now)
     m_now = now;
     ++m_cycles;
     m_inChanged = m_inChanged || in != m_inAtBegin;
+    lookForJump(in);
     m_hasConfirmed = m_hasConfirmed || (m_inChanged && confirms(in, m_step.out));
     const K3State state = answerTo(in);
     if (state == K3State::waiting && now - m_begin >= m_timing.timeOut)
@@ -212,7 +220,28 @@ K3State K3Handshake::wordAnswer(Word in) const
     }
     if (isNewError(in))
         return K3State::error;
-    return m_cycles >= m_step.holdCycles ? K3State::done : K3State::waiting;
+    return m_cycles >= m_step.holdCycles && hasActed(in) ? K3State::done : K3State::waiting;
+}
+
+// Nothing acknowledges 40000000h. It stands until the position jumps to the preset, or so long that it must
+// have acted where no jump can be seen: the position was there already, or nothing was programmed.
+bool K3Handshake::hasActed(Word in) const
+{
+    return !m_step.standsUntilItActs || m_hasJumped || !k3::isOperation(in) ||
+           m_now - m_begin >= m_timing.presetActs;
+}
+
+// No encoder acts in the first cycle of a word: what the position moves in it, it moves by its shaft.
+void K3Handshake::lookForJump(Word in)
+{
+    constexpr std::int64_t edge = 2; // steps
+    constexpr std::int64_t faster = 4;
+    const Word before = std::exchange(m_lastIn, in);
+    if (!k3::isOperation(in) || !k3::isOperation(before))
+        return;
+    const std::int64_t moved = std::abs(std::int64_t{k3::data(in)} - std::int64_t{k3::data(before)});
+    m_hasJumped = m_hasJumped || (m_cycles > 1 && moved > edge + faster * m_movement);
+    m_movement = std::max(m_movement, moved);
 }
 
 bool K3Handshake::showsReadOut(Word in) const

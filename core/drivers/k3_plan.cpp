@@ -108,6 +108,7 @@ K3Steps K3Plan::plan(const SendWords &job) const
         step.kind = StepKind::word;
         step.out = word;
         step.holdCycles = job.holdCycles;
+        step.standsUntilItActs = job.presetStandsUntilItActs && word == k3::initialisePreset;
         if (k3::isParameterWord(word))
             if (const ParameterDescription *parameter = m_device.findNumber(k3::number(word)))
                 step.parameter = parameter->parameter;

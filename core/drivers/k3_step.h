@@ -14,6 +14,9 @@ struct K3Timing
     // 00000000h after run is position 0, or an encoder that has just lost its power: it is watched this long
     // for the signs of a start.
     Instant restart = std::chrono::milliseconds(500);
+    // 40000000h among words of the user: nothing acknowledges it, and where the position is at the preset
+    // already nothing is seen of it.
+    Instant presetActs = std::chrono::milliseconds(200);
 };
 
 // A step as the driver carries it out: the word, and what ends it.
@@ -25,6 +28,7 @@ struct K3Step : Step
     bool mustOperate = false;             // toNormal: only operation will do
     bool tolerateError = false;           // run: an error answer is an answer
     int holdCycles = 0;                   // word that nothing acknowledges
+    bool standsUntilItActs = false;       // word 40000000h
     bool inCamMode = false;               // word: what cam mode makes of it decides what ends it
     unsigned camProgram = 0;              // camParameter, camReadOut: of this program
     bool writesCams = false;              // follows from what was read of the program

@@ -94,7 +94,10 @@ Word La66Driver::carryOn(Word in, Word out, Instant now)
             stepDone(in, out);
             break;
         case La66Handshake::State::refused:
-            fail(refused(in), out);
+            if (goesOnAfterError())
+                goOnAfterError(in);
+            else
+                fail(refused(in), out);
             break;
         case La66Handshake::State::noAnswer:
             fail(noAnswer(in), out);
@@ -102,6 +105,21 @@ Word La66Driver::carryOn(Word in, Word out, Instant now)
         }
     }
     return out;
+}
+
+bool La66Driver::goesOnAfterError() const
+{
+    const auto *send = std::get_if<SendWords>(&m_run->job);
+    return send != nullptr && send->afterError == SendWords::AfterError::goOn && !m_run->cancelled;
+}
+
+void La66Driver::goOnAfterError(Word in)
+{
+    Run &run = *m_run;
+    run.lastError = refused(in);
+    run.lastErrorAt = run.index;
+    run.begun = false;
+    ++run.index;
 }
 
 // By hand, a step waits for proceed(). Bringing OUT back after a failure or a cancel waits for nobody. While
@@ -220,6 +238,11 @@ Result<void> La66Driver::result() const
         return tl::unexpected(*m_run->failure);
     if (m_run->cancelled)
         return refuse(RefusalKind::stopped, RefusalId::cancelled);
+    const bool isLast = std::none_of( // the services after it went well
+        m_run->steps.begin() + static_cast<std::ptrdiff_t>(m_run->lastErrorAt) + 1, m_run->steps.end(),
+        [](const La66Step &step) { return step.kind == StepKind::serviceBit; });
+    if (m_run->lastError && isLast)
+        return tl::unexpected(*m_run->lastError);
     return {};
 }
 

@@ -35,6 +35,8 @@ private:
         using JobRun::JobRun;
 
         La66Steps steps;
+        std::optional<Refusal> lastError; // that the words of the user went on after
+        std::size_t lastErrorAt = 0;      // the step it answered
     };
 
     void prepare(Word in, Word out);
@@ -47,6 +49,8 @@ private:
     void readDone(const La66Step &step, std::int64_t value, Word out);
     void leaveOut(Parameter parameter);
     void fail(Refusal why, Word out);
+    bool goesOnAfterError() const;
+    void goOnAfterError(Word in);
     void finish(Result<void> result);
     Result<void> result() const;
     void appendRestore();

@@ -76,8 +76,17 @@ struct WriteCams
 // Send words as they are, each until it is acknowledged, or for holdCycles where nothing acknowledges.
 struct SendWords
 {
+    enum class AfterError : std::uint8_t {
+        stop, // the encoder's error ends the job
+        goOn, // with the next word; the job fails if the last word is answered by an error, or the encoder is
+              // left in one
+    };
+
     std::vector<Word> words;
     int holdCycles = 3;
+    AfterError afterError = AfterError::stop;
+    // 40000000h stands, for holdCycles at least, until the position has jumped, or could have.
+    bool presetStandsUntilItActs = true;
 };
 
 // Bring an encoder that was left in parameterization or error back to operation: run, and then, where values

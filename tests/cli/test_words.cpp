@@ -79,6 +79,66 @@ TEST(CliWords, AnErrorEndsTheSequence)
     EXPECT_EQ(rowsOf(run.json()).back(), "80000000 82000000");
 }
 
+// Baumer manual: out of the error by another value and run.
+TEST(CliWords, AfterAnErrorTheWayOutCanBeTried)
+{
+    const CliRun out = runLine(
+        QStringLiteral("words 2.0 04004E20 80000000 04000001 80000000 00000000 --after-error go-on --json"));
+    EXPECT_EQ(out.exit, 0) << out.err;
+    EXPECT_THAT(rowsOf(out.json()), testing::IsSupersetOf({"80000000 82000000", "04000001 C4000001"}));
+    EXPECT_EQ(out.json()[u"leftIn"], QStringLiteral("operation"));
+
+    const CliRun in =
+        runLine(QStringLiteral("words 2.0 04004E20 80000000 00000000 --after-error go-on --json"));
+    EXPECT_EQ(in.exit, 1) << "it is in error still";
+    EXPECT_EQ(errorKey(in), "wrongParameterData");
+    EXPECT_EQ(in.json()[u"leftIn"], QStringLiteral("error"));
+
+    const CliRun last = runLine(QStringLiteral("words 1.0 2021000F --after-error go-on --json"));
+    EXPECT_EQ(last.exit, 1);
+    EXPECT_EQ(errorKey(last), "readOutUnknown");
+    EXPECT_EQ(runLine(QStringLiteral("words 1.0 2021000F 00000000 --after-error go-on")).exit, 0);
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("words 1.0 00000000 --after-error on --json"))),
+              "optionNotAllowed");
+}
+
+TEST(CliWords, ServicesGoOnAfterAnErrorToo)
+{
+    SharedBus bus;
+    EXPECT_EQ(bus.runLine(QStringLiteral("words 5.0 C2000000 00000000")).exit, 1);
+    EXPECT_EQ(bus.runLine(QStringLiteral("words 5.0 C2000000 00000000 --after-error go-on")).exit, 1);
+    EXPECT_EQ(bus.runLine(QStringLiteral("words 5.0 C2000000 C200C350 00000000 --after-error go-on")).exit,
+              0);
+}
+
+int cyclesOfPreset(SharedBus &bus, const QString &option = {})
+{
+    const QJsonObject json =
+        bus.runLine(QStringLiteral("words 1.0 40000000 00000000 --json ") + option).json();
+    int begun = -1;
+    for (const QJsonValue row : json[u"trace"].toArray()) {
+        if (begun < 0 && row[u"out"] == QStringLiteral("40000000"))
+            begun = row[u"cycle"].toInt();
+        if (begun >= 0 && row[u"out"] == QStringLiteral("00000000"))
+            return row[u"cycle"].toInt() - begun;
+    }
+    return -1;
+}
+
+TEST(CliWords, ThePresetStandsUntilThePositionHasFollowed)
+{
+    SharedBus bus;
+    ASSERT_EQ(bus.runLine(QStringLiteral("words 1.0 080003E8 80000000 00000000")).exit, 0);
+    const CliRun run = bus.runLine(QStringLiteral("words 1.0 40000000 00000000 --json"));
+    EXPECT_THAT(rowsOf(run.json()),
+                ElementsAre("00000000 00003039", "40000000 00003039", "00000000 000003E8"));
+    EXPECT_EQ(cyclesOfPreset(bus), 200) << "programmed once, it works once: nothing follows";
+    EXPECT_EQ(cyclesOfPreset(bus, QStringLiteral("--hold 7")), 7);
+    bus.controls().setSpeed({1, 0}, 60);
+    ASSERT_EQ(bus.runLine(QStringLiteral("words 1.0 080003E8 80000000 00000000")).exit, 0);
+    EXPECT_LT(cyclesOfPreset(bus), 10) << "it turns";
+}
+
 TEST(CliWords, AReadOutStandsUntilItIsAnswered)
 {
     const CliRun run = runLine(QStringLiteral("words 1.0 20210001 00000000 --json"));
