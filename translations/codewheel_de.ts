@@ -5868,6 +5868,10 @@ immer --hold sagt: Er wirkt in jedem. Ein Fehler des Gebers beendet die Folge; m
 und der Rückgabewert ist nur dann 1, wenn auf das letzte Wort ein Fehler kam oder der Geber in einem
 zurückbleibt. Worte sind hexadezimal, wie in den Handbüchern.</translation>
     </message>
+    <message>
+        <source>set by the encoder itself, with the steps</source>
+        <translation>vom Geber selbst gesetzt, mit den Schritten</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -10054,6 +10058,11 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     <message>
         <source>Known values wanted for %1</source>
         <translation>Bekannte Werte für %1 gewünscht</translation>
+    </message>
+    <message>
+        <source>%1: %2, set by the encoder itself with the steps.</source>
+        <comment>name of a parameter, value</comment>
+        <translation>%1: %2, vom Geber selbst mit den Schritten gesetzt.</translation>
     </message>
 </context>
 <context>

@@ -76,6 +76,11 @@ QString LineAccount::toText() const
             {parameterKey(value.parameter),
              QStringLiteral("= %1").arg(typedValue(*m_encoder.device().find(value.parameter), value.value)),
              text(fateOf(value))});
+    for (const ParameterValue &value : m_job.outcome.setAlong)
+        table.add(
+            {parameterKey(value.parameter),
+             QStringLiteral("= %1").arg(typedValue(*m_encoder.device().find(value.parameter), value.value)),
+             CommandLine::tr("set by the encoder itself, with the steps")});
     return table.toString();
 }
 
@@ -102,6 +107,11 @@ QJsonArray LineAccount::toJson() const
     for (const ParameterValue &value : m_wanted) {
         QJsonObject object = valueJson(*m_encoder.device().find(value.parameter), value.value);
         object.insert(QStringLiteral("fate"), key(fateOf(value)));
+        json.append(object);
+    }
+    for (const ParameterValue &value : m_job.outcome.setAlong) {
+        QJsonObject object = valueJson(*m_encoder.device().find(value.parameter), value.value);
+        object.insert(QStringLiteral("fate"), QStringLiteral("setAlong"));
         json.append(object);
     }
     return json;

@@ -64,8 +64,9 @@ Checked<WritePlan> WritePlan::make(const EncoderSession &encoder, const Paramete
                                .sent = sentFor(parameter, *steps),
                                .leftOut = isThere && !all});
     }
+    const ParameterValues differing = plan.job().values;
     for (Row &row : plan.m_rows)
-        row.leftOut = row.leftOut && !mustGoAlong({row.parameter->parameter, row.wanted}, plan.job().values);
+        row.leftOut = row.leftOut && !mustGoAlong(device, row.parameter->parameter, differing);
     plan.m_stepsMinusOneIsOpen = device.quirks.mayCountStepsMinusOne && valueOf(wanted, Parameter::steps) &&
                                  !encoder.known(Parameter::multiTurnAndStepsMinusOne);
     if (plan.isEmpty() || !plan.isOnLine())

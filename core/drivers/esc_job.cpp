@@ -4,6 +4,8 @@
 #include "drivers/esc_values.h"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <utility>
 
 namespace codewheel {
@@ -165,6 +167,7 @@ void EscJob::refreshAnswered(const esc::ExchangeResult &result, Instant now)
             return;
         if (state == EscAgreement::State::agreed && hasValue(result.answer)) {
             m_encoder.take(current().request.command, m_reads.last(), now);
+            noteWhatWasSetAlong();
             if (current().parameter == Parameter::preset)
                 (m_preset.sentAt ? m_preset.valueAfter : m_preset.valueBefore) = m_reads.last().value;
         }
@@ -172,8 +175,19 @@ void EscJob::refreshAnswered(const esc::ExchangeResult &result, Instant now)
     stepDone();
 }
 
-// What is there already is neither written nor read back. The factor goes along as long as one of the values
-// does that act through it.
+// Steps that were written have set the revolutions, unless these were written too (escSetAlong).
+void EscJob::noteWhatWasSetAlong()
+{
+    const Parameter parameter = current().parameter.value_or(Parameter::preset);
+    const auto now = m_encoder.values.value(parameter);
+    const bool isSetAlong = now && parameter == Parameter::revolutions &&
+                            valueOf(m_outcome.written, Parameter::steps) &&
+                            !valueOf(m_outcome.written, parameter);
+    if (isSetAlong && valueOf(m_before, parameter) != now)
+        replaceValue(m_outcome.setAlong, {parameter, *now});
+}
+
+// What is there already is neither written nor read back, unless it must go along with what is not.
 void EscJob::leaveOutWhatIsThere()
 {
     m_isCompared = true;
@@ -187,13 +201,11 @@ void EscJob::leaveOutWhatIsThere()
     const auto isThere = [&](const ParameterValue &value) {
         return valueOf(there, value.parameter) == value.value;
     };
-    const bool needsFactor = std::ranges::any_of(write->values, [&](const ParameterValue &value) {
-        return isBoundToEscFactor(value.parameter) && !isThere(value);
-    });
+    ParameterValues differing;
+    std::ranges::copy_if(write->values, std::back_inserter(differing), std::not_fn(isThere));
     ParameterValues left; // to be written
     for (const ParameterValue &value : write->values) {
-        const bool goesAlong = value.parameter == Parameter::scalingFactor && needsFactor;
-        if (isThere(value) && !goesAlong)
+        if (isThere(value) && !goesAlongOnEsc(value.parameter, differing))
             m_outcome.alreadyThere.push_back(value);
         else
             left.push_back(value);

@@ -56,6 +56,7 @@ private:
     // esc_job.cpp
     void settle();
     void leaveOutWhatIsThere();
+    void noteWhatWasSetAlong();
     void checkPreset();
     bool mayBegin();
     void begin(Instant now);

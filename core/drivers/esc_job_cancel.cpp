@@ -2,6 +2,7 @@
 // How a job on a serial line ends before its end. What was sent cannot be taken back: its answer is waited
 // for, and what the encoder has then is read.
 #include "drivers/esc_job.h"
+#include "drivers/esc_values.h"
 
 #include <algorithm>
 #include <span>
@@ -128,6 +129,10 @@ void EscJob::appendRestore()
     ParameterValues values;
     for (const ParameterValue &taken : m_outcome.written)
         values.push_back({taken.parameter, *valueOf(m_before, taken.parameter)});
+    // The old steps would set the revolutions as the new ones did.
+    for (const ParameterValue &along : escSetAlong(values, {}))
+        if (const auto before = valueOf(m_before, along.parameter))
+            values.push_back({along.parameter, *before});
     const EscSteps back = m_encoder.plan().writes(values);
     m_steps.insert(m_steps.end(), back.begin(), back.end());
 }

@@ -24,6 +24,8 @@ void EscJob::accepted(Instant now)
     m_encoder.values.countEepromWrite();
     if (step.parameter) {
         replaceValue(m_outcome.written, {*step.parameter, step.value});
+        std::erase_if(m_outcome.setAlong,
+                      [&](const ParameterValue &along) { return along.parameter == *step.parameter; });
         m_encoder.values.learn({*step.parameter, step.value, Evidence::echoed, now});
     }
     stepDone();

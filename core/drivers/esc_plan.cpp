@@ -31,6 +31,15 @@ bool isBoundToEscFactor(Parameter parameter)
     return parameter == Parameter::steps || parameter == Parameter::measuringRange;
 }
 
+bool goesAlongOnEsc(Parameter parameter, const ParameterValues &written)
+{
+    if (parameter == Parameter::scalingFactor)
+        return std::ranges::any_of(
+            written, [](const ParameterValue &value) { return isBoundToEscFactor(value.parameter); });
+    return (parameter == Parameter::revolutions || parameter == Parameter::measuringRange) &&
+           valueOf(written, Parameter::steps);
+}
+
 EscSteps EscPlan::stepsFor(const Job &job) const
 {
     EscSteps steps;

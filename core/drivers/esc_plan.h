@@ -31,8 +31,9 @@ public:
     Result<void> check(const Job &job) const;
     EscSteps stepsFor(const Job &job) const;
 
-    // Between the positions before and after, in the order they are carried out: address and baud rate last, since all else goes to where the encoder
-    // still is; the scaling factor after the values it is computed from.
+    // Between the positions before and after, in the order they are carried out: address and baud rate last,
+    // since all else goes to where the encoder still is; the scaling factor after the values it is computed
+    // from.
     EscSteps writes(const ParameterValues &values) const;
     EscStep readBack(const EscStep &write) const;
 
@@ -60,5 +61,9 @@ private:
 bool isEscScaling(Parameter parameter);
 // Whether a job that wrote these needs the scaling factor to be sent.
 bool isBoundToEscFactor(Parameter parameter);
+// Whether a value must be sent with those that are written even where the encoder has it already: a scaling
+// factor, for without it one would be computed and sent; revolutions and measuring range with the steps,
+// which change them (manual, GR).
+bool goesAlongOnEsc(Parameter parameter, const ParameterValues &written);
 
 } // namespace codewheel

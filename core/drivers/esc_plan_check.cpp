@@ -35,8 +35,9 @@ ParameterValues afterwards(ParameterValues known, const ParameterValues &wanted)
         wanted, [](const ParameterValue &value) { return isEscScaling(value.parameter); });
     if (rescales)
         std::erase_if(known, [](const ParameterValue &value) { return isBoundToEscFactor(value.parameter); });
-    for (const ParameterValue &value : wanted)
-        replaceValue(known, value);
+    for (const ParameterValues &values : {escSetAlong(wanted, known), wanted})
+        for (const ParameterValue &value : values)
+            replaceValue(known, value);
     return known;
 }
 

@@ -77,8 +77,20 @@ ParameterDescription escNarrowed(const DeviceDescription &device, Parameter para
 
 std::int64_t escTurnsOf(const ParameterValues &values, const ParameterValues &known)
 {
-    const auto there = valueOf(known, Parameter::revolutions);
-    return valueOf(values, Parameter::revolutions).value_or(there.value_or(esc::discTurns));
+    if (const auto wanted = valueOf(values, Parameter::revolutions))
+        return *wanted;
+    if (const auto along = valueOf(escSetAlong(values, known), Parameter::revolutions))
+        return *along;
+    return valueOf(known, Parameter::revolutions).value_or(esc::discTurns);
+}
+
+ParameterValues escSetAlong(const ParameterValues &values, const ParameterValues &known)
+{
+    constexpr std::int64_t turns = esc::discTurns;
+    if (!valueOf(values, Parameter::steps) || valueOf(values, Parameter::revolutions) ||
+        valueOf(known, Parameter::revolutions) == turns)
+        return {};
+    return {{Parameter::revolutions, turns}};
 }
 
 // The measuring range tells it to a part of a step per turn.

@@ -22,7 +22,13 @@ std::int64_t escValue(const ParameterDescription &parameter, std::uint32_t answe
 ParameterDescription escNarrowed(const DeviceDescription &device, Parameter parameter,
                                  const ParameterValues &known, int fractionBits = esc::defaultFractionBits);
 
-// The revolutions among `values`, else those known, else those of the disc.
+// What the encoder sets by itself as `values` are written: with the steps per turn, its revolutions become
+// all it has (manual, GR: "Number of revolutions is 4096"). Empty where the revolutions are among the values,
+// or known to be so.
+ParameterValues escSetAlong(const ParameterValues &values, const ParameterValues &known);
+
+// The revolutions once `values` are written: among them, else set along with them, else those known, else
+// those of the disc.
 std::int64_t escTurnsOf(const ParameterValues &values, const ParameterValues &known);
 
 // The scaling factor that goes with the measuring range or the steps per turn among `values` (manual, note on

@@ -57,11 +57,9 @@ bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value)
     return isSure && known->value == value.value;
 }
 
-bool mustGoAlong(const ParameterValue &value, const ParameterValues &written)
+bool mustGoAlong(const DeviceDescription &device, Parameter parameter, const ParameterValues &written)
 {
-    return value.parameter == Parameter::scalingFactor &&
-           std::ranges::any_of(written,
-                               [](const ParameterValue &one) { return isBoundToEscFactor(one.parameter); });
+    return device.profile == Profile::esc && goesAlongOnEsc(parameter, written);
 }
 
 WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
@@ -81,8 +79,9 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
         if (!wish.writeAll && encoder.can().reads && description.canBeRead() && readFirst)
             job.onlyWhatDiffers = true;
     }
+    const ParameterValues written = job.values;
     for (const ParameterValue &wanted : wish.wanted)
-        if (!valueOf(job.values, wanted.parameter) && mustGoAlong(wanted, job.values))
+        if (!valueOf(written, wanted.parameter) && mustGoAlong(encoder.device(), wanted.parameter, written))
             job.values.push_back(wanted);
     return job;
 }

@@ -19,9 +19,8 @@ struct WriteWish
 // where the encoder cannot be read.
 bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value);
 
-// Of a serial encoder: a scaling factor that is given is written with steps or measuring range even where it
-// is there already, for without it one would be computed from them and sent.
-bool mustGoAlong(const ParameterValue &value, const ParameterValues &written);
+// Whether a wanted value must be written with the others even where it is there already (goesAlongOnEsc).
+bool mustGoAlong(const DeviceDescription &device, Parameter parameter, const ParameterValues &written);
 
 // The job for a wish: what is known and equal is left out, in the order of the description. Where the encoder
 // can be read and a value is not known from reading, the job reads it first and leaves it out if it is there

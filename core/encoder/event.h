@@ -69,6 +69,7 @@ struct Outcome
     ParameterValues written;      // confirmed and activated by run
     ParameterValues confirmed{};  // but not activated: valid only once run is sent
     ParameterValues alreadyThere; // left out, because read and equal
+    ParameterValues setAlong{};   // changed by the encoder itself with what was written, and read
     ParameterValues read;         // ReadParameters: what the encoder told
     // IN was 00000000h from run to the end: position 0, or no power. Without read-out nothing tells them
     // apart.

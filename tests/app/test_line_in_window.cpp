@@ -289,6 +289,20 @@ TEST_F(LineInWindow, AGivenFactorIsInTheReview)
     EXPECT_EQ(plan.rows[1].request, "05GF20000000");
 }
 
+// Manual, GR: "Number of revolutions is 4096". Those that are wanted are written again with the steps.
+TEST_F(LineInWindow, RevolutionsThatAreWantedGoAlongWithTheSteps)
+{
+    choose(standing);
+    ASSERT_TRUE(encoder(standing).start(ReadParameters{encoder(standing).device().readableValues()}));
+    advance(3000);
+    const auto known = encoder(standing).known(Parameter::revolutions);
+    ASSERT_TRUE(known);
+    const WritePlan plan = planWrite(
+        encoder(standing), {{Parameter::steps, 1000}, {Parameter::revolutions, known->value}}, false);
+    ASSERT_EQ(plan.rows.size(), 3u);
+    EXPECT_EQ(plan.rows[1].value, (ParameterValue{Parameter::revolutions, known->value}));
+}
+
 TEST_F(LineInWindow, OneDecisionForWatchAndOperate)
 {
     EXPECT_TRUE(line().isOperating());

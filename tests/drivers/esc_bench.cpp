@@ -103,6 +103,8 @@ std::string EscBench::execute(const esc::Request &request)
         has.at(readBy.at(letters)) = hex(request.data, static_cast<int>(has.at(readBy.at(letters)).size()));
     if (letters == "GP")
         has.at("P") = data;
+    if (letters == "GR")
+        has.at("U") = "1000"; // manual, GR: number of revolutions is 4096
     return {};
 }
 

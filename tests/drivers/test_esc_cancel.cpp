@@ -79,6 +79,24 @@ TEST(EscCancel, OldValuesGoBackWhereTheyAreKnown)
     EXPECT_EQ(bench.value(Parameter::lowerLimit), 0x100);
 }
 
+TEST(EscCancel, OldStepsGoBackWithTheirRevolutions)
+{
+    EscBench bench;
+    bench.has["U"] = "0010"; // 16
+    bench.settle();
+    bench.finish(ReadParameters{{Parameter::steps, Parameter::revolutions, Parameter::scalingFactor}});
+    ASSERT_TRUE(
+        bench.begin(WriteParameters{.values = {{Parameter::steps, 4096}}, .previous = {}}, Pace::byHand));
+    bench.runUntil([&] { return bench.progress.waitsForUser; });
+    bench.driver.proceed();
+    bench.runUntil([&] { return bench.progress.waitsForUser && bench.count("GR") == 1; });
+    bench.driver.cancel(OnCancel::restorePrevious, bench.now);
+    bench.runUntil([&] { return bench.outcome.has_value(); });
+    EXPECT_EQ(bench.has["D"], "2000");
+    EXPECT_EQ(bench.has["U"], "0010");
+    EXPECT_EQ(bench.outcome->setAlong, ParameterValues());
+}
+
 TEST(EscCancel, BetweenTheScalingAndItsFactorTheEncoderIsRead)
 {
     EscBench bench;

@@ -91,6 +91,53 @@ TEST(EscWrite, SendsTheRequestsOfTheManualAndReadsThemBack)
     }
 }
 
+// Manual, GR: "Number of revolutions is 4096".
+TEST(EscWrite, StepsSetTheRevolutionsAndTheOutcomeSaysSo)
+{
+    EscBench bench;
+    bench.has["U"] = "0010"; // 16
+    bench.settle();
+    const Outcome &alone = bench.finish(writingAll({{Parameter::steps, 1000}}));
+    EXPECT_TRUE(alone.result);
+    EXPECT_EQ(alone.setAlong, (ParameterValues{{Parameter::revolutions, 4096}}));
+    EXPECT_EQ(bench.finish(writingAll({{Parameter::steps, 2000}})).setAlong, ParameterValues())
+        << "they were so";
+    const Outcome &both = bench.finish(writingAll({{Parameter::revolutions, 16}, {Parameter::steps, 1000}}));
+    EXPECT_EQ(both.setAlong, ParameterValues());
+    EXPECT_EQ(bench.has["U"], "0010");
+}
+
+TEST(EscWrite, WantedRevolutionsAreWrittenAgainWithTheSteps)
+{
+    EscBench bench;
+    bench.has["U"] = "0010";
+    bench.settle();
+    const Outcome &outcome =
+        bench.finish(writingAll({{Parameter::steps, 1000}, {Parameter::revolutions, 16}}, true));
+    EXPECT_TRUE(outcome.result);
+    EXPECT_EQ(bench.count("GM"), 1);
+    EXPECT_EQ(bench.has["U"], "0010");
+    EXPECT_EQ(outcome.alreadyThere, ParameterValues());
+
+    bench.log.clear();
+    bench.finish(writingAll({{Parameter::steps, 1000}, {Parameter::revolutions, 16}}, true));
+    EXPECT_EQ(bench.count("GR") + bench.count("GM"), 0) << "both are there";
+}
+
+// 1000 steps of 16 revolutions; the factor would be that of 4096 otherwise.
+TEST(EscWrite, AMeasuringRangeBesideStepsKnowsThatTheyCountAllRevolutions)
+{
+    EscBench bench;
+    bench.has["U"] = "0010";
+    bench.settle();
+    bench.finish(ReadParameters{{Parameter::revolutions}});
+    const ParameterValues narrow{{Parameter::steps, 1000}, {Parameter::measuringRange, 16'000}};
+    EXPECT_FALSE(bench.begin(writingAll(narrow))) << "over 4096 revolutions that are 4 steps each";
+    const ParameterValues whole{{Parameter::steps, 1000}, {Parameter::measuringRange, 4'096'000}};
+    EXPECT_TRUE(bench.finish(writingAll(whole)).result);
+    EXPECT_EQ(bench.value(Parameter::scalingFactor), 1000 << 16);
+}
+
 TEST(EscWrite, TheFractionBitsOfTheFactorAreSettable)
 {
     EscBench bench({.fractionBits = 30});

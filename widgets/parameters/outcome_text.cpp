@@ -37,6 +37,10 @@ QString outcomeText(const EncoderSession &encoder, const Outcome &outcome)
     QStringList sentences;
     if (!outcome.written.empty())
         sentences << writtenText(encoder, outcome.written);
+    for (const ParameterValue &along : outcome.setAlong)
+        sentences << ParameterPanel::tr("%1: %2, set by the encoder itself with the steps.",
+                                        "name of a parameter, value")
+                         .arg(parameterName(along.parameter), QLocale().toString(qlonglong{along.value}));
     if (!outcome.written.empty() || outcome.eepromWrites > 0)
         sentences << ParameterPanel::tr("EEPROM writes: %1.").arg(outcome.eepromWrites);
     if (outcome.positionAfter)

@@ -39,6 +39,7 @@ Outcome DoneJobs::followedBy(Outcome outcome) const
         prepend(outcome.written, before->written);
         prepend(outcome.alreadyThere, before->alreadyThere);
         prepend(outcome.read, before->read);
+        prepend(outcome.setAlong, before->setAlong);
         if (before->positionBefore)
             outcome.positionBefore = before->positionBefore;
         if (!outcome.positionAfter)
