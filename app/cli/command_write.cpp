@@ -199,7 +199,8 @@ Checked<Answer> runWrite(const Call &call)
     Answer answer;
     answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
                    {QStringLiteral("device"), device.key},
-                   {QStringLiteral("plan"), plan->toJson()}};
+                   {QStringLiteral("plan"), plan->toJson()},
+                   {QStringLiteral("notes"), plan->notesJson()}};
     if (call.arguments.has("--dry-run") || plan->isEmpty())
         return answer;
     const auto allowed = eepromConsent(call, **encoder, plan->job(), AsksAnyway::yes);

@@ -62,10 +62,16 @@ QJsonValue participantJson(const Participant *participant)
 
 QJsonObject errorJson(const Complaint &complaint)
 {
-    QJsonArray arguments;
-    for (const RefusalArgument &argument : complaint.arguments)
-        arguments.append(std::visit(ArgumentJson(), argument));
-    return {{QStringLiteral("key"), complaint.key}, {QStringLiteral("arguments"), arguments}};
+    return {{QStringLiteral("key"), complaint.key},
+            {QStringLiteral("arguments"), argumentsJson(complaint.arguments)}};
+}
+
+QJsonArray argumentsJson(const std::vector<RefusalArgument> &arguments)
+{
+    QJsonArray json;
+    for (const RefusalArgument &argument : arguments)
+        json.append(std::visit(ArgumentJson(), argument));
+    return json;
 }
 
 QJsonObject valueJson(const ParameterDescription &parameter, std::int64_t value)

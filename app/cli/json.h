@@ -22,6 +22,7 @@ QJsonValue numberJson(std::optional<std::int64_t> number); // null where there i
 QJsonValue millimetresJson(std::optional<std::int64_t> position, const std::optional<RodScale> &scale);
 QJsonArray meaningsJson(const Explanation &explanation);
 QJsonObject errorJson(const Complaint &complaint);
+QJsonArray argumentsJson(const std::vector<RefusalArgument> &arguments);
 // What the bus tells of a device, and the key of its description (null: not known); null without one.
 QJsonValue participantJson(const Participant *participant);
 // {"parameter", "value", "choice", "unit"}; choice only where the value has a name.

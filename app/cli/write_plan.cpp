@@ -114,6 +114,8 @@ QString WritePlan::notes() const
     if (std::ranges::any_of(m_rows, &Row::goesAlong))
         text +=
             CommandLine::tr("The scaling factor is computed from them: they act once it is sent.") + u'\n';
+    for (const ValueNote &note : valueNotes())
+        text += noteText(note) + u'\n';
     if (isOnLine())
         text += CommandLine::tr("Each command is sent once, and what was written is read back.") + u'\n';
     if (isRod())
@@ -146,6 +148,21 @@ void WritePlan::addWhatGoesAlong(const std::vector<Step> &steps, const Parameter
         return std::ranges::find_if(steps, [&](const Step &step) { return sentBy(step) == row.sent; });
     };
     std::ranges::stable_sort(m_rows, {}, turnOf);
+}
+
+std::vector<ValueNote> WritePlan::valueNotes() const
+{
+    return codewheel::valueNotes(m_encoder.device(), job().values, valuesOf(allKnown(m_encoder)));
+}
+
+QJsonArray WritePlan::notesJson() const
+{
+    QJsonArray json;
+    for (const ValueNote &note : valueNotes())
+        json.append(QJsonObject{{QStringLiteral("key"), noteKey(note.id)},
+                                {QStringLiteral("arguments"), argumentsJson(note.arguments)},
+                                {QStringLiteral("text"), noteText(note)}});
+    return json;
 }
 
 // Services need no run.

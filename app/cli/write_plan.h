@@ -3,6 +3,7 @@
 
 #include "cli/complaint.h"
 #include "drivers/esc_settings.h"
+#include "drivers/value_notes.h"
 #include "encoder/encoder_session.h"
 
 #include <QJsonArray>
@@ -38,10 +39,12 @@ public:
 
     QString toText() const;
     QJsonArray toJson() const;
+    QJsonArray notesJson() const; // [{"key", "arguments", "text"}]
 
 private:
     WritePlan(const EncoderSession &encoder, bool all);
     QString notes() const;
+    std::vector<ValueNote> valueNotes() const;
     bool isRod() const;
     bool isOnLine() const { return m_encoder.number().isOnLine(); }
     void addWhatGoesAlong(const std::vector<Step> &steps, const ParameterValues &wanted);

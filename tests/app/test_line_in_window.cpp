@@ -301,6 +301,7 @@ TEST_F(LineInWindow, RevolutionsThatAreWantedGoAlongWithTheSteps)
         encoder(standing), {{Parameter::steps, 1000}, {Parameter::revolutions, known->value}}, false);
     ASSERT_EQ(plan.rows.size(), 3u);
     EXPECT_EQ(plan.rows[1].value, (ParameterValue{Parameter::revolutions, known->value}));
+    EXPECT_TRUE(plan.notes.empty());
 }
 
 TEST_F(LineInWindow, OneDecisionForWatchAndOperate)

@@ -40,6 +40,28 @@ TEST(CliLineWrite, ShowsTheCommandsAndWritesThem)
     EXPECT_TRUE(line.registers(0x05).countsCcw);
 }
 
+// Manual, GR: "Number of revolutions is 4096".
+TEST(CliLineWrite, StepsSetTheRevolutionsAndPlanAndAccountSaySo)
+{
+    SharedLine line;
+    ASSERT_EQ(line.runLine(QStringLiteral("write 05 revolutions=16 --yes")).exit, 0);
+    const QString warned = QStringLiteral("With the steps, the encoder sets its revolutions to 4096: now "
+                                          "they are 16.");
+    EXPECT_THAT(line.runLine(QStringLiteral("write 05 steps=864 --dry-run")).out,
+                HasSubstr(warned.toStdString()));
+    const CliRun both = line.runLine(QStringLiteral("write 05 steps=864 revolutions=16 --yes"));
+    EXPECT_EQ(both.exit, 0) << both.err;
+    EXPECT_THAT(both.out, Not(HasSubstr("sets its revolutions")));
+    EXPECT_EQ(line.registers(0x05).revolutions, 16U) << "it had them, and has them again";
+
+    const QJsonObject json = line.runLine(QStringLiteral("write 05 steps=500 --yes --json")).json();
+    EXPECT_EQ(json[u"notes"].toArray()[0][u"key"], QStringLiteral("revolutionsSetAlong"));
+    EXPECT_EQ(fateOf(json, "revolutions"), "setAlong");
+    ASSERT_EQ(line.runLine(QStringLiteral("write 05 revolutions=16 --yes")).exit, 0);
+    EXPECT_THAT(line.runLine(QStringLiteral("write 05 steps=600 --yes")).out,
+                HasSubstr("revolutions  = 4096  set by the encoder itself, with the steps\n"));
+}
+
 // 30 fraction bits: 864 / 8192 is 06C00000h.
 TEST(CliLineWrite, TheFactorHasTheFormatOfTheLinkOrOfTheDevice)
 {

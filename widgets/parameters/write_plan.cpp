@@ -57,6 +57,8 @@ WritePlan planWrite(const EncoderSession &encoder, const ParameterValues &wanted
                                  .old = encoder.known(*step.parameter),
                                  .word = step.out,
                                  .request = step.line});
+    plan.notes = valueNotes(device, plan.job.values, valuesOf(known),
+                            plan.job.initialisePreset ? PositionIsSet::yes : PositionIsSet::no);
     return plan;
 }
 

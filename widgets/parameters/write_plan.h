@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "drivers/value_notes.h"
 #include "encoder/encoder_session.h"
 
 #include <vector>
@@ -26,6 +27,7 @@ struct WritePlan
     // The encoder may count steps minus 1, which is read before the first word: the word for the steps may be
     // one less.
     bool stepsMayBeLess = false;
+    std::vector<ValueNote> notes{}; // what else the values bring about
 };
 
 // Leaves out what the encoder is known to have, unless all is to be written. What is told and could be read

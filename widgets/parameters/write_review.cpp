@@ -209,6 +209,8 @@ QString WriteReview::notes() const
         lines << tr("The encoder is read first; what it already has is not written again.");
     if (m_plan.stepsMayBeLess)
         lines << tr("If the encoder counts steps minus 1, the word for the steps is one less.");
+    for (const ValueNote &note : m_plan.notes)
+        lines << noteText(note);
     if (valueOf(m_plan.job.values, Parameter::preset))
         lines << tr("The preset acts once it is initialised (40000000).");
     lines << tr("EEPROM writes: %1 so far by this program, up to %2 with this.")

@@ -2,6 +2,7 @@
 #include "widgets/wizard/direction_page.h"
 
 #include "catalog/device_description.h"
+#include "drivers/position_scale.h"
 #include "encoder/hex.h"
 #include "widgets/dial/state_note.h"
 #include "widgets/look/fonts.h"
@@ -10,7 +11,6 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
 #include "widgets/models/device_traits.h"
-#include "widgets/wizard/position_scale.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

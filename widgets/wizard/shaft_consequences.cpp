@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/shaft_consequences.h"
 
+#include "drivers/value_notes.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "widgets/look/grid.h"
@@ -69,7 +70,10 @@ void ShaftConsequences::refresh()
         then ? scaleText(*then)
              : tr("Resolution and range can be told once steps, revolutions and direction are "
                   "known or wanted."));
-    const QString warning = then ? warningFor(*then) : QString();
+    for (const ValueNote &note : notes())
+        if (note.id == ValueNote::Id::presetNeeded)
+            m_scaleText->setText(m_scaleText->text() + u' ' + noteText(note));
+    const QString warning = warnings(then).join(u' ');
     if (warning.isEmpty())
         m_warning->withdraw();
     else if (warning != m_warning->sentence())
@@ -85,6 +89,27 @@ QString ShaftConsequences::scaleText(const PositionScale &scale) const
     return tr("Resolution %1 steps per turn, total range %2 steps over %3 turns.")
         .arg(QLocale().toString(scale.resolution(), 'f', scale.steps % scale.revolutions == 0 ? 0 : 3),
              numberText(scale.total()), numberText(scale.turns));
+}
+
+// What is wrong with the scale, or where it makes the position jump; and what is set besides.
+QStringList ShaftConsequences::warnings(const std::optional<PositionScale> &scale) const
+{
+    QStringList warnings;
+    if (const QString about = scale ? warningFor(*scale) : QString(); !about.isEmpty())
+        warnings << about;
+    for (const ValueNote &note : notes())
+        if (note.id == ValueNote::Id::revolutionsSetAlong)
+            warnings << noteText(note);
+    return warnings;
+}
+
+std::vector<ValueNote> ShaftConsequences::notes() const
+{
+    const EncoderSession &encoder = *m_setup.encoder;
+    const WriteWish &wish = m_setup.wish;
+    const bool isSet = wish.initialisePreset || wish.setPositionTo;
+    return valueNotes(encoder.device(), jobForWish(encoder, wish).values, valuesOf(allKnown(encoder)),
+                      isSet ? PositionIsSet::yes : PositionIsSet::no);
 }
 
 QString ShaftConsequences::warningFor(const PositionScale &scale) const
@@ -103,22 +128,8 @@ QString ShaftConsequences::warningFor(const PositionScale &scale) const
             return refusalText({RefusalKind::badInput,
                                 RefusalId::valueAboveTotalRange,
                                 {parameter, *value, scale.total() - 1}});
-    switch (wrapJump(scale)) {
-    case WrapJump::none:
-        return {};
-    case WrapJump::rangeDoesNotDivideTurns:
-        return tr("The position will jump: the measuring range of %1 turns does not divide the %2 turns of "
-                  "the "
-                  "encoder. Where those are used up, it goes from %3 to 0.")
-            .arg(numberText(scale.turns), numberText(scale.physicalTurns),
-                 numberText(lastPositionBeforeWrap(scale)));
-    case WrapJump::totalIsNotWhole:
-        return tr("The position will jump a little: %1 steps in %2 revolutions give no whole number of steps "
-                  "over "
-                  "%3 turns. A fraction of a step is lost each time they are used up.")
-            .arg(numberText(scale.steps), numberText(scale.revolutions), numberText(scale.turns));
-    }
-    return {};
+    const auto jump = jumpNote(m_setup.encoder->device(), scale);
+    return jump ? noteText(*jump) : QString();
 }
 
 } // namespace codewheel

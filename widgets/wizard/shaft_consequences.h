@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "drivers/value_notes.h"
 #include "widgets/wizard/consequences.h"
-#include "widgets/wizard/position_scale.h"
 
 class QLabel;
 
@@ -24,6 +24,8 @@ public:
 
 private:
     QString scaleText(const PositionScale &scale) const;
+    QStringList warnings(const std::optional<PositionScale> &scale) const;
+    std::vector<ValueNote> notes() const;
     QString warningFor(const PositionScale &scale) const;
     void showLimits();
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/wanted_scale.h"
 
-#include "widgets/models/device_traits.h"
+#include "drivers/value_notes.h"
 
 #include <algorithm>
 
@@ -16,23 +16,6 @@ ValueOf valuesBefore(const HandshakeRecord &record)
     };
 }
 
-// What an encoder on a serial line will have. Steps per turn set its revolutions to all it has, and they and
-// the revolutions make the measuring range; a measuring range that is wanted itself comes last (manual, GR,
-// GM, GT).
-std::optional<std::int64_t> valueAfterOnLine(const Setup &setup, Parameter parameter)
-{
-    const auto wanted = [&](Parameter one) { return valueOf(setup.wish.wanted, one); };
-    const auto after = [&](Parameter one) { return valueAfterOnLine(setup, one); };
-    if (parameter == Parameter::revolutions && wanted(Parameter::steps) && !wanted(parameter))
-        return setup.encoder->device().physicalTurns;
-    if (parameter != Parameter::measuringRange || wanted(parameter) ||
-        !(wanted(Parameter::steps) || wanted(Parameter::revolutions)))
-        return setup.valueAfter(parameter);
-    const auto steps = after(Parameter::steps);
-    const auto turns = after(Parameter::revolutions);
-    return steps && turns ? std::optional(*steps * *turns) : std::nullopt;
-}
-
 } // namespace
 
 std::optional<PositionScale> scaleNow(const Setup &setup)
@@ -42,10 +25,9 @@ std::optional<PositionScale> scaleNow(const Setup &setup)
 
 std::optional<PositionScale> scaleAfter(const Setup &setup)
 {
-    const DeviceDescription &device = setup.encoder->device();
-    if (isOnLine(device))
-        return scaleOf(device, [&](Parameter parameter) { return valueAfterOnLine(setup, parameter); });
-    return scaleOf(device, [&](Parameter parameter) { return setup.valueAfter(parameter); });
+    if (!setup.encoder)
+        return std::nullopt;
+    return scaleAfter(setup.encoder->device(), setup.wish.wanted, valuesOf(allKnown(*setup.encoder)));
 }
 
 std::optional<ForetoldPosition> positionAfterHandshake(const Setup &setup)

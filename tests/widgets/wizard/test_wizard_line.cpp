@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/make_driver.h"
+#include "drivers/position_scale.h"
 #include "line/line_session.h"
 #include "simulator/simulated_line_link.h"
 #include "tests/widgets/wizard/wizard_test.h"
 #include "widgets/monitor/position_range.h"
 #include "widgets/parameters/position_to_set.h"
-#include "widgets/wizard/position_scale.h"
 
 // The wizard with a Kübler encoder on the simulated line: requests of its manual, chapter 2.
 namespace codewheel {
@@ -69,6 +69,21 @@ TEST_F(WizardLine, StepsPerTurnMakeTheRange)
     toValues({{Parameter::steps, 360}});
     EXPECT_TRUE(text("scaleText").contains(QStringLiteral("360"))) << text("scaleText").toStdString();
     EXPECT_TRUE(text("scaleText").contains(QLocale().toString(360 * 4096)));
+}
+
+// Manual, GR: "Number of revolutions is 4096".
+TEST_F(WizardLine, StepsWarnOfTheRevolutionsTheySet)
+{
+    simulated->withEncoder({5}, [](SimulatedEscEncoder &one) {
+        for (const char byte : QByteArray("\x1B"
+                                          "05GM0010\r\n"))
+            one.hear(byte);
+    });
+    toValues({{Parameter::steps, 360}});
+    const auto warning = [this] { return find<InlineMessage>("scaleWarning")->sentence(); };
+    EXPECT_TRUE(warning().contains(QStringLiteral("sets its revolutions to"))) << warning().toStdString();
+    type("revolutions", "16");
+    EXPECT_FALSE(warning().contains(QStringLiteral("sets its revolutions to")));
 }
 
 TEST_F(WizardLine, RequestsAreReviewedSentAndReadBack)

@@ -9,8 +9,8 @@
 
 namespace codewheel {
 
-// How a K3 encoder makes a position of its shaft (docs/protocols/k3.md, arithmetic), as far as the wizard
-// needs it to tell what a set of parameters will do.
+// How an encoder makes a position of its shaft (docs/protocols/k3.md, arithmetic), as far as it is needed to
+// tell what a set of parameters will do.
 struct PositionScale
 {
     std::int64_t steps = 1;
@@ -37,6 +37,10 @@ using ValueOf = std::function<std::optional<std::int64_t>(Parameter)>;
 // Nothing where steps or revolutions, or the direction of an encoder that has one, are not known.
 std::optional<PositionScale> scaleOf(const DeviceDescription &device, const ValueOf &valueOf);
 
+// Once `written` is written to an encoder of which `known` is known.
+std::optional<PositionScale> scaleAfter(const DeviceDescription &device, const ParameterValues &written,
+                                        const ParameterValues &known);
+
 // Where the position will jump as the physical turns are used up.
 enum class WrapJump : std::uint8_t {
     none,
@@ -44,8 +48,8 @@ enum class WrapJump : std::uint8_t {
     totalIsNotWhole,         // 1000 steps in 3 revolutions: a fraction of a step is cut
 };
 WrapJump wrapJump(const PositionScale &scale);
-// The position beside 0 at the place where the physical turns wrap.
-std::int64_t lastPositionBeforeWrap(const PositionScale &scale);
+// By how many steps it jumps there: where the position would go on, it begins at 0 again.
+std::int64_t jumpAtWrap(const PositionScale &scale);
 
 // What an encoder that shows `position` with the scale `now` will show with the scale `then`, the shaft
 // standing still.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/wizard/position_scale.h"
+#include "drivers/position_scale.h"
 
+#include "drivers/esc_values.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace codewheel {
@@ -38,6 +41,24 @@ bool isSignedCoding(const DeviceDescription &device, std::int64_t value)
 {
     const Choice *choice = device.find(Parameter::coding)->findChoice(value);
     return choice != nullptr && choice->key.startsWith(QStringLiteral("signed"));
+}
+
+// What an encoder on a serial line will have. Steps per turn set its revolutions, and they and the
+// revolutions make the measuring range; a measuring range that is written itself comes last (manual, GR, GM,
+// GT).
+std::optional<std::int64_t> valueOnLineAfter(Parameter parameter, const ParameterValues &written,
+                                             const ParameterValues &known)
+{
+    if (const auto value = valueOf(written, parameter))
+        return value;
+    if (const auto along = valueOf(escSetAlong(written, known), parameter))
+        return along;
+    const bool rescales = valueOf(written, Parameter::steps) || valueOf(written, Parameter::revolutions);
+    if (parameter != Parameter::measuringRange || !rescales)
+        return valueOf(known, parameter);
+    const auto steps = valueOnLineAfter(Parameter::steps, written, known);
+    const auto turns = valueOnLineAfter(Parameter::revolutions, written, known);
+    return steps && turns ? std::optional(*steps * *turns) : std::nullopt;
 }
 
 // Its measuring range is in steps, over all its revolutions (manual, commands M and U).
@@ -113,6 +134,17 @@ std::optional<PositionScale> scaleOf(const DeviceDescription &device, const Valu
     return scale.total() > 0 ? std::optional(scale) : std::nullopt;
 }
 
+std::optional<PositionScale> scaleAfter(const DeviceDescription &device, const ParameterValues &written,
+                                        const ParameterValues &known)
+{
+    return scaleOf(device, [&](Parameter parameter) {
+        if (device.profile == Profile::esc)
+            return valueOnLineAfter(parameter, written, known);
+        const auto value = valueOf(written, parameter);
+        return value ? value : valueOf(known, parameter);
+    });
+}
+
 WrapJump wrapJump(const PositionScale &scale)
 {
     if (scale.physicalTurns < 1)
@@ -124,10 +156,12 @@ WrapJump wrapJump(const PositionScale &scale)
     return WrapJump::none;
 }
 
-std::int64_t lastPositionBeforeWrap(const PositionScale &scale)
+std::int64_t jumpAtWrap(const PositionScale &scale)
 {
-    const std::int64_t stepsOfAllTurns = scale.physicalTurns * scale.steps / scale.revolutions;
-    return modulo(stepsOfAllTurns - 1, scale.total());
+    if (scale.physicalTurns < 1 || scale.total() < 1)
+        return 0;
+    const std::int64_t due = modulo(scale.physicalTurns * scale.steps / scale.revolutions, scale.total());
+    return std::min(due, scale.total() - due);
 }
 
 std::optional<ForetoldPosition> foretellPosition(const PositionScale &now, std::int64_t position,

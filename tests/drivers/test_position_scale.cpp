@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/wizard/position_scale.h"
-#include "widgets/wizard/turn_check.h"
+#include "drivers/position_scale.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +34,11 @@ TEST(PositionScaleTest, TellsWhereThePositionWillJump)
 {
     EXPECT_EQ(wrapJump(scaled(255, 1)), WrapJump::none);
     EXPECT_EQ(wrapJump(scaled(200, 1, 5)), WrapJump::rangeDoesNotDivideTurns);
-    EXPECT_EQ(lastPositionBeforeWrap(scaled(200, 1, 5)), 4096 * 200 % 1000 - 1);
+    EXPECT_EQ(jumpAtWrap(scaled(200, 1, 5)), 4096 * 200 % 1000) << "819 200 would be 200, and is 0";
+    EXPECT_EQ(jumpAtWrap(scaled(200, 1, 3)), 200) << "600 - 4096 * 200 % 600";
+    EXPECT_EQ(jumpAtWrap(scaled(200, 1, 8)), 0);
+    EXPECT_EQ(jumpAtWrap(scaled(1000, 3)), 0) << "a third of a step";
+    EXPECT_EQ(jumpAtWrap(scaled(1000, 3, 8)), 341) << "512 times two thirds of a step";
     EXPECT_EQ(wrapJump(scaled(200, 1, 8)), WrapJump::none);
     EXPECT_EQ(wrapJump(scaled(1000, 3)), WrapJump::totalIsNotWhole);
     EXPECT_EQ(wrapJump(scaled(1000, 4)), WrapJump::none);
@@ -68,21 +71,6 @@ TEST(PositionScaleTest, TurnsInThought)
     EXPECT_EQ(positionAfterTurns(scaled(255, 1), 0, 1), 255);
     EXPECT_EQ(positionAfterTurns(scaled(255, 1), 0, -1), 4095 * 255);
     EXPECT_EQ(positionAfterTurns(scaled(200, 1, 5), 900, 0.5), 0);
-}
-
-TEST(TurnCheckTest, CountsMovesAndSeesThroughTheWrap)
-{
-    TurnCheck check;
-    check.begin(1000);
-    check.take(990);
-    EXPECT_EQ(check.verdict(), TurnCheck::Verdict::doesNotMove);
-    check.take(5);
-    EXPECT_EQ(check.verdict(), TurnCheck::Verdict::countsUp);
-    EXPECT_EQ(check.moved(), 15);
-    check.take(995);
-    EXPECT_EQ(check.verdict(), TurnCheck::Verdict::goesBothWays);
-    check.take(980);
-    EXPECT_EQ(check.verdict(), TurnCheck::Verdict::countsDown);
 }
 
 } // namespace
