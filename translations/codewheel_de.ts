@@ -1582,6 +1582,22 @@
         <source>position %1 (signed)</source>
         <translation>Position %1 (mit Vorzeichen)</translation>
     </message>
+    <message>
+        <source>Parameter %1 (not defined for this encoder)</source>
+        <translation>Parameter %1 (bei diesem Geber nicht definiert)</translation>
+    </message>
+    <message>
+        <source>parameter %1 (not defined for this encoder)</source>
+        <translation>Parameter %1 (bei diesem Geber nicht definiert)</translation>
+    </message>
+    <message>
+        <source>%1 (outside %2 to %3)</source>
+        <translation>%1 (außerhalb %2 bis %3)</translation>
+    </message>
+    <message>
+        <source>%1 (there are only %2)</source>
+        <translation>%1 (es gibt nur %2)</translation>
+    </message>
 </context>
 <context>
     <name>Message</name>
@@ -2618,10 +2634,6 @@
         <translation>%1 ist nicht verwendbar: %2</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no address of an encoder on a serial line. Addresses go from 01 to 1F (1 to 31).</source>
-        <translation>&quot;%1&quot; ist keine Adresse eines Gebers auf einer seriellen Leitung. Adressen gehen von 01 bis 1F (1 bis 31).</translation>
-    </message>
-    <message>
         <source>The serial line cannot be set to &quot;%1&quot;. Allowed are: %2.</source>
         <translation>Die serielle Leitung lässt sich nicht auf &quot;%1&quot; einstellen. Erlaubt sind: %2.</translation>
     </message>
@@ -2724,6 +2736,14 @@
     <message>
         <source>%1 was accepted, but neither the preset value nor the position shows that the position was set to %2: it is not known whether it was. Check the line, and read position and preset before you go on.</source>
         <translation>%1 wurde angenommen, aber weder der Presetwert noch die Position zeigt, dass die Position auf %2 gesetzt wurde: Ob sie es wurde, ist nicht bekannt. Die Leitung prüfen und Position und Preset lesen, bevor es weitergeht.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address of an encoder on a serial line. Addresses go from 01 to 1F (1 to 31); 00 is for an encoder that is alone on its line.</source>
+        <translation>&quot;%1&quot; ist keine Adresse eines Gebers auf einer seriellen Leitung. Adressen gehen von 01 bis 1F (1 bis 31); 00 ist für einen Geber, der allein an seiner Leitung ist.</translation>
+    </message>
+    <message>
+        <source>Every encoder answers to address %1: it is for an encoder that is alone on its line, and there is %2 too. Use the address of the encoder itself.</source>
+        <translation>Auf die Adresse %1 antwortet jeder Geber: Sie ist für einen Geber, der allein an seiner Leitung ist, und da ist auch %2. Die eigene Adresse des Gebers verwenden.</translation>
     </message>
 </context>
 <context>
@@ -4535,14 +4555,6 @@ Ein FRABA-Geber aktiviert einen Preset nur einmal; wo nötig, wird er neu progra
 (60000000, einen Buszyklus lang) braucht das nicht.</translation>
     </message>
     <message>
-        <source>Reads the parameters named, or all that can be read but the registers of the bus chip, which are
-read by name: opc-register-0 to opc-register-15. While it is read, the encoder shows no position.
-An encoder without read-out (devices tells which) is not asked: exit code 1.</source>
-        <translation>Liest die genannten Parameter, oder alle lesbaren außer den Registern des Buschips; die werden mit
-Namen gelesen: opc-register-0 bis opc-register-15. Beim Lesen zeigt der Geber keine Position.
-Ein Geber ohne Auslesen (siehe devices) wird nicht gefragt: Rückgabewert 1.</translation>
-    </message>
-    <message>
         <source>reset without asking</source>
         <translation>zurücksetzen, ohne zu fragen</translation>
     </message>
@@ -5444,23 +5456,6 @@ es verlassen wird.</translation>
         <translation>das Wort der Gegenrichtung; zu einer Antwort ihre Anfrage</translation>
     </message>
     <message>
-        <source>Tells what a 32-bit word means to an encoder. Every word gets an answer. What is not told
-(mode, coding, the word the other way) widens it to all meanings the word can have.
-
-Of an encoder on a serial line it explains a request (03GP00005200), or, with --other REQUEST,
-the answer to it: its digits, or CRLF for a bare line end.
-
-Needs no bus and sends nothing.</source>
-        <translation>Sagt, was ein 32-Bit-Wort für einen Geber bedeutet. Jedes Wort bekommt eine Antwort. Was nicht
-angegeben ist (Betriebsart, Codierung, Wort der Gegenrichtung), erweitert sie auf alle Bedeutungen,
-die das Wort haben kann.
-
-Bei einem Geber an einer seriellen Leitung erklärt es eine Anfrage (03GP00005200) oder, mit
---other ANFRAGE, die Antwort darauf: ihre Ziffern, oder CRLF für ein bloßes Zeilenende.
-
-Braucht keinen Bus und sendet nichts.</translation>
-    </message>
-    <message>
         <source>A fault plan is for the ring of the training bus. Leave --fault-plan out.</source>
         <translation>Ein Fehlerplan ist für den Ring des Übungsbusses. --fault-plan weglassen.</translation>
     </message>
@@ -5871,6 +5866,50 @@ zurückbleibt. Worte sind hexadezimal, wie in den Handbüchern.</translation>
     <message>
         <source>set by the encoder itself, with the steps</source>
         <translation>vom Geber selbst gesetzt, mit den Schritten</translation>
+    </message>
+    <message>
+        <source>the key on the label of the encoder: it tells how many bits a position has</source>
+        <translation>der Schlüssel auf dem Typenschild des Gebers: er sagt, wie viele Bits eine Position hat</translation>
+    </message>
+    <message>
+        <source>The key &quot;%1&quot; is not that of %2. It may be that of: %3.</source>
+        <translation>Der Schlüssel &quot;%1&quot; ist nicht der von %2. Er kann der sein von: %3.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands there twice. Give it once.</source>
+        <translation>&quot;%1&quot; steht zweimal da. Einmal angeben.</translation>
+    </message>
+    <message>
+        <source>Reads the parameters named, or all that can be read but the registers of the bus chip, which are
+read by name: opc-register-0 to opc-register-15. While it is read, the encoder shows no position.
+An encoder without read-out (devices tells which) is not asked: exit code 1.
+An encoder on a serial line also has a version, which is text.</source>
+        <translation>Liest die genannten Parameter, oder alle lesbaren außer den Registern des Buschips; die werden mit
+Namen gelesen: opc-register-0 bis opc-register-15. Beim Lesen zeigt der Geber keine Position.
+Ein Geber ohne Auslesen (siehe devices) wird nicht gefragt: Rückgabewert 1.
+Ein Geber an einer seriellen Leitung hat auch eine Version (version), die Text ist.</translation>
+    </message>
+    <message>
+        <source>At %1 no encoder tells its serial number twice the same: several may answer at once. The address is for an encoder that is alone on its line. codewheel-cli scan finds the addresses of all.</source>
+        <translation>Auf %1 nennt kein Geber zweimal dieselbe Seriennummer: Vielleicht antworten mehrere zugleich. Die Adresse ist für einen Geber, der allein an seiner Leitung ist. codewheel-cli scan findet die Adressen aller.</translation>
+    </message>
+    <message>
+        <source>Tells what a 32-bit word means to an encoder. Every word gets an answer. What is not told
+(mode, coding, the word the other way) widens it to all meanings the word can have.
+A K1 or K2 is taken for the standard one, unless its --label tells otherwise.
+
+Of an encoder on a serial line it explains a request (03GP00005200), or, with --other REQUEST,
+the answer to it: its digits, or CRLF for a bare line end.
+
+Needs no bus and sends nothing.</source>
+        <translation>Sagt, was ein 32-Bit-Wort für einen Geber bedeutet. Jedes Wort bekommt eine Antwort. Was nicht
+angegeben ist (Betriebsart, Codierung, Wort der Gegenrichtung), erweitert sie auf alle Bedeutungen,
+die das Wort haben kann. Ein K1 oder K2 gilt als der Standard-Geber, wenn --label nichts anderes sagt.
+
+Bei einem Geber an einer seriellen Leitung erklärt es eine Anfrage (03GP00005200) oder, mit
+--other ANFRAGE, die Antwort darauf: ihre Ziffern, oder CRLF für ein bloßes Zeilenende.
+
+Braucht keinen Bus und sendet nichts.</translation>
     </message>
 </context>
 <context>
@@ -8794,10 +8833,6 @@ Zustand: %4</translation>
         <translation>Einen seriellen Anschluss wählen oder den Pfad eintippen.</translation>
     </message>
     <message>
-        <source>The baud rate is a number from 1 to 10000000.</source>
-        <translation>Die Baudrate ist eine Zahl von 1 bis 10000000.</translation>
-    </message>
-    <message>
         <source>&amp;Low latency</source>
         <translation>&amp;Kurze Latenz</translation>
     </message>
@@ -8824,6 +8859,10 @@ Zustand: %4</translation>
     <message>
         <source>Set the line to %1 Bd</source>
         <translation>Leitung auf %1 Bd stellen</translation>
+    </message>
+    <message>
+        <source>The baud rate is a number from %1 to %2.</source>
+        <translation>Die Baudrate ist eine Zahl von %1 bis %2.</translation>
     </message>
 </context>
 <context>
@@ -10518,16 +10557,20 @@ Worte: IN %5, OUT %6</translation>
         <translation>Der Parameter &quot;%1&quot; steht schon weiter oben.</translation>
     </message>
     <message>
-        <source>An address from &quot;esc:01&quot; to &quot;esc:1F&quot; is expected here.</source>
-        <translation>Hier wird eine Adresse von &quot;esc:01&quot; bis &quot;esc:1F&quot; erwartet.</translation>
-    </message>
-    <message>
         <source>The address &quot;%1&quot; stands above already.</source>
         <translation>Die Adresse &quot;%1&quot; steht weiter oben schon.</translation>
     </message>
     <message>
         <source>A number of USB has at most four digits, such as &quot;0403h&quot;.</source>
         <translation>Eine Nummer von USB hat höchstens vier Ziffern, etwa &quot;0403h&quot;.</translation>
+    </message>
+    <message>
+        <source>An address from &quot;esc:01&quot; to &quot;esc:1F&quot; is expected here, or &quot;esc:00&quot; for an encoder that is alone on its line.</source>
+        <translation>Hier wird eine Adresse von &quot;esc:01&quot; bis &quot;esc:1F&quot; erwartet, oder &quot;esc:00&quot; für einen Geber, der allein an seiner Leitung ist.</translation>
+    </message>
+    <message>
+        <source>Every encoder answers to &quot;esc:00&quot;: one that stands there must be alone on its line.</source>
+        <translation>Auf &quot;esc:00&quot; antwortet jeder Geber: Einer, der dort steht, muss allein an seiner Leitung sein.</translation>
     </message>
 </context>
 <context>

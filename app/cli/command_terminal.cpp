@@ -125,7 +125,7 @@ bool TypedCall::take(const QString &typed)
 {
     if (typed.trimmed().isEmpty())
         return true;
-    const auto request = typedRequest(typed);
+    const auto request = typedRequest(typed, m_call.line->explainOptions().fractionBits);
     if (!request)
         return fail({ExitCode::badInput, QStringLiteral("notARequest"), request.error(), {typed}});
     const auto sendable = allowed(*request);

@@ -7,6 +7,7 @@
 #include "cli/texts.h"
 #include "encoder/sentence.h"
 #include "esc/esc_frame.h"
+#include "esc/esc_scaling.h"
 #include "line/typed_request.h"
 
 #include <array>
@@ -17,10 +18,16 @@ namespace {
 const QString out = QStringLiteral("out");
 const QString in = QStringLiteral("in");
 const QString acceptedWord = QStringLiteral("CRLF");
+const QString outOfRangeKey = QStringLiteral("outOfRange");
+
+bool isOutOfRange(const esc::Request &request, std::uint32_t value, const esc::ExplainOptions &options)
+{
+    return !esc::valueRange(request.command, options.fractionBits).holds(value);
+}
 
 Checked<esc::Request> requestFrom(const QString &typed)
 {
-    const auto request = typedRequest(typed);
+    const auto request = readRequest(typed);
     if (!request)
         return tl::unexpected(
             Complaint{ExitCode::badInput, QStringLiteral("notARequest"), request.error(), {typed}});
@@ -55,6 +62,8 @@ Checked<Answer> explainRequest(const QString &typed, const DeviceDescription &de
     QJsonObject json = requestJson(*request);
     json.insert(QStringLiteral("direction"), out);
     json.insert(QStringLiteral("bytes"), byteText(request->bytes()));
+    if (esc::shapeOf(request->command).writes)
+        json.insert(outOfRangeKey, isOutOfRange(*request, request->data, options));
     return explained(QString::fromLatin1(request->text()) +
                          QStringLiteral(" (%1)").arg(byteText(request->bytes())),
                      esc::requestText(*request, options), device, json);
@@ -76,14 +85,16 @@ Checked<Answer> explainAnswer(const QString &typed, const QString &asked, const 
             {typed, QString::fromLatin1(request->text())});
     QJsonObject json = answerJson(*request, *answer, options);
     json.insert(QStringLiteral("direction"), in);
+    if (answer->kind == esc::Answer::Kind::value)
+        json.insert(outOfRangeKey, isOutOfRange(*request, answer->value, options));
     json.insert(QStringLiteral("request"), requestJson(*request));
     return explained(typed, esc::exchangeText(*request, *answer, options), device, json);
 }
 
-// Words have a mode and a coding.
+// Words have a mode and a coding, and what a label tells is about them.
 Checked<void> checkOptions(const Arguments &arguments)
 {
-    for (const char *option : {"--mode", "--coding"})
+    for (const char *option : {"--mode", "--coding", "--label"})
         if (arguments.has(option))
             return badInput(
                 QStringLiteral("optionOfWords"),

@@ -15,9 +15,16 @@ QString typedValue(const ParameterDescription &parameter, std::int64_t value,
                : valueText(parameter, value, options);
 }
 
+// Millimetres, or hexadecimal digits.
+static bool isShownOtherwise(const ParameterDescription &parameter)
+{
+    return parameter.unit == Unit::micrometres || parameter.parameter == Parameter::scalingFactor ||
+           parameter.parameter == Parameter::deviceCode;
+}
+
 QString rangeText(const ParameterDescription &parameter)
 {
-    if (parameter.choices.empty() && parameter.unit == Unit::micrometres) // shown as millimetres
+    if (parameter.choices.empty() && isShownOtherwise(parameter))
         return QStringLiteral("%1..%2").arg(valueText(parameter, parameter.minimum),
                                             valueText(parameter, parameter.maximum));
     if (parameter.choices.empty())

@@ -36,6 +36,11 @@ QString profileName(Profile profile)
     return {};
 }
 
+bool ParameterDescription::takes(std::int64_t value) const
+{
+    return choices.empty() ? value >= minimum && value <= maximum : findChoice(value) != nullptr;
+}
+
 const Choice *ParameterDescription::findChoice(std::int64_t value) const
 {
     return findBy(choices, value, &Choice::value);

@@ -60,6 +60,8 @@ struct ParameterDescription
 
     bool canBeRead() const { return readOut || readCommand; }
     bool canBeWritten() const { return number || writeCommand; }
+    // One of the choices where it has some, else within the range.
+    bool takes(std::int64_t value) const;
     const Choice *findChoice(std::int64_t value) const;
     const Choice *findChoice(QStringView key) const;
 

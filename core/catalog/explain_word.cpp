@@ -12,6 +12,30 @@
 namespace codewheel {
 namespace {
 
+// A value that is asked for, as this device has it: it may have no such parameter, or not take the value. The
+// words alone do not tell.
+Meaning forDevice(const DeviceDescription &device, Meaning meaning)
+{
+    const auto number = static_cast<unsigned>(meaning.number[0]);
+    if (meaning.id == MeaningId::parameterRequest) {
+        if (!hasNumber(device, number))
+            meaning.id = MeaningId::parameterRequestUndefined;
+        else if (!takesValue(device, number, meaning.number[1]))
+            meaning.id = MeaningId::parameterRequestInvalid;
+    } else if (meaning.id == MeaningId::serviceWrite && !takesValue(device, number, meaning.number[1])) {
+        meaning.id = MeaningId::serviceWriteInvalid;
+    }
+    return meaning;
+}
+
+Explanation forDevice(const DeviceDescription &device, const Explanation &explanation)
+{
+    Explanation possible;
+    for (const Meaning &meaning : explanation)
+        possible.add(forDevice(device, meaning));
+    return possible;
+}
+
 QString joined(const QStringList &texts)
 {
     return texts.join(QCoreApplication::translate("Meaning", ", or: "));
@@ -22,7 +46,7 @@ QString joined(const QStringList &texts)
 Explanation explainWord(const DeviceDescription &device, Word word, k3::ExplainContext context)
 {
     if (device.profile == Profile::la66)
-        return la66::explain(word, context.direction, context.counterpart);
+        return forDevice(device, la66::explain(word, context.direction, context.counterpart));
     if (onlyTellsPosition(device.profile))
         return position_word::explain(word, context.direction, positionFormat(device));
     context.dialect = device.dialect;
@@ -31,7 +55,7 @@ Explanation explainWord(const DeviceDescription &device, Word word, k3::ExplainC
     // A FRABA has one coding; at a Baumer it is a parameter.
     if (device.dialect == k3::Dialect::fraba && !context.coding)
         context.coding = PositionCoding::binary;
-    return k3::explain(word, context);
+    return forDevice(device, k3::explain(word, context));
 }
 
 QString explanationText(const DeviceDescription &device, const Explanation &explanation)

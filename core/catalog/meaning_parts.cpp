@@ -14,6 +14,13 @@
 namespace codewheel {
 namespace {
 
+// One step, told by an encoder that counts steps minus 1 (FRABA manual 10.2).
+bool isStepsMinusOne(const DeviceDescription &device, const ParameterDescription &parameter,
+                     std::int64_t value)
+{
+    return device.quirks.mayCountStepsMinusOne && parameter.parameter == Parameter::steps && value == 0;
+}
+
 // Makes texts of a meaning's numbers.
 class MeaningParts
 {
@@ -31,6 +38,7 @@ private:
 
     QStringList parameterAndValue(const Meaning &meaning, In place) const;
     QString parameterLabel(unsigned number, In place) const;
+    static QString outsideText(const ParameterDescription &parameter, std::int64_t value);
     QString parameterValue(unsigned number, std::int64_t value) const;
     QString readOutLabel(unsigned code) const;
     QString readOutValueText(unsigned code, Word value) const;
@@ -86,6 +94,10 @@ QString MeaningParts::manufacturerErrorText(std::int64_t code)
 QString MeaningParts::parameterLabel(unsigned parameterNumber, In place) const
 {
     const ParameterDescription *parameter = m_device.findNumber(parameterNumber);
+    if (!parameter && !hasNumber(m_device, parameterNumber))
+        return sentence(place == In::startOfSentence ? tr("Parameter %1 (not defined for this encoder)")
+                                                     : tr("parameter %1 (not defined for this encoder)"),
+                        {number(parameterNumber)});
     if (!parameter)
         return sentence(place == In::startOfSentence ? tr("Parameter %1") : tr("parameter %1"),
                         {number(parameterNumber)});
@@ -93,10 +105,24 @@ QString MeaningParts::parameterLabel(unsigned parameterNumber, In place) const
                     {number(parameterNumber), parameterNameInText(parameter->parameter)});
 }
 
+// "20000 (outside 1 to 4096)", "5 (there are: 3, 4)"
+QString MeaningParts::outsideText(const ParameterDescription &parameter, std::int64_t value)
+{
+    if (parameter.choices.empty())
+        return sentence(tr("%1 (outside %2 to %3)"),
+                        {valueText(parameter, value), valueText(parameter, parameter.minimum),
+                         valueText(parameter, parameter.maximum)});
+    QStringList there;
+    for (const Choice &choice : parameter.choices)
+        there << number(choice.value);
+    return sentence(tr("%1 (there are only %2)"), {number(value), there.join(QStringLiteral(", "))});
+}
+
 QString MeaningParts::parameterValue(unsigned parameterNumber, std::int64_t value) const
 {
     if (const ParameterDescription *parameter = m_device.findNumber(parameterNumber))
-        return valueText(*parameter, value);
+        return takesValue(m_device, parameterNumber, value) ? valueText(*parameter, value)
+                                                            : outsideText(*parameter, value);
     return parameterNumber == k3::setToDefault && value == 0
                ? sentence(tr("%1 (reset to factory settings)"), {number(value)})
                : number(value);
@@ -128,7 +154,11 @@ QString MeaningParts::readOutValueText(unsigned code, Word value) const
     const ParameterDescription *parameter = m_device.findReadOut(code);
     if (!parameter)
         return number(value);
-    const QString text = valueText(*parameter, readOutNumber(*parameter, value));
+    const std::int64_t told = readOutNumber(*parameter, value);
+    // Of the direction 0 and 1 may come (K3Knowledge).
+    const bool isDirection = parameter->parameter == Parameter::direction && told <= 1;
+    const bool isTaken = isDirection || isStepsMinusOne(m_device, *parameter, told) || parameter->takes(told);
+    const QString text = isTaken ? valueText(*parameter, told) : outsideText(*parameter, told);
     const QString unit = unitText(parameter->unit);
     return unit.isEmpty() || parameter->number ? text : text + u' ' + unit;
 }
@@ -176,6 +206,8 @@ QStringList MeaningParts::of(const Meaning &meaning) const
     switch (meaning.id) {
     case MeaningId::parameterRequest:
     case MeaningId::parameterRequestInCamMode:
+    case MeaningId::parameterRequestInvalid:
+    case MeaningId::parameterRequestUndefined:
     case MeaningId::confirmed:
         return parameterAndValue(meaning, In::startOfSentence);
     case MeaningId::oldConfirmation:
@@ -227,6 +259,19 @@ QStringList MeaningParts::of(const Meaning &meaning) const
 }
 
 } // namespace
+
+bool hasNumber(const DeviceDescription &device, unsigned number)
+{
+    const bool isOpen = device.dialect == k3::Dialect::generic;
+    return number == k3::setToDefault || device.findNumber(number) != nullptr ||
+           (isOpen && k3::isKnownNumber(number));
+}
+
+bool takesValue(const DeviceDescription &device, unsigned number, std::int64_t value)
+{
+    const ParameterDescription *parameter = device.findNumber(number);
+    return parameter == nullptr || parameter->takes(value) || isStepsMinusOne(device, *parameter, value);
+}
 
 QStringList meaningParts(const DeviceDescription &device, const Meaning &meaning)
 {

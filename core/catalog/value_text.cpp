@@ -121,6 +121,16 @@ QString escText(const ParameterDescription &parameter, std::int64_t value,
 
 } // namespace
 
+ParameterDescription atFractionBits(ParameterDescription parameter, int fractionBits)
+{
+    if (parameter.parameter != Parameter::scalingFactor)
+        return parameter;
+    const esc::ValueRange range = esc::scalingFactorRange(fractionBits);
+    parameter.minimum = range.smallest;
+    parameter.maximum = range.largest;
+    return parameter;
+}
+
 QString choiceName(const ParameterDescription &parameter, std::int64_t value)
 {
     const Choice *choice = parameter.findChoice(value);

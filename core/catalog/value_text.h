@@ -6,6 +6,10 @@
 
 namespace codewheel {
 
+// The description with the range that a line of these fraction bits leaves the scaling factor, which is
+// 0.00001 to 1.0; all others as they are.
+ParameterDescription atFractionBits(ParameterDescription parameter, int fractionBits);
+
 // The name of a value in the user's language: "CW", "unsigned, CW". Empty where the value has none.
 QString choiceName(const ParameterDescription &parameter, std::int64_t value);
 

@@ -3,7 +3,6 @@
 #include "drivers/esc_plan.h"
 #include "drivers/esc_values.h"
 #include "drivers/parameter_check.h"
-#include "encoder/hex.h"
 #include "encoder/sentence.h"
 
 #include <QCoreApplication>
@@ -13,19 +12,6 @@
 
 namespace codewheel {
 namespace {
-
-Result<void> checkRange(const ParameterDescription &narrowed, std::int64_t value)
-{
-    if (value >= narrowed.minimum && value <= narrowed.maximum)
-        return {};
-    const auto shown = [&](std::int64_t number) {
-        return narrowed.parameter == Parameter::scalingFactor
-                   ? RefusalArgument(hexWord(Word{static_cast<std::uint32_t>(number)}) + u'h')
-                   : RefusalArgument(number);
-    };
-    return refuse(RefusalKind::badInput, RefusalId::valueOutOfRange,
-                  {narrowed.parameter, shown(value), shown(narrowed.minimum), shown(narrowed.maximum)});
-}
 
 // What the encoder will have once the job is done, as far as it can be told: a new scaling changes a
 // measuring range that is not given.
@@ -87,7 +73,7 @@ Result<void> EscPlan::checkWrite(const WriteParameters &job) const
         return refuse(RefusalKind::badInput, RefusalId::presetNeedsValue, {m_device.fullName()});
     if (job.values.empty())
         return refuse(RefusalKind::badInput, RefusalId::nothingToDo);
-    if (auto checked = checkToWrite(m_device, job.values); !checked)
+    if (auto checked = checkToWrite(m_device, job.values, m_settings.fractionBits); !checked)
         return checked;
     if (auto checked = checkScaling(job.values, m_known); !checked)
         return checked;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/esc_values.h"
 
+#include "catalog/value_text.h"
 #include "esc/esc_bits.h"
 
 #include <algorithm>
@@ -51,6 +52,7 @@ ParameterDescription escNarrowed(const DeviceDescription &device, Parameter para
     if (found != nullptr)
         narrowed = *found;
     narrowed.parameter = parameter;
+    narrowed = atFractionBits(std::move(narrowed), fractionBits);
     const auto atMost = [&](std::optional<std::int64_t> bound) {
         if (bound && *bound >= narrowed.minimum)
             narrowed.maximum = std::min(narrowed.maximum, *bound);
@@ -64,10 +66,6 @@ ParameterDescription escNarrowed(const DeviceDescription &device, Parameter para
         break;
     case Parameter::measuringRange:
         narrowToFactor(device, valueOf(known, Parameter::revolutions), narrowed);
-        break;
-    case Parameter::scalingFactor:
-        narrowed.minimum = esc::scalingFactorRange(fractionBits).smallest;
-        narrowed.maximum = esc::scalingFactorRange(fractionBits).largest;
         break;
     default:
         break;

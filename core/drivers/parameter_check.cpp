@@ -2,6 +2,8 @@
 #include "drivers/parameter_check.h"
 
 #include "catalog/data_field.h"
+#include "catalog/value_text.h"
+#include "encoder/hex.h"
 
 #include <QStringList>
 
@@ -35,13 +37,13 @@ Result<void> checkToRead(const DeviceDescription &device, const std::vector<Para
     return {};
 }
 
-Result<void> checkToWrite(const DeviceDescription &device, const ParameterValues &values)
+Result<void> checkToWrite(const DeviceDescription &device, const ParameterValues &values, int fractionBits)
 {
     if (!device.capabilities.writes)
         return refuse(RefusalKind::notSupported, RefusalId::writingNotSupported, {device.fullName()});
     std::set<Parameter> seen;
     for (const ParameterValue &value : values) {
-        if (auto checked = checkValue(device, value); !checked)
+        if (auto checked = checkValue(device, value, fractionBits); !checked)
             return checked;
         if (!seen.insert(value.parameter).second)
             return refuse(RefusalKind::badInput, RefusalId::parameterGivenTwice, {value.parameter});
@@ -49,7 +51,21 @@ Result<void> checkToWrite(const DeviceDescription &device, const ParameterValues
     return {};
 }
 
-Result<void> checkValue(const DeviceDescription &device, const ParameterValue &value)
+Result<void> checkRange(const ParameterDescription &parameter, std::int64_t value)
+{
+    if (value >= parameter.minimum && value <= parameter.maximum)
+        return {};
+    const auto asTyped = [&](std::int64_t number) {
+        return parameter.parameter == Parameter::scalingFactor
+                   ? RefusalArgument(hexWord(Word{static_cast<std::uint32_t>(number)}) + u'h')
+                   : RefusalArgument(number);
+    };
+    return refuse(
+        RefusalKind::badInput, RefusalId::valueOutOfRange,
+        {parameter.parameter, asTyped(value), asTyped(parameter.minimum), asTyped(parameter.maximum)});
+}
+
+Result<void> checkValue(const DeviceDescription &device, const ParameterValue &value, int fractionBits)
 {
     const ParameterDescription *parameter = device.find(value.parameter);
     if (parameter == nullptr)
@@ -62,9 +78,8 @@ Result<void> checkValue(const DeviceDescription &device, const ParameterValue &v
         if (parameter->findChoice(value.value) == nullptr)
             return refuse(RefusalKind::badInput, RefusalId::valueNotAllowed,
                           {value.parameter, QString::number(value.value), allowedTexts(*parameter)});
-    } else if (value.value < parameter->minimum || value.value > parameter->maximum) {
-        return refuse(RefusalKind::badInput, RefusalId::valueOutOfRange,
-                      {value.parameter, value.value, parameter->minimum, parameter->maximum});
+    } else if (auto checked = checkRange(atFractionBits(*parameter, fractionBits), value.value); !checked) {
+        return checked;
     }
     // Whatever the description says: the word would carry another value.
     if (value.value < 0 || value.value > largestData(device.profile))

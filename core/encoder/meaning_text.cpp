@@ -33,6 +33,10 @@ constexpr std::array meaningRows{
     MeaningRow{MeaningId::parameterRequest, "parameterRequest", QT_TRANSLATE_NOOP("Meaning", "%1 = %2")},
     MeaningRow{MeaningId::parameterRequestInCamMode, "parameterRequestInCamMode",
                QT_TRANSLATE_NOOP("Meaning", "%1 = %2: refused in cam mode")},
+    MeaningRow{MeaningId::parameterRequestInvalid, "parameterRequestInvalid",
+               QT_TRANSLATE_NOOP("Meaning", "%1 = %2")},
+    MeaningRow{MeaningId::parameterRequestUndefined, "parameterRequestUndefined",
+               QT_TRANSLATE_NOOP("Meaning", "%1 = %2")},
     MeaningRow{MeaningId::resetToDefault, "resetToDefault",
                QT_TRANSLATE_NOOP("Meaning", "Reset to factory settings")},
     MeaningRow{MeaningId::velocityOn, "velocityOn", QT_TRANSLATE_NOOP("Meaning", "Velocity mode on")},
@@ -153,6 +157,12 @@ QString meaningKey(MeaningId id)
 QString meaningSentence(MeaningId id, const QStringList &parts)
 {
     return sentence(QCoreApplication::translate("Meaning", meaningRow(id).text), parts);
+}
+
+bool asksForParameter(MeaningId id)
+{
+    return id == MeaningId::parameterRequest || id == MeaningId::parameterRequestInvalid ||
+           id == MeaningId::parameterRequestUndefined;
 }
 
 bool isOfOperation(MeaningId id)

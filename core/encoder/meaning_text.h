@@ -14,6 +14,9 @@ QString meaningKey(MeaningId id);
 // how a device calls them, is known to catalog/explain_word.h, which is what views ask.
 QString meaningSentence(MeaningId id, const QStringList &parts);
 
+// A parameter word outside cam mode, whatever the encoder makes of its number and its value.
+bool asksForParameter(MeaningId id);
+
 // The positions, speeds and cams of an encoder in operation; their sentences go on from "Running, ...".
 bool isOfOperation(MeaningId id);
 

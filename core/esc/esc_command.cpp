@@ -2,6 +2,7 @@
 #include "esc/esc_command.h"
 
 #include "encoder/enumeration_rows.h"
+#include "esc/esc_scaling.h"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +13,7 @@ namespace {
 constexpr std::uint32_t all16 = 0xFFFF;
 constexpr std::uint32_t all32 = 0xFFFF'FFFF;
 constexpr std::uint32_t disc = 33'554'432; // steps on the code disc over all turns
-// Special format, two's complement: esc_scaling.h knows more.
-constexpr std::uint32_t mostFactor = 0x7FFF'FFFF;
+constexpr std::uint32_t mostFactor = std::uint32_t{1} << mostFractionBits; // 1.0
 
 constexpr std::array commandShapes{
     // The answers of reads. Bits, numbers of devices and times are whatever comes.
@@ -27,8 +27,8 @@ constexpr std::array commandShapes{
     CommandShape{Command::operatingTime, "T", false, 8, 0, all32},
     CommandShape{Command::offset, "C", false, 8, 0, all32},
     CommandShape{Command::serialNumber, "N", false, 8, 0, all32},
-    CommandShape{Command::upperLimit, "H", false, 8, 1, disc - 1},
-    CommandShape{Command::lowerLimit, "L", false, 8, 1, disc - 1},
+    CommandShape{Command::upperLimit, "H", false, 8, 1, disc},
+    CommandShape{Command::lowerLimit, "L", false, 8, 1, disc},
     CommandShape{Command::scalingFactor, "F", false, 8, 1, mostFactor},
     CommandShape{Command::deviceCode, "B", false, 4, 0x8000, 0xA000},
     CommandShape{Command::revolutions, "U", false, 4, 1, 4096},

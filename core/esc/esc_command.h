@@ -49,7 +49,8 @@ struct CommandShape
     std::string_view letters; // "P", "GP"
     bool writes = false;
     int digits = 0; // of the data of a write, or of the answer of a read; 0: text of 4 to 40 characters
-    // Of the data of a write, or of the answer of a read as the table states it.
+    // Of the data of a write, or of the answer of a read as the table states it. Of the scaling factor the
+    // widest there can be: valueRange() of esc_scaling.h knows the format.
     std::uint32_t minimum = 0;
     std::uint32_t maximum = 0;
 };

@@ -24,7 +24,8 @@ public:
 private:
     static QString bits(Command command, std::uint32_t value, const ExplainOptions &options);
     static QString choice(Command command, std::uint32_t value);
-    static QString number(Command command, std::uint32_t value);
+    static QString number(Command command, std::uint32_t value, const ExplainOptions &options);
+    static QString outside(const QString &text, Command command, ValueRange range);
 };
 
 QString hex(std::uint32_t value, int digits)
@@ -35,6 +36,12 @@ QString hex(std::uint32_t value, int digits)
 QString decimal(std::uint32_t value)
 {
     return QLocale().toString(qulonglong{value});
+}
+
+QString fractionText(std::uint32_t raw, const ExplainOptions &options)
+{
+    constexpr int significant = 10;
+    return QLocale().toString(esc::scalingFactor(raw, options.fractionBits), 'g', significant);
 }
 
 QString Explain::address(LineAddress to)
@@ -70,13 +77,15 @@ QString Explain::choice(Command command, std::uint32_t value)
     return {};
 }
 
-QString Explain::number(Command command, std::uint32_t value)
+// `text` of a value, with the range it is outside of.
+QString Explain::outside(const QString &text, Command command, ValueRange range)
 {
-    const CommandShape &shape = shapeOf(command);
-    QString both = sentence(QStringLiteral("%1 = %2"), {hex(value, 0), decimal(value)});
-    if (value < shape.minimum || value > shape.maximum)
-        return sentence(tr("%1, outside %2 to %3"), {both, decimal(shape.minimum), decimal(shape.maximum)});
-    return both;
+    QStringList parts{text, decimal(range.smallest), decimal(range.largest)};
+    if (command == Command::deviceCode)
+        parts = {text, hex(range.smallest, 4), hex(range.largest, 4)};
+    else if (command == Command::scalingFactor || command == Command::writeScalingFactor)
+        parts = {text, QLocale().toString(smallestFactor, 'f', 5), QLocale().toString(largestFactor, 'f', 1)};
+    return sentence(tr("%1, outside %2 to %3"), parts);
 }
 
 QString Explain::value(Command command, std::uint32_t value, const ExplainOptions &options)
@@ -85,6 +94,13 @@ QString Explain::value(Command command, std::uint32_t value, const ExplainOption
         return bits(command, value, options);
     if (const QString name = choice(command, value); !name.isEmpty())
         return sentence(QStringLiteral("%1 (%2)"), {decimal(value), name});
+    const QString text = number(command, value, options);
+    const ValueRange range = valueRange(command, options.fractionBits);
+    return range.holds(value) ? text : outside(text, command, range);
+}
+
+QString Explain::number(Command command, std::uint32_t value, const ExplainOptions &options)
+{
     switch (command) {
     case Command::serialNumber:
         return hex(value, 8);
@@ -94,11 +110,9 @@ QString Explain::value(Command command, std::uint32_t value, const ExplainOption
         return sentence(tr("%1 = %2 h"), {hex(value, 0), QLocale().toString(value / 10.0, 'f', 1)});
     case Command::scalingFactor:
     case Command::writeScalingFactor:
-        return sentence(
-            QStringLiteral("%1 = %2"),
-            {hex(value, 8), QLocale().toString(esc::scalingFactor(value, options.fractionBits), 'g', 10)});
+        return sentence(QStringLiteral("%1 = %2"), {hex(value, 8), fractionText(value, options)});
     default:
-        return number(command, value);
+        return sentence(QStringLiteral("%1 = %2"), {hex(value, 0), decimal(value)});
     }
 }
 

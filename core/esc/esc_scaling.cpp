@@ -25,16 +25,23 @@ bool showsAs(double factor, double discCount, std::uint32_t shown, int fractionB
 
 } // namespace
 
-ScalingFactorRange scalingFactorRange(int fractionBits)
+ValueRange valueRange(Command command, int fractionBits)
+{
+    if (command == Command::scalingFactor || command == Command::writeScalingFactor)
+        return scalingFactorRange(fractionBits);
+    const CommandShape &shape = shapeOf(command);
+    return {shape.minimum, shape.maximum};
+}
+
+ValueRange scalingFactorRange(int fractionBits)
 {
     const auto smallest = rawScalingFactor(1, smallestFactorPart, fractionBits);
-    return smallest ? ScalingFactorRange{*smallest, std::uint32_t{1} << fractionBits} : ScalingFactorRange{};
+    return smallest ? ValueRange{*smallest, std::uint32_t{1} << fractionBits} : ValueRange{};
 }
 
 bool isScalingFactor(std::uint32_t raw, int fractionBits)
 {
-    const ScalingFactorRange range = scalingFactorRange(fractionBits);
-    return raw >= range.smallest && raw <= range.largest;
+    return scalingFactorRange(fractionBits).holds(raw);
 }
 
 double scalingFactor(std::uint32_t raw, int fractionBits)

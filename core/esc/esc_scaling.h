@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "esc/esc_command.h"
+
 #include <cstdint>
 #include <optional>
 
@@ -13,17 +15,30 @@ inline constexpr int defaultFractionBits = 29;
 inline constexpr int fewestFractionBits = 17; // 0.00001 needs them
 inline constexpr int mostFractionBits = 30;   // 31 could not hold 1.0
 
+inline constexpr double smallestFactor = 0.00001;
+inline constexpr double largestFactor = 1.0;
+
 inline constexpr std::uint32_t discSteps = 8192; // on the code disc, per turn
 inline constexpr std::uint32_t discTurns = 4096;
 
-// The range that the manual states for F, as the 32 bits: 0.00001..1.0; with a number of fraction bits that
-// cannot be, nothing lies in it.
-struct ScalingFactorRange
+// What a value may be, both ends included; none where the smallest is above the largest.
+struct ValueRange
 {
     std::uint32_t smallest = 1;
     std::uint32_t largest = 0;
+
+    bool holds(std::uint32_t value) const { return value >= smallest && value <= largest; }
+
+    friend bool operator==(const ValueRange &, const ValueRange &) = default;
 };
-ScalingFactorRange scalingFactorRange(int fractionBits);
+
+// What a command's data or answer may be, by the tables of the manual: the limits that all parts of the
+// program go by. Those of the scaling factor follow from the fraction bits of the line.
+ValueRange valueRange(Command command, int fractionBits = defaultFractionBits);
+
+// The range that the manual states for F, as the 32 bits; with a number of fraction bits that cannot be,
+// nothing lies in it.
+ValueRange scalingFactorRange(int fractionBits);
 bool isScalingFactor(std::uint32_t raw, int fractionBits);
 
 // What the 32 bits stand for; negative with the highest bit set.

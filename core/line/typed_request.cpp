@@ -5,6 +5,7 @@
 #include "encoder/sentence.h"
 #include "esc/esc_explain.h"
 #include "esc/esc_frame.h"
+#include "esc/esc_scaling.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -15,7 +16,7 @@ namespace {
 
 constexpr qsizetype addressDigits = 2;
 
-// What was typed, taken apart, and the sentence for the first part that is wrong.
+// What was typed, taken apart, and the sentences for what is wrong with it.
 class TypedParts
 {
     Q_DECLARE_TR_FUNCTIONS(TypedRequest)
@@ -27,13 +28,16 @@ public:
         , m_data(text.mid(addressDigits + m_letters.size()))
     {}
 
-    QString fault() const; // empty: nothing
+    // For the first part that is wrong; empty: for none.
+    QString fault() const;
+    // Precondition: fault() is empty.
+    QString valueFault(int fractionBits) const;
 
 private:
     QString addressFault() const;
     QString commandFault() const;
     QString dataFault(const esc::CommandShape &shape) const;
-    QString valueFault(const esc::CommandShape &shape) const;
+    const esc::CommandShape &shape() const { return esc::shapeOf(*esc::commandOf(m_letters.toLatin1())); }
 
     QString m_address;
     QString m_letters;
@@ -46,10 +50,7 @@ QString TypedParts::fault() const
         return wrong;
     if (QString wrong = commandFault(); !wrong.isEmpty())
         return wrong;
-    const esc::CommandShape &shape = esc::shapeOf(*esc::commandOf(m_letters.toLatin1()));
-    if (QString wrong = dataFault(shape); !wrong.isEmpty())
-        return wrong;
-    return shape.writes ? valueFault(shape) : QString();
+    return dataFault(shape());
 }
 
 QString TypedParts::addressFault() const
@@ -93,14 +94,24 @@ QString TypedParts::dataFault(const esc::CommandShape &shape) const
                                                 : sentence(tr("\"%1\" is no hexadecimal number."), {m_data});
 }
 
-QString TypedParts::valueFault(const esc::CommandShape &shape) const
+QString TypedParts::valueFault(int fractionBits) const
 {
     const std::uint32_t value = m_data.toUInt(nullptr, 16);
-    if (value >= shape.minimum && value <= shape.maximum)
+    const esc::ValueRange range = esc::valueRange(shape().command, fractionBits);
+    if (!shape().writes || range.holds(value))
         return {};
     return sentence(
         tr("%1 is outside of what %2 takes: %3 to %4. All numbers are hexadecimal."),
-        {bothNotations(value), m_letters, bothNotations(shape.minimum), bothNotations(shape.maximum)});
+        {bothNotations(value), m_letters, bothNotations(range.smallest), bothNotations(range.largest)});
+}
+
+tl::expected<esc::Request, QString> requestOf(const QString &typed)
+{
+    if (const QString wrong = TypedParts(typed).fault(); !wrong.isEmpty())
+        return tl::unexpected(wrong);
+    if (const auto request = esc::parseRequest(typed.toLatin1()))
+        return *request;
+    return tl::unexpected(TypedParts(QString()).fault());
 }
 
 } // namespace
@@ -111,14 +122,20 @@ QString bothNotations(std::uint32_t value)
         .arg(QString::number(value, 16).toUpper(), QLocale().toString(qulonglong{value}));
 }
 
-tl::expected<esc::Request, QString> typedRequest(const QString &text)
+tl::expected<esc::Request, QString> typedRequest(const QString &text, int fractionBits)
 {
     const QString typed = text.trimmed().toUpper();
-    if (const QString wrong = TypedParts(typed).fault(); !wrong.isEmpty())
+    auto request = requestOf(typed);
+    if (!request)
+        return request;
+    if (const QString wrong = TypedParts(typed).valueFault(fractionBits); !wrong.isEmpty())
         return tl::unexpected(wrong);
-    if (const auto request = esc::parseRequest(typed.toLatin1()))
-        return *request;
-    return tl::unexpected(TypedParts(QString()).fault());
+    return request;
+}
+
+tl::expected<esc::Request, QString> readRequest(const QString &text)
+{
+    return requestOf(text.trimmed().toUpper());
 }
 
 std::optional<esc::Request> sentRequest(const QByteArray &bytes)

@@ -78,6 +78,12 @@ constexpr Word readOutWord(unsigned code) noexcept
 // "Set encoder to default", a command of its own: 0E000000h.
 inline constexpr unsigned setToDefault = 7;
 
+// Whether any manual has a parameter, or a command, of this number: FRABA 1 to 5 and 7, Baumer 6 and 15 too.
+constexpr bool isKnownNumber(unsigned number) noexcept
+{
+    return (number >= 1 && number <= 7) || number == 15;
+}
+
 // A control word that asks for a parameter: D31..D29 = 000 and a number that is not 0.
 constexpr bool isParameterWord(Word out) noexcept
 {

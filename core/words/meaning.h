@@ -19,6 +19,8 @@ enum class MeaningId : std::uint8_t {
     frabaPreset,               // 60000000
     parameterRequest,          // "parameter n = value": number[0] = number, number[1] = value
     parameterRequestInCamMode, // likewise, but cam mode refuses it
+    parameterRequestInvalid,   // likewise, but the parameter does not take this value
+    parameterRequestUndefined, // likewise, but the encoder has no parameter of this number
     resetToDefault,            // 0E000000
     velocityOn,                // 20400001
     velocityOff,               // 20400000

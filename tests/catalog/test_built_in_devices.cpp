@@ -271,7 +271,7 @@ TEST(BuiltInDevices, KueblerParametersAreTheCommandsOfTheManual)
         {Parameter::steps, "D", "GR", 1, 8192},
         {Parameter::revolutions, "U", "GM", 1, 4096},
         {Parameter::measuringRange, "M", "GT", 1, 33'554'431},
-        {Parameter::scalingFactor, "F", "GF", 1, 0x7FFF'FFFF},
+        {Parameter::scalingFactor, "F", "GF", 0x14F9, 0x2000'0000},
         {Parameter::scaling, "O", "GS", 0, 1, 2},
         {Parameter::direction, "O", "GD", 0, 1, 0},
         {Parameter::lowerLimit, "L", "GL", 1, 33'554'431},
@@ -285,7 +285,7 @@ TEST(BuiltInDevices, KueblerParametersAreTheCommandsOfTheManual)
         {Parameter::operatingParameters, "O", "", 0, 0xFFFF},
         {Parameter::alarms, "A", "", 0, 0xFFFF},
         {Parameter::warnings, "E", "", 0, 0xFFFF},
-        {Parameter::deviceCode, "B", "", 0, 0xFFFF},
+        {Parameter::deviceCode, "B", "", 0x8000, 0xA000},
     };
     for (const QStringView key : {u"kuebler-esc-rs485", u"kuebler-esc-rs422"}) {
         const DeviceDescription &kuebler = device(catalog, key);

@@ -35,7 +35,7 @@ protected:
 TEST_F(ExplainWord, OutWordsOfFraba)
 {
     EXPECT_EQ(text(fraba, 0x8200'0000, positionOut), "Run; the other bits (02000000) are ignored");
-    EXPECT_EQ(text(fraba, 0x0600'0005, positionOut), "Parameter 3 direction = 5");
+    EXPECT_EQ(text(fraba, 0x0600'0005, positionOut), "Parameter 3 direction = 5 (there are only 3, 4)");
     EXPECT_EQ(text(fraba, 0x0E00'0001, positionOut), "Parameter 7 = 1");
 }
 
@@ -89,10 +89,64 @@ TEST_F(ExplainWord, WordsOfBaumer)
     EXPECT_EQ(text(baumer, 0x01FF'FFFF, decoded), "Running, position -1 (signed)");
 }
 
+// Of FRABA the manual has 1 to 5 and 7, of Baumer 6 and 15 too.
+TEST_F(ExplainWord, AParameterThatTheEncoderHasNotIsSaidToBeUndefined)
+{
+    for (const unsigned number : {6, 8, 9, 14, 15}) {
+        const Explanation asked = explainWord(fraba, k3::parameterWord(number, 1), positionOut);
+        EXPECT_EQ(asked, (Meaning{MeaningId::parameterRequestUndefined, {number, 1}})) << number;
+    }
+    EXPECT_EQ(text(fraba, 0x0C00'0005, positionOut), "Parameter 6 (not defined for this encoder) = 5");
+    EXPECT_EQ(text(fraba, 0xD000'0001, positionIn),
+              "Parameter 8 (not defined for this encoder) = 1 confirmed");
+    EXPECT_EQ(text(baumer, 0x1000'0001, positionOut), "Parameter 8 (not defined for this encoder) = 1");
+    EXPECT_EQ(text(baumer, 0x0C00'0005, positionOut), "Parameter 6 offset = 5");
+    EXPECT_EQ(explainWord(baumer, 0x0C00'0005, positionOut).first().id, MeaningId::parameterRequest);
+    EXPECT_EQ(explainWord(fraba, 0x0E00'0000, positionOut).first().id, MeaningId::resetToDefault);
+    EXPECT_EQ(explainWord(fraba, 0x0E00'0001, positionOut).first().id, MeaningId::parameterRequest);
+}
+
+TEST_F(ExplainWord, AValueOutOfRangeIsSaidToBe)
+{
+    EXPECT_EQ(text(baumer, 0x0400'4E20, positionOut), "Parameter 2 revolutions = 20000 (outside 1 to 4096)");
+    EXPECT_EQ(explainWord(baumer, 0x0400'4E20, positionOut),
+              (Meaning{MeaningId::parameterRequestInvalid, {2, 20'000}}));
+    EXPECT_EQ(text(baumer, 0xC400'4E20, positionIn),
+              "Parameter 2 revolutions = 20000 (outside 1 to 4096) confirmed");
+    EXPECT_EQ(text(baumer, 0x0200'0000, positionOut), "Parameter 1 steps = 0 (outside 1 to 33554431)");
+    EXPECT_EQ(text(baumer, 0x0600'0007, positionOut),
+              "Parameter 3 coding = 7 (there are only 1, 2, 3, 4, 5, 6)");
+    EXPECT_EQ(text(baumer, 0x2400'4E20, positionOut),
+              "Parameter 2 revolutions = 20000 (outside 1 to 4096) (D29 is ignored)");
+    EXPECT_EQ(explainWord(baumer, 0x1E00'1000, positionOut).first().id, MeaningId::parameterRequest);
+    EXPECT_EQ(explainWord(baumer, 0x1E00'1001, positionOut).first().id, MeaningId::parameterRequestInvalid);
+    EXPECT_EQ(text(fraba, 0x0400'0000, positionOut), "Parameter 2 revolutions = 0 (outside 1 to 4096)");
+    EXPECT_EQ(inBeside(fraba, 0xC400'1001, 0x0600'0003),
+              "Old confirmation: parameter 2 revolutions = 4097 (outside 1 to 4096)");
+    EXPECT_EQ(explainWord(fraba, 0x0200'0000, positionOut).first().id, MeaningId::parameterRequest)
+        << "one step, to an encoder that counts steps minus 1";
+    EXPECT_EQ(inBeside(fraba, 0xA000'0002, 0x2021'0006), "Read-out: preset flag = 2 (there are only 0, 1)");
+    EXPECT_EQ(inBeside(fraba, 0xA000'1001, 0x2021'0002), "Read-out: revolutions = 4097 (outside 1 to 4096)");
+    EXPECT_EQ(inBeside(fraba, 0xA000'0001, 0x2021'0003), "Read-out: direction = 1");
+}
+
+// The limits are those of the description, which may be narrower than the service's.
+TEST_F(ExplainWord, ARodRefusesWhatItsDescriptionDoes)
+{
+    DeviceDescription shorter = rod;
+    for (ParameterDescription &each : shorter.parameters)
+        if (each.parameter == Parameter::measuringLength)
+            each.maximum = 1'000;
+    EXPECT_EQ(explainWord(shorter, 0x4200'03E8, positionOut).first().id, MeaningId::serviceWrite);
+    EXPECT_EQ(explainWord(shorter, 0x4200'03E9, positionOut).first().id, MeaningId::serviceWriteInvalid);
+}
+
 TEST_F(ExplainWord, WordsOfAnUnnamedK3)
 {
     EXPECT_EQ(text(generic, 0x0200'00FF, positionOut), "Parameter 1 steps = 255");
     EXPECT_EQ(text(generic, 0x0600'0003, positionOut), "Parameter 3 = 3");
+    EXPECT_EQ(text(generic, 0x1E00'0003, positionOut), "Parameter 15 = 3") << "as a Baumer has it";
+    EXPECT_EQ(text(generic, 0x1000'0001, positionOut), "Parameter 8 (not defined for this encoder) = 1");
     EXPECT_EQ(text(generic, 0x2021'0001, positionOut),
               "Manufacturer specific (D29), and the make is not known");
 }

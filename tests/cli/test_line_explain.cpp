@@ -43,6 +43,23 @@ TEST(CliLineExplain, TellsWhatAnAnswerMeans)
     EXPECT_EQ(json[u"bits"].toArray().size(), 5);
 }
 
+// What no encoder takes or tells is explained all the same, and said to be out of range.
+TEST(CliLineExplain, SaysWhatIsOutOfRange)
+{
+    const CliRun preset = runLine(explainLine("03GP0"));
+    EXPECT_EQ(preset.exit, 0);
+    EXPECT_THAT(preset.out, HasSubstr("03: set preset to 0h = 0, outside 1 to 33554431"));
+    EXPECT_THAT(runLine(explainLine("CRLF --other 02X21")).out, HasSubstr("outside 1 to 31 -> accepted"));
+    EXPECT_EQ(runLine(explainLine("03GP0 --json")).json()[u"outOfRange"], true);
+    EXPECT_EQ(runLine(explainLine("03GP1 --json")).json()[u"outOfRange"], false);
+    EXPECT_FALSE(runLine(explainLine("05P --json")).json().contains(u"outOfRange"));
+    EXPECT_EQ(runLine(explainLine("7FFF --other 05B --json")).json()[u"outOfRange"], true);
+    EXPECT_EQ(runLine(explainLine("00001235 --other 05P --json")).json()[u"outOfRange"], false);
+    const QString factor = explainLine("40000000 --other 05F --json --link esc:training,fraction-bits=%1");
+    EXPECT_EQ(runLine(factor.arg(30)).json()[u"outOfRange"], false);
+    EXPECT_EQ(runLine(factor.arg(29)).json()[u"outOfRange"], true);
+}
+
 TEST(CliLineExplain, SwappedWarningsAreALinksSetting)
 {
     EXPECT_THAT(runLine(explainLine("0098 --other 05E --link esc:training,swap-warnings=1")).out,
@@ -66,6 +83,8 @@ TEST(CliDevices, ASerialEncoderHasItsCommands)
     const CliRun run = runLine(QStringLiteral("devices kuebler-esc-rs485"));
     EXPECT_THAT(run.out, HasSubstr("steps                         GR        D"));
     EXPECT_THAT(run.out, HasSubstr("preset                         -        S"));
+    EXPECT_THAT(run.out, HasSubstr("000014F9h..20000000h")) << "the limits of write and explain";
+    EXPECT_THAT(run.out, HasSubstr("8000h..A000h"));
 }
 
 } // namespace

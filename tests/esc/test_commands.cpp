@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "esc/esc_command.h"
+#include "esc/esc_scaling.h"
 
 #include <gtest/gtest.h>
 
@@ -28,9 +28,9 @@ constexpr CommandRow commandRows[] = {
     {"T", Command::operatingTime, false, 8, 0, 0xFFFF'FFFF},
     {"C", Command::offset, false, 8, 0, 0xFFFF'FFFF},
     {"N", Command::serialNumber, false, 8, 0, 0xFFFF'FFFF},
-    {"H", Command::upperLimit, false, 8, 1, 33'554'431},
-    {"L", Command::lowerLimit, false, 8, 1, 33'554'431},
-    {"F", Command::scalingFactor, false, 8, 1, 0x7FFF'FFFF},
+    {"H", Command::upperLimit, false, 8, 1, 33'554'432},
+    {"L", Command::lowerLimit, false, 8, 1, 33'554'432},
+    {"F", Command::scalingFactor, false, 8, 1, 0x4000'0000},
     {"B", Command::deviceCode, false, 4, 0x8000, 0xA000},
     {"U", Command::revolutions, false, 4, 1, 4'096},
     {"P", Command::position, false, 8, 0, 33'554'432},
@@ -40,7 +40,7 @@ constexpr CommandRow commandRows[] = {
     {"GT", Command::writeMeasuringRange, true, 8, 1, 33'554'431},
     {"GL", Command::writeLowerLimit, true, 8, 1, 33'554'431},
     {"GH", Command::writeUpperLimit, true, 8, 1, 33'554'431},
-    {"GF", Command::writeScalingFactor, true, 8, 1, 0x7FFF'FFFF},
+    {"GF", Command::writeScalingFactor, true, 8, 1, 0x4000'0000},
     {"GD", Command::writeDirection, true, 1, 0, 1},
     {"GS", Command::writeScaling, true, 1, 0, 1},
     {"X", Command::writeAddress, true, 2, 1, 31},
@@ -61,6 +61,19 @@ TEST(EscCommands, AreThoseOfBothTables)
         EXPECT_EQ(shape.minimum, row.minimum);
         EXPECT_EQ(shape.maximum, row.maximum);
     }
+}
+
+// 0.00001 to 1.0 (manual, read command F), whatever the format of the line.
+TEST(EscCommands, TheLimitsOfTheScalingFactorFollowFromItsFormat)
+{
+    for (const Command factor : {Command::scalingFactor, Command::writeScalingFactor}) {
+        EXPECT_EQ(valueRange(factor), (ValueRange{0x14F9, 0x2000'0000}));
+        EXPECT_EQ(valueRange(factor, 29), (ValueRange{0x14F9, 0x2000'0000}));
+        EXPECT_EQ(valueRange(factor, 30), (ValueRange{0x29F1, 0x4000'0000}));
+        EXPECT_EQ(valueRange(factor, 17), (ValueRange{1, 0x2'0000}));
+        EXPECT_FALSE(valueRange(factor, 31).holds(0x2000'0000));
+    }
+    EXPECT_EQ(valueRange(Command::deviceCode, 30), (ValueRange{0x8000, 0xA000}));
 }
 
 TEST(EscCommands, NothingElseIsOne)

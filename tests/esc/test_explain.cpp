@@ -43,6 +43,20 @@ const ExplainRow explainRows[] = {
     {"12D", value(8'192), "12: steps per revolution? -> 2000h = 8192"},
     {"12D", value(0xFFFF), "12: steps per revolution? -> FFFFh = 65535, outside 1 to 8192"},
     {"12D", {Kind::unknownCommand, 0, "03"}, "12: steps per revolution? -> command unknown (03)"},
+    // Outside what the tables of the manual state.
+    {"12B", value(0x7FFF), "12: device code? -> 7FFFh, outside 8000h to A000h"},
+    {"12B", value(0xA000), "12: device code? -> A000h"},
+    {"12B", value(0xA001), "12: device code? -> A001h, outside 8000h to A000h"},
+    {"12F", value(1), "12: scaling factor? -> 00000001h = 1.862645149e-09, outside 0.00001 to 1.0"},
+    {"12F", value(0x20000000), "12: scaling factor? -> 20000000h = 1"},
+    {"12F", value(0x20000001), "12: scaling factor? -> 20000001h = 1.000000002, outside 0.00001 to 1.0"},
+    {"12F", value(0x7FFFFFFF), "12: scaling factor? -> 7FFFFFFFh = 3.999999998, outside 0.00001 to 1.0"},
+    {"12F", value(0x80000000), "12: scaling factor? -> 80000000h = -4, outside 0.00001 to 1.0"},
+    {"12H", value(0x02000000), "12: upper limit switch? -> 2000000h = 33554432"},
+    {"12L", value(0x02000000), "12: lower limit switch? -> 2000000h = 33554432"},
+    {"12H", value(0x02000001), "12: upper limit switch? -> 2000001h = 33554433, outside 1 to 33554432"},
+    {"09GF1", accepted,
+     "09: set scaling factor to 00000001h = 1.862645149e-09, outside 0.00001 to 1.0 -> accepted"},
     {"03GP5200", accepted, "03: set preset to 5200h = 20992 -> accepted"},
     {"03GP0",
      {Kind::outOfRange, 0, "05"},
@@ -83,6 +97,10 @@ TEST(EscExplain, TheFractionOfTheScalingFactorIsSettable)
 {
     EXPECT_EQ(answerText(*parseRequest("09F"), value(0x1F400000), {.fractionBits = 30}),
               QStringLiteral("1F400000h = 0.48828125"));
+    EXPECT_EQ(answerText(*parseRequest("09F"), value(0x40000000), {.fractionBits = 30}),
+              QStringLiteral("40000000h = 1"));
+    EXPECT_EQ(answerText(*parseRequest("09F"), value(0x40000001), {.fractionBits = 30}),
+              QStringLiteral("40000001h = 1.000000001, outside 0.00001 to 1.0"));
 }
 
 TEST(EscExplain, EveryCommandHasAName)

@@ -116,7 +116,7 @@ const AppendixRow appendixRows[] = {
      0x8000'0000, 0x8200'0000, {run}, {deviceError, {1, 0}}, "Run", "Error 1: wrong parameter data"},
     {"10.3", "unknown parameter number", "84000000", in, Mode::position, nothing, {},
      0x0C00'0001, 0x8400'0000, {parameterRequest, {6, 1}}, {deviceError, {2, 0}},
-     "Parameter 6 = 1", "Error 2: unknown parameter number"},
+     "Parameter 6 (not defined for this encoder) = 1", "Error 2: unknown parameter number"},
     {"10.3", "parameters lost", "86000000", in, Mode::position, losesItsParameters, {},
      0x0000'0000, 0x8600'0000, {normalRunning}, {deviceError, {3, 0}},
      "Normal running", "Error 3: parameters lost"},

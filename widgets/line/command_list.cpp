@@ -25,14 +25,23 @@ void CommandList::setAddress(const QString &digits)
     Q_EMIT dataChanged(index(0, request), index(rowCount() - 1, request));
 }
 
+void CommandList::setFractionBits(int bits)
+{
+    if (bits == m_fractionBits)
+        return;
+    m_fractionBits = bits;
+    Q_EMIT dataChanged(index(0, meaning), index(rowCount() - 1, meaning));
+}
+
 QString CommandList::meaningOf(const esc::CommandShape &shape) const
 {
     const QString name = esc::commandName(shape.command);
     if (!shape.writes)
         return sentence(tr("reads: %1"), {name});
-    return sentence(
-        tr("writes: %1; %2 to %3, up to %4 hexadecimal digits"),
-        {name, bothNotations(shape.minimum), bothNotations(shape.maximum), QLocale().toString(shape.digits)});
+    const esc::ValueRange range = esc::valueRange(shape.command, m_fractionBits);
+    return sentence(tr("writes: %1; %2 to %3, up to %4 hexadecimal digits"),
+                    {name, bothNotations(range.smallest), bothNotations(range.largest),
+                     QLocale().toString(shape.digits)});
 }
 
 QVariant CommandList::headerCell(int column, int role) const

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "esc/esc_command.h"
+#include "esc/esc_scaling.h"
 #include "widgets/models/table_model_base.h"
 
 namespace codewheel {
@@ -20,6 +20,8 @@ public:
     // Two hexadecimal digits; the requests begin with them.
     void setAddress(const QString &digits);
     const QString &address() const { return m_address; }
+    // Of the scaling factor of the line.
+    void setFractionBits(int bits);
 
 protected:
     int columns() const override { return meaning + 1; }
@@ -30,6 +32,7 @@ private:
     QString meaningOf(const esc::CommandShape &shape) const;
 
     QString m_address = QStringLiteral("01");
+    int m_fractionBits = esc::defaultFractionBits;
 };
 
 } // namespace codewheel

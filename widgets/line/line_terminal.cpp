@@ -56,6 +56,7 @@ void LineTerminal::setLine(LineSession *line)
 void LineTerminal::setExplainOptions(const esc::ExplainOptions &options)
 {
     m_options = options;
+    m_field->setFractionBits(options.fractionBits);
     m_rows->setExplainOptions(options);
     m_record->setExplainOptions(options);
 }
@@ -94,7 +95,7 @@ void LineTerminal::send()
 {
     m_question->withdraw();
     m_message->withdraw();
-    const auto request = typedRequest(m_field->text());
+    const auto request = typedRequest(m_field->text(), m_options.fractionBits);
     if (!request) {
         m_message->showMessage(Role::attention, request.error());
         return;

@@ -55,6 +55,11 @@ void RequestField::followAddress(const QString &text)
     m_place = m_history.size();
 }
 
+void RequestField::setFractionBits(int bits)
+{
+    m_commands->setFractionBits(bits);
+}
+
 void RequestField::setHistory(const QStringList &history)
 {
     m_history = history.mid(std::max<qsizetype>(0, history.size() - mostKept));

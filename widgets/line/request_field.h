@@ -22,6 +22,8 @@ public:
     // Oldest first.
     const QStringList &history() const { return m_history; }
     void setHistory(const QStringList &history);
+    // Of the line: what a scaling factor may be follows from it.
+    void setFractionBits(int bits);
     // Keeps what was typed and empties the field.
     void keep();
 

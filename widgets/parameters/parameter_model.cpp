@@ -124,9 +124,7 @@ ParameterRow ParameterModel::rowFor(const ParameterDescription &parameter) const
 ParameterDescription ParameterModel::withRange(const ParameterDescription &parameter) const
 {
     const auto options = explainOptionsOf(m_encoder.session());
-    return options && parameter.parameter == Parameter::scalingFactor
-               ? escNarrowed(m_encoder.device(), parameter.parameter, {}, options->fractionBits)
-               : parameter;
+    return options ? atFractionBits(parameter, options->fractionBits) : parameter;
 }
 
 void ParameterModel::refresh()

@@ -24,7 +24,7 @@ Mode modeOf(StepKind kind)
 QString requestStepText(const Step &step)
 {
     const QString line = QString::fromLatin1(step.line);
-    const auto request = typedRequest(line);
+    const auto request = readRequest(line);
     return request ? esc::requestText(*request) : StepText::tr("Send %1").arg(line);
 }
 

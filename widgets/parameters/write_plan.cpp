@@ -31,7 +31,7 @@ std::int64_t valueGiven(const Step &step, const WriteParameters &job)
 {
     if (const auto wanted = valueOf(job.values, *step.parameter))
         return *wanted;
-    const auto request = typedRequest(QString::fromLatin1(step.line));
+    const auto request = readRequest(QString::fromLatin1(step.line));
     return request ? request->data : 0;
 }
 

@@ -51,7 +51,7 @@ QString exchangeText(const DeviceDescription &device, const TraceRow &row)
     if (isOnly(out, MeaningId::normalRunning))
         return said;
     const QString asked = explanationText(device, out);
-    if (isOnly(out, MeaningId::parameterRequest)) {
+    if (out.isUnique() && asksForParameter(out.first().id)) {
         if (isOnly(in, MeaningId::confirmed) && in.first().number == out.first().number)
             return QCoreApplication::translate("Trace", "%1: confirmed", "parameter = value").arg(asked);
         if (isOnly(in, MeaningId::oldConfirmation) || k3::isOperation(row.exchange.in))

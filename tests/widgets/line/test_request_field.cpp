@@ -86,6 +86,21 @@ TEST_F(RequestFieldTest, CtrlSpaceListsAllCommands)
     field.completer()->popup()->hide();
 }
 
+// As write and the terminal have them.
+TEST(CommandList, SaysTheLimitsOfTheScalingFactorInTheFormatOfTheLine)
+{
+    CommandList list;
+    const auto ofFactor = [&] {
+        for (int row = 0; row < list.rowCount(); ++row)
+            if (list.index(row, CommandList::request).data() == QStringLiteral("01GF"))
+                return list.index(row, CommandList::meaning).data().toString().toStdString();
+        return std::string();
+    };
+    EXPECT_NE(ofFactor().find("14F9h = 5369 to 20000000h = 536870912"), std::string::npos) << ofFactor();
+    list.setFractionBits(30);
+    EXPECT_NE(ofFactor().find("to 40000000h = 1073741824"), std::string::npos) << ofFactor();
+}
+
 TEST(CommandList, SaysWhatEachCommandDoes)
 {
     CommandList list;
