@@ -4,7 +4,7 @@
 #include "cli/texts.h"
 #include "encoder/hex.h"
 #include "encoder/sentence.h"
-#include "esc/esc_scaling.h"
+#include "line/line_limits.h"
 #include "links/serial_ports.h"
 
 #include <QStringList>
@@ -24,33 +24,28 @@ using std::chrono::milliseconds;
 struct NumberSetting
 {
     const char *key;
-    int minimum;
-    int maximum;
+    line_limits::Limits limits;
     void (*apply)(LineLink &link, int value);
 };
-
-constexpr int fastestRate = 4'000'000; // bit/s
-constexpr int longestSetting = 60'000; // ms
-constexpr int mostRetries = 20;
-constexpr int fastestShaft = 100'000; // rpm
-constexpr int shortestPoll = static_cast<int>(LineWish::shortestInterval / milliseconds(1));
 
 constexpr auto fractionBitsKey = "fraction-bits";
 
 constexpr std::array numberSettings{
-    NumberSetting{"baud", 50, fastestRate, [](LineLink &link, int v) { link.wish.line.baudRate = v; }},
-    NumberSetting{"time-out", 1, longestSetting,
+    NumberSetting{"baud", line_limits::baudRate, [](LineLink &link, int v) { link.wish.line.baudRate = v; }},
+    NumberSetting{"time-out", line_limits::timeOut,
                   [](LineLink &link, int v) { link.wish.timing.answerTimeOut = milliseconds(v); }},
-    NumberSetting{"retries", 0, mostRetries, [](LineLink &link, int v) { link.wish.timing.retries = v; }},
-    NumberSetting{"quiet", 0, longestSetting,
+    NumberSetting{"retries", line_limits::retries,
+                  [](LineLink &link, int v) { link.wish.timing.retries = v; }},
+    NumberSetting{"quiet", line_limits::quietAfterWrite,
                   [](LineLink &link, int v) { link.wish.timing.quietAfterWrite = milliseconds(v); }},
-    NumberSetting{"poll", shortestPoll, longestSetting,
+    NumberSetting{"poll", line_limits::pollInterval,
                   [](LineLink &link, int v) { link.wish.pollInterval = milliseconds(v); }},
-    NumberSetting{"top-speed", 1, fastestShaft, [](LineLink &link, int v) { link.wish.topSpeed = v; }},
-    NumberSetting{fractionBitsKey, esc::fewestFractionBits, esc::mostFractionBits,
+    NumberSetting{"top-speed", line_limits::topSpeed, [](LineLink &link, int v) { link.wish.topSpeed = v; }},
+    NumberSetting{fractionBitsKey, line_limits::fractionBits,
                   [](LineLink &link, int v) { link.wish.fractionBits = v; }},
-    NumberSetting{"low-latency", 0, 1, [](LineLink &link, int v) { link.wish.line.lowLatency = v == 1; }},
-    NumberSetting{"swap-warnings", 0, 1,
+    NumberSetting{"low-latency", {0, 1}, [](LineLink &link, int v) { link.wish.line.lowLatency = v == 1; }},
+    NumberSetting{"swap-warnings",
+                  {0, 1},
                   [](LineLink &link, int v) {
                       link.swapWarningBytes = v == 1;
                       link.swapping.clear();
@@ -99,12 +94,12 @@ Checked<void> takeSetting(LineLink &link, const QString &setting)
                             "behind the port, as esc:ttyUSB0,baud=9600."),
             {key, lineSettingKeys()});
     const auto number = parseNumber(text);
-    if (!number || *number < known->minimum || *number > known->maximum)
+    if (!number || *number < known->limits.least || *number > known->limits.most)
         return badInput(
             QStringLiteral("lineSettingOutOfRange"),
             CommandLine::tr("The setting %1 of the line cannot be \"%2\". Give a whole number from "
                             "%3 to %4."),
-            {key, text, std::int64_t{known->minimum}, std::int64_t{known->maximum}});
+            {key, text, std::int64_t{known->limits.least}, std::int64_t{known->limits.most}});
     known->apply(link, static_cast<int>(*number));
     return {};
 }

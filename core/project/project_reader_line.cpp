@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The serial line of a project (docs/project-files.md).
+#include "line/line_limits.h"
 #include "project/project_keys.h"
 #include "project/project_reader.h"
 
@@ -12,18 +13,18 @@ namespace {
 using namespace project_keys;
 using std::chrono::milliseconds;
 
-constexpr int fastestRate = 10'000'000;
-constexpr int longestInterval = 60'000; // ms
-constexpr int longestTime = 10'000;     // ms
-constexpr int mostRetries = 10;
-constexpr double highestSpeed = 100'000;
 constexpr int largestUsbNumber = 0xFFFF;
 
 // Of which the file has whole milliseconds.
-Instant time(const JsonObject &json, const char *key, Instant otherwise, int least, int most)
+Instant time(const JsonObject &json, const char *key, Instant otherwise, line_limits::Limits limits)
 {
     const auto usual = std::chrono::duration_cast<milliseconds>(otherwise);
-    return milliseconds(json.numberOr(key, static_cast<int>(usual.count()), least, most));
+    return milliseconds(json.numberOr(key, static_cast<int>(usual.count()), limits.least, limits.most));
+}
+
+int number(const JsonObject &json, const char *key, int otherwise, line_limits::Limits limits)
+{
+    return json.numberOr(key, otherwise, limits.least, limits.most);
 }
 
 } // namespace
@@ -35,20 +36,20 @@ ProjectLine ProjectReader::readLine(const JsonObject &json)
     wish.port = json.freeText("port");
     if (json.has("adapter"))
         line.adapter = readAdapter(json.object("adapter", {"vendor", "product", "serialNumber", "usbPath"}));
-    wish.line.baudRate = json.numberOr("baudRate", wish.line.baudRate, 1, fastestRate);
+    wish.line.baudRate = number(json, "baudRate", wish.line.baudRate, line_limits::baudRate);
     wish.line.dataBits = json.numberOr("dataBits", wish.line.dataBits, 7, 8);
     if (json.has("parity"))
         wish.line.parity = json.oneOf("parity", parities);
     wish.line.stopBits = json.numberOr("stopBits", wish.line.stopBits, 1, 2);
     wish.line.lowLatency = json.flagOr("lowLatency", wish.line.lowLatency);
-    wish.pollInterval = time(json, "pollInterval", wish.pollInterval,
-                             static_cast<int>(LineWish::shortestInterval / milliseconds(1)), longestInterval);
-    wish.timing.answerTimeOut = time(json, "timeOut", wish.timing.answerTimeOut, 1, longestTime);
-    wish.timing.retries = json.numberOr("retries", wish.timing.retries, 0, mostRetries);
-    wish.timing.quietAfterWrite = time(json, "quietAfterWrite", wish.timing.quietAfterWrite, 0, longestTime);
-    wish.fractionBits =
-        json.numberOr("fractionBits", wish.fractionBits, esc::fewestFractionBits, esc::mostFractionBits);
-    wish.topSpeed = json.decimalOr("topSpeed", wish.topSpeed, 1, highestSpeed);
+    wish.pollInterval = time(json, "pollInterval", wish.pollInterval, line_limits::pollInterval);
+    wish.timing.answerTimeOut = time(json, "timeOut", wish.timing.answerTimeOut, line_limits::timeOut);
+    wish.timing.retries = number(json, "retries", wish.timing.retries, line_limits::retries);
+    wish.timing.quietAfterWrite =
+        time(json, "quietAfterWrite", wish.timing.quietAfterWrite, line_limits::quietAfterWrite);
+    wish.fractionBits = number(json, "fractionBits", wish.fractionBits, line_limits::fractionBits);
+    wish.topSpeed =
+        json.decimalOr("topSpeed", wish.topSpeed, line_limits::topSpeed.least, line_limits::topSpeed.most);
     wish.timing.character = wish.line.timeOf(1);
     if (json.has("encoders"))
         readEncoders(json, line.encoders);

@@ -44,6 +44,20 @@ TEST(CliLineLink, APortStandsByItselfOrWithSettings)
     EXPECT_TRUE(lineLink("esc:ttyUSB0,fraction-bits=device").asksForFractionBits);
 }
 
+// The same limits as in the project's file and in the form.
+TEST(CliLineLink, SettingsGoAsFarAsInTheProject)
+{
+    const LineLink most =
+        lineLink("esc:ttyUSB0,baud=10000000,time-out=60000,retries=20,quiet=60000,poll=60000");
+    EXPECT_EQ(most.wish.line.baudRate, 10'000'000);
+    EXPECT_EQ(most.wish.timing.retries, 20);
+    EXPECT_EQ(lineLink("esc:ttyUSB0,baud=50").wish.line.baudRate, 50);
+    for (const char *beyond :
+         {"esc:ttyUSB0,baud=10000001", "esc:ttyUSB0,baud=49", "esc:ttyUSB0,time-out=60001",
+          "esc:ttyUSB0,retries=21", "esc:ttyUSB0,quiet=60001"})
+        EXPECT_EQ(refusal(beyond), "lineSettingOutOfRange") << beyond;
+}
+
 TEST(CliLineLink, TheLineOfAProjectKeepsItsSettingsSaveThoseTyped)
 {
     Project project;

@@ -87,6 +87,31 @@ TEST(ProjectJson, WhatIsLeftOutOfASerialLineIsAsDelivered)
     EXPECT_EQ(*project->line, line);
 }
 
+// The same limits as at the command line and in the form.
+TEST(ProjectJson, ASerialLineMayHaveAllThatTheCommandLineGives)
+{
+    const auto project = projectFromJson(
+        R"({"format": "codewheel-project", "version": 1, "devices": [], "serialLine": {"baudRate": 10000000,
+            "timeOut": 60000, "retries": 20, "quietAfterWrite": 60000, "pollInterval": 60000}})",
+        fileName);
+    ASSERT_TRUE(project && project->line);
+    EXPECT_EQ(project->line->wish.line.baudRate, 10'000'000);
+    EXPECT_EQ(project->line->wish.timing.answerTimeOut, std::chrono::seconds(60));
+    EXPECT_EQ(project->line->wish.timing.retries, 20);
+}
+
+// Kübler manual, "Masteraddress: 00"
+TEST(ProjectJson, AnEncoderThatIsAloneMayStandAtTheMasterAddress)
+{
+    const QByteArray text =
+        R"({"format": "codewheel-project", "version": 1, "devices": [], "serialLine": {"encoders": [
+            {"place": "esc:00", "device": "kuebler-esc-rs485"}]}})";
+    const auto project = projectFromJson(text, fileName);
+    ASSERT_TRUE(project) << refusalText(project.error()).toStdString();
+    EXPECT_NE(findDevice(*project, DeviceNumber::onLine(LineAddress::master())), nullptr);
+    EXPECT_EQ(projectFromJson(projectToJson(*project), fileName), project);
+}
+
 TEST(ProjectJson, WritesWhatThePageShows)
 {
     const auto project = projectFromJson(example(), fileName);
@@ -252,7 +277,16 @@ INSTANTIATE_TEST_SUITE_P(
         Breakage{"\"words\"", "\"word\"", 78, "sequences[0].word", "not known"},
         Breakage{"\"port\": \"/dev/ttyUSB0\"", "\"port\": 1", 86, "serialLine.port", "text"},
         Breakage{"0403h", "10403h", 88, "serialLine.adapter.vendor", "four digits"},
-        Breakage{"\"baudRate\": 19200", "\"baudRate\": 0", 93, "serialLine.baudRate", "not between"},
+        Breakage{"\"baudRate\": 19200", "\"baudRate\": 49", 93, "serialLine.baudRate",
+                 "not between 50 and 10000000"},
+        Breakage{"\"baudRate\": 19200", "\"baudRate\": 10000001", 93, "serialLine.baudRate", "not between"},
+        Breakage{"\"timeOut\": 100", "\"timeOut\": 60001", 99, "serialLine.timeOut",
+                 "not between 1 and 60000"},
+        Breakage{"\"retries\": 2", "\"retries\": 21", 100, "serialLine.retries", "not between 0 and 20"},
+        Breakage{"\"quietAfterWrite\": 100", "\"quietAfterWrite\": 60001", 101, "serialLine.quietAfterWrite",
+                 "not between 0 and 60000"},
+        Breakage{"\"encoders\": [", "\"encoders\": [{\"place\": \"esc:00\", \"device\": \"x\"},", 106,
+                 "serialLine.encoders[1].place", "must be alone"},
         Breakage{"\"dataBits\": 8", "\"dataBits\": 9", 94, "serialLine.dataBits", "not between 7 and 8"},
         Breakage{"\"none\"", "\"mark\"", 95, "serialLine.parity", "none, even, odd"},
         Breakage{"\"pollInterval\": 10", "\"pollInterval\": 9", 98, "serialLine.pollInterval",

@@ -24,11 +24,6 @@ namespace codewheel {
 namespace {
 
 constexpr int longestPort = 4'096; // characters of a path
-constexpr int fastestRate = 10'000'000;
-constexpr int longestInterval = 60'000; // ms
-constexpr int longestTime = 10'000;     // ms
-constexpr int mostRetries = 10;
-constexpr double highestSpeed = 100'000.0;
 
 int wholeMilliseconds(Instant time)
 {
@@ -101,10 +96,10 @@ QComboBox *LineSettingsForm::addChoice(QFormLayout &form, const QString &label, 
 }
 
 QSpinBox *LineSettingsForm::addNumber(QFormLayout &form, const QString &label, const QString &toolTip,
-                                      int least, int most)
+                                      line_limits::Limits limits)
 {
     auto *field = new IntegerField(m_content);
-    field->setRange(least, most);
+    field->setRange(limits.least, limits.most);
     field->setToolTip(toolTip);
     field->setAccessibleDescription(toolTip);
     form.addRow(label, field);
@@ -149,7 +144,8 @@ void LineSettingsForm::makeCharacter(QFormLayout &form)
     m_baudRate->setInsertPolicy(QComboBox::NoInsert);
     for (const int rate : {19'200, 9'600, 4'800})
         m_baudRate->addItem(QString::number(rate), rate);
-    m_baudRate->lineEdit()->setValidator(new QIntValidator(1, fastestRate, this));
+    m_baudRate->lineEdit()->setValidator(
+        new QIntValidator(line_limits::baudRate.least, line_limits::baudRate.most, this));
     form.addRow(m_rateTold);
     connect(m_rateTold, &InlineMessage::actionTriggered, this, &LineSettingsForm::takeRate);
     m_dataBits = addChoice(form, tr("Dat&a bits"), tr("8 for these encoders"));
@@ -174,13 +170,15 @@ void LineSettingsForm::makeTimes(QFormLayout &form)
     m_pollInterval =
         addNumber(form, tr("Poll &interval"),
                   tr("Between position requests of one encoder; 10 ms is the shortest of the manual"),
-                  wholeMilliseconds(LineWish::shortestInterval), longestInterval);
-    m_timeOut = addNumber(form, tr("&Time-out"),
-                          tr("From the end of a request to the beginning of its answer"), 1, longestTime);
+                  line_limits::pollInterval);
+    m_timeOut =
+        addNumber(form, tr("&Time-out"), tr("From the end of a request to the beginning of its answer"),
+                  line_limits::timeOut);
     m_retries = addNumber(form, tr("&Number of retries"),
-                          tr("How often a read is sent again. A write never is"), 0, mostRetries);
+                          tr("How often a read is sent again. A write never is"), line_limits::retries);
     m_quiet = addNumber(form, tr("&Quiet time after a write"),
-                        tr("How long nothing is sent after a write: the encoder stores it"), 0, longestTime);
+                        tr("How long nothing is sent after a write: the encoder stores it"),
+                        line_limits::quietAfterWrite);
     for (QSpinBox *field : {m_pollInterval, m_timeOut, m_quiet})
         setPeriod(*field);
 }
@@ -189,7 +187,7 @@ void LineSettingsForm::makeEncoder(QFormLayout &form)
 {
     makeFractionBits(form);
     m_topSpeed = new DecimalField(m_content);
-    m_topSpeed->setRange(1.0, highestSpeed);
+    m_topSpeed->setRange(line_limits::topSpeed.least, line_limits::topSpeed.most);
     m_topSpeed->setDecimals(0);
     m_topSpeed->setSingleStep(100.0);
     m_topSpeed->setSuffix(tr(" 1/min", "unit of a speed"));
@@ -204,7 +202,7 @@ void LineSettingsForm::makeEncoder(QFormLayout &form)
 void LineSettingsForm::makeFractionBits(QFormLayout &form)
 {
     m_fractionBits = new IntegerField(m_content);
-    m_fractionBits->setRange(esc::fewestFractionBits, esc::mostFractionBits);
+    m_fractionBits->setRange(line_limits::fractionBits.least, line_limits::fractionBits.most);
     m_fractionBits->setAccessibleName(tr("Fraction bits of the scaling factor"));
     m_fractionBits->setToolTip(tr("29 fits the example of the manual; it can be determined from a device"));
     m_fractionBits->setAccessibleDescription(m_fractionBits->toolTip());
@@ -360,8 +358,10 @@ bool LineSettingsForm::isComplete(const LineWish &wish)
 {
     if (wish.port.isEmpty())
         m_problem->showMessage(Role::attention, tr("Choose a serial port, or type the path of one."));
-    else if (wish.line.baudRate < 1)
-        m_problem->showMessage(Role::attention, tr("The baud rate is a number from 1 to 10000000."));
+    else if (!line_limits::baudRate.hold(wish.line.baudRate))
+        m_problem->showMessage(Role::attention, tr("The baud rate is a number from %1 to %2.")
+                                                    .arg(line_limits::baudRate.least)
+                                                    .arg(line_limits::baudRate.most));
     else {
         m_problem->withdraw();
         return true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "line/line_limits.h"
 #include "widgets/line/line_wish.h"
 
 #include <QScrollArea>
@@ -60,7 +61,8 @@ private:
     void makeTimes(QFormLayout &form);
     void makeEncoder(QFormLayout &form);
     void makeFractionBits(QFormLayout &form);
-    QSpinBox *addNumber(QFormLayout &form, const QString &label, const QString &toolTip, int least, int most);
+    QSpinBox *addNumber(QFormLayout &form, const QString &label, const QString &toolTip,
+                        line_limits::Limits limits);
     QComboBox *addChoice(QFormLayout &form, const QString &label, const QString &toolTip);
     QString chosenPort() const;
     bool isComplete(const LineWish &wish);

@@ -162,6 +162,27 @@ TEST_F(LineSettingsFormTest, GivesBackWhatItWasGiven)
     EXPECT_EQ(form.wish(), wish);
 }
 
+// What the command line and the project's file take, the form shows and gives back.
+TEST_F(LineSettingsFormTest, GoesAsFarAsTheCommandLine)
+{
+    LineWish wish;
+    wish.port = QStringLiteral("/dev/ttyS4");
+    wish.line.baudRate = 10'000'000;
+    wish.timing.character = wish.line.timeOf(1);
+    wish.timing.answerTimeOut = 60s;
+    wish.timing.retries = 20;
+    wish.timing.quietAfterWrite = 60s;
+    wish.pollInterval = 60s;
+    form.setWish(wish);
+    EXPECT_EQ(form.wish(), wish);
+    connectNow();
+    EXPECT_EQ(wanted.size(), 1U);
+    field<QComboBox>("Baud rate").setEditText(QStringLiteral("49"));
+    connectNow();
+    EXPECT_EQ(wanted.size(), 1U);
+    EXPECT_EQ(said(), QStringLiteral("The baud rate is a number from 50 to 10000000."));
+}
+
 TEST_F(LineSettingsFormTest, PositionsAreNotAskedForFasterThanTheManualAllows)
 {
     field<QSpinBox>("Poll interval").setValue(1);
