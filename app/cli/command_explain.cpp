@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/explain_word.h"
+#include "catalog/label_key.h"
 #include "cli/commands.h"
 #include "cli/device_text.h"
 #include "cli/explain_line.h"
@@ -20,12 +21,16 @@ constexpr const char *explainExamples[] = {
     "explain A0002000 --device fraba-ocd-ib --direction in --other 20210001",
     "explain 40000000 --device fraba-ocd-ib --direction out --mode cam",
     "explain 00003039 --device baumer-gxp6w --direction in --coding gray-cw",
+    "explain 01FFFFFF --label OCD-IBA1B-1213-C100-PRI --device fraba-ocd-ib-k2 --direction in",
     "explain 03GP00005200 --device kuebler-esc-rs485",
     "explain 00001235 --device kuebler-esc-rs485 --other 05P",
 };
 
 constexpr std::array explainOptions{
     Option{"--device", "NAME", QT_TRANSLATE_NOOP("codewheel::CommandLine", "whose word it is (see devices)")},
+    Option{"--label", "KEY",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "the key on the label of the encoder: it tells how many bits a position has")},
     Option{"--direction", "in|out",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "out: master to encoder; in: encoder to master")},
     Option{"--mode", "position|cam|velocity",
@@ -80,6 +85,40 @@ QString deviceKeys(const Catalog &catalog)
     for (const DeviceDescription &device : catalog.devices())
         keys << device.key;
     return keys.join(QStringLiteral(", "));
+}
+
+// With the turns and steps of its label, where that is given. The key may name the device too.
+Checked<DeviceDescription> labelledDevice(const Call &call, const QString &label,
+                                          const std::optional<QString> &name)
+{
+    const auto matches = findByLabel(call.catalog, label);
+    if (!matches)
+        return tl::unexpected(complaintAbout(matches.error()));
+    QStringList keys;
+    for (const LabelMatch &match : *matches) {
+        if (name ? match.device->key == *name : matches->size() == 1)
+            return describedDevice(match);
+        keys << match.device->key;
+    }
+    if (!name)
+        return tl::unexpected(required(call, "--device", keys.join(QStringLiteral(", "))).error());
+    return badInput(QStringLiteral("labelOfOther"),
+                    CommandLine::tr("The key \"%1\" is not that of %2. It may be that of: %3."),
+                    {label, *name, keys.join(QStringLiteral(", "))});
+}
+
+Checked<DeviceDescription> deviceMeant(const Call &call)
+{
+    const auto name = call.arguments.value("--device");
+    if (name)
+        if (const auto known = deviceNamed(call.catalog, *name); !known)
+            return tl::unexpected(known.error());
+    if (const auto label = call.arguments.value("--label"))
+        return labelledDevice(call, *label, name);
+    const auto key = required(call, "--device", deviceKeys(call.catalog));
+    if (!key)
+        return tl::unexpected(key.error());
+    return **deviceNamed(call.catalog, *key);
 }
 
 // The coding is parameter 3 of encoders that have it; where the make is not known, it is taken as theirs.
@@ -166,29 +205,26 @@ Checked<Answer> runExplain(const Call &call)
     const auto word = wordFrom(call.arguments.rest.front());
     if (!word)
         return tl::unexpected(word.error());
-    const auto key = required(call, "--device", deviceKeys(call.catalog));
-    if (!key)
-        return tl::unexpected(key.error());
-    const auto device = deviceNamed(call.catalog, *key);
+    const auto device = deviceMeant(call);
     if (!device)
         return tl::unexpected(device.error());
-    const auto context = contextOf(call, **device);
+    const auto context = contextOf(call, *device);
     if (!context)
         return tl::unexpected(context.error());
 
-    const Explanation explanation = explainWord(**device, *word, *context);
+    const Explanation explanation = explainWord(*device, *word, *context);
     const bool isOut = context->direction == WordDirection::out;
     QString text =
         QStringLiteral("%1 %2, %3\n")
-            .arg(isOut ? QStringLiteral("OUT") : QStringLiteral("IN"), hexWord(*word), (*device)->fullName());
+            .arg(isOut ? QStringLiteral("OUT") : QStringLiteral("IN"), hexWord(*word), device->fullName());
     for (const Meaning &meaning : explanation)
-        text += QStringLiteral("  ") + explanationText(**device, meaning) + u'\n';
+        text += QStringLiteral("  ") + explanationText(*device, meaning) + u'\n';
     if (!explanation.isUnique())
-        text += whatMayHelp(**device, *context);
+        text += whatMayHelp(*device, *context);
     return Answer{text,
                   {{QStringLiteral("word"), wordJson(*word)},
                    {QStringLiteral("direction"), isOut ? QStringLiteral("out") : QStringLiteral("in")},
-                   {QStringLiteral("device"), (*device)->key},
+                   {QStringLiteral("device"), device->key},
                    {QStringLiteral("meanings"), meaningsJson(explanation)}}};
 }
 
@@ -197,13 +233,15 @@ Checked<Answer> runExplain(const Call &call)
 const Subcommand explainCommand{
     .name = "explain",
     .usage =
-        "WORD --device NAME --direction in|out [--mode position|cam|velocity] [--other WORD] [--coding N]",
+        "WORD --device NAME [--label KEY] --direction in|out [--mode position|cam|velocity] [--other WORD] "
+        "[--coding N]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "tell what a word means"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
         "Tells what a 32-bit word means to an encoder. Every word gets an answer. What "
         "is not told\n(mode, coding, the word the other way) widens it to all meanings "
-        "the word can have.\n\nOf an encoder on a serial line it explains a "
+        "the word can have.\nA K1 or K2 is taken for the standard one, unless its --label tells "
+        "otherwise.\n\nOf an encoder on a serial line it explains a "
         "request (03GP00005200), or, with --other REQUEST,\nthe answer to it: its digits, or "
         "CRLF for a bare line end.\n\nNeeds no bus and sends nothing."),
     .examples = explainExamples,

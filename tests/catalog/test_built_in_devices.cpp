@@ -338,6 +338,8 @@ TEST(BuiltInDevices, WhatOnlyTellsItsPositionHasTheCodesAndWordsOfItsProfile)
     const Row rows[] = {
         {u"fraba-ocd-ib-k1", Profile::k1, 54, 0x0136, 1, 0, 4096, 1},
         {u"fraba-ocd-ib-k2", Profile::k2, 54, 0x0236, 2, 0, 4096, 4096},
+        {u"fraba-ocd-ib-k1-loop2", Profile::k1, 178, 0x01B2, 1, 0, 4096, 1},
+        {u"fraba-ocd-ib-k2-loop2", Profile::k2, 178, 0x02B2, 2, 0, 4096, 4096},
         {u"generic-k1", Profile::k1, 54, 0x0136, 1, 0, 0, 0},
         {u"generic-k2", Profile::k2, 54, 0x0236, 2, 0, 0, 0},
         {u"generic-k1-loop2", Profile::k1, 178, 0x01B2, 1, 0, 0, 0},

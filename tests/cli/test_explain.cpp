@@ -48,6 +48,38 @@ TEST(CliExplain, TheCounterpartTellsWhatWasRead)
                 testing::Not(ElementsAre("readOutValue")));
 }
 
+// FRABA manual 1.1 and 8: 13 bits of a turn and 12 of turns.
+TEST(CliExplain, TheLabelTellsHowManyBitsAPositionHas)
+{
+    const QString word = QStringLiteral("explain 01FFFFFF --direction in");
+    EXPECT_THAT(runLine(word + QStringLiteral(" --device fraba-ocd-ib-k2")).out, HasSubstr("No position"));
+    const CliRun run =
+        runLine(word + QStringLiteral(" --device fraba-ocd-ib-k2 --label OCD-IBA1B-1213-C100-PRI"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_THAT(run.out, HasSubstr("Running, position 33554431"));
+    EXPECT_THAT(runLine(QStringLiteral("explain 00001FFF --direction in --device fraba-ocd-ib-k1 "
+                                       "--label OCD-IBA1B-0013-C100-PRI"))
+                    .out,
+                HasSubstr("Running, position 8191"));
+    EXPECT_EQ(errorKey(runLine(word + QStringLiteral(" --label OCD-IBA1B-1213-C100-PRI --json"))),
+              "missingOption")
+        << "the key is that of a K2 and of a K3";
+    EXPECT_EQ(errorKey(runLine(word + QStringLiteral(" --label OCD-IBA1B-1213-C100-PRI --device baumer-gxp6w "
+                                                     "--json"))),
+              "labelOfOther");
+    EXPECT_EQ(errorKey(runLine(word + QStringLiteral(" --label OCD-IBA1B-1413-C100-PRI --json"))),
+              "labelKeyNotUnderstood");
+}
+
+TEST(CliExplain, AValueThatTheEncoderRefusesHasAnIdOfItsOwn)
+{
+    EXPECT_THAT(meanings("04004E20 --device baumer-gxp6w --direction out"),
+                ElementsAre("parameterRequestInvalid"));
+    EXPECT_THAT(meanings("10000001 --device fraba-ocd-ib --direction out"),
+                ElementsAre("parameterRequestUndefined"));
+    EXPECT_THAT(meanings("020000FF --device fraba-ocd-ib --direction out"), ElementsAre("parameterRequest"));
+}
+
 TEST(CliExplain, WithoutTheModeAllMeaningsAreGiven)
 {
     EXPECT_THAT(meanings("40000000 --device fraba-ocd-ib --direction out"),
