@@ -2,6 +2,7 @@
 #include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/json.h"
+#include "cli/line_access.h"
 #include "cli/parameter_arguments.h"
 #include "cli/parameter_text.h"
 #include "cli/text_table.h"
@@ -55,16 +56,68 @@ Answer whatIsKnown(const EncoderSession &encoder)
     return answer;
 }
 
-Answer readFrom(const Call &call, EncoderSession &encoder, std::vector<Parameter> parameters)
+// A value of a serial encoder that is text (manual, read command V); of no other, so it is no Parameter.
+const QString versionName = QStringLiteral("version");
+
+// What was named, of which the version is asked for in another way than the numbers.
+struct NamedValues
 {
-    const FinishedJob job = runToEnd(call, {encoder, ReadParameters{std::move(parameters)}});
+    std::vector<Parameter> parameters;
+    bool hasVersion = false;
+};
+
+Checked<NamedValues> namedValues(const DeviceDescription &device, QStringList names)
+{
+    NamedValues named;
+    const bool isOnLine = device.profile == Profile::esc;
+    const bool isAll = names.isEmpty();
+    const auto versions = isOnLine ? names.removeAll(versionName) : 0;
+    if (versions > 1)
+        return badInput(QStringLiteral("parameterGivenTwice"),
+                        CommandLine::tr("\"%1\" stands there twice. Give it once."), {versionName});
+    auto parameters = parametersToRead(device, names);
+    if (!parameters)
+        return tl::unexpected(parameters.error());
+    named.parameters = isAll ? device.readableValues() : *std::move(parameters);
+    named.hasVersion = versions == 1 || (isAll && isOnLine);
+    return named;
+}
+
+QJsonObject versionJson(const QString &version)
+{
+    return {{QStringLiteral("parameter"), versionName},
+            {QStringLiteral("value"), version.isEmpty() ? QJsonValue() : QJsonValue(version)},
+            {QStringLiteral("unit"), unitKey(Unit::none)}};
+}
+
+// What no job reads.
+Answer versionOf(const Call &call, EncoderSession &encoder)
+{
+    const QString version = call.line->versionOf(encoder);
     Answer answer;
-    answer.json = {{QStringLiteral("values"), valuesJson(encoder, job.outcome.read)}};
+    answer.text = valueLines(encoder, {}, version);
+    answer.json = {{QStringLiteral("values"), QJsonArray{versionJson(version)}}};
+    if (version.isEmpty())
+        answer.complaint = complaintAbout({RefusalKind::device,
+                                           RefusalId::escNoAnswer,
+                                           {encoder.number().line.onWire() + u'V', std::int64_t{1}}});
+    return answer;
+}
+
+Answer readFrom(const Call &call, EncoderSession &encoder, NamedValues named)
+{
+    const QString version = named.hasVersion ? call.line->versionOf(encoder) : QString();
+    const FinishedJob job = runToEnd(call, {encoder, ReadParameters{std::move(named.parameters)}});
+    Answer answer;
+    QJsonArray values = valuesJson(encoder, job.outcome.read);
+    if (named.hasVersion)
+        values.append(versionJson(version));
+    answer.json = {{QStringLiteral("values"), values}};
     if (call.arguments.has("--trace")) {
         answer.text = traceText(call, encoder, job) + u'\n';
         answer.json.insert(QStringLiteral("trace"), traceJson(call, encoder, job));
     }
-    answer.text += valueLines(encoder, job.outcome.read);
+    answer.text += valueLines(encoder, job.outcome.read, version);
     if (!job.outcome.result)
         answer.complaint = complaintAboutJob(call, encoder, job.outcome.result.error());
     return answer;
@@ -80,12 +133,11 @@ Checked<Answer> runRead(const Call &call)
     if (!device.capabilities.reads) {
         answer = whatIsKnown(**encoder);
     } else {
-        auto named = parametersToRead(device, call.arguments.rest.sliced(1));
+        auto named = namedValues(device, call.arguments.rest.sliced(1));
         if (!named)
             return tl::unexpected(named.error());
-        if (named->empty())
-            *named = device.readableValues();
-        answer = readFrom(call, **encoder, std::move(*named));
+        answer = named->parameters.empty() ? versionOf(call, **encoder)
+                                           : readFrom(call, **encoder, *std::move(named));
     }
     answer.json.insert(QStringLiteral("place"), (*encoder)->number().toString());
     answer.json.insert(QStringLiteral("device"), device.key);
@@ -102,7 +154,8 @@ const Subcommand readCommand{
         "codewheel::CommandLine",
         "Reads the parameters named, or all that can be read but the registers of the bus chip, which are\n"
         "read by name: opc-register-0 to opc-register-15. While it is read, the encoder shows no position.\n"
-        "An encoder without read-out (devices tells which) is not asked: exit code 1."),
+        "An encoder without read-out (devices tells which) is not asked: exit code 1.\n"
+        "An encoder on a serial line also has a version, which is text."),
     .examples = readExamples,
     .options = readOptions,
     .minimumArguments = 1,

@@ -28,8 +28,23 @@ std::unique_ptr<ByteLink> linkTo(const LineLink &link)
     return std::make_unique<SerialPortLink>(keptAdapterOf(line));
 }
 
+// At the master address, where no two reads agree because several answer at once.
+Complaint aboutSeveral(LineAddress address)
+{
+    return {ExitCode::refused,
+            QStringLiteral("encoderNotAlone"),
+            sentence(CommandLine::tr(
+                         "At %1 no encoder tells its serial number twice the same: several may answer at "
+                         "once. The address is for an encoder that is alone on its line. codewheel-cli "
+                         "scan finds the addresses of all."),
+                     {address.shown()}),
+            {DeviceNumber::onLine(address).toString()}};
+}
+
 Complaint aboutSilence(LineAddress address, int baudRate)
 {
+    if (address.isMaster())
+        return aboutSeveral(address);
     return {
         ExitCode::refused,
         QStringLiteral("encoderSilent"),
@@ -109,10 +124,18 @@ Checked<EncoderSession *> LineAccess::encoder(LineAddress address, const QString
         return tl::unexpected(aboutSilence(address, m_link.wish.line.baudRate));
     if (!waitUntil([&] { return encoder->known(Parameter::serialNumber).has_value(); }, longestIdentity))
         return tl::unexpected(portLost());
+    if (address.isMaster() && !encoder->known(Parameter::serialNumber))
+        return tl::unexpected(aboutSeveral(address));
     if (m_link.asksForFractionBits)
         if (const auto determined = determineFractionBits(number); !determined)
             return tl::unexpected(determined.error());
     return encoder;
+}
+
+QString LineAccess::versionOf(const EncoderSession &encoder)
+{
+    waitUntil([&] { return !encoder.version().isEmpty(); }, longestIdentity);
+    return encoder.version();
 }
 
 // What the scaling factor of this encoder fits is used for it from then on.

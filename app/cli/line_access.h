@@ -36,6 +36,8 @@ public:
     // stands, and has told its serial number if it knows one. Refused where none answers.
     Checked<EncoderSession *> encoder(LineAddress address, const QString &deviceKey);
 
+    // What an encoder tells of its version, which is asked for with its identity; empty: nothing.
+    QString versionOf(const EncoderSession &encoder);
     // Lets time pass on the line, at most until the port is gone. False: it is gone.
     bool advance(Instant duration);
     // The port for programs; "training" of the simulated line.

@@ -38,6 +38,20 @@ QString plannedDevice(const Call &call, LineAddress address)
     return isUsable ? planned->participant.deviceKey : usualDevice;
 }
 
+// As far as the project tells: at the master address all encoders of a line would be meant.
+Checked<void> checkIsAlone(const Call &call, DeviceNumber number)
+{
+    if (!number.isAtMasterAddress || call.project == nullptr || !call.project->line ||
+        call.project->line->encoders.size() < 2)
+        return {};
+    QStringList others;
+    for (const ProjectDevice &encoder : call.project->line->encoders)
+        others << encoder.participant.number.toString();
+    return tl::unexpected(complaintAbout({RefusalKind::badInput,
+                                          RefusalId::lineAddressNotAlone,
+                                          {number.line.shown(), others.join(QStringLiteral(", "))}}));
+}
+
 // So that the position is one of after the job.
 void lookAgain(LineAccess &line, const EncoderSession &encoder, Instant jobEnd)
 {
@@ -90,6 +104,8 @@ Checked<EncoderSession *> encoderOnLine(const Call &call, const QString &place)
                         {place});
     if (!number)
         return tl::unexpected(complaintAbout({RefusalKind::badInput, RefusalId::lineAddressWrong, {place}}));
+    if (const auto alone = checkIsAlone(call, *number); !alone)
+        return tl::unexpected(alone.error());
     const auto device = deviceOnLine(call, number->line);
     if (!device)
         return tl::unexpected(device.error());

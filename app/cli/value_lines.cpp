@@ -18,7 +18,7 @@ QString valueCell(const ParameterDescription &parameter, std::int64_t value,
     return QStringLiteral("= %1 %2").arg(typedValue(parameter, value, options), unit).trimmed();
 }
 
-QString valueLines(const EncoderSession &encoder, const ParameterValues &values)
+QString valueLines(const EncoderSession &encoder, const ParameterValues &values, const QString &version)
 {
     TextTable table;
     for (const ParameterValue &value : values) {
@@ -26,6 +26,8 @@ QString valueLines(const EncoderSession &encoder, const ParameterValues &values)
         table.add(
             {parameterKey(value.parameter), valueCell(parameter, value.value, explainOptionsOf(&encoder))});
     }
+    if (!version.isEmpty())
+        table.add({QStringLiteral("version"), QStringLiteral("= %1").arg(version)});
     return table.toString();
 }
 

@@ -273,18 +273,23 @@ void LineViews::takeOver(const std::vector<FoundEncoder> &found, const QString &
         return;
     std::vector<DeviceNumber> taken;
     std::vector<FoundEncoder> left;
+    std::optional<Refusal> refused;
     for (const FoundEncoder &encoder : found) {
         if (encoder.baudRate != line->settings().baudRate) {
             left.push_back(encoder);
             continue;
         }
         const DeviceNumber number = DeviceNumber::onLine(encoder.address);
-        (void)line->add(encoder.address, deviceKey); // one that is there already stays
+        const auto added = line->add(encoder.address, deviceKey); // one that is there already stays
+        if (!added && added.error().id == RefusalId::lineAddressNotAlone)
+            refused = added.error();
         if (line->encoder(number) != nullptr)
             taken.push_back(number);
     }
     m_keeper->keepEncoders(taken);
     m_search->showLeft(left);
+    if (refused)
+        m_search->showRefused(*refused);
 }
 
 void LineViews::remove(DeviceNumber number)

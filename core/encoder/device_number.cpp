@@ -22,7 +22,7 @@ std::optional<DeviceNumber> parseOnLine(QStringView text)
     if (text.startsWith(linePrefix))
         text = text.sliced(linePrefix.size());
     const auto address = text.size() == 2 ? LineAddress::fromWire(text) : std::nullopt;
-    if (!address || !address->isDevice())
+    if (!address)
         return std::nullopt;
     return DeviceNumber::onLine(*address);
 }

@@ -11,15 +11,20 @@
 namespace codewheel {
 
 // The place of a device. On INTERBUS its device number "segment.position": remote-bus devices are n.0, those
-// of the local bus behind them n.1, n.2, ... On a serial line its address, and segment and position are 0.
+// of the local bus behind them n.1, n.2, ... On a serial line its address, and segment and position are 0; an
+// encoder that is alone on its line may also stand at the master address 00.
 struct DeviceNumber
 {
     int segment = 0;
     int position = 0;
     LineAddress line{};
+    bool isAtMasterAddress = false; // what tells esc:00 from no place at all
 
-    static constexpr DeviceNumber onLine(LineAddress address) { return {0, 0, address}; }
-    bool isOnLine() const { return !line.isMaster(); }
+    static constexpr DeviceNumber onLine(LineAddress address)
+    {
+        return {0, 0, address, address.value == LineAddress::master().value};
+    }
+    bool isOnLine() const { return !line.isMaster() || isAtMasterAddress; }
 
     // clang-tidy 14 takes the 0 in a defaulted <=> for a null pointer.
     // NOLINTNEXTLINE(modernize-use-nullptr)

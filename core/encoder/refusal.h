@@ -60,6 +60,7 @@ enum class RefusalId : std::uint8_t {
     lineAddressWrong,      // the text given
     lineSettingWrong,      // the text given, what is allowed
     lineAddressTaken,      // address, text of what answers there
+    lineAddressNotAlone,   // address, text of another encoder of the line
     // notSupported
     parameterNotSupported,          // Parameter, device name
     readingNotSupported,            // device name

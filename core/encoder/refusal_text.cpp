@@ -108,7 +108,8 @@ constexpr std::array refusalRows{
         RefusalId::lineAddressWrong, "lineAddressWrong",
         QT_TRANSLATE_NOOP(
             "Refusal",
-            "\"%1\" is no address of an encoder on a serial line. Addresses go from 01 to 1F (1 to 31).")},
+            "\"%1\" is no address of an encoder on a serial line. Addresses go from 01 to 1F (1 to 31); 00 "
+            "is for an encoder that is alone on its line.")},
     RefusalRow{RefusalId::lineSettingWrong, "lineSettingWrong",
                QT_TRANSLATE_NOOP("Refusal", "The serial line cannot be set to \"%1\". Allowed are: %2.")},
     RefusalRow{
@@ -116,6 +117,11 @@ constexpr std::array refusalRows{
         QT_TRANSLATE_NOOP(
             "Refusal",
             "Address %1 is taken: %2 answers there. Choose another, or two encoders would answer at once.")},
+    RefusalRow{
+        RefusalId::lineAddressNotAlone, "lineAddressNotAlone",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Every encoder answers to address %1: it is for an encoder that is alone on its "
+                          "line, and there is %2 too. Use the address of the encoder itself.")},
     // notSupported
     RefusalRow{
         RefusalId::parameterNotSupported, "parameterNotSupported",

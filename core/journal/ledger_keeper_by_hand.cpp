@@ -7,6 +7,7 @@
 #include "ring/bus_session.h"
 #include "ring/word_channel.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace codewheel {
@@ -14,7 +15,7 @@ namespace {
 
 bool isFor(const esc::Request &request, DeviceNumber place)
 {
-    return request.to.isMaster() || place.line == request.to;
+    return place.isOnLine() && (request.to.isMaster() || place.line == request.to || place.isAtMasterAddress);
 }
 
 } // namespace
@@ -39,7 +40,9 @@ void LedgerKeeper::beginByHand(const esc::Request &request)
         if (isFor(request, place))
             beginByHand(watched, request);
     const DeviceNumber place = DeviceNumber::onLine(request.to);
-    if (request.to.isDevice() && !m_watched.contains(place))
+    const bool isKnown =
+        std::ranges::any_of(m_watched, [&](const auto &one) { return isFor(request, one.first); });
+    if (request.to.isDevice() && !isKnown)
         beginToStranger(place, request);
 }
 

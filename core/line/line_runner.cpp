@@ -45,12 +45,11 @@ bool LineRunner::Private::beginTyped()
     return ask(Asker::terminal, 0, request, baudRateAt(request.to));
 }
 
-// An encoder may speak at another rate than its line; at the master address several may be meant.
+// An encoder may speak at another rate than its line.
 int LineRunner::Private::baudRateAt(LineAddress address) const
 {
-    const auto there = std::ranges::find_if(devices, [&](const Device &device) {
-        return device.driver && address.isDevice() && device.driver->address() == address;
-    });
+    const auto there = std::ranges::find_if(
+        devices, [&](const Device &device) { return device.driver && device.driver->address() == address; });
     const auto wanted = there != devices.end() ? there->driver->wantedBaudRate() : std::nullopt;
     return wanted.value_or(settings.baudRate);
 }
@@ -152,11 +151,17 @@ void LineRunner::Private::deviceAnswered(std::size_t device, const esc::Request 
         tellTaken();
 }
 
+// At the master address whoever is there is meant, and an encoder that stands there is the only one.
+static bool mayReach(LineAddress sentTo, LineAddress encoder)
+{
+    return sentTo == encoder || sentTo.isMaster() || encoder.isMaster();
+}
+
 // What was typed may have changed what the drivers know: they tell it first, so that its end is the end.
 void LineRunner::Private::typedEnded(const esc::Request &request, const esc::ExchangeResult &result)
 {
     for (std::size_t i = 0; i < devices.size(); ++i) {
-        if (!driver(i) || (driver(i)->address() != request.to && !request.to.isMaster()))
+        if (!driver(i) || !mayReach(request.to, driver(i)->address()))
             continue;
         driver(i)->observe(request, result, link.now());
         collect(i);

@@ -233,11 +233,16 @@ Result<void> LineSession::add(LineAddress address, const QString &deviceKey)
     const DeviceNumber number = DeviceNumber::onLine(address);
     if (!d->runner)
         return refuse(RefusalKind::link, RefusalId::lineClosed);
-    if (!address.isDevice())
+    if (!address.isDevice() && !address.isMaster())
         return refuse(RefusalKind::badInput, RefusalId::lineAddressWrong, {address.onWire()});
     if (const Private::Encoder *there = d->find(number))
         return refuse(RefusalKind::badInput, RefusalId::lineAddressTaken,
                       {address.shown(), there->description->fullName()});
+    if (const auto others = numbers();
+        !others.empty() && (address.isMaster() || others.front().isAtMasterAddress))
+        return refuse(
+            RefusalKind::badInput, RefusalId::lineAddressNotAlone,
+            {LineAddress::master().shown(), (address.isMaster() ? others.front() : number).toString()});
     const DeviceDescription *described = d->catalog.find(deviceKey);
     if (!described || described->profile != Profile::esc)
         return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {deviceKey, QStringLiteral("ESC")});

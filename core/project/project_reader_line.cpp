@@ -67,9 +67,15 @@ void ProjectReader::readEncoders(const JsonObject &json, std::vector<ProjectDevi
         const QString told = row.text("place");
         const auto place = DeviceNumber::parse(told);
         if (!place || !place->isOnLine() || place->toString() != told)
-            row.report("place", tr("An address from \"esc:01\" to \"esc:1F\" is expected here."));
+            row.report("place", tr("An address from \"esc:01\" to \"esc:1F\" is expected here, or \"esc:00\" "
+                                   "for an encoder that is alone on its line."));
         else if (!places.insert(told).second)
             row.report("place", tr("The address \"%1\" stands above already.").arg(told));
+        else if (!encoders.empty() &&
+                 (place->line.isMaster() || encoders.front().participant.number.line.isMaster()))
+            row.report("place",
+                       tr("Every encoder answers to \"esc:00\": one that stands there must be alone on its "
+                          "line."));
         encoder.participant.number = place.value_or(DeviceNumber());
         encoder.participant.deviceKey = row.text("device");
         encoder.swapsWarningBytes = row.flagOr("swapsWarningBytes", false);

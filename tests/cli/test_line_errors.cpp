@@ -35,7 +35,7 @@ TEST_P(CliLineErrors, AreSaidInASentence)
 INSTANTIATE_TEST_SUITE_P(
     Calls, CliLineErrors,
     testing::Values(
-        BadLineCall{"read 00", "lineAddressWrong", 2}, BadLineCall{"read 20", "lineAddressWrong", 2},
+        BadLineCall{"read 00", "encoderNotAlone", 1}, BadLineCall{"read 20", "lineAddressWrong", 2},
         BadLineCall{"read 32", "lineAddressWrong", 2}, BadLineCall{"read esc:5", "lineAddressWrong", 2},
         BadLineCall{"read FF", "lineAddressWrong", 2}, BadLineCall{"read 07", "encoderSilent", 1},
         BadLineCall{"monitor 1F", "encoderSilent", 1}, BadLineCall{"preset 07 5", "encoderSilent", 1},

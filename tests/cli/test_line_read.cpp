@@ -23,6 +23,41 @@ TEST(CliLineRead, ReadsAllAndTellsHexadecimalWhatIsNoNumber)
     EXPECT_THAT(run.out, HasSubstr("operating-time        = 1287.6 h\n"));
     EXPECT_THAT(run.out, HasSubstr("warnings              = 8000h (standstill)\n"));
 }
+    EXPECT_THAT(run.out, HasSubstr("version               = 5882 RS485 V1.2 SIMULATED\n"));
+}
+
+// Manual, read command V: text among numbers.
+TEST(CliLineRead, TheVersionIsAValueToo)
+{
+    const CliRun alone = runLine(QStringLiteral("read 05 version"));
+    EXPECT_EQ(alone.exit, 0);
+    EXPECT_EQ(alone.out, "version  = 5882 RS485 V1.2 SIMULATED\n");
+    const QJsonArray values =
+        runLine(QStringLiteral("read 05 steps version alarms --json")).json()[u"values"].toArray();
+    ASSERT_EQ(values.size(), 3);
+    EXPECT_EQ(values[2][u"parameter"], QStringLiteral("version"));
+    EXPECT_EQ(values[2][u"value"], QStringLiteral("5882 RS485 V1.2 SIMULATED"));
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("read 05 version version --json"))), "parameterGivenTwice");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("read 1.0 version --json"))), "unknownParameter");
+}
+
+// Manual, "Masteraddress: 00".
+TEST(CliLineRead, TheMasterAddressReachesTheOneThatIsAlone)
+{
+    SharedLine line;
+    const CliRun several = line.runLine(QStringLiteral("read 00 serial-number --json"));
+    EXPECT_EQ(several.exit, 1);
+    EXPECT_EQ(errorKey(several), "encoderNotAlone");
+    EXPECT_THAT(several.err, HasSubstr("several may answer at once"));
+
+    SharedLine other;
+    other.mute(0x03);
+    other.mute(0x12);
+    const QJsonObject json = other.runLine(QStringLiteral("read 00 serial-number --json")).json();
+    EXPECT_EQ(json[u"place"], QStringLiteral("esc:00"));
+    EXPECT_EQ(json[u"values"][0][u"value"], 0x12D5A4);
+    EXPECT_EQ(other.runLine(QStringLiteral("write 00 direction=ccw --yes")).exit, 0);
+    EXPECT_TRUE(other.registers(0x05).countsCcw);
 
 TEST(CliLineRead, AddressesAreHexadecimalWithAndWithoutPrefix)
 {

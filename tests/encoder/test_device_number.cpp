@@ -24,11 +24,23 @@ TEST(DeviceNumber, IsTheAddressOnASerialLine)
     EXPECT_NE(twelve, (DeviceNumber{1, 2}));
 }
 
+// Manual, "Masteraddress: 00": the place of an encoder that is alone on its line, and not no place.
+TEST(DeviceNumber, MayBeTheMasterAddressOfASerialLine)
+{
+    const auto alone = DeviceNumber::onLine(LineAddress::master());
+    EXPECT_TRUE(alone.isOnLine());
+    EXPECT_EQ(alone.toString(), QStringLiteral("esc:00"));
+    EXPECT_EQ(DeviceNumber::parse(u"00"), alone);
+    EXPECT_EQ(DeviceNumber::parse(u"esc:00"), alone);
+    EXPECT_NE(alone, DeviceNumber());
+    EXPECT_FALSE(DeviceNumber().isOnLine());
+}
+
 TEST(DeviceNumber, AnythingElseIsNoDeviceNumber)
 {
     for (const QStringView text :
-         {u"", u"1", u"1.", u".0", u"0.0", u"+1.0", u"1.0 ", u"1,0", u"-1.0", u"1.0.0", u"1234.0", u"00",
-          u"20", u"012", u"esc:", u"esc:00", u"esc:1.0", u"1G", u"esc:+1"})
+         {u"", u"1", u"1.", u".0", u"0.0", u"+1.0", u"1.0 ", u"1,0", u"-1.0", u"1.0.0", u"1234.0", u"20",
+          u"012", u"esc:", u"esc:0", u"esc:1.0", u"1G", u"esc:+1"})
         EXPECT_FALSE(DeviceNumber::parse(text)) << text.toString().toStdString();
 }
 

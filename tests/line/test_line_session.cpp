@@ -98,11 +98,34 @@ TEST_F(LineSessionTest, RefusesAddressesThatCannotBe)
 {
     EXPECT_EQ(line->add({5}, rs485).error().id, RefusalId::lineClosed);
     ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
-    EXPECT_EQ(line->add({0}, rs485).error().id, RefusalId::lineAddressWrong);
     EXPECT_EQ(line->add({32}, rs485).error().id, RefusalId::lineAddressWrong);
     EXPECT_EQ(line->add({5}, QStringLiteral("fraba-ocd-ib")).error().id, RefusalId::unknownDevice);
     ASSERT_TRUE(line->add({5}, rs485));
     EXPECT_EQ(line->add({5}, rs485).error().id, RefusalId::lineAddressTaken);
+}
+
+// Manual, "Masteraddress: 00": for an encoder whose address is not known; all answer to it.
+TEST_F(LineSessionTest, TheMasterAddressIsForAnEncoderThatIsAlone)
+{
+    link->answers["\x1B"
+                  "00P\r\n"] = "\r\n00001235\r\n";
+    ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
+    ASSERT_TRUE(line->add(LineAddress::master(), rs485));
+    const auto place = DeviceNumber::onLine(LineAddress::master());
+    EXPECT_EQ(line->numbers(), std::vector{place});
+    ASSERT_NE(line->encoder(place), nullptr);
+    line->advance(50ms);
+    EXPECT_EQ(line->encoder(place)->latest().position, 0x1235);
+    EXPECT_EQ(line->add({5}, rs485).error(),
+              (Refusal{RefusalKind::badInput,
+                       RefusalId::lineAddressNotAlone,
+                       {QStringLiteral("00h (0)"), QStringLiteral("esc:05")}}));
+    ASSERT_TRUE(line->remove(place));
+    ASSERT_TRUE(line->add({5}, rs485));
+    EXPECT_EQ(line->add(LineAddress::master(), rs485).error(),
+              (Refusal{RefusalKind::badInput,
+                       RefusalId::lineAddressNotAlone,
+                       {QStringLiteral("00h (0)"), QStringLiteral("esc:05")}}));
 }
 
 TEST_F(LineSessionTest, InWatchAnEncoderTakesNoWrite)

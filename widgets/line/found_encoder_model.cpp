@@ -36,17 +36,22 @@ std::vector<FoundEncoder> FoundEncoderModel::chosen() const
 {
     std::vector<FoundEncoder> chosen;
     for (const FoundEncoder &found : rows())
-        if (!found.address.isMaster() && !m_left.contains(keyOf(found)))
+        if (canBeTaken(found) && !m_left.contains(keyOf(found)))
             chosen.push_back(found);
     return chosen;
 }
 
-// What answered at the master address alone cannot be taken over: its own address is not known.
+// At the master address every encoder answers: what was found there can be used there as long as it is alone.
+bool FoundEncoderModel::canBeTaken(const FoundEncoder &row) const
+{
+    return row.address.isDevice() || rowCount() == 1;
+}
+
 Qt::ItemFlags FoundEncoderModel::flags(const QModelIndex &index) const
 {
     const Qt::ItemFlags usual = TableModelBase::flags(index);
-    const bool canBeTaken = index.isValid() && !rowAt(index.row()).address.isMaster();
-    return index.column() == address && canBeTaken ? usual | Qt::ItemIsUserCheckable : usual;
+    const bool isOffered = index.isValid() && canBeTaken(rowAt(index.row()));
+    return index.column() == address && isOffered ? usual | Qt::ItemIsUserCheckable : usual;
 }
 
 bool FoundEncoderModel::setData(const QModelIndex &index, const QVariant &value, int role)
@@ -108,7 +113,7 @@ QVariant FoundEncoderModel::cell(const FoundEncoder &row, int column, int role) 
     case Qt::ToolTipRole:
         return text(row, column);
     case Qt::CheckStateRole:
-        if (column != address || row.address.isMaster())
+        if (column != address || !canBeTaken(row))
             return {};
         return m_left.contains(keyOf(row)) ? Qt::Unchecked : Qt::Checked;
     case Qt::FontRole:

@@ -38,6 +38,7 @@ private:
     using Key = std::pair<LineAddress, int>; // with its baud rate
     static Key keyOf(const FoundEncoder &found) { return {found.address, found.baudRate}; }
     QString text(const FoundEncoder &row, int column) const;
+    bool canBeTaken(const FoundEncoder &row) const;
 
     std::set<Key> m_left; // not to be taken over
 };

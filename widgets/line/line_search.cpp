@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/line/line_search.h"
 
+#include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "line/line_session.h"
 #include "widgets/line/found_encoder_model.h"
@@ -305,6 +306,11 @@ void LineSearch::showLeft(const std::vector<FoundEncoder> &left)
         sentence(tr("Not taken over: %1. The line works at %2 Bd. Choose the other baud rate in "
                     "the settings of the line, and connect it again."),
                  {named.join(QStringLiteral(", ")), QLocale().toString(m_line->settings().baudRate)}));
+}
+
+void LineSearch::showRefused(const Refusal &why)
+{
+    m_message->showMessage(Role::attention, refusalText(why));
 }
 
 void LineSearch::showWhatIsPossible()

@@ -47,9 +47,11 @@ public:
     // Says which of those that were wanted could not be taken over, since they answer at another baud rate
     // than the line's.
     void showLeft(const std::vector<FoundEncoder> &left);
+    // Why one could not be taken over.
+    void showRefused(const Refusal &why);
 
 Q_SIGNALS:
-    // Encoders of the line's own baud rate and of others; none of address 0.
+    // Encoders of the line's own baud rate and of others; one of address 0 only by itself.
     void takeOverWanted(const std::vector<codewheel::FoundEncoder> &encoders, const QString &deviceKey);
 
 private:

@@ -48,7 +48,7 @@ const LineBranch::Row *StructureModel::lineRow(const QModelIndex &index) const
     if (!index.isValid() || index.internalId() <= lineId)
         return nullptr;
     const auto found = std::ranges::find_if(m_lineRows, [&](const LineBranch::Row &row) {
-        return lineId + row.number.line.value == index.internalId();
+        return encoderId(row.number.line) == index.internalId();
     });
     return found == m_lineRows.end() ? nullptr : &*found;
 }
@@ -58,7 +58,7 @@ QModelIndex StructureModel::lineRowIndex(DeviceNumber number, int column) const
     const auto found = std::ranges::find(m_lineRows, number, &LineBranch::Row::number);
     if (found == m_lineRows.end())
         return {};
-    return createIndex(static_cast<int>(found - m_lineRows.begin()), column, lineId + number.line.value);
+    return createIndex(static_cast<int>(found - m_lineRows.begin()), column, encoderId(number.line));
 }
 
 void StructureModel::insertNewEncoders()

@@ -88,6 +88,26 @@ TEST_F(LineSearchTest, OnlyTickedEncodersAreTakenOver)
     EXPECT_FALSE(button("Take over").isEnabled());
 }
 
+// Manual, "Masteraddress: 00"
+TEST(FoundEncoderModel, WhatAnswersAtTheMasterAddressIsTakenOverWhereItIsAlone)
+{
+    FoundEncoderModel found;
+    const test::ModelTester tester(found);
+    FoundEncoder alone;
+    alone.baudRate = 19'200;
+    found.show({alone});
+    const QModelIndex first = found.index(0, FoundEncoderModel::address);
+    EXPECT_TRUE(found.flags(first) & Qt::ItemIsUserCheckable);
+    EXPECT_EQ(first.data(Qt::CheckStateRole), Qt::Checked);
+    ASSERT_EQ(found.chosen().size(), 1U);
+    FoundEncoder other = alone;
+    other.address = {5};
+    found.show({alone, other});
+    EXPECT_FALSE(found.flags(first) & Qt::ItemIsUserCheckable);
+    ASSERT_EQ(found.chosen().size(), 1U);
+    EXPECT_EQ(found.chosen().front().address, LineAddress{5});
+}
+
 TEST_F(LineSearchTest, SaysWhatToCheckWhenNobodyAnswers)
 {
     bench.open();
