@@ -45,8 +45,8 @@ Answer listOf(const Catalog &catalog)
                                    {QStringLiteral("vendor"), device.vendor},
                                    {QStringLiteral("model"), device.name},
                                    {QStringLiteral("profile"), profileName(device.profile)},
-                                   {QStringLiteral("idCode"), static_cast<int>(device.idCode)},
-                                   {QStringLiteral("deviceCode"), static_cast<int>(device.deviceCode)},
+                                   {QStringLiteral("idCode"), knownJson(device.idCode)},
+                                   {QStringLiteral("deviceCode"), knownJson(device.deviceCode)},
                                    {QStringLiteral("reads"), device.capabilities.reads}});
     }
     return {table.toString(), {{QStringLiteral("devices"), devices}}};

@@ -171,10 +171,23 @@ int runOnLink(const Subcommand &command, const Arguments &arguments, const LinkW
     return runCommand(command, arguments, catalog, {.line = &line}, terminal);
 }
 
-int printed(const QString &text, const Terminal &terminal)
+// What is told without a bus: help and version. `command`: whose; empty of the program itself.
+int printed(Answer answer, const Arguments &arguments, const QString &command, const Terminal &terminal)
 {
-    terminal.print(text);
+    if (!arguments.has("--json")) {
+        terminal.print(answer.text);
+        return static_cast<int>(ExitCode::done);
+    }
+    if (!command.isEmpty())
+        answer.json.insert(QStringLiteral("command"), command);
+    answer.json.insert(QStringLiteral("exit"), static_cast<int>(ExitCode::done));
+    terminal.print(jsonText(answer.json, command));
     return static_cast<int>(ExitCode::done);
+}
+
+Answer versionAnswer()
+{
+    return {versionText(), versionJson()};
 }
 
 int withoutCommand(const QStringList &words, const Terminal &terminal)
@@ -183,9 +196,9 @@ int withoutCommand(const QStringList &words, const Terminal &terminal)
     if (!arguments)
         return fail(arguments.error(), {}, words, terminal);
     if (arguments->has("--version"))
-        return printed(versionText(), terminal);
+        return printed(versionAnswer(), *arguments, {}, terminal);
     if (asksForHelp(*arguments))
-        return printed(overallHelp(), terminal);
+        return printed({overallHelp(), overallHelpJson()}, *arguments, {}, terminal);
     return fail(aboutMissingCommand(), {}, words, terminal);
 }
 
@@ -245,9 +258,9 @@ int runCommandLine(const QStringList &words, const Terminal &terminal)
     if (!arguments)
         return fail(arguments.error(), name, words, terminal);
     if (arguments->has("--version"))
-        return printed(versionText(), terminal);
+        return printed(versionAnswer(), *arguments, name, terminal);
     if (asksForHelp(*arguments))
-        return printed(helpOf(*command), terminal);
+        return printed({helpOf(*command), helpJsonOf(*command)}, *arguments, name, terminal);
     const auto link = checkLink(*command, *arguments);
     if (!link)
         return fail(link.error(), name, words, terminal);

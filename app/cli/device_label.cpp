@@ -4,6 +4,7 @@
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
 #include "catalog/label_key.h"
+#include "cli/json.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "encoder/refusal_text.h"
@@ -60,9 +61,9 @@ Checked<Answer> labelAnswer(const Catalog &catalog, const QString &typed)
     for (const LabelMatch &match : *matches)
         devices.append(QJsonObject{{QStringLiteral("name"), match.device->key},
                                    {QStringLiteral("profile"), profileName(match.device->profile)},
-                                   {QStringLiteral("deviceCode"), static_cast<int>(match.device->deviceCode)},
-                                   {QStringLiteral("turns"), match.turns},
-                                   {QStringLiteral("stepsPerTurn"), match.stepsPerTurn}});
+                                   {QStringLiteral("deviceCode"), knownJson(match.device->deviceCode)},
+                                   {QStringLiteral("turns"), knownJson(match.turns)},
+                                   {QStringLiteral("stepsPerTurn"), knownJson(match.stepsPerTurn)}});
     return Answer{table.toString() + resolutionLine(first) + QStringLiteral("\n\n") + matchLines(*matches),
                   {{QStringLiteral("label"), typed},
                    {QStringLiteral("parts"), parts},
@@ -78,7 +79,7 @@ Answer checkAnswer(const QString &path)
     if (const auto added = addDeviceFile(catalog, path); !added) {
         const Catalog::Fault &fault = added.error();
         answer.json = {{QStringLiteral("file"), fault.file},
-                       {QStringLiteral("line"), fault.line},
+                       {QStringLiteral("line"), knownJson(fault.line)},
                        {QStringLiteral("faultKey"), fault.key},
                        {QStringLiteral("reason"), fault.reason}};
         answer.complaint = Complaint{ExitCode::badInput,

@@ -6,6 +6,8 @@
 #include "cli/texts.h"
 #include "encoder/sentence.h"
 
+#include <QJsonArray>
+
 namespace codewheel {
 namespace {
 
@@ -29,6 +31,33 @@ QString exampleLines(std::span<const char *const> examples)
     for (const char *example : examples)
         text += QStringLiteral("  codewheel-cli ") + QString::fromLatin1(example) + u'\n';
     return text;
+}
+
+QJsonArray optionsJson(std::span<const Option> options)
+{
+    QJsonArray json;
+    for (const Option &option : options)
+        json.append(QJsonObject{
+            {QStringLiteral("name"), QString::fromLatin1(option.name)},
+            {QStringLiteral("value"),
+             option.value ? QJsonValue(QString::fromLatin1(option.value)) : QJsonValue()},
+            {QStringLiteral("help"), option.help ? QJsonValue(CommandLine::tr(option.help)) : QJsonValue()}});
+    return json;
+}
+
+QJsonArray examplesJson(std::span<const char *const> examples)
+{
+    QJsonArray json;
+    for (const char *example : examples)
+        json.append(QStringLiteral("codewheel-cli ") + QString::fromLatin1(example));
+    return json;
+}
+
+QString usageOf(const Subcommand &command)
+{
+    return QStringLiteral("codewheel-cli %1 %2")
+        .arg(QString::fromLatin1(command.name), QString::fromLatin1(command.usage))
+        .trimmed();
 }
 
 constexpr const char *overallExamples[] = {
@@ -81,6 +110,36 @@ QString helpOf(const Subcommand &command)
         text += CommandLine::tr("Options:") + u'\n' + optionLines(command.options) + u'\n';
     return text + CommandLine::tr("Options of every command:") + u'\n' + optionLines(commonOptions()) +
            u'\n' + CommandLine::tr("Examples:") + u'\n' + exampleLines(command.examples);
+}
+
+QJsonObject overallHelpJson()
+{
+    QJsonArray commands;
+    for (const Subcommand *command : allCommands())
+        commands.append(QJsonObject{{QStringLiteral("name"), QString::fromLatin1(command->name)},
+                                    {QStringLiteral("usage"), usageOf(*command)},
+                                    {QStringLiteral("summary"), CommandLine::tr(command->summary)}});
+    QJsonObject json = versionJson();
+    json.insert(QStringLiteral("usage"), QStringLiteral("codewheel-cli COMMAND ..."));
+    json.insert(QStringLiteral("commands"), commands);
+    json.insert(QStringLiteral("options"), optionsJson(commonOptions()));
+    json.insert(QStringLiteral("examples"), examplesJson(overallExamples));
+    return json;
+}
+
+QJsonObject helpJsonOf(const Subcommand &command)
+{
+    return {{QStringLiteral("usage"), usageOf(command)},
+            {QStringLiteral("summary"), CommandLine::tr(command.summary)},
+            {QStringLiteral("details"), CommandLine::tr(command.details)},
+            {QStringLiteral("options"), optionsJson(optionsOf(command))},
+            {QStringLiteral("examples"), examplesJson(command.examples)}};
+}
+
+QJsonObject versionJson()
+{
+    return {{QStringLiteral("program"), QStringLiteral("codewheel-cli")},
+            {QStringLiteral("version"), QStringLiteral(CODEWHEEL_VERSION)}};
 }
 
 QString versionText()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QJsonObject>
 #include <QString>
 
 namespace codewheel {
@@ -10,5 +11,10 @@ struct Subcommand;
 QString overallHelp();
 QString helpOf(const Subcommand &command);
 QString versionText(); // "codewheel-cli 0.1.0"
+
+// The same for --json; texts in the user's language.
+QJsonObject overallHelpJson();
+QJsonObject helpJsonOf(const Subcommand &command);
+QJsonObject versionJson();
 
 } // namespace codewheel

@@ -28,6 +28,11 @@ QJsonValue numberJson(std::optional<std::int64_t> number)
     return number ? QJsonValue(static_cast<qint64>(*number)) : QJsonValue();
 }
 
+QJsonValue knownJson(std::int64_t number)
+{
+    return numberJson(number == 0 ? std::nullopt : std::optional(number));
+}
+
 QJsonValue millimetresJson(std::optional<std::int64_t> position, const std::optional<RodScale> &scale)
 {
     return position && scale ? QJsonValue(scale->millimetres(*position)) : QJsonValue();

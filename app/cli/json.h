@@ -18,6 +18,8 @@ namespace codewheel {
 // strings of eight hexadecimal digits, everything that has a name is told by its key.
 QJsonValue wordJson(Word word);
 QJsonValue numberJson(std::optional<std::int64_t> number); // null where there is none
+// Of what cannot be 0, with 0 for what is not known; null then.
+QJsonValue knownJson(std::int64_t number);
 // null where the position or the scale of the rod is not known
 QJsonValue millimetresJson(std::optional<std::int64_t> position, const std::optional<RodScale> &scale);
 QJsonArray meaningsJson(const Explanation &explanation);

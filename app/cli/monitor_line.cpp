@@ -18,13 +18,6 @@ namespace {
 constexpr int timeWidth = 9;
 constexpr int positionWidth = 8;
 
-// Two readings that say the same, whenever.
-bool saysTheSame(Reading one, const Reading &other)
-{
-    one.at = other.at;
-    return one == other;
-}
-
 QStringList remarks(const Reading &reading)
 {
     QStringList texts;
@@ -75,17 +68,20 @@ Answer monitorLine(const Call &call, const EncoderSession &encoder, Instant dura
     const LineSession &line = **call.line->session();
     const Instant begin = line.latest().at;
     const bool isShown = !call.arguments.has("--json");
-    std::optional<Reading> before;
+    QString shownBefore;
+    QJsonObject toldBefore;
     QJsonArray samples;
-    const auto look = [&] {
+    const auto look = [&] { // what says the same as the one before is no row, whenever it came
         const Reading &reading = encoder.latest();
-        if (before && saysTheSame(reading, *before))
-            return;
-        before = reading;
         const Instant at = line.latest().at - begin;
-        samples.append(sampleJson(at, reading));
-        if (isShown)
+        if (const QJsonObject told = sampleJson({}, reading); told != toldBefore) {
+            toldBefore = told;
+            samples.append(sampleJson(at, reading));
+        }
+        if (const QString shown = rowText({}, reading); isShown && shown != shownBefore) {
+            shownBefore = shown;
             call.terminal.print(rowText(at, reading));
+        }
     };
 
     if (isShown)

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QJsonArray>
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ using testing::StartsWith;
 
 TEST(CliCommandLine, HelpTellsCommandsOptionsExamplesAndExitCodes)
 {
-    for (const char *line : {"--help", "-h", "--json --help"}) {
+    for (const char *line : {"--help", "-h"}) {
         const CliRun run = runLine(QString::fromLatin1(line));
         EXPECT_EQ(run.exit, 0);
         EXPECT_EQ(run.err, "");
@@ -60,6 +61,34 @@ TEST(CliCommandLine, TellsItsVersion)
 {
     EXPECT_THAT(runLine(QStringLiteral("--version")).out, StartsWith("codewheel-cli 0."));
     EXPECT_EQ(runLine(QStringLiteral("scan --version")).out, runLine(QStringLiteral("--version")).out);
+}
+
+TEST(CliCommandLine, HelpAndVersionAreJsonToo)
+{
+    const QJsonObject version = runLine(QStringLiteral("--version --json")).json();
+    EXPECT_EQ(version[u"program"], QStringLiteral("codewheel-cli"));
+    EXPECT_EQ(QStringLiteral("codewheel-cli %1\n").arg(version[u"version"].toString()).toStdString(),
+              runLine(QStringLiteral("--version")).out);
+    EXPECT_EQ(version[u"exit"], 0);
+    EXPECT_EQ(runLine(QStringLiteral("scan --version --json")).json()[u"version"], version[u"version"]);
+
+    for (const char *line : {"--help --json", "-h --json", "--json --help"}) {
+        const QJsonObject help = runLine(QString::fromLatin1(line)).json();
+        EXPECT_EQ(help[u"exit"], 0) << line;
+        EXPECT_GT(help[u"commands"].toArray().size(), 20) << line;
+        EXPECT_EQ(help[u"commands"][0][u"name"], QStringLiteral("devices"));
+        EXPECT_GT(help[u"options"].toArray().size(), 3);
+        EXPECT_GT(help[u"examples"].toArray().size(), 3);
+    }
+    const QJsonObject read = runLine(QStringLiteral("read --help --json")).json();
+    EXPECT_EQ(read[u"command"], QStringLiteral("read"));
+    EXPECT_EQ(read[u"exit"], 0);
+    EXPECT_TRUE(read[u"usage"].toString().startsWith(QStringLiteral("codewheel-cli read PLACE")));
+    EXPECT_FALSE(read[u"details"].toString().isEmpty());
+    EXPECT_EQ(read[u"options"][0][u"name"], QStringLiteral("--device"));
+    EXPECT_EQ(read[u"options"][0][u"value"], QStringLiteral("NAME"));
+    const std::string lines = runLine(QStringLiteral("terminal --help --json")).out;
+    EXPECT_EQ(std::ranges::count(lines, '\n'), 1) << "a line for each object";
 }
 
 TEST(CliCommandLine, CommonOptionsMayStandBeforeTheCommand)

@@ -68,6 +68,24 @@ TEST(CliDevices, TellsProgramsNumbersRangesAndChoices)
     EXPECT_TRUE(runLine(QStringLiteral("devices baumer-gxp6w --json")).json()[u"eepromBudget"].isNull());
 }
 
+TEST(CliDevices, WhatIsNotKnownIsNull)
+{
+    const QJsonArray devices = runLine(QStringLiteral("devices --json")).json()[u"devices"].toArray();
+    for (const QJsonValue device : devices) {
+        const bool onBus = device[u"profile"] != QStringLiteral("ESC");
+        EXPECT_EQ(device[u"idCode"].isDouble(), onBus) << device[u"name"].toString().toStdString();
+        EXPECT_EQ(device[u"deviceCode"].isDouble(), onBus) << device[u"name"].toString().toStdString();
+        EXPECT_NE(device[u"idCode"], 0);
+    }
+    const QJsonObject fraba =
+        runLine(QStringLiteral("devices --label OCD-IBA1B-1213-C100-PRI --json")).json();
+    EXPECT_EQ(fraba[u"devices"][0][u"turns"], 4'096);
+    const QJsonObject kuebler = runLine(QStringLiteral("devices --label 8.5882.xx1x.1001 --json")).json();
+    EXPECT_TRUE(kuebler[u"devices"][0][u"deviceCode"].isNull());
+    const QJsonObject rod = runLine(QStringLiteral("devices --check /nowhere.json --json")).json();
+    EXPECT_TRUE(rod[u"line"].isNull());
+}
+
 TEST(CliDevices, AnUnknownNameIsToldWithTheNamesThereAre)
 {
     const CliRun run = runLine(QStringLiteral("devices fraba --json"));

@@ -3,6 +3,7 @@
 
 #include <QJsonArray>
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +23,6 @@ TEST(CliLineRead, ReadsAllAndTellsHexadecimalWhatIsNoNumber)
     EXPECT_THAT(run.out, HasSubstr("serial-number         = 0012D5A4\n"));
     EXPECT_THAT(run.out, HasSubstr("operating-time        = 1287.6 h\n"));
     EXPECT_THAT(run.out, HasSubstr("warnings              = 8000h (standstill)\n"));
-}
     EXPECT_THAT(run.out, HasSubstr("version               = 5882 RS485 V1.2 SIMULATED\n"));
 }
 
@@ -58,6 +58,7 @@ TEST(CliLineRead, TheMasterAddressReachesTheOneThatIsAlone)
     EXPECT_EQ(json[u"values"][0][u"value"], 0x12D5A4);
     EXPECT_EQ(other.runLine(QStringLiteral("write 00 direction=ccw --yes")).exit, 0);
     EXPECT_TRUE(other.registers(0x05).countsCcw);
+}
 
 TEST(CliLineRead, AddressesAreHexadecimalWithAndWithoutPrefix)
 {
@@ -107,6 +108,31 @@ TEST(CliLineMonitor, PrintsWhatChangesAndHowTheLineHasDone)
     EXPECT_LT(json[u"samples"][0][u"position"].toInt(), json[u"samples"][4][u"position"].toInt());
     EXPECT_GT(json[u"figures"][u"answers"].toInt(), 50);
     EXPECT_EQ(json[u"place"], QStringLiteral("esc:03"));
+}
+
+// A row for each difference of what it shows, and for nothing else.
+TEST(CliLineMonitor, WhatSaysTheSameIsNoSecondRow)
+{
+    SharedLine line;
+    const CliRun run = line.runLine(QStringLiteral("monitor 05 --for 3"));
+    std::vector<std::string> said;
+    for (const QString &row : QString::fromStdString(run.out).split(u'\n')) {
+        if (row.isEmpty())
+            break;
+        said.push_back(row.mid(9).toStdString()); // behind the time
+    }
+    ASSERT_GT(said.size(), 1U);
+    EXPECT_EQ(std::ranges::adjacent_find(said), said.end()) << run.out;
+
+    const QJsonArray samples =
+        line.runLine(QStringLiteral("monitor 05 --for 3 --json")).json()[u"samples"].toArray();
+    for (qsizetype i = 1; i < samples.size(); ++i) {
+        QJsonObject before = samples[i - 1].toObject();
+        QJsonObject now = samples[i].toObject();
+        before.remove(QStringLiteral("microseconds"));
+        now.remove(QStringLiteral("microseconds"));
+        EXPECT_NE(before, now);
+    }
 }
 
 TEST(CliLineMonitor, CtrlCEndsItEarly)
