@@ -146,6 +146,24 @@ TEST_F(LineLedgerTest, AtTheMasterAddressAWriteIsEachEncoders)
     EXPECT_EQ(countAt(five).atMost(), 1);
 }
 
+// Whatever its own address is: an encoder that stands at the master address is the only one.
+TEST_F(LineLedgerTest, AWriteToAnyAddressIsOfTheEncoderThatIsAlone)
+{
+    for (const std::uint8_t other : {std::uint8_t{0x03}, std::uint8_t{0x12}})
+        simulated->withEncoder({other},
+                               [](SimulatedEscEncoder &encoder) { encoder.condition().mute = true; });
+    ASSERT_TRUE(line.remove(five));
+    const DeviceNumber alone = DeviceNumber::onLine(LineAddress::master());
+    add(alone);
+    keep(DatabasePlace::memory());
+    EXPECT_EQ(countAt(alone).by, CountedBy::serialNumber);
+    write(alone, Parameter::direction, 1);
+    line.send({.to = five.line, .command = esc::Command::writeDirection, .data = 0});
+    line.advance(1s);
+    EXPECT_EQ(countAt(alone).writes, 2);
+    EXPECT_EQ(keeper->ledger()->accounts().size(), 1U);
+}
+
 TEST_F(LineLedgerTest, AWriteToAnAddressNobodyHasTakenOverIsItsEncodersOnceItIs)
 {
     keep(file.place());
