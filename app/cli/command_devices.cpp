@@ -7,6 +7,7 @@
 #include "cli/device_tables_text.h"
 #include "cli/device_text.h"
 #include "cli/json.h"
+#include "cli/line_link.h"
 #include "cli/parameter_text.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
@@ -158,6 +159,18 @@ Answer detailsOf(const DeviceDescription &device)
              {QStringLiteral("tables"), deviceTablesJson(device)}}};
 }
 
+// With the limits of a scaling factor in the format of the line.
+Checked<DeviceDescription> asOnLink(const Call &call, DeviceDescription device)
+{
+    const auto link =
+        linkMeant(call.arguments.value("--link").value_or(QStringLiteral("training")), call.project);
+    if (!link)
+        return tl::unexpected(link.error());
+    for (ParameterDescription &parameter : device.parameters)
+        parameter = atFractionBits(parameter, link->line.wish.fractionBits);
+    return device;
+}
+
 Checked<Answer> runDevices(const Call &call)
 {
     const auto label = call.arguments.value("--label");
@@ -174,7 +187,10 @@ Checked<Answer> runDevices(const Call &call)
     const auto device = deviceNamed(call.catalog, call.arguments.rest.front());
     if (!device)
         return tl::unexpected(device.error());
-    return detailsOf(**device);
+    const auto onLink = asOnLink(call, **device);
+    if (!onLink)
+        return tl::unexpected(onLink.error());
+    return detailsOf(*onLink);
 }
 
 } // namespace

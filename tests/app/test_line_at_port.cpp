@@ -91,7 +91,7 @@ TEST_F(LineAtPort, TheTerminalExplainsFactorsInTheFormatOfTheProject)
     shown->project().setProject(planned, {});
     connectPort(startPeer(QStringLiteral("--addresses 03")));
     ask(QStringLiteral("03F"));
-    EXPECT_TRUE(comes([&] { return isExplained(QStringLiteral("20000000h = 2")); }));
+    EXPECT_TRUE(comes([&] { return isExplained(QStringLiteral("20000000h = 2, outside 0.00001 to 1.0")); }));
 }
 
 TEST_F(LineAtPort, SwappedWarningBytesAreKeptWithTheEncoder)

@@ -85,6 +85,8 @@ TEST(CliDevices, ASerialEncoderHasItsCommands)
     EXPECT_THAT(run.out, HasSubstr("preset                         -        S"));
     EXPECT_THAT(run.out, HasSubstr("000014F9h..20000000h")) << "the limits of write and explain";
     EXPECT_THAT(run.out, HasSubstr("8000h..A000h"));
+    EXPECT_THAT(runLine(QStringLiteral("devices kuebler-esc-rs485 --link esc:training,fraction-bits=30")).out,
+                HasSubstr("000029F1h..40000000h"));
 }
 
 } // namespace

@@ -38,6 +38,10 @@ private:
 
 QString rangeText(const ParameterDescription &parameter)
 {
+    if (parameter.parameter == Parameter::scalingFactor) // the bits that mean this follow from the line
+        return QStringLiteral("%1 ... %2")
+            .arg(QLocale().toString(esc::smallestFactor, 'f', 5),
+                 QLocale().toString(esc::largestFactor, 'f', 1));
     if (parameter.choices.empty())
         return QStringLiteral("%1 ... %2")
             .arg(valueText(parameter, parameter.minimum), valueText(parameter, parameter.maximum));

@@ -78,6 +78,13 @@ TEST(DeviceHtml, IsWrittenForEveryDeviceOfTheCatalog)
     }
 }
 
+// Manual of Kübler, read command F; which bits that are follows from the format of the line.
+TEST(DeviceHtml, TheScalingFactorHasTheRangeOfTheManual)
+{
+    const Catalog catalog = Catalog::builtIn();
+    EXPECT_TRUE(deviceHtml(*catalog.find(u"kuebler-esc-rs485")).contains(QStringLiteral("0.00001 ... 1.0")));
+}
+
 TEST_F(DevicePanelTest, ATypedLabelKeyShowsItsDevice)
 {
     type("GXP6W.0 10 A0 01");
