@@ -2,10 +2,11 @@
 #include "pdf/save_report.h"
 
 #include "pdf/report_pdf.h"
+#include "project/file_access.h"
 #include "report/html_report.h"
 
+#include <QBuffer>
 #include <QCoreApplication>
-#include <QSaveFile>
 
 namespace codewheel {
 namespace {
@@ -34,24 +35,18 @@ std::optional<ReportFormat> reportFormat(const QString &path)
 
 Result<int> saveReport(const Report &report, const QString &path, ReportFormat format)
 {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return notWritten(path, file.errorString());
-    int sheets = 0;
-    if (format == ReportFormat::html) {
-        const QByteArray html = reportAsHtml(report);
-        if (file.write(html) != html.size())
-            return notWritten(path, file.errorString());
-    } else {
-        if (!hasFontsForPdf())
-            return notWritten(path, SavedReport::tr("no font is installed"));
-        sheets = writeReportPdf(report, file);
-        if (sheets == 0)
-            return notWritten(path, file.errorString());
-    }
-    if (!file.commit())
-        return notWritten(path, file.errorString());
-    return sheets;
+    if (format == ReportFormat::html)
+        return replaceFile(path, reportAsHtml(report), OldFile::goes).map([] { return 0; });
+    if (const auto can = checkReplaceable(path); !can)
+        return tl::unexpected(can.error());
+    if (!hasFontsForPdf())
+        return notWritten(path, SavedReport::tr("no font is installed"));
+    QBuffer pdf;
+    pdf.open(QIODevice::WriteOnly);
+    const int sheets = writeReportPdf(report, pdf);
+    if (sheets == 0)
+        return notWritten(path, SavedReport::tr("the sheets could not be painted"));
+    return replaceFile(path, pdf.data(), OldFile::goes).map([&] { return sheets; });
 }
 
 } // namespace codewheel

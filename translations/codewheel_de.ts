@@ -4683,10 +4683,6 @@ Rückgabewert 2.</translation>
         <translation>Gespeichert in %1.</translation>
     </message>
     <message>
-        <source>%1 cannot be written: %2.</source>
-        <translation>%1 ist nicht beschreibbar: %2.</translation>
-    </message>
-    <message>
         <source>The encoder has all of it.</source>
         <translation>Der Geber hat alles davon.</translation>
     </message>
@@ -11835,6 +11831,10 @@ Worte: IN %5, OUT %6</translation>
     <message>
         <source>no font is installed</source>
         <translation>keine Schrift ist installiert</translation>
+    </message>
+    <message>
+        <source>the sheets could not be painted</source>
+        <translation>die Blätter konnten nicht gezeichnet werden</translation>
     </message>
 </context>
 <context>

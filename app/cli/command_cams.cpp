@@ -17,7 +17,6 @@
 #include "project/file_access.h"
 
 #include <QFileInfo>
-#include <QSaveFile>
 
 #include <algorithm>
 #include <array>
@@ -137,16 +136,21 @@ Checked<void> checkMadeFor(const Call &call, const CamFile &file, const DeviceDe
                                     {name, file.device, encoder.key}});
 }
 
-// What is in a file is not lost by a read.
-Checked<void> checkCamFileIsFree(const Arguments &arguments)
+// What is in a file is not lost by a read, and what could not be saved is not read.
+Checked<void> checkCamFile(const Arguments &arguments)
 {
-    if (arguments.rest.size() < 3 || arguments.has("--yes") || !QFileInfo::exists(arguments.rest[2]))
+    if (arguments.rest.size() < 3)
         return {};
-    return badInput(
-        QStringLiteral("fileExists"),
-        CommandLine::tr("%1 is there already. Nothing was read. Name another file, or add --yes to "
-                        "replace it."),
-        {arguments.rest[2]});
+    const QString &name = arguments.rest[2];
+    if (!arguments.has("--yes") && QFileInfo::exists(name))
+        return badInput(
+            QStringLiteral("fileExists"),
+            CommandLine::tr("%1 is there already. Nothing was read. Name another file, or add --yes to "
+                            "replace it."),
+            {name});
+    if (const auto can = checkReplaceable(name); !can)
+        return tl::unexpected(complaintAbout(can.error()));
+    return {};
 }
 
 std::vector<unsigned> numbersOf(const std::vector<CamProgram> &programs)
@@ -160,15 +164,11 @@ std::vector<unsigned> numbersOf(const std::vector<CamProgram> &programs)
 
 void saveCams(CamCall &cams, const QString &name, std::vector<CamProgram> programs)
 {
-    QSaveFile file(name);
     const QByteArray json = camFileToJson({cams.encoder.device().key, cams.positions(), std::move(programs)});
-    if (file.open(QIODevice::WriteOnly) && file.write(json) == json.size() && file.commit())
-        cams.answer.text += sentence(CommandLine::tr("Saved in %1."), {name}) + u'\n';
+    if (const auto saved = replaceFile(name, json, OldFile::goes); !saved)
+        cams.answer.complaint = complaintAbout(saved.error());
     else
-        cams.answer.complaint =
-            badInput(QStringLiteral("fileNotWritten"), CommandLine::tr("%1 cannot be written: %2."),
-                     {name, file.errorString()})
-                .value();
+        cams.answer.text += sentence(CommandLine::tr("Saved in %1."), {name}) + u'\n';
 }
 
 void read(CamCall &cams, std::optional<unsigned> program)
@@ -305,8 +305,8 @@ Checked<Answer> runCams(const Call &call)
     const auto program = programFrom(call.arguments);
     if (!program)
         return tl::unexpected(program.error());
-    if (const auto isFree = reads ? checkCamFileIsFree(call.arguments) : Checked<void>(); !isFree)
-        return tl::unexpected(isFree.error());
+    if (const auto canSave = reads ? checkCamFile(call.arguments) : Checked<void>(); !canSave)
+        return tl::unexpected(canSave.error());
     const auto wanted = reads ? Checked<CamFile>() : programsIn(call.arguments.rest[2], *program);
     if (!wanted)
         return tl::unexpected(wanted.error());

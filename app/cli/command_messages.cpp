@@ -9,11 +9,11 @@
 #include "journal/message_search.h"
 #include "journal/message_writer.h"
 #include "journal_files.h"
+#include "project/file_replacement.h"
 
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 
 #include <array>
 #include <limits>
@@ -148,19 +148,6 @@ Answer listedMessages(const std::vector<StoredMessage> &messages)
             .json = {{QStringLiteral("messages"), json}}};
 }
 
-// Piece by piece: a million messages need no memory.
-bool writeAll(const MessageTable &table, const std::vector<qint64> &ids, MessageWriter &writer)
-{
-    for (auto begin = ids.begin(); begin != ids.end();) {
-        const auto end = begin + std::min<std::ptrdiff_t>(portion, ids.end() - begin);
-        const auto messages = table.read(std::vector<qint64>(begin, end));
-        if (!messages || !writer.write(*messages))
-            return false;
-        begin = end;
-    }
-    return true;
-}
-
 struct ExportTarget
 {
     QString path;
@@ -183,21 +170,38 @@ Checked<std::optional<ExportTarget>> exportTargetOf(const Arguments &arguments)
     return ExportTarget{*path, *format};
 }
 
-Checked<Answer> exported(const MessageTable &table, const std::vector<qint64> &ids,
+// Piece by piece: a million messages need no memory. What fails in the file is told when it is replaced.
+Stored<void> writeAll(const MessageTable &table, const std::vector<qint64> &ids, MessageWriter &writer)
+{
+    bool isWriting = writer.begin();
+    for (auto begin = ids.begin(); isWriting && begin != ids.end();) {
+        const auto end = begin + std::min<std::ptrdiff_t>(portion, ids.end() - begin);
+        const auto messages = table.read(std::vector<qint64>(begin, end));
+        if (!messages)
+            return tl::unexpected(messages.error());
+        isWriting = writer.write(*messages);
+        begin = end;
+    }
+    writer.end();
+    return {};
+}
+
+Checked<Answer> exported(const MessageTable &table, const QString &database, const std::vector<qint64> &ids,
                          const ExportTarget &target)
 {
-    const QString &fileName = target.path;
-    QSaveFile file(fileName);
+    FileReplacement file(target.path);
     MessageWriter writer(file, target.format);
-    if (!file.open(QIODevice::WriteOnly) || !writer.begin() || !writeAll(table, ids, writer) ||
-        !writer.end() || !file.commit())
-        return tl::unexpected(complaintAbout(
-            {RefusalKind::badInput, RefusalId::fileNotWritten, {fileName, file.errorString()}}));
+    if (const auto begun = file.begin(); !begun)
+        return tl::unexpected(complaintAbout(begun.error()));
+    if (const auto written = writeAll(table, ids, writer); !written)
+        return tl::unexpected(databaseComplaint(database, written.error()));
+    if (const auto replaced = file.replace(); !replaced)
+        return tl::unexpected(complaintAbout(replaced.error()));
     const auto count = static_cast<qint64>(ids.size());
-    return Answer{
-        .text = sentence(CommandLine::tr("Messages written to %1: %2."), {fileName, QString::number(count)}) +
-                u'\n',
-        .json = {{QStringLiteral("file"), fileName}, {QStringLiteral("count"), count}}};
+    return Answer{.text = sentence(CommandLine::tr("Messages written to %1: %2."),
+                                   {target.path, QString::number(count)}) +
+                          u'\n',
+                  .json = {{QStringLiteral("file"), target.path}, {QStringLiteral("count"), count}}};
 }
 
 Checked<Answer> runMessages(const Call &call)
@@ -223,7 +227,7 @@ Checked<Answer> runMessages(const Call &call)
     if (!ids)
         return tl::unexpected(databaseComplaint(file, ids.error()));
     if (*target)
-        return exported(*table, *ids, **target);
+        return exported(*table, file, *ids, **target);
     const auto messages = table->read(*ids);
     if (!messages)
         return tl::unexpected(databaseComplaint(file, messages.error()));

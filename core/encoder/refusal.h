@@ -18,7 +18,7 @@ enum class RefusalKind : std::uint8_t {
     notSupported, // the encoder cannot do this (exit 1)
     busy,         // another job holds the word (exit 1)
     device,       // the encoder refused, or did not answer (exit 1)
-    link,         // bus or link (exit 1)
+    link,         // bus, link or disk (exit 1)
     stopped,      // the user or ALARM STOP ended it (exit 1)
 };
 

@@ -2,16 +2,14 @@
 #include "project/file_access.h"
 
 #include "encoder/sentence.h"
+#include "project/file_replacement.h"
 
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <fcntl.h>
 #include <unistd.h>
 
 namespace codewheel {
@@ -26,18 +24,12 @@ tl::unexpected<Refusal> notReadable(const QString &path, const QString &reason)
 
 tl::unexpected<Refusal> notWritten(const QString &path, const QString &reason)
 {
-    return refuse(RefusalKind::badInput, RefusalId::fileNotWritten, {path, reason});
+    return refuse(RefusalKind::link, RefusalId::fileNotWritten, {path, reason});
 }
 
 QString noFile()
 {
     return QCoreApplication::translate("codewheel::FileAccess", "It is no file.");
-}
-
-bool isOtherThanFile(const QString &path)
-{
-    const QFileInfo info(path);
-    return info.exists() && !info.isFile();
 }
 
 std::int64_t megabytes(qint64 bytes)
@@ -54,17 +46,6 @@ tl::unexpected<Refusal> tooLarge(const QString &path, qint64 size, qint64 larges
 QString systemReason()
 {
     return qt_error_string(errno);
-}
-
-bool writeAll(int file, QByteArrayView bytes)
-{
-    while (!bytes.isEmpty()) {
-        const ssize_t written = ::write(file, bytes.data(), static_cast<std::size_t>(bytes.size()));
-        if (written < 0 && errno != EINTR)
-            return false;
-        bytes = bytes.sliced(std::max<ssize_t>(written, 0));
-    }
-    return true;
 }
 
 // A second name for what stands at `from`; where the file system knows none, a copy.
@@ -92,17 +73,6 @@ bool keepBackup(const QString &path)
     return false;
 }
 
-// That the new name is on the disk too. Some file systems cannot tell.
-void syncFolder(const QString &path)
-{
-    const int folder = ::open(QFile::encodeName(QFileInfo(path).absolutePath()).constData(),
-                              O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folder < 0)
-        return;
-    ::fsync(folder);
-    ::close(folder);
-}
-
 } // namespace
 
 QString backupPath(const QString &path)
@@ -113,6 +83,14 @@ QString backupPath(const QString &path)
 QString inMegabytes(qint64 bytes)
 {
     return argumentText(megabytes(bytes));
+}
+
+QString whyNotWritten(const Refusal &refusal)
+{
+    QString reason = argumentTexts(refusal.arguments).value(1);
+    if (reason.endsWith(u'.'))
+        reason.chop(1);
+    return reason;
 }
 
 Result<QByteArray> readWholeFile(const QString &path, qint64 largest)
@@ -137,30 +115,20 @@ Result<QByteArray> readWholeFile(const QString &path, qint64 largest)
 
 Result<void> checkReplaceable(const QString &path)
 {
-    if (isOtherThanFile(path))
-        return notWritten(path, noFile());
-    QSaveFile file(path); // never brought there
-    if (!file.open(QIODevice::WriteOnly))
-        return notWritten(path, file.errorString());
-    return {};
+    return FileReplacement(path).begin(); // never brought there
 }
 
 Result<void> replaceFile(const QString &path, const QByteArray &bytes, OldFile old)
 {
-    if (isOtherThanFile(path))
-        return notWritten(path, noFile());
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return notWritten(path, file.errorString());
-    // QSaveFile would not tell that the disk is full, nor what goes wrong when the file is brought there.
-    if (!writeAll(file.handle(), bytes) || ::fsync(file.handle()) != 0)
-        return notWritten(path, systemReason());
+    FileReplacement file(path);
+    if (const auto begun = file.begin(); !begun)
+        return begun;
+    file.write(bytes);
+    if (const auto isThere = file.bringToDisk(); !isThere)
+        return isThere;
     if (old == OldFile::isKeptAsBackup && QFileInfo::exists(path) && !keepBackup(path))
         return notWritten(backupPath(path), systemReason());
-    if (!file.commit())
-        return notWritten(path, file.errorString());
-    syncFolder(path);
-    return {};
+    return file.replace();
 }
 
 } // namespace codewheel

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/cli_run.h"
+#include "tests/support/no_room.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -15,6 +16,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsSupersetOf;
+using testing::Not;
 
 class CliCams : public testing::Test
 {
@@ -91,6 +93,38 @@ TEST_F(CliCams, AFileThatIsThereIsReplacedOnlyWithYes)
     EXPECT_EQ(content(), before);
     EXPECT_EQ(shared.runLine(QStringLiteral("cams 1.0 read %1 --yes").arg(name)).exit, 0);
     EXPECT_EQ(content().count("\"program\""), 8);
+}
+
+TEST_F(CliCams, WhereThereIsNoRoomTheOldFileStaysAndItIsTold)
+{
+    const QString cams = file("what was there");
+    for (const char *json : {"", " --json"}) {
+        const CliRun run = [&] {
+            const test::NoRoom disk(10);
+            return SharedBus().runLine(
+                QStringLiteral("cams 1.0 read %1 --yes").arg(cams + QString::fromLatin1(json)));
+        }();
+        EXPECT_EQ(run.exit, 1);
+        EXPECT_THAT(run.err, HasSubstr("cams.json cannot be written: File too large."));
+        EXPECT_THAT(run.out, Not(HasSubstr("Saved")));
+    }
+    QFile kept(cams);
+    ASSERT_TRUE(kept.open(QIODevice::ReadOnly));
+    EXPECT_EQ(kept.readAll(), "what was there");
+}
+
+TEST_F(CliCams, WhatIsNoFileIsNotReplacedAndNothingIsRead)
+{
+    const QString pipe = m_directory.filePath(QStringLiteral("pipe"));
+    ASSERT_EQ(::mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
+    SharedBus shared;
+    const CliRun run = shared.runLine(QStringLiteral("cams 1.0 read %1 --yes").arg(pipe));
+    EXPECT_EQ(run.exit, 2);
+    EXPECT_EQ(run.out, "");
+    EXPECT_THAT(run.err, HasSubstr("pipe cannot be written: It is no file."));
+    struct stat there = {};
+    ASSERT_EQ(::stat(QFile::encodeName(pipe).constData(), &there), 0);
+    EXPECT_TRUE(S_ISFIFO(there.st_mode));
 }
 
 TEST_F(CliCams, AFileOfAnotherDeviceIsRefused)

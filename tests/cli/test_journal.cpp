@@ -5,6 +5,7 @@
 #include "journal/message_store.h"
 #include "journal_files.h"
 #include "tests/cli/cli_run.h"
+#include "tests/support/no_room.h"
 #include "tests/support/scripted_link.h"
 
 #include <QDir>
@@ -138,6 +139,31 @@ TEST_F(CliMessages, AFileThatIsThereIsReplacedWithYesOnly)
     EXPECT_EQ(file.size(), 0);
     EXPECT_EQ(run((line + std::string(" --yes")).c_str()).exit, 0);
     EXPECT_GT(QFileInfo(file.fileName()).size(), 0);
+}
+
+TEST_F(CliMessages, WhereThereIsNoRoomTheOldExportStaysAndItIsTold)
+{
+    {
+        MessageStore store({.file = path("messages.sqlite")});
+        for (int i = 0; i < 1'000; ++i)
+            store.add({.id = MessageId::training, .arguments = {QString(100, u'x')}},
+                      QDateTime::currentDateTime());
+    }
+    for (const char *name : {"all.csv", "all.html"}) {
+        QFile file(path(name));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write("old");
+        file.close();
+        const CliRun told = [&] {
+            const test::NoRoom disk(50'000); // beyond what SQLite writes to read
+            return run(("messages --file %1/messages.sqlite --yes --export %1/" + std::string(name)).c_str());
+        }();
+        EXPECT_EQ(told.exit, 1) << name;
+        EXPECT_NE(told.err.find("cannot be written: File too large."), std::string::npos) << told.err;
+        EXPECT_EQ(told.out, "");
+        ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+        EXPECT_EQ(file.readAll(), "old") << name;
+    }
 }
 
 TEST_F(CliMessages, BadInputIsTold)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command_line.h"
 #include "tests/cli/cli_run.h"
+#include "tests/support/no_room.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -98,6 +99,22 @@ TEST_F(CliReport, SaysWhatCannotBeReadOrWritten)
     EXPECT_EQ(
         errorKey(runIt(QStringLiteral("--json -o ") + folder.filePath(QStringLiteral("no/where.html")))),
         "fileNotWritten");
+}
+
+TEST_F(CliReport, WhereThereIsNoRoomTheOldReportStaysAndItIsTold)
+{
+    QFile file(html);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("old");
+    file.close();
+    const CliRun run = [&] {
+        const test::NoRoom disk(100);
+        return runIt(QStringLiteral("--yes -o %1").arg(html));
+    }();
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("cannot be written: File too large."));
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(content(), "old");
 }
 
 TEST_F(CliReport, AnEncoderThatDoesNotAnswerIsToldAndTheReportSaved)

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pdf/report_sheets.h"
 #include "pdf/save_report.h"
+#include "project/file_access.h"
 #include "report/html_report.h"
 #include "tests/report/report_example.h"
+#include "tests/support/no_room.h"
 
+#include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 
@@ -57,6 +60,28 @@ TEST(SaveReport, SaysWhichFileCouldNotBeWritten)
     ASSERT_FALSE(saved);
     EXPECT_EQ(saved.error().id, RefusalId::fileNotWritten);
     EXPECT_EQ(saved.error().arguments.front(), RefusalArgument(path));
+}
+
+TEST(SaveReport, WhereThereIsNoRoomWhatWasThereStays)
+{
+    const QTemporaryDir folder;
+    for (const auto &[name, format] :
+         {std::pair{"report.pdf", ReportFormat::pdf}, std::pair{"report.html", ReportFormat::html}}) {
+        const QString path = folder.filePath(QString::fromLatin1(name));
+        QFile file(path);
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write("old");
+        file.close();
+        const auto saved = [&, format = format] {
+            const test::NoRoom disk(1'000);
+            return saveReport(reportOf(exampleInput()), path, format);
+        }();
+        ASSERT_FALSE(saved) << name;
+        EXPECT_EQ(saved.error().id, RefusalId::fileNotWritten);
+        EXPECT_EQ(whyNotWritten(saved.error()), QStringLiteral("File too large"));
+        EXPECT_EQ(contentOf(path), "old");
+    }
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 2);
 }
 
 } // namespace

@@ -4,15 +4,17 @@
 #include "project/project_file.h"
 #include "project/project_json.h"
 #include "tests/project/made_up_project.h"
+#include "tests/support/no_room.h"
 
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 
-#include <csignal>
+#include <algorithm>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 namespace codewheel {
@@ -115,29 +117,6 @@ TEST_F(ProjectFile, CannotBeWrittenWhereThereIsNoFolder)
         << refusalText(saved.error()).toStdString();
 }
 
-// As on a full disk: no file may grow beyond so many bytes.
-class NoRoom
-{
-public:
-    explicit NoRoom(rlim_t bytes)
-        : m_handlerBefore(std::signal(SIGXFSZ, SIG_IGN))
-    {
-        ::getrlimit(RLIMIT_FSIZE, &m_before);
-        const rlimit little{bytes, m_before.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &little);
-    }
-    ~NoRoom()
-    {
-        ::setrlimit(RLIMIT_FSIZE, &m_before);
-        std::signal(SIGXFSZ, m_handlerBefore);
-    }
-    Q_DISABLE_COPY(NoRoom)
-
-private:
-    void (*m_handlerBefore)(int);
-    rlimit m_before{};
-};
-
 TEST_F(ProjectFile, StaysAsItIsWhereThereIsNoRoom)
 {
     ASSERT_TRUE(saveProject(m_old, path()));
@@ -145,7 +124,7 @@ TEST_F(ProjectFile, StaysAsItIsWhereThereIsNoRoom)
     for (const std::size_t devices : {1u, 5u, 100u}) { // buffered, and written at once
         const Project project = madeUpProject(3, devices);
         const auto saved = [&] {
-            const NoRoom disk(100);
+            const test::NoRoom disk(100);
             return saveProject(project, path());
         }();
         ASSERT_FALSE(saved) << devices;
@@ -209,6 +188,56 @@ TEST_F(ProjectFile, APipeIsNotReplaced)
     ASSERT_FALSE(saved);
     EXPECT_EQ(saved.error().id, RefusalId::fileNotWritten);
     EXPECT_FALSE(QFileInfo(path()).isFile());
+}
+
+TEST_F(ProjectFile, ASocketIsNotReplaced)
+{
+    const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_un address{AF_UNIX, {}};
+    const QByteArray name = QFile::encodeName(path());
+    ASSERT_LT(static_cast<std::size_t>(name.size()), sizeof address.sun_path);
+    std::ranges::copy(name, std::begin(address.sun_path));
+    ASSERT_EQ(::bind(socket, reinterpret_cast<const sockaddr *>(&address), sizeof address), 0); // NOLINT
+    for (const auto &refused : {checkReplaceable(path()), replaceFile(path(), "new", OldFile::goes)}) {
+        ASSERT_FALSE(refused);
+        EXPECT_TRUE(
+            refusalText(refused.error())
+                .endsWith(QStringLiteral("cannot be written: It is no file. Nothing was changed there.")))
+            << refusalText(refused.error()).toStdString();
+    }
+    struct stat there = {};
+    ASSERT_EQ(::stat(name.constData(), &there), 0);
+    EXPECT_TRUE(S_ISSOCK(there.st_mode));
+    ::close(socket);
+}
+
+TEST_F(ProjectFile, ALoopOfLinksIsNotReplaced)
+{
+    ASSERT_TRUE(QFile::link(path("two"), path("one")));
+    ASSERT_TRUE(QFile::link(path("one"), path("two")));
+    for (const auto &refused :
+         {checkReplaceable(path("one")), replaceFile(path("one"), "new", OldFile::goes)}) {
+        ASSERT_FALSE(refused);
+        EXPECT_TRUE(
+            refusalText(refused.error()).contains(QStringLiteral("Too many levels of symbolic links")))
+            << refusalText(refused.error()).toStdString();
+    }
+    EXPECT_TRUE(QFileInfo(path("one")).isSymLink());
+    EXPECT_TRUE(QFileInfo(path("two")).isSymLink());
+}
+
+TEST_F(ProjectFile, AFullDiskIsNoBadInput)
+{
+    const auto saved = [&] {
+        const test::NoRoom disk(100);
+        return replaceFile(path(), QByteArray(1'000, 'x'), OldFile::goes);
+    }();
+    ASSERT_FALSE(saved);
+    EXPECT_EQ(saved.error().kind, RefusalKind::link);
+    const auto nowhere = replaceFile(path("no/such"), "x", OldFile::goes);
+    ASSERT_FALSE(nowhere);
+    EXPECT_EQ(nowhere.error().kind, RefusalKind::badInput);
+    EXPECT_EQ(files(), QStringList());
 }
 
 TEST_F(ProjectFile, WithoutABackupIsNotReplaced)

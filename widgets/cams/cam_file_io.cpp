@@ -6,7 +6,6 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
-#include <QSaveFile>
 
 namespace codewheel {
 namespace {
@@ -30,12 +29,9 @@ tl::expected<CamFile, QString> loadCamFile(const QString &path, std::optional<st
 
 tl::expected<void, QString> saveCamFile(const QString &path, const CamFile &file)
 {
-    QSaveFile target(path);
-    const QByteArray json = camFileToJson(file);
-    if (!target.open(QIODevice::WriteOnly) || target.write(json) != json.size() || !target.commit())
-        return tl::unexpected(
-            CamFiles::tr("%1 was not saved: %2", "file, reason").arg(path, target.errorString()));
-    return {};
+    return replaceFile(path, camFileToJson(file), OldFile::goes).map_error([&](const Refusal &refusal) {
+        return CamFiles::tr("%1 was not saved: %2", "file, reason").arg(path, whyNotWritten(refusal));
+    });
 }
 
 } // namespace codewheel

@@ -7,7 +7,6 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
-#include <QSaveFile>
 
 namespace codewheel {
 namespace {
@@ -37,11 +36,10 @@ tl::expected<void, QString> saveLineRecord(const QString &path, const LineRecord
 
 tl::expected<void, QString> writeWholeFile(const QString &path, const QByteArray &content)
 {
-    QSaveFile target(path);
-    if (!target.open(QIODevice::WriteOnly) || target.write(content) != content.size() || !target.commit())
-        return tl::unexpected(sentence(LineRecordFiles::tr("%1 was not saved: %2", "file, reason"),
-                                       {path, target.errorString()}));
-    return {};
+    return replaceFile(path, content, OldFile::goes).map_error([&](const Refusal &refusal) {
+        return sentence(LineRecordFiles::tr("%1 was not saved: %2", "file, reason"),
+                        {path, whyNotWritten(refusal)});
+    });
 }
 
 } // namespace codewheel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/messages/message_export.h"
 
+#include "project/file_access.h"
 #include "widgets/messages/message_model.h"
 
 namespace codewheel {
@@ -22,21 +23,31 @@ MessageExport::MessageExport(const MessageModel &messages, const QString &fileNa
     m_timer.start(0);
 }
 
+// What fails in the file is told when it is replaced.
 void MessageExport::writePiece()
 {
-    bool good = m_file.isOpen() || (m_file.open(QIODevice::WriteOnly) && m_writer.begin());
+    if (!m_file.isOpen()) {
+        if (const auto begun = m_file.begin(); !begun)
+            return end(begun);
+        m_writer.begin();
+    }
     std::vector<qint64> ids;
     for (; std::ssize(ids) < piece && m_next < m_ids.size(); ++m_next)
         ids.push_back(m_ids.at(m_next));
     std::vector<StoredMessage> messages = m_messages.read(ids);
     std::erase_if(messages, [](const StoredMessage &message) { return message.id == 0; });
-    good = good && m_writer.write(messages);
-    if (good && m_next < m_ids.size()) {
+    if (m_writer.write(messages) && m_next < m_ids.size()) {
         Q_EMIT progressed(static_cast<double>(m_next) / static_cast<double>(m_ids.size()));
         return;
     }
+    m_writer.end();
+    end(m_file.replace());
+}
+
+void MessageExport::end(const Result<void> &written)
+{
     m_timer.stop();
-    Q_EMIT ended(good && m_writer.end() && m_file.commit());
+    Q_EMIT ended(written ? QString() : whyNotWritten(written.error()));
 }
 
 } // namespace codewheel

@@ -3,8 +3,8 @@
 
 #include "journal/id_runs.h"
 #include "journal/message_writer.h"
+#include "project/file_replacement.h"
 
-#include <QSaveFile>
 #include <QTimer>
 
 namespace codewheel {
@@ -22,20 +22,20 @@ public:
     MessageExport(const MessageModel &messages, const QString &fileName, MessageWriter::Format format,
                   QObject *parent);
 
-    QString fileName() const { return m_file.fileName(); }
-    QString errorString() const { return m_file.errorString(); }
+    QString fileName() const { return m_file.path(); }
     qint64 total() const { return m_ids.size(); }
 
 Q_SIGNALS:
-    void progressed(double part); // 0..1
-    void ended(bool written);     // afterwards it is of no use
+    void progressed(double part);       // 0..1
+    void ended(const QString &failure); // why it was not written; empty: it was. Afterwards it is of no use
 
 private:
     void writePiece();
+    void end(const Result<void> &written);
 
     const MessageModel &m_messages;
     const IdRuns m_ids;
-    QSaveFile m_file;
+    FileReplacement m_file;
     MessageWriter m_writer;
     qint64 m_next = 0;
     QTimer m_timer;

@@ -309,16 +309,16 @@ void MessagesView::showExport(double part)
          tr("Writing %1: %2 %").arg(m_export->fileName()).arg(percent), tr("Cancel"));
 }
 
-void MessagesView::endExport(bool written)
+void MessagesView::endExport(const QString &failure)
 {
-    if (written)
+    if (failure.isEmpty())
         note(NoteAction::none, Role::running,
              tr("Messages written to %1: %2.")
                  .arg(m_export->fileName(), locale().toString(static_cast<qlonglong>(m_export->total()))));
     else
         note(NoteAction::none, Role::fault,
              tr("%1 could not be written: %2. Choose another folder or name.")
-                 .arg(m_export->fileName(), m_export->errorString()));
+                 .arg(m_export->fileName(), failure));
     m_export->deleteLater();
 }
 

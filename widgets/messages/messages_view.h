@@ -51,7 +51,7 @@ private:
     void stay(int rows);
     void writeFile(const QString &fileName);
     void showExport(double part);
-    void endExport(bool written);
+    void endExport(const QString &failure);
     void act();
     std::vector<qint64> chosenIds() const; // in order; all where none is chosen
 

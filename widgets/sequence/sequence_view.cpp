@@ -21,7 +21,6 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QSpinBox>
 #include <QStackedWidget>
 #include <QTableView>
@@ -293,10 +292,9 @@ bool SequenceView::load(const QString &path)
 
 bool SequenceView::save(const QString &path)
 {
-    QSaveFile file(path);
-    const QByteArray json = sequenceToJson(list());
-    if (!file.open(QIODevice::WriteOnly) || file.write(json) != json.size() || !file.commit()) {
-        say(Role::attention, tr("%1 was not saved: %2", "file, reason").arg(path, file.errorString()));
+    if (const auto saved = replaceFile(path, sequenceToJson(list()), OldFile::goes); !saved) {
+        say(Role::attention,
+            tr("%1 was not saved: %2", "file, reason").arg(path, whyNotWritten(saved.error())));
         return false;
     }
     m_message->withdraw();

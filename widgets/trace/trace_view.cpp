@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/trace/trace_view.h"
 
+#include "project/file_access.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
@@ -14,7 +15,6 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QLabel>
-#include <QSaveFile>
 #include <QStackedWidget>
 #include <QTableView>
 #include <QToolBar>
@@ -275,11 +275,11 @@ bool TraceView::exportTo(const QString &path)
 {
     if (!m_shown)
         return false;
-    QSaveFile file(path);
-    const QByteArray csv = traceCsv(m_shown->device(), m_shown->rows());
-    if (!file.open(QIODevice::WriteOnly) || file.write(csv) != csv.size() || !file.commit()) {
-        m_message->showMessage(Role::attention,
-                               tr("%1 was not written: %2", "file, reason").arg(path, file.errorString()));
+    const auto saved = replaceFile(path, traceCsv(m_shown->device(), m_shown->rows()), OldFile::goes);
+    if (!saved) {
+        m_message->showMessage(
+            Role::attention,
+            tr("%1 was not written: %2", "file, reason").arg(path, whyNotWritten(saved.error())));
         return false;
     }
     m_message->withdraw();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/account_view.h"
 
+#include "project/file_access.h"
 #include "report/html_report.h"
 #include "transfer/transfer_report.h"
 #include "widgets/look/fonts.h"
@@ -14,7 +15,6 @@
 #include <QHBoxLayout>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QSaveFile>
 
 namespace codewheel {
 
@@ -72,17 +72,16 @@ bool AccountView::saveTo(const QString &path)
 {
     const bool asHtml = path.endsWith(QStringLiteral(".html"), Qt::CaseInsensitive);
     const QByteArray bytes = asHtml ? reportAsHtml(m_report) : reportAsText(m_report).toUtf8();
-    QSaveFile file(path);
-    const bool isSaved =
-        file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
+    const auto isSaved = replaceFile(path, bytes, OldFile::goes);
     if (isSaved) {
         m_message->showMessage(Role::running, tr("Saved as %1.").arg(path));
         Q_EMIT saved(path);
     } else {
         m_message->showMessage(
-            Role::fault, tr("%1 was not saved: %2. Choose another place.").arg(path, file.errorString()));
+            Role::fault,
+            tr("%1 was not saved: %2. Choose another place.").arg(path, whyNotWritten(isSaved.error())));
     }
-    return isSaved;
+    return isSaved.has_value();
 }
 
 void AccountView::copy()

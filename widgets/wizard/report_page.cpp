@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/report_page.h"
 
+#include "project/file_access.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -13,7 +14,6 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QVBoxLayout>
 
 namespace codewheel {
@@ -73,15 +73,13 @@ bool ReportPage::saveTo(const QString &path)
     const auto make = asHtml ? reportAsHtml : reportAsText;
     const QByteArray text =
         make(m_setup.record, m_setup.encoder->device(), QCoreApplication::applicationVersion()).toUtf8();
-    QSaveFile file(path);
-    const bool saved = file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit();
+    const auto saved = replaceFile(path, text, OldFile::goes);
     if (saved)
         m_message->showMessage(Role::running, tr("The report was saved as %1.").arg(path));
     else
-        m_message->showMessage(
-            Role::fault,
-            tr("The report was not saved as %1: %2. Choose another place.").arg(path, file.errorString()));
-    return saved;
+        m_message->showMessage(Role::fault, tr("The report was not saved as %1: %2. Choose another place.")
+                                                .arg(path, whyNotWritten(saved.error())));
+    return saved.has_value();
 }
 
 } // namespace codewheel

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/old_file.h"
 #include "tests/widgets/cams/cam_editor_test.h"
 
 #include <QFile>
@@ -145,6 +146,10 @@ TEST_F(CamEditorFiles, WhatCannotBeReadOrSavedIsSaid)
     EXPECT_TRUE(message().contains(QStringLiteral("missing.json cannot be read"))) << message().toStdString();
     EXPECT_FALSE(editor.save(path("no-such-folder/cams.json")));
     EXPECT_TRUE(message().contains(QStringLiteral("was not saved"))) << message().toStdString();
+    test::OldFile old;
+    EXPECT_FALSE(old.saveWithoutRoom([&](const QString &name) { return editor.save(name); }));
+    EXPECT_TRUE(old.isThere());
+    EXPECT_TRUE(message().endsWith(QStringLiteral("File too large"))) << message().toStdString();
 }
 
 } // namespace

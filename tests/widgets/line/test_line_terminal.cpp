@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/old_file.h"
 #include "tests/widgets/line/line_bench.h"
 #include "widgets/line/line_row_table.h"
 #include "widgets/line/line_terminal.h"
@@ -183,6 +184,11 @@ TEST_F(LineTerminalTest, CopiesAndExportsWhatIsShown)
         text.contains(QStringLiteral("\u241B05N\u240D\u240A\t05: serial number?\t1B 30 35 4E 0D 0A")));
     EXPECT_FALSE(terminal.exportText(folder.filePath(QStringLiteral("no/such/line.txt"))));
     EXPECT_TRUE(said().contains(QLatin1String("was not saved")));
+    test::OldFile old;
+    EXPECT_FALSE(old.saveWithoutRoom([&](const QString &name) { return terminal.exportText(name); }));
+    EXPECT_FALSE(old.saveWithoutRoom([&](const QString &name) { return terminal.save(name); }));
+    EXPECT_TRUE(old.isThere());
+    EXPECT_TRUE(said().endsWith(QLatin1String("File too large"))) << said().toStdString();
 }
 
 TEST_F(LineTerminalTest, ColumnsAreChosen)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/old_file.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
@@ -283,6 +284,20 @@ TEST_F(MessagesViewTest, WhatOneReadsStaysWhereItIsWhenOlderMessagesAreFound)
     messages.catchUp();
     EXPECT_EQ(messages.rowCount(), 9'000);
     EXPECT_EQ(topText(), before);
+}
+
+TEST_F(MessagesViewTest, AnExportWithoutRoomLeavesTheOldOne)
+{
+    for (int i = 0; i < 1'000; ++i)
+        add("power off", fraba);
+    test::OldFile old;
+    old.saveWithoutRoom([&](const QString &name) {
+        exportTo(name);
+        return false;
+    });
+    EXPECT_TRUE(old.isThere());
+    EXPECT_TRUE(note().contains(QStringLiteral("could not be written: File too large")))
+        << note().toStdString();
 }
 
 TEST_F(MessagesViewTest, SaysWhyAFileCouldNotBeWritten)

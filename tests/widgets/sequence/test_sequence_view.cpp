@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/model_tester.h"
+#include "tests/support/old_file.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
@@ -210,6 +211,10 @@ TEST_F(SequenceViewTest, SavesAndLoadsItsFile)
     EXPECT_EQ(words().size(), 2U);
     EXPECT_FALSE(view.save(folder.filePath(QStringLiteral("no/such/folder.json"))));
     EXPECT_TRUE(message().contains(QLatin1String("was not saved"))) << message().toStdString();
+    test::OldFile old;
+    EXPECT_FALSE(old.saveWithoutRoom([&](const QString &name) { return view.save(name); }));
+    EXPECT_TRUE(old.isThere());
+    EXPECT_TRUE(message().endsWith(QLatin1String("File too large"))) << message().toStdString();
 }
 
 } // namespace

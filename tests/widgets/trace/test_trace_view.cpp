@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/model_tester.h"
+#include "tests/support/old_file.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
@@ -217,6 +218,16 @@ TEST_F(TraceViewTest, ExportsCommaSeparatedUtf8)
     EXPECT_TRUE(lines.at(1).endsWith(QLatin1String(",\"a \"\"b\"\", c\""))) << lines.at(1).toStdString();
     EXPECT_FALSE(view.exportTo(folder.filePath(QStringLiteral("no/such/trace.csv"))));
     EXPECT_TRUE(view.findChild<InlineMessage *>()->sentence().contains(QLatin1String("was not written")));
+}
+
+TEST_F(TraceViewTest, AnExportWithoutRoomLeavesTheOldOne)
+{
+    write(fraba, 0x020000FF);
+    test::OldFile old;
+    EXPECT_FALSE(old.saveWithoutRoom([&](const QString &path) { return view.exportTo(path); }));
+    EXPECT_TRUE(old.isThere());
+    EXPECT_TRUE(view.findChild<InlineMessage *>()->sentence().endsWith(
+        QLatin1String("was not written: File too large")));
 }
 
 TEST_F(TraceViewTest, WhatWasCollectedOutlivesTheConnection)

@@ -2,8 +2,10 @@
 #include "encoder/refusal_text.h"
 #include "tests/app/question.h"
 #include "tests/support/model_tester.h"
+#include "tests/support/old_file.h"
 #include "tests/widgets/transfer/transfer_test.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/transfer/account_view.h"
 #include "widgets/transfer/transfer_page.h"
 
 #include <QAbstractItemModel>
@@ -30,6 +32,19 @@ using test::baumer;
 using test::fraba;
 using test::onLoop;
 using What = TransferChoice::What;
+
+TEST(AccountViewTest, AnAccountWithoutRoomLeavesTheOldOne)
+{
+    AccountView view;
+    Report report;
+    report.title = QString(100, u'x');
+    view.show(report, QStringLiteral("account"));
+    test::OldFile old;
+    EXPECT_FALSE(old.saveWithoutRoom([&](const QString &path) { return view.saveTo(path); }));
+    EXPECT_TRUE(old.isThere());
+    EXPECT_TRUE(view.findChild<InlineMessage *>()->sentence().endsWith(
+        QLatin1String("was not saved: File too large. Choose another place.")));
+}
 
 class TransferPageTest : public test::TransferTest
 {

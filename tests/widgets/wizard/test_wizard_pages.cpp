@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/model_tester.h"
+#include "tests/support/old_file.h"
 #include "tests/widgets/wizard/wizard_test.h"
 #include "widgets/wizard/report_page.h"
 
@@ -324,6 +325,9 @@ TEST_F(WizardPages, TheReportIsSavedAsTextAndAsHtml)
     ASSERT_TRUE(page->saveTo(path + QStringLiteral(".txt")));
     ASSERT_TRUE(page->saveTo(path + QStringLiteral(".html")));
     EXPECT_FALSE(page->saveTo(folder.filePath(QStringLiteral("missing/report.txt"))));
+    test::OldFile old;
+    EXPECT_FALSE(old.saveWithoutRoom([&](const QString &name) { return page->saveTo(name); }));
+    EXPECT_TRUE(old.isThere());
     QFile text(path + QStringLiteral(".txt"));
     QFile html(path + QStringLiteral(".html"));
     ASSERT_TRUE(text.open(QIODevice::ReadOnly));

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/support/no_room.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+namespace codewheel::test {
+
+// A file that a view is told to replace on a full disk, alone in its folder.
+class OldFile
+{
+public:
+    OldFile()
+    {
+        QFile file(m_path);
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write("old");
+    }
+
+    template <typename Save>
+    bool saveWithoutRoom(const Save &save)
+    {
+        const NoRoom disk(10);
+        return save(m_path);
+    }
+    // As it was, with nothing beside it.
+    bool isThere() const
+    {
+        QFile file(m_path);
+        return file.open(QIODevice::ReadOnly) && file.readAll() == "old" &&
+               QDir(m_folder.path()).entryList(QDir::Files | QDir::Hidden).size() == 1;
+    }
+
+private:
+    QTemporaryDir m_folder;
+    QString m_path = m_folder.filePath(QStringLiteral("old.txt"));
+};
+
+} // namespace codewheel::test
