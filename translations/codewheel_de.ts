@@ -5578,30 +5578,6 @@ erste Anfrage, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehn
         <translation>codewheel-cli richtet Absolutwertgeber am INTERBUS und an seriellen Leitungen ein, beobachtet und prüft sie.</translation>
     </message>
     <message>
-        <source>PLACE is the device number of an encoder, segment.position: 1.0; on a serial line its address,
-two hexadecimal digits: 12, or esc:12. Numbers are decimal unless they are written 0x.. or ..h;
-a WORD is always hexadecimal, as the manuals print it.
-
-Each call has a new training bus, which always starts the same: 1.0 FRABA K3 that stands
-still, 2.0 Baumer K3 that turns at 10 rpm, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 on a rod,
-6.0 bus terminal and, behind it, 6.1 FRABA K3 on Loop 2; and a serial line with the Kübler
-encoders 03, 05 and 12. What one call wrote, the next one does not find.
-
-Exit code: 0 done, 1 the encoder or the bus refused, 2 bad input.
-codewheel-cli COMMAND --help explains a command.</source>
-        <translation>PLATZ ist die Gerätenummer eines Gebers, Segment.Position: 1.0; auf einer seriellen Leitung seine Adresse,
-zwei Hexziffern: 12, oder esc:12. Zahlen sind dezimal, außer sie sind 0x.. oder ..h geschrieben;
-ein WORT ist immer hexadezimal, wie die Handbücher es drucken.
-
-Jeder Aufruf hat einen neuen Übungsbus, der immer gleich beginnt: 1.0 FRABA K3, der stillsteht,
-2.0 Baumer K3, der mit 10 U/min dreht, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 an einem Stab,
-6.0 Busklemme und dahinter 6.1 FRABA K3 an Loop 2; und eine serielle Leitung mit den Kübler-
-Gebern 03, 05 und 12. Was ein Aufruf schrieb, findet der nächste nicht vor.
-
-Rückgabewert: 0 erledigt, 1 Geber oder Bus lehnten ab, 2 falsche Eingabe.
-codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
-    </message>
-    <message>
         <source>No encoder answers at %1 at %2 Bd. Check address, baud rate, wiring and supply; an RS-422 encoder also needs ST (pin 7) at +UB. codewheel-cli scan --all-rates looks for encoders.</source>
         <translation>Auf %1 antwortet mit %2 Bd kein Geber. Adresse, Baudrate, Verdrahtung und Versorgung prüfen; ein RS-422-Geber braucht auch ST (Pin 7) an +UB. codewheel-cli scan --all-rates sucht nach Gebern.</translation>
     </message>
@@ -5906,6 +5882,62 @@ Bei einem Geber an einer seriellen Leitung erklärt es eine Anfrage (03GP0000520
 --other ANFRAGE, die Antwort darauf: ihre Ziffern, oder CRLF für ein bloßes Zeilenende.
 
 Braucht keinen Bus und sendet nichts.</translation>
+    </message>
+    <message>
+        <source>Nothing was written to an encoder.</source>
+        <translation>In keinen Geber wurde etwas geschrieben.</translation>
+    </message>
+    <message>
+        <source>This was done:</source>
+        <translation>Das wurde erledigt:</translation>
+    </message>
+    <message>
+        <source>Standard output cannot be written: %1. %2</source>
+        <translation>Auf die Standardausgabe kann nicht geschrieben werden: %1. %2</translation>
+    </message>
+    <message>
+        <source>%1 was sent, and answered.</source>
+        <translation>%1 wurde gesendet und beantwortet.</translation>
+    </message>
+    <message>
+        <source>%1 was sent: whether it was carried out is not known.</source>
+        <translation>%1 wurde gesendet: Ob es ausgeführt wurde, ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: what would be sent could not be shown.</source>
+        <translation>Nichts wurde gesendet: Was gesendet würde, konnte nicht gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>PLACE is the device number of an encoder, segment.position: 1.0; on a serial line its address,
+two hexadecimal digits: 12, or esc:12. Numbers are decimal unless they are written 0x.. or ..h;
+a WORD is always hexadecimal, as the manuals print it.
+
+Each call has a new training bus, which always starts the same: 1.0 FRABA K3 that stands
+still, 2.0 Baumer K3 that turns at 10 rpm, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 on a rod,
+6.0 bus terminal and, behind it, 6.1 FRABA K3 on Loop 2; and a serial line with the Kübler
+encoders 03, 05 and 12. What one call wrote, the next one does not find.
+
+Exit code: 0 done; 1 not done, not known, or done and not told; 2 bad input.
+codewheel-cli COMMAND --help explains a command.</source>
+        <translation>PLATZ ist die Gerätenummer eines Gebers, Segment.Position: 1.0; auf einer seriellen Leitung seine Adresse,
+zwei Hexziffern: 12, oder esc:12. Zahlen sind dezimal, außer sie sind 0x.. oder ..h geschrieben;
+ein WORT ist immer hexadezimal, wie die Handbücher es drucken.
+
+Jeder Aufruf hat einen neuen Übungsbus, der immer gleich beginnt: 1.0 FRABA K3, der stillsteht,
+2.0 Baumer K3, der mit 10 U/min dreht, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 an einem Stab,
+6.0 Busklemme und dahinter 6.1 FRABA K3 an Loop 2; und eine serielle Leitung mit den Kübler-
+Gebern 03, 05 und 12. Was ein Aufruf schrieb, findet der nächste nicht vor.
+
+Rückgabewert: 0 erledigt; 1 nicht erledigt, unbekannt, oder erledigt und nicht gesagt; 2 falsche Eingabe.
+codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
+    </message>
+    <message>
+        <source>No answer comes from %1 at %2 Bd, but bytes that are no answers: %3 until now. Either another baud rate or format is needed (codewheel-cli scan --all-rates tries the rates), or the wiring is wrong or disturbed (A and B exchanged, no termination), or a device on the line speaks another protocol.</source>
+        <translation>Von %1 kommt mit %2 Bd keine Antwort, aber es kommen Bytes, die keine Antworten sind: bisher %3. Entweder ist eine andere Baudrate oder ein anderes Format nötig (codewheel-cli scan --all-rates probiert die Raten), oder die Verdrahtung ist falsch oder gestört (A und B vertauscht, kein Abschluss), oder ein Gerät an der Leitung spricht ein anderes Protokoll.</translation>
+    </message>
+    <message>
+        <source>Bytes come that are no answers: %1 until now. The baud rate or the format may be another one, the wiring wrong or disturbed, or a device on the line speaks another protocol.</source>
+        <translation>Es kommen Bytes, die keine Antworten sind: bisher %1. Baudrate oder Format sind vielleicht andere, die Verdrahtung ist falsch oder gestört, oder ein Gerät an der Leitung spricht ein anderes Protokoll.</translation>
     </message>
 </context>
 <context>

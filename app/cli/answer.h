@@ -15,6 +15,8 @@ struct Answer
 {
     QString text{};
     QJsonObject json{};
+    // What was done to encoders or files, where the text is no account of it, or nothing else.
+    QString done{};
     std::optional<Complaint> complaint{};
 };
 

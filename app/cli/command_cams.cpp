@@ -361,6 +361,7 @@ const Subcommand camsCommand{
     .maximumArguments = 3,
     .needsBus = true,
     .whyNotOnLine = QT_TRANSLATE_NOOP("codewheel::CommandLine", "Encoders on a serial line have no cams."),
+    .textIsAccount = true,
     .run = runCams,
 };
 

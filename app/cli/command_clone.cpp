@@ -92,6 +92,7 @@ const Subcommand cloneCommand{
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
     .whyNotOnLine = valuesOfBusOnly,
+    .textIsAccount = true,
     .run = runClone,
 };
 

@@ -9,6 +9,7 @@
 #include "cli/project_access.h"
 #include "cli/texts.h"
 #include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
 #include "journal/ledger_keeper.h"
 #include "journal_files.h"
 #include "simulator/fault_plan_file.h"
@@ -36,6 +37,24 @@ QString jsonText(const QJsonObject &json, const QString &command)
     if (known != nullptr && known->answersInLines)
         return QString::fromUtf8(QJsonDocument(json).toJson(QJsonDocument::Compact)) + u'\n';
     return QString::fromUtf8(QJsonDocument(json).toJson());
+}
+
+QString whatWasDone(const Subcommand &command, const Answer &answer)
+{
+    const QString done = (command.textIsAccount ? answer.text : QString()) + answer.done;
+    return done.isEmpty() ? CommandLine::tr("Nothing was written to an encoder.")
+                          : CommandLine::tr("This was done:") + u'\n' + done.trimmed();
+}
+
+// The exit code where all was told on standard output; else standard error tells what was done.
+int asTold(int exit, const QString &done, const Terminal &terminal)
+{
+    if (terminal.canPrint())
+        return exit;
+    terminal.complain(sentence(CommandLine::tr("Standard output cannot be written: %1. %2"),
+                               {terminal.whyNotPrinted(), done})
+                          .trimmed());
+    return exit == static_cast<int>(ExitCode::done) ? static_cast<int>(ExitCode::refused) : exit;
 }
 
 int fail(const Complaint &complaint, const QString &command, bool asJson, QJsonObject json,
@@ -174,15 +193,15 @@ int runOnLink(const Subcommand &command, const Arguments &arguments, const LinkW
 // What is told without a bus: help and version. `command`: whose; empty of the program itself.
 int printed(Answer answer, const Arguments &arguments, const QString &command, const Terminal &terminal)
 {
-    if (!arguments.has("--json")) {
+    if (arguments.has("--json")) {
+        if (!command.isEmpty())
+            answer.json.insert(QStringLiteral("command"), command);
+        answer.json.insert(QStringLiteral("exit"), static_cast<int>(ExitCode::done));
+        terminal.print(jsonText(answer.json, command));
+    } else {
         terminal.print(answer.text);
-        return static_cast<int>(ExitCode::done);
     }
-    if (!command.isEmpty())
-        answer.json.insert(QStringLiteral("command"), command);
-    answer.json.insert(QStringLiteral("exit"), static_cast<int>(ExitCode::done));
-    terminal.print(jsonText(answer.json, command));
-    return static_cast<int>(ExitCode::done);
+    return asTold(static_cast<int>(ExitCode::done), {}, terminal);
 }
 
 Answer versionAnswer()
@@ -221,15 +240,16 @@ int runCommand(const Subcommand &command, const Arguments &arguments, const Cata
         return fail(answer.error(), name, asJson, {}, terminal);
     if (!asJson)
         terminal.print(answer->text);
+    const QString done = whatWasDone(command, *answer);
     if (answer->complaint)
-        return fail(*answer->complaint, name, asJson, answer->json, terminal);
+        return asTold(fail(*answer->complaint, name, asJson, answer->json, terminal), done, terminal);
     if (asJson) {
         QJsonObject json = answer->json;
         json.insert(QStringLiteral("command"), name);
         json.insert(QStringLiteral("exit"), static_cast<int>(ExitCode::done));
         terminal.print(jsonText(json, name));
     }
-    return static_cast<int>(ExitCode::done);
+    return asTold(static_cast<int>(ExitCode::done), done, terminal);
 }
 
 bool makesPdf(const QStringList &words)

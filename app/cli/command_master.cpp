@@ -212,6 +212,7 @@ const Subcommand masterCommand{
     .maximumArguments = 3,
     .needsBus = true,
     .whyNotOnLine = QT_TRANSLATE_NOOP("codewheel::CommandLine", "A serial line has no master."),
+    .textIsAccount = true,
     .run = runMaster,
 };
 

@@ -198,10 +198,12 @@ Checked<Answer> exported(const MessageTable &table, const QString &database, con
     if (const auto replaced = file.replace(); !replaced)
         return tl::unexpected(complaintAbout(replaced.error()));
     const auto count = static_cast<qint64>(ids.size());
-    return Answer{.text = sentence(CommandLine::tr("Messages written to %1: %2."),
-                                   {target.path, QString::number(count)}) +
-                          u'\n',
-                  .json = {{QStringLiteral("file"), target.path}, {QStringLiteral("count"), count}}};
+    const QString done =
+        sentence(CommandLine::tr("Messages written to %1: %2."), {target.path, QString::number(count)}) +
+        u'\n';
+    return Answer{.text = done,
+                  .json = {{QStringLiteral("file"), target.path}, {QStringLiteral("count"), count}},
+                  .done = done};
 }
 
 Checked<Answer> runMessages(const Call &call)

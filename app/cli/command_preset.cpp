@@ -124,6 +124,7 @@ const Subcommand presetCommand{
     .minimumArguments = 1,
     .maximumArguments = 2,
     .needsBus = true,
+    .textIsAccount = true,
     .run = runPreset,
 };
 

@@ -216,6 +216,7 @@ const Subcommand replaceCommand{
     .maximumArguments = 1,
     .needsBus = true,
     .whyNotOnLine = valuesOfBusOnly,
+    .textIsAccount = true,
     .run = runReplace,
 };
 

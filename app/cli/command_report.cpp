@@ -210,6 +210,7 @@ const Subcommand reportCommand{
     .needsBus = false,
     .busOption = "--read",
     .whyNotOnLine = valuesOfBusOnly,
+    .textIsAccount = true,
     .run = runReport,
 };
 

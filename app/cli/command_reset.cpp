@@ -146,6 +146,7 @@ const Subcommand resetCommand{
     .whyNotOnLine = QT_TRANSLATE_NOOP("codewheel::CommandLine",
                                       "Encoders on a serial line have no command that resets them to factory "
                                       "settings. Write the values with codewheel-cli write."),
+    .textIsAccount = true,
     .run = runReset,
 };
 

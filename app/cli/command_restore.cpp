@@ -180,6 +180,7 @@ const Subcommand restoreCommand{
     .maximumArguments = 1,
     .needsBus = true,
     .whyNotOnLine = valuesOfBusOnly,
+    .textIsAccount = true,
     .run = runRestore,
 };
 

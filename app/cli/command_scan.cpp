@@ -73,7 +73,8 @@ void saveFound(const Call &call, Answer &answer)
         answer.complaint = complaintAbout(saved.error());
         return;
     }
-    answer.text += sentence(CommandLine::tr("Saved in %1."), {*file}) + u'\n';
+    answer.done = sentence(CommandLine::tr("Saved in %1."), {*file}) + u'\n';
+    answer.text += answer.done;
     answer.json.insert(QStringLiteral("saved"), *file);
 }
 

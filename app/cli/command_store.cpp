@@ -178,6 +178,7 @@ const Subcommand storeCommand{
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
     .whyNotOnLine = valuesOfBusOnly,
+    .textIsAccount = true,
     .run = runStore,
 };
 

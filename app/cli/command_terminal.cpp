@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
+#include "cli/consent.h"
 #include "cli/eeprom_consent.h"
 #include "cli/json.h"
 #include "cli/line_access.h"
@@ -57,15 +58,23 @@ public:
 
     // Sends what was typed and waits for its answer. False: nothing else is to be sent.
     bool take(const QString &typed);
-    bool listen() { return m_call.line->advance(LineAccess::lookInterval); }
+    bool listen() { return m_call.line->advance(LineAccess::lookInterval) && goesOn(); }
     TypedLines &lines() { return m_lines; }
     Answer answer() const;
 
 private:
+    struct Written
+    {
+        QString request;
+        bool isAnswered = false;
+    };
+
     bool isAnswered() const { return m_call.terminal.isInteractive && !m_call.arguments.has("--json"); }
     void show(const esc::LineRow &row);
     Checked<AllowedRequest> allowed(const esc::Request &request);
     Checked<void> askToWrite(const esc::Request &request);
+    QString whatWasDone() const;
+    bool goesOn() const { return m_call.terminal.canPrint(); } // else nobody sees what comes
     EncoderSession *identified(LineAddress address);
     void send(const AllowedRequest &request);
     bool fail(const Complaint &complaint);
@@ -75,6 +84,7 @@ private:
     TypedLines m_lines;
     QObject m_scope;
     std::optional<esc::Request> m_lastRequest;
+    std::vector<Written> m_written;
     std::optional<TypedAnswered> m_answered;
     std::optional<Refusal> m_refusal;
     std::optional<Complaint> m_complaint; // the first
@@ -133,13 +143,13 @@ bool TypedCall::take(const QString &typed)
         return fail(sendable.error());
     send(*sendable);
     if (m_answered && m_answered->result.answer)
-        return true;
+        return goesOn();
     if (!m_answered)
         return fail(m_call.line->isConnected() && m_refusal ? complaintAbout(*m_refusal)
                                                             : m_call.line->portLost());
-    Complaint complaint = complaintAbout({RefusalKind::device,
-                                          RefusalId::escNoAnswer,
-                                          {QString::fromLatin1(request->text()), std::int64_t{1}}});
+    Complaint complaint = m_call.line->complaint({RefusalKind::device,
+                                                  RefusalId::escNoAnswer,
+                                                  {QString::fromLatin1(request->text()), std::int64_t{1}}});
     if (esc::shapeOf(request->command).writes)
         complaint.text += u' ' + CommandLine::tr("Whether it was carried out is not known: read the value.");
     return fail(complaint);
@@ -156,6 +166,8 @@ Checked<AllowedRequest> TypedCall::allowed(const esc::Request &request)
 
 Checked<void> TypedCall::askToWrite(const esc::Request &request)
 {
+    if (const auto shown = checkWasShown(m_call); !shown)
+        return shown;
     if (m_call.arguments.has("--yes"))
         return {};
     if (!isAnswered())
@@ -197,9 +209,25 @@ void TypedCall::send(const AllowedRequest &request)
     m_line.send(request.request());
     bool isConnected = true;
     while (!m_answered && !m_refusal && isConnected)
-        isConnected = listen();
-    if (writes)
-        m_line.setOperate(false);
+        isConnected = m_call.line->advance(LineAccess::lookInterval);
+    if (!writes)
+        return;
+    m_line.setOperate(false);
+    if (!m_refusal)
+        m_written.push_back({QString::fromLatin1(request.request().text()),
+                             m_answered.has_value() && m_answered->result.answer.has_value()});
+}
+
+QString TypedCall::whatWasDone() const
+{
+    QString text;
+    for (const Written &one : m_written)
+        text += sentence(one.isAnswered ? CommandLine::tr("%1 was sent, and answered.")
+                                        : CommandLine::tr("%1 was sent: whether it was carried out is not "
+                                                          "known."),
+                         {one.request}) +
+                u'\n';
+    return text;
 }
 
 Answer TypedCall::answer() const
@@ -208,6 +236,7 @@ Answer TypedCall::answer() const
     return {.text = {},
             .json = {{QStringLiteral("port"), m_call.line->portKey()},
                      {QStringLiteral("figures"), figuresJson(figures)}},
+            .done = whatWasDone(),
             .complaint = m_complaint};
 }
 
@@ -267,6 +296,7 @@ const Subcommand terminalCommand{
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
     .answersInLines = true,
+    .textIsAccount = true,
     .run = runTerminal,
 };
 

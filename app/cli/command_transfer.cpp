@@ -70,6 +70,7 @@ const Subcommand transferCommand{
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
     .whyNotOnLine = valuesOfBusOnly,
+    .textIsAccount = true,
     .run = runTransfer,
 };
 

@@ -98,6 +98,7 @@ const Subcommand velocityCommand{
     .needsBus = true,
     .whyNotOnLine =
         QT_TRANSLATE_NOOP("codewheel::CommandLine", "Encoders on a serial line have no velocity mode."),
+    .textIsAccount = true,
     .run = runVelocity,
 };
 

@@ -124,6 +124,7 @@ const Subcommand wordsCommand{
     .whyNotOnLine = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine", "Encoders on a serial line have no words of process data. Send commands "
                                   "with codewheel-cli terminal."),
+    .textIsAccount = true,
     .run = runWords,
 };
 

@@ -246,6 +246,7 @@ const Subcommand writeCommand{
     .minimumArguments = 2,
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
+    .textIsAccount = true,
     .run = runWrite,
 };
 

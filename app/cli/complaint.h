@@ -5,7 +5,8 @@
 
 namespace codewheel {
 
-// How the program ends; scripts rely on the numbers.
+// How the program ends; scripts rely on the numbers. `refused`: not done, not known whether it was done, or
+// done and not told, since standard output could not be written.
 enum class ExitCode { done = 0, refused = 1, badInput = 2 };
 
 // Why a call was not done: a sentence for people, a key and arguments for programs.

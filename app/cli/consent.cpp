@@ -5,8 +5,19 @@
 
 namespace codewheel {
 
+Checked<void> checkWasShown(const Call &call)
+{
+    if (call.terminal.canPrint())
+        return {};
+    return tl::unexpected(
+        Complaint{ExitCode::refused, QStringLiteral("outputFailed"),
+                  CommandLine::tr("Nothing was sent: what would be sent could not be shown.")});
+}
+
 Checked<void> consent(const Call &call, const QString &question, const QString &howWithoutAsking)
 {
+    if (const auto shown = checkWasShown(call); !shown)
+        return shown;
     if (call.arguments.has("--yes"))
         return {};
     if (!call.terminal.isInteractive || call.arguments.has("--json"))

@@ -95,7 +95,7 @@ QString overallHelp()
                "6.0 bus terminal and, behind it, 6.1 FRABA K3 on Loop 2; and a serial line with the Kübler\n"
                "encoders 03, 05 and 12. What one call wrote, the next one does not find.\n"
                "\n"
-               "Exit code: 0 done, 1 the encoder or the bus refused, 2 bad input.\n"
+               "Exit code: 0 done; 1 not done, not known, or done and not told; 2 bad input.\n"
                "codewheel-cli COMMAND --help explains a command.") +
            u'\n';
 }

@@ -55,6 +55,20 @@ Complaint aboutSilence(LineAddress address, int baudRate)
         {DeviceNumber::onLine(address).toString(), std::int64_t{baudRate}}};
 }
 
+Complaint aboutStrayBytes(LineAddress address, int baudRate, std::uint64_t bytes)
+{
+    return {
+        ExitCode::refused,
+        QStringLiteral("noAnswerAmongBytes"),
+        sentence(CommandLine::tr("No answer comes from %1 at %2 Bd, but bytes that are no answers: %3 until "
+                                 "now. Either another baud rate or format is needed (codewheel-cli scan "
+                                 "--all-rates tries the rates), or the wiring is wrong or disturbed (A and "
+                                 "B exchanged, no termination), or a device on the line speaks another "
+                                 "protocol."),
+                 {address.shown(), QString::number(baudRate), QString::number(bytes)}),
+        {DeviceNumber::onLine(address).toString(), std::int64_t{baudRate}, static_cast<std::int64_t>(bytes)}};
+}
+
 Complaint aboutOpening(const Refusal &why)
 {
     Complaint complaint = complaintAbout(why);
@@ -121,7 +135,7 @@ Checked<EncoderSession *> LineAccess::encoder(LineAddress address, const QString
                    longestContact))
         return tl::unexpected(portLost());
     if (state() != EncoderState::operation)
-        return tl::unexpected(aboutSilence(address, m_link.wish.line.baudRate));
+        return tl::unexpected(noAnswerFrom(address));
     if (!waitUntil([&] { return encoder->known(Parameter::serialNumber).has_value(); }, longestIdentity))
         return tl::unexpected(portLost());
     if (address.isMaster() && !encoder->known(Parameter::serialNumber))
@@ -177,6 +191,31 @@ QString LineAccess::portKey() const
     return m_link.isSimulated() ? QStringLiteral("training") : m_session->linkName();
 }
 
+Complaint LineAccess::noAnswerFrom(LineAddress address) const
+{
+    const int baudRate = m_link.wish.line.baudRate;
+    const std::uint64_t bytes = strayBytes();
+    return bytes == 0 ? aboutSilence(address, baudRate) : aboutStrayBytes(address, baudRate, bytes);
+}
+
+std::uint64_t LineAccess::strayBytes() const
+{
+    const LineFigures &figures = m_session->latest().figures;
+    return figures.garbageBytes + figures.lateBytes;
+}
+
+QString LineAccess::strayBytesText() const
+{
+    const std::uint64_t bytes = strayBytes();
+    if (bytes == 0)
+        return {};
+    return sentence(
+        CommandLine::tr("Bytes come that are no answers: %1 until now. The baud rate or the format "
+                        "may be another one, the wiring wrong or disturbed, or a device on the "
+                        "line speaks another protocol."),
+        {QString::number(bytes)});
+}
+
 Complaint LineAccess::portLost() const
 {
     return complaintAbout(*m_lost);
@@ -187,6 +226,9 @@ Complaint LineAccess::complaint(const Refusal &why) const
     Complaint told = complaintAbout(why);
     if (!isConnected() && why.id != m_lost->id)
         told.text.prepend(portLost().text + u' ');
+    if (why.id == RefusalId::escNoAnswer)
+        if (const QString stray = strayBytesText(); !stray.isEmpty())
+            told.text += u' ' + stray;
     return told;
 }
 

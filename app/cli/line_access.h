@@ -44,10 +44,14 @@ public:
     QString portKey() const;
     bool isConnected() const { return m_session->latest().connected; }
     Complaint portLost() const; // why it is gone
+    // Of those that came until now: neither answers nor echo.
+    std::uint64_t strayBytes() const;
+    QString strayBytesText() const; // how many, and what that can mean; empty where none came
     // About a job that was refused, and about the port where it is gone.
     Complaint complaint(const Refusal &why) const;
 
 private:
+    Complaint noAnswerFrom(LineAddress address) const;
     Checked<void> determineFractionBits(DeviceNumber number);
     bool waitUntil(const std::function<bool()> &isDone, Instant atMost);
 

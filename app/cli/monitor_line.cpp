@@ -90,7 +90,8 @@ Answer monitorLine(const Call &call, const EncoderSession &encoder, Instant dura
     look();
     StopSignals stop;
     bool isConnected = true;
-    for (Instant passed = interval; passed <= duration && isConnected && !stop.came(); passed += interval) {
+    const auto goesOn = [&] { return isConnected && call.terminal.canPrint() && !stop.came(); };
+    for (Instant passed = interval; passed <= duration && goesOn(); passed += interval) {
         isConnected = call.line->advance(interval);
         look();
     }

@@ -57,6 +57,7 @@ struct Subcommand
     // Why it does not work with encoders on a serial line; null: it does.
     const char *whyNotOnLine = nullptr;
     bool answersInLines = false; // with --json: a line for each object, the last one as of every command
+    bool textIsAccount = false;  // the text of its answer tells what was done to encoders or files
     Checked<Answer> (*run)(const Call &call);
 };
 

@@ -3,6 +3,7 @@
 
 #include "cli/texts.h"
 
+#include <cerrno>
 #include <istream>
 #include <ostream>
 
@@ -10,7 +11,15 @@ namespace codewheel {
 
 void Terminal::print(const QString &text) const
 {
+    errno = 0;
     out << text.toStdString() << std::flush;
+    if (!out && printError == 0)
+        printError = errno == 0 ? EIO : errno;
+}
+
+QString Terminal::whyNotPrinted() const
+{
+    return qt_error_string(printError);
 }
 
 void Terminal::complain(const QString &text) const

@@ -15,8 +15,11 @@ struct Terminal
     std::ostream &err;
     bool isInteractive = false; // somebody can answer a question
     int inputDescriptor = -1;   // of `in`, to wait for what is typed; below 0: it has none
+    mutable int printError = 0; // errno of the first print that failed; 0: none did
 
-    void print(const QString &text) const;    // as it is
+    void print(const QString &text) const; // as it is
+    bool canPrint() const { return printError == 0; }
+    QString whyNotPrinted() const;            // the reason of the system
     void complain(const QString &text) const; // one line on err
     // One line on err in place of the one before, where somebody sees it; empty: none any more.
     void showProgress(const QString &text) const;

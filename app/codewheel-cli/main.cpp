@@ -3,6 +3,7 @@
 #include "cli/terminal.h"
 #include "codewheel-cli/application.h"
 #include "language.h"
+#include "standard_streams.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -12,6 +13,7 @@
 
 int main(int argc, char **argv)
 {
+    codewheel::prepareStandardStreams();
     const auto application = codewheel::makeApplication(argc, argv);
 
     codewheel::Language language;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/program.h"
 #include "language.h"
+#include "standard_streams.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -51,6 +52,7 @@ int tell(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    codewheel::prepareStandardStreams();
     if (asksForText(argc, argv))
         return tell(argc, argv);
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs); // each of ours carries ALARM STOP

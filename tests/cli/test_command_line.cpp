@@ -23,7 +23,7 @@ TEST(CliCommandLine, HelpTellsCommandsOptionsExamplesAndExitCodes)
         EXPECT_EQ(run.exit, 0);
         EXPECT_EQ(run.err, "");
         for (const char *part : {"devices", "scan", "explain", "words", "read", "write", "preset", "monitor",
-                                 "--json", "--link", "new training bus", "Exit code: 0 done, 1", "020000FF"})
+                                 "--json", "--link", "new training bus", "Exit code: 0 done; 1", "020000FF"})
             EXPECT_THAT(run.out, HasSubstr(part));
     }
 }
