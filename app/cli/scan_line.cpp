@@ -156,6 +156,9 @@ Checked<Answer> scanLine(const Call &call)
     if (!ended)
         return tl::unexpected(call.line->portLost());
     Answer answer = scanAnswer(*ended);
+    if (const QString stray = call.line->strayBytesText(); ended->found.empty() && !stray.isEmpty())
+        answer.text += stray + u'\n';
+    answer.json.insert(QStringLiteral("strayBytes"), static_cast<qint64>(call.line->strayBytes()));
     answer.json.insert(QStringLiteral("port"), call.line->portKey());
     return answer;
 }

@@ -21,6 +21,30 @@ struct BadLineCall
     int exit;
 };
 
+// An echo in which every byte is wrong in a bit.
+TEST(CliLineStrayBytes, AreToldWithTheirNumberAndWhatTheyCanMean)
+{
+    for (const char *called : {"read 05 steps", "preset 05 5 --yes", "monitor 05 --for 1"}) {
+        SharedLine line;
+        line.simulated().setFaults({.corrupted = 1'000, .echo = true});
+        const CliRun run = line.runLine(QString::fromLatin1(called) + QStringLiteral(" --json"));
+        EXPECT_EQ(run.exit, 1) << called;
+        EXPECT_EQ(errorKey(run), "noAnswerAmongBytes") << called;
+        const QJsonArray arguments = run.json()[u"error"][u"arguments"].toArray();
+        ASSERT_EQ(arguments.size(), 3);
+        EXPECT_GT(arguments[2].toInteger(), 10) << called;
+        EXPECT_THAT(run.err, HasSubstr("bytes that are no answers: "));
+        EXPECT_THAT(run.err, HasSubstr("another baud rate"));
+        EXPECT_THAT(run.err, HasSubstr("another protocol"));
+    }
+    SharedLine line;
+    line.simulated().setFaults({.corrupted = 1'000, .echo = true});
+    EXPECT_THAT(line.runLine(QStringLiteral("scan --last 02")).out,
+                HasSubstr("Bytes come that are no answers: "));
+    EXPECT_THAT(line.runLine(QStringLiteral("terminal 05P")).err,
+                HasSubstr("Bytes come that are no answers: "));
+}
+
 class CliLineErrors : public testing::TestWithParam<BadLineCall>
 {};
 

@@ -86,16 +86,19 @@ public:
         return m_process.readLine();
     }
     void interrupt() { ::kill(static_cast<pid_t>(m_process.processId()), SIGINT); }
+    bool hasEnded(int milliseconds) { return m_process.waitForFinished(milliseconds) || !isRunning(); }
     CliRun end()
     {
         m_process.closeWriteChannel();
-        EXPECT_TRUE(m_process.waitForFinished(patience));
+        EXPECT_TRUE(hasEnded(patience));
         EXPECT_EQ(m_process.exitStatus(), QProcess::NormalExit);
         return {m_process.exitCode(), m_process.readAllStandardOutput().toStdString(),
                 m_process.readAllStandardError().toStdString()};
     }
 
 private:
+    bool isRunning() const { return m_process.state() != QProcess::NotRunning; }
+
     QTemporaryDir m_data;
     QProcess m_process;
 };
@@ -176,6 +179,17 @@ TEST(CliLineProgram, AnAdapterThatIsUnpluggedEndsTheCall)
     const CliRun run = monitor.end();
     EXPECT_EQ(run.exit, 1);
     EXPECT_THAT(run.err, HasSubstr("is gone: the adapter was unplugged"));
+}
+
+TEST(CliLineProgram, UnderAFloodItIsSaidThatBytesComeThatAreNoAnswers)
+{
+    PtyPair line;
+    Call read(QStringLiteral("read 05 --json"), QStringLiteral("esc:") + line.path());
+    while (!read.hasEnded(10))
+        line.send(QByteArray(32, 'U'));
+    const CliRun run = read.end();
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(errorKey(run), "noAnswerAmongBytes");
 }
 
 // Nobody answers: the search would take its time.
