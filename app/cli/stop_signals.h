@@ -7,8 +7,9 @@
 
 namespace codewheel {
 
-// SIGINT and SIGTERM as something to wait for, as long as it lives. Used by commands that run until they are
-// told to end.
+// What asks the program to end, as something to wait for, as long as it lives: SIGINT and SIGTERM, SIGHUP
+// where it is not ignored (as with nohup), and SIGPIPE, since nobody listens any more. Used by commands that
+// run until they are told to end, or that say what they have done before they do.
 class StopSignals
 {
 public:
@@ -17,11 +18,16 @@ public:
         ::sigemptyset(&m_signals);
         ::sigaddset(&m_signals, SIGINT);
         ::sigaddset(&m_signals, SIGTERM);
+        ::sigaddset(&m_signals, SIGPIPE); // main() ignores it; what is blocked comes nevertheless
+        if (!isIgnored(SIGHUP))
+            ::sigaddset(&m_signals, SIGHUP);
         ::pthread_sigmask(SIG_BLOCK, &m_signals, &m_before);
         m_descriptor = ::signalfd(-1, &m_signals, SFD_CLOEXEC | SFD_NONBLOCK);
     }
     ~StopSignals()
     {
+        while (m_hasCome && came()) // a terminal that closes sends more than one
+            ;
         ::close(m_descriptor);
         ::pthread_sigmask(SIG_SETMASK, &m_before, nullptr);
     }
@@ -32,13 +38,22 @@ public:
     bool came()
     {
         signalfd_siginfo signal = {};
-        return ::read(m_descriptor, &signal, sizeof signal) == sizeof signal;
+        const bool isOne = ::read(m_descriptor, &signal, sizeof signal) == sizeof signal;
+        m_hasCome = m_hasCome || isOne;
+        return isOne;
     }
 
 private:
+    static bool isIgnored(int signal)
+    {
+        struct sigaction now = {};
+        return ::sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN; // NOLINT(*-union-access)
+    }
+
     sigset_t m_signals = {};
     sigset_t m_before = {};
     int m_descriptor = -1;
+    bool m_hasCome = false;
 };
 
 } // namespace codewheel

@@ -70,9 +70,9 @@ CliRun SharedLine::runLine(const QString &line, const Person &person)
     return run;
 }
 
-void SharedLine::interruptAfter(const QByteArray &request)
+void SharedLine::interruptAfter(const QByteArray &request, int signal)
 {
-    m_cut = {request, [](SimulatedLine &) { std::raise(SIGINT); }};
+    m_cut = {request, [signal](SimulatedLine &) { std::raise(signal); }};
 }
 
 EscRegisters SharedLine::registers(std::uint8_t address)

@@ -4,6 +4,7 @@
 #include "simulator/simulated_line.h"
 #include "tests/cli/cli_run.h"
 
+#include <csignal>
 #include <memory>
 
 namespace codewheel {
@@ -33,8 +34,8 @@ public:
         m_cut = {request, [](SimulatedLine &line) { line.setSilent(true); }};
     }
 
-    // Ctrl+C is pressed then.
-    void interruptAfter(const QByteArray &request);
+    // Ctrl+C is pressed then, or another signal comes.
+    void interruptAfter(const QByteArray &request, int signal = SIGINT);
 
     // What happens once a request that begins like this was sent.
     struct Cut

@@ -235,6 +235,31 @@ TEST(CliLineWrite, AfterCtrlCNothingElseIsWrittenAndWhatWasIsRead)
     EXPECT_EQ(line.registers(0x05).lowerLimit, 1U);
 }
 
+// The terminal is closed, or nobody reads what is said any more.
+TEST(CliLineWrite, EverySignalThatEndsTheProgramLeavesAnAccount)
+{
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
+        SharedLine line;
+        line.interruptAfter("05GD", signal);
+        const CliRun run = line.runLine(QStringLiteral("write 05 direction=ccw lower-limit=10 --yes --json"));
+        EXPECT_EQ(run.exit, 1) << signal;
+        EXPECT_EQ(errorKey(run), "cancelled") << signal;
+        EXPECT_EQ(fateOf(run.json(), "direction"), "readBack") << signal;
+        EXPECT_EQ(fateOf(run.json(), "lower-limit"), "notSent") << signal;
+    }
+}
+
+TEST(CliLineWrite, AHangUpThatIsIgnoredEndsNothing) // nohup
+{
+    const auto before = std::signal(SIGHUP, SIG_IGN);
+    SharedLine line;
+    line.interruptAfter("05GD", SIGHUP);
+    const CliRun run = line.runLine(QStringLiteral("write 05 direction=ccw lower-limit=10 --yes"));
+    std::signal(SIGHUP, before);
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_EQ(line.registers(0x05).lowerLimit, 10U);
+}
+
 TEST(CliLinePreset, SetsThePositionAtOnce)
 {
     SharedLine line;
