@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
 #include "cli/pseudo_terminal.h"
+#include "cli/served_line.h"
 #include "cli/stop_signals.h"
 #include "cli/texts.h"
 #include "simulator/simulated_line.h"
@@ -123,26 +124,13 @@ void prepare(SimulatedLine &line, const ServePlan &plan)
     line.begin({});
 }
 
-// A rate that no encoder has serves for those the terminal does not know.
-int usableRate(int baudRate)
-{
-    constexpr int noRateOfTheirs = 19'201;
-    return baudRate > 0 ? baudRate : noRateOfTheirs;
-}
-
-void serve(SimulatedLine &line, PseudoTerminal &port, StopSignals &stop)
+void serve(ServedLine &line, const PseudoTerminal &port, StopSignals &stop)
 {
     using std::chrono::steady_clock;
     const auto begin = steady_clock::now();
     while (!stop.came()) {
         const auto now = std::chrono::duration_cast<Instant>(steady_clock::now() - begin);
-        for (auto arrived = line.advance(now); !arrived.bytes.isEmpty(); arrived = line.advance(now))
-            port.write(arrived.bytes);
-        const QByteArray bytes = port.read();
-        line.setBaudRate(usableRate(port.baudRate())); // after reading: it was set before they were written
-        if (!bytes.isEmpty())
-            line.send(bytes, now);
-        const Instant next = line.nextEnd().value_or(now + longestWait);
+        const Instant next = line.serve(now).value_or(now + longestWait);
         port.wait(stop.descriptor(), std::clamp(next - now, Instant{}, longestWait));
     }
 }
@@ -164,9 +152,11 @@ Checked<Answer> runServe(const Call &call)
              {CommandLine::tr("This computer gives no pseudo terminal. Close programs that use some.")}}));
     SimulatedLine line(trainingLine(), plan->seed);
     prepare(line, *plan);
+    ServedLine served(line, *port);
     StopSignals stop;
     call.terminal.print(port->path() + u'\n');
-    serve(line, *port, stop);
+    if (call.terminal.canPrint()) // else nobody knows the port
+        serve(served, *port, stop);
     return Answer{{}, {{QStringLiteral("port"), port->path()}}};
 }
 

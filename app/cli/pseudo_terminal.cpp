@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/inotify.h>
 #include <termios.h>
 #include <unistd.h>
 #include <utility>
@@ -18,6 +19,14 @@ constexpr int none = -1;
 int openTerminal(const char *path)
 {
     return ::open(path, O_RDWR | O_NOCTTY | O_CLOEXEC); // NOLINT(cppcoreguidelines-pro-type-vararg)
+}
+
+int watchOf(const char *path)
+{
+    const int watch = ::inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
+    if (watch >= 0)
+        ::inotify_add_watch(watch, path, IN_OPEN | IN_CLOSE);
+    return watch;
 }
 
 // Bytes pass as they are; 19200 Bd until somebody sets another.
@@ -46,25 +55,28 @@ std::optional<PseudoTerminal> PseudoTerminal::make()
         return std::nullopt;
     }
     setRaw(theirs);
-    return PseudoTerminal(ours, theirs, QString::fromLocal8Bit(path.data()));
+    return PseudoTerminal(ours, theirs, watchOf(path.data()), QString::fromLocal8Bit(path.data()));
 }
 
-PseudoTerminal::PseudoTerminal(int ours, int theirs, QString path)
+PseudoTerminal::PseudoTerminal(int ours, int theirs, int watch, QString path)
     : m_ours(ours)
     , m_theirs(theirs)
+    , m_watch(watch)
     , m_path(std::move(path))
 {}
 
 PseudoTerminal::PseudoTerminal(PseudoTerminal &&other) noexcept
     : m_ours(std::exchange(other.m_ours, none))
     , m_theirs(std::exchange(other.m_theirs, none))
+    , m_watch(std::exchange(other.m_watch, none))
+    , m_clients(other.m_clients)
     , m_path(std::move(other.m_path))
 {}
 
 PseudoTerminal::~PseudoTerminal()
 {
-    for (const int end : {m_theirs, m_ours})
-        if (end != none)
+    for (const int end : {m_theirs, m_ours, m_watch})
+        if (end >= 0)
             ::close(end);
 }
 
@@ -89,8 +101,24 @@ void PseudoTerminal::wait(int wake, std::chrono::microseconds atMost) const
 {
     using namespace std::chrono;
     const timespec timeOut{duration_cast<seconds>(atMost).count(), nanoseconds(atMost % seconds(1)).count()};
-    std::array<pollfd, 2> waited{{{m_ours, POLLIN, 0}, {wake, POLLIN, 0}}};
+    std::array<pollfd, 3> waited{{{m_ours, POLLIN, 0}, {m_watch, POLLIN, 0}, {wake, POLLIN, 0}}};
     ::ppoll(waited.data(), waited.size(), &timeOut, nullptr);
+}
+
+bool PseudoTerminal::clientLeft()
+{
+    bool left = false;
+    inotify_event event = {}; // of a file, not of a folder: it has no name
+    while (::read(m_watch, &event, sizeof event) == sizeof event) {
+        m_clients = std::max(0, m_clients + ((event.mask & IN_OPEN) != 0 ? 1 : -1));
+        left = left || m_clients == 0;
+    }
+    return left;
+}
+
+void PseudoTerminal::dropUnfetched()
+{
+    ::tcflush(m_theirs, TCIFLUSH);
 }
 
 QByteArray PseudoTerminal::read()

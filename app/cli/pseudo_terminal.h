@@ -24,16 +24,22 @@ public:
     // What the other program has set it to, in bit/s; 0 for one that is no usual rate.
     int baudRate() const;
 
-    // Waits for bytes or for `wake` to be readable, at most this long.
+    // Waits for bytes, for a program that comes or goes, or for `wake` to be readable, at most this long.
     void wait(int wake, std::chrono::microseconds atMost) const;
-    QByteArray read();                   // what is there now
+    // Since the last call the last program that had it open has closed it. Ask before read(): what the next
+    // one writes is not read yet then.
+    bool clientLeft();
+    QByteArray read();                   // what is there now, in pieces
     void write(const QByteArray &bytes); // what nobody fetches is dropped once the system's buffer is full
+    void dropUnfetched();                // what was written and not fetched
 
 private:
-    PseudoTerminal(int ours, int theirs, QString path);
+    PseudoTerminal(int ours, int theirs, int watch, QString path);
 
     int m_ours;
     int m_theirs; // kept open, so that other programs may come and go
+    int m_watch;  // tells who opens and closes it; below 0 where the system has none
+    int m_clients = 0;
     QString m_path;
 };
 

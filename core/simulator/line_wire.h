@@ -38,6 +38,7 @@ public:
 
     // The sender's characters follow each other, from `earliest` on or from when the ones before are out.
     void send(const QByteArray &bytes, int sender, Instant earliest, const LineSettings &settings);
+    std::size_t waiting() const { return m_characters.size(); } // characters that are not complete yet
     // When the next character is complete.
     std::optional<Instant> nextEnd() const;
     // That character, with its end; there is one.

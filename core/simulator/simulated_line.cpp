@@ -62,6 +62,12 @@ SimulatedLine::Arrival SimulatedLine::advance(Instant until)
     return {std::exchange(m_heard, {}), now};
 }
 
+std::size_t SimulatedLine::waiting() const
+{
+    const std::scoped_lock lock(m_mutex);
+    return m_wire.waiting();
+}
+
 std::optional<Instant> SimulatedLine::nextEnd() const
 {
     const std::scoped_lock lock(m_mutex);

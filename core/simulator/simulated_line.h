@@ -39,6 +39,8 @@ public:
     void send(const QByteArray &bytes, Instant now);
     // Lets time pass up to `until`, or to the first bytes that reach the master before it.
     Arrival advance(Instant until);
+    // Characters that are on the wire or wait for it, of all senders.
+    std::size_t waiting() const;
     // When there will be something to do; nothing: the line is quiet.
     std::optional<Instant> nextEnd() const;
 

@@ -3,6 +3,7 @@
 // terminal.
 #include "tests/cli/cli_run.h"
 
+#include <QFile>
 #include <QProcess>
 
 #include <array>
@@ -102,6 +103,53 @@ TEST_F(Serve, KeepsWhatItsEncodersHaveForTheNextProgram)
     ::close(m_port);
     m_port = ::open(name.constData(), O_RDWR | O_NOCTTY | O_CLOEXEC); // NOLINT(*-vararg)
     EXPECT_EQ(ask("05P", 12), "\r\n00005200\r\n");
+}
+
+// Megabytes that nobody understands, much faster than the line carries them.
+TEST_F(Serve, AFloodIsBoundedAndTheNextProgramIsServedAtOnce)
+{
+    start();
+    EXPECT_EQ(ask("05P", 12), "\r\n00001235\r\n");
+    const auto memory = [&] { // pages
+        QFile file(QStringLiteral("/proc/%1/statm").arg(m_program.processId()));
+        EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+        return file.readAll().split(' ').at(1).toLongLong();
+    };
+    const qint64 before = memory();
+    const QByteArray rubbish(4'096, 'U');
+    for (int i = 0; i < 1'000; ++i)
+        sendBytes(rubbish);
+    EXPECT_LT(memory() - before, 2'000) << "8 MB";
+
+    const QByteArray name(::ttyname(m_port));
+    ::close(m_port);
+    m_port = ::open(name.constData(), O_RDWR | O_NOCTTY | O_CLOEXEC); // NOLINT(*-vararg)
+    QByteArray answer;
+    for (int asked = 0; asked < 20 && answer.isEmpty(); ++asked) {
+        send("05P");
+        pollfd port{m_port, POLLIN, 0};
+        if (::poll(&port, 1, 1'000) == 1)
+            answer = receive(12);
+    }
+    EXPECT_EQ(answer, "\r\n00001235\r\n");
+}
+
+TEST_F(Serve, WhatWasNotFetchedIsNotForTheNextProgram)
+{
+    start();
+    send("05P");
+    pollfd port{m_port, POLLIN, 0};
+    ASSERT_EQ(::poll(&port, 1, 60'000), 1);
+    const QByteArray name(::ttyname(m_port));
+    ::close(m_port);
+    for (bool isEmpty = false; !isEmpty;) {                               // it is noticed soon
+        m_port = ::open(name.constData(), O_RDWR | O_NOCTTY | O_CLOEXEC); // NOLINT(*-vararg)
+        port.fd = m_port;
+        isEmpty = ::poll(&port, 1, 100) == 0;
+        if (!isEmpty)
+            ::close(m_port);
+    }
+    EXPECT_EQ(ask("05U", 8), "\r\n1000\r\n");
 }
 
 TEST_F(Serve, TheBaudRateIsThatOfTheTerminal)
