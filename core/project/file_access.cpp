@@ -126,8 +126,12 @@ Result<void> replaceFile(const QString &path, const QByteArray &bytes, OldFile o
     file.write(bytes);
     if (const auto isThere = file.bringToDisk(); !isThere)
         return isThere;
-    if (old == OldFile::isKeptAsBackup && QFileInfo::exists(path) && !keepBackup(path))
-        return notWritten(backupPath(path), systemReason());
+    if (old == OldFile::isKeptAsBackup && QFileInfo::exists(path)) {
+        if (const auto can = checkReplaceable(backupPath(path)); !can)
+            return can;
+        if (!keepBackup(path))
+            return notWritten(backupPath(path), systemReason());
+    }
     return file.replace();
 }
 

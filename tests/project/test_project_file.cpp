@@ -190,6 +190,20 @@ TEST_F(ProjectFile, APipeIsNotReplaced)
     EXPECT_FALSE(QFileInfo(path()).isFile());
 }
 
+TEST_F(ProjectFile, APipeIsNotReplacedByTheBackup)
+{
+    ASSERT_TRUE(saveProject(m_old, path()));
+    const QByteArray pipe = QFile::encodeName(backupPath(path()));
+    ASSERT_EQ(::mkfifo(pipe.constData(), 0600), 0);
+    const auto saved = saveProject(m_new, path());
+    ASSERT_FALSE(saved);
+    EXPECT_EQ(saved.error().id, RefusalId::fileNotWritten);
+    EXPECT_EQ(loadProject(path()), m_old);
+    struct stat there = {};
+    ASSERT_EQ(::stat(pipe.constData(), &there), 0);
+    EXPECT_TRUE(S_ISFIFO(there.st_mode));
+}
+
 TEST_F(ProjectFile, ASocketIsNotReplaced)
 {
     const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
