@@ -213,7 +213,7 @@ void TypedCall::send(const AllowedRequest &request)
     if (!writes)
         return;
     m_line.setOperate(false);
-    if (!m_refusal)
+    if (m_answered || !m_call.line->isConnected()) // else it was refused before
         m_written.push_back({QString::fromLatin1(request.request().text()),
                              m_answered.has_value() && m_answered->result.answer.has_value()});
 }
