@@ -3255,6 +3255,10 @@
         <source>A project to open: *.codewheel</source>
         <translation>Ein Projekt, das geöffnet wird: *.codewheel</translation>
     </message>
+    <message>
+        <source>Standard output cannot be written: %1.</source>
+        <translation>Auf die Standardausgabe kann nicht geschrieben werden: %1.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::AccountView</name>
@@ -4076,6 +4080,14 @@
     <message>
         <source>This is not UTF-8 text: save the file as UTF-8.</source>
         <translation>Das ist kein UTF-8-Text: Die Datei als UTF-8 speichern.</translation>
+    </message>
+    <message>
+        <source>A NUL character stands here, which is no part of a text: remove it.</source>
+        <translation>Hier steht ein NUL-Zeichen, das zu keinem Text gehört: entfernen.</translation>
+    </message>
+    <message>
+        <source>The file begins with a byte order mark: save it as UTF-8 without one.</source>
+        <translation>Die Datei beginnt mit einer Byte-Reihenfolge-Marke (BOM): als UTF-8 ohne sie speichern.</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 #include "cli/terminal.h"
 
 #include "cli/texts.h"
+#include "encoder/shown_text.h"
 
 #include <cerrno>
 #include <istream>
@@ -12,7 +13,7 @@ namespace codewheel {
 void Terminal::print(const QString &text) const
 {
     errno = 0;
-    out << text.toStdString() << std::flush;
+    out << shownText(text).toStdString() << std::flush;
     if (!out && printError == 0)
         printError = errno == 0 ? EIO : errno;
 }
@@ -24,14 +25,14 @@ QString Terminal::whyNotPrinted() const
 
 void Terminal::complain(const QString &text) const
 {
-    err << "codewheel-cli: " << text.toStdString() << std::endl;
+    err << "codewheel-cli: " << shownText(text).toStdString() << std::endl;
 }
 
 void Terminal::showProgress(const QString &text) const
 {
     constexpr auto eraseLine = "\r\x1B[K";
     if (isInteractive)
-        err << eraseLine << text.toStdString() << std::flush;
+        err << eraseLine << shownText(text).toStdString() << std::flush;
 }
 
 bool Terminal::confirms(const QString &question) const

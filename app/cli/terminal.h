@@ -8,6 +8,8 @@
 namespace codewheel {
 
 // Where the command line reads and writes. A test gives it streams of its own and answers its questions.
+// Whatever is said goes through here, and steers no terminal (encoder/shown_text.h): JSON stays what it was,
+// since the escapes are its own.
 struct Terminal
 {
     std::istream &in;
@@ -17,7 +19,7 @@ struct Terminal
     int inputDescriptor = -1;   // of `in`, to wait for what is typed; below 0: it has none
     mutable int printError = 0; // errno of the first print that failed; 0: none did
 
-    void print(const QString &text) const; // as it is
+    void print(const QString &text) const; // all of it at once
     bool canPrint() const { return printError == 0; }
     QString whyNotPrinted() const;            // the reason of the system
     void complain(const QString &text) const; // one line on err

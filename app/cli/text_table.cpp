@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/text_table.h"
 
+#include "encoder/shown_text.h"
+
 #include <algorithm>
 
 namespace codewheel {
@@ -29,6 +31,12 @@ QString withoutTrailingSpaces(QString line)
 }
 
 } // namespace
+
+void TextTable::add(QStringList cells)
+{
+    std::ranges::transform(cells, cells.begin(), shownInLine);
+    m_lines.push_back(std::move(cells));
+}
 
 QString TextTable::toString(int indent) const
 {

@@ -18,7 +18,8 @@ public:
         : m_columns(std::move(columns))
     {}
 
-    void add(QStringList cells) { m_lines.push_back(std::move(cells)); }
+    // What would steer the terminal, or break the line, becomes an escape.
+    void add(QStringList cells);
     // Every line ends with a line break and without trailing spaces.
     QString toString(int indent = 0) const;
 

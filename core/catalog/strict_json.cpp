@@ -42,6 +42,27 @@ std::optional<int> firstLineNotUtf8(const QByteArray &text)
     return static_cast<int>(bad - lines.begin()) + 1;
 }
 
+int lineOf(const QByteArray &text, qsizetype place)
+{
+    return static_cast<int>(std::count(text.begin(), text.begin() + place, '\n')) + 1;
+}
+
+// jsoncpp takes a NUL for the end of the file, and skips the mark.
+bool hasForeignBytes(const QByteArray &json, FaultKeeper &faults)
+{
+    if (json.startsWith("\xEF\xBB\xBF"))
+        faults.report(1, QString(),
+                      QCoreApplication::translate(
+                          "codewheel::Catalog",
+                          "The file begins with a byte order mark: save it as UTF-8 without one."));
+    else if (const qsizetype place = json.indexOf('\0'); place >= 0)
+        faults.report(
+            lineOf(json, place), QString(),
+            QCoreApplication::translate(
+                "codewheel::Catalog", "A NUL character stands here, which is no part of a text: remove it."));
+    return faults.first().has_value();
+}
+
 // jsoncpp reports "* Line 3, Column 5\n  Duplicate key: 'name'\n", in English whatever the language is. Only
 // what the user cannot see by looking at the line is taken over: the key that stands there twice.
 void reportSyntaxError(const std::string &report, FaultKeeper &faults)
@@ -73,6 +94,8 @@ Json::Value parseStrictly(const QByteArray &json, FaultKeeper &faults)
                                                   "This is not UTF-8 text: save the file as UTF-8."));
         return {};
     }
+    if (hasForeignBytes(json, faults))
+        return {};
     Json::Value root;
     std::string report;
     try {

@@ -2,6 +2,7 @@
 #include "encoder/sentence.h"
 
 #include "encoder/hex.h"
+#include "encoder/shown_text.h"
 
 #include <QLocale>
 
@@ -29,7 +30,7 @@ QString sentence(const QString &pattern, const QStringList &parts)
     QString result;
     for (qsizetype i = 0; i < pattern.size(); ++i) {
         if (isPlace(QStringView(pattern).sliced(i)))
-            result += parts.value(pattern[++i].digitValue() - 1, QStringLiteral("?"));
+            result += shownInLine(parts.value(pattern[++i].digitValue() - 1, QStringLiteral("?")));
         else
             result += pattern[i];
     }

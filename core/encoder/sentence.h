@@ -8,7 +8,7 @@
 namespace codewheel {
 
 // `pattern` with %1..%9 replaced by the parts, in one go, so that a part may hold a % itself. A part that is
-// missing is shown as "?".
+// missing is shown as "?"; what would steer a terminal in one becomes an escape (encoder/shown_text.h).
 QString sentence(const QString &pattern, const QStringList &parts);
 
 // A whole number by locale.

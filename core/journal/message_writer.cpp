@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/message_writer.h"
 
+#include "encoder/csv_text.h"
 #include "journal/message_fields.h"
 
 #include <QCoreApplication>
@@ -15,19 +16,13 @@ struct Export
     Q_DECLARE_TR_FUNCTIONS(codewheel::MessageWriter)
 };
 
-QString quoted(QString field)
-{
-    field.replace(QLatin1Char('"'), QStringLiteral("\"\""));
-    return QLatin1Char('"') + field + QLatin1Char('"');
-}
-
 QString csvLine(const StoredMessage &message)
 {
     const auto local = QDateTime::fromMSecsSinceEpoch(message.at);
     const QStringList fields{local.toOffsetFromUtc(local.offsetFromUtc()).toString(Qt::ISODateWithMs),
                              severityKey(message.severity),
                              message.place ? message.place->toString() : QString(), codeOf(message),
-                             quoted(messageText(message))};
+                             csvText(messageText(message))};
     return fields.join(u',') + QStringLiteral("\r\n");
 }
 

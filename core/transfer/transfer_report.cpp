@@ -2,6 +2,7 @@
 #include "transfer/transfer_report.h"
 
 #include "catalog/catalog.h"
+#include "encoder/shown_text.h"
 #include "transfer/transfer_words.h"
 
 #include <QCoreApplication>
@@ -91,8 +92,11 @@ QString padded(const QString &text, qsizetype width, ReportTable::Column column)
     return column == ReportTable::Column::number ? text.rightJustified(width) : text.leftJustified(width);
 }
 
-QString textOf(const ReportTable &table)
+QString textOf(ReportTable table)
 {
+    for (ReportTable::Row &row : table.rows)
+        for (QString &cell : row.cells)
+            cell = shownInLine(cell);
     std::vector<qsizetype> widths;
     for (const QString &name : table.header)
         widths.push_back(name.size());
@@ -121,7 +125,7 @@ QString textOf(const ReportFacts &facts)
         width = std::max(width, fact.name.size());
     QString text;
     for (const ReportFact &fact : facts)
-        text += (fact.name + u':').leftJustified(width + 2) + fact.text + u'\n';
+        text += (fact.name + u':').leftJustified(width + 2) + shownInLine(fact.text) + u'\n';
     return text;
 }
 
@@ -154,11 +158,11 @@ QString reportAsText(const Report &report)
 {
     QString text = report.title + u'\n' + QString(report.title.size(), u'=') + QStringLiteral("\n\n");
     if (!report.subject.isEmpty())
-        text += report.subject + QStringLiteral("\n\n");
+        text += shownInLine(report.subject) + QStringLiteral("\n\n");
     text += textOf(report.facts);
     for (const ReportSection &section : report.sections) {
-        text +=
-            u'\n' + section.heading + u'\n' + QString(section.heading.size(), u'-') + QStringLiteral("\n\n");
+        const QString heading = shownInLine(section.heading);
+        text += u'\n' + heading + u'\n' + QString(heading.size(), u'-') + QStringLiteral("\n\n");
         for (const ReportBlock &block : section.blocks) {
             if (const auto *facts = std::get_if<ReportFacts>(&block))
                 text += textOf(*facts) + u'\n';

@@ -403,6 +403,23 @@ TEST(ProjectJson, AMigratedFileIsComplainedAboutAtItsOwnLines)
     EXPECT_EQ(std::get<std::int64_t>(project.error().arguments[1]), 3);
 }
 
+TEST(ProjectJson, ForeignBytesAreRefusedWithTheirLine)
+{
+    const QByteArray good = R"({"format": "codewheel-project", "version": 1, "devices": []})";
+    const std::pair<QByteArray, int> rows[] = {
+        {"\xEF\xBB\xBF" + good, 1},
+        {good + '\n' + '\0', 2},
+        {good + "\n\n" + '\0' + "more", 3},
+        {"{\n" + QByteArray(1, '\0') + good.mid(1), 2},
+    };
+    ASSERT_TRUE(projectFromJson(good, fileName));
+    for (const auto &[json, line] : rows) {
+        const auto project = projectFromJson(json, fileName);
+        ASSERT_FALSE(project) << line;
+        EXPECT_EQ(std::get<std::int64_t>(project.error().arguments[1]), line);
+    }
+}
+
 TEST(ProjectJson, HoldsAsManyDevicesAsARingMayHave)
 {
     Project project = madeUpProject(3, ring_limit::devices);

@@ -2,6 +2,7 @@
 #include "widgets/trace/trace_row.h"
 
 #include "catalog/explain_word.h"
+#include "encoder/csv_text.h"
 #include "encoder/hex.h"
 
 #include <QCoreApplication>
@@ -31,13 +32,6 @@ bool isOnly(const Explanation &explanation, MeaningId id)
 double inMilliseconds(Instant duration)
 {
     return std::chrono::duration<double, std::milli>(duration).count();
-}
-
-// RFC 4180
-QString quoted(QString cell)
-{
-    cell.replace(QLatin1Char('"'), QLatin1String("\"\""));
-    return QLatin1Char('"') + cell + QLatin1Char('"');
 }
 
 } // namespace
@@ -85,8 +79,8 @@ QByteArray traceCsv(const DeviceDescription &device, const std::vector<TraceRow>
                         QString::number(row.exchange.cycle),
                         hexWord(row.exchange.out),
                         hexWord(row.exchange.in),
-                        quoted(exchangeText(device, row)),
-                        quoted(row.remark)}
+                        csvText(exchangeText(device, row)),
+                        csvText(row.remark)}
                 .join(QLatin1Char(',')) +
             QLatin1String("\r\n");
     return csv.toUtf8();

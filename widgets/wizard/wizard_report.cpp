@@ -4,6 +4,7 @@
 #include "catalog/explain_word.h"
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
+#include "encoder/shown_text.h"
 #include "widgets/models/device_traits.h"
 #include "widgets/parameters/step_text.h"
 #include "widgets/wizard/known_text.h"
@@ -150,6 +151,8 @@ QString padded(const Table &table)
 {
     QList<QStringList> all{table.header};
     all += table.rows;
+    for (QStringList &row : all)
+        std::ranges::transform(row, row.begin(), shownInLine);
     QList<qsizetype> widths(table.header.size(), 0);
     for (const QStringList &row : all)
         for (qsizetype i = 0; i < row.size(); ++i)
@@ -193,7 +196,7 @@ QString reportAsText(const HandshakeRecord &record, const DeviceDescription &dev
     for (const auto &[name, what] : report.facts)
         width = std::max(width, name.size());
     for (const auto &[name, what] : report.facts)
-        text += (name + QLatin1Char(':')).leftJustified(width + 3) + what + QLatin1Char('\n');
+        text += (name + QLatin1Char(':')).leftJustified(width + 3) + shownInLine(what) + QLatin1Char('\n');
     for (const Table &table : report.tables)
         text += QStringLiteral("\n%1\n%2\n%3")
                     .arg(table.title, QString(table.title.size(), QLatin1Char('-')), padded(table));

@@ -220,6 +220,19 @@ TEST_F(TraceViewTest, ExportsCommaSeparatedUtf8)
     EXPECT_TRUE(view.findChild<InlineMessage *>()->sentence().contains(QLatin1String("was not written")));
 }
 
+TEST_F(TraceViewTest, ARemarkIsNoFormulaInATable)
+{
+    write(fraba, 0x020000FF);
+    model().setData(model().index(0, TraceModel::remark), QStringLiteral("=HYPERLINK(1)"));
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("trace.csv"));
+    ASSERT_TRUE(view.exportTo(path));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QString row = QString::fromUtf8(file.readAll()).split(QStringLiteral("\r\n")).at(1);
+    EXPECT_TRUE(row.endsWith(QLatin1String(",\"'=HYPERLINK(1)\""))) << row.toStdString();
+}
+
 TEST_F(TraceViewTest, AnExportWithoutRoomLeavesTheOldOne)
 {
     write(fraba, 0x020000FF);
