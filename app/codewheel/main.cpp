@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/program.h"
+#include "encoder/shown_text.h"
 #include "language.h"
 #include "standard_streams.h"
 
@@ -7,6 +8,8 @@
 #include <QCommandLineParser>
 
 #include <algorithm>
+#include <cerrno>
+#include <iostream>
 #include <string_view>
 
 namespace {
@@ -31,8 +34,15 @@ void describe(QCommandLineParser &parser)
 bool asksForText(int argc, char **argv)
 {
     return std::any_of(argv + 1, argv + argc, [](std::string_view argument) {
-        return argument == "-h" || argument == "--help" || argument == "-v" || argument == "--version";
+        return argument == "-h" || argument == "--help" || argument == "--help-all" || argument == "-v" ||
+               argument == "--version";
     });
+}
+
+int complain(const QString &text)
+{
+    std::cerr << "codewheel: " << codewheel::shownText(text).toStdString() << std::endl;
+    return EXIT_FAILURE;
 }
 
 // Help and version, where there is no screen too.
@@ -44,8 +54,17 @@ int tell(int argc, char **argv)
     language.use({});
     QCommandLineParser parser;
     describe(parser);
-    parser.process(application); // prints and ends the program
-    return EXIT_FAILURE;
+    if (!parser.parse(QCoreApplication::arguments()))
+        return complain(parser.errorText());
+    const QString version =
+        QCoreApplication::applicationName() + u' ' + QCoreApplication::applicationVersion() + u'\n';
+    const bool isVersion = parser.isSet(QStringLiteral("version"));
+    errno = 0;
+    std::cout << (isVersion ? version : parser.helpText()).toStdString() << std::flush;
+    if (std::cout)
+        return EXIT_SUCCESS;
+    return complain(QCoreApplication::translate("codewheel", "Standard output cannot be written: %1.")
+                        .arg(qt_error_string(errno)));
 }
 
 } // namespace
@@ -64,7 +83,8 @@ int main(int argc, char **argv)
     codewheel::Program program(application);
     QCommandLineParser parser;
     describe(parser);
-    parser.process(application);
+    if (!parser.parse(QApplication::arguments()))
+        return complain(parser.errorText());
     program.openAtStart(parser.positionalArguments().value(0));
     return program.run();
 }

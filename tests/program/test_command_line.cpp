@@ -16,7 +16,7 @@ struct Ended
     QString errors;
 };
 
-Ended run(const QStringList &arguments, const QString &platform)
+Ended run(const QStringList &arguments, const QString &platform, const QString &output = {})
 {
     QProcess program;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -24,6 +24,8 @@ Ended run(const QStringList &arguments, const QString &platform)
     environment.remove(QStringLiteral("WAYLAND_DISPLAY"));
     environment.insert(QStringLiteral("QT_QPA_PLATFORM"), platform);
     program.setProcessEnvironment(environment);
+    if (!output.isEmpty())
+        program.setStandardOutputFile(output);
     program.start(QStringLiteral(CODEWHEEL_PROGRAM), arguments);
     EXPECT_TRUE(program.waitForFinished(generous));
     return {program.exitCode(), QString::fromUtf8(program.readAllStandardOutput()),
@@ -51,6 +53,25 @@ TEST(CommandLine, AnOptionItDoesNotKnowIsNotTakenForAProject)
     const Ended refused = run({QStringLiteral("--operate")}, QStringLiteral("offscreen"));
     EXPECT_NE(refused.exitCode, 0);
     EXPECT_TRUE(refused.errors.contains(QStringLiteral("operate"))) << refused.errors.toStdString();
+}
+
+TEST(CommandLine, AnOptionSteersNoTerminal)
+{
+    const Ended refused = run({QStringLiteral("--a\u001B[31m\u202E")}, QStringLiteral("offscreen"));
+    EXPECT_NE(refused.exitCode, 0);
+    EXPECT_TRUE(refused.errors.contains(QStringLiteral("a\\u001B[31m\\u202E")))
+        << refused.errors.toStdString();
+}
+
+TEST(CommandLine, HelpThatCannotBeWrittenIsAFailure)
+{
+    for (const char *option : {"--help", "--version"}) {
+        const Ended told =
+            run({QString::fromLatin1(option)}, QStringLiteral("xcb"), QStringLiteral("/dev/full"));
+        EXPECT_EQ(told.exitCode, 1) << option;
+        EXPECT_TRUE(told.errors.contains(QStringLiteral("Standard output cannot be written: No space left")))
+            << told.errors.toStdString();
+    }
 }
 
 } // namespace
