@@ -121,7 +121,11 @@ TEST_F(LineInWindow, ThePanelsShowAnEncoderOfTheLine)
     ASSERT_TRUE(table->isVisible());
     EXPECT_GT(table->model()->rowCount(), 10);
     EXPECT_TRUE(actions().wizard->isEnabled());
-    const auto *page = window().findChild<QTextBrowser *>(QStringLiteral("devicePage"));
+    auto *device = window().findChild<QDockWidget *>(QStringLiteral("deviceDock"));
+    device->show();
+    device->raise();
+    advance(50);
+    const auto *page = device->findChild<QTextBrowser *>(QStringLiteral("devicePage"));
     EXPECT_TRUE(page->toPlainText().contains(QStringLiteral("T/R+"))) << "its pins";
     EXPECT_EQ(window().findChild<ParameterWizard *>()->encoder(), &encoder(standing));
 }

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace codewheel {
 
@@ -94,8 +95,11 @@ void DevicePanel::showDevice()
     const std::optional<DeviceDescription> device = shown();
     m_page->setVisible(device.has_value());
     m_empty->setVisible(!device);
-    if (device)
-        m_page->setHtml(deviceHtml(*device));
+    m_toFill = device;
+    if (device && visibleRegion().isEmpty())
+        m_page->clear();
+    else if (device)
+        fillPage();
     else if (isBusTerminal(participantAt(m_bus, m_number)))
         m_empty->setTexts(tr("%1 is a bus terminal.").arg(m_number->toString()),
                           tr("It connects the devices behind it to the ring; there is nothing to describe."));
@@ -106,6 +110,21 @@ void DevicePanel::showDevice()
     else
         m_empty->setTexts(tr("No device is chosen."),
                           tr("Choose one in the bus structure, or type the key on a label to look one up."));
+}
+
+// It takes long to lay out: a panel that nobody sees leaves it until then.
+void DevicePanel::fillPage()
+{
+    if (m_toFill)
+        m_page->setHtml(deviceHtml(*std::exchange(m_toFill, std::nullopt)));
+}
+
+// Not when it is shown: behind another tab it is, too.
+void DevicePanel::paintEvent(QPaintEvent *event)
+{
+    QWidget::paintEvent(event);
+    if (m_toFill)
+        QMetaObject::invokeMethod(this, &DevicePanel::fillPage, Qt::QueuedConnection);
 }
 
 } // namespace codewheel

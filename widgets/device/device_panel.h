@@ -32,14 +32,19 @@ public:
     // For whoever asked to name the device.
     void focusNaming();
 
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
 private:
     void showDevice();
+    void fillPage();
     void showLeds();
     std::optional<DeviceDescription> shown() const;
 
     BusSession &m_bus;
     std::optional<DeviceNumber> m_number;
     std::optional<DeviceDescription> m_planned;
+    std::optional<DeviceDescription> m_toFill; // the page with, once it is seen
     NamingBar *m_naming;
     LedRow *m_leds;
     QTextBrowser *m_page;

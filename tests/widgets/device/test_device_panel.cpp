@@ -68,6 +68,17 @@ TEST_F(DevicePanelTest, ShowsTheTablesOfTheManual)
         EXPECT_TRUE(text.contains(QLatin1String(part))) << part << "\n" << text.toStdString();
 }
 
+TEST_F(DevicePanelTest, APageThatWasNotSeenIsWrittenWhenItIs)
+{
+    panel.setPlace(test::baumer);
+    ASSERT_TRUE(page().contains(QStringLiteral("Baumer")));
+    panel.hide();
+    panel.setPlace(fraba);
+    EXPECT_EQ(page(), QString()) << "nobody waits for it";
+    panel.show();
+    EXPECT_TRUE(QTest::qWaitFor([this] { return page().contains(QStringLiteral("FRABA OCD-IB K3")); }));
+}
+
 TEST(DeviceHtml, IsWrittenForEveryDeviceOfTheCatalog)
 {
     const Catalog catalog = Catalog::builtIn();
