@@ -11,6 +11,7 @@
 #include <algorithm>
 
 namespace codewheel {
+
 QString Catalog::Fault::place() const
 {
     QString place = file;
@@ -25,7 +26,14 @@ QStringList Catalog::inReadingOrder(QStringList files)
     return files;
 }
 
+// The files are part of the program: they are read once.
 Catalog Catalog::builtIn()
+{
+    static const Catalog catalog = readBuiltIn();
+    return catalog;
+}
+
+Catalog Catalog::readBuiltIn()
 {
     Catalog catalog;
     const QDir folder(QStringLiteral(":/devices"));

@@ -41,6 +41,8 @@ public:
     const DeviceDescription *generic(unsigned deviceCode) const;
 
 private:
+    static Catalog readBuiltIn();
+
     std::vector<DeviceDescription> m_devices;
 };
 
