@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/screen_reader.h"
 
+#include <QAbstractEventDispatcher>
 #include <QAccessible>
+#include <QCoreApplication>
 #include <QSignalSpy>
+#include <QTimerEvent>
 #include <QWidget>
 
 #include <gtest/gtest.h>
@@ -22,6 +25,15 @@ QAccessibleInterface *findIn(QAccessibleInterface *in, QAccessible::Role role, c
     return nullptr;
 }
 
+// A button shows for a tenth of a second that it is pressed, by the one timer it has: that time is over.
+void endShownPress(QObject &button)
+{
+    for (const auto &timer : QAbstractEventDispatcher::instance()->registeredTimers(&button)) {
+        QTimerEvent over(timer.timerId);
+        QCoreApplication::sendEvent(&button, &over);
+    }
+}
+
 } // namespace
 
 ScreenReader::ScreenReader(QWidget &window)
@@ -35,7 +47,7 @@ QAccessibleInterface *ScreenReader::find(QAccessible::Role role, const QString &
     return found;
 }
 
-// A button is pressed visibly; its click comes a little later.
+// Most buttons are pressed visibly, and their click comes when that is over.
 void ScreenReader::press(const QString &name) const
 {
     QAccessibleInterface *found = find(QAccessible::Button, name);
@@ -44,7 +56,9 @@ void ScreenReader::press(const QString &name) const
     ASSERT_NE(found->actionInterface(), nullptr) << name.toStdString();
     QSignalSpy clicked(found->object(), SIGNAL(clicked(bool)));
     found->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
-    EXPECT_TRUE(clicked.count() == 1 || clicked.wait()) << name.toStdString();
+    if (clicked.count() == 0)
+        endShownPress(*found->object());
+    EXPECT_EQ(clicked.count(), 1) << name.toStdString();
 }
 
 void ScreenReader::toggle(const QString &name) const
