@@ -6,6 +6,7 @@
 #include "encoder/refusal_text.h"
 #include "project/file_access.h"
 #include "project/project_file.h"
+#include "widgets/input/text_fields.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/save_file.h"
 #include "widgets/project/project_document.h"
@@ -131,6 +132,7 @@ void ProjectFiles::askOpen()
 
 bool ProjectFiles::save()
 {
+    takeFocusedField();
     const QString file = m_document.file();
     if (file.isEmpty())
         return saveAs();
@@ -157,6 +159,7 @@ bool ProjectFiles::saveBesideAnother()
 
 bool ProjectFiles::saveAs()
 {
+    takeFocusedField();
     const QString proposed =
         m_document.file().isEmpty() ? tr("untitled.codewheel", "file name") : m_document.file();
     const QString path =
@@ -197,6 +200,7 @@ QString ProjectFiles::leftOut() const
 
 bool ProjectFiles::mayClose()
 {
+    takeFocusedField();
     if (m_document.isSaved())
         return true;
     QMessageBox box(QMessageBox::Question, tr("Project"), tr("The project has changes that are not saved."),

@@ -111,9 +111,26 @@ TEST_F(ProjectFilesTest, TheTitleIsTypedIntoAPageAndSaved)
     auto *title = window().findChild<QLineEdit *>(QStringLiteral("projectTitle"));
     ASSERT_TRUE(title->hasFocus());
     QTest::keyClicks(title, QStringLiteral("Crane 1"));
-    EXPECT_TRUE(window().isWindowModified());
+    EXPECT_FALSE(window().isWindowModified()) << "half typed";
     actions().saveProject->trigger();
     EXPECT_EQ(loadProject(path("crane.codewheel"))->title, QStringLiteral("Crane 1"));
+}
+
+TEST_F(ProjectFilesTest, WhatIsBeingTypedIsAskedForBeforeAnotherProjectIsOpened)
+{
+    const QString other = saved("press.codewheel", QStringLiteral("press"));
+    ASSERT_TRUE(window().files().open(saved("crane.codewheel", QStringLiteral("hoist"))));
+    QTest::keyClick(&window(), Qt::Key_F4, Qt::ShiftModifier);
+    QTest::keyClicks(window().findChild<QLineEdit *>(QStringLiteral("projectTitle")),
+                     QStringLiteral("Crane 1"));
+    bool isAsked = false;
+    Question question([&](QWidget &dialog) {
+        isAsked = true;
+        dialog.close();
+    });
+    EXPECT_FALSE(window().files().open(other));
+    EXPECT_TRUE(isAsked);
+    EXPECT_EQ(document().project().title, QStringLiteral("Crane 1"));
 }
 
 TEST_F(ProjectFilesTest, WhatCannotBeOpenedIsSaidAndChangesNothing)

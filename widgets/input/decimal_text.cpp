@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/input/decimal_text.h"
 
+#include "encoder/hex.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <QRegularExpression>
 
+#include <algorithm>
+#include <cmath>
+
 namespace codewheel {
 namespace {
+
+constexpr double beyondEveryRange = 1e12;
 
 struct DecimalText
 {
@@ -52,6 +59,18 @@ tl::expected<double, QString> readDecimal(const QString &text, const QLocale &lo
     if (!isNumber || !qIsFinite(number))
         return tl::unexpected(DecimalText::tr("\"%1\" is no number.").arg(typed));
     return number;
+}
+
+tl::expected<std::int64_t, QString> readWhole(const QString &text, const QLocale &locale)
+{
+    if (const auto number = parseNumber(text))
+        return *number;
+    const auto decimal = readDecimal(text, locale);
+    if (!decimal)
+        return tl::unexpected(decimal.error());
+    if (*decimal != std::floor(*decimal))
+        return tl::unexpected(hasDecimalsText(text));
+    return std::llround(std::clamp(*decimal, -beyondEveryRange, beyondEveryRange));
 }
 
 QString hasDecimalsText(const QString &text)

@@ -3,6 +3,7 @@
 
 #include <QString>
 
+#include <cstdint>
 #include <tl/expected.hpp>
 
 class QLocale;
@@ -13,6 +14,9 @@ namespace codewheel {
 // no number, and a sign that may stand between thousands as well as before decimals ("1,000" in English: 1000
 // or 1.000).
 tl::expected<double, QString> readDecimal(const QString &text, const QLocale &locale);
+
+// A whole number: decimal as above, or hexadecimal with its mark ("0x1F", "1Fh").
+tl::expected<std::int64_t, QString> readWhole(const QString &text, const QLocale &locale);
 
 // "2.5 has decimals; a whole number belongs here."
 QString hasDecimalsText(const QString &text);

@@ -6,6 +6,7 @@
 
 #include <QAction>
 #include <QLineEdit>
+#include <QToolTip>
 
 namespace codewheel {
 
@@ -21,6 +22,15 @@ void InputMark::show(const QString &wrong)
     m_mark->setVisible(!wrong.isEmpty());
     m_mark->setToolTip(wrong);
     m_field.setAccessibleDescription(wrong);
+}
+
+void InputMark::tellBelow(QWidget &box, const QString &wrong)
+{
+    if (!box.hasFocus())
+        return;
+    const QString inLines =
+        wrong.isEmpty() ? QString() : QStringLiteral("<qt>%1</qt>").arg(wrong.toHtmlEscaped());
+    QToolTip::showText(box.mapToGlobal(QPoint(0, box.height())), inLines, &box); // none: it goes
 }
 
 } // namespace codewheel

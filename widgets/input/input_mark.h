@@ -5,6 +5,7 @@
 
 class QAction;
 class QLineEdit;
+class QWidget;
 
 namespace codewheel {
 
@@ -16,6 +17,8 @@ public:
     explicit InputMark(QLineEdit &field);
 
     void show(const QString &wrong); // empty: all is well
+    // The sentence, too, below the box the field is in, while it has the focus.
+    static void tellBelow(QWidget &box, const QString &wrong);
 
 private:
     QLineEdit &m_field;

@@ -6,7 +6,6 @@
 #include <QCoreApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QToolTip>
 
 #include <cmath>
 #include <type_traits>
@@ -45,9 +44,8 @@ QString SpinField<SpinBox>::bareText(QString text) const
 }
 
 template <typename SpinBox>
-auto SpinField<SpinBox>::read(const QString &text) const -> tl::expected<Value, QString>
+auto SpinField<SpinBox>::read(const QString &bare) const -> tl::expected<Value, QString>
 {
-    const QString bare = bareText(text);
     const auto number = readDecimal(bare, this->locale());
     if (!number)
         return tl::unexpected(number.error());
@@ -63,21 +61,30 @@ auto SpinField<SpinBox>::read(const QString &text) const -> tl::expected<Value, 
 template <typename SpinBox>
 QString SpinField<SpinBox>::complaint() const
 {
-    const QString text = this->lineEdit()->text();
-    const auto number = read(text);
-    return number || bareText(text).isEmpty() ? QString() : number.error();
+    const QString bare = bareText(this->lineEdit()->text());
+    const auto number = read(bare);
+    return number || bare.isEmpty() ? QString() : number.error();
+}
+
+template <typename SpinBox>
+QString SpinField<SpinBox>::takeTyped()
+{
+    const QString wrong = complaint();
+    if (wrong.isEmpty())
+        this->interpretText();
+    return wrong;
 }
 
 template <typename SpinBox>
 QValidator::State SpinField<SpinBox>::validate(QString &text, int &) const
 {
-    return read(text) ? QValidator::Acceptable : QValidator::Intermediate;
+    return read(bareText(text)) ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
 template <typename SpinBox>
 auto SpinField<SpinBox>::valueFromText(const QString &text) const -> Value
 {
-    return read(text).value_or(this->value());
+    return read(bareText(text)).value_or(this->value());
 }
 
 // Esc is for the field where something was typed, and Return where it is good; else for whoever is around it.
@@ -115,11 +122,8 @@ void SpinField<SpinBox>::check()
 {
     const QString wrong = complaint();
     m_mark.show(wrong);
-    if (!this->hasFocus())
-        return;
-    const QString inLines =
-        wrong.isEmpty() ? QString() : QStringLiteral("<qt>%1</qt>").arg(wrong.toHtmlEscaped());
-    QToolTip::showText(this->mapToGlobal(QPoint(0, this->height())), inLines, this); // none: it goes
+    m_mark.tellBelow(*this, wrong);
+    checked(wrong);
 }
 
 template class SpinField<QDoubleSpinBox>;

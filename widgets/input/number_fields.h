@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/input/form_fields.h"
 #include "widgets/input/input_mark.h"
 
 #include <QDoubleSpinBox>
@@ -14,14 +15,21 @@ namespace codewheel {
 // and only if it is good; until then a mark tells what is wrong. Esc gives the value before. Point and comma
 // both stand before decimals.
 template <typename SpinBox>
-class SpinField : public SpinBox
+class SpinField : public SpinBox, public FormField
 {
 public:
     using Value = decltype(std::declval<SpinBox>().value());
 
     explicit SpinField(QWidget *parent = nullptr);
 
+    QString takeTyped() override;
+
 protected:
+    // What is written, without what the field puts around it.
+    virtual tl::expected<Value, QString> read(const QString &bare) const;
+    // While typing: a sentence, or empty where it is good.
+    virtual void checked(const QString &) {}
+
     QValidator::State validate(QString &text, int &position) const override;
     Value valueFromText(const QString &text) const override;
     void fixup(QString &) const override {} // Qt's own would take signs between thousands out
@@ -30,7 +38,6 @@ protected:
 
 private:
     QString bareText(QString text) const;
-    tl::expected<Value, QString> read(const QString &text) const;
     void check();
     QString complaint() const; // about what stands in the field; empty: none
 

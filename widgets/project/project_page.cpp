@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/project/project_page.h"
 
+#include "widgets/input/text_fields.h"
 #include "widgets/look/grid.h"
 
 #include <QComboBox>
 #include <QDir>
-#include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
-#include <QLineEdit>
-#include <QPlainTextEdit>
-#include <QSignalBlocker>
 
 namespace codewheel {
 namespace {
@@ -22,19 +19,22 @@ constexpr int widestTitle = 140 * grid::unit;
 ProjectPage::ProjectPage(ProjectDocument &document, QWidget *parent)
     : QWidget(parent)
     , m_document(document)
-    , m_typing(document.newGesture())
-    , m_title(new QLineEdit(this))
+    , m_title(new TextField(this))
     , m_link(new QComboBox(this))
     , m_settings(new QLabel(this))
-    , m_note(new QPlainTextEdit(this))
+    , m_note(new NoteField(this))
     , m_file(new QLabel(this))
 {
     makeFields();
     arrange();
-    connect(m_title, &QLineEdit::textEdited, this, &ProjectPage::setTitle);
+    connect(m_title, &TextField::taken, this, &ProjectPage::setTitle);
     connect(m_link, &QComboBox::activated, this, &ProjectPage::setLink);
-    connect(m_note, &QPlainTextEdit::textChanged, this, &ProjectPage::setNote);
+    connect(m_note, &NoteField::taken, this, &ProjectPage::setNote);
     connect(&m_document, &ProjectDocument::changed, this, &ProjectPage::showProject);
+    connect(&m_document, &ProjectDocument::replaced, this, [this] {
+        m_title->setText(m_document.project().title);
+        m_note->setTakenText(m_document.project().note);
+    });
     connect(&m_document, &ProjectDocument::fileChanged, this, &ProjectPage::showProject);
     showProject();
 }
@@ -55,16 +55,12 @@ void ProjectPage::makeFields()
     m_note->setAccessibleName(tr("Note on the project"));
     m_note->setToolTip(tr("What whoever opens the project next should know"));
     m_note->setPlaceholderText(tr("What whoever opens the project next should know"));
-    m_note->setTabChangesFocus(true);
-    m_note->setUndoRedoEnabled(false); // the project's undo has it
     m_file->setObjectName(QStringLiteral("projectFile"));
     for (QLabel *label : {m_settings, m_file}) {
         label->setWordWrap(true);
         label->setTextFormat(Qt::PlainText);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     }
-    for (QWidget *field : {static_cast<QWidget *>(m_title), static_cast<QWidget *>(m_note)})
-        field->installEventFilter(this);
     setFocusProxy(m_title);
 }
 
@@ -83,18 +79,11 @@ void ProjectPage::arrange()
     m_note->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
-bool ProjectPage::eventFilter(QObject *field, QEvent *event)
-{
-    if (event->type() == QEvent::FocusIn)
-        m_typing = m_document.newGesture();
-    return QWidget::eventFilter(field, event);
-}
-
 void ProjectPage::edit(const QString &what, const std::function<void(Project &)> &change)
 {
     Project after = m_document.project();
     change(after);
-    m_document.edit(std::move(after), what, m_typing);
+    m_document.edit(std::move(after), what);
 }
 
 void ProjectPage::setTitle(const QString &title)
@@ -102,31 +91,29 @@ void ProjectPage::setTitle(const QString &title)
     edit(tr("Title of the project"), [&](Project &project) { project.title = title; });
 }
 
-void ProjectPage::setNote()
+void ProjectPage::setNote(const QString &note)
 {
-    edit(tr("Note on the project"), [&](Project &project) { project.note = m_note->toPlainText(); });
+    edit(tr("Note on the project"), [&](Project &project) { project.note = note; });
 }
 
 // The settings are those of the link: another one has none of them.
 void ProjectPage::setLink()
 {
     const QString kind = m_link->currentData().toString();
-    m_typing = m_document.newGesture();
     edit(tr("Link of the project"), [&](Project &project) {
         if (project.link.kind != kind)
             project.link = {.kind = kind, .settings = {}};
     });
 }
 
+// What is being typed stays while something else changes.
 void ProjectPage::showProject()
 {
     const Project &project = m_document.project();
-    if (m_title->text() != project.title)
+    if (m_title->takenText() != project.title)
         m_title->setText(project.title);
-    if (m_note->toPlainText() != project.note) {
-        const QSignalBlocker blocker(m_note);
-        m_note->setPlainText(project.note);
-    }
+    if (m_note->takenText() != project.note)
+        m_note->setTakenText(project.note);
     m_file->setText(m_document.file().isEmpty() ? tr("not saved yet")
                                                 : QDir::toNativeSeparators(m_document.file()));
     showLink();

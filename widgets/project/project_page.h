@@ -7,13 +7,13 @@
 
 class QComboBox;
 class QLabel;
-class QLineEdit;
-class QPlainTextEdit;
 
 namespace codewheel {
 
-// What the project says of itself: title, link and note. What is typed into a field in one go is one step of
-// undo.
+class NoteField;
+class TextField;
+
+// What the project says of itself: title, link and note. A field that was left is one step of undo.
 class ProjectPage : public QWidget
 {
     Q_OBJECT
@@ -22,25 +22,21 @@ public:
     // The document outlives the page.
     explicit ProjectPage(ProjectDocument &document, QWidget *parent = nullptr);
 
-protected:
-    bool eventFilter(QObject *field, QEvent *event) override;
-
 private:
     void makeFields();
     void arrange();
     void setTitle(const QString &title);
-    void setNote();
+    void setNote(const QString &note);
     void setLink();
     void edit(const QString &what, const std::function<void(Project &)> &change);
     void showProject();
     void showLink();
 
     ProjectDocument &m_document;
-    ProjectDocument::Gesture m_typing; // since a field got the focus
-    QLineEdit *m_title;
+    TextField *m_title;
     QComboBox *m_link;
     QLabel *m_settings;
-    QPlainTextEdit *m_note;
+    NoteField *m_note;
     QLabel *m_file;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/sequence/project_sequences.h"
 
+#include "widgets/input/text_fields.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/sequence/sequence_view.h"
@@ -8,7 +9,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QScopedValueRollback>
 #include <QToolButton>
 
@@ -27,7 +27,9 @@ ProjectSequences::ProjectSequences(ProjectDocument &document, SequenceView &view
     m_names->setObjectName(QStringLiteral("sequenceName"));
     m_names->setEditable(true);
     m_names->setInsertPolicy(QComboBox::NoInsert);
-    for (QWidget *field : {static_cast<QWidget *>(m_names), static_cast<QWidget *>(m_names->lineEdit())}) {
+    auto *name = new TextField(m_names);
+    m_names->setLineEdit(name);
+    for (QWidget *field : {static_cast<QWidget *>(m_names), static_cast<QWidget *>(name)}) {
         field->setAccessibleName(tr("Sequence of the project"));
         field->setToolTip(tr("Chooses a sequence of the project; type to give it another name"));
     }
@@ -54,7 +56,7 @@ ProjectSequences::ProjectSequences(ProjectDocument &document, SequenceView &view
     row->addWidget(m_remove);
 
     connect(m_names, &QComboBox::activated, this, &ProjectSequences::open);
-    connect(m_names->lineEdit(), &QLineEdit::editingFinished, this, &ProjectSequences::rename);
+    connect(name, &TextField::taken, this, &ProjectSequences::rename);
     connect(m_add, &QToolButton::clicked, this, &ProjectSequences::add);
     connect(m_remove, &QToolButton::clicked, this, &ProjectSequences::remove);
     connect(&document, &ProjectDocument::changed, this, &ProjectSequences::take);
@@ -129,11 +131,16 @@ void ProjectSequences::remove()
     });
 }
 
-void ProjectSequences::rename()
+// Without a name it keeps the one it had.
+void ProjectSequences::rename(const QString &typed)
 {
-    const QString name = m_names->lineEdit()->text().trimmed();
-    if (name.isEmpty() || m_document.project().sequences.empty())
+    const QString name = typed.trimmed();
+    if (m_document.project().sequences.empty())
         return;
+    if (name.isEmpty()) {
+        m_names->setEditText(m_document.project().sequences.at(m_open).name);
+        return;
+    }
     edit(tr("Name the sequence"),
          [&](std::vector<ProjectSequence> &sequences) { sequences.at(m_open).name = name; });
 }

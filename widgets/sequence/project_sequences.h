@@ -28,7 +28,7 @@ private:
     void open(int sequence);
     void add();
     void remove();
-    void rename();
+    void rename(const QString &typed);
     void edit(const QString &what, const std::function<void(std::vector<ProjectSequence> &)> &change);
     QString freshName() const;
 

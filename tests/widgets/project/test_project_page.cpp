@@ -49,12 +49,14 @@ TEST_F(ProjectPageTest, WhatIsTypedInOneGoIsOneStepOfUndo)
 {
     title().setFocus();
     QTest::keyClicks(&title(), QStringLiteral("Crane 1"));
-    EXPECT_EQ(document.project().title, QStringLiteral("Crane 1"));
-    QTest::keyClick(&title(), Qt::Key_Tab);
+    EXPECT_EQ(document.project().title, QString()) << "half typed";
     note().setFocus();
+    EXPECT_EQ(document.project().title, QStringLiteral("Crane 1"));
     QTest::keyClicks(&note(), QStringLiteral("spare part"));
     QTest::keyClick(&note(), Qt::Key_Return);
     QTest::keyClicks(&note(), QStringLiteral("in cabinet 3"));
+    EXPECT_EQ(document.project().note, QString()) << "half typed";
+    title().setFocus();
     EXPECT_EQ(document.project().note, QStringLiteral("spare part\nin cabinet 3"));
     EXPECT_EQ(document.undoStack().count(), 2);
     EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("Note on the project"));
@@ -77,8 +79,23 @@ TEST_F(ProjectPageTest, TypingInTheMiddleStaysThere)
     note().setFocus();
     note().moveCursor(QTextCursor::Start);
     QTest::keyClicks(&note(), QStringLiteral("a "));
-    EXPECT_EQ(document.project().note, QStringLiteral("a cabinet"));
+    EXPECT_EQ(note().toPlainText(), QStringLiteral("a cabinet"));
     EXPECT_EQ(note().textCursor().position(), 2);
+}
+
+TEST_F(ProjectPageTest, WhatIsHalfTypedOutlivesAnEditElsewhereAndEscGivesItUp)
+{
+    document.edit(projectWith(QStringLiteral("Crane"), QStringLiteral("cabinet")), {});
+    title().setFocus();
+    title().end(false);
+    QTest::keyClicks(&title(), QStringLiteral(" 1"));
+    Project elsewhere = document.project();
+    elsewhere.cableKilometres = 2;
+    document.edit(elsewhere, {});
+    EXPECT_EQ(title().text(), QStringLiteral("Crane 1"));
+    QTest::keyClick(&title(), Qt::Key_Escape);
+    note().setFocus();
+    EXPECT_EQ(document.project(), elsewhere);
 }
 
 TEST_F(ProjectPageTest, AnotherProjectShowsItsOwn)

@@ -53,7 +53,8 @@ TEST_F(ProjectSequencesTest, SeveralAreKeptNamedChosenAndRemoved)
     click("addSequence");
     EXPECT_TRUE(view.list().words.empty());
     type({2, 3});
-    names().lineEdit()->setText(QStringLiteral("preset"));
+    names().lineEdit()->selectAll();
+    QTest::keyClicks(names().lineEdit(), QStringLiteral("preset"));
     QTest::keyClick(names().lineEdit(), Qt::Key_Return);
     ASSERT_EQ(sequences().size(), 2u);
     EXPECT_EQ(sequences()[1].name, QStringLiteral("preset"));
@@ -65,6 +66,22 @@ TEST_F(ProjectSequencesTest, SeveralAreKeptNamedChosenAndRemoved)
     EXPECT_EQ(view.list().words, (std::vector<Word>{2, 3}));
     document.undoStack().undo();
     EXPECT_EQ(sequences().size(), 2u);
+}
+
+TEST_F(ProjectSequencesTest, ANameThatIsGivenUpOrEmptyLeavesTheOneBefore)
+{
+    type({1});
+    const QString before = names().currentText();
+    names().lineEdit()->selectAll();
+    QTest::keyClicks(names().lineEdit(), QStringLiteral("pre"));
+    QTest::keyClick(names().lineEdit(), Qt::Key_Escape);
+    EXPECT_EQ(names().currentText(), before);
+    names().lineEdit()->selectAll();
+    QTest::keyClick(names().lineEdit(), Qt::Key_Delete);
+    QTest::keyClick(names().lineEdit(), Qt::Key_Return);
+    EXPECT_EQ(names().currentText(), before);
+    EXPECT_EQ(sequences().front().name, before);
+    EXPECT_EQ(document.undoStack().count(), 1);
 }
 
 TEST_F(ProjectSequencesTest, AnotherProjectBringsItsOwn)

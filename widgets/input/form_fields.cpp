@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/input/form_fields.h"
+
+#include "widgets/input/text_fields.h"
+
+#include <QApplication>
+#include <QLineEdit>
+
+namespace codewheel {
+namespace {
+
+// Of fields that only mark what is refused, as those in cells do.
+QString markedSentence(const QWidget &widget)
+{
+    const auto *field = qobject_cast<const QLineEdit *>(&widget);
+    return field != nullptr && !field->hasAcceptableInput() ? field->accessibleDescription() : QString();
+}
+
+} // namespace
+
+QString takeFields(const QWidget &form)
+{
+    if (const QWidget *focused = QApplication::focusWidget(); focused && form.isAncestorOf(focused))
+        takeFocusedField();
+    for (QWidget *widget : form.findChildren<QWidget *>()) {
+        if (!widget->isVisibleTo(&form) || !widget->isEnabled())
+            continue;
+        auto *field = dynamic_cast<FormField *>(widget);
+        const QString wrong = field != nullptr ? field->takeTyped() : markedSentence(*widget);
+        if (!wrong.isEmpty()) {
+            widget->setFocus();
+            return wrong;
+        }
+    }
+    return {};
+}
+
+} // namespace codewheel
