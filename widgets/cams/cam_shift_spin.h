@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QSpinBox>
+#include "widgets/input/number_fields.h"
 
 namespace codewheel {
 
-// A field for shift_iw, 0..25, that lets another number be typed and says what is wrong with it; only what is
-// good is taken.
-class CamShiftSpin : public QSpinBox
+// The field for shift_iw, 0..25.
+class CamShiftSpin : public IntegerField
 {
     Q_OBJECT
 
@@ -18,10 +17,8 @@ Q_SIGNALS:
     void inputChecked(const QString &wrong); // a sentence, or empty where the input is good
 
 protected:
-    QValidator::State validate(QString &input, int &position) const override;
-
-private:
-    void check(const QString &typed);
+    tl::expected<int, QString> read(const QString &bare) const override;
+    void checked(const QString &wrong) override { Q_EMIT inputChecked(wrong); }
 };
 
 } // namespace codewheel

@@ -34,7 +34,7 @@ std::int64_t largestGiven(const CamDocument &document)
 } // namespace
 
 CamDelegate::CamDelegate(const CamSheet &sheet, QObject *parent)
-    : QStyledItemDelegate(parent)
+    : CheckedDelegate(parent)
     , m_sheet(sheet)
 {}
 
@@ -70,23 +70,6 @@ void CamDelegate::setModelData(QWidget *editor, QAbstractItemModel *model, const
 {
     if (const auto position = static_cast<PositionInput *>(editor)->value())
         model->setData(index, qlonglong{*position}, Qt::EditRole);
-}
-
-// What was wrong in it is given up with it.
-void CamDelegate::destroyEditor(QWidget *editor, const QModelIndex &index) const
-{
-    Q_EMIT inputChecked({});
-    QStyledItemDelegate::destroyEditor(editor, index);
-}
-
-bool CamDelegate::eventFilter(QObject *editor, QEvent *event)
-{
-    if (event->type() == QEvent::FocusOut) {
-        const auto *input = qobject_cast<PositionInput *>(editor);
-        if (input != nullptr && !input->value())
-            return false;
-    }
-    return QStyledItemDelegate::eventFilter(editor, event);
 }
 
 CamTable::CamTable(CamSheet &sheet, QWidget *parent)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QStyledItemDelegate>
+#include "widgets/input/checked_delegate.h"
+
 #include <QTableView>
 
 namespace codewheel {
@@ -11,7 +12,7 @@ class CamTableModel;
 
 // Edits the positions of the cam table. Bad input keeps its field open, so that nothing typed is lost; Escape
 // gives it up.
-class CamDelegate final : public QStyledItemDelegate
+class CamDelegate final : public CheckedDelegate
 {
     Q_OBJECT
 
@@ -22,14 +23,6 @@ public:
                           const QModelIndex &index) const override;
     void setEditorData(QWidget *editor, const QModelIndex &index) const override;
     void setModelData(QWidget *editor, QAbstractItemModel *model, const QModelIndex &index) const override;
-    void destroyEditor(QWidget *editor, const QModelIndex &index) const override;
-
-Q_SIGNALS:
-    // A sentence while what is typed is bad; empty when it is good or given up.
-    void inputChecked(const QString &wrong) const;
-
-protected:
-    bool eventFilter(QObject *editor, QEvent *event) override;
 
 private:
     const CamSheet &m_sheet;

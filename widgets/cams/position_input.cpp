@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/cams/position_input.h"
 
-#include "encoder/hex.h"
+#include "widgets/input/decimal_text.h"
 #include "widgets/look/fonts.h"
-#include "widgets/look/icons.h"
-#include "widgets/look/roles.h"
 
-#include <QAction>
+#include <QLocale>
 #include <QValidator>
 
 namespace codewheel {
@@ -33,32 +31,36 @@ PositionInput::PositionInput(std::int64_t least, std::int64_t largest, Complaint
     , m_least(least)
     , m_largest(largest)
     , m_complaint(std::move(complaint))
-    , m_mark(addAction(lineIcon(Icon::fault, Role::fault), QLineEdit::LeadingPosition))
+    , m_mark(*this)
 {
     setFont(numberFont());
     setAlignment(Qt::AlignRight);
     setValidator(new GoodPosition(*this));
-    m_mark->setVisible(false);
     connect(this, &QLineEdit::textChanged, this, &PositionInput::showCheck);
 }
 
 std::optional<std::int64_t> PositionInput::value() const
 {
-    const auto position = parseNumber(text());
-    return position && *position >= m_least && *position <= m_largest ? position : std::nullopt;
+    const auto position = readWhole(text(), QLocale());
+    return position && *position >= m_least && *position <= m_largest ? std::optional(*position)
+                                                                      : std::nullopt;
+}
+
+QString PositionInput::complaint() const
+{
+    const bool isEmpty = text().trimmed().isEmpty();
+    if (value() || (isEmpty && !isModified()))
+        return {};
+    const auto number = readWhole(text(), QLocale());
+    if (!number && !isEmpty)
+        return number.error();
+    return m_complaint(number ? RefusalArgument(*number) : RefusalArgument(tr("nothing")));
 }
 
 void PositionInput::showCheck()
 {
-    const auto number = parseNumber(text());
-    const RefusalArgument given =
-        number ? RefusalArgument(*number)
-               : RefusalArgument(text().trimmed().isEmpty() ? tr("nothing") : text().trimmed());
-    const bool isUntouched = text().isEmpty() && !isModified();
-    const QString wrong = value() || isUntouched ? QString() : m_complaint(given);
-    m_mark->setVisible(!wrong.isEmpty());
-    m_mark->setToolTip(wrong);
-    setAccessibleDescription(wrong);
+    const QString wrong = complaint();
+    m_mark.show(wrong);
     Q_EMIT inputChecked(wrong);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "encoder/refusal.h"
+#include "widgets/input/input_mark.h"
 
 #include <QLineEdit>
 
@@ -29,12 +30,13 @@ Q_SIGNALS:
     void inputChecked(const QString &wrong); // a sentence, or empty where the input is good
 
 private:
+    QString complaint() const;
     void showCheck();
 
     std::int64_t m_least;
     std::int64_t m_largest;
     Complaint m_complaint;
-    QAction *m_mark; // at the field while its input is bad
+    InputMark m_mark;
 };
 
 } // namespace codewheel

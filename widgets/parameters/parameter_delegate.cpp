@@ -155,21 +155,4 @@ void ParameterDelegate::setModelData(QWidget *editor, QAbstractItemModel *model,
         model->setData(index, *value ? QVariant(qlonglong{**value}) : QVariant(), Qt::EditRole);
 }
 
-// What was wrong in it is given up with it.
-void ParameterDelegate::destroyEditor(QWidget *editor, const QModelIndex &index) const
-{
-    Q_EMIT inputChecked({});
-    QStyledItemDelegate::destroyEditor(editor, index);
-}
-
-bool ParameterDelegate::eventFilter(QObject *editor, QEvent *event)
-{
-    if (event->type() == QEvent::FocusOut) {
-        const auto *number = qobject_cast<NumberInput *>(editor);
-        if (number != nullptr && !number->value())
-            return false;
-    }
-    return QStyledItemDelegate::eventFilter(editor, event);
-}
-
 } // namespace codewheel

@@ -36,22 +36,10 @@ QString inputText(const ParameterDescription &parameter, std::int64_t value)
     return locale.toString(static_cast<double>(value) / micrometresPerMillimetre, 'g', typedDigits);
 }
 
-tl::expected<std::int64_t, QString> wholeNumber(const QString &text)
-{
-    if (const auto number = parseNumber(text))
-        return *number;
-    const auto decimal = readDecimal(text, QLocale());
-    if (!decimal)
-        return tl::unexpected(decimal.error());
-    if (*decimal != std::floor(*decimal))
-        return tl::unexpected(hasDecimalsText(text));
-    return std::llround(std::clamp(*decimal, -largestInput, largestInput)); // below 0, or beyond every range
-}
-
 tl::expected<std::int64_t, QString> inputNumber(const ParameterDescription &parameter, const QString &text)
 {
     if (parameter.unit != Unit::micrometres)
-        return wholeNumber(text);
+        return readWhole(text, QLocale());
     const auto millimetres = readDecimal(text, QLocale());
     if (!millimetres)
         return tl::unexpected(millimetres.error());

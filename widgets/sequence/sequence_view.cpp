@@ -2,9 +2,11 @@
 #include "widgets/sequence/sequence_view.h"
 
 #include "catalog/device_description.h"
+#include "encoder/hex.h"
 #include "encoder/refusal_text.h"
 #include "project/file_access.h"
 #include "widgets/eeprom/eeprom_question.h"
+#include "widgets/input/checked_delegate.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
@@ -12,6 +14,7 @@
 #include "widgets/look/save_file.h"
 #include "widgets/look/tool.h"
 #include "widgets/models/device_traits.h"
+#include "widgets/monitor/word_format.h"
 #include "widgets/sequence/sequence_model.h"
 
 #include <QApplication>
@@ -76,6 +79,18 @@ SequenceView::SequenceView(QWidget *parent)
 void SequenceView::makeTable()
 {
     m_table->setModel(m_model);
+    auto *words = new CheckedDelegate(
+        [](const QModelIndex &, const QString &text) {
+            return parseHexWord(text) ? QString() : hexProblem(text);
+        },
+        this);
+    m_table->setItemDelegate(words);
+    connect(words, &CheckedDelegate::inputChecked, this, [this](const QString &wrong) {
+        if (!wrong.isEmpty())
+            say(Role::attention, wrong);
+        else if (!m_job->isRunning())
+            m_message->withdraw();
+    });
     m_table->setAccessibleName(tr("Words to send"));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setWordWrap(false);
@@ -307,6 +322,10 @@ void SequenceView::send()
         return;
     m_message->withdraw();
     m_model->setSendingRow({});
+    if (const QString wrong = takeFields(*this); !wrong.isEmpty()) {
+        say(Role::attention, wrong);
+        return;
+    }
     const SendWords job{.words = m_model->words(), .holdCycles = m_hold->value()};
     if (!askForEeprom(window(), *m_encoder, job) || !m_encoder)
         return;

@@ -45,6 +45,8 @@ public:
     std::optional<Id> idAt(const QModelIndex &index) const;
     QModelIndex indexOf(Id id, int column = numberColumn) const;
     const PlanRow &rowAt(const QModelIndex &index) const;
+    // What is wrong with a text for this cell; empty: nothing.
+    QString complaint(const QModelIndex &index, const QString &text) const;
     // Devices whose number, station, group, serial number, note, name or ID code have this text, in ring
     // order.
     std::vector<Id> find(const QString &text) const;

@@ -17,6 +17,13 @@ QString addressCell(const std::optional<AddressRange> &range, AddressRules::Unit
     return range ? addressText(range->first, unit) : QString();
 }
 
+QString noAddressText(const QString &text, AddressRules::Unit unit)
+{
+    const int largest = unit == AddressRules::Unit::byte ? largestAddress : largestAddress / 2;
+    return PlanModel::tr("%1 is no address. Give a number from 0 to %2, or nothing to have it counted.")
+        .arg(text, QLocale().toString(largest));
+}
+
 Role worst(const std::vector<Finding> &findings)
 {
     const bool isFault = std::ranges::any_of(
@@ -164,6 +171,14 @@ QString PlanModel::toolTip(const PlanRow &row, int column)
     return row.findings.empty() ? device : device + u'\n' + joined(row.findings, QStringLiteral("\n"));
 }
 
+QString PlanModel::complaint(const QModelIndex &index, const QString &text) const
+{
+    const QString typed = text.trimmed();
+    const AddressRules::Unit unit = rowAt(index).unit;
+    const bool isGood = !isAddress(index.column()) || typed.isEmpty() || parseAddress(typed, unit);
+    return isGood ? QString() : noAddressText(typed, unit);
+}
+
 bool PlanModel::setData(const QModelIndex &index, const QVariant &value, int role)
 {
     const auto id = idAt(index);
@@ -201,9 +216,7 @@ void PlanModel::setAddress(Id id, bool isIn, const QString &text)
     const auto &now = isIn ? row.addresses.in : row.addresses.out;
     const auto given = parseAddress(text, row.unit);
     if (!text.isEmpty() && !given) {
-        const int largest = row.unit == AddressRules::Unit::byte ? largestAddress : largestAddress / 2;
-        Q_EMIT badInput(tr("%1 is no address. Give a number from 0 to %2, or nothing to have it counted.")
-                            .arg(text, QLocale().toString(largest)));
+        Q_EMIT badInput(noAddressText(text, row.unit));
         return;
     }
     // What was only looked at stays automatic.

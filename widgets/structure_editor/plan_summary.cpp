@@ -31,6 +31,7 @@ PlanSummary::PlanSummary(ProjectDocument &document, QWidget *parent)
     , m_counts(new QLabel(this))
     , m_times(new QLabel(this))
     , m_cable(new DecimalField(this))
+    , m_stepping(document.newGesture())
 {
     m_counts->setObjectName(QStringLiteral("planCounts"));
     m_counts->setWordWrap(true);
@@ -60,8 +61,10 @@ PlanSummary::PlanSummary(ProjectDocument &document, QWidget *parent)
     connect(m_cable, &QDoubleSpinBox::valueChanged, this, [this](double kilometres) {
         Project after = m_document.project();
         after.cableKilometres = kilometres;
-        m_document.edit(std::move(after), tr("Length of cable"));
+        m_document.edit(std::move(after), tr("Length of cable"), m_stepping);
     });
+    connect(m_cable, &QDoubleSpinBox::editingFinished, this,
+            [this] { m_stepping = m_document.newGesture(); });
     connect(&m_document, &ProjectDocument::changed, this, &PlanSummary::show);
     show();
 }

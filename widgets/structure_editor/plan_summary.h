@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/project/project_document.h"
+
 #include <QWidget>
 
 class QDoubleSpinBox;
 class QLabel;
 
 namespace codewheel {
-
-class ProjectDocument;
 
 // The line below the structure editor: how much of what a ring may have is used, and about how long a cycle
 // takes, by both formulas at both speeds.
@@ -29,6 +29,7 @@ private:
     QLabel *m_counts;
     QLabel *m_times;
     QDoubleSpinBox *m_cable;
+    ProjectDocument::Gesture m_stepping; // until the field is left or Return is pressed
 };
 
 } // namespace codewheel

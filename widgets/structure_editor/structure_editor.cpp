@@ -131,11 +131,13 @@ void StructureEditor::goToFound(int by)
 
 void StructureEditor::setAddressing()
 {
+    if (sender() != m_first)
+        m_stepping = m_document.newGesture();
     Project after = m_document.project();
     after.addresses = {.unit = static_cast<AddressRules::Unit>(m_unit->currentIndex()),
                        .first = m_first->value(),
                        .step5 = m_step5->isChecked()};
-    m_document.edit(std::move(after), tr("Addresses"));
+    m_document.edit(std::move(after), tr("Addresses"), m_stepping);
 }
 
 // From the chosen device on, round and round.

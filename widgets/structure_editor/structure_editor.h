@@ -92,6 +92,7 @@ private:
     PlanSummary *m_summary;
     QComboBox *m_unit;
     QSpinBox *m_first;
+    ProjectDocument::Gesture m_stepping; // of the first address
     QCheckBox *m_step5;
     QToolButton *m_findings;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the structure editor is made of, and how its parts are connected.
 #include "project/process_addresses.h"
+#include "widgets/input/checked_delegate.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/look/content_scroll_area.h"
 #include "widgets/look/empty_state.h"
@@ -53,6 +54,7 @@ StructureEditor::StructureEditor(ProjectDocument &document, const Catalog &catal
     , m_summary(new PlanSummary(document, this))
     , m_unit(new QComboBox(this))
     , m_first(new IntegerField(this))
+    , m_stepping(document.newGesture())
     , m_step5(new QCheckBox(tr("Step &5"), this))
     , m_findings(new QToolButton(this))
 {
@@ -150,6 +152,16 @@ void StructureEditor::makeTree()
     m_tree->setToolTip(tr("Drag devices to move them. F2 or a double click edits station, group, serial "
                           "number, note and addresses."));
     m_tree->setModel(m_model);
+    auto *cells = new CheckedDelegate(
+        [this](const QModelIndex &cell, const QString &text) { return m_model->complaint(cell, text); },
+        this);
+    m_tree->setItemDelegate(cells);
+    connect(cells, &CheckedDelegate::inputChecked, this, [this](const QString &wrong) {
+        if (wrong.isEmpty())
+            m_message->withdraw();
+        else
+            m_message->showMessage(Role::attention, wrong);
+    });
     m_tree->setIconSize({grid::smallIcon, grid::smallIcon});
     m_tree->setUniformRowHeights(true);
     m_tree->setAllColumnsShowFocus(true);
@@ -240,6 +252,7 @@ void StructureEditor::connectParts()
     connect(m_model, &QAbstractItemModel::rowsInserted, m_tree, &QTreeView::expand);
     connect(m_unit, &QComboBox::activated, this, &StructureEditor::setAddressing);
     connect(m_first, &QSpinBox::valueChanged, this, &StructureEditor::setAddressing);
+    connect(m_first, &QSpinBox::editingFinished, this, [this] { m_stepping = m_document.newGesture(); });
     connect(m_step5, &QCheckBox::clicked, this, &StructureEditor::setAddressing);
     connect(m_empty, &EmptyState::actionTriggered, this, &StructureEditor::openInsertPanel);
     connect(&m_document, &ProjectDocument::changed, this, &StructureEditor::showProject);

@@ -3,6 +3,8 @@
 #include "widgets/cams/cam_program_strip.h"
 #include "widgets/cams/cam_range_bar.h"
 #include "widgets/cams/cam_ruler.h"
+#include "widgets/cams/cam_table.h"
+#include "widgets/cams/cam_table_model.h"
 #include "widgets/cams/cam_word_picture.h"
 #include "widgets/cams/position_input.h"
 #include "widgets/look/empty_state.h"
@@ -131,6 +133,28 @@ TEST_F(CamEditorView, ProgramsAreChosenByClickAndKey)
     QTest::keyClick(programButton(7), Qt::Key_1);
     EXPECT_TRUE(message().isEmpty());
     EXPECT_EQ(sheet().cam(manualCam), manualValue);
+}
+
+TEST_F(CamEditorView, WhatIsNoNumberIsToldAsSuch)
+{
+    shift().setFocus();
+    shift().selectAll();
+    QTest::keyClicks(&shift(), QStringLiteral("2.5"));
+    EXPECT_EQ(message(), QStringLiteral("2.5 has decimals; a whole number belongs here."));
+    shift().selectAll();
+    QTest::keyClicks(&shift(), QStringLiteral("two"));
+    EXPECT_EQ(message(), QStringLiteral("\"two\" is no number."));
+    QTest::keyClick(&shift(), Qt::Key_Escape);
+    EXPECT_EQ(message(), QString());
+    EXPECT_EQ(sheet().program().shift, 0U);
+    auto &table = *editor.findChild<CamTable *>();
+    table.edit(table.model()->index(0, CamTableModel::startColumn));
+    auto *field = table.viewport()->findChild<PositionInput *>();
+    ASSERT_NE(field, nullptr);
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("ten"));
+    EXPECT_EQ(message(), QStringLiteral("\"ten\" is no number."));
+    QTest::keyClick(field, Qt::Key_Escape);
 }
 
 TEST_F(CamEditorView, AShiftThatDoesNotExistIsSaidAndNotTaken)

@@ -113,6 +113,25 @@ TEST_F(SequenceViewTest, AWordThatIsNoneChangesNothing)
     EXPECT_TRUE(message().contains(QLatin1String("has 9 digits"))) << message().toStdString();
 }
 
+TEST_F(SequenceViewTest, AWordThatIsRefusedStaysInItsFieldAndNothingIsSent)
+{
+    paste("020000FF");
+    table.edit(model.index(0, SequenceModel::word));
+    typeWord("0200000FF");
+    auto *field = table.viewport()->findChild<QLineEdit *>();
+    ASSERT_NE(field, nullptr);
+    send().setFocus();
+    send().click();
+    EXPECT_EQ(field->text(), QStringLiteral("0200000FF"));
+    EXPECT_TRUE(message().contains(QLatin1String("has 9 digits"))) << message().toStdString();
+    EXPECT_FALSE(view.isSending());
+    QTest::keyClick(field, Qt::Key_Backspace);
+    EXPECT_EQ(message(), QString());
+    QTest::keyClick(field, Qt::Key_Return);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(words(), Words{0x0200000F});
+}
+
 TEST_F(SequenceViewTest, APastedColumnGoesBelowTheSelectedWord)
 {
     paste("1\n2\n");

@@ -8,6 +8,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QDragMoveEvent>
 #include <QDropEvent>
@@ -20,6 +21,7 @@
 #include <QPoint>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTest>
 #include <QTreeView>
 
@@ -147,6 +149,48 @@ TEST_F(StructureEditorTest, CellsAreEditedWithTheMouse)
     edit(QStringLiteral("2.1"), PlanModel::outColumn, QStringLiteral("-3"));
     EXPECT_TRUE(message().contains(QStringLiteral("-3"))) << message().toStdString();
     EXPECT_EQ(document.device({2, 1}).outAddress, 128);
+}
+
+TEST_F(StructureEditorTest, AnAddressThatIsRefusedStaysInItsFieldUntilItIsCorrectedOrGivenUp)
+{
+    edit(QStringLiteral("2.1"), PlanModel::outColumn, QStringLiteral("12x"));
+    auto *field = tree.viewport()->findChild<QLineEdit *>();
+    ASSERT_NE(field, nullptr);
+    EXPECT_EQ(field->text(), QStringLiteral("12x"));
+    child<QComboBox>("addressUnit").setFocus();
+    ASSERT_NE(tree.viewport()->findChild<QLineEdit *>(), nullptr) << "left, it is still there";
+    EXPECT_EQ(document.device({2, 1}).outAddress, std::nullopt);
+    QTest::keyClick(field, Qt::Key_Backspace);
+    EXPECT_EQ(message(), QString());
+    QTest::keyClick(field, Qt::Key_Return);
+    QCoreApplication::processEvents();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    EXPECT_EQ(document.device({2, 1}).outAddress, 12);
+    edit(QStringLiteral("2.1"), PlanModel::outColumn, QStringLiteral("y"));
+    QTest::keyClick(tree.viewport()->findChild<QLineEdit *>(), Qt::Key_Escape);
+    EXPECT_EQ(message(), QString());
+    EXPECT_EQ(document.device({2, 1}).outAddress, 12);
+    EXPECT_EQ(document.undoStack().count(), 1);
+}
+
+TEST_F(StructureEditorTest, StepsOfANumberAreOneStepOfUndo)
+{
+    auto &cable = child<QDoubleSpinBox>("cableKilometres");
+    cable.setFocus();
+    for (int i = 0; i < 5; ++i)
+        QTest::keyClick(&cable, Qt::Key_Up);
+    EXPECT_DOUBLE_EQ(document.project().cableKilometres, 0.5);
+    EXPECT_EQ(document.undoStack().count(), 1);
+    auto &first = child<QSpinBox>("firstAddress");
+    first.setFocus();
+    for (int i = 0; i < 3; ++i)
+        QTest::keyClick(&first, Qt::Key_Up);
+    EXPECT_EQ(document.undoStack().count(), 2);
+    QTest::keyClick(&first, Qt::Key_Return);
+    QTest::keyClick(&first, Qt::Key_Up);
+    EXPECT_EQ(document.undoStack().count(), 3) << "another one";
+    document.undoStack().undo();
+    EXPECT_EQ(document.project().addresses.first, 3);
 }
 
 TEST_F(StructureEditorTest, ADeviceIsDraggedOntoABusTerminalAndBetweenOthers)
