@@ -3925,10 +3925,6 @@
         <source>shift_iw: by how many bits the position is shifted right before it stands in D24 to D8. 25 shows the cams only.</source>
         <translation>shift_iw: um wie viele Bits die Position nach rechts verschoben wird, ehe sie in D24 bis D8 steht. 25 zeigt nur die Nocken.</translation>
     </message>
-    <message>
-        <source>nothing</source>
-        <translation>nichts</translation>
-    </message>
 </context>
 <context>
     <name>codewheel::CamTable</name>
@@ -8715,6 +8711,10 @@ Zustand: %4</translation>
     <message>
         <source>%1 at %2 Bd</source>
         <translation>%1 mit %2 Bd</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address. Give two hexadecimal digits, 01 to 1F.</source>
+        <translation>&quot;%1&quot; ist keine Adresse. Zwei hexadezimale Ziffern angeben, 01 bis 1F.</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "line/line_session.h"
+#include "widgets/input/number_fields.h"
 #include "widgets/line/found_encoder_model.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
@@ -27,27 +28,29 @@ namespace {
 const std::vector<int> allRates{19'200, 9'600, 4'800};
 
 // An address as it stands on the encoder: both readings.
-class AddressSpin : public QSpinBox
+class AddressField : public IntegerField
 {
 public:
-    using QSpinBox::QSpinBox;
+    using IntegerField::IntegerField;
 
 protected:
     QString textFromValue(int value) const override
     {
         return LineAddress{static_cast<std::uint8_t>(value)}.shown();
     }
-    int valueFromText(const QString &text) const override
+    tl::expected<int, QString> read(const QString &bare) const override
     {
-        const auto address = LineAddress::fromWire(text.left(text.indexOf(u'h')).trimmed());
-        return address ? address->value : minimum();
+        const auto address = LineAddress::fromWire(bare.left(bare.indexOf(u'h')).trimmed());
+        if (address && address->value >= minimum() && address->value <= maximum())
+            return address->value;
+        return tl::unexpected(
+            LineSearch::tr("\"%1\" is no address. Give two hexadecimal digits, 01 to 1F.").arg(bare));
     }
-    QValidator::State validate(QString &, int &) const override { return QValidator::Acceptable; }
 };
 
 QSpinBox *addressField(int value, const QString &name, QWidget *parent)
 {
-    auto *field = new AddressSpin(parent);
+    auto *field = new AddressField(parent);
     field->setRange(1, LineAddress::last);
     field->setValue(value);
     field->setAccessibleName(name);
@@ -240,6 +243,10 @@ bool LineSearch::isConnected() const
 void LineSearch::start()
 {
     m_message->withdraw();
+    if (const QString wrong = takeFields(*this); !wrong.isEmpty()) {
+        m_message->showMessage(Role::attention, wrong);
+        return;
+    }
     m_found->clear();
     m_empty->setTexts(tr("Searching"),
                       tr("Each address is asked for its serial number. Nothing is written."));

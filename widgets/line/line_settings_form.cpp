@@ -369,14 +369,27 @@ bool LineSettingsForm::isComplete(const LineWish &wish)
     return false;
 }
 
+// Half-typed values are not those of the form: they are taken first, or nothing is done.
+bool LineSettingsForm::takeTyped()
+{
+    const QString wrong = takeFields(*m_content);
+    if (!wrong.isEmpty())
+        m_problem->showMessage(Role::attention, wrong);
+    return wrong.isEmpty();
+}
+
 void LineSettingsForm::connectNow()
 {
+    if (!takeTyped())
+        return;
     if (const LineWish wanted = wish(); isComplete(wanted))
         Q_EMIT connectWanted(wanted, m_isPicked);
 }
 
 void LineSettingsForm::connectOther()
 {
+    if (!takeTyped())
+        return;
     if (const LineWish wanted = wish(); isComplete(wanted))
         Q_EMIT otherAdapterWanted(wanted);
 }

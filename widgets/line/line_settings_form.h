@@ -65,6 +65,7 @@ private:
                         line_limits::Limits limits);
     QComboBox *addChoice(QFormLayout &form, const QString &label, const QString &toolTip);
     QString chosenPort() const;
+    bool takeTyped();
     bool isComplete(const LineWish &wish);
     void connectNow();
     void connectOther();

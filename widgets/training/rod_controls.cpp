@@ -144,7 +144,8 @@ void RodControls::slide(int place)
 
 void RodControls::moveTo()
 {
-    m_target->interpretText();
+    if (!m_target->takeTyped().isEmpty())
+        return; // the field says why
     m_controls.moveMagnetTo(m_shown->number, m_target->value());
     m_leftAlone.forget();
     Q_EMIT acted(tr("Magnet moved to %1 mm.").arg(placeNumber(m_target->value())));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "simulator/training_controls.h"
+#include "widgets/input/number_fields.h"
 #include "widgets/training/left_alone.h"
 
 #include <QWidget>
@@ -9,7 +10,6 @@
 #include <optional>
 
 class QCheckBox;
-class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
 class QSlider;
@@ -49,7 +49,7 @@ private:
     LeftAlone m_leftAlone;
     QSlider *m_track; // in tenths of mm
     QLabel *m_place;
-    QDoubleSpinBox *m_target;
+    DecimalField *m_target;
     QDoubleSpinBox *m_speed;
     QCheckBox *m_inRange;
 };

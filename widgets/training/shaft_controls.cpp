@@ -122,7 +122,8 @@ void ShaftControls::turnBy(qint64 steps)
 
 void ShaftControls::turnTo()
 {
-    m_target->interpretText();
+    if (!m_target->takeTyped().isEmpty())
+        return; // the field says why
     m_controls.turnTo(m_shown->number, m_target->value());
     m_leftAlone.forget();
     Q_EMIT acted(tr("Shaft turned to raw position %1.").arg(QLocale().toString(m_target->value())));

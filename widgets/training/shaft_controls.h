@@ -2,16 +2,15 @@
 #pragma once
 
 #include "simulator/training_controls.h"
+#include "widgets/input/number_fields.h"
 #include "widgets/training/left_alone.h"
 
 #include <QWidget>
 
 #include <optional>
 
-class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
-class QSpinBox;
 
 namespace codewheel {
 
@@ -49,7 +48,7 @@ private:
     HandWheel *m_wheel;
     QLabel *m_raw;
     QLabel *m_turn;
-    QSpinBox *m_target;
+    IntegerField *m_target;
     QDoubleSpinBox *m_speed;
 };
 

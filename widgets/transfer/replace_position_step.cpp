@@ -2,8 +2,8 @@
 #include "widgets/transfer/replace_position_step.h"
 
 #include "catalog/device_description.h"
-#include "encoder/hex.h"
 #include "encoder/refusal_text.h"
+#include "widgets/input/decimal_text.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/wrapped_radio_button.h"
@@ -107,6 +107,19 @@ QRadioButton *ReplacePositionStep::chosen() const
     return nullptr;
 }
 
+void ReplacePositionStep::takeTyped()
+{
+    const QString text = m_value->text().trimmed();
+    const auto position = readWhole(text, QLocale());
+    if (position && *position >= 0)
+        m_replacing.position = *position;
+    else
+        m_message->showMessage(
+            Role::attention, position || text.isEmpty()
+                                 ? tr("Give the position as a whole number, 0 or more, or leave it as it is.")
+                                 : position.error());
+}
+
 bool ReplacePositionStep::leave()
 {
     m_message->withdraw();
@@ -118,10 +131,7 @@ bool ReplacePositionStep::leave()
     else if (m_kept->isChecked() && m_replacing.before.lastPosition)
         m_replacing.position = m_replacing.before.lastPosition->position;
     else
-        m_replacing.position = parseNumber(m_value->text().remove(QLocale().groupSeparator()));
-    if (!m_replacing.position)
-        m_message->showMessage(Role::attention,
-                               tr("Give the position as a whole number, 0 or more, or leave it as it is."));
+        takeTyped();
     return m_replacing.position.has_value();
 }
 

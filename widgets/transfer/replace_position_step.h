@@ -26,6 +26,7 @@ public:
 
 private:
     void showOffers();
+    void takeTyped();
     QRadioButton *chosen() const;
 
     const LastPositions &m_positions;

@@ -57,6 +57,24 @@ TEST_F(LineSearchTest, NeedsALine)
     EXPECT_FALSE(button("Take over").isEnabled());
 }
 
+TEST_F(LineSearchTest, WhatIsNoAddressIsSaidAndNothingIsSearched)
+{
+    bench.open();
+    auto *first = search.findChild<QSpinBox *>();
+    const int before = search.wish().first.value;
+    first->selectAll();
+    QTest::keyClicks(first, QStringLiteral("zz"));
+    button("Search").click();
+    EXPECT_FALSE(search.findChild<QProgressBar *>()->isVisible());
+    EXPECT_TRUE(isSaid("\"zz\" is no address")) << "not the first one";
+    EXPECT_EQ(search.wish().first.value, before);
+    first->selectAll();
+    QTest::keyClicks(first, QStringLiteral("05"));
+    button("Search").click();
+    EXPECT_EQ(search.wish().first.value, 5);
+    EXPECT_TRUE(search.findChild<QProgressBar *>()->isVisible());
+}
+
 TEST_F(LineSearchTest, ShowsWhatAnEncoderTellsOfItself)
 {
     bench.open();
@@ -155,6 +173,9 @@ TEST_F(LineSearchTest, AsksAsWished)
 TEST_F(LineSearchTest, AnAddressIsTypedAsItStandsOnTheWire)
 {
     auto &first = *search.findChildren<QSpinBox *>().at(0);
+    search.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&search));
+    first.setFocus();
     first.selectAll();
     QTest::keyClicks(&first, QStringLiteral("1f"));
     QTest::keyClick(&first, Qt::Key_Tab);

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QTest>
 
 namespace codewheel {
 namespace {
@@ -58,6 +59,24 @@ TEST_F(LineSettingsFormTest, BeginsWithTheSettingsOfTheFactory)
     EXPECT_EQ(wanted.front(), factory);
     EXPECT_EQ(field<QComboBox>("Port").currentText(),
               QStringLiteral("/dev/ttyUSB0, USB Serial, serial number FT12345"));
+}
+
+// Pressed by its key, the button leaves the focus where it is.
+TEST_F(LineSettingsFormTest, WhatIsTypedIsTakenOrRefusedBeforeTheLineIsOpened)
+{
+    form.setPorts(ports);
+    auto &timeOut = field<QSpinBox>("Time-out");
+    timeOut.setFocus();
+    timeOut.selectAll();
+    QTest::keyClicks(&timeOut, QStringLiteral("250"));
+    connectNow();
+    ASSERT_EQ(wanted.size(), 1U);
+    EXPECT_EQ(wanted.back().timing.answerTimeOut, 250ms);
+    timeOut.selectAll();
+    QTest::keyClicks(&timeOut, QStringLiteral("2,5x"));
+    connectNow();
+    EXPECT_EQ(wanted.size(), 1U);
+    EXPECT_EQ(said(), QStringLiteral("\"2,5x\" is no number."));
 }
 
 TEST_F(LineSettingsFormTest, APathMayBeTyped)

@@ -11,6 +11,7 @@
 #include <QPoint>
 #include <QSpinBox>
 #include <QTest>
+#include <QToolButton>
 
 #include <gtest/gtest.h>
 #include <vector>
@@ -139,6 +140,18 @@ TEST_F(TrainingPanelTest, TellsOfTurningBeforeAnotherDeviceIsChosen)
     panel.setDevice(baumer);
     ASSERT_EQ(acts.size(), 1U);
     EXPECT_EQ(acts[0].number, fraba);
+}
+
+TEST_F(TrainingPanelTest, ToWhatIsRefusedNothingTurns)
+{
+    auto &target = find<QSpinBox>("Raw position to turn to");
+    target.setFocus();
+    target.selectAll();
+    QTest::keyClicks(&target, QStringLiteral("2.5"));
+    find<QToolButton>("Turn to the raw position").click();
+    picture();
+    EXPECT_TRUE(acts.empty());
+    EXPECT_EQ(target.text(), QStringLiteral("2.5")) << "to be corrected";
 }
 
 TEST_F(TrainingPanelTest, TurnsToAnExactPosition)

@@ -88,6 +88,22 @@ TEST_F(ReplacePageTest, APositionCanBeTypedOrLeft)
     EXPECT_EQ(session.encoder(fraba).latest().position, 3000);
 }
 
+TEST_F(ReplacePageTest, APositionWithDecimalsOrOfTwoMeaningsIsRefused)
+{
+    QLocale::setDefault(QLocale(QLocale::German));
+    page.replace(fraba);
+    click("replaceNext");
+    click("replaceNext");
+    for (const char *position : {"2.5", "1.000", "abc"}) {
+        find<QLineEdit>("positionValue")->clear();
+        type("positionValue", position);
+        click("replaceNext");
+        EXPECT_EQ(find<QLabel>("replaceTitle")->text(),
+                  QStringLiteral("Replace encoder 1.0: 2 of 4  Position"))
+            << position;
+    }
+}
+
 // The encoder died before the program was started.
 TEST_F(ReplacePageTest, ThePositionOfTheProjectIsOffered)
 {
