@@ -3049,6 +3049,41 @@
     </message>
 </context>
 <context>
+    <name>ValueNotes</name>
+    <message>
+        <source>With the steps, the encoder sets its revolutions to %1. If they shall be others, write them along with the steps.</source>
+        <translation>Mit den Schritten setzt der Geber seine Umdrehungen auf %1. Wenn es andere sein sollen, zusammen mit den Schritten schreiben.</translation>
+    </message>
+    <message>
+        <source>With the steps, the encoder sets its revolutions to %1: now they are %2. If they shall stay, write them along with the steps.</source>
+        <translation>Mit den Schritten setzt der Geber seine Umdrehungen auf %1: Jetzt sind es %2. Wenn es dabei bleiben soll, zusammen mit den Schritten schreiben.</translation>
+    </message>
+    <message>
+        <source>%1 steps in %2 revolutions give no whole number of steps over %3 turns: the position jumps by %5 steps after turn %4.</source>
+        <translation>%1 Schritte in %2 Umdrehungen ergeben über %3 Umdrehungen keine ganze Zahl von Schritten: Nach Umdrehung %4 springt die Position um %5 Schritte.</translation>
+    </message>
+    <message>
+        <source>The %1 revolutions do not divide the %2 turns of the encoder: the position jumps by %3 steps after turn %2.</source>
+        <translation>Die %1 Umdrehungen teilen die %2 Umdrehungen des Gebers nicht: Nach Umdrehung %2 springt die Position um %3 Schritte.</translation>
+    </message>
+    <message>
+        <source>The measuring range of %1 turns does not divide the %2 turns of the encoder: the position jumps by %3 steps after turn %2.</source>
+        <translation>Der Messbereich von %1 Umdrehungen teilt die %2 Umdrehungen des Gebers nicht: Nach Umdrehung %2 springt die Position um %3 Schritte.</translation>
+    </message>
+    <message>
+        <source>The measuring range of %1 turns does not divide the %2 turns of the encoder: the position jumps after turn %2.</source>
+        <translation>Der Messbereich von %1 Umdrehungen teilt die %2 Umdrehungen des Gebers nicht: Nach Umdrehung %2 springt die Position.</translation>
+    </message>
+    <message>
+        <source>%1 steps in %2 revolutions give no whole number of steps over %3 turns: the position jumps by a fraction of a step after turn %4.</source>
+        <translation>%1 Schritte in %2 Umdrehungen ergeben über %3 Umdrehungen keine ganze Zahl von Schritten: Nach Umdrehung %4 springt die Position um den Bruchteil eines Schritts.</translation>
+    </message>
+    <message>
+        <source>With another scaling the position tells another place: set it to the preset again afterwards.</source>
+        <translation>Mit einer anderen Skalierung bedeutet die Position einen anderen Ort: Danach wieder auf den Preset setzen.</translation>
+    </message>
+</context>
+<context>
     <name>WizardReport</name>
     <message>
         <source>not known</source>
@@ -14505,41 +14540,6 @@ Zustand: %7</translation>
     <message>
         <source>What will be sent, between ESC and CR LF</source>
         <translation>Was gesendet wird, zwischen ESC und CR LF</translation>
-    </message>
-</context>
-<context>
-    <name>ValueNotes</name>
-    <message>
-        <source>With the steps, the encoder sets its revolutions to %1. If they shall be others, write them along with the steps.</source>
-        <translation>Mit den Schritten setzt der Geber seine Umdrehungen auf %1. Wenn es andere sein sollen, zusammen mit den Schritten schreiben.</translation>
-    </message>
-    <message>
-        <source>With the steps, the encoder sets its revolutions to %1: now they are %2. If they shall stay, write them along with the steps.</source>
-        <translation>Mit den Schritten setzt der Geber seine Umdrehungen auf %1: Jetzt sind es %2. Wenn es dabei bleiben soll, zusammen mit den Schritten schreiben.</translation>
-    </message>
-    <message>
-        <source>%1 steps in %2 revolutions give no whole number of steps over %3 turns: the position jumps by %5 steps after turn %4.</source>
-        <translation>%1 Schritte in %2 Umdrehungen ergeben über %3 Umdrehungen keine ganze Zahl von Schritten: Nach Umdrehung %4 springt die Position um %5 Schritte.</translation>
-    </message>
-    <message>
-        <source>The %1 revolutions do not divide the %2 turns of the encoder: the position jumps by %3 steps after turn %2.</source>
-        <translation>Die %1 Umdrehungen teilen die %2 Umdrehungen des Gebers nicht: Nach Umdrehung %2 springt die Position um %3 Schritte.</translation>
-    </message>
-    <message>
-        <source>The measuring range of %1 turns does not divide the %2 turns of the encoder: the position jumps by %3 steps after turn %2.</source>
-        <translation>Der Messbereich von %1 Umdrehungen teilt die %2 Umdrehungen des Gebers nicht: Nach Umdrehung %2 springt die Position um %3 Schritte.</translation>
-    </message>
-    <message>
-        <source>The measuring range of %1 turns does not divide the %2 turns of the encoder: the position jumps after turn %2.</source>
-        <translation>Der Messbereich von %1 Umdrehungen teilt die %2 Umdrehungen des Gebers nicht: Nach Umdrehung %2 springt die Position.</translation>
-    </message>
-    <message>
-        <source>%1 steps in %2 revolutions give no whole number of steps over %3 turns: the position jumps by a fraction of a step after turn %4.</source>
-        <translation>%1 Schritte in %2 Umdrehungen ergeben über %3 Umdrehungen keine ganze Zahl von Schritten: Nach Umdrehung %4 springt die Position um den Bruchteil eines Schritts.</translation>
-    </message>
-    <message>
-        <source>With another scaling the position tells another place: set it to the preset again afterwards.</source>
-        <translation>Mit einer anderen Skalierung bedeutet die Position einen anderen Ort: Danach wieder auf den Preset setzen.</translation>
     </message>
 </context>
 </TS>
