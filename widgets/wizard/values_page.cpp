@@ -176,6 +176,8 @@ void ValuesPage::checkFields()
 
 void ValuesPage::takeFields()
 {
+    if (!m_setup.encoder) // gone, while a field was being typed in
+        return;
     Setup::Wishes wishes;
     for (const auto &[parameter, row] : m_rows)
         if (const auto value = row.field->value())

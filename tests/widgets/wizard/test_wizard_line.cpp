@@ -83,7 +83,18 @@ TEST_F(WizardLine, StepsWarnOfTheRevolutionsTheySet)
     const auto warning = [this] { return find<InlineMessage>("scaleWarning")->sentence(); };
     EXPECT_TRUE(warning().contains(QStringLiteral("sets its revolutions to"))) << warning().toStdString();
     type("revolutions", "16");
+    leaveField();
     EXPECT_FALSE(warning().contains(QStringLiteral("sets its revolutions to")));
+}
+
+TEST_F(WizardLine, AFieldThatIsTypedInOutlivesItsEncoder)
+{
+    toValues();
+    type("steps", "360");
+    EXPECT_TRUE(line.remove(place));
+    if (QWidget *field = QApplication::focusWidget())
+        field->clearFocus();
+    EXPECT_FALSE(wizard.isBusy());
 }
 
 TEST_F(WizardLine, RequestsAreReviewedSentAndReadBack)
