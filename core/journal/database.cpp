@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/database.h"
 
+#include "journal/busy_wait.h"
 #include "journal/journal_texts.h"
 
 #include <QDateTime>
@@ -17,15 +18,20 @@ namespace codewheel {
 namespace {
 
 // Primary result codes of SQLite, as QSqlError::nativeErrorCode() gives them.
+constexpr int sqliteBusy = 5;
 constexpr int sqliteNoMemory = 7;
 constexpr int sqliteReadOnly = 8;
+constexpr int sqliteInputOutput = 10;
 constexpr int sqliteCorrupt = 11;
 constexpr int sqliteFull = 13;
 constexpr int sqliteNoDatabase = 26;
 
 constexpr QByteArrayView sqliteHeader("SQLite format 3", 16); // with its zero
+constexpr qsizetype journalModeAt = 18;                       // in the header
+constexpr char writeAheadLog = 2;
 
-constexpr auto connectOptions = "QSQLITE_BUSY_TIMEOUT=5000;QSQLITE_OPEN_URI";
+// SQLite itself waits but shortly, and then tries ever less often; the rest is BusyWait's.
+constexpr auto connectOptions = "QSQLITE_BUSY_TIMEOUT=20;QSQLITE_OPEN_URI";
 
 // For each connection. A schema of a hostile file shall call nothing, and one row shall not take all memory.
 constexpr const char *settings[] = {
@@ -40,39 +46,26 @@ QString newName()
     return QStringLiteral("codewheel-%1").arg(++counter);
 }
 
-DatabaseError brokenFile()
+DatabaseError foreignFile(const QString &reason)
 {
-    return {DatabaseError::Kind::broken, Journal::tr("it is damaged, or no database at all.")};
+    return {DatabaseError::Kind::foreign, reason};
 }
 
-// Where another kind of file has its name, it is not ours to put aside. An empty file is a new database.
-std::optional<DatabaseError> otherFileAt(const QString &path)
+int primaryCode(const QSqlError &error)
 {
-    const auto other = [](const QString &reason) {
-        return DatabaseError{DatabaseError::Kind::foreign, reason};
-    };
-    const QFileInfo info(path);
-    if (!info.exists())
-        return std::nullopt;
-    if (!info.isFile()) // a pipe would never end
-        return other(Journal::tr("it is no file."));
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return std::nullopt; // SQLite says why
-    const QByteArray begin = file.read(sqliteHeader.size());
-    if (begin.isEmpty() || begin == sqliteHeader)
-        return std::nullopt;
-    return other(Journal::tr("it is no database, and was left as it was."));
+    return error.nativeErrorCode().toInt() & 0xFF; // without the extended part
 }
 
-QStringList objects(const QSqlDatabase &connection)
+// Tries until no other program holds the file.
+template <typename Try>
+Stored<void> whenFree(const QString &file, const QSqlQuery &query, Try isDone)
 {
-    QSqlQuery query(connection);
-    QStringList found;
-    query.exec(QStringLiteral("SELECT sql FROM sqlite_schema WHERE name NOT LIKE 'sqlite\\_%' ESCAPE '\\'"));
-    while (query.next())
-        found.append(query.value(0).toString());
-    return found;
+    if (isDone())
+        return {};
+    for (BusyWait busy(file); primaryCode(query.lastError()) == sqliteBusy && busy.goesOn();)
+        if (isDone())
+            return {};
+    return tl::unexpected(Database::errorOf(query.lastError()));
 }
 
 // As a URI, since the name of a file may hold what means something there.
@@ -93,11 +86,15 @@ DatabasePlace DatabasePlace::memory()
 }
 
 Database::Database(Database &&other) noexcept
-    : m_connection(std::exchange(other.m_connection, {}))
+    : m_file(std::exchange(other.m_file, {}))
+    , m_open(std::move(other.m_open))
+    , m_connection(std::exchange(other.m_connection, {}))
 {}
 
 Database &Database::operator=(Database &&other) noexcept
 {
+    std::swap(m_file, other.m_file);
+    std::swap(m_open, other.m_open);
     std::swap(m_connection, other.m_connection);
     return *this;
 }
@@ -117,13 +114,21 @@ void Database::close()
     QSqlDatabase::removeDatabase(name);
 }
 
+DatabaseError Database::damaged()
+{
+    return {DatabaseError::Kind::broken, Journal::tr("it is damaged, or no database at all.")};
+}
+
 DatabaseError Database::errorOf(const QSqlError &error)
 {
-    const int code = error.nativeErrorCode().toInt() & 0xFF; // without the extended part
-    switch (code) {
+    switch (primaryCode(error)) {
+    case sqliteBusy:
+        return {DatabaseError::Kind::locked, Journal::tr("another program has locked it.")};
+    case sqliteInputOutput:
+        return {DatabaseError::Kind::other, Journal::tr("its disk cannot be read or written.")};
     case sqliteCorrupt:
     case sqliteNoDatabase:
-        return brokenFile();
+        return damaged();
     case sqliteFull:
         return {DatabaseError::Kind::other, Journal::tr("the disk is full.")};
     case sqliteReadOnly:
@@ -145,9 +150,30 @@ Stored<Database> Database::open(const DatabasePlace &place, const DatabaseSchema
     if (!place.inMemory && !QDir().mkpath(QFileInfo(place.name).absolutePath()))
         return tl::unexpected(
             DatabaseError{DatabaseError::Kind::other, Journal::tr("its folder cannot be made.")});
-    if (const auto other = place.inMemory ? std::nullopt : otherFileAt(place.name))
-        return tl::unexpected(*other);
-    Database database(QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), newName()));
+    auto database = connect(place);
+    if (!database)
+        return database;
+    if (auto prepared = database->prepare(schema); !prepared)
+        return tl::unexpected(prepared.error());
+    return database;
+}
+
+// Where another kind of file has its name, it is not ours to put aside, and not touched. An empty file is a
+// new database.
+Stored<Database> Database::connect(const DatabasePlace &place)
+{
+    const QFileInfo info(place.name);
+    if (!place.inMemory && info.exists() && !info.isFile()) // a pipe would never end
+        return tl::unexpected(foreignFile(Journal::tr("it is no file.")));
+    const OpenFile::Turn turn = OpenFile::turn();
+    std::optional<QByteArray> begin;
+    if (!place.inMemory)
+        begin = OpenFile::beginning(turn, place.name, journalModeAt + 1);
+    if (begin && !begin->isEmpty() && !begin->startsWith(sqliteHeader))
+        return tl::unexpected(foreignFile(Journal::tr("it is no database, and was left as it was.")));
+
+    Database database(QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), newName()),
+                      place.inMemory ? QString() : place.name);
     QSqlDatabase &connection = database.m_connection;
     if (!connection.isValid())
         return tl::unexpected(DatabaseError{
@@ -156,9 +182,20 @@ Stored<Database> Database::open(const DatabasePlace &place, const DatabaseSchema
     connection.setConnectOptions(QString::fromLatin1(connectOptions));
     if (!connection.open())
         return tl::unexpected(errorOf(connection.lastError()));
-    if (auto prepared = database.prepare(schema); !prepared)
-        return tl::unexpected(prepared.error());
+    if (!place.inMemory)
+        database.m_open = OpenFile(turn, place.name);
+    if (begin && begin->size() > journalModeAt && begin->at(journalModeAt) == writeAheadLog)
+        database.leaveWriteAheadLog();
     return database;
+}
+
+// Files of earlier versions are kept with one. Locked for this program alone, it is left without the file in
+// shared memory. Where another program has it open, it stays as it is.
+void Database::leaveWriteAheadLog() const
+{
+    for (const char *step : {"PRAGMA locking_mode = EXCLUSIVE", "PRAGMA journal_mode = DELETE",
+                             "PRAGMA locking_mode = NORMAL", "SELECT count(*) FROM sqlite_schema"})
+        (void)execute(QString::fromLatin1(step));
 }
 
 Stored<void> Database::prepare(const DatabaseSchema &schema) const
@@ -171,27 +208,29 @@ Stored<void> Database::prepare(const DatabaseSchema &schema) const
         return tl::unexpected(tables.error());
     if (auto ready = *tables == 0 ? make(schema) : check(schema); !ready)
         return ready;
-    return execute(schema.survivesPowerLoss ? QStringLiteral("PRAGMA synchronous = FULL")
+    return execute(schema.survivesPowerLoss ? QStringLiteral("PRAGMA synchronous = EXTRA")
                                             : QStringLiteral("PRAGMA synchronous = NORMAL"));
 }
 
 Stored<void> Database::make(const DatabaseSchema &schema) const
 {
-    // Only a database without tables takes these two.
-    for (const auto &setting :
-         {QStringLiteral("PRAGMA auto_vacuum = INCREMENTAL"), QStringLiteral("PRAGMA journal_mode = WAL")})
-        if (auto set = execute(setting); !set)
-            return set;
+    // Only a database without tables takes this.
+    if (auto set = execute(QStringLiteral("PRAGMA auto_vacuum = INCREMENTAL")); !set)
+        return set;
     return inTransaction([&]() -> Stored<void> {
-        if (!objects(m_connection).isEmpty()) // another program was faster
+        const auto found = objects();
+        if (!found)
+            return tl::unexpected(found.error());
+        if (!found->isEmpty()) // another program was faster
             return check(schema);
-        QStringList statements = schema.statements;
-        statements << QStringLiteral("PRAGMA application_id = %1").arg(schema.applicationId)
-                   << QStringLiteral("PRAGMA user_version = %1").arg(schema.version);
-        for (const QString &statement : statements)
-            if (auto made = execute(statement); !made)
-                return made;
-        return {};
+        for (const DatabaseSchema::Version &version : schema.versions)
+            for (const QString &statement : version.statements)
+                if (auto made = execute(statement); !made)
+                    return made;
+        if (auto told = execute(QStringLiteral("PRAGMA application_id = %1").arg(schema.applicationId));
+            !told)
+            return told;
+        return execute(QStringLiteral("PRAGMA user_version = %1").arg(schema.versions.size()));
     });
 }
 
@@ -202,45 +241,82 @@ Stored<void> Database::check(const DatabaseSchema &schema) const
     if (!kind || !version)
         return tl::unexpected(kind ? version.error() : kind.error());
     if (*kind != schema.applicationId)
-        return tl::unexpected(DatabaseError{DatabaseError::Kind::foreign,
-                                            Journal::tr("it is the database of another program.")});
-    if (*version > schema.version)
+        return tl::unexpected(foreignFile(Journal::tr("it is the database of another program.")));
+    if (*version > std::ssize(schema.versions))
         return tl::unexpected(DatabaseError{
             DatabaseError::Kind::newer,
             Journal::tr("it was made by a newer Codewheel (version %1 of the file; this one reads up to %2).")
                 .arg(*version)
-                .arg(schema.version)});
-    QStringList found = objects(m_connection);
-    QStringList expected = schema.statements;
-    found.sort();
+                .arg(schema.versions.size())});
+    const auto found = objects();
+    if (!found)
+        return tl::unexpected(found.error());
+    QStringList expected;
+    for (qint64 i = 0; i < *version; ++i)
+        expected << schema.versions[static_cast<std::size_t>(i)].statements;
     expected.sort();
-    if (found != expected)
-        return tl::unexpected(brokenFile());
-    return {};
+    if (*found != expected)
+        return tl::unexpected(damaged());
+    return *version < std::ssize(schema.versions) ? raise(schema) : Stored<void>();
+}
+
+// To the newest version.
+Stored<void> Database::raise(const DatabaseSchema &schema) const
+{
+    return inTransaction([&]() -> Stored<void> {
+        const auto version = number(QStringLiteral("PRAGMA user_version")); // another program may be faster
+        if (!version)
+            return tl::unexpected(version.error());
+        for (auto i = static_cast<std::size_t>(std::max<qint64>(*version, 0)); i < schema.versions.size();
+             ++i)
+            for (const QString &statement : schema.versions[i].statements + schema.versions[i].filling)
+                if (auto done = execute(statement); !done)
+                    return done;
+        return execute(QStringLiteral("PRAGMA user_version = %1").arg(schema.versions.size()));
+    });
+}
+
+// The statements of all tables, indices, ..., sorted.
+Stored<QStringList> Database::objects() const
+{
+    QSqlQuery rows =
+        query(QStringLiteral("SELECT sql FROM sqlite_schema WHERE name NOT LIKE 'sqlite\\_%' ESCAPE '\\'"));
+    if (auto done = run(rows); !done)
+        return tl::unexpected(done.error());
+    QStringList found;
+    while (rows.next())
+        found.append(rows.value(0).toString());
+    if (rows.lastError().isValid()) // in the midst of the file
+        return tl::unexpected(errorOf(rows.lastError()));
+    found.sort();
+    return found;
 }
 
 QSqlQuery Database::query(const QString &sql) const
 {
     QSqlQuery query(m_connection);
     query.setForwardOnly(true);
-    query.prepare(sql);
+    (void)whenFree(m_file, query, [&] { return query.prepare(sql); }); // running it tells why
     return query;
+}
+
+Stored<void> Database::run(QSqlQuery &query) const
+{
+    return whenFree(m_file, query, [&] { return query.exec(); });
 }
 
 Stored<void> Database::execute(const QString &sql) const
 {
     QSqlQuery query(m_connection);
-    if (!query.exec(sql))
-        return tl::unexpected(errorOf(query.lastError()));
-    return {};
+    return whenFree(m_file, query, [&] { return query.exec(sql); });
 }
 
 Stored<qint64> Database::number(const QString &sql) const
 {
     QSqlQuery query(m_connection);
-    if (!query.exec(sql))
-        return tl::unexpected(errorOf(query.lastError()));
-    return query.next() ? query.value(0).toLongLong() : 0;
+    return whenFree(m_file, query, [&] { return query.exec(sql); }).map([&] {
+        return query.next() ? query.value(0).toLongLong() : 0;
+    });
 }
 
 QString putAside(const QString &path)
@@ -249,7 +325,7 @@ QString putAside(const QString &path)
     QString aside = QStringLiteral("%1.damaged-%2").arg(path, stamp);
     if (!QFile::rename(path, aside))
         return {};
-    for (const QString &suffix : {QStringLiteral("-wal"), QStringLiteral("-shm")})
+    for (const QString &suffix : {QStringLiteral("-journal"), QStringLiteral("-wal"), QStringLiteral("-shm")})
         QFile::rename(path + suffix, aside + suffix);
     return aside;
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "journal/open_file.h"
+
 #include <QSqlDatabase>
 #include <QString>
 #include <QStringList>
 
 #include <tl/expected.hpp>
+#include <vector>
 
 class QSqlError;
 class QSqlQuery;
@@ -19,6 +22,7 @@ struct DatabaseError
         broken,  // a damaged database
         newer,   // made by a newer version of this program
         foreign, // no database, or that of another program
+        locked,  // another program holds it, and does nothing
         other,   // not writable, disk full, ...
     };
 
@@ -43,16 +47,26 @@ struct DatabasePlace
 // What a database of ours holds. The statements are compared with those in the file, letter by letter.
 struct DatabaseSchema
 {
-    int applicationId = 0; // in the header of the file: what kind of file it is
-    int version = 1;
-    QStringList statements; // CREATE ...
+    // What a version of the format has added.
+    struct Version
+    {
+        QStringList statements;   // CREATE ...
+        QStringList filling = {}; // for what is in a file of the version before
+    };
+
+    int applicationId = 0;         // in the header of the file: what kind of file it is
+    std::vector<Version> versions; // 1, 2, ...
     // After a loss of power, too, nothing is missing that was committed. After the end of the program, by
     // whatever it came, nothing is missing in any case.
     bool survivesPowerLoss = false;
 };
 
 // One connection to a SQLite database; only the thread that opened it uses it. Several programs may have the
-// same file open.
+// same file open, and wait for each other (BusyWait).
+//
+// It is kept with a rollback journal. With a write-ahead log (WAL), all programs share a file that is mapped
+// into their memory, and where the disk is so full that a hole of it cannot be filled, they are ended by
+// SIGBUS; without one, a full disk is an error that is told.
 class Database
 {
 public:
@@ -63,8 +77,9 @@ public:
     Database &operator=(Database &&other) noexcept;
     ~Database();
 
-    // Ready to be executed and read, row by row, once.
+    // Ready to be run and read, row by row, once.
     QSqlQuery query(const QString &sql) const;
+    Stored<void> run(QSqlQuery &query) const;
     Stored<void> execute(const QString &sql) const;
     // The first value of the first row; 0 where there is none.
     Stored<qint64> number(const QString &sql) const;
@@ -84,18 +99,26 @@ public:
     }
 
     static DatabaseError errorOf(const QSqlError &error);
+    static DatabaseError damaged();
     // Qt's driver is there.
     static bool isAvailable();
 
 private:
-    explicit Database(const QSqlDatabase &connection)
-        : m_connection(connection)
+    Database(const QSqlDatabase &connection, QString file)
+        : m_file(std::move(file))
+        , m_connection(connection)
     {}
+    static Stored<Database> connect(const DatabasePlace &place);
     Stored<void> prepare(const DatabaseSchema &schema) const;
     Stored<void> make(const DatabaseSchema &schema) const;
     Stored<void> check(const DatabaseSchema &schema) const;
+    Stored<void> raise(const DatabaseSchema &schema) const;
+    Stored<QStringList> objects() const;
+    void leaveWriteAheadLog() const;
     void close();
 
+    QString m_file;  // empty: in memory
+    OpenFile m_open; // until the connection is closed
     QSqlDatabase m_connection;
 };
 

@@ -5,7 +5,6 @@
 
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSqlError>
 #include <QSqlQuery>
 #include <QVariant>
 
@@ -20,13 +19,14 @@ const DatabaseSchema &ledgerSchema()
 {
     static const DatabaseSchema ledger{
         .applicationId = ledgerApplication,
-        .version = 1,
-        .statements = {QStringLiteral(
-                           "CREATE TABLE entry (id INTEGER PRIMARY KEY AUTOINCREMENT, at INTEGER NOT NULL, "
-                           "identity TEXT NOT NULL, counted_by TEXT NOT NULL, place TEXT NOT NULL, "
-                           "device TEXT NOT NULL, planned INTEGER NOT NULL, writes INTEGER NOT NULL, "
-                           "settled INTEGER NOT NULL, before TEXT NOT NULL, written TEXT NOT NULL)"),
-                       QStringLiteral("CREATE INDEX entry_identity ON entry (identity)")},
+        .versions =
+            {{.statements =
+                  {QStringLiteral(
+                       "CREATE TABLE entry (id INTEGER PRIMARY KEY AUTOINCREMENT, at INTEGER NOT NULL, "
+                       "identity TEXT NOT NULL, counted_by TEXT NOT NULL, place TEXT NOT NULL, "
+                       "device TEXT NOT NULL, planned INTEGER NOT NULL, writes INTEGER NOT NULL, "
+                       "settled INTEGER NOT NULL, before TEXT NOT NULL, written TEXT NOT NULL)"),
+                   QStringLiteral("CREATE INDEX entry_identity ON entry (identity)")}}},
         .survivesPowerLoss = true};
     return ledger;
 }
@@ -111,13 +111,6 @@ Ledger::Entry entryOf(const QSqlQuery &row)
     return entry;
 }
 
-Stored<void> done(QSqlQuery &query)
-{
-    if (!query.exec())
-        return tl::unexpected(Database::errorOf(query.lastError()));
-    return {};
-}
-
 // Sums over entries. Whatever a file says, nothing is counted below 0.
 constexpr QLatin1String sums("ifnull(sum(max(writes, 0)), 0), "
                              "ifnull(sum(CASE settled WHEN 0 THEN max(planned - writes, 0) ELSE 0 END), 0), "
@@ -135,7 +128,7 @@ std::vector<Ledger::Value> beforeOf(const Database &database, qint64 id)
 {
     QSqlQuery query = database.query(QStringLiteral("SELECT before FROM entry WHERE id = ?"));
     query.addBindValue(id);
-    return query.exec() && query.next() ? valuesFrom(query.value(0).toString())
+    return database.run(query) && query.next() ? valuesFrom(query.value(0).toString())
                                         : std::vector<Ledger::Value>();
 }
 
@@ -183,7 +176,7 @@ Stored<qint64> Ledger::begin(const Entry &entry)
              entry.place.toString(), entry.device.isNull() ? QStringLiteral("") : entry.device, entry.planned,
              entry.writes, entry.settled ? 1 : 0, toJson(entry.before), toJson(entry.written)})
         query.addBindValue(value);
-    if (auto inserted = done(query); !inserted)
+    if (auto inserted = m_database.run(query); !inserted)
         return tl::unexpected(inserted.error());
     return query.lastInsertId().toLongLong();
 }
@@ -193,7 +186,7 @@ Stored<void> Ledger::count(qint64 id, int writes)
     QSqlQuery query = m_database.query(QStringLiteral("UPDATE entry SET writes = writes + ? WHERE id = ?"));
     query.addBindValue(writes);
     query.addBindValue(id);
-    return done(query);
+    return m_database.run(query);
 }
 
 Stored<void> Ledger::plan(qint64 id, int more)
@@ -201,7 +194,7 @@ Stored<void> Ledger::plan(qint64 id, int more)
     QSqlQuery query = m_database.query(QStringLiteral("UPDATE entry SET planned = planned + ? WHERE id = ?"));
     query.addBindValue(more);
     query.addBindValue(id);
-    return done(query);
+    return m_database.run(query);
 }
 
 Stored<void> Ledger::settle(qint64 id, const ParameterValues &written, const std::vector<Value> &readBefore)
@@ -211,14 +204,14 @@ Stored<void> Ledger::settle(qint64 id, const ParameterValues &written, const std
             QSqlQuery before = m_database.query(QStringLiteral("UPDATE entry SET before = ? WHERE id = ?"));
             before.addBindValue(toJson(merged(beforeOf(m_database, id), readBefore)));
             before.addBindValue(id);
-            if (auto added = done(before); !added)
+            if (auto added = m_database.run(before); !added)
                 return added;
         }
         QSqlQuery query =
             m_database.query(QStringLiteral("UPDATE entry SET settled = 1, written = ? WHERE id = ?"));
         query.addBindValue(toJson(written));
         query.addBindValue(id);
-        if (auto settled = done(query); !settled)
+        if (auto settled = m_database.run(query); !settled)
             return settled;
         return m_database.execute(
             QStringLiteral("DELETE FROM entry WHERE id = %1 AND settled AND writes = 0").arg(id));
@@ -234,7 +227,7 @@ Stored<void> Ledger::attribute(const std::vector<qint64> &ids, const EncoderIden
             query.addBindValue(identity.key());
             query.addBindValue(nameIn(countedByNames, identity.by));
             query.addBindValue(id);
-            if (auto updated = done(query); !updated)
+            if (auto updated = m_database.run(query); !updated)
                 return updated;
         }
         return {};
@@ -259,7 +252,7 @@ Stored<void> Ledger::copyPlaces(const QString &from, const QString &to, Places p
     query.bindValue(QStringLiteral(":from"), placePrefix(from));
     query.bindValue(QStringLiteral(":to"), placePrefix(to));
     query.bindValue(QStringLiteral(":line"), places == Places::ofLine ? 1 : 0);
-    return done(query);
+    return m_database.run(query);
 }
 
 EepromCount Ledger::writes(const EncoderIdentity &identity, const std::vector<qint64> &running) const
@@ -267,7 +260,7 @@ EepromCount Ledger::writes(const EncoderIdentity &identity, const std::vector<qi
     QSqlQuery query = m_database.query(QStringLiteral("SELECT %1 FROM entry WHERE identity = ?").arg(sums));
     query.addBindValue(identity.key());
     EepromCount count;
-    if (query.exec() && query.next())
+    if (m_database.run(query) && query.next())
         count = countOf(query, 0);
     for (const qint64 id : running)
         count.perhaps -= static_cast<int>(
@@ -291,7 +284,7 @@ std::vector<Ledger::Entry> Ledger::valuesBefore(const EncoderIdentity &identity)
             .arg(ledgerColumns));
     query.addBindValue(identity.key());
     std::vector<Entry> entries;
-    query.exec();
+    (void)m_database.run(query);
     while (query.next())
         entries.push_back(entryOf(query));
     return entries;
@@ -305,7 +298,7 @@ std::vector<Ledger::Account> Ledger::accounts() const
             "%1 FROM entry GROUP BY identity) AS account JOIN entry ON id = newest ORDER BY 1")
             .arg(sums));
     std::vector<Account> accounts;
-    query.exec();
+    (void)m_database.run(query);
     while (query.next()) {
         Account account{.identity = query.value(0).toString(),
                         .place = DeviceNumber::parse(query.value(2).toString()).value_or(DeviceNumber()),

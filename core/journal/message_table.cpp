@@ -16,11 +16,11 @@ const DatabaseSchema &messagesSchema()
 {
     static const DatabaseSchema messages{
         .applicationId = messagesApplication,
-        .version = 1,
-        .statements = {QStringLiteral("CREATE TABLE message (id INTEGER PRIMARY KEY AUTOINCREMENT, "
-                                      "at INTEGER NOT NULL, severity INTEGER NOT NULL, place TEXT, "
-                                      "code TEXT NOT NULL, arguments TEXT NOT NULL, refusal TEXT)"),
-                       QStringLiteral("CREATE TABLE place (number TEXT PRIMARY KEY) WITHOUT ROWID")}};
+        .versions = {
+            {.statements = {QStringLiteral("CREATE TABLE message (id INTEGER PRIMARY KEY AUTOINCREMENT, "
+                                           "at INTEGER NOT NULL, severity INTEGER NOT NULL, place TEXT, "
+                                           "code TEXT NOT NULL, arguments TEXT NOT NULL, refusal TEXT)"),
+                            QStringLiteral("CREATE TABLE place (number TEXT PRIMARY KEY) WITHOUT ROWID")}}}};
     return messages;
 }
 
@@ -59,10 +59,10 @@ QString conditions(const MessageFilter &filter)
 }
 
 template <typename Row>
-Stored<std::vector<Row>> all(QSqlQuery query, Row (*rowAt)(const QSqlQuery &))
+Stored<std::vector<Row>> all(const Database &database, QSqlQuery query, Row (*rowAt)(const QSqlQuery &))
 {
-    if (!query.exec())
-        return tl::unexpected(Database::errorOf(query.lastError()));
+    if (auto done = database.run(query); !done)
+        return tl::unexpected(done.error());
     std::vector<Row> rows;
     while (query.next())
         rows.push_back(rowAt(query));
@@ -128,14 +128,14 @@ Stored<void> MessageTable::insert(const std::vector<StoredMessage> &messages, bo
                                        orNull(message.refusal)};
             for (int i = 0; i < 7; ++i)
                 row.bindValue(i, values[i]);
-            if (!row.exec())
-                return tl::unexpected(Database::errorOf(row.lastError()));
+            if (auto done = m_database.run(row); !done)
+                return done;
             if (!message.place || noted == message.place)
                 continue;
             noted = message.place;
             place.bindValue(0, number);
-            if (!place.exec())
-                return tl::unexpected(Database::errorOf(place.lastError()));
+            if (auto done = m_database.run(place); !done)
+                return done;
         }
         return {};
     });
@@ -152,8 +152,8 @@ Stored<std::vector<StoredMessage>> MessageTable::read(const std::vector<qint64> 
     std::vector<StoredMessage> messages;
     for (const qint64 id : ids) {
         query.bindValue(0, id);
-        if (!query.exec())
-            return tl::unexpected(Database::errorOf(query.lastError()));
+        if (auto done = m_database.run(query); !done)
+            return tl::unexpected(done.error());
         messages.push_back(query.next() ? messageOf(query) : StoredMessage());
     }
     return messages;
@@ -166,7 +166,7 @@ Stored<std::vector<StoredMessage>> MessageTable::read(qint64 first, qint64 last,
         m_database.query(QStringLiteral("SELECT %1 FROM message").arg(messageColumns) + conditions(filter));
     query.bindValue(0, first);
     query.bindValue(1, last);
-    return all<StoredMessage>(std::move(query), messageOf);
+    return all<StoredMessage>(m_database, std::move(query), messageOf);
 }
 
 Stored<std::vector<qint64>> MessageTable::ids(qint64 first, qint64 last, const MessageFilter &filter) const
@@ -174,14 +174,15 @@ Stored<std::vector<qint64>> MessageTable::ids(qint64 first, qint64 last, const M
     QSqlQuery query = m_database.query(QStringLiteral("SELECT id FROM message") + conditions(filter));
     query.bindValue(0, first);
     query.bindValue(1, last);
-    return all<qint64>(std::move(query), [](const QSqlQuery &row) { return row.value(0).toLongLong(); });
+    return all<qint64>(m_database, std::move(query),
+                       [](const QSqlQuery &row) { return row.value(0).toLongLong(); });
 }
 
 std::vector<DeviceNumber> MessageTable::places() const
 {
     QSqlQuery query = m_database.query(QStringLiteral("SELECT number FROM place"));
     std::vector<DeviceNumber> places;
-    query.exec();
+    (void)m_database.run(query);
     while (query.next())
         if (const auto number = DeviceNumber::parse(query.value(0).toString()))
             places.push_back(*number);

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+
+#include <mutex>
+#include <optional>
+#include <sys/types.h>
+
+namespace codewheel {
+
+// That this program has a file open as a database. When a program closes any descriptor of a file it loses
+// all its POSIX locks on it (fcntl(2)), those of SQLite as well, and other programs take the file for unused.
+// So what SQLite has open must not be opened beside it, not even to look at it.
+class OpenFile
+{
+public:
+    // While a file is looked at, or opened by SQLite, nothing else may be.
+    using Turn = std::unique_lock<std::mutex>;
+    static Turn turn();
+
+    // How the file begins; nothing where this program has it open already, or it cannot be read.
+    static std::optional<QByteArray> beginning(const Turn &turn, const QString &path, qint64 length);
+
+    OpenFile() = default;
+    // SQLite has opened it in this turn.
+    OpenFile(const Turn &turn, const QString &path);
+    OpenFile(OpenFile &&other) noexcept;
+    OpenFile &operator=(OpenFile &&other) noexcept;
+    // After SQLite has closed it.
+    ~OpenFile();
+
+private:
+    struct Id
+    {
+        dev_t device;
+        ino_t number;
+
+        friend auto operator<=>(const Id &, const Id &) = default;
+    };
+    struct Table;
+
+    static Table &table();
+    static std::optional<Id> idOf(const QString &path);
+
+    std::optional<Id> m_id;
+};
+
+} // namespace codewheel
