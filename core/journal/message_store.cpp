@@ -203,8 +203,11 @@ void MessageStore::dropOldest()
     qint64 dropped = 0;
     while (dropped < count) {
         const qint64 now = std::min(droppedAtOnce, count - dropped);
-        if (!m_table->dropUpTo(span->first + dropped + now - 1))
+        if (const auto done = m_table->dropUpTo(span->first + dropped + now - 1); !done) {
+            if (done.error().kind == DatabaseError::Kind::broken)
+                failed(done.error());
             return;
+        }
         dropped += now;
     }
     tell(MessageId::oldMessagesDropped, Severity::information, {std::int64_t{dropped}});

@@ -199,17 +199,38 @@ qint64 MessageTable::size() const
 Stored<void> MessageTable::dropUpTo(qint64 last)
 {
     return m_database.inTransaction([&]() -> Stored<void> {
-        if (auto dropped = m_database.execute(QStringLiteral("DELETE FROM message WHERE id <= %1").arg(last));
-            !dropped)
-            return dropped;
-        const auto pages = m_database.number(QStringLiteral("PRAGMA freelist_count"));
-        QSqlQuery vacuum = m_database.query(QStringLiteral("PRAGMA incremental_vacuum"));
-        for (qint64 page = 0; page < pages.value_or(0);
-             ++page) // Qt takes one step each, which frees one page
-            if (!vacuum.exec())
-                return tl::unexpected(Database::errorOf(vacuum.lastError()));
-        return {};
+        return m_database.execute(QStringLiteral("DELETE FROM message WHERE id <= %1").arg(last))
+            .and_then([&] { return freePages(); });
     });
+}
+
+// Qt takes one step of the statement each time, which frees one page at least: a file whose list of free
+// pages says otherwise is damaged.
+Stored<void> MessageTable::freePages()
+{
+    const auto number = [&](const char *what) { return m_database.number(QString::fromLatin1(what)); };
+    constexpr qint64 incremental = 2;
+    if (number("PRAGMA auto_vacuum").value_or(0) != incremental)
+        return {}; // made by others: it keeps its free pages for later
+    const auto free = number("PRAGMA freelist_count");
+    auto pages = number("PRAGMA page_count");
+    if (!free || !pages)
+        return tl::unexpected(free ? pages.error() : free.error());
+    const qint64 least = *pages - *free;
+    if (least < 0)
+        return tl::unexpected(Database::damaged());
+    QSqlQuery vacuum = m_database.query(QStringLiteral("PRAGMA incremental_vacuum"));
+    while (*pages > least) {
+        if (auto freed = m_database.run(vacuum); !freed)
+            return freed;
+        const auto left = number("PRAGMA page_count");
+        if (!left)
+            return tl::unexpected(left.error());
+        if (*left >= *pages)
+            return tl::unexpected(Database::damaged());
+        pages = left;
+    }
+    return {};
 }
 
 } // namespace codewheel

@@ -50,6 +50,7 @@ private:
     explicit MessageTable(Database database)
         : m_database(std::move(database))
     {}
+    Stored<void> freePages();
     Stored<void> insert(const std::vector<StoredMessage> &messages, bool withIds);
 
     Database m_database;

@@ -184,6 +184,23 @@ TEST(MessageTable, SurvivesATruncatedFile)
     }
 }
 
+// Bytes 36 to 39 of the header: how many free pages there are (SQLite's file format, 1.3).
+TEST(MessageTable, AListOfFreePagesThatCannotBeIsDamage)
+{
+    for (const QByteArray &count : {QByteArray("\x7f\xff\xff\xff", 4), QByteArray("\0\0\0\3", 4)}) {
+        const JournalFile file;
+        ASSERT_TRUE(MessageTable::open(file.place())->append({messageAt(1, "one"), messageAt(2, "two")}));
+        QFile raw(file.path);
+        ASSERT_TRUE(raw.open(QIODevice::ReadWrite) && raw.seek(36) && raw.write(count) == 4);
+        raw.close();
+        auto table = MessageTable::open(file.place());
+        ASSERT_TRUE(table);
+        const auto dropped = table->dropUpTo(1);
+        ASSERT_FALSE(dropped);
+        EXPECT_EQ(dropped.error().kind, DatabaseError::Kind::broken);
+    }
+}
+
 TEST(MessageTable, ShowsWhateverValuesAFileHolds)
 {
     const JournalFile file;
