@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/help.h"
 #include "cli/json.h"
+#include "cli/ledger_account.h"
 #include "cli/line_access.h"
 #include "cli/project_access.h"
 #include "cli/texts.h"
@@ -145,14 +146,6 @@ Checked<LinkWish> checkLink(const Subcommand &command, const Arguments &argument
     return link;
 }
 
-void complainAboutLedger(const LedgerKeeper &ledger, const Terminal &terminal)
-{
-    if (const QString warning = nothingIsKept(); !warning.isEmpty())
-        terminal.complain(warning);
-    else if (ledger.problem())
-        terminal.complain(messageText(*ledger.problem()));
-}
-
 int runOnTrainingBus(const Subcommand &command, const Arguments &arguments, const Catalog &catalog,
                      const Terminal &terminal)
 {
@@ -235,9 +228,12 @@ int runCommand(const Subcommand &command, const Arguments &arguments, const Cata
                     command.whyNotOnLine};
     if (call.project != nullptr)
         useProject(call, *call.project, *arguments.value("--project"));
-    const auto answer = command.run(call);
+    const LedgerAccount account(connection, terminal);
+    auto answer = command.run(call);
     if (!answer)
         return fail(answer.error(), name, asJson, {}, terminal);
+    if (!answer->complaint)
+        answer->complaint = account.complaint();
     if (!asJson)
         terminal.print(answer->text);
     const QString done = whatWasDone(command, *answer);

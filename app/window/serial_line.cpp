@@ -92,6 +92,8 @@ void SerialLine::keepAccount()
     m_ledger = std::make_unique<LedgerKeeper>(*m_session, ledgerPlace(*m_session, m_dataFolder));
     connect(m_ledger.get(), &LedgerKeeper::messaged, this,
             [this](const Message &message) { Q_EMIT messaged(message, m_clock()); });
+    if (m_ledger->problem())
+        Q_EMIT messaged(*m_ledger->problem(), m_clock());
     keepAccountOf(m_project, *m_ledger);
 }
 

@@ -72,6 +72,7 @@ enum class MessageId : std::uint8_t {
     reportSaved,        // file
     oldMessagesDropped, // messages
     notKept,            // file, reason
+    keptBeside,         // ledger, reason, the file beside it
     databasePutAside,   // file, its new name
     lineOpened,         // port, baud rate
     lineClosed,         // port

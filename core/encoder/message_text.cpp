@@ -154,6 +154,10 @@ constexpr std::array messageRows{
                QT_TRANSLATE_NOOP("Message",
                                  "%1 cannot be used: %2 What belongs there is kept only until the program "
                                  "ends.")},
+    MessageRow{MessageId::keptBeside, "keptBeside",
+               QT_TRANSLATE_NOOP("Message",
+                                 "EEPROM writes cannot be entered in %1: %2 They are kept in %3, and entered "
+                                 "when the program can open it again.")},
     MessageRow{
         MessageId::databasePutAside, "databasePutAside",
         QT_TRANSLATE_NOOP("Message", "%1 was damaged. It was put aside as %2, and a new one was begun.")},

@@ -2,10 +2,14 @@
 #include "journal/ledger.h"
 
 #include "journal/argument_json.h"
+#include "journal/ledger_json.h"
+#include "journal/ledger_rows.h"
+#include "journal/waiting_entries.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSqlQuery>
+#include <QUuid>
 #include <QVariant>
 
 #include <algorithm>
@@ -26,90 +30,44 @@ const DatabaseSchema &ledgerSchema()
                        "identity TEXT NOT NULL, counted_by TEXT NOT NULL, place TEXT NOT NULL, "
                        "device TEXT NOT NULL, planned INTEGER NOT NULL, writes INTEGER NOT NULL, "
                        "settled INTEGER NOT NULL, before TEXT NOT NULL, written TEXT NOT NULL)"),
-                   QStringLiteral("CREATE INDEX entry_identity ON entry (identity)")}}},
+                   QStringLiteral("CREATE INDEX entry_identity ON entry (identity)")}},
+             {.statements = {QStringLiteral("CREATE TABLE origin (entry INTEGER PRIMARY KEY, id TEXT NOT "
+                                            "NULL UNIQUE)")},
+              .filling = {QStringLiteral("INSERT INTO origin SELECT id, id || '-' || at FROM entry")}}},
         .survivesPowerLoss = true};
     return ledger;
 }
 
-constexpr QLatin1String
-    ledgerColumns("id, at, identity, counted_by, place, device, planned, writes, settled, before, "
-                  "written");
-constexpr QLatin1String parameterName("parameter");
-constexpr QLatin1String valueName("value");
-constexpr QLatin1String evidenceName("evidence");
-constexpr QLatin1String atName("at");
-
-constexpr std::array countedByNames{std::pair{CountedBy::serialNumber, QLatin1String("serial-number")},
-                                    std::pair{CountedBy::labelSerialNumber, QLatin1String("label")},
-                                    std::pair{CountedBy::place, QLatin1String("place")}};
-constexpr std::array evidences{std::pair{Evidence::read, QLatin1String("read")},
-                               std::pair{Evidence::echoed, QLatin1String("echoed")},
-                               std::pair{Evidence::told, QLatin1String("told")}};
-
-template <typename Pairs, typename Id>
-QString nameIn(const Pairs &pairs, Id id)
+QString columnOf(const auto &values)
 {
-    const auto found = std::ranges::find(pairs, id, [](const auto &pair) { return pair.first; });
-    return found == pairs.end() ? QString() : found->second;
+    return jsonLine(valuesToJson(values));
 }
 
-template <typename Id, typename Pairs>
-Id idIn(const Pairs &pairs, const QString &name, Id otherwise)
+std::vector<Ledger::Value> valuesFrom(const QVariant &column)
 {
-    const auto found = std::ranges::find_if(pairs, [&](const auto &pair) { return pair.second == name; });
-    return found == pairs.end() ? otherwise : found->first;
+    return ledgerValues(QJsonDocument::fromJson(column.toString().toUtf8()).array());
 }
 
-QString toJson(const std::vector<Ledger::Value> &values)
-{
-    QJsonArray json;
-    for (const Ledger::Value &value : values)
-        json.append(QJsonObject{{parameterName, parameterKey(value.parameter)},
-                                {valueName, qint64{value.value}},
-                                {evidenceName, nameIn(evidences, value.evidence)},
-                                {atName, value.at.toUTC().toString(Qt::ISODateWithMs)}});
-    return jsonLine(json);
-}
+} // namespace
 
-QString toJson(const ParameterValues &values)
-{
-    QJsonArray json;
-    for (const ParameterValue &value : values)
-        json.append(
-            QJsonObject{{parameterName, parameterKey(value.parameter)}, {valueName, qint64{value.value}}});
-    return jsonLine(json);
-}
-
-// What another version wrote, or somebody else, is left out.
-std::vector<Ledger::Value> valuesFrom(const QString &text)
-{
-    std::vector<Ledger::Value> values;
-    for (const QJsonValue element : QJsonDocument::fromJson(text.toUtf8()).array()) {
-        const QJsonObject json = element.toObject();
-        if (const auto parameter = parameterFromKey(json.value(parameterName).toString()))
-            values.push_back({*parameter, json.value(valueName).toInteger(),
-                              idIn(evidences, json.value(evidenceName).toString(), Evidence::told),
-                              QDateTime::fromString(json.value(atName).toString(), Qt::ISODateWithMs)});
-    }
-    return values;
-}
-
-Ledger::Entry entryOf(const QSqlQuery &row)
+Ledger::Entry ledgerEntryOf(const QSqlQuery &row)
 {
     Ledger::Entry entry{.id = row.value(0).toLongLong(),
                         .at = QDateTime::fromMSecsSinceEpoch(row.value(1).toLongLong(), Qt::UTC),
                         .identity = row.value(2).toString(),
-                        .by = idIn(countedByNames, row.value(3).toString(), CountedBy::place),
+                        .by = countedByFromKey(row.value(3).toString()).value_or(CountedBy::place),
                         .place = DeviceNumber::parse(row.value(4).toString()).value_or(DeviceNumber()),
                         .device = row.value(5).toString(),
                         .planned = row.value(6).toInt(),
                         .writes = row.value(7).toInt(),
                         .settled = row.value(8).toBool(),
-                        .before = valuesFrom(row.value(9).toString())};
-    for (const Ledger::Value &value : valuesFrom(row.value(10).toString()))
+                        .before = valuesFrom(row.value(9))};
+    for (const Ledger::Value &value : valuesFrom(row.value(10)))
         entry.written.push_back({value.parameter, value.value});
     return entry;
 }
+
+namespace {
 
 // Sums over entries. Whatever a file says, nothing is counted below 0.
 constexpr QLatin1String sums("ifnull(sum(max(writes, 0)), 0), "
@@ -128,8 +86,7 @@ std::vector<Ledger::Value> beforeOf(const Database &database, qint64 id)
 {
     QSqlQuery query = database.query(QStringLiteral("SELECT before FROM entry WHERE id = ?"));
     query.addBindValue(id);
-    return database.run(query) && query.next() ? valuesFrom(query.value(0).toString())
-                                        : std::vector<Ledger::Value>();
+    return database.run(query) && query.next() ? valuesFrom(query.value(0)) : std::vector<Ledger::Value>();
 }
 
 // What was read goes before what was known.
@@ -162,23 +119,57 @@ Stored<Ledger> Ledger::open(const DatabasePlace &place)
     auto database = Database::open(place, ledgerSchema());
     if (!database)
         return tl::unexpected(database.error());
-    return Ledger(std::move(*database));
+    Ledger ledger(std::move(*database));
+    if (!place.inMemory)
+        ledger.takeOver(LeftEntries::filesBeside(place.name));
+    return ledger;
+}
+
+// What could not be entered before. Where it cannot be now either, it goes on waiting.
+void Ledger::takeOver(const QStringList &left)
+{
+    for (const QString &path : left) {
+        LeftEntries entries(path);
+        if (!entries.isLeft())
+            continue;
+        const auto records = entries.records();
+        if (records && merge(*records))
+            entries.drop();
+    }
 }
 
 Stored<qint64> Ledger::begin(const Entry &entry)
 {
-    QSqlQuery query =
-        m_database.query(QStringLiteral("INSERT INTO entry (%1) VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, "
-                                        "?, ?, ?)")
-                             .arg(ledgerColumns));
+    qint64 id = 0;
+    return m_database
+        .inTransaction([&] {
+            return insert({QUuid::createUuid().toString(QUuid::Id128), entry}).map([&](qint64 inserted) {
+                id = inserted;
+            });
+        })
+        .map([&] { return id; });
+}
+
+// With its id, or a new one where that is 0.
+Stored<qint64> Ledger::insert(const Record &record)
+{
+    const Entry &entry = record.entry;
+    QSqlQuery query = m_database.query(QStringLiteral("INSERT OR REPLACE INTO entry (%1) VALUES (?, ?, ?, ?, "
+                                                      "?, ?, ?, ?, ?, ?, ?)")
+                                           .arg(ledgerColumns));
     for (const QVariant &value : std::initializer_list<QVariant>{
-             entry.at.toMSecsSinceEpoch(), entry.identity, nameIn(countedByNames, entry.by),
-             entry.place.toString(), entry.device.isNull() ? QStringLiteral("") : entry.device, entry.planned,
-             entry.writes, entry.settled ? 1 : 0, toJson(entry.before), toJson(entry.written)})
+             entry.id > 0 ? QVariant(entry.id) : QVariant(), entry.at.toMSecsSinceEpoch(), entry.identity,
+             countedByKey(entry.by), entry.place.toString(),
+             entry.device.isNull() ? QStringLiteral("") : entry.device, entry.planned, entry.writes,
+             entry.settled ? 1 : 0, columnOf(entry.before), columnOf(entry.written)})
         query.addBindValue(value);
     if (auto inserted = m_database.run(query); !inserted)
         return tl::unexpected(inserted.error());
-    return query.lastInsertId().toLongLong();
+    const qint64 id = query.lastInsertId().toLongLong();
+    QSqlQuery origin = m_database.query(QStringLiteral("INSERT OR REPLACE INTO origin VALUES (?, ?)"));
+    origin.addBindValue(id);
+    origin.addBindValue(record.origin);
+    return m_database.run(origin).map([&] { return id; });
 }
 
 Stored<void> Ledger::count(qint64 id, int writes)
@@ -202,20 +193,31 @@ Stored<void> Ledger::settle(qint64 id, const ParameterValues &written, const std
     return m_database.inTransaction([&]() -> Stored<void> {
         if (!readBefore.empty()) {
             QSqlQuery before = m_database.query(QStringLiteral("UPDATE entry SET before = ? WHERE id = ?"));
-            before.addBindValue(toJson(merged(beforeOf(m_database, id), readBefore)));
+            before.addBindValue(columnOf(merged(beforeOf(m_database, id), readBefore)));
             before.addBindValue(id);
             if (auto added = m_database.run(before); !added)
                 return added;
         }
         QSqlQuery query =
             m_database.query(QStringLiteral("UPDATE entry SET settled = 1, written = ? WHERE id = ?"));
-        query.addBindValue(toJson(written));
+        query.addBindValue(columnOf(written));
         query.addBindValue(id);
         if (auto settled = m_database.run(query); !settled)
             return settled;
-        return m_database.execute(
-            QStringLiteral("DELETE FROM entry WHERE id = %1 AND settled AND writes = 0").arg(id));
+        return dropIfNothingWasWritten(id);
     });
+}
+
+Stored<void> Ledger::dropIfNothingWasWritten(qint64 id)
+{
+    return m_database
+        .execute(QStringLiteral("DELETE FROM entry WHERE id = %1 AND settled AND writes = 0").arg(id))
+        .and_then([&] {
+            return m_database.execute(
+                QStringLiteral(
+                    "DELETE FROM origin WHERE entry = %1 AND NOT EXISTS (SELECT 1 FROM entry WHERE id = %1)")
+                    .arg(id));
+        });
 }
 
 Stored<void> Ledger::attribute(const std::vector<qint64> &ids, const EncoderIdentity &identity)
@@ -225,7 +227,7 @@ Stored<void> Ledger::attribute(const std::vector<qint64> &ids, const EncoderIden
             QSqlQuery query = m_database.query(
                 QStringLiteral("UPDATE entry SET identity = ?, counted_by = ? WHERE id = ?"));
             query.addBindValue(identity.key());
-            query.addBindValue(nameIn(countedByNames, identity.by));
+            query.addBindValue(countedByKey(identity.by));
             query.addBindValue(id);
             if (auto updated = m_database.run(query); !updated)
                 return updated;
@@ -252,7 +254,13 @@ Stored<void> Ledger::copyPlaces(const QString &from, const QString &to, Places p
     query.bindValue(QStringLiteral(":from"), placePrefix(from));
     query.bindValue(QStringLiteral(":to"), placePrefix(to));
     query.bindValue(QStringLiteral(":line"), places == Places::ofLine ? 1 : 0);
-    return m_database.run(query);
+    return m_database.inTransaction([&] {
+        return m_database.run(query).and_then([&] {
+            return m_database.execute(
+                QStringLiteral("INSERT INTO origin SELECT id, lower(hex(randomblob(16))) FROM entry "
+                               "WHERE id NOT IN (SELECT entry FROM origin)"));
+        });
+    });
 }
 
 EepromCount Ledger::writes(const EncoderIdentity &identity, const std::vector<qint64> &running) const
@@ -286,7 +294,7 @@ std::vector<Ledger::Entry> Ledger::valuesBefore(const EncoderIdentity &identity)
     std::vector<Entry> entries;
     (void)m_database.run(query);
     while (query.next())
-        entries.push_back(entryOf(query));
+        entries.push_back(ledgerEntryOf(query));
     return entries;
 }
 
@@ -304,7 +312,7 @@ std::vector<Ledger::Account> Ledger::accounts() const
                         .place = DeviceNumber::parse(query.value(2).toString()).value_or(DeviceNumber()),
                         .device = query.value(3).toString(),
                         .count = countOf(query, 5)};
-        account.count.by = idIn(countedByNames, query.value(1).toString(), CountedBy::place);
+        account.count.by = countedByFromKey(query.value(1).toString()).value_or(CountedBy::place);
         if (account.identity.startsWith(serialPrefix))
             account.count.serialNumber = account.identity.section(u'/', 2);
         accounts.push_back(std::move(account));

@@ -54,6 +54,12 @@ public:
 
         friend bool operator==(const Entry &, const Entry &) = default;
     };
+    // An entry as other ledgers may have it too: on another computer, or in the file beside this one.
+    struct Record
+    {
+        QString origin; // its own for ever, whatever its id is here
+        Entry entry{};
+    };
     struct Account
     {
         QString identity;
@@ -62,6 +68,7 @@ public:
         EepromCount count;
     };
 
+    // Takes over what waits in files beside it (WaitingEntries).
     static Stored<Ledger> open(const DatabasePlace &place);
 
     // Before a job sends its first word, and for words by hand. Returns the id.
@@ -88,10 +95,27 @@ public:
     std::vector<Entry> valuesBefore(const EncoderIdentity &identity) const;
     std::vector<Account> accounts() const; // by identity
 
+    Stored<std::vector<Record>> records() const; // by id
+    std::optional<Record> record(qint64 id) const;
+    // Takes in what another ledger has: an entry that is known already is not doubled, but learns what is
+    // known of it there, and one that is settled without a write goes. All or, with an error, nothing.
+    struct Merged
+    {
+        int added = 0;
+        int known = 0;
+    };
+    Stored<Merged> merge(const std::vector<Record> &records);
+    // As they are, ids included.
+    Stored<void> copy(const std::vector<Record> &records);
+
 private:
     explicit Ledger(Database database)
         : m_database(std::move(database))
     {}
+    Stored<void> merge(Record there, Merged &merged);
+    void takeOver(const QStringList &left);
+    Stored<qint64> insert(const Record &record);
+    Stored<void> dropIfNothingWasWritten(qint64 id);
 
     Database m_database;
 };

@@ -71,49 +71,16 @@ LedgerKeeper::~LedgerKeeper()
             settleByHand(place, watched);
 }
 
-// A damaged file is put aside and another one begun; whatever else is wrong with it, it stays as it is.
+// What was said while it was opened is for who asks for problem(): nobody listens yet.
 void LedgerKeeper::open(const DatabasePlace &place)
 {
-    m_place = place;
-    auto opened = Ledger::open(place);
-    if (!opened && opened.error().kind == DatabaseError::Kind::broken) {
-        const QString aside = putAside(place.name);
-        if (!aside.isEmpty()) {
-            opened = Ledger::open(place);
-            m_problem = Message{.severity = Severity::attention,
-                                .id = MessageId::databasePutAside,
-                                .arguments = {place.name, aside}};
-        }
-    }
-    if (opened)
-        m_ledger = std::move(*opened);
-    else
-        failed(opened.error());
-}
-
-// What is in memory alone goes on being counted.
-void LedgerKeeper::failed(const DatabaseError &error)
-{
-    if (m_place.inMemory && m_ledger)
-        return;
-    m_problem = Message{.at = m_bus.now(),
-                        .severity = Severity::attention,
-                        .id = MessageId::notKept,
-                        .arguments = {m_place.name, error.reason}};
-    const bool isOpen = m_ledger.has_value();
-    m_place = DatabasePlace::memory();
-    auto memory = Ledger::open(m_place);
-    m_ledger.reset();
-    if (memory) // else the driver is missing: each session counts for itself
-        m_ledger = std::move(*memory);
-    for (auto &[place, watched] : m_watched) {
-        watched.job.reset();
-        watched.byHand.reset();
-        watched.unassigned.clear();
-    }
-    m_strangers.clear();
-    if (isOpen)
+    m_book = std::make_unique<SafeLedger>(place);
+    m_problem = m_book->problem();
+    m_book->onProblem([this] {
+        m_problem = m_book->problem();
+        m_problem->at = m_bus.now();
         Q_EMIT messaged(*m_problem);
+    });
 }
 
 void LedgerKeeper::setProject(const QString &file)
@@ -130,16 +97,14 @@ void LedgerKeeper::projectSavedAs(const QString &file)
     const QString from = std::exchange(m_project, withoutLinks(file));
     if (from == m_project)
         return;
-    if (m_ledger)
-        if (auto done = takeAlong(from); !done)
-            failed(done.error());
+    takeAlong(from);
     for (const auto &[place, watched] : m_watched)
         identify(place);
 }
 
 // A project without a file has no account that is to stay: what was noted since the connection was made goes
 // along. An account in a file goes on with it, and is copied; an entry that has not ended can be but one.
-Stored<void> LedgerKeeper::takeAlong(const QString &from)
+void LedgerKeeper::takeAlong(const QString &from)
 {
     auto moved = onTheirWay();
     if (from.isEmpty()) {
@@ -151,13 +116,10 @@ Stored<void> LedgerKeeper::takeAlong(const QString &from)
         for (const auto &[place, ids] : moved)
             without.insert(without.end(), ids.begin(), ids.end());
         const auto places = m_ring ? Ledger::Places::ofRing : Ledger::Places::ofLine;
-        if (auto copied = m_ledger->copyPlaces(from, m_project, places, without); !copied)
-            return copied;
+        m_book->copyPlaces(from, m_project, places, without);
     }
     for (const auto &[place, ids] : moved)
-        if (auto done = m_ledger->attribute(ids, identity(place)); !done)
-            return done;
-    return {};
+        m_book->attribute(ids, identity(place));
 }
 
 // Entries that are counted by their place and have not ended.
@@ -229,9 +191,8 @@ void LedgerKeeper::move(DeviceNumber from, DeviceNumber to)
     watched.progress = before.progress;
     watched.byHand = before.byHand;
     watched.unassigned = before.unassigned;
-    if (m_ledger && watched.identity.by == CountedBy::place && !watched.unassigned.empty())
-        if (auto done = m_ledger->attribute(watched.unassigned, watched.identity); !done)
-            failed(done.error());
+    if (watched.identity.by == CountedBy::place && !watched.unassigned.empty())
+        m_book->attribute(watched.unassigned, watched.identity);
     showCount(to);
 }
 
@@ -283,7 +244,7 @@ EncoderIdentity LedgerKeeper::identity(DeviceNumber place) const
 void LedgerKeeper::identify(DeviceNumber place)
 {
     const auto found = m_watched.find(place);
-    if (found == m_watched.end() || !found->second.encoder || !m_ledger)
+    if (found == m_watched.end() || !found->second.encoder || ledger() == nullptr)
         return;
     Watched &watched = found->second;
     const EncoderIdentity now = identity(place);
@@ -293,8 +254,7 @@ void LedgerKeeper::identify(DeviceNumber place)
     if (before.by == CountedBy::serialNumber)
         watched.unassigned.clear(); // from now on it may be another encoder
     if (now.by != CountedBy::place && !watched.unassigned.empty()) {
-        if (auto done = m_ledger->attribute(watched.unassigned, now); !done)
-            failed(done.error());
+        m_book->attribute(watched.unassigned, now);
         if (now.by == CountedBy::serialNumber)
             watched.unassigned.clear();
     }
@@ -324,7 +284,7 @@ void LedgerKeeper::note(Watched &watched, qint64 id)
 void LedgerKeeper::begin(DeviceNumber place, const Job &job)
 {
     Watched &watched = m_watched[place];
-    const int planned = watched.encoder && m_ledger ? mostEepromWrites(*watched.encoder, job) : 0;
+    const int planned = watched.encoder && ledger() ? mostEepromWrites(*watched.encoder, job) : 0;
     watched.progress = {};
     if (planned > 0)
         watched.job = beginEntry(watched, planned);
@@ -334,16 +294,10 @@ std::optional<qint64> LedgerKeeper::beginEntry(Watched &watched, int planned)
 {
     Ledger::Entry entry = entryAt(watched);
     entry.planned = planned;
-    auto id = m_ledger->begin(entry);
-    if (!id) {
-        failed(id.error());
-        if (m_ledger)
-            id = m_ledger->begin(entry);
-    }
-    if (!id)
-        return std::nullopt;
-    note(watched, *id);
-    return *id;
+    const auto id = m_book->begin(entry);
+    if (id)
+        note(watched, *id);
+    return id;
 }
 
 // Beside what the job was to write.
@@ -351,35 +305,30 @@ void LedgerKeeper::planToRestore(DeviceNumber place)
 {
     const Watched &watched = m_watched[place];
     const int more = mostWritesToRestore(watched.progress);
-    if (watched.job && m_ledger && more > 0)
-        if (auto planned = m_ledger->plan(*watched.job, more); !planned)
-            failed(planned.error());
+    if (watched.job && more > 0)
+        m_book->plan(*watched.job, more);
 }
 
 // What a job writes is part of it; all else are words by hand.
 void LedgerKeeper::count(DeviceNumber place, int writes)
 {
     Watched &watched = m_watched[place];
-    if (!watched.encoder || !m_ledger)
+    if (!watched.encoder || ledger() == nullptr)
         return;
     const int before = watched.encoder->eepromCount().atMost();
     const auto noted = watched.job      ? watched.job
                        : watched.byHand ? std::optional(watched.byHand->id)
                                         : std::nullopt;
-    if (noted)
-        if (auto counted = m_ledger->count(*noted, writes); !counted)
-            failed(counted.error()); // and forgets the entry
-    if (!watched.job && !watched.byHand && m_ledger) {
+    if (noted) {
+        m_book->count(*noted, writes);
+    } else {
         Ledger::Entry entry = entryAt(watched);
         entry.planned = writes;
         entry.writes = writes;
         entry.settled = true;
         entry.before.clear(); // the words are on the wire already: it may be what they wrote
-        const auto id = m_ledger->begin(entry);
-        if (id)
+        if (const auto id = m_book->begin(entry))
             note(watched, *id);
-        else
-            failed(id.error());
     }
     showCount(place);
     warn(place, before);
@@ -389,7 +338,7 @@ void LedgerKeeper::settle(DeviceNumber place, const Outcome &outcome)
 {
     Watched &watched = m_watched[place];
     const auto job = std::exchange(watched.job, std::nullopt);
-    if (!job || !m_ledger)
+    if (!job)
         return;
     std::vector<Ledger::Value> read;
     if (watched.encoder)
@@ -398,8 +347,7 @@ void LedgerKeeper::settle(DeviceNumber place, const Outcome &outcome)
                 known && known->canBeWritten())
                 read.push_back(
                     {value.parameter, value.value, Evidence::read, m_bus.dateTime(m_bus.now()).toUTC()});
-    if (auto settled = m_ledger->settle(*job, outcome.written, read); !settled)
-        failed(settled.error());
+    m_book->settle(*job, outcome.written, read);
     showCount(place);
 }
 
@@ -407,14 +355,14 @@ void LedgerKeeper::settle(DeviceNumber place, const Outcome &outcome)
 void LedgerKeeper::showCount(DeviceNumber place)
 {
     const Watched &watched = m_watched[place];
-    if (!watched.encoder || !m_ledger)
+    if (!watched.encoder || ledger() == nullptr)
         return;
     std::vector<qint64> running;
     if (watched.job)
         running.push_back(*watched.job);
     if (watched.byHand)
         running.push_back(watched.byHand->id);
-    watched.encoder->setEepromCount(m_ledger->writes(watched.identity, running));
+    watched.encoder->setEepromCount(ledger()->writes(watched.identity, running));
 }
 
 void LedgerKeeper::warn(DeviceNumber place, int before)

@@ -3,7 +3,7 @@
 
 #include "encoder/encoder_bus.h"
 #include "esc/esc_request.h"
-#include "journal/ledger.h"
+#include "journal/safe_ledger.h"
 
 #include <QObject>
 #include <QPointer>
@@ -36,8 +36,8 @@ class LedgerKeeper : public QObject
 public:
     static constexpr std::chrono::milliseconds untilSettled{1000};
 
-    // The bus outlives the keeper, or is closed before. A file that cannot be used is replaced by memory,
-    // and messaged() says so once the event loop runs.
+    // The bus outlives the keeper, or is closed before. Where the file cannot be used it goes on
+    // (SafeLedger), and problem() says so.
     LedgerKeeper(BusSession &ring, const DatabasePlace &place, QObject *parent = nullptr);
     LedgerKeeper(LineSession &line, const DatabasePlace &place, QObject *parent = nullptr);
     ~LedgerKeeper() override;
@@ -53,8 +53,11 @@ public:
     // What is to be said of the file: damaged and put aside, or not usable.
     const std::optional<Message> &problem() const { return m_problem; }
 
+    // Something was written that is not counted in the file.
+    bool hasUncounted() const { return m_book->hasUncounted(); }
+
     // Null where Qt's driver for SQLite is missing.
-    const Ledger *ledger() const { return m_ledger ? &*m_ledger : nullptr; }
+    const Ledger *ledger() const { return m_book->ledger(); }
     EncoderIdentity identity(DeviceNumber place) const;
 
 Q_SIGNALS:
@@ -97,12 +100,11 @@ private:
     void settle(DeviceNumber place, const Outcome &outcome);
     void identify(DeviceNumber place);
     std::map<DeviceNumber, std::vector<qint64>> onTheirWay() const;
-    Stored<void> takeAlong(const QString &from);
+    void takeAlong(const QString &from);
     void showCount(DeviceNumber place);
     Ledger::Entry entryAt(const Watched &watched) const;
     void note(Watched &watched, qint64 id);
     void warn(DeviceNumber place, int before);
-    void failed(const DatabaseError &error);
 
     // ledger_keeper_by_hand.cpp
     void beginByHand(DeviceNumber place, Word word);
@@ -119,8 +121,7 @@ private:
 
     EncoderBus &m_bus;
     const BusSession *m_ring; // null: a serial line
-    DatabasePlace m_place;
-    std::optional<Ledger> m_ledger;
+    std::unique_ptr<SafeLedger> m_book;
     std::optional<Message> m_problem;
     QString m_project;
     std::map<DeviceNumber, QString> m_labels;

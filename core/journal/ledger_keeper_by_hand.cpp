@@ -23,7 +23,7 @@ bool isFor(const esc::Request &request, DeviceNumber place)
 void LedgerKeeper::beginByHand(DeviceNumber place, Word word)
 {
     Watched &watched = m_watched[place];
-    const int planned = watched.encoder && m_ledger ? mostEepromWrites(*watched.encoder, word) : 0;
+    const int planned = watched.encoder && ledger() ? mostEepromWrites(*watched.encoder, word) : 0;
     ByHand *noted = byHand(watched, planned);
     if (noted == nullptr)
         return;
@@ -48,7 +48,7 @@ void LedgerKeeper::beginByHand(const esc::Request &request)
 
 void LedgerKeeper::beginByHand(Watched &watched, const esc::Request &request)
 {
-    ByHand *noted = byHand(watched, watched.encoder && m_ledger ? 1 : 0);
+    ByHand *noted = byHand(watched, watched.encoder && ledger() ? 1 : 0);
     if (noted == nullptr)
         return;
     ++noted->awaited;
@@ -63,11 +63,9 @@ LedgerKeeper::ByHand *LedgerKeeper::byHand(Watched &watched, int planned)
     if (planned == 0)
         return nullptr;
     if (watched.byHand)
-        if (auto more = m_ledger->plan(watched.byHand->id, planned); !more)
-            failed(more.error()); // and forgets the entry
-    if (!watched.byHand && m_ledger)
-        if (const auto id = beginEntry(watched, planned))
-            watched.byHand = ByHand{.id = *id};
+        m_book->plan(watched.byHand->id, planned);
+    else if (const auto id = beginEntry(watched, planned))
+        watched.byHand = ByHand{.id = *id};
     return watched.byHand ? &*watched.byHand : nullptr;
 }
 
@@ -103,16 +101,12 @@ void LedgerKeeper::settleRequest(const TypedAnswered &answer)
 
 void LedgerKeeper::beginToStranger(DeviceNumber place, const esc::Request &request)
 {
-    if (!m_ledger)
-        return;
     const Ledger::Entry entry{.at = m_bus.dateTime(m_bus.now()).toUTC(),
                               .identity = identity(place).key(),
                               .place = place,
                               .planned = 1};
-    if (const auto id = m_ledger->begin(entry); id)
+    if (const auto id = m_book->begin(entry))
         m_strangers[place].push_back({.id = *id, .awaited = request});
-    else
-        failed(id.error());
 }
 
 // Not answered, it may have been carried out.
@@ -120,7 +114,7 @@ void LedgerKeeper::settleToStranger(DeviceNumber place, const TypedAnswered &ans
 {
     std::vector<ToStranger> &requests = m_strangers[place];
     const auto ended = std::ranges::find(requests, std::optional(answer.request), &ToStranger::awaited);
-    if (ended == requests.end() || !m_ledger)
+    if (ended == requests.end())
         return;
     const qint64 id = ended->id;
     ended->awaited.reset();
@@ -128,10 +122,8 @@ void LedgerKeeper::settleToStranger(DeviceNumber place, const TypedAnswered &ans
         requests.erase(ended);
     const bool wasRefused = answer.result.answer && answer.result.answer->kind != esc::Answer::Kind::accepted;
     if (answer.result.sent > 0 && !wasRefused)
-        if (auto counted = m_ledger->count(id, 1); !counted)
-            return failed(counted.error());
-    if (auto settled = m_ledger->settle(id, {}); !settled)
-        failed(settled.error());
+        m_book->count(id, 1);
+    m_book->settle(id, {});
 }
 
 // It is taken over now. What is not answered yet ends as what was typed for a stranger, and may be counted by
@@ -147,10 +139,7 @@ void LedgerKeeper::noteWhatWasToStranger(DeviceNumber place)
 void LedgerKeeper::settleByHand(DeviceNumber place, Watched &watched)
 {
     const ByHand done = *std::exchange(watched.byHand, std::nullopt);
-    if (!m_ledger)
-        return;
-    if (auto settled = m_ledger->settle(done.id, done.sent); !settled)
-        failed(settled.error());
+    m_book->settle(done.id, done.sent);
     showCount(place);
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using namespace project_keys;
 
-std::int64_t milliseconds(Instant time)
+std::int64_t wholeMilliseconds(Instant time)
 {
     return std::chrono::duration_cast<std::chrono::milliseconds>(time).count();
 }
@@ -33,10 +33,10 @@ void ProjectWriter::writeLine(const ProjectLine &line)
         m_json.member("parity", nameOf(parities, wish.line.parity));
         m_json.member("stopBits", wish.line.stopBits);
         m_json.flag("lowLatency", wish.line.lowLatency);
-        m_json.member("pollInterval", milliseconds(wish.pollInterval));
-        m_json.member("timeOut", milliseconds(wish.timing.answerTimeOut));
+        m_json.member("pollInterval", wholeMilliseconds(wish.pollInterval));
+        m_json.member("timeOut", wholeMilliseconds(wish.timing.answerTimeOut));
         m_json.member("retries", wish.timing.retries);
-        m_json.member("quietAfterWrite", milliseconds(wish.timing.quietAfterWrite));
+        m_json.member("quietAfterWrite", wholeMilliseconds(wish.timing.quietAfterWrite));
         m_json.member("fractionBits", wish.fractionBits);
         m_json.member("topSpeed", wish.topSpeed);
         m_json.list("encoders", byAddress, [&](const ProjectDevice &encoder) {

@@ -9,6 +9,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QFile>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTableView>
@@ -81,6 +82,19 @@ TEST_F(LineAtPort, AnEncoderOfAnotherAddressIsFoundThereByTheProject)
     connectPort(port);
     EXPECT_EQ(line().numbers(), std::vector{at7});
     EXPECT_TRUE(answers(at7));
+}
+
+TEST_F(LineAtPort, ALedgerThatCannotBeUsedIsToldWhenThePortIsOpened)
+{
+    QFile ledger(folder.filePath(QStringLiteral("eeprom-writes.sqlite")));
+    ASSERT_TRUE(ledger.open(QIODevice::WriteOnly) && ledger.write("something else") > 0);
+    ledger.close();
+    std::vector<MessageId> told;
+    QObject::connect(&shown->line(), &SerialLine::messaged, &shown->line(),
+                     [&](const Message &message) { told.push_back(message.id); });
+    plan({test::plannedEncoder(at3)});
+    connectPort(startPeer(QStringLiteral("--addresses 03")));
+    EXPECT_EQ(std::ranges::count(told, MessageId::notKept), 1);
 }
 
 TEST_F(LineAtPort, TheTerminalExplainsFactorsInTheFormatOfTheProject)

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/ledger_account.h"
+
+#include "cli/line_access.h"
+#include "cli/texts.h"
+#include "encoder/refusal_text.h"
+#include "journal/ledger_keeper.h"
+#include "journal_files.h"
+
+#include <algorithm>
+
+namespace codewheel {
+
+LedgerAccount::LedgerAccount(const Connection &connection, const Terminal &terminal)
+{
+    listenTo(connection.ledger, terminal);
+    listenTo(connection.line != nullptr ? connection.line->ledger() : nullptr, terminal);
+}
+
+void LedgerAccount::listenTo(LedgerKeeper *keeper, const Terminal &terminal)
+{
+    if (keeper == nullptr)
+        return;
+    m_keepers.push_back(keeper);
+    QObject::connect(keeper, &LedgerKeeper::messaged, &m_scope, [&terminal](const Message &message) {
+        if (message.id == MessageId::keptBeside || message.id == MessageId::notKept)
+            terminal.complain(messageText(message));
+    });
+}
+
+std::optional<Complaint> LedgerAccount::complaint() const
+{
+    if (std::ranges::none_of(m_keepers, &LedgerKeeper::hasUncounted))
+        return std::nullopt;
+    return Complaint{ExitCode::refused,
+                     QStringLiteral("notCounted"),
+                     CommandLine::tr("The EEPROM writes of this call are not entered in the ledger."),
+                     {}};
+}
+
+void complainAboutLedger(const LedgerKeeper &ledger, const Terminal &terminal)
+{
+    if (const QString warning = nothingIsKept(); !warning.isEmpty())
+        terminal.complain(warning);
+    else if (ledger.problem())
+        terminal.complain(messageText(*ledger.problem()));
+}
+
+} // namespace codewheel

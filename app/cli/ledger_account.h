@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/subcommand.h"
+
+#include <QObject>
+
+namespace codewheel {
+
+// Whether the EEPROM writes of a call come into the ledger. What goes wrong with the file is told at once,
+// and at the end of the call for its exit code.
+class LedgerAccount
+{
+public:
+    explicit LedgerAccount(const Connection &connection, const Terminal &terminal);
+
+    // Nothing: all is entered.
+    std::optional<Complaint> complaint() const;
+
+private:
+    void listenTo(LedgerKeeper *keeper, const Terminal &terminal);
+
+    std::vector<const LedgerKeeper *> m_keepers;
+    QObject m_scope;
+};
+
+// What was wrong with the file when it was opened.
+void complainAboutLedger(const LedgerKeeper &ledger, const Terminal &terminal);
+
+} // namespace codewheel
