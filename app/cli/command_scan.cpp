@@ -64,12 +64,22 @@ Project foundProject(const Call &call)
     return takenOver(before, found, comparison, lines);
 }
 
+bool areSameFile(const QString &one, const QString &other)
+{
+    const QString path = QFileInfo(one).canonicalFilePath();
+    return !path.isEmpty() && path == QFileInfo(other).canonicalFilePath();
+}
+
 void saveFound(const Call &call, Answer &answer)
 {
     const auto file = call.arguments.value("--save");
     if (!file)
         return;
-    if (const auto saved = saveProject(foundProject(call), *file); !saved) {
+    const bool isProject = call.project != nullptr && areSameFile(*file, *call.arguments.value("--project"));
+    const Project found = foundProject(call);
+    const auto saved =
+        isProject ? saveProjectOver(projectMark(*call.project), found, *file) : saveProject(found, *file);
+    if (!saved) {
         answer.complaint = complaintAbout(saved.error());
         return;
     }

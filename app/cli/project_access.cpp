@@ -125,16 +125,7 @@ Checked<std::optional<Project>> projectNamed(const Arguments &arguments)
 
 Checked<void> saveUnlessChanged(const Project &project, const QString &file, const QByteArray &mark)
 {
-    if (holdsAnother(file, mark))
-        return tl::unexpected(
-            Complaint{ExitCode::refused,
-                      QStringLiteral("fileChanged"),
-                      sentence(CommandLine::tr(
-                                   "Another program has changed %1 since it was read here. It was left as it "
-                                   "is; nothing was saved. Call again."),
-                               {file}),
-                      {file}});
-    if (const auto saved = saveProject(project, file); !saved)
+    if (const auto saved = saveProjectOver(mark, project, file); !saved)
         return tl::unexpected(complaintAbout(saved.error()));
     return {};
 }

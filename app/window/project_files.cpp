@@ -136,7 +136,7 @@ bool ProjectFiles::save()
     const QString file = m_document.file();
     if (file.isEmpty())
         return saveAs();
-    return holdsAnother(file, m_document.fileMark()) ? saveBesideAnother() : keep(file);
+    return keep(file, m_document.fileMark());
 }
 
 bool ProjectFiles::saveBesideAnother()
@@ -167,11 +167,15 @@ bool ProjectFiles::saveAs()
     return !path.isEmpty() && keep(path);
 }
 
-bool ProjectFiles::keep(const QString &path)
+// `over`: what the file may hold; nothing: anything.
+bool ProjectFiles::keep(const QString &path, const std::optional<QByteArray> &over)
 {
     const Project &edited = m_document.project();
     const Project complete = m_complete ? m_complete(edited) : edited;
-    if (const auto saved = saveProject(complete, path); !saved) {
+    const auto saved = over ? saveProjectOver(*over, complete, path) : saveProject(complete, path);
+    if (!saved && saved.error().id == RefusalId::fileChanged)
+        return saveBesideAnother();
+    if (!saved) {
         refuse(saved.error());
         return false;
     }

@@ -49,7 +49,7 @@ protected:
 
 private:
     void askOpen();
-    bool keep(const QString &path);
+    bool keep(const QString &path, const std::optional<QByteArray> &over = {});
     bool saveBesideAnother(); // what another program has saved is there
     QString leftOut() const;
     void refuse(const Refusal &why);

@@ -50,6 +50,7 @@ enum class RefusalId : std::uint8_t {
     deviceCodeDiffers,     // place, its device code, device name, that one's
     fileNotReadable,       // file, reason of the system
     fileNotWritten,        // file, reason of the system
+    fileChanged,           // file
     fileTooLarge,          // file, its size in MB, largest in MB
     projectFileBroken,     // file, line, key, reason
     projectFileNewer,      // file, its version, ours

@@ -84,6 +84,10 @@ constexpr std::array refusalRows{
                QT_TRANSLATE_NOOP("Refusal", "%1 cannot be read: %2")},
     RefusalRow{RefusalId::fileNotWritten, "fileNotWritten",
                QT_TRANSLATE_NOOP("Refusal", "%1 cannot be written: %2 Nothing was changed there.")},
+    RefusalRow{RefusalId::fileChanged, "fileChanged",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "Another program has changed %1 since it was read here. It was left as it "
+                                 "is; nothing was saved. Read it again.")},
     RefusalRow{
         RefusalId::fileTooLarge, "fileTooLarge",
         QT_TRANSLATE_NOOP("Refusal",

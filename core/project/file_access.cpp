@@ -67,10 +67,9 @@ bool keepBackup(const QString &path)
     QFile::remove(name); // of a program that was killed here
     if (!linkOrCopy(path, name))
         return false;
-    if (rename(name, backupPath(path)))
-        return true;
-    QFile::remove(name);
-    return false;
+    const bool isKept = rename(name, backupPath(path));
+    QFile::remove(name); // it stays where both are the same file already
+    return isKept;
 }
 
 } // namespace

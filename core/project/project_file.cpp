@@ -3,6 +3,8 @@
 
 #include "encoder/sentence.h"
 #include "project/file_access.h"
+#include "project/folder_lock.h"
+#include "project/left_backups.h"
 #include "project/project_json.h"
 
 #include <QCoreApplication>
@@ -37,6 +39,29 @@ QString faultOf(const QByteArray &json, const QString &path)
     return sentence(ProjectFile::tr("It could not be opened again. %3: %4"), parts);
 }
 
+// `known`: the mark of what the file may hold; null: anything.
+Result<void> save(const Project &project, const QString &path, const QByteArray *known)
+{
+    const QByteArray json = projectToJson(project);
+    if (const QString fault = faultOf(json, path); !fault.isEmpty())
+        return refuse(RefusalKind::badInput, RefusalId::fileNotWritten, {path, fault});
+
+    const QString file = fileItself(path);
+    const FolderLock lock(file);
+    if (lock.isRefused())
+        return refuse(RefusalKind::busy, RefusalId::fileNotWritten,
+                      {path, ProjectFile::tr("Another program has locked its folder.")});
+    if (known != nullptr && holdsAnother(file, *known))
+        return refuse(RefusalKind::busy, RefusalId::fileChanged, {path});
+    dropLeftBackups(file, largestProjectFile);
+    const auto before = readWholeFile(file, largestProjectFile);
+    if (before && *before == json)
+        return {};
+    const bool isGood = before && projectFromJson(*before, file);
+    const bool keep = isGood || !QFileInfo::exists(backupPath(file));
+    return replaceFile(file, json, keep ? OldFile::isKeptAsBackup : OldFile::goes);
+}
+
 } // namespace
 
 Result<Project> loadProject(const QString &path)
@@ -48,17 +73,12 @@ Result<Project> loadProject(const QString &path)
 
 Result<void> saveProject(const Project &project, const QString &path)
 {
-    const QByteArray json = projectToJson(project);
-    if (const QString fault = faultOf(json, path); !fault.isEmpty())
-        return refuse(RefusalKind::badInput, RefusalId::fileNotWritten, {path, fault});
+    return save(project, path, nullptr);
+}
 
-    const QString file = fileItself(path);
-    const auto before = readWholeFile(file, largestProjectFile);
-    if (before && *before == json)
-        return {};
-    const bool isGood = before && projectFromJson(*before, file);
-    const bool keep = isGood || !QFileInfo::exists(backupPath(file));
-    return replaceFile(file, json, keep ? OldFile::isKeptAsBackup : OldFile::goes);
+Result<void> saveProjectOver(const QByteArray &known, const Project &project, const QString &path)
+{
+    return save(project, path, &known);
 }
 
 QByteArray projectMark(const Project &project)

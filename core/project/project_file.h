@@ -19,6 +19,11 @@ Result<Project> loadProject(const QString &path);
 // fileNotWritten, also where it could not be opened again.
 Result<void> saveProject(const Project &project, const QString &path);
 
+// The same, where nothing would be lost that another program has saved there since: fileChanged, where the
+// file holds something else than the project that `known` is the mark of. One program saves at a time, so
+// nothing comes between looking and replacing.
+Result<void> saveProjectOver(const QByteArray &known, const Project &project, const QString &path);
+
 // What a project would have in its file, in short: the same for the same project.
 QByteArray projectMark(const Project &project);
 
