@@ -1905,6 +1905,10 @@
         <source>The computer slept for %1 s: the bus is in Watch, and what was shown before is old.</source>
         <translation>Der Rechner hat %1 s geschlafen: Der Bus steht auf Beobachten, und was davor gezeigt wurde, ist alt.</translation>
     </message>
+    <message>
+        <source>EEPROM writes cannot be entered in %1: %2 They are kept in %3, and entered when the program can open it again.</source>
+        <translation>EEPROM-Schreibvorgänge können nicht in %1 eingetragen werden: %2 Sie stehen in %3 und werden nachgetragen, sobald das Programm die Datei wieder öffnen kann.</translation>
+    </message>
 </context>
 <context>
     <name>Parameter</name>
@@ -2744,6 +2748,10 @@
     <message>
         <source>Every encoder answers to address %1: it is for an encoder that is alone on its line, and there is %2 too. Use the address of the encoder itself.</source>
         <translation>Auf die Adresse %1 antwortet jeder Geber: Sie ist für einen Geber, der allein an seiner Leitung ist, und da ist auch %2. Die eigene Adresse des Gebers verwenden.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 since it was read here. It was left as it is; nothing was saved. Read it again.</source>
+        <translation>Ein anderes Programm hat %1 geändert, seit die Datei hier gelesen wurde. Sie blieb, wie sie ist; nichts wurde gespeichert. Lesen Sie sie neu.</translation>
     </message>
 </context>
 <context>
@@ -5016,17 +5024,6 @@ Sendet nichts.</translation>
         <translation>auflisten, wie oft dieses Programm in EEPROMs geschrieben hat</translation>
     </message>
     <message>
-        <source>Lists for each encoder how often this program, window or command line, has written to its EEPROM, and
-since when: by the serial number it told, else by the one typed from its label, else by its place in its
-project. &quot;perhaps&quot; are writes that were begun, and the program ended before it saw them carried out.
-Needs no bus.</source>
-        <translation>Listet für jeden Geber auf, wie oft dieses Programm, Fenster oder Kommandozeile, in sein EEPROM
-geschrieben hat und seit wann: nach der Seriennummer, die er gemeldet hat, sonst nach der vom
-Typenschild abgetippten, sonst nach seinem Platz im Projekt. &quot;vielleicht&quot; sind Schreibvorgänge, die
-begonnen wurden und deren Ausführung das Programm vor seinem Ende nicht mehr sah.
-Braucht keinen Bus.</translation>
-    </message>
-    <message>
         <source>let so many milliseconds pass on the bus first</source>
         <translation>zuerst so viele Millisekunden auf dem Bus vergehen lassen</translation>
     </message>
@@ -5841,10 +5838,6 @@ wenn ein Geber nicht alles bekommen hat.</translation>
         <translation>Keine gespeicherte Meldung passt dazu.</translation>
     </message>
     <message>
-        <source>Another program has changed %1 since it was read here. It was left as it is; nothing was saved. Call again.</source>
-        <translation>Ein anderes Programm hat %1 geändert, seit es hier gelesen wurde. Es blieb, wie es ist; gespeichert wurde nichts. Den Aufruf wiederholen.</translation>
-    </message>
-    <message>
         <source>With --dry-run nothing is written, so there is nothing to report. Leave out --report or --dry-run.</source>
         <translation>Mit --dry-run wird nichts geschrieben, also gibt es nichts zu berichten. --report oder --dry-run weglassen.</translation>
     </message>
@@ -5981,6 +5974,41 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     <message>
         <source>Bytes come that are no answers: %1 until now. The baud rate or the format may be another one, the wiring wrong or disturbed, or a device on the line speaks another protocol.</source>
         <translation>Es kommen Bytes, die keine Antworten sind: bisher %1. Baudrate oder Format sind vielleicht andere, die Verdrahtung ist falsch oder gestört, oder ein Gerät an der Leitung spricht ein anderes Protokoll.</translation>
+    </message>
+    <message>
+        <source>export: replace the file if it is there</source>
+        <translation>export: die Datei ersetzen, falls es sie gibt</translation>
+    </message>
+    <message>
+        <source>Saved in %1: entries of the ledger: %2.</source>
+        <translation>Gespeichert in %1: Einträge des Verzeichnisses: %2.</translation>
+    </message>
+    <message>
+        <source>Imported into %1: new entries: %2; known already: %3.</source>
+        <translation>Übernommen in %1: neue Einträge: %2; schon bekannt: %3.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not understood. The ledger is listed, or carried with export FILE and import FILE.</source>
+        <translation>„%1“ wird nicht verstanden. Das Verzeichnis der EEPROM-Schreibvorgänge wird aufgelistet oder mit export FILE und import FILE mitgenommen.</translation>
+    </message>
+    <message>
+        <source>Lists for each encoder how often this program, window or command line, has written to its EEPROM, and
+since when: by the serial number it told, else by the one typed from its label, else by its place in its
+project. &quot;perhaps&quot; are writes that were begun, and the program ended before it saw them carried out.
+&quot;export&quot; saves all entries in a file, and &quot;import&quot; on another computer takes them into its ledger: the
+same serial number is the same encoder there, and what was imported before is not counted twice. Needs
+no bus.</source>
+        <translation>Listet für jeden Geber auf, wie oft dieses Programm, Fenster oder Kommandozeile, in sein EEPROM
+geschrieben hat und seit wann: nach der Seriennummer, die er gemeldet hat, sonst nach der vom
+Typenschild abgetippten, sonst nach seinem Platz im Projekt. &quot;vielleicht&quot; sind Schreibvorgänge, die
+begonnen wurden und deren Ausführung das Programm vor seinem Ende nicht mehr sah.
+&quot;export&quot; speichert alle Einträge in einer Datei, und &quot;import&quot; nimmt sie auf einem anderen Rechner in
+dessen Verzeichnis auf: Dieselbe Seriennummer ist dort derselbe Geber, und was schon aufgenommen
+wurde, zählt nicht doppelt. Braucht keinen Bus.</translation>
+    </message>
+    <message>
+        <source>The EEPROM writes of this call are not entered in the ledger.</source>
+        <translation>Die EEPROM-Schreibvorgänge dieses Aufrufs sind nicht im Verzeichnis eingetragen.</translation>
     </message>
 </context>
 <context>
@@ -7693,6 +7721,34 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     <message>
         <source>it is no database, and was left as it was.</source>
         <translation>es ist keine Datenbank und blieb, wie es war.</translation>
+    </message>
+    <message>
+        <source>another program has locked it.</source>
+        <translation>ein anderes Programm hat sie gesperrt.</translation>
+    </message>
+    <message>
+        <source>its disk cannot be read or written.</source>
+        <translation>ihr Datenträger kann nicht gelesen oder beschrieben werden.</translation>
+    </message>
+    <message>
+        <source>This is no time as 2026-03-01T13:00:00.000Z.</source>
+        <translation>Das ist keine Zeit wie 2026-03-01T13:00:00.000Z.</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: %3</source>
+        <translation>Zeile %1, %2: %3</translation>
+    </message>
+    <message>
+        <source>These are no EEPROM counts: &quot;format&quot; is not &quot;%1&quot;.</source>
+        <translation>Das sind keine EEPROM-Zähler: „format“ ist nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>Only version %1 of the format can be read.</source>
+        <translation>Nur Version %1 des Formats kann gelesen werden.</translation>
     </message>
 </context>
 <context>
@@ -10428,6 +10484,10 @@ Worte: IN %5, OUT %6</translation>
     <message>
         <source>It could not be opened again. %3: %4</source>
         <translation>Sie ließe sich nicht wieder öffnen. %3: %4</translation>
+    </message>
+    <message>
+        <source>Another program has locked its folder.</source>
+        <translation>Ein anderes Programm hat den Ordner gesperrt.</translation>
     </message>
 </context>
 <context>
