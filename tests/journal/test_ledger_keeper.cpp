@@ -185,7 +185,7 @@ TEST_F(LedgerKeeperTest, SaysSoWhereWhatRestoringWillWriteCannotBeNoted)
                                 "SELECT raise(ABORT, 'no room'); END"));
     encoder.cancel(OnCancel::restorePrevious);
     ASSERT_EQ(messages.size(), 1U) << "before anything is restored";
-    EXPECT_EQ(messages[0].id, MessageId::notKept);
+    EXPECT_EQ(messages[0].id, MessageId::keptBeside);
     for (int i = 0; i < 100 && encoder.runningJob(); ++i)
         bus.advance(10);
     EXPECT_FALSE(encoder.runningJob());
