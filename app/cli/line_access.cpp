@@ -195,7 +195,8 @@ Complaint LineAccess::noAnswerFrom(LineAddress address) const
 {
     const int baudRate = m_link.wish.line.baudRate;
     const std::uint64_t bytes = strayBytes();
-    return bytes == 0 ? aboutSilence(address, baudRate) : aboutStrayBytes(address, baudRate, bytes);
+    return bytes == 0 || address.isMaster() ? aboutSilence(address, baudRate)
+                                            : aboutStrayBytes(address, baudRate, bytes);
 }
 
 std::uint64_t LineAccess::strayBytes() const

@@ -160,8 +160,7 @@ QJsonArray WritePlan::notesJson() const
     QJsonArray json;
     for (const ValueNote &note : valueNotes())
         json.append(QJsonObject{{QStringLiteral("key"), noteKey(note.id)},
-                                {QStringLiteral("arguments"), argumentsJson(note.arguments)},
-                                {QStringLiteral("text"), noteText(note)}});
+                                {QStringLiteral("arguments"), argumentsJson(note.arguments)}});
     return json;
 }
 
