@@ -96,7 +96,7 @@ Ledger::Record recordOf(const JsonObject &json)
     return record;
 }
 
-QString textOf(const Catalog::Fault &fault)
+QString ledgerFaultText(const Catalog::Fault &fault)
 {
     return fault.key.isEmpty()
                ? Journal::tr("Line %1: %2").arg(QString::number(fault.line), fault.reason)
@@ -180,7 +180,7 @@ tl::expected<std::vector<Ledger::Record>, QString> recordsFromJson(const QByteAr
             records.push_back(recordOf(entry));
     }
     if (faults.first())
-        return tl::unexpected(textOf(*faults.first()));
+        return tl::unexpected(ledgerFaultText(*faults.first()));
     return records;
 }
 

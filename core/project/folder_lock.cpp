@@ -13,7 +13,7 @@
 namespace codewheel {
 namespace {
 
-constexpr std::chrono::milliseconds betweenTries{2};
+constexpr std::chrono::milliseconds betweenLockTries{2};
 
 } // namespace
 
@@ -28,7 +28,7 @@ FolderLock::FolderLock(const QString &file)
             return;
         if (m_isRefused = Clock::now() >= end; m_isRefused)
             return;
-        std::this_thread::sleep_for(betweenTries);
+        std::this_thread::sleep_for(betweenLockTries);
     }
 }
 

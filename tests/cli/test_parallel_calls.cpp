@@ -10,6 +10,7 @@
 #include <QProcess>
 #include <QTemporaryDir>
 
+#include <array>
 #include <gtest/gtest.h>
 #include <memory>
 
