@@ -23,6 +23,7 @@ ProjectSequences::ProjectSequences(ProjectDocument &document, SequenceView &view
     , m_names(new QComboBox(this))
     , m_add(new QToolButton(this))
     , m_remove(new QToolButton(this))
+    , m_holding(document.newGesture())
 {
     m_names->setObjectName(QStringLiteral("sequenceName"));
     m_names->setEditable(true);
@@ -66,6 +67,9 @@ ProjectSequences::ProjectSequences(ProjectDocument &document, SequenceView &view
             return;
         QMetaObject::invokeMethod(this, &ProjectSequences::keep, Qt::QueuedConnection);
     });
+    connect(
+        &view, &SequenceView::holdTaken, this, [this] { m_holding = m_document.newGesture(); },
+        Qt::QueuedConnection); // what was given before is kept then, too
     take();
 }
 
@@ -102,11 +106,15 @@ void ProjectSequences::keep()
     const std::vector<ProjectSequence> &sequences = m_document.project().sequences;
     if (sequences.empty() ? list == WordList() : sequences[m_open].list == list)
         return;
-    edit(tr("Edit the sequence"), [&](std::vector<ProjectSequence> &changed) {
-        if (changed.empty())
-            changed.push_back({.name = freshName(), .list = {}});
-        changed[m_open].list = list;
-    });
+    const bool isHold = !sequences.empty() && sequences[m_open].list.words == list.words;
+    edit(
+        tr("Edit the sequence"),
+        [&](std::vector<ProjectSequence> &changed) {
+            if (changed.empty())
+                changed.push_back({.name = freshName(), .list = {}});
+            changed[m_open].list = list;
+        },
+        isHold ? m_holding : ProjectDocument::noGesture);
 }
 
 void ProjectSequences::open(int sequence)
@@ -146,11 +154,12 @@ void ProjectSequences::rename(const QString &typed)
 }
 
 void ProjectSequences::edit(const QString &what,
-                            const std::function<void(std::vector<ProjectSequence> &)> &change)
+                            const std::function<void(std::vector<ProjectSequence> &)> &change,
+                            ProjectDocument::Gesture gesture)
 {
     Project after = m_document.project();
     change(after.sequences);
-    m_document.edit(std::move(after), what);
+    m_document.edit(std::move(after), what, gesture);
 }
 
 QString ProjectSequences::freshName() const

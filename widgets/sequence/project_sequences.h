@@ -29,7 +29,8 @@ private:
     void add();
     void remove();
     void rename(const QString &typed);
-    void edit(const QString &what, const std::function<void(std::vector<ProjectSequence> &)> &change);
+    void edit(const QString &what, const std::function<void(std::vector<ProjectSequence> &)> &change,
+              ProjectDocument::Gesture gesture = ProjectDocument::noGesture);
     QString freshName() const;
 
     ProjectDocument &m_document;
@@ -38,6 +39,7 @@ private:
     QComboBox *m_names;
     QToolButton *m_add;
     QToolButton *m_remove;
+    ProjectDocument::Gesture m_holding; // steps of the cycles, until their field is left
     bool m_isTaking = false;
     bool m_isPending = false; // edits of one event are one step
 };

@@ -149,6 +149,7 @@ void SequenceView::makeSending()
 {
     m_hold->setRange(1, WordList::longestHold);
     m_hold->setValue(WordList().holdCycles);
+    connect(m_hold, &QSpinBox::editingFinished, this, &SequenceView::holdTaken);
     m_hold->setSuffix(tr(" cycles", "unit of a number of bus cycles"));
     m_hold->setAccessibleName(tr("Cycles for words that nothing acknowledges"));
     m_hold->setToolTip(tr("How long a word stands that nothing acknowledges; others stand until they are"));

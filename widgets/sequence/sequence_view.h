@@ -42,6 +42,7 @@ public:
 
 Q_SIGNALS:
     void listChanged(); // perhaps: also when a word was sent
+    void holdTaken();   // the field of the cycles was left, or Return pressed in it
     void sendingEnded();
     void terminalRequested(); // where what an encoder on a serial line is to be sent is typed
 

@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QLineEdit>
+#include <QSpinBox>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -82,6 +83,27 @@ TEST_F(ProjectSequencesTest, ANameThatIsGivenUpOrEmptyLeavesTheOneBefore)
     EXPECT_EQ(names().currentText(), before);
     EXPECT_EQ(sequences().front().name, before);
     EXPECT_EQ(document.undoStack().count(), 1);
+}
+
+TEST_F(ProjectSequencesTest, StepsOfTheCyclesAreOneStepOfUndo)
+{
+    type({1});
+    auto *hold = view.findChild<QSpinBox *>();
+    const int before = hold->value();
+    const auto stepUp = [&] {
+        QTest::keyClick(hold, Qt::Key_Up);
+        QCoreApplication::processEvents();
+    };
+    stepUp();
+    stepUp();
+    EXPECT_EQ(sequences().front().list.holdCycles, before + 2);
+    EXPECT_EQ(document.undoStack().count(), 2) << "the words, the cycles";
+    QTest::keyClick(hold, Qt::Key_Return);
+    QCoreApplication::processEvents();
+    stepUp();
+    EXPECT_EQ(document.undoStack().count(), 3);
+    document.undoStack().undo();
+    EXPECT_EQ(sequences().front().list.holdCycles, before + 2);
 }
 
 TEST_F(ProjectSequencesTest, AnotherProjectBringsItsOwn)
