@@ -3,6 +3,7 @@
 
 #include "encoder/sentence.h"
 #include "widgets/input/number_fields.h"
+#include "widgets/input/text_fields.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
@@ -111,6 +112,7 @@ void LineSettingsForm::makePort(QFormLayout &form)
 {
     m_port = new QComboBox(m_content);
     m_port->setEditable(true);
+    m_port->setLineEdit(new TextField(m_port));
     m_port->setInsertPolicy(QComboBox::NoInsert);
     m_port->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_port->setMinimumContentsLength(20);
@@ -141,6 +143,7 @@ void LineSettingsForm::makeCharacter(QFormLayout &form)
     m_baudRate = addChoice(form, tr("Ba&ud rate"),
                            tr("19200, 9600 or 4800; any other may be typed. 19200 is that of the factory"));
     m_baudRate->setEditable(true);
+    m_baudRate->setLineEdit(new TextField(m_baudRate));
     m_baudRate->setInsertPolicy(QComboBox::NoInsert);
     for (const int rate : {19'200, 9'600, 4'800})
         m_baudRate->addItem(QString::number(rate), rate);

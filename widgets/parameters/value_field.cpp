@@ -5,6 +5,7 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 
 namespace codewheel {
 
@@ -18,6 +19,7 @@ ValueField::ValueField(const ParameterDescription &parameter, const QString &ifE
     layout->addWidget(m_input);
     setFocusProxy(m_input);
     if (const auto *number = qobject_cast<NumberInput *>(m_input)) {
+        m_input->installEventFilter(this);
         connect(number, &QLineEdit::textEdited, this, [this] { m_isTyped = true; });
         connect(number, &QLineEdit::textChanged, this, [this] {
             Q_EMIT typed();
@@ -44,6 +46,19 @@ void ValueField::setValue(std::optional<std::int64_t> value)
     setInputValue(*m_input, value);
     if (const auto *number = qobject_cast<NumberInput *>(m_input))
         m_taken = number->text();
+}
+
+// Esc is for the field where something was typed; else for whoever is around it.
+bool ValueField::eventFilter(QObject *input, QEvent *event)
+{
+    auto *number = qobject_cast<NumberInput *>(input);
+    const bool gives = number != nullptr && event->type() == QEvent::KeyPress &&
+                       static_cast<QKeyEvent *>(event)->key() == Qt::Key_Escape && number->text() != m_taken;
+    if (!gives)
+        return QWidget::eventFilter(input, event);
+    number->setText(QString(m_taken));
+    number->selectAll();
+    return true;
 }
 
 void ValueField::takeText()

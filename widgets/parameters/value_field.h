@@ -11,7 +11,7 @@
 namespace codewheel {
 
 // A field for one value of an encoder on a page of fields: a number, or one of the choices the device has
-// (widgets/parameters/value_input.h). Empty: no value given.
+// (widgets/parameters/value_input.h). Empty: no value given. Esc gives what stood there before.
 class ValueField : public QWidget
 {
     Q_OBJECT
@@ -32,6 +32,9 @@ Q_SIGNALS:
     void typed();
     void edited();
     void entered(); // Return in a number that is good
+
+protected:
+    bool eventFilter(QObject *input, QEvent *event) override;
 
 private:
     void takeText();

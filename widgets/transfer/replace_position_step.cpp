@@ -4,6 +4,7 @@
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
 #include "widgets/input/decimal_text.h"
+#include "widgets/input/text_fields.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/wrapped_radio_button.h"
@@ -24,7 +25,7 @@ ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositio
     , m_kept(new WrappedRadioButton(tr("Position kept in the pro&ject"), this))
     , m_typed(new QRadioButton(tr("&Set the position to"), this))
     , m_none(new WrappedRadioButton(tr("&Leave the position as the new encoder shows it"), this))
-    , m_value(new QLineEdit(this))
+    , m_value(new TextField(this))
     , m_note(new QLabel(tr("The shaft must stand where it stood then. The zero offset of the encoder before "
                            "is not written: setting the position makes a new one. A preset that the project "
                            "wants is written last, and does not act by itself."),

@@ -125,6 +125,22 @@ TEST_F(WizardPages, NeitherWhatIsHalfTypedNorWhatIsRefusedIsWanted)
     EXPECT_EQ(wanted.value({2, 0}, Parameter::steps), 400);
 }
 
+TEST_F(WizardPages, EscInAFieldGivesTheValueBefore)
+{
+    wanted.set({2, 0}, Parameter::steps, 100);
+    wizard.setEncoder(&baumer());
+    next();
+    next();
+    next();
+    type("steps", "99999999");
+    auto *field = find<QLineEdit>("steps");
+    QTest::keyClick(field, Qt::Key_Escape);
+    EXPECT_EQ(field->text(), QStringLiteral("100"));
+    EXPECT_TRUE(isEnabled("wizardNext"));
+    leaveField();
+    EXPECT_EQ(wanted.value({2, 0}, Parameter::steps), 100);
+}
+
 TEST_F(WizardPages, CancelRestoresWhatWasWantedBefore)
 {
     wanted.set({2, 0}, Parameter::steps, 100);
