@@ -166,7 +166,7 @@ Checked<AllowedRequest> TypedCall::allowed(const esc::Request &request)
 
 Checked<void> TypedCall::askToWrite(const esc::Request &request)
 {
-    if (const auto shown = checkWasShown(m_call); !shown)
+    if (auto shown = checkWasShown(m_call); !shown)
         return shown;
     if (m_call.arguments.has("--yes"))
         return {};

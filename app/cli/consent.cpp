@@ -16,7 +16,7 @@ Checked<void> checkWasShown(const Call &call)
 
 Checked<void> consent(const Call &call, const QString &question, const QString &howWithoutAsking)
 {
-    if (const auto shown = checkWasShown(call); !shown)
+    if (auto shown = checkWasShown(call); !shown)
         return shown;
     if (call.arguments.has("--yes"))
         return {};

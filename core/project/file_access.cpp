@@ -120,13 +120,13 @@ Result<void> checkReplaceable(const QString &path)
 Result<void> replaceFile(const QString &path, const QByteArray &bytes, OldFile old)
 {
     FileReplacement file(path);
-    if (const auto begun = file.begin(); !begun)
+    if (auto begun = file.begin(); !begun)
         return begun;
     file.write(bytes);
-    if (const auto isThere = file.bringToDisk(); !isThere)
+    if (auto isThere = file.bringToDisk(); !isThere)
         return isThere;
     if (old == OldFile::isKeptAsBackup && QFileInfo::exists(path)) {
-        if (const auto can = checkReplaceable(backupPath(path)); !can)
+        if (auto can = checkReplaceable(backupPath(path)); !can)
             return can;
         if (!keepBackup(path))
             return notWritten(backupPath(path), systemReason());

@@ -77,7 +77,7 @@ Result<void> FileReplacement::bringToDisk()
 
 Result<void> FileReplacement::replace()
 {
-    if (const auto isThere = bringToDisk(); !isThere)
+    if (auto isThere = bringToDisk(); !isThere)
         return isThere;
     close();
     if (!m_file.commit())

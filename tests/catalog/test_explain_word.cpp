@@ -92,7 +92,7 @@ TEST_F(ExplainWord, WordsOfBaumer)
 // Of FRABA the manual has 1 to 5 and 7, of Baumer 6 and 15 too.
 TEST_F(ExplainWord, AParameterThatTheEncoderHasNotIsSaidToBeUndefined)
 {
-    for (const unsigned number : {6, 8, 9, 14, 15}) {
+    for (const unsigned number : {6U, 8U, 9U, 14U, 15U}) {
         const Explanation asked = explainWord(fraba, k3::parameterWord(number, 1), positionOut);
         EXPECT_EQ(asked, (Meaning{MeaningId::parameterRequestUndefined, {number, 1}})) << number;
     }

@@ -83,12 +83,13 @@ TEST_F(LedgerMerge, WhatIsWrongWithAFileIsTold)
 {
     const QByteArray good = recordsToJson({}, false);
     EXPECT_TRUE(recordsFromJson(good));
+    const char *negativeWrites =
+        R"({"format":"codewheel-ledger","version":1,"entries":[{"id":"a","at":"x","identity":"serial/A/1",)"
+        R"("countedBy":"place","place":"1.0","device":"","planned":1,"writes":-1,"settled":true,)"
+        R"("before":[],"written":[]}]})";
     for (const char *bad :
          {"", "{}", R"({"format":"codewheel-ledger","version":2,"entries":[]})",
-          R"({"format":"codewheel-ledger","version":1,"entries":[{"id":"a"}]})",
-          R"({"format":"codewheel-ledger","version":1,"entries":[{"id":"a","at":"x","identity":"serial/A/1",)"
-          R"("countedBy":"place","place":"1.0","device":"","planned":1,"writes":-1,"settled":true,)"
-          R"("before":[],"written":[]}]})"}) {
+          R"({"format":"codewheel-ledger","version":1,"entries":[{"id":"a"}]})", negativeWrites}) {
         const auto read = recordsFromJson(bad);
         ASSERT_FALSE(read) << bad;
         EXPECT_NE(read.error(), QString()) << bad;

@@ -26,7 +26,7 @@ QString takeFields(const QWidget &form)
         if (!widget->isVisibleTo(&form) || !widget->isEnabled())
             continue;
         auto *field = dynamic_cast<FormField *>(widget);
-        const QString wrong = field != nullptr ? field->takeTyped() : markedSentence(*widget);
+        QString wrong = field != nullptr ? field->takeTyped() : markedSentence(*widget);
         if (!wrong.isEmpty()) {
             widget->setFocus();
             return wrong;

@@ -69,7 +69,7 @@ QString SpinField<SpinBox>::complaint() const
 template <typename SpinBox>
 QString SpinField<SpinBox>::takeTyped()
 {
-    const QString wrong = complaint();
+    QString wrong = complaint();
     if (wrong.isEmpty())
         this->interpretText();
     return wrong;

@@ -439,7 +439,7 @@ QVariant StructureModel::deviceCell(const Node &node, int column, int role) cons
     if (role == Qt::ToolTipRole)
         return toolTip(node);
     if (column == positionColumn && node.isOld)
-        if (const QVariant look = oldPositionLook(node.position, role); look.isValid())
+        if (QVariant look = oldPositionLook(node.position, role); look.isValid())
             return look;
     if (role == Qt::DecorationRole) {
         if (column == deviceColumn)

@@ -128,7 +128,7 @@ QVariant StructureModel::lineEncoderCell(const LineBranch::Row &row, int column,
     if (role == Qt::ToolTipRole)
         return m_line.toolTip(row);
     if (column == positionColumn && row.isOld)
-        if (const QVariant look = oldPositionLook(row.position, role); look.isValid())
+        if (QVariant look = oldPositionLook(row.position, role); look.isValid())
             return look;
     if (role == Qt::DecorationRole && column == deviceColumn)
         return lineIcon(Icon::encoder);
