@@ -18,7 +18,7 @@ struct EscStep : Step
         readBack,       // what was written must be there
         positionBefore, // before the first write
         positionAfter,  // after the last
-        search, // of the encoder whose address or baud rate was changed
+        search,         // of the encoder whose address or baud rate was changed
     };
 
     Task task = Task::read;
