@@ -73,7 +73,9 @@ TEST_F(SavingTogether, EachSavesWhatTheOthersHaveSavedAndItsOwn)
         for (std::size_t i = 0; i < project.devices.size(); ++i)
             savers.emplace_back(countUp, i);
     }
-    for (const ProjectDevice &device : loadProject(m_file)->devices)
+    const auto saved = loadProject(m_file);
+    ASSERT_TRUE(saved);
+    for (const ProjectDevice &device : saved->devices)
         EXPECT_EQ(device.station.toInt(), times);
     EXPECT_EQ(names(), (QStringList{QStringLiteral("crane.codewheel"), QStringLiteral("crane.codewheel~")}));
 }

@@ -39,6 +39,13 @@ ProjectPage::ProjectPage(ProjectDocument &document, QWidget *parent)
     showProject();
 }
 
+// Losing the focus by going is no leaving of a field.
+ProjectPage::~ProjectPage()
+{
+    m_title->disconnect(this);
+    m_note->disconnect(this);
+}
+
 void ProjectPage::makeFields()
 {
     m_title->setObjectName(QStringLiteral("projectTitle"));

@@ -21,6 +21,7 @@ class ProjectPage : public QWidget
 public:
     // The document outlives the page.
     explicit ProjectPage(ProjectDocument &document, QWidget *parent = nullptr);
+    ~ProjectPage() override;
 
 private:
     void makeFields();

@@ -73,6 +73,12 @@ ProjectSequences::ProjectSequences(ProjectDocument &document, SequenceView &view
     take();
 }
 
+// Losing the focus by going is no leaving of the field.
+ProjectSequences::~ProjectSequences()
+{
+    m_names->lineEdit()->disconnect(this);
+}
+
 void ProjectSequences::take()
 {
     if (m_isTaking || m_view.isSending()) // what is sent stays in sight

@@ -21,6 +21,7 @@ class ProjectSequences : public QWidget
 public:
     // Both must outlive it.
     ProjectSequences(ProjectDocument &document, SequenceView &view, QWidget *parent = nullptr);
+    ~ProjectSequences() override;
 
 private:
     void take();
