@@ -67,8 +67,12 @@ void CheckedDelegate::destroyEditor(QWidget *editor, const QModelIndex &index) c
 bool CheckedDelegate::eventFilter(QObject *editor, QEvent *event)
 {
     const auto *field = qobject_cast<QLineEdit *>(editor);
-    if (event->type() == QEvent::FocusOut && field != nullptr && !field->hasAcceptableInput())
-        return false;
+    if (event->type() == QEvent::FocusOut && field != nullptr) {
+        if (field->window()->isHidden()) // it goes with its window, and is not left
+            return true;
+        if (!field->hasAcceptableInput())
+            return false;
+    }
     return QStyledItemDelegate::eventFilter(editor, event);
 }
 

@@ -76,6 +76,12 @@ SequenceView::SequenceView(QWidget *parent)
     setEncoder(nullptr);
 }
 
+// Losing the focus by going is no leaving of a field.
+SequenceView::~SequenceView()
+{
+    m_hold->disconnect(this);
+}
+
 void SequenceView::makeTable()
 {
     m_table->setModel(m_model);

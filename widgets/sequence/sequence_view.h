@@ -30,6 +30,7 @@ class SequenceView : public QWidget
 
 public:
     explicit SequenceView(QWidget *parent = nullptr);
+    ~SequenceView() override;
 
     void setEncoder(codewheel::EncoderSession *encoder);
 

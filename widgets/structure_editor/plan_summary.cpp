@@ -69,6 +69,12 @@ PlanSummary::PlanSummary(ProjectDocument &document, QWidget *parent)
     show();
 }
 
+// Losing the focus by going is no leaving of a field.
+PlanSummary::~PlanSummary()
+{
+    m_cable->disconnect(this);
+}
+
 void PlanSummary::show()
 {
     m_counts->setText(countsText());

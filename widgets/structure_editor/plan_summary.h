@@ -18,6 +18,7 @@ class PlanSummary : public QWidget
 
 public:
     explicit PlanSummary(ProjectDocument &document, QWidget *parent = nullptr);
+    ~PlanSummary() override;
 
     QString countsText() const;
     QString timesText() const;

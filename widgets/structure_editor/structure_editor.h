@@ -34,6 +34,7 @@ class StructureEditor : public QWidget
 public:
     // Both must outlive it.
     StructureEditor(ProjectDocument &document, const Catalog &catalog, QWidget *parent = nullptr);
+    ~StructureEditor() override;
 
     void choose(DeviceNumber number);
     void openInsertPanel();

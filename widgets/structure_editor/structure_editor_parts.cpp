@@ -69,6 +69,12 @@ StructureEditor::StructureEditor(ProjectDocument &document, const Catalog &catal
     showCurrent();
 }
 
+// Losing the focus by going is no leaving of a field.
+StructureEditor::~StructureEditor()
+{
+    m_first->disconnect(this);
+}
+
 QAction *StructureEditor::addTool(Icon icon, const QString &text, const QKeySequence &key, const QString &tip,
                                   Slot slot)
 {
