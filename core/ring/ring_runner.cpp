@@ -331,10 +331,13 @@ void RingRunner::slept(std::chrono::milliseconds duration, Instant now)
 {
     d->ring.at = now;
     d->ring.awakeSince = now;
-    while (!d->carryOutCommands()) { // of before
-    }
+    bool isAlarm = false;
+    while (!d->carryOutCommands()) // of before
+        isAlarm = true;
     d->endJobs(RefusalId::computerSlept);
     d->goOnWithWhatWasExchanged();
+    if (isAlarm) // whatever was exchanged
+        std::ranges::fill(d->image, Word{0});
     d->ring.operate = false;
     const auto seconds = std::chrono::ceil<std::chrono::seconds>(duration).count();
     d->tellOfRing({.severity = Severity::attention,

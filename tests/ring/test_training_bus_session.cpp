@@ -124,6 +124,25 @@ TEST_F(TrainingBusSession, WhatIsBehindASwitchedOffSegmentIsOld)
     EXPECT_TRUE(encoder().freshness().isLive());
 }
 
+// It was pressed, and the lid was closed before the next cycle.
+TEST_F(TrainingBusSession, AnAlarmStopFromBeforeTheSleepZeroesOut)
+{
+    bool hasSlept = false;
+    QObject::connect(&m_bus, &BusSession::messaged, &m_bus, [&](const Message &message) {
+        hasSlept = hasSlept || message.id == MessageId::computerSlept;
+    });
+    m_bus.channel(fraba)->stage(0x0200'00FF);
+    ASSERT_TRUE(m_bus.channel(fraba)->write());
+    m_bus.advance(3);
+    ASSERT_EQ(m_bus.devicesWithOut(), std::vector<DeviceNumber>{fraba});
+    m_bus.alarmStop();
+    m_bus.startThread(std::chrono::milliseconds(1), oneSleepOf(std::chrono::hours(2)));
+    while (!hasSlept || m_bus.isOperating())
+        m_bus.pump();
+    EXPECT_EQ(m_bus.latest().state, MasterState::ready);
+    EXPECT_TRUE(m_bus.devicesWithOut().empty());
+}
+
 // Closing the lid in the midst of a handshake.
 TEST_F(TrainingBusSession, AfterTheComputerSleptNothingMoreIsSent)
 {
