@@ -67,10 +67,8 @@ StructureView::StructureView(QWidget *parent)
     m_tree->setAllColumnsShowFocus(true);
     m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
     m_tree->setExpandsOnDoubleClick(false);
-    m_tree->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_tree->header()->setSectionResizeMode(QHeaderView::Fixed);
     m_tree->header()->setSectionResizeMode(StructureModel::deviceColumn, QHeaderView::Interactive);
-    m_tree->header()->setSectionResizeMode(StructureModel::positionColumn, QHeaderView::Fixed);
-    m_tree->header()->resizeSection(StructureModel::positionColumn, widestPosition());
     m_tree->header()->setStretchLastSection(false);
     m_tree->hide();
 
@@ -106,14 +104,12 @@ StructureView::StructureView(QWidget *parent)
     });
     connect(m_model, &QAbstractItemModel::modelReset, this, &StructureView::showWhetherEmpty);
     connect(m_model, &QAbstractItemModel::rowsInserted, this, &StructureView::showWhetherEmpty);
-    // Afterwards: the header is still resizing when it tells.
-    connect(
-        m_tree->header(), &QHeaderView::sectionResized, this,
-        [this](int column) {
-            if (column == StructureModel::stateColumn)
-                fitColumns();
-        },
-        Qt::QueuedConnection);
+    connect(m_model, &QAbstractItemModel::dataChanged, this, [this](const QModelIndex &first) {
+        if (first.column() != StructureModel::positionColumn) // it has room for any
+            m_measuring.start();
+    });
+    m_measuring.setSingleShot(true); // several rows that change at once are measured once
+    connect(&m_measuring, &QTimer::timeout, this, &StructureView::measureColumns);
     setFocusProxy(m_tree);
 }
 
@@ -135,22 +131,37 @@ int StructureView::narrowestName() const
            m_tree->fontMetrics().horizontalAdvance(QStringLiteral("10.10 ..."));
 }
 
-// The state is seen before the whole name is, and the number before a long state; the tooltip has all of it.
-void StructureView::fitColumns()
+void StructureView::measureColumns()
 {
-    m_tree->resizeColumnToContents(StructureModel::deviceColumn);
-    const int whole = m_tree->columnWidth(StructureModel::deviceColumn);
+    for (int column = 0; column < StructureModel::columns; ++column)
+        m_tree->resizeColumnToContents(column);
+    m_tree->setColumnWidth(StructureModel::positionColumn, widestPosition());
+    m_widestName = m_tree->columnWidth(StructureModel::deviceColumn);
+    placeColumns();
+}
+
+// The state is seen before the whole name is, and the number before a long state; the tooltip has all of it.
+void StructureView::placeColumns()
+{
     int left = m_tree->viewport()->width() - m_tree->columnWidth(StructureModel::stateColumn);
     const int beside = left - m_tree->columnWidth(StructureModel::positionColumn);
-    if (beside >= std::min(whole, roomForNames())) // the position is seen too where there is room
+    if (beside >= std::min(m_widestName, roomForNames())) // the position is seen too where there is room
         left = beside;
-    m_tree->setColumnWidth(StructureModel::deviceColumn, std::min(whole, std::max(left, narrowestName())));
+    m_tree->setColumnWidth(StructureModel::deviceColumn,
+                           std::min(m_widestName, std::max(left, narrowestName())));
 }
 
 void StructureView::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    fitColumns();
+    placeColumns();
+}
+
+void StructureView::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        m_measuring.start();
 }
 
 void StructureView::setBus(BusSession *bus)
@@ -192,7 +203,7 @@ void StructureView::showWhetherEmpty()
     m_tree->expandAll();
     m_tree->setVisible(!isEmpty);
     m_empty->setVisible(isEmpty);
-    fitColumns();
+    measureColumns();
 }
 
 // The ID code tells the profile, never the make. A device that nobody named is asked for where the catalog

@@ -3,6 +3,7 @@
 
 #include "encoder/device_number.h"
 
+#include <QTimer>
 #include <QWidget>
 
 #include <optional>
@@ -52,12 +53,14 @@ Q_SIGNALS:
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
 
 private:
     int narrowestName() const;
     int widestPosition() const;
     int roomForNames() const;
-    void fitColumns();
+    void measureColumns();
+    void placeColumns();
     void showWhetherEmpty();
     void askForMake();
 
@@ -66,7 +69,9 @@ private:
     QTreeView *m_tree;
     EmptyState *m_empty;
     InlineMessage *m_question;
-    int m_levels = 0; // of the tree, the master one of them
+    QTimer m_measuring;
+    int m_widestName = 0; // px
+    int m_levels = 0;     // of the tree, the master one of them
 };
 
 } // namespace codewheel
