@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/parameter_panel.h"
 
+#include "drivers/value_notes.h"
 #include "drivers/values_to_write.h"
 #include "encoder/refusal_text.h"
 #include "widgets/eeprom/eeprom_question.h"
@@ -63,9 +64,14 @@ QWidget *ParameterPanel::makeTablePage()
     m_bar = new ValueBar(page);
     m_buttons = makeButtons();
     m_job = new JobStrip(page);
-    m_note = new QLabel(page);
-    m_note->setFont(textFont(TextSize::small));
-    m_note->setWordWrap(true);
+    const auto smallText = [page] {
+        auto *text = new QLabel(page);
+        text->setFont(textFont(TextSize::small));
+        text->setWordWrap(true);
+        return text;
+    };
+    m_valueNotes = smallText();
+    m_note = smallText();
 
     auto *layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -73,6 +79,7 @@ QWidget *ParameterPanel::makeTablePage()
     layout->addWidget(m_message);
     layout->addWidget(m_bar);
     layout->addWidget(m_differences);
+    layout->addWidget(m_valueNotes);
     layout->addWidget(m_buttons);
     layout->addWidget(m_job);
     layout->addWidget(m_note);
@@ -139,8 +146,10 @@ void ParameterPanel::connectParts()
         start(job);
     });
     connect(&m_wanted, &WantedValues::changed, this, [this] { withdraw(Cause::refusal); });
-    connect(m_model, &QAbstractItemModel::modelReset, this, &ParameterPanel::showDifferences);
-    connect(m_model, &QAbstractItemModel::dataChanged, this, &ParameterPanel::showDifferences);
+    for (const auto show : {&ParameterPanel::showDifferences, &ParameterPanel::showValueNotes}) {
+        connect(m_model, &QAbstractItemModel::modelReset, this, show);
+        connect(m_model, &QAbstractItemModel::dataChanged, this, show);
+    }
 }
 
 void ParameterPanel::setEncoder(const ShownEncoder &encoder)
@@ -235,6 +244,25 @@ void ParameterPanel::showDifferences()
     m_differences->setVisible(count > 0);
     m_differences->setState(Role::attention,
                             count == 1 ? tr("1 value differs") : tr("%1 values differ").arg(count));
+}
+
+// What the wanted values bring about besides: told as soon as they are wanted, of a planned encoder too.
+void ParameterPanel::showValueNotes()
+{
+    ParameterValues written;
+    ParameterValues known;
+    for (const ParameterRow &row : m_model->rows()) {
+        if (row.known)
+            known.push_back({row.parameter.parameter, row.known->value});
+        if (row.wanted && (!row.known || row.differs()))
+            written.push_back({row.parameter.parameter, *row.wanted});
+    }
+    QStringList sentences;
+    if (!written.empty())
+        for (const ValueNote &note : valueNotes(m_encoder.device(), written, known))
+            sentences << noteText(note);
+    m_valueNotes->setText(sentences.join(u'\n'));
+    m_valueNotes->setVisible(!sentences.isEmpty());
 }
 
 void ParameterPanel::read()

@@ -70,6 +70,7 @@ private:
     void finished(const Outcome &outcome);
     void showRefusal(const Refusal &why);
     void showDifferences();
+    void showValueNotes();
     void showRunningJob();
     void showWrongInput(const QString &wrong);
     void showMessage(Cause cause, Role role, const QString &sentence, const QString &action = {});
@@ -89,6 +90,7 @@ private:
     WriteReview *m_review;
     ParameterTable *m_table = nullptr;
     RoleLabel *m_differences = nullptr;
+    QLabel *m_valueNotes = nullptr;
     QLabel *m_note = nullptr;
     InlineMessage *m_message = nullptr;
     ValueBar *m_bar = nullptr;

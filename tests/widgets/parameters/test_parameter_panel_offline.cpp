@@ -157,5 +157,16 @@ TEST_F(OfflineParameters, ConnectedItCanSendAgain)
     EXPECT_EQ(textAt(Parameter::steps, ParameterModel::wantedColumn), QStringLiteral("4096 not compared"));
 }
 
+TEST_F(OfflineParameters, WhatTheWantedValuesBringAboutIsSaid)
+{
+    panel.setEncoder({fraba, *ring.catalog.find(u"fraba-ocd-ib")});
+    wanted.set(fraba, Parameter::steps, 1000);
+    EXPECT_FALSE(isSaid(QStringLiteral("jumps")));
+    wanted.set(fraba, Parameter::revolutions, 3);
+    EXPECT_TRUE(isSaid(QStringLiteral("the position jumps by a fraction of a step after turn")));
+    wanted.clear(fraba);
+    EXPECT_FALSE(isSaid(QStringLiteral("jumps")));
+}
+
 } // namespace
 } // namespace codewheel
