@@ -34,6 +34,8 @@ struct LineEvent
     std::size_t device = 0; // of an Event; meaningless for the rest
     std::variant<Event, Message, esc::LineRow, ScanProgress, ScanEnded, TypedAnswered> what;
     Instant at{};
+
+    bool isRow() const { return std::holds_alternative<esc::LineRow>(what); } // of the terminal
 };
 
 } // namespace codewheel

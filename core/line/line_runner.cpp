@@ -6,7 +6,6 @@
 namespace codewheel {
 namespace {
 
-constexpr std::size_t maximumRows = 10'000; // that nobody took
 // 2 ms at a USB adapter, which collects for 16 ms more.
 constexpr Instant withoutLowLatency = std::chrono::milliseconds(18);
 
@@ -117,9 +116,8 @@ void LineRunner::Private::goOn(Instant until)
 void LineRunner::Private::end(UnderWay ended)
 {
     const esc::ExchangeResult &result = ended.exchange.result();
-    keepRows(ended.exchange.takeRows());
+    tellRows(ended.exchange.takeRows());
     counter.note(result);
-    const Instant now = link.now();
     switch (ended.asker) {
     case Asker::terminal:
         typedEnded(ended.exchange.request(), result);
@@ -128,7 +126,7 @@ void LineRunner::Private::end(UnderWay ended)
         if (!scan) // cancelled meanwhile
             break;
         scan->answered(result);
-        events.post({.what = ScanProgress{scan->asked(), scan->total(), scan->found()}, .at = now});
+        tellEvent(ScanProgress{scan->asked(), scan->total(), scan->found()});
         break;
     case Asker::device:
         if (!driver(ended.device)) // removed meanwhile
@@ -166,7 +164,7 @@ void LineRunner::Private::typedEnded(const esc::Request &request, const esc::Exc
         driver(i)->observe(request, result, link.now());
         collect(i);
     }
-    events.post({.what = TypedAnswered{request, result}, .at = link.now()});
+    tellEvent(TypedAnswered{request, result});
 }
 
 void LineRunner::Private::listen(Instant until)
@@ -179,48 +177,48 @@ void LineRunner::Private::listen(Instant until)
     if (bytes->isEmpty())
         return;
     counter.noteGarbage(static_cast<std::size_t>(bytes->size()));
-    keepRows({{.at = link.now(), .kind = esc::LineRow::Kind::garbage, .bytes = *bytes}});
+    tellRows({{.at = link.now(), .kind = esc::LineRow::Kind::garbage, .bytes = *bytes}});
     publish();
 }
 
 void LineRunner::Private::collect(std::size_t device)
 {
-    const Instant now = link.now();
     for (Event &event : driver(device)->takeEvents())
-        events.post({.device = device, .what = std::move(event), .at = now});
+        tellEvent(std::move(event), device);
     for (Message &message : driver(device)->takeMessages()) {
         message.place = DeviceNumber::onLine(driver(device)->address());
         tell(std::move(message));
     }
 }
 
-void LineRunner::Private::keepRows(std::vector<esc::LineRow> rows)
+void LineRunner::Private::tellEvent(decltype(LineEvent::what) what, std::size_t device)
+{
+    mail.tell({.device = device, .what = std::move(what), .at = link.now()});
+}
+
+void LineRunner::Private::tellRows(std::vector<esc::LineRow> rows)
 {
     for (esc::LineRow &row : rows) {
-        if (events.size() >= maximumRows) {
-            ++droppedRows;
-            continue;
-        }
         const Instant at = row.at;
-        events.post({.what = std::move(row), .at = at});
+        mail.tell({.what = std::move(row), .at = at});
     }
 }
 
 void LineRunner::Private::tell(Message message)
 {
     message.at = link.now();
-    events.post({.what = std::move(message), .at = link.now()});
+    tellEvent(std::move(message));
 }
 
 void LineRunner::Private::publish()
 {
-    auto made = std::make_shared<LineSnapshot>();
-    made->at = link.now();
-    static_cast<LineState &>(*made) = state;
-    made->awakeSince = awakeSince;
-    made->scanning = scan.has_value();
-    made->figures = counter.figures();
-    made->droppedRows = droppedRows;
+    LineSnapshot made;
+    made.at = link.now();
+    static_cast<LineState &>(made) = state;
+    made.awakeSince = awakeSince;
+    made.scanning = scan.has_value();
+    made.figures = counter.figures();
+    made.droppedRows = mail.droppedRows();
     for (const Device &device : devices) {
         LineSnapshot::Device shown{.address = {}, .reading = {}, .figures = device.counter.figures()};
         shown.present = device.driver != nullptr;
@@ -229,10 +227,9 @@ void LineRunner::Private::publish()
             shown.reading = device.driver->reading();
             shown.hasJob = device.driver->busy();
         }
-        made->devices.push_back(shown);
+        made.devices.push_back(shown);
     }
-    const std::scoped_lock lock(latestMutex);
-    latest = std::move(made);
+    mail.publish(made);
 }
 
 LineRunner::LineRunner(ByteLink &link, const LineSettings &settings, const esc::Timing &timing)
@@ -280,19 +277,18 @@ void LineRunner::finish()
 
 void LineRunner::post(LineCommand command)
 {
-    d->commands.post(std::move(command));
+    d->mail.post(std::move(command));
     d->link.interrupt();
 }
 
 std::vector<LineEvent> LineRunner::takeEvents()
 {
-    return d->events.takeAll();
+    return d->mail.takeEvents();
 }
 
 std::shared_ptr<const LineSnapshot> LineRunner::takeLatest()
 {
-    const std::scoped_lock lock(d->latestMutex);
-    return std::exchange(d->latest, nullptr);
+    return d->mail.takeLatest();
 }
 
 } // namespace codewheel

@@ -8,10 +8,12 @@ namespace codewheel {
 
 void LineRunner::Private::carryOutCommands()
 {
-    auto taken = commands.takeAll();
-    for (LineCommand &command : taken)
-        std::visit([this](auto &c) { carryOut(c); }, command);
-    if (!taken.empty())
+    bool isOther = false;
+    while (auto next = mail.nextCommand()) {
+        std::visit([this](auto &c) { carryOut(c); }, *next);
+        isOther = true;
+    }
+    if (isOther)
         publish();
 }
 
@@ -33,9 +35,7 @@ void LineRunner::Private::carryOut(line_command::StartJob &c)
     if (taken)
         taken = driver(c.device)->begin(c.id, c.job, c.pace, link.now());
     if (!taken)
-        events.post({.device = c.device,
-                     .what = Event(notTaken(c.id, taken.error(), driver(c.device)->reading().state)),
-                     .at = link.now()});
+        tellEvent(Event(notTaken(c.id, taken.error(), driver(c.device)->reading().state)), c.device);
     collect(c.device);
 }
 
@@ -118,7 +118,7 @@ void LineRunner::Private::carryOut(line_command::Send &c)
         typed.push_back(c.request);
     } else {
         tell({.severity = Severity::attention, .refusal = allowed.error()});
-        events.post({.what = TypedAnswered{c.request, {}}, .at = link.now()});
+        tellEvent(TypedAnswered{c.request, {}});
     }
 }
 
@@ -159,7 +159,7 @@ void LineRunner::Private::endScan(bool cancelled)
 {
     if (!scan)
         return;
-    events.post({.what = ScanEnded{scan->found(), scan->requests(), cancelled}, .at = link.now()});
+    tellEvent(ScanEnded{scan->found(), scan->requests(), cancelled});
     tell({.id = MessageId::encodersFound,
           .arguments = {static_cast<std::int64_t>(scan->found().size()),
                         static_cast<std::int64_t>(scan->requests())}});
@@ -184,7 +184,7 @@ void LineRunner::Private::tellTaken()
 void LineRunner::Private::dropTyped()
 {
     for (const esc::Request &request : std::exchange(typed, {}))
-        events.post({.what = TypedAnswered{request, {}}, .at = link.now()});
+        tellEvent(TypedAnswered{request, {}});
 }
 
 void LineRunner::Private::stopJobs(const Refusal &why)

@@ -39,7 +39,7 @@ void LineRunner::Private::tearOff()
         return;
     UnderWay torn = std::move(*underWay);
     underWay.reset();
-    keepRows(torn.exchange.takeRows());
+    tellRows(torn.exchange.takeRows());
     const esc::ExchangeResult &result = torn.exchange.result();
     if (torn.asker == Asker::terminal) {
         typedEnded(torn.exchange.request(), result);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/bus_mail.h"
 #include "line/line_runner.h"
-#include "line/mailbox.h"
 
 #include <deque>
-#include <mutex>
 
 namespace codewheel {
 
@@ -91,7 +90,8 @@ struct LineRunner::Private
 
     RequestDriver *driver(std::size_t device) const { return devices[device].driver.get(); }
     void collect(std::size_t device);
-    void keepRows(std::vector<esc::LineRow> rows);
+    void tellEvent(decltype(LineEvent::what) what, std::size_t device = 0);
+    void tellRows(std::vector<esc::LineRow> rows);
     void tell(Message message);
     void publish();
 
@@ -112,12 +112,7 @@ struct LineRunner::Private
     std::optional<Refusal> notBack; // as it was told
     bool isBegun = false;
     bool latencyTold = false;
-    std::uint64_t droppedRows = 0;
-
-    Mailbox<LineCommand> commands;
-    Mailbox<LineEvent> events;
-    std::mutex latestMutex;
-    std::shared_ptr<const LineSnapshot> latest;
+    BusMail<LineCommand, LineEvent, LineSnapshot> mail;
 };
 
 } // namespace codewheel

@@ -40,6 +40,8 @@ struct LineSnapshot : LineState
     LineFigures figures;
     std::uint64_t droppedRows = 0; // terminal rows lost because nobody took them
     std::vector<Device> devices;
+
+    void giveWayTo(const LineSnapshot &newer) { *this = newer; }
 };
 
 } // namespace codewheel

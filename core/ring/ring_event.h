@@ -32,6 +32,8 @@ struct RingEvent
     std::size_t device = 0; // meaningless for what has no place
     std::variant<Event, Exchange, Message, MasterEvent> what;
     Instant at{};
+
+    bool isRow() const { return std::holds_alternative<Exchange>(what); } // of the trace
 };
 
 } // namespace codewheel

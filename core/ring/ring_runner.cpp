@@ -27,7 +27,7 @@ RingRunner::Private::Private(ProcessDataLink &usedLink, RingStructure ringStruct
 // What was posted after an ALARM STOP waits for the next cycle, so that the zeros go out.
 bool RingRunner::Private::carryOutCommands()
 {
-    while (auto next = commands.next()) {
+    while (auto next = mail.nextCommand()) {
         std::visit([this](auto &c) { carryOut(c); }, *next);
         if (std::holds_alternative<command::AlarmStop>(*next))
             return false;
@@ -323,8 +323,8 @@ void RingRunner::cycle(Instant now)
     d->lookAtMaster();
     if (auto message = d->lateness.look(d->ring.lateCycles, now))
         d->tellOfRing(std::move(*message));
-    d->ring.droppedRows = d->events.droppedRows();
-    d->latest.publish(d->ring);
+    d->ring.droppedRows = d->mail.droppedRows();
+    d->mail.publish(d->ring);
 }
 
 void RingRunner::slept(std::chrono::milliseconds duration, Instant now)
@@ -365,17 +365,17 @@ void RingRunner::beginOperating()
 
 void RingRunner::post(Command command)
 {
-    d->commands.post(std::move(command));
+    d->mail.post(std::move(command));
 }
 
 std::vector<RingEvent> RingRunner::takeEvents()
 {
-    return d->events.take();
+    return d->mail.takeEvents();
 }
 
 std::shared_ptr<const Snapshot> RingRunner::takeLatest()
 {
-    return d->latest.take();
+    return d->mail.takeLatest();
 }
 
 void RingRunner::setPacing(std::chrono::nanoseconds period, std::uint64_t lateCycles)

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ring/command_queue.h"
-#include "ring/event_queue.h"
+#include "bus/bus_mail.h"
 #include "ring/exchange_trace.h"
-#include "ring/latest_snapshot.h"
 #include "ring/master_text.h"
 #include "ring/master_watch.h"
 #include "ring/ring_runner.h"
@@ -64,7 +62,7 @@ struct RingRunner::Private
 
     void tell(std::size_t device, decltype(RingEvent::what) what)
     {
-        events.push({device, std::move(what), ring.at});
+        mail.tell({device, std::move(what), ring.at});
     }
     void tellOfRing(Message message);
     void tellOfRing(std::vector<Message> messages);
@@ -81,9 +79,7 @@ struct RingRunner::Private
     ExchangeTrace trace;
     FaultWatch faults;
     LatenessWatch lateness;
-    CommandQueue commands;
-    EventQueue events;
-    LatestSnapshot latest;
+    BusMail<Command, RingEvent, Snapshot> mail;
     MasterWatch masterWatch;
     std::uint64_t seenOfMaster = ~std::uint64_t{0}; // MasterLink::statusChanges()
     bool linkFailed = false;                        // whatever the master said last

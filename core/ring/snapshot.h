@@ -9,9 +9,24 @@
 
 namespace codewheel {
 
+// What concerns the ring as a whole.
+struct RingState
+{
+    std::uint64_t cycle = 0;
+    Instant at{};
+    MasterState state = MasterState::ready;
+    bool operate = false;              // writing is allowed
+    Instant awakeSince{};              // the computer slept until then; 0: not since the bus was opened
+    std::uint64_t lateCycles = 0;      // counted by the paced thread since it started
+    std::chrono::nanoseconds period{}; // of the paced thread; 0 when cycles are driven by hand
+    std::uint64_t droppedRows = 0;     // trace rows lost because nobody took them
+    // What the master says, made anew when it changes; null: the link reaches no master.
+    std::shared_ptr<const MasterStatus> master;
+};
+
 // The ring as it stood after one cycle, with the bits that changed in any cycle since the last snapshot was
 // taken.
-struct Snapshot
+struct Snapshot : RingState
 {
     struct Device
     {
@@ -24,17 +39,11 @@ struct Snapshot
         bool inRing = true; // false: switched off with its segment, or behind a fault; its words mean nothing
     };
 
-    std::uint64_t cycle = 0;
-    Instant at{};
-    MasterState state = MasterState::ready;
-    bool operate = false;              // writing is allowed
-    Instant awakeSince{};              // the computer slept until then; 0: not since the bus was opened
-    std::uint64_t lateCycles = 0;      // counted by the paced thread since it started
-    std::chrono::nanoseconds period{}; // of the paced thread; 0 when cycles are driven by hand
-    std::uint64_t droppedRows = 0;     // trace rows lost because nobody took them
-    std::vector<Device> devices;       // in ring order
-    // What the master says, made anew when it changes; null: the link reaches no master.
-    std::shared_ptr<const MasterStatus> master;
+    std::vector<Device> devices; // in ring order
+
+    // Becomes the newer one, which has the edges of its own cycle alone, and keeps its own edges. Allocates
+    // nothing.
+    void giveWayTo(const Snapshot &newer);
 };
 
 } // namespace codewheel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ring/event_queue.h"
+#include "bus/bus_mail.h"
 #include "ring/ring_runner.h"
 #include "tests/ring/word_by_word_driver.h"
 #include "tests/support/scripted_link.h"
@@ -371,18 +371,32 @@ TEST_F(RingRunnerTest, KnownValuesReachTheDriver)
     EXPECT_THAT(m_drivers[0]->known(), IsEmpty());
 }
 
+TEST_F(RingRunnerTest, ASnapshotThatNobodyTookInTimeTellsOfTheSleep)
+{
+    makeRing(1);
+    startOperating();
+    cycle();
+    m_runner->slept(std::chrono::hours(1), m_now);
+    cycle();
+    const auto latest = m_runner->takeLatest();
+    EXPECT_EQ(latest->awakeSince, m_now - std::chrono::milliseconds(1));
+    EXPECT_FALSE(latest->operate);
+}
+
+constexpr std::size_t mostRows = BusMail<Command, RingEvent, Snapshot>::maximumRows;
+
 TEST_F(RingRunnerTest, RowsNobodyTakesAreDroppedAndCountedMessagesAreNot)
 {
     makeRing(1);
     startOperating();
-    const int rows = static_cast<int>(EventQueue::maximumRows);
+    const int rows = static_cast<int>(mostRows);
     for (int i = 0; i < rows + 5; ++i) {
         m_runner->post(command::SetOut{0, static_cast<Word>(i % 2)});
         m_runner->cycle(m_now += std::chrono::milliseconds(1));
     }
     EXPECT_EQ(m_runner->takeLatest()->droppedRows, 5u);
     cycle();
-    EXPECT_EQ(taken<Exchange>().size(), EventQueue::maximumRows);
+    EXPECT_EQ(taken<Exchange>().size(), mostRows);
     EXPECT_EQ(taken<Message>().size(), static_cast<std::size_t>(rows) + 5 + 2);
 }
 

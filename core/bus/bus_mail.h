@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace codewheel {
+
+// What the thread of a bus and its session hand to each other: commands in order, events back, oldest first,
+// and the newest snapshot. No signal crosses between them, and neither waits for the other. Any thread.
+//
+// Events that are but rows (Event::isRow()) are dropped from a limit on when nobody takes them, and counted;
+// outcomes, faults and messages never are. A snapshot that was not taken gives its place to a newer one by
+// Snapshot::giveWayTo().
+template <class Command, class Event, class Snapshot>
+class BusMail
+{
+public:
+    static constexpr std::size_t maximumRows = 10'000;
+
+    void post(Command command)
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_commands.push_back(std::move(command));
+    }
+    std::optional<Command> nextCommand()
+    {
+        const std::scoped_lock lock(m_mutex);
+        if (m_commands.empty())
+            return std::nullopt;
+        std::optional<Command> next(std::move(m_commands.front()));
+        m_commands.pop_front();
+        return next;
+    }
+
+    void tell(Event event)
+    {
+        const std::scoped_lock lock(m_mutex);
+        if (event.isRow() && ++m_rows > maximumRows)
+            ++m_droppedRows;
+        else
+            m_events.push_back(std::move(event));
+    }
+    std::vector<Event> takeEvents()
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_rows = 0;
+        return std::exchange(m_events, {});
+    }
+    std::uint64_t droppedRows() const
+    {
+        const std::scoped_lock lock(m_mutex);
+        return m_droppedRows;
+    }
+
+    // Allocates only after a snapshot was taken.
+    void publish(const Snapshot &newest)
+    {
+        const std::scoped_lock lock(m_mutex);
+        if (m_untaken)
+            m_untaken->giveWayTo(newest);
+        else
+            m_untaken = std::make_shared<Snapshot>(newest);
+    }
+    // Nothing if nothing was published since.
+    std::shared_ptr<const Snapshot> takeLatest()
+    {
+        const std::scoped_lock lock(m_mutex);
+        return std::exchange(m_untaken, nullptr);
+    }
+
+private:
+    mutable std::mutex m_mutex;
+    std::deque<Command> m_commands;
+    std::vector<Event> m_events;
+    std::size_t m_rows = 0; // told since events were taken
+    std::uint64_t m_droppedRows = 0;
+    std::shared_ptr<Snapshot> m_untaken;
+};
+
+} // namespace codewheel
