@@ -224,7 +224,7 @@ QString wordList(const std::vector<Step> &steps)
 // What will be sent beside read-outs.
 Result<QString> reviewText(const CamCall &cams, const WriteCams &job)
 {
-    return stepsForJobs(cams.encoder, {job}, k3::normalRunning).map([](const std::vector<Step> &steps) {
+    return cams.encoder.planned({job}).map([](const std::vector<Step> &steps) {
         return sentence(CommandLine::tr("Words to be sent, beside read-outs: %1"), {wordList(steps)}) + u'\n';
     });
 }

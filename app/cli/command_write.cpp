@@ -13,7 +13,7 @@
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "cli/trace.h"
-#include "cli/write_plan.h"
+#include "cli/write_plan_text.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 
@@ -150,7 +150,7 @@ void carryOutWrite(const Call &call, const AllowedJob &write, const WritePlan &p
         answer.text += u'\n' + traceText(call, encoder, job);
         answer.json.insert(QStringLiteral("trace"), traceJson(call, encoder, job));
     }
-    const ParameterValues wanted = plan.job().values;
+    const ParameterValues wanted = plan.job.values;
     const LineAccount onLine(encoder, wanted, job);
     answer.text += u'\n' + (isOnLine ? onLine.toText() : valuesText(encoder, wanted, job.outcome)) +
                    accountText(job.outcome, before, after);
@@ -188,22 +188,21 @@ Checked<Answer> runWrite(const Call &call)
         if (!ready)
             return tl::unexpected(ready.error());
     }
-    const auto plan =
-        WritePlan::make(**encoder, *values, call.arguments.has("--all"),
-                        (*encoder)->number().isOnLine() ? call.line->link().driver() : EscSettings());
-    if (!plan)
-        return tl::unexpected(plan.error());
+    const WritePlan plan = planWrite(
+        **encoder, {.wanted = *values, .writeAll = call.arguments.has("--all"), .inOrderGiven = true});
+    if (plan.refusal)
+        return tl::unexpected(complaintAbout(*plan.refusal));
 
     if (!call.arguments.has("--json"))
-        call.terminal.print(plan->toText());
+        call.terminal.print(writePlanText(**encoder, plan));
     Answer answer;
     answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
                    {QStringLiteral("device"), device.key},
-                   {QStringLiteral("plan"), plan->toJson()},
-                   {QStringLiteral("notes"), plan->notesJson()}};
-    if (call.arguments.has("--dry-run") || plan->isEmpty())
+                   {QStringLiteral("plan"), writePlanJson(**encoder, plan)},
+                   {QStringLiteral("notes"), valueNotesJson(plan.notes)}};
+    if (call.arguments.has("--dry-run") || plan.rows.empty())
         return answer;
-    const auto allowed = eepromConsent(call, **encoder, plan->job(), AsksAnyway::yes);
+    const auto allowed = eepromConsent(call, **encoder, plan.job, AsksAnyway::yes);
     if (!allowed) {
         answer.complaint = allowed.error();
         return answer;
@@ -214,7 +213,7 @@ Checked<Answer> runWrite(const Call &call)
                                 CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to "
                                                 "write, or --dry-run to look only."));
     if (agreed)
-        carryOutWrite(call, *allowed, *plan, answer);
+        carryOutWrite(call, *allowed, plan, answer);
     else
         answer.complaint = agreed.error();
     return answer;

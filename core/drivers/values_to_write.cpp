@@ -19,6 +19,21 @@ bool mustBeRearmed(const EncoderSession &encoder, const WriteWish &wish)
     return !flag || flag->value == 0;
 }
 
+// Of what the encoder has.
+ParameterValues inTurn(const DeviceDescription &device, const WriteWish &wish)
+{
+    ParameterValues values;
+    if (wish.inOrderGiven)
+        std::ranges::copy_if(wish.wanted, std::back_inserter(values), [&](const ParameterValue &wanted) {
+            return device.find(wanted.parameter) != nullptr;
+        });
+    else
+        for (const ParameterDescription &description : device.parameters)
+            if (const auto value = valueOf(wish.wanted, description.parameter))
+                values.push_back({description.parameter, *value});
+    return values;
+}
+
 bool isRead(const EncoderSession &encoder, Parameter parameter)
 {
     const auto known = encoder.known(parameter);
@@ -65,18 +80,15 @@ bool mustGoAlong(const DeviceDescription &device, Parameter parameter, const Par
 WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
 {
     WriteParameters job{.values = {}, .previous = {}, .initialisePreset = wish.initialisePreset};
-    for (const ParameterDescription &description : encoder.device().parameters) {
-        const auto value = valueOf(wish.wanted, description.parameter);
-        if (!value)
-            continue;
-        const ParameterValue wanted{description.parameter, *value};
+    for (const ParameterValue &wanted : inTurn(encoder.device(), wish)) {
         const bool rearms = wanted.parameter == Parameter::preset && mustBeRearmed(encoder, wish);
         if (!wish.writeAll && !rearms && isThereAlready(encoder, wanted))
             continue;
         job.values.push_back(wanted);
         const bool readFirst =
             !isRead(encoder, wanted.parameter) || (rearms && !isRead(encoder, Parameter::presetFlag));
-        if (!wish.writeAll && encoder.can().reads && description.canBeRead() && readFirst)
+        const bool canBeRead = encoder.device().find(wanted.parameter)->canBeRead();
+        if (!wish.writeAll && encoder.can().reads && canBeRead && readFirst)
             job.onlyWhatDiffers = true;
     }
     const ParameterValues written = job.values;

@@ -12,7 +12,8 @@ struct WriteWish
     bool initialisePreset = false; // set the position to the preset now
     // Set the position to this value now, after the values; where the command needs it (presetNeedsValue).
     std::optional<std::int64_t> setPositionTo{};
-    bool writeAll = false; // also what the encoder already has
+    bool writeAll = false;     // also what the encoder already has
+    bool inOrderGiven = false; // else in that of the description
 };
 
 // Whether the encoder is known to have the value, so that it need not be written. What is only told counts
@@ -22,7 +23,7 @@ bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value);
 // Whether a wanted value must be written with the others even where it is there already (goesAlongOnEsc).
 bool mustGoAlong(const DeviceDescription &device, Parameter parameter, const ParameterValues &written);
 
-// The job for a wish: what is known and equal is left out, in the order of the description. Where the encoder
+// The job for a wish: what is known and equal is left out. Where the encoder
 // can be read and a value is not known from reading, the job reads it first and leaves it out if it is there
 // already. A used-up preset (FRABA) is programmed again, or it could not be initialised.
 WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish);
@@ -31,7 +32,8 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
 // preset that is not given and may be used up (FRABA): the encoder's own is programmed again.
 std::vector<Job> jobsForWish(const EncoderSession &encoder, const WriteWish &wish);
 // Their steps, as far as they can be told beforehand: from the mode the encoder is in now, with what is known
-// of its values and cams. `out` is what stands in OUT, `escSettings` are those of a serial encoder.
+// of its values and cams. `out` is what stands in OUT, `escSettings` are those of a serial encoder. Whoever
+// does not know those asks EncoderSession::planned().
 Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs, Word out,
                                        const EscSettings &escSettings = {});
 

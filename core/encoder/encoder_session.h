@@ -42,6 +42,10 @@ public:
     // The user says what the encoder has, e.g. from its papers.
     virtual void tell(Parameter parameter, std::optional<std::int64_t> value) = 0;
 
+    // The steps of these jobs, one after the other, as far as they can be told beforehand: from what stands
+    // in OUT, the mode the encoder is in, and what is known of it. Refused like the jobs themselves where the
+    // input is bad.
+    virtual Result<std::vector<Step>> planned(const std::vector<Job> &jobs) const = 0;
     // At most one job at a time. The answer is only whether it was taken; how it ended comes with finished().
     virtual Result<JobId> start(const Job &job, Pace pace = Pace::byItself) = 0;
     virtual std::optional<JobId> runningJob() const = 0;

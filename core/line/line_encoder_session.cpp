@@ -19,6 +19,11 @@ QDateTime LineEncoderSession::dateTime(Instant at) const
     return m_line.dateTime(at);
 }
 
+Result<std::vector<Step>> LineEncoderSession::planned(const std::vector<Job> &jobs) const
+{
+    return stepsForJobs(*this, jobs, k3::normalRunning, {.fractionBits = fractionBits()});
+}
+
 int LineEncoderSession::fractionBits() const
 {
     return m_line.fractionBits();
@@ -55,15 +60,6 @@ std::optional<esc::ExplainOptions> explainOptionsOf(const EncoderSession *encode
         return {};
     return esc::ExplainOptions{.swapWarningBytes = onLine->swapsWarningBytes(),
                                .fractionBits = onLine->fractionBits()};
-}
-
-Result<std::vector<Step>> plannedForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs,
-                                         Word out)
-{
-    EscSettings settings;
-    if (const auto *onLine = qobject_cast<const LineEncoderSession *>(&encoder))
-        settings.fractionBits = onLine->fractionBits();
-    return stepsForJobs(encoder, jobs, out, settings);
 }
 
 } // namespace codewheel

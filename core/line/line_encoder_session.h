@@ -21,6 +21,7 @@ public:
                        const DeviceDescription &description);
 
     QDateTime dateTime(Instant at) const override;
+    Result<std::vector<Step>> planned(const std::vector<Job> &jobs) const override;
     int fractionBits() const; // of its scaling factor, as its line is set
     bool swapsWarningBytes() const { return m_swapsWarningBytes; }
 
@@ -37,9 +38,5 @@ private:
 
 // By which valueText() tells the values of an encoder of a line; nothing for one of the ring, and for none.
 std::optional<esc::ExplainOptions> explainOptionsOf(const EncoderSession *encoder);
-
-// The steps of these jobs as stepsForJobs() tells them, for an encoder of a line as its line is set.
-Result<std::vector<Step>> plannedForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs,
-                                         Word out);
 
 } // namespace codewheel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ring/ring_encoder_session.h"
 
+#include "drivers/values_to_write.h"
 #include "ring/bus_session.h"
 #include "ring/ring_runner.h"
 #include "ring/send_permission.h"
@@ -27,10 +28,10 @@ QDateTime RingEncoderSession::dateTime(Instant at) const
     return m_bus.dateTime(at);
 }
 
-Word RingEncoderSession::out() const
+Result<std::vector<Step>> RingEncoderSession::planned(const std::vector<Job> &jobs) const
 {
     const WordChannel *channel = m_bus.channel(number());
-    return channel ? channel->out() : k3::normalRunning;
+    return stepsForJobs(*this, jobs, channel ? channel->out() : k3::normalRunning);
 }
 
 // Named or vanished meanwhile, it is still there for as long as handlers are being told.
@@ -101,12 +102,6 @@ void RingEncoderSession::report(Message message, Instant at)
     message.at = at;
     message.place = number();
     Q_EMIT m_bus.messaged(message);
-}
-
-Word outOf(const EncoderSession &encoder)
-{
-    const auto *onRing = qobject_cast<const RingEncoderSession *>(&encoder);
-    return onRing ? onRing->out() : k3::normalRunning;
 }
 
 } // namespace codewheel

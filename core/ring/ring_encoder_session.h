@@ -19,7 +19,7 @@ public:
                        const DeviceDescription &description, bool linkBoundsCycles);
 
     QDateTime dateTime(Instant at) const override;
-    Word out() const; // as it was last seen on the bus
+    Result<std::vector<Step>> planned(const std::vector<Job> &jobs) const override;
 
 private:
     friend class BusSession;
@@ -37,8 +37,5 @@ private:
     BusSession &m_bus;
     bool m_linkBoundsCycles;
 };
-
-// What stands in OUT of an encoder of a ring, as it was last seen; 00000000 for any other encoder.
-Word outOf(const EncoderSession &encoder);
 
 } // namespace codewheel

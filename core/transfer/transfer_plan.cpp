@@ -212,7 +212,7 @@ void EncoderComparison::takeSteps(const Job &job)
 {
     if (m_plan.hindrance)
         return;
-    const auto steps = plannedSteps(m_device, allKnown(m_encoder), job);
+    const auto steps = m_encoder.planned({job});
     if (!steps) {
         setHindrance(steps.error());
         return;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/serial_line.h"
+#include "drivers/write_plan.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "widgets/dial/dial_panel.h"
@@ -9,7 +10,6 @@
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_table.h"
 #include "widgets/parameters/wanted_values.h"
-#include "widgets/parameters/write_plan.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/wizard/parameter_wizard.h"
@@ -287,10 +287,10 @@ TEST_F(LineInWindow, AGivenFactorIsInTheReview)
     const auto known = encoder(standing).known(Parameter::scalingFactor);
     ASSERT_TRUE(known);
     const WritePlan plan = planWrite(
-        encoder(standing), {{Parameter::steps, 1000}, {Parameter::scalingFactor, known->value}}, false);
+        encoder(standing), {.wanted = {{Parameter::steps, 1000}, {Parameter::scalingFactor, known->value}}});
     ASSERT_EQ(plan.rows.size(), 2u);
     EXPECT_EQ(plan.rows[1].value, (ParameterValue{Parameter::scalingFactor, known->value}));
-    EXPECT_EQ(plan.rows[1].request, "05GF20000000");
+    EXPECT_EQ(plan.rows[1].step.line, "05GF20000000");
 }
 
 // Manual, GR: "Number of revolutions is 4096". Those that are wanted are written again with the steps.
@@ -302,7 +302,7 @@ TEST_F(LineInWindow, RevolutionsThatAreWantedGoAlongWithTheSteps)
     const auto known = encoder(standing).known(Parameter::revolutions);
     ASSERT_TRUE(known);
     const WritePlan plan = planWrite(
-        encoder(standing), {{Parameter::steps, 1000}, {Parameter::revolutions, known->value}}, false);
+        encoder(standing), {.wanted = {{Parameter::steps, 1000}, {Parameter::revolutions, known->value}}});
     ASSERT_EQ(plan.rows.size(), 3u);
     EXPECT_EQ(plan.rows[1].value, (ParameterValue{Parameter::revolutions, known->value}));
     EXPECT_TRUE(plan.notes.empty());

@@ -3,7 +3,6 @@
 
 #include "cams/cam_fields.h"
 #include "drivers/values_to_write.h"
-#include "ring/ring_encoder_session.h"
 #include "widgets/cams/cam_texts.h"
 #include "widgets/parameters/step_text.h"
 #include "words/k3_cam_word.h"
@@ -64,7 +63,7 @@ CamReviewRow rowOf(const EncoderSession &encoder, std::optional<unsigned> progra
 
 Result<std::vector<CamReviewRow>> camReviewRows(const EncoderSession &encoder, const WriteCams &job)
 {
-    const auto steps = stepsForJobs(encoder, {job}, outOf(encoder));
+    const auto steps = encoder.planned({job});
     if (!steps)
         return tl::unexpected(steps.error());
     std::vector<CamReviewRow> rows;

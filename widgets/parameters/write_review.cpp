@@ -77,12 +77,12 @@ QVariant WriteReviewModel::cell(const WritePlan::Row &row, int column, int role)
         return text(row, column);
     case Qt::ToolTipRole:
         if (column == oldValue && m_encoder)
-            return parameter_words::howKnown(row.old,
-                                             row.old ? m_encoder->dateTime(row.old->at) : QDateTime());
+            return parameter_words::howKnown(row.known,
+                                             row.known ? m_encoder->dateTime(row.known->at) : QDateTime());
         if (column != word)
             return text(row, column);
-        return row.request.isEmpty() ? tr("The word that will stand in OUT")
-                                     : tr("What will be sent, between ESC and CR LF");
+        return row.step.line.isEmpty() ? tr("The word that will stand in OUT")
+                                       : tr("What will be sent, between ESC and CR LF");
     case Qt::TextAlignmentRole:
         return QVariant((column == name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     case Qt::FontRole:
@@ -102,11 +102,12 @@ QString WriteReviewModel::text(const WritePlan::Row &row, int column) const
     case name:
         return parameterName(row.value.parameter);
     case oldValue:
-        return row.old ? valueText(*parameter, row.old->value, explainOptionsOf(m_encoder)) : tr("unknown");
+        return row.known ? valueText(*parameter, row.known->value, explainOptionsOf(m_encoder))
+                         : tr("unknown");
     case newValue:
         return valueText(*parameter, row.value.value, explainOptionsOf(m_encoder));
     default:
-        return row.request.isEmpty() ? hexWord(row.word) : QString::fromLatin1(row.request);
+        return row.step.line.isEmpty() ? hexWord(row.step.out) : QString::fromLatin1(row.step.line);
     }
 }
 
@@ -178,7 +179,7 @@ void WriteReview::showPlan()
 {
     if (!m_encoder)
         return;
-    m_plan = planWrite(*m_encoder, m_wanted, m_writeAll->isChecked());
+    m_plan = planWrite(*m_encoder, {.wanted = m_wanted, .writeAll = m_writeAll->isChecked()});
     m_model->show(*m_encoder, m_plan);
     const int count = m_model->rowCount();
     m_write->setText(count == 1 ? tr("&Write this value") : tr("&Write these %1 values").arg(count));
@@ -203,8 +204,8 @@ QString WriteReview::notes() const
     QStringList lines;
     if (m_plan.rows.empty())
         lines << tr("The encoder is known to have all wanted values. There is nothing to write.");
-    else if (m_plan.alreadyThere > 0)
-        lines << tr("Left out because they are there already: %1.").arg(m_plan.alreadyThere);
+    else if (!m_plan.leftOut.empty())
+        lines << tr("Left out because they are there already: %1.").arg(m_plan.leftOut.size());
     if (m_plan.job.onlyWhatDiffers)
         lines << tr("The encoder is read first; what it already has is not written again.");
     if (m_plan.stepsMayBeLess)

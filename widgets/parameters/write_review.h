@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "drivers/write_plan.h"
 #include "widgets/look/fonts.h"
 #include "widgets/models/table_model_base.h"
-#include "widgets/parameters/write_plan.h"
 
 #include <QPointer>
 #include <QWidget>

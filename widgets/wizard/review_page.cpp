@@ -6,7 +6,6 @@
 #include "encoder/sentence.h"
 #include "line/line_encoder_session.h"
 #include "ring/bus_session.h"
-#include "ring/ring_encoder_session.h"
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -138,7 +137,7 @@ void ReviewPage::plan()
     }
     m_changes.setRows(std::move(rows));
 
-    const auto steps = plannedForJobs(encoder, jobsForWish(encoder, m_setup.wish), outOf(encoder));
+    const auto steps = encoder.planned(jobsForWish(encoder, m_setup.wish));
     m_mayGoOn = steps.has_value();
     if (steps) {
         m_steps.showSteps(encoder.device(), *steps);

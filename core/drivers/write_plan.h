@@ -2,7 +2,7 @@
 #pragma once
 
 #include "drivers/value_notes.h"
-#include "encoder/encoder_session.h"
+#include "drivers/values_to_write.h"
 
 #include <vector>
 
@@ -14,16 +14,15 @@ struct WritePlan
     struct Row
     {
         ParameterValue value;
-        std::optional<Known> old;
-        Word word = 0;        // as it will stand in OUT
-        QByteArray request{}; // of an encoder on a serial line, "05GP00005200"; there is no word then
+        std::optional<Known> known;
+        Step step;              // which carries it: its word, or its request
+        bool goesAlong = false; // computed from the others: the factor of a serial encoder
     };
 
     WriteParameters job{};
-    std::vector<Row>
-        rows{}; // one for each value that is written, those that go along with the wanted ones too
+    std::vector<Row> rows{};          // what is sent, in its order
+    ParameterValues leftOut{};        // wanted, and known to be there already
     std::optional<Refusal> refusal{}; // why the job cannot be planned; there are no rows then
-    int alreadyThere = 0;             // wanted, known to be there, and left out
     // The encoder may count steps minus 1, which is read before the first word: the word for the steps may be
     // one less.
     bool stepsMayBeLess = false;
@@ -32,6 +31,6 @@ struct WritePlan
 
 // Leaves out what the encoder is known to have, unless all is to be written. What is told and could be read
 // is read by the job first.
-WritePlan planWrite(const EncoderSession &encoder, const ParameterValues &wanted, bool writeAll);
+WritePlan planWrite(const EncoderSession &encoder, const WriteWish &wish);
 
 } // namespace codewheel

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/parameters/write_plan.h"
+#include "drivers/write_plan.h"
 
 #include "catalog/device_description.h"
-#include "drivers/values_to_write.h"
-#include "line/line_encoder_session.h"
-#include "line/typed_request.h"
-#include "words/k3_word.h"
+#include "esc/esc_request.h"
 
 namespace codewheel {
-
 namespace {
 
 bool canBeWritten(const DeviceDescription &device, Parameter parameter)
@@ -26,37 +22,41 @@ ParameterValues writable(const DeviceDescription &device, const std::vector<Know
     return values;
 }
 
-// The scaling factor is not asked for, it goes along with the steps: it stands in the request alone.
-std::int64_t valueGiven(const Step &step, const WriteParameters &job)
+// What goes along is not asked for: its value stands in the request alone.
+WritePlan::Row rowFor(const Step &step, const WritePlan &plan, const EncoderSession &encoder)
 {
-    if (const auto wanted = valueOf(job.values, *step.parameter))
-        return *wanted;
-    const auto request = readRequest(QString::fromLatin1(step.line));
-    return request ? request->data : 0;
+    const Parameter parameter = *step.parameter;
+    WritePlan::Row row{.value = {parameter, 0}, .known = encoder.known(parameter), .step = step};
+    if (const auto wanted = valueOf(plan.job.values, parameter)) {
+        row.value.value = *wanted;
+    } else {
+        const auto request = esc::parseRequest(step.line);
+        row.value.value = request ? request->data : 0;
+        row.goesAlong = true;
+    }
+    return row;
 }
 
 } // namespace
 
-WritePlan planWrite(const EncoderSession &encoder, const ParameterValues &wanted, bool writeAll)
+WritePlan planWrite(const EncoderSession &encoder, const WriteWish &wish)
 {
     const DeviceDescription &device = encoder.device();
     const std::vector<Known> known = allKnown(encoder);
-    WritePlan plan{
-        .job = jobForWish(encoder, {.wanted = wanted, .initialisePreset = false, .writeAll = writeAll})};
+    WritePlan plan{.job = jobForWish(encoder, wish)};
     plan.job.previous = writable(device, known);
-    plan.alreadyThere = static_cast<int>(wanted.size() - plan.job.values.size());
     plan.stepsMayBeLess = device.quirks.mayCountStepsMinusOne &&
                           !encoder.known(Parameter::multiTurnAndStepsMinusOne) &&
                           valueOf(plan.job.values, Parameter::steps);
-    const auto steps = plannedForJobs(encoder, {plan.job}, k3::normalRunning);
+    const auto steps = encoder.planned({plan.job});
     if (!steps && steps.error().id != RefusalId::nothingToDo)
         plan.refusal = steps.error();
     for (const Step &step : steps.value_or(std::vector<Step>()))
         if (writesValue(step))
-            plan.rows.push_back({.value = {*step.parameter, valueGiven(step, plan.job)},
-                                 .old = encoder.known(*step.parameter),
-                                 .word = step.out,
-                                 .request = step.line});
+            plan.rows.push_back(rowFor(step, plan, encoder));
+    for (const ParameterValue &wanted : wish.wanted)
+        if (!valueOf(plan.job.values, wanted.parameter))
+            plan.leftOut.push_back(wanted);
     plan.notes = valueNotes(device, plan.job.values, valuesOf(known),
                             plan.job.initialisePreset ? PositionIsSet::yes : PositionIsSet::no);
     return plan;
