@@ -2,6 +2,7 @@
 #include "app/window/help.h"
 
 #include "app/window/main_window.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 
 #include <QAction>
@@ -63,10 +64,9 @@ void showKeys(QMainWindow &window)
         dialog->setObjectName(QStringLiteral("keys"));
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         dialog->setWindowTitle(MainWindow::tr("Keys"));
-        auto *page = new QTextBrowser(dialog);
+        auto *page = describe(new QTextBrowser(dialog), MainWindow::tr("Keys"),
+                              MainWindow::tr("All keys, by the part of the window in which they work"));
         page->setFrameShape(QFrame::NoFrame);
-        page->setAccessibleName(MainWindow::tr("Keys"));
-        page->setToolTip(MainWindow::tr("All keys, by the part of the window in which they work"));
         page->setHtml(keysHtml(window));
         auto *rows = new QVBoxLayout(dialog);
         rows->setContentsMargins(grid::margin, grid::margin, grid::margin, grid::margin);

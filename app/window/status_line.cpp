@@ -5,6 +5,7 @@
 #include "journal/eeprom_cost.h"
 #include "line/line_session.h"
 #include "ring/bus_session.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/role_label.h"
@@ -25,10 +26,8 @@ constexpr int narrowest = 320;
 
 QLabel *addLabel(QStatusBar &bar, const QString &name, const QString &toolTip)
 {
-    auto *label = new QLabel(&bar);
+    auto *label = describe(new QLabel(&bar), name, toolTip);
     label->setFont(textFont(TextSize::small));
-    label->setAccessibleName(name);
-    label->setToolTip(toolTip);
     return label;
 }
 

@@ -7,6 +7,7 @@
 #include "widgets/cams/cam_table.h"
 #include "widgets/cams/cam_table_model.h"
 #include "widgets/cams/cam_word_picture.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 
@@ -39,8 +40,7 @@ CamBoard::CamBoard(CamSheet &sheet, QWidget *parent)
     m_note->setFont(textFont(TextSize::small));
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_scroll->setAccessibleName(tr("Scroll the ruler"));
-    m_scroll->setToolTip(tr("Which part of the positions is in sight"));
+    describe(m_scroll, tr("Scroll the ruler"), tr("Which part of the positions is in sight"));
 
     auto *rows = new QGridLayout;
     rows->setContentsMargins(0, 0, 0, 0);
@@ -72,10 +72,8 @@ QWidget *CamBoard::makeZoom()
     row->setSpacing(0);
     row->addStretch();
     const auto add = [&](const QString &text, const QString &tip, void (CamRuler::*slot)()) {
-        auto *button = new QToolButton(zoom);
+        auto *button = describe(new QToolButton(zoom), tip, tip);
         button->setText(text);
-        button->setToolTip(tip);
-        button->setAccessibleName(tip);
         button->setAutoRaise(true);
         button->setFocusPolicy(Qt::TabFocus);
         connect(button, &QToolButton::clicked, m_ruler, slot);

@@ -5,6 +5,7 @@
 #include "widgets/cams/cam_mode_bar.h"
 #include "widgets/cams/cam_range_bar.h"
 #include "widgets/cams/cam_review.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -144,10 +145,9 @@ void CamEditor::makeMenu()
                          &CamEditor::clearProgram);
     m_menu->setToolTipsVisible(true);
 
-    auto *more = new QToolButton(m_tools);
+    auto *more =
+        describe(new QToolButton(m_tools), tr("More for the cams"), tr("Modes, all programs, single files"));
     more->setText(tr("&More"));
-    more->setToolTip(tr("Modes, all programs, single files"));
-    more->setAccessibleName(tr("More for the cams"));
     more->setPopupMode(QToolButton::InstantPopup);
     more->setMenu(m_menu);
     m_tools->addWidget(more);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/cams/cam_mode_bar.h"
 
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 
 #include <QHBoxLayout>
@@ -21,11 +22,8 @@ CamModeBar::CamModeBar(QWidget *parent)
     , m_cancel(new QPushButton(tr("&Cancel"), this))
 {
     m_question->setWordWrap(true);
-    m_position->setObjectName(QStringLiteral("afterwardsPosition"));
-    m_cams->setObjectName(QStringLiteral("afterwardsCams"));
-    m_position->setToolTip(tr("IN shows the position again (20800000)"));
-    m_cams->setAccessibleName(tr("Cam mode"));
-    m_cams->setToolTip(tr("IN goes on showing the cams"));
+    describe(m_position, "afterwardsPosition", tr("IN shows the position again (20800000)"));
+    describe(m_cams, "afterwardsCams", tr("Cam mode"), tr("IN goes on showing the cams"));
     m_cancel->setToolTip(tr("Nothing is sent (Esc)"));
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(grid::margin);

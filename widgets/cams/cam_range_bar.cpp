@@ -5,6 +5,7 @@
 #include "encoder/sentence.h"
 #include "widgets/cams/cam_texts.h"
 #include "widgets/cams/position_input.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 
@@ -34,10 +35,9 @@ CamRangeBar::CamRangeBar(QWidget *parent)
     m_read->setToolTip(
         tr("Reads steps and revolutions. That sends words, and takes the position away for some "
            "cycles."));
-    m_largest->setAccessibleName(tr("Largest position"));
+    describe(m_largest, tr("Largest position"),
+             tr("Total range - 1, from the encoder's papers; decimal, or hexadecimal as 0x.. or ..h"));
     m_largest->setPlaceholderText(tr("largest position"));
-    m_largest->setToolTip(
-        tr("Total range - 1, from the encoder's papers; decimal, or hexadecimal as 0x.. or ..h"));
     m_largest->setMaximumWidth(35 * grid::unit);
     m_tell->setToolTip(tr("Takes the largest position as said; nothing is sent"));
     auto *row = new QHBoxLayout(this);

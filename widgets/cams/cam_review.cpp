@@ -5,6 +5,7 @@
 #include "encoder/refusal_text.h"
 #include "widgets/cams/cam_review_rows.h"
 #include "widgets/eeprom/eeprom_gate.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -76,9 +77,13 @@ CamReview::CamReview(QWidget *parent)
     , m_table(new QTableView(this))
     , m_notes(new QLabel(this))
     , m_gate(new EepromGate(this))
-    , m_afterwards(new QComboBox(this))
+    , m_afterwards(describe(new QComboBox(this), tr("Mode afterwards"),
+                            tr("Cams are written in cam mode: the position is away meanwhile. A program is "
+                               "stored in EEPROM when it is left.")))
     , m_writeAll(new QCheckBox(tr("Write &all, also what is there"), this))
-    , m_write(new QPushButton(lineIcon(Icon::write), {}, this))
+    , m_write(describe(new QPushButton(lineIcon(Icon::write), {}, this), "confirmWriteCams",
+                       tr("Write these words"),
+                       tr("Sends these words in this order, and reads before and after")))
     , m_cancel(new QPushButton(tr("&Cancel"), this))
 {
     m_table->setModel(m_model);
@@ -98,10 +103,7 @@ CamReview::CamReview(QWidget *parent)
     m_title->setFont(strong);
     m_notes->setWordWrap(true);
     m_writeAll->setToolTip(tr("Writes every cam of the program once more"));
-    m_write->setObjectName(QStringLiteral("confirmWriteCams"));
     m_write->setDefault(true);
-    m_write->setAccessibleName(tr("Write these words"));
-    m_write->setToolTip(tr("Sends these words in this order, and reads before and after"));
     m_cancel->setToolTip(tr("Back to the editor; nothing is sent (Esc)"));
 
     auto *buttons = new QHBoxLayout;
@@ -134,10 +136,6 @@ QWidget *CamReview::makeAfterwards()
     row->setSpacing(grid::groupGap);
     auto *label = new QLabel(tr("A&fterwards the encoder is in"), line);
     label->setBuddy(m_afterwards);
-    m_afterwards->setToolTip(
-        tr("Cams are written in cam mode: the position is away meanwhile. A program is stored in "
-           "EEPROM when it is left."));
-    m_afterwards->setAccessibleName(tr("Mode afterwards"));
     row->addWidget(label);
     row->addWidget(m_afterwards);
     row->addStretch();

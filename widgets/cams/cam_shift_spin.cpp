@@ -4,6 +4,7 @@
 #include "encoder/cam_program.h"
 #include "encoder/refusal_text.h"
 #include "widgets/input/decimal_text.h"
+#include "widgets/look/describe.h"
 
 namespace codewheel {
 
@@ -12,10 +13,9 @@ CamShiftSpin::CamShiftSpin(QWidget *parent)
 {
     setRange(0, CamProgram::largestShift);
     setAlignment(Qt::AlignRight);
-    setAccessibleName(tr("Shift of the position"));
-    setToolTip(
-        tr("shift_iw: by how many bits the position is shifted right before it stands in D24 to D8. 25 "
-           "shows the cams only."));
+    describe(this, tr("Shift of the position"),
+             tr("shift_iw: by how many bits the position is shifted right before it stands in D24 to D8. 25 "
+                "shows the cams only."));
 }
 
 tl::expected<int, QString> CamShiftSpin::read(const QString &bare) const

@@ -7,6 +7,7 @@
 #include "ring/send_permission.h"
 #include "ring/take_over.h"
 #include "widgets/comparison/comparison_model.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -43,41 +44,33 @@ ComparisonPage::ComparisonPage(ProjectDocument &document, BusSession &bus, QWidg
     , m_document(document)
     , m_bus(bus)
     , m_model(new ComparisonModel(this))
-    , m_table(new QTableView(this))
+    , m_table(describe(new QTableView(this), "comparison", tr("Configured and connected ring"),
+                       tr("Choose the lines that are to be taken over.")))
     , m_summary(new QLabel(this))
-    , m_onlyDifferences(new QCheckBox(tr("On&ly differences"), this))
-    , m_readIn(new QPushButton(lineIcon(Icon::read), tr("&Read in the ring"), this))
-    , m_lineIntoProject(new QPushButton(tr("Chosen lines into the &project"), this))
-    , m_allIntoProject(new QPushButton(tr("&All into the project"), this))
-    , m_lineIntoMaster(new QPushButton(tr("Chosen lines into the &master"), this))
-    , m_allIntoMaster(new QPushButton(tr("Project into the mas&ter"), this))
-    , m_keptIntoProject(new QPushButton(tr("What the master &keeps into the project"), this))
+    , m_onlyDifferences(describe(new QCheckBox(tr("On&ly differences"), this), "onlyDifferences",
+                                 tr("Hides the lines that are the same")))
+    , m_readIn(describe(new QPushButton(lineIcon(Icon::read), tr("&Read in the ring"), this), "readIn",
+                        tr("The master finds the devices of the ring anew; data cycles stop meanwhile")))
+    , m_lineIntoProject(describe(new QPushButton(tr("Chosen lines into the &project"), this),
+                                 "linesIntoProject",
+                                 tr("Plans the chosen lines as they are connected; can be undone")))
+    , m_allIntoProject(describe(new QPushButton(tr("&All into the project"), this), "allIntoProject",
+                                tr("Plans the whole ring as it is connected; can be undone")))
+    , m_lineIntoMaster(describe(new QPushButton(tr("Chosen lines into the &master"), this), "linesIntoMaster",
+                                tr("Downloads the connected ring with the chosen lines as they are planned; "
+                                   "the master keeps it")))
+    , m_allIntoMaster(describe(new QPushButton(tr("Project into the mas&ter"), this), "allIntoMaster",
+                               tr("Downloads the planned ring, which the master keeps, and loads it back")))
+    , m_keptIntoProject(describe(
+          new QPushButton(tr("What the master &keeps into the project"), this), "keptIntoProject",
+          tr("Loads the configuration that the master keeps, and plans the ring as it says; can be undone")))
     , m_message(new InlineMessage(this))
     , m_empty(new EmptyState(Icon::compare, tr("No ring is connected."),
                              tr("Connect to compare it with the project."), this))
 {
     m_summary->setObjectName(QStringLiteral("comparisonSummary"));
     m_summary->setWordWrap(true);
-    m_onlyDifferences->setObjectName(QStringLiteral("onlyDifferences"));
-    m_onlyDifferences->setToolTip(tr("Hides the lines that are the same"));
-    m_readIn->setObjectName(QStringLiteral("readIn"));
-    m_readIn->setToolTip(tr("The master finds the devices of the ring anew; data cycles stop meanwhile"));
-    m_lineIntoProject->setObjectName(QStringLiteral("linesIntoProject"));
-    m_lineIntoProject->setToolTip(tr("Plans the chosen lines as they are connected; can be undone"));
-    m_allIntoProject->setObjectName(QStringLiteral("allIntoProject"));
-    m_allIntoProject->setToolTip(tr("Plans the whole ring as it is connected; can be undone"));
-    m_lineIntoMaster->setObjectName(QStringLiteral("linesIntoMaster"));
-    m_lineIntoMaster->setToolTip(
-        tr("Downloads the connected ring with the chosen lines as they are planned; the master keeps it"));
-    m_allIntoMaster->setObjectName(QStringLiteral("allIntoMaster"));
-    m_allIntoMaster->setToolTip(tr("Downloads the planned ring, which the master keeps, and loads it back"));
-    m_keptIntoProject->setObjectName(QStringLiteral("keptIntoProject"));
-    m_keptIntoProject->setToolTip(
-        tr("Loads the configuration that the master keeps, and plans the ring as it says; can be undone"));
     m_message->setObjectName(QStringLiteral("comparisonMessage"));
-    m_table->setObjectName(QStringLiteral("comparison"));
-    m_table->setAccessibleName(tr("Configured and connected ring"));
-    m_table->setToolTip(tr("Choose the lines that are to be taken over."));
     m_table->setModel(m_model);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setTabKeyNavigation(false);

@@ -6,6 +6,7 @@
 #include "ring/bus_session.h"
 #include "widgets/device/device_html.h"
 #include "widgets/device/naming_bar.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/master/led_row.h"
@@ -23,13 +24,11 @@ DevicePanel::DevicePanel(BusSession &bus, QWidget *parent)
     , m_bus(bus)
     , m_naming(new NamingBar(bus, this))
     , m_leds(new LedRow(this))
-    , m_page(new QTextBrowser(this))
+    , m_page(describe(new QTextBrowser(this), "devicePage", tr("What the manual says of the device"),
+                      tr("Pins, LEDs, limits, label key and parameters, with the chapter of the manual")))
     , m_empty(new EmptyState(Icon::encoder, tr("No description"), QString(), this))
 {
-    m_page->setObjectName(QStringLiteral("devicePage"));
     m_page->setFrameShape(QFrame::NoFrame);
-    m_page->setAccessibleName(tr("What the manual says of the device"));
-    m_page->setToolTip(tr("Pins, LEDs, limits, label key and parameters, with the chapter of the manual"));
     m_page->setTabChangesFocus(true);
     m_page->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
 

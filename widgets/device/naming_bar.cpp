@@ -5,6 +5,7 @@
 #include "catalog/hex_code.h"
 #include "encoder/refusal_text.h"
 #include "ring/bus_session.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 
@@ -37,26 +38,21 @@ NamingBar::NamingBar(BusSession &bus, QWidget *parent)
     : QWidget(parent)
     , m_bus(bus)
     , m_question(new QLabel(this))
-    , m_key(new QLineEdit(this))
-    , m_choice(new QComboBox(this))
-    , m_name(new QPushButton(tr("Name it"), this))
+    , m_key(describe(new QLineEdit(this), "labelKey", tr("Key on the label"),
+                     tr("Type the key on the label of the encoder. Spaces, dots and dashes do not matter.")))
+    , m_choice(describe(new QComboBox(this), "makes", tr("Encoder"),
+                        tr("The encoders of the catalog with this device code")))
+    , m_name(describe(new QPushButton(tr("Name it"), this), "nameIt",
+                      tr("Takes the device for this encoder from now on. Nothing is sent; what was known of "
+                         "it is forgotten.")))
     , m_reading(new QLabel(this))
     , m_message(new InlineMessage(this))
 {
     m_question->setWordWrap(true);
     m_reading->setWordWrap(true);
-    m_key->setObjectName(QStringLiteral("labelKey"));
     m_key->setPlaceholderText(QStringLiteral("OCD-IBA1B-1213-C100-PRI"));
     m_key->setClearButtonEnabled(true);
-    m_key->setAccessibleName(tr("Key on the label"));
-    m_key->setToolTip(tr("Type the key on the label of the encoder. Spaces, dots and dashes do not matter."));
-    m_choice->setObjectName(QStringLiteral("makes"));
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_choice->setAccessibleName(tr("Encoder"));
-    m_choice->setToolTip(tr("The encoders of the catalog with this device code"));
-    m_name->setObjectName(QStringLiteral("nameIt"));
-    m_name->setToolTip(tr("Takes the device for this encoder from now on. Nothing is sent; what was known of "
-                          "it is forgotten."));
 
     auto *fields = new QFormLayout;
     fields->setRowWrapPolicy(QFormLayout::WrapLongRows);

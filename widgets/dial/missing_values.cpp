@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
@@ -23,11 +24,9 @@ MissingValues::MissingValues(std::vector<Parameter> needed, QWidget *parent)
     layout->setSpacing(grid::unit);
     layout->addWidget(m_message);
     layout->addWidget(m_read, 0, Qt::AlignHCenter);
-    m_read->setToolTip(
-        tr("Reads what the dial needs from the encoder. That sends words, and takes the position away for "
-           "some cycles."));
-    m_read->setAccessibleName(tr("Read what the dial needs"));
-    m_read->setObjectName(QStringLiteral("readMissing"));
+    describe(m_read, "readMissing", tr("Read what the dial needs"),
+             tr("Reads what the dial needs from the encoder. That sends words, and takes the position away "
+                "for some cycles."));
     m_read->hide();
     connect(m_read, &QPushButton::clicked, this, [this] { read(m_missing); });
 }

@@ -5,6 +5,7 @@
 #include "widgets/dial/missing_values.h"
 #include "widgets/dial/rod_view.h"
 #include "widgets/dial/state_note.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/models/age_text.h"
@@ -37,10 +38,9 @@ RodDial::RodDial(QWidget *parent)
     , m_tellRow(new QWidget(this))
     , m_tell(new QPushButton(tr("&Tell"), m_tellRow))
 {
-    m_readStatus->setObjectName(QStringLiteral("readErrorStatus"));
-    m_readStatus->setToolTip(tr("Reads why the error bit is set. That clears it, once the magnet is back."));
-    m_tell->setObjectName(QStringLiteral("tellRodLength"));
-    m_tell->setToolTip(tr("Takes the length as known by telling. Nothing is sent."));
+    describe(m_readStatus, "readErrorStatus",
+             tr("Reads why the error bit is set. That clears it, once the magnet is back."));
+    describe(m_tell, "tellRodLength", tr("Takes the length as known by telling. Nothing is sent."));
     auto *row = new QGridLayout(m_tellRow);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(grid::unit);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/eeprom/eeprom_gate.h"
 
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
@@ -18,19 +19,16 @@ EepromGate::EepromGate(QWidget *parent)
     , m_count(new QLabel(this))
     , m_icon(new QLabel(this))
     , m_text(new QLabel(this))
-    , m_nevertheless(new QCheckBox(tr("Write &nevertheless"), this))
-    , m_place(new QLineEdit(this))
+    , m_nevertheless(describe(new QCheckBox(tr("Write &nevertheless"), this), "writeNevertheless",
+                              tr("The EEPROM was written as often as the manual speaks of")))
+    , m_place(describe(new QLineEdit(this), "typedPlace", tr("Place, to write nevertheless"),
+                       tr("The place of the encoder, so that nothing is written beyond the limit by "
+                          "accident")))
 {
     m_count->setObjectName(QStringLiteral("eepromCount"));
     m_text->setObjectName(QStringLiteral("eepromConcern"));
-    m_nevertheless->setObjectName(QStringLiteral("writeNevertheless"));
-    m_place->setObjectName(QStringLiteral("typedPlace"));
     m_count->setWordWrap(true);
     m_text->setWordWrap(true);
-    m_nevertheless->setToolTip(tr("The EEPROM was written as often as the manual speaks of"));
-    m_place->setAccessibleName(tr("Place, to write nevertheless"));
-    m_place->setToolTip(
-        tr("The place of the encoder, so that nothing is written beyond the limit by accident"));
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(grid::unit);

@@ -2,6 +2,7 @@
 #include "widgets/eeprom/eeprom_question.h"
 
 #include "widgets/eeprom/eeprom_gate.h"
+#include "widgets/look/describe.h"
 
 #include <QCoreApplication>
 #include <QDialog>
@@ -45,8 +46,7 @@ bool askForEeprom(QWidget *window, EncoderSession &encoder, int planned)
     gate->setMinimumWidth(textWidth);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, &dialog);
     QPushButton *write = buttons->addButton(Question::tr("&Write"), QDialogButtonBox::AcceptRole);
-    write->setObjectName(QStringLiteral("writeToEeprom"));
-    write->setToolTip(Question::tr("Starts what was asked for"));
+    describe(write, "writeToEeprom", Question::tr("Starts what was asked for"));
     write->setEnabled(gate->isOpen());
     auto *layout = new QVBoxLayout(&dialog);
     layout->addWidget(question);

@@ -4,6 +4,7 @@
 #include "encoder/sentence.h"
 #include "line/line_session.h"
 #include "widgets/line/line_figures_model.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
@@ -51,7 +52,9 @@ LinePanel::LinePanel(QWidget *parent)
     , m_state(new RoleLabel(m_content))
     , m_note(new InlineMessage(m_content))
     , m_figures(new LineFiguresModel(this))
-    , m_table(new QTableView(m_content))
+    , m_table(describe(new QTableView(m_content), tr("Figures of the line and its encoders"),
+                       tr("Since the line was opened. Times are from the end of a request to the end of its "
+                          "answer; the median is that of the newest 1000.")))
     , m_dropped(new QLabel(m_content))
 {
     setAccessibleName(tr("Serial line"));
@@ -90,11 +93,9 @@ LinePanel::~LinePanel()
 
 QLabel *LinePanel::addLine(QFormLayout &form, const QString &caption, const QString &toolTip)
 {
-    auto *value = new QLabel(m_content);
+    auto *value = describe(new QLabel(m_content), caption, toolTip);
     value->setTextFormat(Qt::PlainText);
     value->setWordWrap(true);
-    value->setAccessibleName(caption);
-    value->setToolTip(toolTip);
     value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     form.addRow(caption, value);
     return value;
@@ -103,9 +104,6 @@ QLabel *LinePanel::addLine(QFormLayout &form, const QString &caption, const QStr
 void LinePanel::makeTable()
 {
     m_table->setModel(m_figures);
-    m_table->setAccessibleName(tr("Figures of the line and its encoders"));
-    m_table->setToolTip(tr("Since the line was opened. Times are from the end of a request to the end of its "
-                           "answer; the median is that of the newest 1000."));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setTabKeyNavigation(false);
     m_table->setShowGrid(false);

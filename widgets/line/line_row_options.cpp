@@ -36,7 +36,6 @@ QCheckBox *LineRowOptions::addBox(const QString &text, const QString &toolTip, b
 {
     auto *box = new QCheckBox(text, this);
     box->setToolTip(toolTip);
-    box->setAccessibleDescription(toolTip);
     box->setChecked(isOn);
     layout()->addWidget(box);
     return box;

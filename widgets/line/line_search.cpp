@@ -6,6 +6,7 @@
 #include "line/line_session.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/line/found_encoder_model.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -50,11 +51,10 @@ protected:
 
 QSpinBox *addressField(int value, const QString &name, QWidget *parent)
 {
-    auto *field = new AddressField(parent);
+    auto *field =
+        describe(new AddressField(parent), name, LineSearch::tr("Two hexadecimal digits, 01 to 1F"));
     field->setRange(1, LineAddress::last);
     field->setValue(value);
-    field->setAccessibleName(name);
-    field->setToolTip(LineSearch::tr("Two hexadecimal digits, 01 to 1F"));
     return field;
 }
 
@@ -64,9 +64,12 @@ LineSearch::LineSearch(QWidget *parent)
     : QWidget(parent)
     , m_first(addressField(1, tr("First address"), this))
     , m_last(addressField(LineAddress::last, tr("Last address"), this))
-    , m_rates(new QComboBox(this))
+    , m_rates(describe(new QComboBox(this), tr("Baud rates of the search"),
+                       tr("An encoder answers at its own baud rate alone; 19200 is that of the factory")))
     , m_master(new QCheckBox(tr("Ask at the &master address 00 first"), this))
-    , m_device(new QComboBox(this))
+    , m_device(describe(new QComboBox(this), tr("Kind of encoder"),
+                        tr("As which encoder those that are ticked are taken over: they do not tell whether "
+                           "they have RS-422 or RS-485")))
     , m_progress(new QProgressBar(this))
     , m_message(new InlineMessage(this))
     , m_found(new FoundEncoderModel(this))
@@ -85,9 +88,6 @@ LineSearch::LineSearch(QWidget *parent)
     makeTable();
     rows->addWidget(m_content, 1);
     auto *below = new QHBoxLayout;
-    m_device->setAccessibleName(tr("Kind of encoder"));
-    m_device->setToolTip(tr("As which encoder those that are ticked are taken over: they do not tell whether "
-                            "they have RS-422 or RS-485"));
     m_device->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     auto *kind = new QLabel(tr("&Kind"), this);
     kind->setBuddy(m_device);
@@ -137,7 +137,6 @@ void LineSearch::makeFields()
     m_master->setToolTip(
         tr("Any encoder answers there: only where a single one is on the line, since several "
            "would answer at once"));
-    m_master->setAccessibleDescription(m_master->toolTip());
     form->addRow(m_master);
     auto *condition = new QLabel(m_master->toolTip(), this);
     condition->setWordWrap(true);
@@ -147,8 +146,6 @@ void LineSearch::makeFields()
     for (const int rate : allRates)
         m_rates->addItem(sentence(tr("%1 Bd"), {QLocale().toString(rate)}), rate);
     m_rates->addItem(tr("All three baud rates"));
-    m_rates->setAccessibleName(tr("Baud rates of the search"));
-    m_rates->setToolTip(tr("An encoder answers at its own baud rate alone; 19200 is that of the factory"));
     auto *start = new QHBoxLayout;
     start->setSpacing(grid::unit);
     start->addWidget(m_rates);
@@ -177,7 +174,6 @@ QPushButton *LineSearch::addButton(QLayout &row, const QIcon &icon, const QStrin
     auto *button = new QPushButton(icon, text, this);
     button->setAutoDefault(false);
     button->setToolTip(toolTip);
-    button->setAccessibleDescription(toolTip);
     row.addWidget(button);
     return button;
 }

@@ -4,6 +4,7 @@
 #include "encoder/sentence.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/input/text_fields.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
@@ -68,7 +69,6 @@ LineSettingsForm::LineSettingsForm(QWidget *parent)
     column->addLayout(form);
     column->addWidget(m_problem);
     m_connect->setToolTip(tr("Opens the line, and asks positions from then on. Nothing is written (Alt+C)"));
-    m_connect->setAccessibleDescription(m_connect->toolTip());
     m_connect->setAutoDefault(false);
     auto *buttons = new QHBoxLayout;
     buttons->addStretch(1);
@@ -77,10 +77,8 @@ LineSettingsForm::LineSettingsForm(QWidget *parent)
     column->addStretch(1);
     setWidget(m_content);
     setFocusProxy(m_port);
-    for (const QComboBox *box : {m_port, m_baudRate}) { // the field that is typed into
-        box->lineEdit()->setAccessibleName(box->accessibleName());
-        box->lineEdit()->setToolTip(box->toolTip());
-    }
+    for (const QComboBox *box : {m_port, m_baudRate}) // the field that is typed into
+        describe(box->lineEdit(), box->accessibleName(), box->toolTip());
     connect(m_connect, &QPushButton::clicked, this, &LineSettingsForm::connectNow);
     setWish({});
     showPorts();
@@ -88,29 +86,24 @@ LineSettingsForm::LineSettingsForm(QWidget *parent)
 
 QComboBox *LineSettingsForm::addChoice(QFormLayout &form, const QString &label, const QString &toolTip)
 {
-    auto *box = new QComboBox(m_content);
-    box->setToolTip(toolTip);
-    box->setAccessibleDescription(toolTip);
+    auto *box = describe(new QComboBox(m_content), QString(label).remove(u'&'), toolTip);
     form.addRow(label, box);
-    box->setAccessibleName(QString(label).remove(u'&'));
     return box;
 }
 
 QSpinBox *LineSettingsForm::addNumber(QFormLayout &form, const QString &label, const QString &toolTip,
                                       line_limits::Limits limits)
 {
-    auto *field = new IntegerField(m_content);
+    auto *field = describe(new IntegerField(m_content), QString(label).remove(u'&'), toolTip);
     field->setRange(limits.least, limits.most);
-    field->setToolTip(toolTip);
-    field->setAccessibleDescription(toolTip);
     form.addRow(label, field);
-    field->setAccessibleName(QString(label).remove(u'&'));
     return field;
 }
 
 void LineSettingsForm::makePort(QFormLayout &form)
 {
-    m_port = new QComboBox(m_content);
+    m_port = describe(new QComboBox(m_content), tr("Port"),
+                      tr("Choose the adapter, or type the path of a port or a pseudo terminal"));
     m_port->setEditable(true);
     m_port->setLineEdit(new TextField(m_port));
     m_port->setInsertPolicy(QComboBox::NoInsert);
@@ -118,12 +111,9 @@ void LineSettingsForm::makePort(QFormLayout &form)
     m_port->setMinimumContentsLength(20);
     m_port->lineEdit()->setMaxLength(longestPort);
     m_port->lineEdit()->setPlaceholderText(QStringLiteral("/dev/ttyUSB0"));
-    m_port->setAccessibleName(tr("Port"));
-    m_port->setToolTip(tr("Choose the adapter, or type the path of a port or a pseudo terminal"));
     m_refresh = new QPushButton(lineIcon(Icon::refresh), tr("&Refresh"), m_content);
     m_refresh->setAutoDefault(false);
     m_refresh->setToolTip(tr("Looks for serial ports again (Alt+R)"));
-    m_refresh->setAccessibleDescription(m_refresh->toolTip());
     auto *row = new QHBoxLayout;
     row->setSpacing(grid::unit);
     row->addWidget(m_port, 1);
@@ -164,7 +154,6 @@ void LineSettingsForm::makeCharacter(QFormLayout &form)
     m_lowLatency = new QCheckBox(tr("&Low latency"), m_content);
     m_lowLatency->setToolTip(
         tr("Asks the adapter to hand over bytes at once. Many collect them for up to 16 ms (Alt+L)"));
-    m_lowLatency->setAccessibleDescription(m_lowLatency->toolTip());
     form.addRow(QString(), m_lowLatency);
 }
 
@@ -189,33 +178,26 @@ void LineSettingsForm::makeTimes(QFormLayout &form)
 void LineSettingsForm::makeEncoder(QFormLayout &form)
 {
     makeFractionBits(form);
-    m_topSpeed = new DecimalField(m_content);
+    m_topSpeed = describe(new DecimalField(m_content), tr("Top speed"),
+                          tr("A position that jumps further than this speed allows is marked suspect "
+                             "and asked for again"));
     m_topSpeed->setRange(line_limits::topSpeed.least, line_limits::topSpeed.most);
     m_topSpeed->setDecimals(0);
     m_topSpeed->setSingleStep(100.0);
     m_topSpeed->setSuffix(tr(" 1/min", "unit of a speed"));
-    m_topSpeed->setAccessibleName(tr("Top speed"));
-    m_topSpeed->setToolTip(
-        tr("A position that jumps further than this speed allows is marked suspect and asked "
-           "for again"));
-    m_topSpeed->setAccessibleDescription(m_topSpeed->toolTip());
     form.addRow(tr("T&op speed"), m_topSpeed);
 }
 
 void LineSettingsForm::makeFractionBits(QFormLayout &form)
 {
-    m_fractionBits = new IntegerField(m_content);
+    m_fractionBits = describe(new IntegerField(m_content), tr("Fraction bits of the scaling factor"),
+                              tr("29 fits the example of the manual; it can be determined from a device"));
     m_fractionBits->setRange(line_limits::fractionBits.least, line_limits::fractionBits.most);
-    m_fractionBits->setAccessibleName(tr("Fraction bits of the scaling factor"));
-    m_fractionBits->setToolTip(tr("29 fits the example of the manual; it can be determined from a device"));
-    m_fractionBits->setAccessibleDescription(m_fractionBits->toolTip());
     m_determine = new QPushButton(tr("Deter&mine"), m_content);
     m_determine->setAutoDefault(false);
     m_determine->setToolTip(
         tr("Reads scaling factor, steps per turn and measuring range of the chosen encoder of the line, or "
-           "else of "
-           "the first that answers, and keeps the format that fits. Nothing is written (Alt+M)"));
-    m_determine->setAccessibleDescription(m_determine->toolTip());
+           "else of the first that answers, and keeps the format that fits. Nothing is written (Alt+M)"));
     m_determine->setEnabled(false); // before the line is open
     auto *row = new QHBoxLayout;
     row->setSpacing(grid::unit);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/inline_message.h"
 
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 
 #include <QAccessible>
@@ -28,14 +29,12 @@ InlineMessage::InlineMessage(QWidget *parent)
     , m_sentence(new QLabel(this))
     , m_action(new QPushButton(this))
     , m_otherAction(new QPushButton(this))
-    , m_close(new QToolButton(this))
+    , m_close(describe(new QToolButton(this), tr("Close this message"), tr("Close this message")))
 {
     m_sentence->setWordWrap(true);
     m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_close->setAutoRaise(true);
     m_close->setIcon(lineIcon(Icon::cancel));
-    m_close->setToolTip(tr("Close this message"));
-    m_close->setAccessibleName(tr("Close this message"));
 
     m_parts->setContentsMargins(grid::margin + grid::unit, grid::unit, grid::unit, grid::unit);
     m_parts->setSpacing(grid::margin);

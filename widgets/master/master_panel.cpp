@@ -6,6 +6,7 @@
 #include "ring/bus_session.h"
 #include "ring/master_text.h"
 #include "ring/send_permission.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -88,11 +89,9 @@ MasterPanel::~MasterPanel()
 
 QLabel *MasterPanel::addLine(QFormLayout *form, const QString &caption, const QString &toolTip)
 {
-    auto *value = new QLabel(m_content);
+    auto *value = describe(new QLabel(m_content), caption, toolTip);
     value->setWordWrap(true);
     value->setTextFormat(Qt::PlainText);
-    value->setAccessibleName(caption);
-    value->setToolTip(toolTip);
     value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     form->addRow(caption, value);
     return value;
@@ -119,7 +118,6 @@ QPushButton *MasterPanel::addButton(Icon icon, const QString &text, const QStrin
     auto *button = new QPushButton(lineIcon(icon), text, m_content);
     button->setAutoDefault(false);
     button->setToolTip(toolTip);
-    button->setAccessibleDescription(toolTip);
     return button;
 }
 
@@ -156,8 +154,7 @@ void MasterPanel::makeButtons(QVBoxLayout *column)
 
 void MasterPanel::makeSegments(QVBoxLayout *column)
 {
-    m_table->setAccessibleName(tr("Segments"));
-    m_table->setToolTip(tr("A segment is a remote-bus device and the cable before it"));
+    describe(m_table, tr("Segments"), tr("A segment is a remote-bus device and the cable before it"));
     m_table->setModel(m_segments);
     m_table->setItemDelegateForColumn(SegmentModel::historyColumn, new CrcBars(m_table));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);

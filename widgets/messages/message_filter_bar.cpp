@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/messages/message_filter_bar.h"
 
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
@@ -29,10 +30,14 @@ MessageFilterBar::MessageFilterBar(QWidget *parent)
     , m_start(QDateTime::currentDateTime())
     , m_row(new QHBoxLayout)
     , m_span(new QWidget(this))
-    , m_search(new QLineEdit(this))
-    , m_severity(new QComboBox(this))
-    , m_place(new QComboBox(this))
-    , m_period(new QComboBox(this))
+    , m_search(describe(new QLineEdit(this), tr("Search in messages"),
+                        tr("Show only messages with this text (Ctrl+F)")))
+    , m_severity(describe(new QComboBox(this), tr("Severity of messages"),
+                          tr("Show only messages of this severity or worse")))
+    , m_place(describe(new QComboBox(this), tr("Place of messages"),
+                       tr("Show only messages of this device, or of the bus itself")))
+    , m_period(describe(new QComboBox(this), tr("Time of messages"),
+                        tr("Show only messages of this time; the start is that of the program")))
     , m_from(new QDateTimeEdit(m_span))
     , m_until(new QDateTimeEdit(m_span))
     , m_find(new QAction(tr("Search"), this))
@@ -55,8 +60,6 @@ MessageFilterBar::MessageFilterBar(QWidget *parent)
 void MessageFilterBar::makeSearch()
 {
     m_search->setPlaceholderText(tr("Search"));
-    m_search->setAccessibleName(tr("Search in messages"));
-    m_search->setToolTip(tr("Show only messages with this text (Ctrl+F)"));
     m_search->setClearButtonEnabled(true);
     m_search->addAction(lineIcon(Icon::search, Role::inactive), QLineEdit::LeadingPosition);
     m_find->setShortcut(QKeySequence::Find);
@@ -73,20 +76,14 @@ void MessageFilterBar::makeChoices()
     m_severity->addItem(tr("All messages"), QVariant::fromValue(Severity::information));
     m_severity->addItem(tr("Attention and faults"), QVariant::fromValue(Severity::attention));
     m_severity->addItem(tr("Faults only"), QVariant::fromValue(Severity::fault));
-    m_severity->setAccessibleName(tr("Severity of messages"));
-    m_severity->setToolTip(tr("Show only messages of this severity or worse"));
     m_place->addItem(tr("All places"), QVariant::fromValue(MessageFilter::Place{}));
     m_place->addItem(tr("Bus"), QVariant::fromValue(MessageFilter::Place{.all = false}));
-    m_place->setAccessibleName(tr("Place of messages"));
-    m_place->setToolTip(tr("Show only messages of this device, or of the bus itself"));
     m_period->addItem(tr("All times"), QVariant::fromValue(Period::all));
     m_period->addItem(tr("Since the start"), QVariant::fromValue(Period::sinceStart));
     m_period->addItem(tr("Last hour"), QVariant::fromValue(Period::lastHour));
     m_period->addItem(tr("Today"), QVariant::fromValue(Period::today));
     m_period->addItem(tr("Last 7 days"), QVariant::fromValue(Period::lastWeek));
     m_period->addItem(tr("From ... to ..."), QVariant::fromValue(Period::between));
-    m_period->setAccessibleName(tr("Time of messages"));
-    m_period->setToolTip(tr("Show only messages of this time; the start is that of the program"));
     for (QComboBox *choice : {m_severity, m_place, m_period}) {
         choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         choice->setMinimumContentsLength(shortChoice);
@@ -107,8 +104,7 @@ void MessageFilterBar::makeSpan()
         auto *label = new QLabel(text, m_span);
         label->setBuddy(edit);
         edit->setCalendarPopup(true);
-        edit->setAccessibleName(name);
-        edit->setToolTip(name);
+        describe(edit, name, name);
         row->addWidget(label);
         row->addWidget(edit);
         connect(edit, &QDateTimeEdit::dateTimeChanged, this, &MessageFilterBar::changed);

@@ -4,6 +4,7 @@
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
 #include "ring/word_channel.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -34,7 +35,7 @@ constexpr std::array everyKind{MonitorKind::in32, MonitorKind::out32, MonitorKin
 MonitorArea::MonitorArea(BusSession &bus, QWidget *parent)
     : QWidget(parent)
     , m_bus(bus)
-    , m_add(new QToolButton(this))
+    , m_add(describe(new QToolButton(this), tr("Add monitor"), tr("Open another word of a device")))
     , m_addMenu(new QMenu(this))
     , m_message(new InlineMessage(this))
     , m_pages(new QStackedWidget(this))
@@ -115,8 +116,6 @@ void MonitorArea::makeBar()
     m_add->setText(tr("Add &monitor"));
     m_add->setIcon(lineIcon(Icon::add));
     m_add->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_add->setAccessibleName(tr("Add monitor"));
-    m_add->setToolTip(tr("Open another word of a device"));
     m_add->setPopupMode(QToolButton::InstantPopup);
     m_add->setAutoRaise(true);
     m_add->setFocusPolicy(Qt::StrongFocus);

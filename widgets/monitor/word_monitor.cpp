@@ -6,6 +6,7 @@
 #include "encoder/refusal_text.h"
 #include "journal/eeprom_cost.h"
 #include "widgets/eeprom/eeprom_question.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -94,19 +95,17 @@ QHBoxLayout *WordMonitor::makeTitle()
     row->addWidget(title, 1);
 
     if (m_kind == MonitorKind::in16 && m_channel->inWords() > 1) {
-        m_half = new QComboBox(this);
+        m_half = describe(new QComboBox(this), tr("%1 half", "IN 1.0 half").arg(m_place),
+                          tr("Which half of the 32 bits is shown"));
         m_half->addItems({QStringLiteral("D31..D16"), QStringLiteral("D15..D0")});
         m_half->setCurrentIndex(1);
-        m_half->setAccessibleName(tr("%1 half", "IN 1.0 half").arg(m_place));
-        m_half->setToolTip(tr("Which half of the 32 bits is shown"));
         row->addWidget(m_half);
         connect(m_half, &QComboBox::currentIndexChanged, this, [this] { showWord(0); });
     }
 
-    auto *show = new QToolButton(this);
+    auto *show = describe(new QToolButton(this), tr("Show of %1", "Show of OUT 1.0").arg(m_place),
+                          tr("Choose what this kind of monitor shows"));
     show->setText(tr("Show"));
-    show->setAccessibleName(tr("Show of %1", "Show of OUT 1.0").arg(m_place));
-    show->setToolTip(tr("Choose what this kind of monitor shows"));
     show->setMenu(m_menu);
     show->setPopupMode(QToolButton::InstantPopup);
     show->setAutoRaise(true);
@@ -114,9 +113,8 @@ QHBoxLayout *WordMonitor::makeTitle()
     row->addWidget(show);
 
     auto *close = new QToolButton(this);
+    describe(close, tr("Close monitor %1", "Close monitor OUT 1.0").arg(m_place), tr("Close this monitor"));
     close->setIcon(lineIcon(Icon::cancel));
-    close->setAccessibleName(tr("Close monitor %1", "Close monitor OUT 1.0").arg(m_place));
-    close->setToolTip(tr("Close this monitor"));
     close->setAutoRaise(true);
     close->setFocusPolicy(Qt::StrongFocus);
     connect(close, &QToolButton::clicked, this, &WordMonitor::closeRequested);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/word_sender.h"
 
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/role_label.h"
@@ -20,14 +21,12 @@ WordSender::WordSender(WordChannel &channel, const QString &place, const WordFor
     , m_atOnce(new QCheckBox(tr("At once"), this))
     , m_staged(new RoleLabel(this))
 {
-    m_write->setAccessibleName(tr("Write %1", "Write OUT 1.0").arg(place));
-    m_write->setToolTip(
-        tr("Send this word to the encoder; it stands there until another is sent (Ctrl+Return)"));
-    m_discard->setAccessibleName(tr("Discard %1", "Discard OUT 1.0").arg(place));
-    m_discard->setToolTip(tr("Back to the word that stands on the bus (Esc)"));
-    m_atOnce->setAccessibleName(tr("Send %1 at once", "Send OUT 1.0 at once").arg(place));
-    m_atOnce->setToolTip(tr("Send each change as it is made. Words with a parameter number or a command bit "
-                            "still ask."));
+    describe(m_write, tr("Write %1", "Write OUT 1.0").arg(place),
+             tr("Send this word to the encoder; it stands there until another is sent (Ctrl+Return)"));
+    describe(m_discard, tr("Discard %1", "Discard OUT 1.0").arg(place),
+             tr("Back to the word that stands on the bus (Esc)"));
+    describe(m_atOnce, tr("Send %1 at once", "Send OUT 1.0 at once").arg(place),
+             tr("Send each change as it is made. Words with a parameter number or a command bit still ask."));
     m_staged->setState(Role::attention, tr("Not sent yet"));
 
     auto *layout = new QHBoxLayout(this);

@@ -7,6 +7,7 @@
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/functions/encoder_functions.h"
 #include "widgets/functions/function_questions.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/inline_message.h"
@@ -92,10 +93,9 @@ QWidget *ParameterPanel::makeButtons()
     m_read = new QPushButton(lineIcon(Icon::read), tr("&Read from encoder"), buttons);
     m_write = new QPushButton(lineIcon(Icon::write), tr("&Write..."), buttons);
     m_wizard = new QPushButton(lineIcon(Icon::wizard), tr("Wi&zard..."), buttons);
-    m_more = new QToolButton(buttons);
+    m_more = describe(new QToolButton(buttons), tr("More for the parameters"),
+                      tr("Take over, clear or tell values; modes, preset and reset"));
     m_more->setText(tr("&More"));
-    m_more->setToolTip(tr("Take over, clear or tell values; modes, preset and reset"));
-    m_more->setAccessibleName(tr("More for the parameters"));
     m_more->setPopupMode(QToolButton::InstantPopup);
     m_more->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     makeMenu();

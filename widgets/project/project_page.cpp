@@ -2,6 +2,7 @@
 #include "widgets/project/project_page.h"
 
 #include "widgets/input/text_fields.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 
 #include <QComboBox>
@@ -19,10 +20,13 @@ constexpr int widestTitle = 140 * grid::unit;
 ProjectPage::ProjectPage(ProjectDocument &document, QWidget *parent)
     : QWidget(parent)
     , m_document(document)
-    , m_title(new TextField(this))
-    , m_link(new QComboBox(this))
+    , m_title(describe(new TextField(this), "projectTitle", tr("Title of the project"),
+                       tr("Stands at the head of the commissioning report")))
+    , m_link(describe(new QComboBox(this), "projectLink", tr("Link of the project"),
+                      tr("The link the project is used with. Choosing one connects nothing.")))
     , m_settings(new QLabel(this))
-    , m_note(new NoteField(this))
+    , m_note(describe(new NoteField(this), "projectNote", tr("Note on the project"),
+                      tr("What whoever opens the project next should know")))
     , m_file(new QLabel(this))
 {
     makeFields();
@@ -48,19 +52,10 @@ ProjectPage::~ProjectPage()
 
 void ProjectPage::makeFields()
 {
-    m_title->setObjectName(QStringLiteral("projectTitle"));
-    m_title->setAccessibleName(tr("Title of the project"));
-    m_title->setToolTip(tr("Stands at the head of the commissioning report"));
     m_title->setPlaceholderText(tr("Crane 1"));
     m_title->setMaximumWidth(widestTitle);
-    m_link->setObjectName(QStringLiteral("projectLink"));
-    m_link->setAccessibleName(tr("Link of the project"));
-    m_link->setToolTip(tr("The link the project is used with. Choosing one connects nothing."));
     m_settings->setObjectName(QStringLiteral("linkSettings"));
     m_settings->setAccessibleName(tr("Settings of the link"));
-    m_note->setObjectName(QStringLiteral("projectNote"));
-    m_note->setAccessibleName(tr("Note on the project"));
-    m_note->setToolTip(tr("What whoever opens the project next should know"));
     m_note->setPlaceholderText(tr("What whoever opens the project next should know"));
     m_file->setObjectName(QStringLiteral("projectFile"));
     for (QLabel *label : {m_settings, m_file}) {

@@ -2,6 +2,7 @@
 #include "widgets/sequence/project_sequences.h"
 
 #include "widgets/input/text_fields.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/sequence/sequence_view.h"
@@ -21,8 +22,9 @@ ProjectSequences::ProjectSequences(ProjectDocument &document, SequenceView &view
     , m_document(document)
     , m_view(view)
     , m_names(new QComboBox(this))
-    , m_add(new QToolButton(this))
-    , m_remove(new QToolButton(this))
+    , m_add(describe(new QToolButton(this), "addSequence", tr("New sequence"), tr("Begins another sequence")))
+    , m_remove(describe(new QToolButton(this), "removeSequence", tr("Remove the sequence"),
+                        tr("Removes this sequence from the project; can be undone")))
     , m_holding(document.newGesture())
 {
     m_names->setObjectName(QStringLiteral("sequenceName"));
@@ -31,17 +33,11 @@ ProjectSequences::ProjectSequences(ProjectDocument &document, SequenceView &view
     auto *name = new TextField(m_names);
     m_names->setLineEdit(name);
     for (QWidget *field : {static_cast<QWidget *>(m_names), static_cast<QWidget *>(name)}) {
-        field->setAccessibleName(tr("Sequence of the project"));
-        field->setToolTip(tr("Chooses a sequence of the project; type to give it another name"));
+        describe(field, tr("Sequence of the project"),
+                 tr("Chooses a sequence of the project; type to give it another name"));
     }
-    m_add->setObjectName(QStringLiteral("addSequence"));
     m_add->setIcon(lineIcon(Icon::add));
-    m_add->setAccessibleName(tr("New sequence"));
-    m_add->setToolTip(tr("Begins another sequence"));
-    m_remove->setObjectName(QStringLiteral("removeSequence"));
     m_remove->setIcon(lineIcon(Icon::remove));
-    m_remove->setAccessibleName(tr("Remove the sequence"));
-    m_remove->setToolTip(tr("Removes this sequence from the project; can be undone"));
     for (QToolButton *button : {m_add, m_remove}) {
         button->setAutoRaise(true);
         button->setFocusPolicy(Qt::TabFocus);

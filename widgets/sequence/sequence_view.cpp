@@ -8,6 +8,7 @@
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/input/checked_delegate.h"
 #include "widgets/input/number_fields.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -40,10 +41,12 @@ SequenceView::SequenceView(QWidget *parent)
     , m_empty(new EmptyState(Icon::sequence, {}, {}, this))
     , m_tools(new QToolBar(this))
     , m_table(new QTableView(this))
-    , m_hold(new IntegerField(this))
+    , m_hold(describe(new IntegerField(this), tr("Cycles for words that nothing acknowledges"),
+                      tr("How long a word stands that nothing acknowledges; others stand until they are")))
     , m_summary(new QLabel(this))
     , m_send(new QPushButton(lineIcon(Icon::start), tr("&Send"), this))
-    , m_stop(new QPushButton(lineIcon(Icon::stop), tr("S&top"), this))
+    , m_stop(describe(new QPushButton(lineIcon(Icon::stop), tr("S&top"), this), tr("Stop the sequence"),
+                      tr("End the sequence, and choose what becomes of the encoder")))
     , m_message(new InlineMessage(this))
 {
     makeTable();
@@ -157,12 +160,8 @@ void SequenceView::makeSending()
     m_hold->setValue(WordList().holdCycles);
     connect(m_hold, &QSpinBox::editingFinished, this, &SequenceView::holdTaken);
     m_hold->setSuffix(tr(" cycles", "unit of a number of bus cycles"));
-    m_hold->setAccessibleName(tr("Cycles for words that nothing acknowledges"));
-    m_hold->setToolTip(tr("How long a word stands that nothing acknowledges; others stand until they are"));
     m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_send->setAccessibleName(tr("Send the sequence"));
-    m_stop->setAccessibleName(tr("Stop the sequence"));
-    m_stop->setToolTip(tr("End the sequence, and choose what becomes of the encoder"));
     auto *menu = new QMenu(m_stop);
     menu->addAction(tr("&Run: end the parameterization with what the encoder has taken"), this,
                     [this] { stop(OnCancel::runWithWhatItHas); });

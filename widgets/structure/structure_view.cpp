@@ -3,6 +3,7 @@
 
 #include "catalog/catalog.h"
 #include "ring/bus_session.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -45,7 +46,8 @@ bool makeIsOpen(const BusSession &bus, DeviceNumber number)
 StructureView::StructureView(QWidget *parent)
     : QWidget(parent)
     , m_model(new StructureModel(this))
-    , m_tree(new QTreeView(this))
+    , m_tree(describe(new QTreeView(this), "structure", tr("Bus structure"),
+                      tr("Choose a device to see it in the panels. Enter opens its monitors.")))
     , m_empty(new EmptyState(Icon::ring, tr("No ring is connected."), tr("The project has no devices yet."),
                              this))
     , m_question(new InlineMessage(this))
@@ -57,9 +59,6 @@ StructureView::StructureView(QWidget *parent)
     layout->addWidget(m_question);
     m_question->setObjectName(QStringLiteral("makeQuestion"));
 
-    m_tree->setObjectName(QStringLiteral("structure"));
-    m_tree->setAccessibleName(tr("Bus structure"));
-    m_tree->setToolTip(tr("Choose a device to see it in the panels. Enter opens its monitors."));
     m_tree->setModel(m_model);
     m_tree->setIconSize({grid::smallIcon, grid::smallIcon});
     m_tree->setIndentation(indentation);

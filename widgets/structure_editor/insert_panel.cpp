@@ -5,6 +5,7 @@
 #include "catalog/hex_code.h"
 #include "ring/id_code.h"
 #include "ring/ring_tree.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -52,14 +53,22 @@ QString offeredText(const Participant &device, const Catalog &catalog)
 InsertPanel::InsertPanel(const Catalog &catalog, QWidget *parent)
     : QWidget(parent)
     , m_catalog(catalog)
-    , m_search(new QLineEdit(this))
-    , m_devices(new QListWidget(this))
-    , m_idCode(new QLineEdit(this))
-    , m_lengthCode(new QLineEdit(this))
+    , m_search(describe(new QLineEdit(this), "catalogSearch", tr("Search the catalog"),
+                        tr("Shows the devices of the catalog that have this text")))
+    , m_devices(describe(new QListWidget(this), "catalogDevices", tr("Devices of the catalog"),
+                         tr("Enter or a double click inserts the device")))
+    , m_idCode(describe(new QLineEdit(this), "insertIdCode", tr("ID code"),
+                        tr("The low byte of the device code, hexadecimal: kind and direction")))
+    , m_lengthCode(describe(new QLineEdit(this), "insertLengthCode", tr("Length code"),
+                            tr("The high byte of the device code, hexadecimal: data width")))
     , m_reading(new QLabel(this))
-    , m_where(new QComboBox(this))
-    , m_insert(new QPushButton(tr("&Insert device"), this))
-    , m_change(new QPushButton(tr("Chan&ge to it"), this))
+    , m_where(describe(new QComboBox(this), "insertPlace", tr("Place"),
+                       tr("Where the device is inserted, seen from the chosen one")))
+    , m_insert(describe(new QPushButton(tr("&Insert device"), this), "insertDevice",
+                        tr("Inserts the device at this place")))
+    , m_change(describe(new QPushButton(tr("Chan&ge to it"), this), "changeDevice",
+                        tr("Makes the chosen device of the bus one of these; station, group and addresses "
+                           "stay")))
 {
     makeFields();
     fillCatalog();
@@ -87,39 +96,19 @@ InsertPanel::InsertPanel(const Catalog &catalog, QWidget *parent)
 
 void InsertPanel::makeFields()
 {
-    m_search->setObjectName(QStringLiteral("catalogSearch"));
     m_search->setPlaceholderText(tr("Search the catalog: maker, name, profile or ID code"));
     m_search->setClearButtonEnabled(true);
-    m_search->setAccessibleName(tr("Search the catalog"));
-    m_search->setToolTip(tr("Shows the devices of the catalog that have this text"));
-    m_devices->setObjectName(QStringLiteral("catalogDevices"));
-    m_devices->setAccessibleName(tr("Devices of the catalog"));
-    m_devices->setToolTip(tr("Enter or a double click inserts the device"));
     m_devices->setFixedHeight(visibleDevices * (fontMetrics().height() + grid::unit) + grid::margin);
     for (QLineEdit *field : {m_idCode, m_lengthCode}) {
         field->setFont(numberFont());
         field->setMaxLength(4);
         field->setFixedWidth(field->fontMetrics().horizontalAdvance(u'0') * 4 + 5 * grid::margin);
     }
-    m_idCode->setObjectName(QStringLiteral("insertIdCode"));
     m_idCode->setPlaceholderText(QStringLiteral("BEh"));
-    m_idCode->setAccessibleName(tr("ID code"));
-    m_idCode->setToolTip(tr("The low byte of the device code, hexadecimal: kind and direction"));
-    m_lengthCode->setObjectName(QStringLiteral("insertLengthCode"));
     m_lengthCode->setPlaceholderText(QStringLiteral("81h"));
-    m_lengthCode->setAccessibleName(tr("Length code"));
-    m_lengthCode->setToolTip(tr("The high byte of the device code, hexadecimal: data width"));
     m_reading->setObjectName(QStringLiteral("insertReading"));
     m_reading->setWordWrap(true);
-    m_where->setObjectName(QStringLiteral("insertPlace"));
     m_where->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_where->setAccessibleName(tr("Place"));
-    m_where->setToolTip(tr("Where the device is inserted, seen from the chosen one"));
-    m_insert->setObjectName(QStringLiteral("insertDevice"));
-    m_insert->setToolTip(tr("Inserts the device at this place"));
-    m_change->setObjectName(QStringLiteral("changeDevice"));
-    m_change->setToolTip(
-        tr("Makes the chosen device of the bus one of these; station, group and addresses stay"));
 
     const auto label = [this](const QString &text, QWidget *buddy) {
         auto *made = new QLabel(text, this);
@@ -151,12 +140,10 @@ void InsertPanel::makeFields()
 
 QHBoxLayout *InsertPanel::makeSearchRow()
 {
-    auto *close = new QToolButton(this);
-    close->setObjectName(QStringLiteral("closeInsert"));
+    auto *close = describe(new QToolButton(this), "closeInsert", tr("Close the insert panel"),
+                           tr("Closes this panel (Esc)"));
     close->setIcon(lineIcon(Icon::cancel));
     close->setAutoRaise(true);
-    close->setAccessibleName(tr("Close the insert panel"));
-    close->setToolTip(tr("Closes this panel (Esc)"));
     connect(close, &QToolButton::clicked, this, &InsertPanel::closeRequested);
     auto *escape = new QShortcut(Qt::Key_Escape, this);
     escape->setContext(Qt::WidgetWithChildrenShortcut);

@@ -5,6 +5,7 @@
 #include "ring/cycle_time.h"
 #include "ring/ring_rules.h"
 #include "widgets/input/number_fields.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/project/project_document.h"
 
@@ -29,22 +30,19 @@ PlanSummary::PlanSummary(ProjectDocument &document, QWidget *parent)
     : QWidget(parent)
     , m_document(document)
     , m_counts(new QLabel(this))
-    , m_times(new QLabel(this))
-    , m_cable(new DecimalField(this))
+    , m_times(describe(new QLabel(this), "planTimes",
+                       tr("About how long one bus cycle takes on the wire, by the formulas of G3 and of G4 "
+                          "masters")))
+    , m_cable(describe(new DecimalField(this), "cableKilometres", tr("Length of cable in km"),
+                       tr("Length of all remote bus cables: each km takes 0.016 ms")))
     , m_stepping(document.newGesture())
 {
     m_counts->setObjectName(QStringLiteral("planCounts"));
     m_counts->setWordWrap(true);
-    m_times->setObjectName(QStringLiteral("planTimes"));
     m_times->setWordWrap(true);
-    m_times->setToolTip(
-        tr("About how long one bus cycle takes on the wire, by the formulas of G3 and of G4 masters"));
-    m_cable->setObjectName(QStringLiteral("cableKilometres"));
     m_cable->setRange(0, longestRemoteBus);
     m_cable->setDecimals(2);
     m_cable->setSingleStep(0.1);
-    m_cable->setAccessibleName(tr("Length of cable in km"));
-    m_cable->setToolTip(tr("Length of all remote bus cables: each km takes 0.016 ms"));
     auto *cableLabel = new QLabel(tr("Cable in k&m"), this);
     cableLabel->setBuddy(m_cable);
 

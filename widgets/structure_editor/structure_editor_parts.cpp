@@ -4,6 +4,7 @@
 #include "widgets/input/checked_delegate.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/look/content_scroll_area.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -44,19 +45,27 @@ StructureEditor::StructureEditor(ProjectDocument &document, const Catalog &catal
     , m_edits(document, catalog)
     , m_model(new PlanModel(document, catalog, this))
     , m_tools(new QToolBar(this))
-    , m_search(new QLineEdit(this))
+    , m_search(describe(new QLineEdit(this), "structureSearch", tr("Search the structure"),
+                        tr("Goes to the devices with this text; Enter and Shift+Enter to the next and to the "
+                           "one before (Ctrl+F)")))
     , m_found(new QLabel(this))
-    , m_tree(new QTreeView(this))
+    , m_tree(describe(new QTreeView(this), "plan", tr("Planned bus structure"),
+                      tr("Drag devices to move them. F2 or a double click edits station, group, serial "
+                         "number, note and addresses.")))
     , m_empty(new EmptyState(Icon::ring, tr("The project has no devices."),
                              tr("Insert the first one, or read in the ring and take it over."), this))
     , m_insert(new InsertPanel(catalog, this))
     , m_message(new InlineMessage(this))
     , m_summary(new PlanSummary(document, this))
-    , m_unit(new QComboBox(this))
-    , m_first(new IntegerField(this))
+    , m_unit(describe(new QComboBox(this), "addressUnit", tr("Addresses in"),
+                      tr("How addresses in the process image are shown and typed")))
+    , m_first(describe(new IntegerField(this), "firstAddress", tr("First address"),
+                       tr("Where the automatic addresses begin, in bytes")))
     , m_stepping(document.newGesture())
-    , m_step5(new QCheckBox(tr("Step &5"), this))
-    , m_findings(new QToolButton(this))
+    , m_step5(describe(new QCheckBox(tr("Step &5"), this), "step5",
+                       tr("With a Step 5 PLC encoders must stand above P127: checks that")))
+    , m_findings(
+          describe(new QToolButton(this), "findings", tr("Goes to the next device with a finding (F3)")))
 {
     makeTools();
     makeSearch();
@@ -116,13 +125,8 @@ void StructureEditor::makeTools()
 
 void StructureEditor::makeSearch()
 {
-    m_search->setObjectName(QStringLiteral("structureSearch"));
     m_search->setPlaceholderText(tr("Number, name, ID code, station"));
     m_search->setClearButtonEnabled(true);
-    m_search->setAccessibleName(tr("Search the structure"));
-    m_search->setToolTip(
-        tr("Goes to the devices with this text; Enter and Shift+Enter to the next and to the one "
-           "before (Ctrl+F)"));
     m_found->setObjectName(QStringLiteral("structureFound"));
     m_tools->addWidget(m_search);
     m_tools->addWidget(m_found);
@@ -139,24 +143,12 @@ void StructureEditor::makeSearch()
 
 void StructureEditor::makeAddressing()
 {
-    m_unit->setObjectName(QStringLiteral("addressUnit"));
     m_unit->addItems({tr("bytes"), tr("words")});
-    m_unit->setAccessibleName(tr("Addresses in"));
-    m_unit->setToolTip(tr("How addresses in the process image are shown and typed"));
-    m_first->setObjectName(QStringLiteral("firstAddress"));
     m_first->setRange(0, largestAddress);
-    m_first->setAccessibleName(tr("First address"));
-    m_first->setToolTip(tr("Where the automatic addresses begin, in bytes"));
-    m_step5->setObjectName(QStringLiteral("step5"));
-    m_step5->setToolTip(tr("With a Step 5 PLC encoders must stand above P127: checks that"));
 }
 
 void StructureEditor::makeTree()
 {
-    m_tree->setObjectName(QStringLiteral("plan"));
-    m_tree->setAccessibleName(tr("Planned bus structure"));
-    m_tree->setToolTip(tr("Drag devices to move them. F2 or a double click edits station, group, serial "
-                          "number, note and addresses."));
     m_tree->setModel(m_model);
     auto *cells = new CheckedDelegate(
         [this](const QModelIndex &cell, const QString &text) { return m_model->complaint(cell, text); },
@@ -200,11 +192,9 @@ void StructureEditor::fitColumns()
 
 void StructureEditor::arrange()
 {
-    m_findings->setObjectName(QStringLiteral("findings"));
     m_findings->setAutoRaise(true);
     m_findings->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_findings->setShortcut(Qt::Key_F3);
-    m_findings->setToolTip(tr("Goes to the next device with a finding (F3)"));
     const auto label = [this](const QString &text, QWidget *buddy) {
         auto *made = new QLabel(text, this);
         made->setBuddy(buddy);

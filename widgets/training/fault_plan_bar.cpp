@@ -49,7 +49,6 @@ QPushButton *FaultPlanBar::addButton(const QString &text, const QString &toolTip
     auto *button = new QPushButton(text, this);
     button->setAutoDefault(false);
     button->setToolTip(toolTip);
-    button->setAccessibleDescription(toolTip);
     return button;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/training/hand_wheel.h"
 
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 
 #include <QDial>
@@ -20,14 +21,13 @@ constexpr int wheelSide = 54;
 
 HandWheel::HandWheel(QWidget *parent)
     : QWidget(parent)
-    , m_wheel(new QDial(this))
+    , m_wheel(describe(new QDial(this), tr("Wheel"),
+                       tr("Turn the shaft by hand: drag, or use the arrow keys and Page Up, Page Down")))
 {
     m_wheel->setRange(0, places);
     m_wheel->setWrapping(true);
     m_wheel->setPageStep(places / 8);
     m_wheel->setFixedSize(wheelSide, wheelSide);
-    m_wheel->setAccessibleName(tr("Wheel"));
-    m_wheel->setToolTip(tr("Turn the shaft by hand: drag, or use the arrow keys and Page Up, Page Down"));
     connect(m_wheel, &QDial::valueChanged, this, &HandWheel::turnWheel);
 
     auto *grid = new QGridLayout(this);
@@ -50,14 +50,12 @@ HandWheel::HandWheel(QWidget *parent)
 
 void HandWheel::addButton(QGridLayout *grid, int row, const Turn &turn)
 {
-    auto *button = new QToolButton(this);
+    auto *button = describe(new QToolButton(this), turn.name, turn.name);
     button->setText(turn.text);
     button->setAutoRepeat(true);
     button->setFocusPolicy(Qt::StrongFocus);
     button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     button->setMinimumWidth(button->fontMetrics().horizontalAdvance(turn.text) + grid::margin);
-    button->setAccessibleName(turn.name);
-    button->setToolTip(turn.name);
     grid->addWidget(button, row, turn.sense < 0 ? 1 : 2);
     connect(button, &QToolButton::clicked, this, [this, part = turn.part, sense = turn.sense] {
         Q_EMIT turned(part == 0 ? sense : sense * (m_stepsPerTurn / part));

@@ -2,6 +2,7 @@
 #include "widgets/training/line_faults_box.h"
 
 #include "widgets/input/number_fields.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/training/training_fields.h"
 
@@ -69,8 +70,7 @@ void LineFaultsBox::makeRates(QGridLayout &grid)
         rate.field = new IntegerField(this);
         rate.field->setRange(0, mostPerThousand);
         prepare(rate.field, 5);
-        rate.field->setAccessibleName(tr("%1, of 1000").arg(rate.name));
-        rate.field->setToolTip(rate.toolTip);
+        describe(rate.field, tr("%1, of 1000").arg(rate.name), rate.toolTip);
         addCaption(&grid, row, tr("%1, of 1000").arg(rate.name), rate.field);
         grid.addWidget(rate.field, row++, 1);
         connect(rate.field, &QSpinBox::valueChanged, this,
@@ -78,8 +78,7 @@ void LineFaultsBox::makeRates(QGridLayout &grid)
     }
     m_delay->setRange(1, longestDelay);
     prepare(m_delay, 5);
-    m_delay->setAccessibleName(tr("Delay in ms"));
-    m_delay->setToolTip(tr("How much later a delayed byte comes, in ms"));
+    describe(m_delay, tr("Delay in ms"), tr("How much later a delayed byte comes, in ms"));
     addCaption(&grid, row, tr("Delay, ms"), m_delay);
     grid.addWidget(m_delay, row, 1);
     connect(m_delay, &QSpinBox::valueChanged, this, &LineFaultsBox::setDelay);

@@ -2,6 +2,7 @@
 #include "widgets/training/ring_faults.h"
 
 #include "widgets/input/number_fields.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/training/training_fields.h"
 
@@ -58,11 +59,10 @@ void RingFaults::addRate(QVBoxLayout *column)
     row->setContentsMargins({});
     row->setSpacing(grid::unit);
     auto *caption = new QLabel(tr("CRC errors per 1000"), m_rateRow);
-    m_rate = new IntegerField(m_rateRow);
+    m_rate = describe(new IntegerField(m_rateRow), tr("CRC errors of 1000 data cycles"),
+                      tr("Faulty data cycles of 1000 in the segment of the device"));
     prepare(m_rate, 4);
     m_rate->setRange(0, mostCrcErrors);
-    m_rate->setAccessibleName(tr("CRC errors of 1000 data cycles"));
-    m_rate->setToolTip(tr("Faulty data cycles of 1000 in the segment of the device"));
     caption->setBuddy(m_rate);
     row->addWidget(caption);
     row->addWidget(m_rate);

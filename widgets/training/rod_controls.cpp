@@ -2,6 +2,7 @@
 #include "widgets/training/rod_controls.h"
 
 #include "widgets/input/number_fields.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/training/training_fields.h"
 
@@ -35,14 +36,16 @@ QString placeNumber(double millimetres)
 RodControls::RodControls(TrainingControls &controls, QWidget *parent)
     : QWidget(parent)
     , m_controls(controls)
-    , m_track(new QSlider(Qt::Horizontal, this))
+    , m_track(describe(new QSlider(Qt::Horizontal, this), tr("Magnet on the rod"),
+                       tr("Move the magnet by hand: drag, or use the arrow keys and Page Up, Page Down. The "
+                          "head is at the left.")))
     , m_place(numberLabel(tr("Place of the magnet in mm"), this))
-    , m_target(new DecimalField(this))
-    , m_speed(new DecimalField(this))
+    , m_target(describe(new DecimalField(this), tr("Place to move the magnet to, in mm"),
+                        tr("mm from the head; Enter moves the magnet there")))
+    , m_speed(describe(new DecimalField(this), tr("Speed in mm per second"),
+                       tr("mm per second; positive is away from the head. The magnet turns round at the "
+                          "ends.")))
 {
-    m_track->setAccessibleName(tr("Magnet on the rod"));
-    m_track->setToolTip(tr("Move the magnet by hand: drag, or use the arrow keys and Page Up, Page Down. The "
-                           "head is at the left."));
     m_track->setSingleStep(1);
     m_track->setPageStep(10 * tenths);
     auto *fields = new QGridLayout;
@@ -71,8 +74,6 @@ void RodControls::makePlace(QGridLayout *grid)
     prepare(m_target, 8);
     m_target->setDecimals(placeDecimals);
     m_target->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    m_target->setAccessibleName(tr("Place to move the magnet to, in mm"));
-    m_target->setToolTip(tr("mm from the head; Enter moves the magnet there"));
     auto *go = buttonBeside(Icon::next, tr("Move the magnet to the place"), this);
     addCaption(grid, 1, tr("Move to"), m_target);
     grid->addWidget(m_target, 1, 1);
@@ -87,9 +88,6 @@ void RodControls::makeSpeed(QGridLayout *grid)
     m_speed->setDecimals(1);
     m_speed->setSingleStep(10);
     prepare(m_speed, 8);
-    m_speed->setAccessibleName(tr("Speed in mm per second"));
-    m_speed->setToolTip(
-        tr("mm per second; positive is away from the head. The magnet turns round at the ends."));
     auto *stop = buttonBeside(Icon::stop, tr("Stop the magnet"), this);
     addCaption(grid, 2, tr("Speed, mm/s"), m_speed);
     grid->addWidget(m_speed, 2, 1);

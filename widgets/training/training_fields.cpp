@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/training/training_fields.h"
 
+#include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 
@@ -34,11 +35,9 @@ void prepare(QAbstractSpinBox *field, int digits)
 
 QToolButton *buttonBeside(Icon icon, const QString &name, QWidget *parent)
 {
-    auto *button = new QToolButton(parent);
+    auto *button = describe(new QToolButton(parent), name, name);
     button->setIcon(lineIcon(icon));
     button->setFocusPolicy(Qt::StrongFocus);
-    button->setToolTip(name);
-    button->setAccessibleName(name);
     return button;
 }
 
@@ -46,7 +45,6 @@ QCheckBox *addBox(QVBoxLayout *column, const QString &text, const QString &toolT
 {
     auto *box = new QCheckBox(text, column->parentWidget());
     box->setToolTip(toolTip);
-    box->setAccessibleDescription(toolTip);
     column->addWidget(box);
     return box;
 }

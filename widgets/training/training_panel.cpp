@@ -2,6 +2,7 @@
 #include "widgets/training/training_panel.h"
 
 #include "simulator/simulated_line.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/training/fault_plan_bar.h"
@@ -37,7 +38,8 @@ TrainingPanel::TrainingPanel(TrainingControls &controls, QWidget *parent)
     : QScrollArea(parent)
     , m_controls(controls)
     , m_content(new QWidget(this))
-    , m_device(new QComboBox(m_content))
+    , m_device(describe(new QComboBox(m_content), tr("Device to train with"),
+                        tr("The simulated device that is moved, switched and disturbed here")))
     , m_shaft(new ShaftControls(controls, m_content))
     , m_rod(new RodControls(controls, m_content))
     , m_ringFaults(new RingFaults(controls, m_content))
@@ -69,8 +71,6 @@ TrainingPanel::TrainingPanel(TrainingControls &controls, QWidget *parent)
 
 void TrainingPanel::makeTop(QVBoxLayout *column)
 {
-    m_device->setAccessibleName(tr("Device to train with"));
-    m_device->setToolTip(tr("The simulated device that is moved, switched and disturbed here"));
     auto *device = new QGridLayout;
     device->setHorizontalSpacing(grid::groupGap);
     device->setColumnStretch(1, 1);
@@ -93,7 +93,6 @@ QPushButton *TrainingPanel::addCommand(QVBoxLayout *column, Icon icon, const QSt
     auto *button = new QPushButton(lineIcon(icon), text, m_content);
     button->setAutoDefault(false);
     button->setToolTip(toolTip);
-    button->setAccessibleDescription(toolTip);
     column->addWidget(button);
     return button;
 }

@@ -4,6 +4,7 @@
 #include "project/file_access.h"
 #include "report/html_report.h"
 #include "transfer/transfer_report.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -29,13 +30,9 @@ AccountView::AccountView(QWidget *parent)
     m_text->setTabChangesFocus(true);
     m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_text->setFont(numberFont());
-    m_text->setObjectName(QStringLiteral("account"));
-    m_text->setAccessibleName(tr("What was written where"));
-    m_text->setToolTip(tr("What became of each value"));
-    m_save->setObjectName(QStringLiteral("saveAccount"));
-    m_save->setToolTip(tr("As plain text, or as a web page if the name ends in .html"));
-    m_copy->setObjectName(QStringLiteral("copyAccount"));
-    m_copy->setToolTip(tr("Copies the text"));
+    describe(m_text, "account", tr("What was written where"), tr("What became of each value"));
+    describe(m_save, "saveAccount", tr("As plain text, or as a web page if the name ends in .html"));
+    describe(m_copy, "copyAccount", tr("Copies the text"));
     auto *buttons = new QHBoxLayout;
     buttons->addWidget(m_save);
     buttons->addWidget(m_copy);

@@ -3,6 +3,7 @@
 
 #include "journal/eeprom_cost.h"
 #include "ring/bus_session.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 
 #include <QCheckBox>
@@ -43,17 +44,14 @@ EepromGates::EepromGates(BusSession &bus, QWidget *parent)
     : QWidget(parent)
     , m_bus(bus)
     , m_text(new QLabel(this))
-    , m_nevertheless(new QCheckBox(tr("Write &nevertheless"), this))
-    , m_places(new QLineEdit(this))
+    , m_nevertheless(describe(new QCheckBox(tr("Write &nevertheless"), this), "writeNevertheless",
+                              tr("The EEPROM was written as often as the manual speaks of")))
+    , m_places(describe(new QLineEdit(this), "typedPlace", tr("Places of the encoders"),
+                        tr("The places of these encoders, so that nothing is written beyond the limit by "
+                           "accident")))
 {
     m_text->setWordWrap(true);
     m_text->setObjectName(QStringLiteral("eepromConcern"));
-    m_nevertheless->setObjectName(QStringLiteral("writeNevertheless"));
-    m_nevertheless->setToolTip(tr("The EEPROM was written as often as the manual speaks of"));
-    m_places->setObjectName(QStringLiteral("typedPlace"));
-    m_places->setAccessibleName(tr("Places of the encoders"));
-    m_places->setToolTip(
-        tr("The places of these encoders, so that nothing is written beyond the limit by accident"));
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(grid::unit);

@@ -5,6 +5,7 @@
 #include "encoder/refusal_text.h"
 #include "ring/bus_session.h"
 #include "transfer/transfer_words.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 
@@ -20,27 +21,21 @@ namespace codewheel {
 ReplaceDeviceStep::ReplaceDeviceStep(Replacing &replacing, QWidget *parent)
     : ReplaceStep(replacing, tr("New encoder"), parent)
     , m_planned(new QLabel(this))
-    , m_key(new QLineEdit(this))
-    , m_choice(new QComboBox(this))
-    , m_serial(new QLineEdit(this))
+    , m_key(describe(new QLineEdit(this), "replaceKey", tr("Key on the label of the new encoder"),
+                     tr("Type the key on the label. Spaces, dots and dashes do not matter.")))
+    , m_choice(describe(new QComboBox(this), "replaceChoice", tr("New encoder"),
+                        tr("The encoders of the catalog with the device code of this place")))
+    , m_serial(describe(new QLineEdit(this), "replaceSerial", tr("Serial number of the new encoder"),
+                        tr("From its label; EEPROM writes are counted by it where the encoder does not "
+                           "tell")))
     , m_differences(new QLabel(this))
     , m_message(new InlineMessage(this))
 {
     m_planned->setWordWrap(true);
     m_differences->setWordWrap(true);
     m_differences->setObjectName(QStringLiteral("replaceDifferences"));
-    m_key->setObjectName(QStringLiteral("replaceKey"));
     m_key->setPlaceholderText(QStringLiteral("OCD-IBA1B-1213-C100-PRI"));
     m_key->setClearButtonEnabled(true);
-    m_key->setAccessibleName(tr("Key on the label of the new encoder"));
-    m_key->setToolTip(tr("Type the key on the label. Spaces, dots and dashes do not matter."));
-    m_choice->setObjectName(QStringLiteral("replaceChoice"));
-    m_choice->setAccessibleName(tr("New encoder"));
-    m_choice->setToolTip(tr("The encoders of the catalog with the device code of this place"));
-    m_serial->setObjectName(QStringLiteral("replaceSerial"));
-    m_serial->setAccessibleName(tr("Serial number of the new encoder"));
-    m_serial->setToolTip(
-        tr("From its label; EEPROM writes are counted by it where the encoder does not tell"));
     auto *fields = new QFormLayout;
     fields->addRow(tr("&Label key"), m_key);
     fields->addRow(tr("Enc&oder"), m_choice);

@@ -2,6 +2,7 @@
 #include "widgets/transfer/replace_page.h"
 
 #include "ring/bus_session.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -38,12 +39,10 @@ ReplacePage::ReplacePage(BusSession &bus, ProjectDocument &project, const LastPo
     setAccessibleName(tr("Replace encoder"));
     m_title->setFont(textFont(TextSize::large));
     m_title->setObjectName(QStringLiteral("replaceTitle"));
-    m_back->setObjectName(QStringLiteral("replaceBack"));
-    m_back->setToolTip(tr("To the step before"));
+    describe(m_back, "replaceBack", tr("To the step before"));
     m_next->setObjectName(QStringLiteral("replaceNext"));
     m_next->setDefault(true);
-    m_cancel->setObjectName(QStringLiteral("replaceCancel"));
-    m_cancel->setToolTip(tr("Ends here; a running handshake is asked about first"));
+    describe(m_cancel, "replaceCancel", tr("Ends here; a running handshake is asked about first"));
     makeSteps();
     auto *middle = new QHBoxLayout;
     middle->addWidget(m_list);

@@ -5,6 +5,7 @@
 #include "encoder/refusal_text.h"
 #include "widgets/input/decimal_text.h"
 #include "widgets/input/text_fields.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/wrapped_radio_button.h"
@@ -21,28 +22,22 @@ ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositio
                                          QWidget *parent)
     : ReplaceStep(replacing, tr("Position"), parent)
     , m_positions(positions)
-    , m_last(new WrappedRadioButton(tr("&Position of the encoder before"), this))
-    , m_kept(new WrappedRadioButton(tr("Position kept in the pro&ject"), this))
-    , m_typed(new QRadioButton(tr("&Set the position to"), this))
-    , m_none(new WrappedRadioButton(tr("&Leave the position as the new encoder shows it"), this))
-    , m_value(new TextField(this))
+    , m_last(describe(new WrappedRadioButton(tr("&Position of the encoder before"), this), "positionLast",
+                      tr("The position the encoder before showed last")))
+    , m_kept(describe(new WrappedRadioButton(tr("Position kept in the pro&ject"), this), "positionKept",
+                      tr("The position the encoder before showed last when the project was saved")))
+    , m_typed(describe(new QRadioButton(tr("&Set the position to"), this), "positionTyped",
+                       tr("From a note, or from what the machine stands at")))
+    , m_none(describe(new WrappedRadioButton(tr("&Leave the position as the new encoder shows it"), this),
+                      "positionNone", tr("Nothing is set: the machine has to be referenced another way")))
+    , m_value(describe(new TextField(this), "positionValue", tr("Position in steps"),
+                       tr("Position in steps, decimal or hexadecimal (0x.. or ..h)")))
     , m_note(new QLabel(tr("The shaft must stand where it stood then. The zero offset of the encoder before "
                            "is not written: setting the position makes a new one. A preset that the project "
                            "wants is written last, and does not act by itself."),
                         this))
     , m_message(new InlineMessage(this))
 {
-    m_last->setObjectName(QStringLiteral("positionLast"));
-    m_kept->setObjectName(QStringLiteral("positionKept"));
-    m_typed->setObjectName(QStringLiteral("positionTyped"));
-    m_none->setObjectName(QStringLiteral("positionNone"));
-    m_value->setObjectName(QStringLiteral("positionValue"));
-    m_last->setToolTip(tr("The position the encoder before showed last"));
-    m_kept->setToolTip(tr("The position the encoder before showed last when the project was saved"));
-    m_typed->setToolTip(tr("From a note, or from what the machine stands at"));
-    m_none->setToolTip(tr("Nothing is set: the machine has to be referenced another way"));
-    m_value->setAccessibleName(tr("Position in steps"));
-    m_value->setToolTip(tr("Position in steps, decimal or hexadecimal (0x.. or ..h)"));
     m_value->setMaximumWidth(160);
     m_note->setWordWrap(true);
     auto *typed = new QHBoxLayout;

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "ring/bus_session.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 
 #include <QCheckBox>
@@ -23,32 +24,24 @@ TransferChoice::TransferChoice(BusSession &bus, FindValuesBefore findBefore, QWi
     : QWidget(parent)
     , m_bus(bus)
     , m_findBefore(std::move(findBefore))
-    , m_what(new QComboBox(this))
-    , m_from(new QComboBox(this))
-    , m_before(new QComboBox(this))
-    , m_cams(new QCheckBox(tr("Cam &programs too"), this))
+    , m_what(describe(new QComboBox(this), "transferWhat", tr("What is transferred"),
+                      tr("What is transferred. Nothing is sent by choosing.")))
+    , m_from(describe(new QComboBox(this), "cloneFrom", tr("Encoder whose values the others get"),
+                      tr("The encoder whose values the others get, as far as they are known")))
+    , m_before(describe(new QComboBox(this), "valuesBefore", tr("Values from before"),
+                        tr("What the encoder had before this program wrote to it")))
+    , m_cams(describe(new QCheckBox(tr("Cam &programs too"), this), "withCams",
+                      tr("Cam programs are read in the cam mode of each; leaving one that was changed before "
+                         "costs an EEPROM write.")))
 {
     // In the order of What.
     m_what->addItems({tr("Write what the project wants"), tr("Write what the project has stored"),
                       tr("Store in the project what encoders have"),
                       tr("Give the values of one encoder to others"), tr("Restore values from before")});
-    m_what->setObjectName(QStringLiteral("transferWhat"));
-    m_what->setAccessibleName(tr("What is transferred"));
-    m_what->setToolTip(tr("What is transferred. Nothing is sent by choosing."));
-    m_from->setObjectName(QStringLiteral("cloneFrom"));
-    m_from->setAccessibleName(tr("Encoder whose values the others get"));
-    m_from->setToolTip(tr("The encoder whose values the others get, as far as they are known"));
-    m_before->setObjectName(QStringLiteral("valuesBefore"));
-    m_before->setAccessibleName(tr("Values from before"));
-    m_before->setToolTip(tr("What the encoder had before this program wrote to it"));
     for (QComboBox *box : {m_what, m_from, m_before}) { // they give way in a narrow window
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(shortestText);
     }
-    m_cams->setObjectName(QStringLiteral("withCams"));
-    m_cams->setToolTip(
-        tr("Cam programs are read in the cam mode of each; leaving one that was changed before "
-           "costs an EEPROM write."));
     auto *label = new QLabel(tr("&Transfer"), this);
     label->setBuddy(m_what);
     auto *layout = new QHBoxLayout(this);

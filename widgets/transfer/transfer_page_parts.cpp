@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the transfer page is made of, and how its parts are connected.
 #include "ring/bus_session.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
@@ -33,40 +34,34 @@ TransferPage::TransferPage(BusSession &bus, ProjectDocument &project, FindValues
     , m_choice(new TransferChoice(bus, std::move(findBefore), this))
     , m_model(new TransferModel(TransferModel::Choice::free, this))
     , m_table(new TransferTable(*m_model, tr("What differs"), this))
-    , m_all(new QPushButton(tr("Choose &all"), this))
-    , m_none(new QPushButton(tr("Choose &none"), this))
-    , m_stop(new QCheckBox(tr("&Stop after a refusal"), this))
+    , m_all(describe(new QPushButton(tr("Choose &all"), this), "chooseAll",
+                     tr("Chooses every encoder that can be written to")))
+    , m_none(describe(new QPushButton(tr("Choose &none"), this), "chooseNone", tr("Chooses none")))
+    , m_stop(describe(new QCheckBox(tr("&Stop after a refusal"), this), "stopAfterRefusal",
+                      tr("Begin no other encoder after one has refused")))
     , m_summary(new QLabel(this))
     , m_problem(new InlineMessage(this))
     , m_gates(new EepromGates(bus, this))
     , m_begin(new QPushButton(this))
-    , m_close(new QPushButton(tr("&Close"), this))
+    , m_close(describe(new QPushButton(tr("&Close"), this), "transferClose",
+                       tr("Back to the monitors; nothing is sent")))
     , m_progress(new TransferProgress(m_round, this))
     , m_stage(new QStackedWidget(this))
     , m_choosing(new QWidget(this))
     , m_done(new QWidget(this))
     , m_result(new QLabel(this))
     , m_account(new AccountView(this))
-    , m_back(new QPushButton(lineIcon(Icon::back), tr("Bac&k"), this))
+    , m_back(describe(new QPushButton(lineIcon(Icon::back), tr("Bac&k"), this), "transferBack",
+                      tr("Shows what differs now")))
 {
     setAccessibleName(tr("Transfer"));
     m_table->setObjectName(QStringLiteral("transferTable"));
-    m_all->setToolTip(tr("Chooses every encoder that can be written to"));
-    m_none->setToolTip(tr("Chooses none"));
-    m_all->setObjectName(QStringLiteral("chooseAll"));
-    m_none->setObjectName(QStringLiteral("chooseNone"));
-    m_stop->setObjectName(QStringLiteral("stopAfterRefusal"));
-    m_stop->setToolTip(tr("Begin no other encoder after one has refused"));
     m_summary->setWordWrap(true);
     m_summary->setObjectName(QStringLiteral("transferSummary"));
     m_begin->setObjectName(QStringLiteral("transferBegin"));
     m_begin->setDefault(true);
-    m_close->setObjectName(QStringLiteral("transferClose"));
-    m_close->setToolTip(tr("Back to the monitors; nothing is sent"));
     m_result->setWordWrap(true);
     m_result->setObjectName(QStringLiteral("transferResult"));
-    m_back->setObjectName(QStringLiteral("transferBack"));
-    m_back->setToolTip(tr("Shows what differs now"));
     m_progress->hide();
     m_soon.setSingleShot(true);
     m_soon.setInterval(planDelay);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/transfer_progress.h"
 
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/wizard/cancel_question.h"
@@ -18,20 +19,17 @@ TransferProgress::TransferProgress(JobRound &round, QWidget *parent)
     : QWidget(parent)
     , m_round(round)
     , m_text(new QLabel(this))
-    , m_encoders(new QProgressBar(this))
-    , m_steps(new QProgressBar(this))
-    , m_cancel(new QPushButton(lineIcon(Icon::cancel), tr("&Cancel"), this))
+    , m_encoders(
+          describe(new QProgressBar(this), tr("Encoders done"), tr("Encoders done, of all that were chosen")))
+    , m_steps(
+          describe(new QProgressBar(this), tr("Steps of this encoder"), tr("Steps of the running handshake")))
+    , m_cancel(describe(new QPushButton(lineIcon(Icon::cancel), tr("&Cancel"), this), "transferCancel",
+                        tr("Ends the running handshake, after asking how to leave the encoder; the others "
+                           "are not begun.")))
 {
-    m_encoders->setAccessibleName(tr("Encoders done"));
     m_encoders->setTextVisible(false);
-    m_encoders->setToolTip(tr("Encoders done, of all that were chosen"));
-    m_steps->setAccessibleName(tr("Steps of this encoder"));
     m_steps->setTextVisible(false);
-    m_steps->setToolTip(tr("Steps of the running handshake"));
     m_text->setObjectName(QStringLiteral("transferProgress"));
-    m_cancel->setObjectName(QStringLiteral("transferCancel"));
-    m_cancel->setToolTip(tr("Ends the running handshake, after asking how to leave the encoder; the others "
-                            "are not begun."));
     auto *layout = new QGridLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(grid::unit);

@@ -2,6 +2,7 @@
 #include "widgets/wizard/calculator_field.h"
 
 #include "widgets/input/number_fields.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 
 #include <QDoubleSpinBox>
@@ -18,14 +19,12 @@ constexpr double largest = 1'000'000;
 QDoubleSpinBox *addCalculatorField(QGridLayout &grid, QWidget &parent, const CalculatorField &field,
                                    double value)
 {
-    auto *box = new DecimalField(&parent);
+    auto *box = describe(new DecimalField(&parent), field.name, field.toolTip);
     box->setDecimals(field.decimals);
     box->setRange(field.least, largest);
     box->setValue(value);
     box->setAlignment(Qt::AlignRight);
     box->setFont(numberFont());
-    box->setAccessibleName(field.name);
-    box->setToolTip(field.toolTip);
     box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     auto *caption = new QLabel(field.caption, &parent);
     caption->setBuddy(box);

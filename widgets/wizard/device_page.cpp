@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
@@ -18,15 +19,13 @@ namespace codewheel {
 
 DevicePage::DevicePage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("Encoder"), parent)
-    , m_list(new QListWidget(this))
+    , m_list(describe(new QListWidget(this), "encoders", tr("Encoders of the bus"),
+                      tr("The encoders of the bus. Nothing is sent by choosing one.")))
     , m_description(new QLabel(this))
     , m_problem(new InlineMessage(this))
 {
     auto *question = new QLabel(tr("Which en&coder is to be set up?"), this);
     question->setBuddy(m_list);
-    m_list->setObjectName(QStringLiteral("encoders"));
-    m_list->setAccessibleName(tr("Encoders of the bus"));
-    m_list->setToolTip(tr("The encoders of the bus. Nothing is sent by choosing one."));
     m_description->setWordWrap(true);
 
     auto *layout = new QVBoxLayout(this);
@@ -55,14 +54,14 @@ void DevicePage::enter()
     const auto current = std::ranges::find(m_encoders, m_setup.encoder.data());
     if (current != m_encoders.end())
         m_list->setCurrentRow(static_cast<int>(current - m_encoders.begin()));
-    describe();
+    describeChosen();
 }
 
 void DevicePage::choose(int row)
 {
     if (row >= 0 && row < static_cast<int>(m_encoders.size()))
         Q_EMIT encoderChosen(m_encoders[static_cast<std::size_t>(row)]);
-    describe();
+    describeChosen();
     Q_EMIT changed();
 }
 
@@ -73,10 +72,10 @@ bool DevicePage::mayGoOn() const
 
 void DevicePage::showLatest()
 {
-    describe();
+    describeChosen();
 }
 
-void DevicePage::describe()
+void DevicePage::describeChosen()
 {
     if (m_encoders.empty()) {
         m_description->setText(tr("There is no encoder on the bus. Start the bus first: Bus > Start."));

@@ -27,7 +27,7 @@ Q_SIGNALS:
 
 private:
     void choose(int row);
-    void describe();
+    void describeChosen();
 
     QListWidget *m_list;
     QLabel *m_description;

@@ -5,6 +5,7 @@
 #include "drivers/position_scale.h"
 #include "encoder/hex.h"
 #include "widgets/dial/state_note.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -72,12 +73,10 @@ DirectionPage::DirectionPage(Setup &setup, QWidget *parent)
     m_position->setObjectName(QStringLiteral("directionPosition"));
     m_position->setAccessibleName(tr("Position"));
     m_verdict->setObjectName(QStringLiteral("verdict"));
-    m_otherWay->setObjectName(QStringLiteral("otherWay"));
+    describe(m_otherWay, "otherWay", tr("The other direction is put among the wanted values."));
     m_problem->setObjectName(QStringLiteral("directionProblem"));
-    m_again->setObjectName(QStringLiteral("checkAgain"));
-    m_again->setToolTip(tr("Forget the moves seen so far."));
+    describe(m_again, "checkAgain", tr("Forget the moves seen so far."));
     m_asNow->setToolTip(tr("The direction of the encoder is kept."));
-    m_otherWay->setToolTip(tr("The other direction is put among the wanted values."));
     auto *question = new QLabel(tr("When moved this way, the position shall:"), this);
 
     auto *verdict = new QHBoxLayout;

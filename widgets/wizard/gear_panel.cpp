@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/gear_panel.h"
 
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/wizard/calculator_field.h"
 
@@ -51,8 +52,7 @@ GearPanel::GearPanel(QWidget *parent)
     layout->setColumnStretch(1, 1);
     m_answer->setWordWrap(true);
     m_answer->setObjectName(QStringLiteral("gearAnswer"));
-    m_take->setObjectName(QStringLiteral("gearUse"));
-    m_take->setToolTip(tr("Puts these steps and revolutions among the wanted values."));
+    describe(m_take, "gearUse", tr("Puts these steps and revolutions among the wanted values."));
     connect(m_take, &QPushButton::clicked, this,
             [this] { Q_EMIT chosen(m_result->steps, m_result->revolutions); });
     calculate();

@@ -6,6 +6,7 @@
 #include "encoder/refusal_text.h"
 #include "journal/eeprom_cost.h"
 #include "widgets/eeprom/eeprom_question.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -57,24 +58,21 @@ HandshakePage::HandshakePage(Setup &setup, QWidget *parent)
     , m_state(new RoleLabel(this))
     , m_out(new QLabel(this))
     , m_in(new QLabel(this))
-    , m_next(new QPushButton(lineIcon(Icon::step), tr("Next &step"), this))
-    , m_byItself(new QCheckBox(tr("Run b&y itself"), this))
+    , m_next(describe(new QPushButton(lineIcon(Icon::step), tr("Next &step"), this), "nextStep",
+                      tr("Sends the next step.")))
+    , m_byItself(describe(new QCheckBox(tr("Run b&y itself"), this), "runByItself",
+                          tr("The remaining steps follow each other as the encoder confirms them.")))
     , m_problem(new InlineMessage(this))
     , m_leftIn(new QLabel(this))
-    , m_restore(new QPushButton(tr("Rest&ore values from before"), this))
+    , m_restore(describe(new QPushButton(tr("Rest&ore values from before"), this), "recoverRestore",
+                         tr("Writes the values from before again.")))
     , m_run(new QPushButton(tr("R&un with what it has"), this))
 {
     setUpQuietTable(*m_view, m_steps, tr("Steps of the handshake"));
     m_view->setObjectName(QStringLiteral("steps"));
-    m_next->setObjectName(QStringLiteral("nextStep"));
-    m_next->setToolTip(tr("Sends the next step."));
-    m_byItself->setObjectName(QStringLiteral("runByItself"));
-    m_byItself->setToolTip(tr("The remaining steps follow each other as the encoder confirms them."));
     m_problem->setObjectName(QStringLiteral("handshakeProblem"));
     m_leftIn->setObjectName(QStringLiteral("leftIn"));
     m_leftIn->setWordWrap(true);
-    m_restore->setObjectName(QStringLiteral("recoverRestore"));
-    m_restore->setToolTip(tr("Writes the values from before again."));
     m_run->setObjectName(QStringLiteral("recoverRun"));
     m_run->hide(); // until it is known what it does
     for (QLabel *word : {m_out, m_in}) {

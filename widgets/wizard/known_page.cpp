@@ -4,6 +4,7 @@
 #include "catalog/device_description.h"
 #include "catalog/value_text.h"
 #include "encoder/refusal_text.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
@@ -36,24 +37,22 @@ KnownPage::KnownPage(Setup &setup, QWidget *parent)
     : WizardPage(setup, tr("What is known"), parent)
     , m_view(new QTableView(this))
     , m_explanation(new QLabel(this))
-    , m_read(new QPushButton(lineIcon(Icon::read), tr("&Read from the encoder"), this))
+    , m_read(describe(new QPushButton(lineIcon(Icon::read), tr("&Read from the encoder"), this), "readAll",
+                      tr("Reads all values.")))
     , m_tellLabel(new QLabel(this))
     , m_tellRow(new QHBoxLayout)
     , m_tellUnit(new QLabel(this))
     , m_tell(new QPushButton(tr("&Tell"), this))
     , m_mode(new RoleLabel(this))
-    , m_isPositionMode(new QPushButton(tr("It is in &position mode"), this))
+    , m_isPositionMode(describe(new QPushButton(tr("It is in &position mode"), this), "isPositionMode",
+                                tr("Say that the encoder is in position mode, not in velocity or cam mode. "
+                                   "Setting the position would change a cam otherwise.")))
     , m_problem(new InlineMessage(this))
 {
     setUpQuietTable(*m_view, m_table, tr("What is known of the encoder"));
     m_view->setObjectName(QStringLiteral("known"));
     m_explanation->setWordWrap(true);
-    m_read->setObjectName(QStringLiteral("readAll"));
-    m_read->setToolTip(tr("Reads all values."));
     m_tell->setToolTip(tr("Say what the encoder has, for instance from its papers. Nothing is sent."));
-    m_isPositionMode->setObjectName(QStringLiteral("isPositionMode"));
-    m_isPositionMode->setToolTip(tr("Say that the encoder is in position mode, not in velocity or cam mode. "
-                                    "Setting the position would change a cam otherwise."));
 
     auto *reading = new QHBoxLayout;
     reading->addWidget(m_read);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/parameter_wizard.h"
 
+#include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -32,8 +33,10 @@ ParameterWizard::ParameterWizard(ConnectedEncoders &connected, WantedValues &wan
     , m_setup(new Setup{.connected = &connected, .encoder = {}, .wanted = wanted, .wish = {}, .record = {}})
     , m_title(new QLabel(this))
     , m_pages(new QStackedWidget(this))
-    , m_cancel(new QPushButton(lineIcon(Icon::cancel), tr("Cance&l"), this))
-    , m_back(new QPushButton(lineIcon(Icon::back), tr("Bac&k"), this))
+    , m_cancel(describe(new QPushButton(lineIcon(Icon::cancel), tr("Cance&l"), this), "wizardCancel",
+                        tr("Leaves the wizard. During a handshake it first asks how to leave the encoder.")))
+    , m_back(describe(new QPushButton(lineIcon(Icon::back), tr("Bac&k"), this), "wizardBack",
+                      tr("To the page before.")))
     , m_next(new QPushButton(lineIcon(Icon::next), tr("&Next"), this))
 {
     makePages();
@@ -42,11 +45,7 @@ ParameterWizard::ParameterWizard(ConnectedEncoders &connected, WantedValues &wan
         titles.append(page->title());
     m_stepList = new StepList(titles, this);
     m_title->setFont(textFont(TextSize::large));
-    m_cancel->setObjectName(QStringLiteral("wizardCancel"));
-    m_back->setObjectName(QStringLiteral("wizardBack"));
     m_next->setObjectName(QStringLiteral("wizardNext"));
-    m_cancel->setToolTip(tr("Leaves the wizard. During a handshake it first asks how to leave the encoder."));
-    m_back->setToolTip(tr("To the page before."));
 
     auto *buttons = new QHBoxLayout;
     buttons->addWidget(m_cancel);

@@ -2,6 +2,7 @@
 #include "widgets/wizard/report_page.h"
 
 #include "project/file_access.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -33,8 +34,7 @@ ReportPage::ReportPage(Setup &setup, QWidget *parent)
     m_text->setFont(numberFont());
     m_text->setObjectName(QStringLiteral("report"));
     m_text->setAccessibleName(tr("Report"));
-    m_save->setObjectName(QStringLiteral("saveReport"));
-    m_save->setToolTip(tr("As plain text, or as HTML if the name ends in .html."));
+    describe(m_save, "saveReport", tr("As plain text, or as HTML if the name ends in .html."));
 
     auto *layout = new QVBoxLayout(this);
     layout->setSpacing(grid::margin);

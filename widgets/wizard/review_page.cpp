@@ -7,6 +7,7 @@
 #include "line/line_encoder_session.h"
 #include "ring/bus_session.h"
 #include "widgets/eeprom/eeprom_gate.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/models/connected_encoders.h"
@@ -72,12 +73,9 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     setUpQuietTable(*m_stepsView, m_steps, tr("Words that will be sent"));
     m_changesView->setObjectName(QStringLiteral("changes"));
     m_stepsView->setObjectName(QStringLiteral("plannedWords"));
-    m_writeAll->setObjectName(QStringLiteral("writeAll"));
-    m_writeAll->setToolTip(tr("Each write costs the EEPROM of the encoder one of its writes."));
-    m_byHand->setObjectName(QStringLiteral("byHand"));
-    m_byHand->setToolTip(tr("Each step waits until you press Next step."));
-    m_byItself->setObjectName(QStringLiteral("byItself"));
-    m_byItself->setToolTip(tr("The steps follow each other as the encoder confirms them."));
+    describe(m_writeAll, "writeAll", tr("Each write costs the EEPROM of the encoder one of its writes."));
+    describe(m_byHand, "byHand", tr("Each step waits until you press Next step."));
+    describe(m_byItself, "byItself", tr("The steps follow each other as the encoder confirms them."));
     m_writes->setObjectName(QStringLiteral("eepromWrites"));
     m_writes->setWordWrap(true);
     m_note->setWordWrap(true);

@@ -3,6 +3,7 @@
 
 #include "widgets/dial/code_disc.h"
 #include "widgets/input/number_fields.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 
@@ -17,15 +18,13 @@ namespace codewheel {
 ScalePreview::ScalePreview(QWidget *parent)
     : QWidget(parent)
     , m_dial(new CodeDisc(this))
-    , m_turns(new DecimalField(this))
+    , m_turns(describe(new DecimalField(this), "previewTurns", tr("Turns from here"),
+                       tr("Turn the shaft in thought, clockwise; negative: counter-clockwise.")))
 {
     auto *title = new QLabel(tr("Will read, &after turns from here:"), this);
     title->setWordWrap(true);
     title->setBuddy(m_turns);
     m_dial->setAccessibleName(tr("Dial with the wanted values"));
-    m_turns->setAccessibleName(tr("Turns from here"));
-    m_turns->setObjectName(QStringLiteral("previewTurns"));
-    m_turns->setToolTip(tr("Turn the shaft in thought, clockwise; negative: counter-clockwise."));
     m_turns->setFont(numberFont());
     m_turns->setAlignment(Qt::AlignRight);
     m_turns->setRange(-4096, 4096);

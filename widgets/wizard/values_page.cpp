@@ -3,6 +3,7 @@
 
 #include "catalog/value_text.h"
 #include "encoder/refusal_text.h"
+#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/models/device_traits.h"
@@ -82,9 +83,8 @@ void ValuesPage::makePositionField()
 {
     delete m_position;
     m_position = new ValueField(positionToSet(*m_setup.encoder), tr("position"), this);
-    m_position->focusProxy()->setObjectName(QStringLiteral("positionToSet"));
-    m_position->focusProxy()->setAccessibleName(tr("Position to set now"));
-    m_position->focusProxy()->setToolTip(positionToSetText(*m_setup.encoder));
+    describe(m_position->focusProxy(), "positionToSet", tr("Position to set now"),
+             positionToSetText(*m_setup.encoder));
     m_setting->insertWidget(1, m_position);
     connect(m_position, &ValueField::typed, this, &ValuesPage::checkFields);
     connect(m_position, &ValueField::edited, this, &ValuesPage::takeFields);
