@@ -75,7 +75,6 @@ QPushButton *LineRecordView::addButton(QLayout &row, const QString &text, const 
     auto *button = new QPushButton(text, this);
     button->setAutoDefault(false);
     button->setToolTip(toolTip);
-    button->setAccessibleDescription(toolTip);
     row.addWidget(button);
     return button;
 }

@@ -5,6 +5,7 @@
 #include "widgets/line/replay_model.h"
 #include "widgets/look/inline_message.h"
 
+#include <QAccessible>
 #include <QCheckBox>
 #include <QDate>
 #include <QDateTime>
@@ -74,7 +75,10 @@ protected:
 
 TEST_F(LineRecordViewTest, WithoutALineItIsLookedAtOnly)
 {
-    EXPECT_FALSE(test::button(view, QStringLiteral("Replay"))->isEnabled());
+    QPushButton *replay = test::button(view, QStringLiteral("Replay"));
+    EXPECT_FALSE(replay->isEnabled());
+    EXPECT_EQ(QAccessible::queryAccessibleInterface(replay)->text(QAccessible::Description),
+              replay->toolTip());
 }
 
 TEST_F(LineRecordViewTest, SendsReadsOnlyUnlessToldOtherwise)
