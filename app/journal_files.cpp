@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal_files.h"
 
-#include "encoder/encoder_bus.h"
+#include "bus/encoder_bus.h"
 
 #include <QCoreApplication>
 #include <QStandardPaths>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/bus_access.h"
 
+#include "bus/word_channel.h"
 #include "catalog/label_key.h"
 #include "cli/device_text.h"
 #include "cli/line_encoders.h"
@@ -9,7 +10,6 @@
 #include "cli/texts.h"
 #include "cli/trace.h"
 #include "ring/bus_session.h"
-#include "ring/word_channel.h"
 
 #include <algorithm>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/word_channel.h"
 #include "cli/commands.h"
 #include "cli/consent.h"
 #include "cli/json.h"
@@ -10,7 +11,6 @@
 #include "encoder/sentence.h"
 #include "ring/bus_session.h"
 #include "ring/segment_reach.h"
-#include "ring/word_channel.h"
 
 #include <QJsonArray>
 
@@ -95,9 +95,9 @@ Checked<Action> actionOf(const QStringList &words)
     if (name == QStringLiteral("status"))
         return Action{[](BusSession &) {}};
     if (name == QStringLiteral("start"))
-        return Action{&BusSession::startBus};
+        return Action{[](BusSession &bus) { bus.setRunning(true); }};
     if (name == QStringLiteral("stop"))
-        return Action{&BusSession::stopBus};
+        return Action{[](BusSession &bus) { bus.setRunning(false); }};
     if (name == QStringLiteral("alarm-stop"))
         return Action{&BusSession::alarmStop};
     if (name == QStringLiteral("read-in"))

@@ -96,7 +96,7 @@ TypedCall::TypedCall(const Call &call, LineSession &line)
     , m_line(line)
     , m_lines(call.terminal)
 {
-    line.stopPolling();
+    line.setRunning(false);
     QObject::connect(&line, &LineSession::passed, &m_scope, [this](const esc::LineRow &row) { show(row); });
     QObject::connect(&line, &LineSession::typedAnswered, &m_scope,
                      [this](const TypedAnswered &answer) { m_answered = answer; });
@@ -192,9 +192,9 @@ EncoderSession *TypedCall::identified(LineAddress address)
     if (!address.isDevice() || !device)
         return nullptr;
     const QScopedValueRollback polling(m_isPolling, true);
-    m_line.startPolling();
+    m_line.setRunning(true);
     static_cast<void>(m_call.line->encoder(address, *device)); // it may be silent
-    m_line.stopPolling();
+    m_line.setRunning(false);
     m_call.line->advance(longestPoll);
     return m_line.encoder(DeviceNumber::onLine(address));
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/screenshots/scene.h"
 
+#include "bus/word_channel.h"
 #include "catalog/device_description.h"
 #include "ring/bus_session.h"
-#include "ring/word_channel.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/structure/structure_view.h"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/device_choice.h"
 
+#include "bus/buses.h"
 #include "project/planned_device.h"
-#include "ring/bus_session.h"
-#include "widgets/models/connected_encoders.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/structure_editor.h"
 
@@ -11,10 +10,11 @@
 
 namespace codewheel {
 
-DeviceChoice::DeviceChoice(const ConnectedEncoders &connected, const ProjectDocument &project,
+DeviceChoice::DeviceChoice(const Buses &buses, const Catalog &catalog, const ProjectDocument &project,
                            StructureView &tree, StructureEditor &editor, QObject *parent)
     : QObject(parent)
-    , m_connected(connected)
+    , m_buses(buses)
+    , m_catalog(catalog)
     , m_project(project)
     , m_tree(tree)
     , m_editor(editor)
@@ -25,7 +25,7 @@ DeviceChoice::DeviceChoice(const ConnectedEncoders &connected, const ProjectDocu
             choose(number);
     });
     connect(&project, &ProjectDocument::changed, this, &DeviceChoice::followPlan);
-    connect(&connected.bus(), &BusSession::named, this, &DeviceChoice::show);
+    connect(&buses, &Buses::changed, this, &DeviceChoice::show);
 }
 
 void DeviceChoice::choose(std::optional<DeviceNumber> number)
@@ -34,7 +34,7 @@ void DeviceChoice::choose(std::optional<DeviceNumber> number)
         return;
     const QScopedValueRollback choosing(m_isChoosing, true);
     const auto place = number ? m_project.placeOf(*number) : std::nullopt;
-    const bool isThere = place || (number && m_connected.isConnected(*number));
+    const bool isThere = place || (number && m_buses.isConnected(*number));
     m_number = isThere ? number : m_tree.current();
     const auto planned = m_number ? m_project.placeOf(*m_number) : std::nullopt;
     m_planned = planned ? std::optional(m_project.ids()[*planned]) : std::nullopt;
@@ -47,17 +47,15 @@ void DeviceChoice::choose(std::optional<DeviceNumber> number)
 
 void DeviceChoice::keep(std::optional<DeviceNumber> before)
 {
-    const bool stays = before && (m_connected.isConnected(*before) || !m_connected.bus().isOpen());
-    choose(stays ? before : m_tree.current());
+    choose(before && m_buses.isConnected(*before) ? before : m_tree.current());
 }
 
 ShownEncoder DeviceChoice::find() const
 {
-    if (m_number && m_connected.isConnected(*m_number))
-        return m_connected.encoder(*m_number);
+    if (m_number && m_buses.isConnected(*m_number))
+        return m_buses.encoder(*m_number);
     if (m_number && m_planned)
-        if (const auto description =
-                plannedDescription(m_project.device(*m_number), m_connected.bus().catalog()))
+        if (const auto description = plannedDescription(m_project.device(*m_number), m_catalog))
             return {*m_number, *description};
     return {};
 }
@@ -65,7 +63,7 @@ ShownEncoder DeviceChoice::find() const
 // The panel of the bus structure may have been made anew, and numbers follow from the places.
 void DeviceChoice::followPlan()
 {
-    if (m_number && m_connected.isConnected(*m_number)) {
+    if (m_number && m_buses.isConnected(*m_number)) {
         show();
         return;
     }

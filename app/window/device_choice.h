@@ -8,7 +8,8 @@
 
 namespace codewheel {
 
-class ConnectedEncoders;
+class Buses;
+class Catalog;
 class StructureEditor;
 class StructureView;
 
@@ -21,15 +22,15 @@ class DeviceChoice : public QObject
 
 public:
     // All must outlive it.
-    DeviceChoice(const ConnectedEncoders &connected, const ProjectDocument &project, StructureView &tree,
-                 StructureEditor &editor, QObject *parent = nullptr);
+    DeviceChoice(const Buses &buses, const Catalog &catalog, const ProjectDocument &project,
+                 StructureView &tree, StructureEditor &editor, QObject *parent = nullptr);
 
     std::optional<DeviceNumber> number() const { return m_number; }
     const ShownEncoder &encoder() const { return m_encoder; } // none: no encoder, or nothing is known of it
     // Neither connected nor planned: what the panel of the bus structure has chosen is taken instead.
     void choose(std::optional<DeviceNumber> number);
-    // Another ring is connected, or none: what the panel of the bus structure chose by itself gives way to
-    // the device of before, if that is in the ring. Without one, it is what is planned.
+    // Another ring is connected: what the panel of the bus structure chose by itself gives way to the device
+    // of before, if that is in the ring.
     void keep(std::optional<DeviceNumber> before);
 
 Q_SIGNALS:
@@ -40,7 +41,8 @@ private:
     void followPlan();
     void show();
 
-    const ConnectedEncoders &m_connected;
+    const Buses &m_buses;
+    const Catalog &m_catalog;
     const ProjectDocument &m_project;
     StructureView &m_tree;
     StructureEditor &m_editor;

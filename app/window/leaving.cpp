@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/leaving.h"
 
+#include "bus/buses.h"
+#include "bus/word_channel.h"
 #include "encoder/hex.h"
-#include "ring/bus_session.h"
-#include "ring/word_channel.h"
-#include "widgets/models/connected_encoders.h"
 #include "widgets/wizard/cancel_question.h"
 
 #include <QMessageBox>
@@ -20,11 +19,11 @@ Leaving::Leaving(QWidget &window)
     , m_window(window)
 {}
 
-void Leaving::setEncoders(ConnectedEncoders &connected)
+void Leaving::setBuses(Buses &buses)
 {
-    m_connected = &connected;
-    connect(&connected, &ConnectedEncoders::changed, this, &Leaving::watch);
-    connect(&connected.bus(), &BusSession::updated, this, [this] {
+    m_buses = &buses;
+    connect(&buses, &Buses::changed, this, &Leaving::watch);
+    connect(&buses, &Buses::updated, this, [this] {
         if (m_waitsForZero)
             goOn();
     });
@@ -38,8 +37,8 @@ void Leaving::watch()
     const auto isWatched = [this](const EncoderSession *encoder) {
         return std::ranges::any_of(m_watched, [encoder](const auto &watched) { return watched == encoder; });
     };
-    for (const DeviceNumber number : m_connected->numbers()) {
-        EncoderSession *encoder = m_connected->encoder(number);
+    for (const DeviceNumber number : m_buses->numbers()) {
+        EncoderSession *encoder = m_buses->encoder(number);
         if (encoder == nullptr || isWatched(encoder))
             continue;
         m_watched.emplace_back(encoder);
@@ -64,9 +63,10 @@ void Leaving::takeProgress(const EncoderSession &encoder, const Progress &progre
     QTimer::singleShot(0, this, &Leaving::goOn);
 }
 
-void Leaving::ask(Why why, std::function<void()> then)
+void Leaving::ask(Why why, const std::vector<EncoderBus *> &left, std::function<void()> then)
 {
     m_why = why;
+    m_left = left;
     m_then = std::move(then);
     m_outAnswered = false;
     m_waitsForZero = false;
@@ -83,30 +83,38 @@ void Leaving::goOn()
             stay();
         return; // finished() comes back here
     }
-    if (const BusSession &bus = m_connected->bus(); bus.isOpen() && m_why != Why::disconnectLine) {
-        const std::vector<DeviceNumber> devices = bus.devicesWithOut();
-        if (!devices.empty() && m_waitsForZero && bus.isRunning())
-            return; // updated() comes back here
-        if (!devices.empty() && !m_outAnswered && !askForOut(devices))
-            return;
-    }
+    std::vector<DeviceNumber> devices;
+    for (const EncoderBus *bus : buses())
+        std::ranges::copy(devicesWithOut(*bus), std::back_inserter(devices));
+    if (!devices.empty() && m_waitsForZero && canSend())
+        return; // updated() comes back here
+    if (!devices.empty() && !m_outAnswered && !askForOut(devices))
+        return;
     m_waitsForZero = false;
     std::exchange(m_then, nullptr)();
 }
 
-// Ring and line are left one by one, and both by quitting.
-bool Leaving::concerns(DeviceNumber number) const
+std::vector<EncoderBus *> Leaving::buses() const
 {
-    return m_why == Why::quit || number.isOnLine() == (m_why == Why::disconnectLine);
+    std::vector<EncoderBus *> buses = m_buses->open();
+    std::erase_if(buses, [this](EncoderBus *bus) { return std::ranges::find(m_left, bus) == m_left.end(); });
+    return buses;
 }
 
 EncoderSession *Leaving::busyEncoder() const
 {
-    for (const DeviceNumber number : m_connected->numbers())
-        if (EncoderSession *encoder = m_connected->encoder(number);
-            concerns(number) && encoder != nullptr && encoder->runningJob())
-            return encoder;
+    for (const EncoderBus *bus : buses())
+        for (const DeviceNumber number : bus->numbers())
+            if (EncoderSession *encoder = bus->encoder(number); encoder != nullptr && encoder->runningJob())
+                return encoder;
     return nullptr;
+}
+
+bool Leaving::canSend() const
+{
+    return std::ranges::all_of(buses(), [](const EncoderBus *bus) {
+        return devicesWithOut(*bus).empty() || (bus->isRunning() && bus->isOperating());
+    });
 }
 
 bool Leaving::endJob(EncoderSession &encoder)
@@ -126,10 +134,9 @@ bool Leaving::endJob(EncoderSession &encoder)
 // True: go on now. False: the user stays, or the zeros are on their way.
 bool Leaving::askForOut(const std::vector<DeviceNumber> &devices)
 {
-    BusSession &bus = m_connected->bus();
     QStringList words;
     for (const DeviceNumber number : devices)
-        words.append(tr("OUT %1 is %2").arg(number.toString(), hexWord(bus.channel(number)->out())));
+        words.append(tr("OUT %1 is %2").arg(number.toString(), hexWord(m_buses->channel(number)->out())));
     const QString title = m_why == Why::quit         ? tr("Quit Codewheel")
                           : m_why == Why::disconnect ? tr("Disconnect")
                                                      : tr("Stop the bus");
@@ -137,15 +144,15 @@ bool Leaving::askForOut(const std::vector<DeviceNumber> &devices)
                     QMessageBox::NoButton, &m_window);
     box.setInformativeText(words.join(u'\n') + QStringLiteral("\n\n") +
                            tr("Shall they be set to 00000000 (normal running) first?"));
-    const bool canSend = bus.isRunning() && bus.isOperating();
+    const bool mayZero = canSend();
     QPushButton *zero = box.addButton(tr("Set to &00000000"), QMessageBox::AcceptRole);
-    zero->setEnabled(canSend);
-    zero->setToolTip(canSend ? tr("Sends 00000000 to these devices, then goes on")
+    zero->setEnabled(mayZero);
+    zero->setToolTip(mayZero ? tr("Sends 00000000 to these devices, then goes on")
                              : tr("Nothing can be sent now: the bus is stopped, or in Watch"));
     QPushButton *leave = box.addButton(tr("&Leave as they are"), QMessageBox::DestructiveRole);
     leave->setToolTip(tr("Goes on without sending anything"));
     QPushButton *cancel = box.addButton(QMessageBox::Cancel);
-    box.setDefaultButton(canSend ? zero : cancel);
+    box.setDefaultButton(mayZero ? zero : cancel);
     box.exec();
 
     if (box.clickedButton() == leave) {
@@ -159,7 +166,8 @@ bool Leaving::askForOut(const std::vector<DeviceNumber> &devices)
     m_outAnswered = true;
     m_waitsForZero = true;
     for (const DeviceNumber number : devices)
-        bus.zeroOut(number);
+        if (WordChannel *channel = m_buses->channel(number))
+            channel->zero();
     return false;
 }
 

@@ -106,8 +106,8 @@ void LineViews::setLine(LineSession *line)
         connect(line, &LineSession::fractionBitsDetermined, this,
                 [this](DeviceNumber, const Result<int> &bits) { takeFractionBits(bits); });
         connect(line, &LineSession::stateChanged, this, &LineViews::showState);
-        connect(line, &LineSession::devicesChanged, this, &LineViews::showActions);
-        connect(line, &LineSession::devicesChanged, this, &LineViews::explainTerminal);
+        connect(line, &LineSession::nodesChanged, this, &LineViews::showActions);
+        connect(line, &LineSession::nodesChanged, this, &LineViews::explainTerminal);
         connect(line, &LineSession::messaged, this, &LineViews::tellBaudRate);
         connect(line, &LineSession::moved, m_keeper, &LineKeeper::moveEncoder);
         connect(line, &LineSession::moved, this, &LineViews::explainTerminal);
@@ -154,7 +154,7 @@ void LineViews::listPorts()
 
 void LineViews::connectPort(const LineWish &wish, bool isPicked)
 {
-    m_leaving.ask(Leaving::Why::disconnectLine, [this, wish, isPicked] {
+    m_leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this, wish, isPicked] {
         ProjectLine wanted = m_keeper->line();
         if (isPicked || wanted.wish.port != wish.port)
             wanted.adapter = {}; // whichever is there
@@ -165,7 +165,7 @@ void LineViews::connectPort(const LineWish &wish, bool isPicked)
 
 void LineViews::connectOtherAdapter(const LineWish &wish)
 {
-    m_leaving.ask(Leaving::Why::disconnectLine, [this, wish] {
+    m_leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this, wish] {
         ProjectLine wanted = m_keeper->line();
         wanted.wish = wish;
         showConnected(m_line.openOtherAdapter(wanted), wanted);
@@ -257,12 +257,12 @@ void LineViews::explainTerminal()
 
 void LineViews::connectTraining()
 {
-    m_leaving.ask(Leaving::Why::disconnectLine, [this] { m_line.openTraining(); });
+    m_leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this] { m_line.openTraining(); });
 }
 
 void LineViews::disconnectLine()
 {
-    m_leaving.ask(Leaving::Why::disconnectLine, [this] { m_line.close(); });
+    m_leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this] { m_line.close(); });
 }
 
 // Those of another baud rate would only fall silent: who wants them connects at theirs.

@@ -10,6 +10,7 @@
 #include "app/window/serial_line.h"
 #include "app/window/status_line.h"
 #include "app/window/transfer_pages.h"
+#include "bus/buses.h"
 #include "ring/bus_session.h"
 #include "simulator/training_controls.h"
 #include "transfer/last_positions.h"
@@ -20,7 +21,6 @@
 #include "widgets/input/wheel_rule.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/messages/message_model.h"
-#include "widgets/models/connected_encoders.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/wanted_values.h"
@@ -91,13 +91,14 @@ void MainWindow::attach(const Plant &plant)
     const LastPositions &positions = plant.positions;
     m_bus = &bus;
     m_line = &plant.line;
-    m_connected = new ConnectedEncoders(bus, this);
+    m_buses = new Buses(this);
+    m_buses->add(bus);
     m_training = plant.training;
     m_messageModel = &plant.messages;
     m_link = plant.link;
     m_ledger = &plant.ledger;
     m_positions = &positions;
-    m_leaving->setEncoders(*m_connected);
+    m_leaving->setBuses(*m_buses);
     m_files->setBeforeSaving([&bus, &positions](Project project) {
         return withLastPositions(std::move(project), positions, bus);
     });
@@ -105,13 +106,13 @@ void MainWindow::attach(const Plant &plant)
     makePages();
     makeDocks(plant.messages);
     m_structure->setProject(m_project, bus.catalog());
-    m_choice = new DeviceChoice(*m_connected, m_project, *m_structure, *m_editor, this);
+    m_choice = new DeviceChoice(*m_buses, bus.catalog(), m_project, *m_structure, *m_editor, this);
     connectViews();
     connectProject();
     connectLine();
     showOnline();
     openFirstMonitors();
-    connect(&bus, &BusSession::stateChanged, this, &MainWindow::showBusState);
+    connect(m_buses, &Buses::changed, this, &MainWindow::showBusState);
     showBusState();
     m_structure->setFocus();
 }
@@ -151,7 +152,10 @@ void MainWindow::showOnline()
     m_status->setBus(online, m_link);
     const auto chosen = m_choice->number();
     m_structure->setBus(online);
-    m_choice->keep(chosen);
+    if (online)
+        m_choice->keep(chosen);
+    else
+        m_choice->choose(chosen);
     m_comparison->setConnected(online != nullptr);
     showBusState();
 }
@@ -182,7 +186,7 @@ void MainWindow::showChosen()
     const bool isOfRing = connected != nullptr && !connected->number().isOnLine();
     m_device->setPlace(m_choice->number(),
                        encoder.isThere() && !isOfRing ? std::optional(encoder.device()) : std::nullopt);
-    if (m_choice->number() && m_connected->isConnected(*m_choice->number()))
+    if (m_choice->number() && m_buses->isConnected(*m_choice->number()))
         m_trainingPanel->setDevice(*m_choice->number());
 }
 
@@ -198,9 +202,7 @@ void MainWindow::showPicture()
 {
     if (m_bus == nullptr)
         return;
-    m_bus->pump();
-    if (LineSession *line = m_line->session())
-        line->pump();
+    m_buses->pump();
     m_trainingPanel->refresh();
 }
 
@@ -263,7 +265,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
         event->ignore();
         if (!m_files->mayClose())
             return;
-        m_leaving->ask(Leaving::Why::quit, [this] {
+        m_leaving->ask(Leaving::Why::quit, m_buses->open(), [this] {
             m_mayClose = true;
             QTimer::singleShot(0, this, &QWidget::close);
         });

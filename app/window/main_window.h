@@ -21,7 +21,7 @@ class AlarmStopEverywhere;
 class BusSession;
 class CamEditor;
 class ComparisonPage;
-class ConnectedEncoders;
+class Buses;
 class DeviceChoice;
 class DevicePanel;
 class DialPanel;
@@ -137,7 +137,7 @@ private:
     ProjectDocument &m_project;
     BusSession *m_bus = nullptr;
     SerialLine *m_line = nullptr;
-    ConnectedEncoders *m_connected = nullptr;
+    Buses *m_buses = nullptr;
     LineViews *m_lineViews = nullptr;
     std::shared_ptr<TrainingControls> m_training;
     WindowActions m_actions;

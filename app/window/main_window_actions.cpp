@@ -5,6 +5,8 @@
 #include "app/window/main_window.h"
 #include "app/window/panels.h"
 #include "app/window/serial_line.h"
+#include "bus/buses.h"
+#include "bus/word_channel.h"
 #include "ring/bus_session.h"
 #include "widgets/master/master_panel.h"
 #include "widgets/messages/messages_view.h"
@@ -14,6 +16,8 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
+
+#include <algorithm>
 
 namespace codewheel {
 
@@ -28,10 +32,11 @@ void MainWindow::connectActions()
     connect(m_actions.quit, &QAction::triggered, this, &QWidget::close);
     connect(m_actions.watch, &QAction::triggered, this, [this] { setOperate(false); });
     connect(m_actions.operate, &QAction::triggered, this, [this] { setOperate(true); });
-    connect(m_actions.start, &QAction::triggered, this, withBus([](BusSession &bus) { bus.startBus(); }));
+    connect(m_actions.start, &QAction::triggered, this,
+            withBus([](BusSession &bus) { bus.setRunning(true); }));
     connect(m_actions.alarmStop, &QAction::triggered, this, &MainWindow::alarmStop);
     connect(m_actions.stop, &QAction::triggered, this,
-            [this] { m_leaving->ask(Leaving::Why::stop, [this] { m_bus->stopBus(); }); });
+            [this] { m_leaving->ask(Leaving::Why::stop, {m_bus}, [this] { m_bus->setRunning(false); }); });
     connect(m_actions.switchSegment, &QAction::triggered, this, [this] {
         if (const auto number = currentNumber(); number && !number->isOnLine())
             m_master->toggleSegment(number->segment);
@@ -54,30 +59,26 @@ void MainWindow::connectActions()
     connect(m_actions.openOut32, &QAction::triggered, this, open(MonitorKind::out32));
     connect(m_actions.openIn16, &QAction::triggered, this, open(MonitorKind::in16));
     connect(m_actions.zeroOut, &QAction::triggered, this, [this] {
-        if (const auto number = currentNumber(); number && !number->isOnLine())
-            m_bus->zeroOut(*number);
+        const auto number = currentNumber();
+        WordChannel *channel = number ? m_buses->channel(*number) : nullptr;
+        if (const auto sent = channel ? channel->zero() : Result<void>(); !sent)
+            tell({.place = number, .severity = Severity::attention, .refusal = sent.error()});
     });
     connect(m_actions.exportTrace, &QAction::triggered, this, [this] { m_trace->exportRows(); });
     connect(m_actions.exportMessages, &QAction::triggered, this, [this] { m_messages->exportRows(); });
 }
 
-// One decision for ring and line.
+// One decision for all buses.
 void MainWindow::setOperate(bool on)
 {
-    if (m_bus == nullptr)
-        return;
-    m_bus->setOperate(on);
-    if (LineSession *line = m_line->session())
-        line->setOperate(on);
+    if (m_buses != nullptr)
+        m_buses->setOperate(on);
 }
 
 void MainWindow::alarmStop()
 {
-    if (m_bus == nullptr)
-        return;
-    m_bus->alarmStop();
-    if (LineSession *line = m_line->session())
-        line->alarmStop();
+    if (m_buses != nullptr)
+        m_buses->alarmStop();
 }
 
 void MainWindow::connectViewActions()
@@ -123,11 +124,10 @@ void MainWindow::showBusState()
         if (m_bus == nullptr)
             action->setEnabled(false);
     const bool running = connected && m_bus->isRunning();
-    const LineSession *line = m_line == nullptr ? nullptr : m_line->session();
-    const bool onLine = line != nullptr && line->isOpen();
-    const bool operating = (connected && m_bus->isOperating()) || (onLine && line->isOperating());
-    m_actions.watch->setEnabled(connected || onLine);
-    m_actions.operate->setEnabled(connected || onLine);
+    const auto open = m_buses == nullptr ? std::vector<EncoderBus *>() : m_buses->open();
+    const bool operating = std::ranges::any_of(open, &EncoderBus::isOperating);
+    m_actions.watch->setEnabled(!open.empty());
+    m_actions.operate->setEnabled(!open.empty());
     m_actions.watch->setChecked(!operating);
     m_actions.operate->setChecked(operating);
     m_actions.start->setEnabled(connected && !running);
@@ -135,7 +135,7 @@ void MainWindow::showBusState()
     const bool hasMaster = connected && m_bus->master() != nullptr;
     m_actions.confirmDiagnostics->setEnabled(hasMaster);
     m_actions.switchSegment->setEnabled(hasMaster);
-    m_actions.alarmStop->setEnabled(connected || onLine);
+    m_actions.alarmStop->setEnabled(!open.empty());
     for (QAction *monitor : {m_actions.openIn32, m_actions.openOut32, m_actions.openIn16})
         monitor->setEnabled(connected);
     m_actions.exportReport->setEnabled(m_bus != nullptr);

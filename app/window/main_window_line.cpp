@@ -5,11 +5,11 @@
 #include "app/window/main_window.h"
 #include "app/window/serial_line.h"
 #include "app/window/status_line.h"
+#include "bus/buses.h"
 #include "ring/bus_session.h"
 #include "widgets/line/line_panel.h"
 #include "widgets/line/line_terminal.h"
 #include "widgets/look/inline_message.h"
-#include "widgets/models/connected_encoders.h"
 #include "widgets/sequence/sequence_view.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/trace/trace_view.h"
@@ -87,7 +87,7 @@ void MainWindow::connectLine()
 void MainWindow::leaveLine()
 {
     const auto chosen = m_choice->number();
-    m_connected->setLine(nullptr);
+    m_buses->remove(m_line->session());
     m_structure->setLine(nullptr);
     m_status->setLine(nullptr);
     m_trainingPanel->setLine(nullptr);
@@ -99,13 +99,13 @@ void MainWindow::leaveLine()
 void MainWindow::showLine()
 {
     LineSession *line = m_line->session();
-    m_connected->setLine(line);
+    if (line != nullptr)
+        m_buses->add(*line);
     m_structure->setLine(line);
     m_status->setLine(line);
     m_trainingPanel->setLine(m_line->training());
     m_lineViews->setLine(line);
     if (line != nullptr) {
-        connect(line, &LineSession::stateChanged, this, &MainWindow::showBusState);
         connect(line, &LineSession::explainOptionsChanged, this,
                 [this] { m_actions.showChosen(m_choice->encoder()); });
     }

@@ -41,7 +41,7 @@ namespace codewheel {
 void MainWindow::makePages()
 {
     m_monitors = new MonitorArea(*m_bus, this);
-    m_wizard = new ParameterWizard(*m_connected, *m_wanted, this);
+    m_wizard = new ParameterWizard(*m_buses, *m_wanted, this);
     m_cams = new CamEditor(m_bus->catalog(), m_project, this);
     m_editor = new StructureEditor(m_project, m_bus->catalog(), this);
     m_comparison = new ComparisonPage(m_project, *m_bus, this);

@@ -86,7 +86,7 @@ void RingConnection::connectRing()
 
 void RingConnection::disconnectRing()
 {
-    m_leaving.ask(Leaving::Why::disconnect, [this] {
+    m_leaving.ask(Leaving::Why::disconnect, {&m_bus}, [this] {
         m_period = m_bus.latest().period;
         rememberTold();
         m_bus.close();
@@ -116,7 +116,7 @@ void RingConnection::readIn()
 {
     if (!mayChangeRing())
         return;
-    m_leaving.ask(Leaving::Why::stop, [this] {
+    m_leaving.ask(Leaving::Why::stop, {&m_bus}, [this] {
         m_bus.readIn();
         showActions();
     });

@@ -64,7 +64,7 @@ std::unique_ptr<LineSession> SerialLine::makeSession(std::unique_ptr<ByteLink> l
             return std::make_unique<EscDriver>(device, address, settings);
         });
     session->setFractionBits(wish.fractionBits);
-    connect(session.get(), &LineSession::devicesChanged, this, &SerialLine::tellByteOrder);
+    connect(session.get(), &LineSession::nodesChanged, this, &SerialLine::tellByteOrder);
     connect(session.get(), &LineSession::messaged, this,
             [this, made = session.get()](const Message &message) {
                 Q_EMIT messaged(message, made->dateTime(message.at));

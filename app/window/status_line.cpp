@@ -107,7 +107,7 @@ void StatusLine::setLine(LineSession *line)
     if (line) {
         connect(line, &LineSession::updated, this, &StatusLine::showLine);
         connect(line, &LineSession::stateChanged, this, &StatusLine::refresh);
-        connect(line, &LineSession::devicesChanged, this, &StatusLine::showLine);
+        connect(line, &LineSession::nodesChanged, this, &StatusLine::showLine);
     }
     refresh();
 }

@@ -34,7 +34,7 @@ LedgerKeeper::LedgerKeeper(EncoderBus &bus, const BusSession *ring, const Databa
 LedgerKeeper::LedgerKeeper(LineSession &line, const DatabasePlace &place, QObject *parent)
     : LedgerKeeper(line, nullptr, place, parent)
 {
-    connect(&line, &LineSession::devicesChanged, this, &LedgerKeeper::watchDevices);
+    connect(&line, &LineSession::nodesChanged, this, &LedgerKeeper::watchDevices);
     connect(&line, &LineSession::moved, this, &LedgerKeeper::move);
     connect(&line, &LineSession::writeAboutToBeSent, this,
             qOverload<const esc::Request &>(&LedgerKeeper::beginByHand));

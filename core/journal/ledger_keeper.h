@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/encoder_bus.h"
+#include "bus/encoder_bus.h"
 #include "esc/esc_request.h"
 #include "journal/safe_ledger.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is sent by hand: words on a ring, requests on a serial line.
+#include "bus/word_channel.h"
 #include "catalog/device_description.h"
 #include "journal/eeprom_cost.h"
 #include "journal/ledger_keeper.h"
 #include "line/line_event.h"
 #include "ring/bus_session.h"
-#include "ring/word_channel.h"
 
 #include <algorithm>
 #include <utility>

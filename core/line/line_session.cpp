@@ -123,7 +123,7 @@ Result<void> LineSession::open(const LineSettings &settings, const esc::Timing &
                      .id = MessageId::lineOpened,
                      .arguments = {d->link->name(), QString::number(settings.baudRate)}});
     Q_EMIT stateChanged();
-    Q_EMIT devicesChanged();
+    Q_EMIT nodesChanged();
     return {};
 }
 
@@ -253,7 +253,7 @@ Result<void> LineSession::add(LineAddress address, const QString &deviceKey)
     auto session = std::make_unique<LineEncoderSession>(*this, d->encoders.size(), address, *description);
     d->encoders.push_back({std::move(description), std::move(session)});
     post(line_command::AddDevice{std::move(driver), described->fullName()});
-    Q_EMIT devicesChanged();
+    Q_EMIT nodesChanged();
     return {};
 }
 
@@ -267,7 +267,7 @@ Result<void> LineSession::remove(DeviceNumber number)
     const std::size_t place = d->placeOf(*encoder);
     const auto ended = std::move(encoder->session); // who is told finds it no more
     post(line_command::RemoveDevice{place});
-    Q_EMIT devicesChanged();
+    Q_EMIT nodesChanged();
     return {};
 }
 
@@ -402,14 +402,9 @@ esc::ExplainOptions LineSession::explainOptions() const
     return options;
 }
 
-void LineSession::startPolling()
+void LineSession::setRunning(bool on)
 {
-    post(line_command::SetPolling{true});
-}
-
-void LineSession::stopPolling()
-{
-    post(line_command::SetPolling{false});
+    post(line_command::SetPolling{on});
 }
 
 void LineSession::setOperate(bool on)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/encoder_bus.h"
+#include "bus/encoder_bus.h"
 #include "encoder/sleep_watch.h"
 #include "esc/esc_explain.h"
 #include "line/byte_link.h"
@@ -45,13 +45,10 @@ public:
     // Opens the line; it is polled from then on. Encoders and sessions of a connection before end.
     Result<void> open(const LineSettings &settings, const esc::Timing &timing, Start start, Drive drive,
                       SleepWatch::Slept slept = SleepWatch::ofThisComputer);
-    // Ends the thread and closes the link. Jobs end as stopped; the sessions stay to be looked at.
-    void close();
+    void close() override;
 
-    // Driven by hand: works so long on the line's clock, and pumps afterwards.
-    void advance(Instant duration);
-    // Takes what came since the last call and emits it. The window calls this 30 times a second.
-    void pump();
+    void advance(Instant duration) override;
+    void pump() override;
 
     bool isOpen() const override;
     bool isSimulated() const override;
@@ -88,8 +85,7 @@ public:
     // By which requests and answers on this line are told in words.
     esc::ExplainOptions explainOptions() const;
 
-    void startPolling();
-    void stopPolling();
+    void setRunning(bool on) override; // polls, or not
     void setOperate(bool on) override;
     // Ends all jobs, drops what was typed and not sent yet, ends a scan.
     void alarmStop() override;
@@ -106,7 +102,6 @@ Q_SIGNALS:
     void otherAdapterFound(const codewheel::Refusal &which);
     void fractionBitsDetermined(codewheel::DeviceNumber number, const codewheel::Result<int> &bits);
     void alarmStopped(); // by alarmStop(): nothing is to be sent on its own any more
-    void devicesChanged();
     // The encoder has another address now: encoder() finds it by that one.
     void moved(codewheel::DeviceNumber from, codewheel::DeviceNumber to);
     void passed(const codewheel::esc::LineRow &row); // what went over the line

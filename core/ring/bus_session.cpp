@@ -35,11 +35,17 @@ RingRunner::Drivers BusSession::Private::makeDevices(BusSession &bus)
     renamings.assign(structure.size(), 0);
     for (std::size_t i = 0; i < structure.size(); ++i) {
         const Participant &participant = structure[i];
-        channels.push_back(std::make_unique<WordChannel>(bus, i, participant.number, participant.inWords,
-                                                         participant.outWords));
+        channels.push_back(makeChannel(bus, participant));
         drivers[i] = makeSession(bus, i, describe(participant));
     }
     return drivers;
+}
+
+std::unique_ptr<WordChannel> BusSession::Private::makeChannel(BusSession &bus, const Participant &participant)
+{
+    return std::make_unique<WordChannel>(
+        bus, participant.number, participant.inWords, participant.outWords,
+        [&bus](const WordChannel &channel, Word word) { return bus.write(channel, word); });
 }
 
 std::unique_ptr<CyclicDriver> BusSession::Private::makeSession(BusSession &bus, std::size_t place,
@@ -145,6 +151,7 @@ Result<void> BusSession::open(Start start)
         expected->master = std::make_shared<const MasterStatus>(master->status());
     d->latest = std::move(expected);
     showLatest();
+    Q_EMIT nodesChanged();
     return {};
 }
 
@@ -184,6 +191,11 @@ void BusSession::advance(int cycles)
     pump();
 }
 
+void BusSession::advance(Instant duration)
+{
+    advance(static_cast<int>(duration / std::chrono::milliseconds(1)));
+}
+
 // A handler may pump again, start a job or close: what comes of it is told in turn by the outer call.
 void BusSession::pump()
 {
@@ -221,16 +233,24 @@ void BusSession::showLatest()
     const auto shown = d->latest;
     if (shown->master)
         d->crcHistory.note(*shown->master, shown->at);
-    for (std::size_t i = 0; i < shown->devices.size(); ++i) {
-        const Freshness::Circumstances circumstances = d->circumstances(i);
-        d->channels[i]->show(*shown, circumstances);
-        if (d->sessions[i] && !d->isStale(i))
-            d->sessions[i]->show(shown->devices[i].reading, circumstances);
-    }
+    for (std::size_t i = 0; i < shown->devices.size(); ++i)
+        showDevice(i);
     const bool stateIsOther = std::exchange(d->toldState, shown->state) != shown->state;
     const bool operateIsOther = std::exchange(d->toldOperate, shown->operate) != shown->operate;
     if (stateIsOther || operateIsOther)
         Q_EMIT stateChanged();
+}
+
+void BusSession::showDevice(std::size_t place)
+{
+    const auto shown = d->latest;
+    const Snapshot::Device &device = shown->devices[place];
+    const Freshness::Circumstances circumstances = d->circumstances(place);
+    const auto seen = shown->cycle > 0 ? std::optional(device.reading.at) : std::nullopt;
+    d->channels[place]->show({device.in, device.out, device.inEdges, device.outEdges, device.heldByJob},
+                             {seen, circumstances}, shown->at);
+    if (d->sessions[place] && !d->isStale(place))
+        d->sessions[place]->show(device.reading, circumstances);
 }
 
 void BusSession::dispatch(const RingEvent &event)
@@ -264,8 +284,12 @@ void BusSession::dispatch(const RingEvent &event)
         Q_EMIT d->channels[event.device]->refused(*message.refusal);
 }
 
-Result<void> BusSession::write(std::size_t device, Word word)
+// At the place of a channel may be another by now.
+Result<void> BusSession::write(const WordChannel &channel, Word word)
 {
+    const std::size_t device = d->indexOf(channel.number());
+    if (device >= d->channels.size() || d->channels[device].get() != &channel)
+        return refuse(RefusalKind::link, RefusalId::notInRing, {channel.number().toString()});
     const Participant &participant = d->structure[device];
     if (participant.outWords == 0)
         return refuse(RefusalKind::notSupported, RefusalId::sendingNotSupported,
@@ -326,6 +350,7 @@ Result<void> BusSession::name(DeviceNumber number, const QString &deviceKey, int
             d->events.push_back(event);
     post(command::SetDriver{i, std::move(driver), described ? described->fullName() : number.toString()});
     Q_EMIT named(number);
+    Q_EMIT nodesChanged();
     if (!d->pumping)
         d->retired.clear();
     return {};
@@ -392,28 +417,17 @@ bool BusSession::isRunning() const
     return d->latest->state == MasterState::run;
 }
 
-std::vector<DeviceNumber> BusSession::devicesWithOut() const
-{
-    std::vector<DeviceNumber> found;
-    for (std::size_t i = 0; i < d->latest->devices.size(); ++i)
-        if (d->latest->devices[i].out != 0)
-            found.push_back(d->structure[i].number);
-    return found;
-}
-
 QDateTime BusSession::dateTime(Instant at) const
 {
     return d->wallTime.dateTime(at);
 }
 
-void BusSession::startBus()
+void BusSession::setRunning(bool on)
 {
-    post(command::StartBus{});
-}
-
-void BusSession::stopBus()
-{
-    post(command::StopBus{});
+    if (on)
+        post(command::StartBus{});
+    else
+        post(command::StopBus{});
 }
 
 void BusSession::setOperate(bool on)
@@ -424,13 +438,6 @@ void BusSession::setOperate(bool on)
 void BusSession::alarmStop()
 {
     post(command::AlarmStop{});
-}
-
-void BusSession::zeroOut(DeviceNumber number)
-{
-    const std::size_t i = d->indexOf(number);
-    if (i < d->structure.size() && d->structure[i].outWords > 0)
-        post(command::SetOut{i, 0});
 }
 
 } // namespace codewheel

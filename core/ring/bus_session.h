@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/encoder_bus.h"
 #include "drivers/cyclic_driver.h"
-#include "encoder/encoder_bus.h"
 #include "encoder/sleep_watch.h"
 #include "ring/command.h"
 #include "ring/master_link.h"
@@ -19,8 +19,6 @@ namespace codewheel {
 
 class Catalog;
 class CrcHistory;
-class WordChannel;
-
 // A connected ring as the window and the command line see it: owns link, runner, thread, encoder sessions and
 // word channels. All of it lives in the caller's thread; the bus thread is hidden behind pump().
 class BusSession final : public EncoderBus
@@ -43,22 +41,21 @@ public:
     // first cycle comes with startThread() or advance(). Sends nothing. Ends sessions and channels of a
     // connection before.
     Result<void> open(Start start);
-    // Ends the thread and closes the link. Jobs end as stopped; sessions and channels stay to be looked at.
-    void close();
+    void close() override;
 
     // Cycles by a thread of its own, on absolute deadlines ...
     void startThread(std::chrono::nanoseconds period, SleepWatch::Slept slept = SleepWatch::ofThisComputer);
     // ... or by hand in virtual time: each cycle is 1 ms later than the one before. Pumps afterwards.
     void advance(int cycles);
-    // Takes what came from the bus since the last call and emits it. The window calls this 30 times a second.
-    void pump();
+    void advance(Instant duration) override;
+    void pump() override;
 
     bool isOpen() const override;
     bool isSimulated() const override;
     const RingStructure &structure() const;
     std::vector<DeviceNumber> numbers() const override;
     EncoderSession *encoder(DeviceNumber number) const override;
-    WordChannel *channel(DeviceNumber number) const; // null: no such device
+    WordChannel *channel(DeviceNumber number) const override; // null: no such device
 
     const Snapshot &latest() const;
     // What the ring's master says; null where the link reaches none.
@@ -66,16 +63,12 @@ public:
     const CrcHistory &crcHistory() const;
     bool isOperating() const override;
     bool isRunning() const override;
-    // Devices whose OUT is not 00000000, to be named on stop, disconnect and quit.
-    std::vector<DeviceNumber> devicesWithOut() const;
     Instant now() const override { return latest().at; }
     QDateTime dateTime(Instant at) const override;
 
-    void startBus();
-    void stopBus();
+    void setRunning(bool on) override;
     void setOperate(bool on) override;
     void alarmStop() override;
-    void zeroOut(DeviceNumber number);
 
     // Services of the ring's master. Each ends in messages; a link that reaches no master refuses them.
     //
@@ -112,9 +105,9 @@ Q_SIGNALS:
     void keptConfigurationTold(const std::optional<codewheel::KeptConfiguration> &configuration);
 
 private:
-    friend class WordChannel;
     friend class RingEncoderSession;
-    Result<void> write(std::size_t device, Word word);
+    Result<void> write(const WordChannel &channel, Word word);
+    void showDevice(std::size_t place);
     void post(Command command);
     void showLatest();
     void dispatchAll();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "drivers/make_driver.h"
 #include "encoder/wall_time.h"
@@ -9,7 +10,6 @@
 #include "ring/paced_thread.h"
 #include "ring/ring_encoder_session.h"
 #include "ring/ring_runner.h"
-#include "ring/word_channel.h"
 
 #include <deque>
 
@@ -28,6 +28,7 @@ struct BusSession::Private
 
     const DeviceDescription *describe(const Participant &participant) const;
     RingRunner::Drivers makeDevices(BusSession &bus);
+    static std::unique_ptr<WordChannel> makeChannel(BusSession &bus, const Participant &participant);
     // The session at a place of the ring, for `description` if there is one, and its driver.
     std::unique_ptr<CyclicDriver> makeSession(BusSession &bus, std::size_t place,
                                               const DeviceDescription *description);

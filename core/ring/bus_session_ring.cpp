@@ -31,8 +31,7 @@ RingRunner::Drivers BusSession::Private::takeOver(BusSession &bus, RingStructure
         const auto same = std::ranges::find_if(
             before, [&](const Participant &other) { return isSameDevice(other, participant); });
         if (same == before.end()) {
-            channels.push_back(std::make_unique<WordChannel>(bus, i, participant.number, participant.inWords,
-                                                             participant.outWords));
+            channels.push_back(makeChannel(bus, participant));
             taken[i] = makeSession(bus, i, describe(participant));
             continue;
         }
@@ -40,7 +39,6 @@ RingRunner::Drivers BusSession::Private::takeOver(BusSession &bus, RingStructure
         participant.deviceKey = same->deviceKey;
         taken[i] = std::move(drivers[j]);
         channels.push_back(std::move(channelsBefore[j]));
-        channels[i]->moveTo(i);
         sessions[i] = std::move(sessionsBefore[j]);
         if (sessions[i])
             sessions[i]->movePlaceTo(i);
@@ -100,6 +98,7 @@ void BusSession::useOtherRing()
     d->readingIn = false;
     d->crcHistory.clear();
     Q_EMIT structureChanged();
+    Q_EMIT nodesChanged();
     Q_EMIT readInEnded();
     if (hasThread)
         startThread(before->period);

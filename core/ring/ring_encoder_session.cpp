@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ring/ring_encoder_session.h"
 
+#include "bus/word_channel.h"
 #include "drivers/values_to_write.h"
 #include "ring/bus_session.h"
 #include "ring/ring_runner.h"
 #include "ring/send_permission.h"
-#include "ring/word_channel.h"
 
 #include <algorithm>
 

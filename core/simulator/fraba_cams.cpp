@@ -8,8 +8,8 @@ namespace {
 // D31..D29 of OUT; the cam number stands in D28..D25.
 constexpr Word startOfCam = 0x4000'0000;
 constexpr Word stopOfCam = 0x6000'0000;
-constexpr Word configuration = 0x2040'0000; // + 16 bit
-constexpr Word shift = 0x2010'0000;         // + 8 bit
+constexpr Word camConfiguration = 0x2040'0000; // + 16 bit
+constexpr Word shift = 0x2010'0000;            // + 8 bit
 
 // 2020xxxx: what is read out; start and stop + cam number
 constexpr Word readConfiguration = 0x00;
@@ -57,7 +57,7 @@ void FrabaCams::clear()
 std::optional<Word> FrabaCams::take(Word out, std::int64_t totalRange)
 {
     Program changed = m_current;
-    if ((out & 0xFFFF'0000) == configuration) {
+    if ((out & 0xFFFF'0000) == camConfiguration) {
         changed.active = out & 0xFFFF;
     } else if ((out & 0xFFFF'FF00) == shift) {
         changed.shift = out & 0xFF;

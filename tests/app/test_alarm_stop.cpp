@@ -54,7 +54,7 @@ TEST_F(AlarmStopTest, ItsKeyWorksFromEveryFocus)
         advance(5);
         EXPECT_EQ(out(fraba), 0u) << widget->metaObject()->className() << " "
                                   << widget->accessibleName().toStdString();
-        bus().startBus();
+        bus().setRunning(true);
         advance(5);
     }
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/window/training_window.h"
+#include "bus/word_channel.h"
 #include "ring/bus_session.h"
-#include "ring/word_channel.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/monitor/word_monitor.h"
 

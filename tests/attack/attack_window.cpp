@@ -8,8 +8,8 @@
 // 1 where that is more than what is allowed. Memory is looked at once a minute, with the window as it was the
 // other times.
 #include "app/window/training_window.h"
+#include "bus/word_channel.h"
 #include "ring/bus_session.h"
-#include "ring/word_channel.h"
 #include "widgets/monitor/monitor_area.h"
 
 #include <QApplication>
@@ -71,8 +71,8 @@ public:
             openAndCloseMonitors();
             break;
         case 5:
-            m_shown.bus().stopBus();
-            m_shown.bus().startBus();
+            m_shown.bus().setRunning(false);
+            m_shown.bus().setRunning(true);
             break;
         default:
             break;

@@ -133,7 +133,7 @@ TEST_F(CliReplace, NothingIsDoneWithoutConsent)
     EXPECT_EQ(run("replace 1.0 --project @ --serial 4711", {true, "n\n"}).exit, 2);
     EXPECT_EQ(shared.eepromWrites(), 0);
     EXPECT_EQ(saved(), project);
-    EXPECT_EQ(shared.bus().devicesWithOut().size(), 0u);
+    EXPECT_EQ(devicesWithOut(shared.bus()).size(), 0u);
 }
 
 TEST_F(CliReplace, AnotherMakeIsToldToProgramsAndPeople)

@@ -60,7 +60,7 @@ TEST_F(CliTransfer, ADryRunShowsTheDifferenceAndSendsNothing)
                        "  steps  unknown  4096  02001000\n"
                        "  Values and cam programs to write: 1. EEPROM writes: at most 1.\n");
     EXPECT_EQ(shared.eepromWrites(), 0);
-    EXPECT_EQ(shared.bus().devicesWithOut().size(), 0u);
+    EXPECT_EQ(devicesWithOut(shared.bus()).size(), 0u);
 }
 
 TEST_F(CliTransfer, WritesToAllAndASecondTimeToNone)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ring/word_channel.h"
+#include "bus/word_channel.h"
 #include "tests/cli/cli_run.h"
 
 #include <QJsonArray>

@@ -64,10 +64,10 @@ TEST_F(LineSessionTest, WhatIsShownIsOldOncePollingStops)
     EXPECT_EQ(encoder->freshness().state(), Freshness::State::unknown);
     line->advance(50ms);
     EXPECT_TRUE(encoder->freshness().isLive());
-    line->stopPolling();
+    line->setRunning(false);
     line->advance(50ms);
     EXPECT_EQ(encoder->freshness().reason(), Freshness::Reason::stopped);
-    line->startPolling();
+    line->setRunning(true);
     line->advance(50ms);
     EXPECT_TRUE(encoder->freshness().isLive());
     line->close();

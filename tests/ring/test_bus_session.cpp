@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "ring/bus_session.h"
-#include "ring/word_channel.h"
 #include "tests/ring/word_by_word_driver.h"
 #include "tests/support/scripted_link.h"
 
@@ -80,7 +80,7 @@ TEST_F(BusSessionTest, OpeningShowsOutAsReadBackAndSendsNothing)
     EXPECT_FALSE(m_bus->isOperating());
     EXPECT_EQ(m_link->exchanges(), 0);
     EXPECT_EQ(channel()->out(), wordA);
-    EXPECT_THAT(m_bus->devicesWithOut(), ElementsAre(firstPlace));
+    EXPECT_THAT(devicesWithOut(*m_bus), ElementsAre(firstPlace));
     m_bus->advance(3);
     EXPECT_EQ(m_link->peerOut()[0], wordA);
     EXPECT_EQ(m_bus->latest().at, std::chrono::milliseconds(3));
@@ -146,7 +146,7 @@ TEST_F(BusSessionTest, WritingIsAnsweredAtOnce)
     m_bus->advance(1);
     ASSERT_TRUE(encoder()->start(SendWords{{wordB, wordB}}));
     EXPECT_EQ(channel()->write().error().id, RefusalId::wordHeldByJob) << "before a cycle shows it";
-    m_bus->stopBus();
+    m_bus->setRunning(false);
     m_bus->advance(1);
     EXPECT_EQ(channel()->write().error().id, RefusalId::notRunning);
     EXPECT_THAT(m_refused,
@@ -227,18 +227,18 @@ TEST_F(BusSessionTest, AlarmStopEndsTheJobAndZeroesTheRing)
     EXPECT_THAT(m_link->peerOut(), ElementsAre(0u, 0u, 0u));
     ASSERT_EQ(m_outcomes.size(), 1u);
     EXPECT_EQ(m_outcomes[0].result.error().id, RefusalId::alarmStop);
-    EXPECT_THAT(m_bus->devicesWithOut(), IsEmpty());
+    EXPECT_THAT(devicesWithOut(*m_bus), IsEmpty());
 }
 
 TEST_F(BusSessionTest, OutOfOneDeviceCanBeZeroed)
 {
     m_link->setPeerOut({wordA, wordB, 0});
     open(BusSession::Start::operating);
-    m_bus->zeroOut(secondPlace);
-    m_bus->zeroOut(thirdPlace);
+    EXPECT_TRUE(m_bus->channel(secondPlace)->zero());
+    EXPECT_FALSE(m_bus->channel(thirdPlace)->zero()) << "it has no OUT";
     m_bus->advance(1);
     EXPECT_THAT(m_link->peerOut(), ElementsAre(wordA, 0u, 0u));
-    EXPECT_THAT(m_bus->devicesWithOut(), ElementsAre(firstPlace));
+    EXPECT_THAT(devicesWithOut(*m_bus), ElementsAre(firstPlace));
 }
 
 TEST_F(BusSessionTest, ClosingEndsJobsAndTellsSo)

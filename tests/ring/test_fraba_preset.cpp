@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // On a ring 60000000 must not be seen twice: the encoder would set its position, and write its EEPROM, in
 // each cycle (FRABA manual 5.4.1).
+#include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "ring/bus_session.h"
-#include "ring/word_channel.h"
 #include "tests/support/scripted_link.h"
 
 #include <gmock/gmock.h>
@@ -87,9 +87,9 @@ TEST_F(FrabaPresetOnTheRing, ABusStoppedBehindItDoesNotSendItAgain)
         ASSERT_LT(cycle, 100);
         m_bus->advance(1);
     }
-    m_bus->stopBus();
+    m_bus->setRunning(false);
     m_bus->advance(5);
-    m_bus->startBus();
+    m_bus->setRunning(true);
     m_bus->advance(100);
     EXPECT_EQ(m_seen, 1);
     EXPECT_THAT(m_link->peerOut(), ElementsAre(Word{0}));
@@ -102,7 +102,7 @@ TEST_F(FrabaPresetOnTheRing, ALinkThatFailedBehindItDoesNotSendItAgain)
     m_link->failAt(2);
     m_bus->advance(5);
     EXPECT_FALSE(m_bus->isRunning());
-    m_bus->startBus();
+    m_bus->setRunning(true);
     m_bus->advance(100);
     EXPECT_EQ(m_seen, 1);
 }

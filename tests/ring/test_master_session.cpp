@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the session makes of the ring's master, on a simulated ring in virtual time.
+#include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "encoder/refusal_text.h"
 #include "ring/bus_session.h"
-#include "ring/word_channel.h"
 #include "tests/support/faulty_ring.h"
 #include "tests/support/scripted_link.h"
 
@@ -126,11 +126,11 @@ TEST_F(ASessionWithAMaster, SaysOnConnectingWhichConfigurationTheMasterKeeps)
 
 TEST_F(ASessionWithAMaster, StopsAndStartsByTheMaster)
 {
-    m_bus.stopBus();
+    m_bus.setRunning(false);
     m_bus.advance(1);
     EXPECT_EQ(m_bus.master()->statusBits, 0x00C0);
     EXPECT_EQ(m_bus.latest().state, MasterState::active);
-    m_bus.startBus();
+    m_bus.setRunning(true);
     m_bus.advance(1);
     EXPECT_EQ(m_bus.master()->statusBits, 0x00E0);
     EXPECT_TRUE(m_bus.isRunning());
@@ -147,7 +147,7 @@ TEST_F(ASessionWithAMaster, AlarmStopZeroesTheRingAndTakesItToReady)
     EXPECT_EQ(m_bus.latest().state, MasterState::ready);
     EXPECT_EQ(m_ring.ring->lastOut(), std::vector<Word>(FaultyRing::devices));
     EXPECT_EQ(m_bus.channel(first)->out(), 0U);
-    m_bus.startBus();
+    m_bus.setRunning(true);
     m_bus.advance(3);
     EXPECT_TRUE(m_bus.isRunning());
     EXPECT_EQ(m_ring.ring->lastOut()[0], 0U);
@@ -174,7 +174,7 @@ TEST_F(ASessionWithAMaster, ABrokenWireStopsTheRingIsNamedAndIsStartedAgainByThe
     EXPECT_FALSE(m_bus.latest().devices[1].inRing);
     takeMessages();
 
-    m_bus.startBus(); // too early
+    m_bus.setRunning(true); // too early
     m_bus.advance(1);
     EXPECT_EQ(m_messages.back().refusal->id, RefusalId::busFault);
     EXPECT_EQ(m_bus.latest().state, MasterState::busFail);
@@ -184,7 +184,7 @@ TEST_F(ASessionWithAMaster, ABrokenWireStopsTheRingIsNamedAndIsStartedAgainByThe
     m_bus.advance(5);
     EXPECT_THAT(takeMessages(), ElementsAre(MessageId::busFaultGone));
     EXPECT_EQ(m_bus.latest().state, MasterState::ready);
-    m_bus.startBus();
+    m_bus.setRunning(true);
     m_bus.advance(3);
     EXPECT_TRUE(m_bus.isRunning());
     EXPECT_EQ(m_bus.channel(first)->out(), 0U); // what stood there is not sent again by itself
@@ -354,8 +354,8 @@ TEST_F(ASessionWithAMaster, CrcErrorsAreToldWhenTheBusIsStoppedWithinTheMinute)
     m_bus.advance(500);
     const std::int64_t all = m_bus.master()->segments[1].crcErrors;
     ASSERT_GT(all, 10);
-    m_bus.stopBus();
-    m_bus.startBus(); // which begins to count anew
+    m_bus.setRunning(false);
+    m_bus.setRunning(true); // which begins to count anew
     m_bus.advance(1);
     ASSERT_GE(m_messages.size(), 2U);
     EXPECT_EQ(m_messages[1].id, MessageId::crcErrors);
@@ -527,7 +527,7 @@ TEST_F(ASessionWithAMaster, AConfigurationThatIsActivatedAnewIsTakenOver)
     KeptConfiguration smaller{QStringLiteral("smaller.codewheel"), m_bus.structure()};
     smaller.structure.pop_back();
     m_bus.keepConfiguration(smaller);
-    m_bus.startBus();
+    m_bus.setRunning(true);
     m_bus.advance(3);
     EXPECT_EQ(m_changes, 1);
     m_bus.advance(3);
@@ -556,7 +556,7 @@ TEST_F(ASessionWithAMaster, InWatchNothingChangesWhatTheRingDoesButStop)
     EXPECT_TRUE(m_bus.isRunning());
     EXPECT_TRUE(m_bus.latest().devices.back().inRing);
     EXPECT_EQ(m_bus.master()->configurationName, QStringLiteral("plant.codewheel"));
-    m_bus.stopBus();
+    m_bus.setRunning(false);
     m_bus.advance(2);
     EXPECT_FALSE(m_bus.isRunning());
     m_bus.alarmStop();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole way of the main job below the window: session, runner, driver, simulated encoder.
+#include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "ring/bus_session.h"
-#include "ring/word_channel.h"
 #include "simulator/training_bus.h"
 
 #include <algorithm>
@@ -62,7 +62,7 @@ TEST_F(TrainingBusSession, Sets255StepsAndReadsThemBack)
     EXPECT_TRUE(m_outcome->result);
     EXPECT_EQ(encoder().latest().position, 0);
     EXPECT_EQ(encoder().eepromWrites(), m_outcome->eepromWrites);
-    EXPECT_EQ(m_bus.devicesWithOut().size(), 0u);
+    EXPECT_EQ(devicesWithOut(m_bus).size(), 0u);
 
     finish(ReadParameters{{Parameter::steps}});
     EXPECT_EQ(valueOf(m_outcome->read, Parameter::steps), 255);
@@ -85,10 +85,10 @@ TEST_F(TrainingBusSession, AlarmStopInTheMiddleOfAHandshakeZeroesOut)
 {
     ASSERT_TRUE(encoder().start(WriteParameters{{{Parameter::steps, 255}}, false, {}, false}));
     m_bus.advance(3);
-    ASSERT_EQ(m_bus.devicesWithOut(), std::vector<DeviceNumber>{fraba});
+    ASSERT_EQ(devicesWithOut(m_bus), std::vector<DeviceNumber>{fraba});
     m_bus.alarmStop();
     m_bus.advance(1);
-    EXPECT_TRUE(m_bus.devicesWithOut().empty());
+    EXPECT_TRUE(devicesWithOut(m_bus).empty());
     ASSERT_TRUE(m_outcome);
     EXPECT_EQ(m_outcome->result.error().id, RefusalId::alarmStop);
 }
@@ -106,7 +106,7 @@ TEST_F(TrainingBusSession, WhatIsShownIsOldOnceTheBusStops)
     EXPECT_TRUE(encoder().freshness().isOld());
     EXPECT_TRUE(m_bus.channel(fraba)->freshness().isOld());
     EXPECT_EQ(encoder().freshness().seen(), last);
-    m_bus.startBus();
+    m_bus.setRunning(true);
     m_bus.advance(10);
     EXPECT_TRUE(encoder().freshness().isLive());
     m_bus.close();
@@ -134,13 +134,13 @@ TEST_F(TrainingBusSession, AnAlarmStopFromBeforeTheSleepZeroesOut)
     m_bus.channel(fraba)->stage(0x0200'00FF);
     ASSERT_TRUE(m_bus.channel(fraba)->write());
     m_bus.advance(3);
-    ASSERT_EQ(m_bus.devicesWithOut(), std::vector<DeviceNumber>{fraba});
+    ASSERT_EQ(devicesWithOut(m_bus), std::vector<DeviceNumber>{fraba});
     m_bus.alarmStop();
     m_bus.startThread(std::chrono::milliseconds(1), oneSleepOf(std::chrono::hours(2)));
     while (!hasSlept || m_bus.isOperating())
         m_bus.pump();
     EXPECT_EQ(m_bus.latest().state, MasterState::ready);
-    EXPECT_TRUE(m_bus.devicesWithOut().empty());
+    EXPECT_TRUE(devicesWithOut(m_bus).empty());
 }
 
 // Closing the lid in the midst of a handshake.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "ring/bus_session.h"
-#include "ring/word_channel.h"
 #include "simulator/training_bus.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/master/segment_question.h"
 
+#include "bus/word_channel.h"
 #include "encoder/hex.h"
 #include "ring/bus_session.h"
 #include "ring/segment_reach.h"
-#include "ring/word_channel.h"
 #include "widgets/master/master_panel.h"
 
 #include <algorithm>

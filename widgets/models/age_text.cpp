@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/age_text.h"
 
+#include "bus/word_channel.h"
 #include "encoder/encoder_session.h"
 #include "encoder/freshness_text.h"
-#include "ring/word_channel.h"
 
 #include <QCoreApplication>
 

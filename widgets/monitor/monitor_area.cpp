@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/monitor_area.h"
 
+#include "bus/word_channel.h"
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
-#include "ring/word_channel.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"

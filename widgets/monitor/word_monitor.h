@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/word_channel.h"
 #include "encoder/encoder_session.h"
-#include "ring/word_channel.h"
 #include "widgets/monitor/monitor_display.h"
 #include "widgets/monitor/monitor_kind.h"
 #include "widgets/monitor/position_range.h"

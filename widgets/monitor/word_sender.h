@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ring/word_channel.h"
+#include "bus/word_channel.h"
 #include "widgets/monitor/word_form.h"
 
 #include <QPointer>

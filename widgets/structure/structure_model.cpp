@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/structure/structure_model.h"
 
+#include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "catalog/device_description.h"
 #include "catalog/hex_code.h"
@@ -9,7 +10,6 @@
 #include "ring/bus_session.h"
 #include "ring/device_leds.h"
 #include "ring/ring_tree.h"
-#include "ring/word_channel.h"
 #include "widgets/master/master_look.h"
 #include "widgets/models/age_text.h"
 #include "widgets/models/device_traits.h"

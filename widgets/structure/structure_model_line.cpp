@@ -22,7 +22,7 @@ void StructureModel::setLine(LineSession *line)
         return;
     connect(line, &LineSession::updated, this, &StructureModel::refreshLine);
     connect(line, &LineSession::stateChanged, this, &StructureModel::refreshLine);
-    connect(line, &LineSession::devicesChanged, this, [this] {
+    connect(line, &LineSession::nodesChanged, this, [this] {
         insertNewEncoders();
         removeGoneEncoders();
     });

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/device_page.h"
 
+#include "bus/buses.h"
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
-#include "widgets/models/connected_encoders.h"
 
 #include <QLabel>
 #include <QListWidget>
@@ -43,9 +43,9 @@ void DevicePage::enter()
     const QSignalBlocker quiet(m_list);
     m_list->clear();
     m_encoders.clear();
-    if (m_setup.connected)
-        for (const DeviceNumber number : m_setup.connected->numbers())
-            if (EncoderSession *encoder = m_setup.connected->encoder(number)) {
+    if (m_setup.buses)
+        for (const DeviceNumber number : m_setup.buses->numbers())
+            if (EncoderSession *encoder = m_setup.buses->encoder(number)) {
                 m_encoders.push_back(encoder);
                 m_list->addItem(new QListWidgetItem(
                     lineIcon(Icon::encoder),

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/parameter_wizard.h"
 
+#include "bus/buses.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
-#include "widgets/models/connected_encoders.h"
 #include "widgets/wizard/device_page.h"
 #include "widgets/wizard/direction_page.h"
 #include "widgets/wizard/handshake_page.h"
@@ -28,9 +28,9 @@ constexpr int wizardStepsFrom = 680; // logical pixels
 
 } // namespace
 
-ParameterWizard::ParameterWizard(ConnectedEncoders &connected, WantedValues &wanted, QWidget *parent)
+ParameterWizard::ParameterWizard(Buses &buses, WantedValues &wanted, QWidget *parent)
     : QWidget(parent)
-    , m_setup(new Setup{.connected = &connected, .encoder = {}, .wanted = wanted, .wish = {}, .record = {}})
+    , m_setup(new Setup{.buses = &buses, .encoder = {}, .wanted = wanted, .wish = {}, .record = {}})
     , m_title(new QLabel(this))
     , m_pages(new QStackedWidget(this))
     , m_cancel(describe(new QPushButton(lineIcon(Icon::cancel), tr("Cance&l"), this), "wizardCancel",
@@ -64,7 +64,7 @@ ParameterWizard::ParameterWizard(ConnectedEncoders &connected, WantedValues &wan
     connect(m_cancel, &QPushButton::clicked, this, &ParameterWizard::cancel);
     connect(m_back, &QPushButton::clicked, this, &ParameterWizard::back);
     connect(m_next, &QPushButton::clicked, this, &ParameterWizard::next);
-    connect(&connected, &ConnectedEncoders::changed, this, [this] {
+    connect(&buses, &Buses::changed, this, [this] {
         if (page() == device) // there may be other encoders now
             m_devicePage->enter();
     });

@@ -29,7 +29,7 @@ public:
     static constexpr int pageCount = report + 1;
 
     // Both must outlive the wizard.
-    ParameterWizard(ConnectedEncoders &connected, WantedValues &wanted, QWidget *parent = nullptr);
+    ParameterWizard(Buses &buses, WantedValues &wanted, QWidget *parent = nullptr);
     ~ParameterWizard() override;
 
     // Follows the bus structure until its way has begun; an encoder in work is not left for another one.

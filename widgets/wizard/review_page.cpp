@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/review_page.h"
 
+#include "bus/buses.h"
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
@@ -10,7 +11,6 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
-#include "widgets/models/connected_encoders.h"
 #include "widgets/models/device_traits.h"
 #include "widgets/wizard/known_text.h"
 #include "widgets/wizard/quiet_table.h"

@@ -12,12 +12,12 @@
 
 namespace codewheel {
 
-class ConnectedEncoders;
+class Buses;
 
 // What the pages of the wizard hand on to each other.
 struct Setup
 {
-    QPointer<ConnectedEncoders> connected;
+    QPointer<Buses> buses;
     QPointer<EncoderSession> encoder;
     WantedValues &wanted; // shared with the parameter panel
     WriteWish wish;

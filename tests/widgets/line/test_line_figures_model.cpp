@@ -96,7 +96,7 @@ TEST_F(LinePanelTest, ShowsPortRateAndState)
     EXPECT_EQ(value("Polling"), QStringLiteral("runs"));
     EXPECT_TRUE(value("Writing").startsWith(QLatin1String("Watch")));
     bench.line->setOperate(true);
-    bench.line->stopPolling();
+    bench.line->setRunning(false);
     bench.pass(50);
     EXPECT_EQ(value("Polling"), QStringLiteral("stopped"));
     EXPECT_TRUE(value("Writing").startsWith(QLatin1String("Operate")));

@@ -227,10 +227,10 @@ TEST(TheLedsInTheDevicePanel, HaveNamesAndFollowTheMaster)
     panel.setPlace(fourth);
     auto *leds = panel.findChild<LedRow *>();
     EXPECT_EQ(leds->accessibleName(), QStringLiteral("LEDs: UL on, RC on, BA on, RBDA off"));
-    ring.bus.stopBus();
+    ring.bus.setRunning(false);
     ring.bus.advance(2);
     EXPECT_EQ(leds->accessibleName(), QStringLiteral("LEDs: UL on, RC on, BA blinking, RBDA off"));
-    ring.bus.startBus();
+    ring.bus.setRunning(true);
     ring.bus.switchSegment(4, false);
     ring.bus.advance(2);
     EXPECT_EQ(leds->accessibleName(), QStringLiteral("LEDs: UL on, RC off, BA off, RBDA on"));

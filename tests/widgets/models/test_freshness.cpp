@@ -79,7 +79,7 @@ TEST_F(FreshnessTest, TheDialShowsWhereTheShaftWasAndNoSpeed)
     EXPECT_EQ(shown.note, QStringLiteral("Not up to date: The bus does not run."));
     EXPECT_TRUE(panel.findChild<CodeDisc *>()->valueText().startsWith(QStringLiteral("Last position")));
 
-    ring.bus.startBus();
+    ring.bus.setRunning(true);
     advance(500);
     EXPECT_FALSE(shown.isLastKnown);
     EXPECT_TRUE(shown.rpm);
@@ -113,7 +113,7 @@ TEST_F(FreshnessTest, ARodToo)
     rod.bus.advance(100);
     const RodState &shown = panel.findChild<RodView *>()->state();
     EXPECT_FALSE(shown.isLastKnown);
-    rod.bus.stopBus();
+    rod.bus.setRunning(false);
     rod.bus.advance(100);
     EXPECT_TRUE(shown.isLastKnown);
     EXPECT_FALSE(shown.age.isEmpty());
@@ -140,7 +140,7 @@ TEST_F(FreshnessTest, TheTreeShowsOldPositionsGreyAndSaysSo)
             .data(Qt::ToolTipRole)
             .toString()
             .contains(QStringLiteral("The bus does not run. Shown is how it was %1.").arg(lastSeen())));
-    ring.bus.startBus();
+    ring.bus.setRunning(true);
     advance(40);
     EXPECT_FALSE(cell(fraba).data(Qt::ForegroundRole).isValid());
 }
@@ -161,7 +161,7 @@ TEST_F(FreshnessTest, AMonitorShowsOldBitsAndNumbersGrey)
     show();
     const QColor live = ink(in);
     EXPECT_FALSE(in.findChild<WordView *>()->isOld());
-    ring.bus.stopBus();
+    ring.bus.setRunning(false);
     advance(40);
     show();
     EXPECT_TRUE(in.findChild<WordView *>()->isOld());
@@ -171,7 +171,7 @@ TEST_F(FreshnessTest, AMonitorShowsOldBitsAndNumbersGrey)
         << in.meaning().toStdString();
     EXPECT_TRUE(in.findChild<BarView *>()->valueText().endsWith(QStringLiteral("not up to date")));
 
-    ring.bus.startBus();
+    ring.bus.setRunning(true);
     advance(40);
     show();
     EXPECT_FALSE(in.findChild<WordView *>()->isOld());
@@ -194,11 +194,11 @@ TEST_F(FreshnessTest, KnownParametersAreOfBefore)
         return QVariant();
     };
     EXPECT_EQ(steps(ParameterModel::isPaleRole), false);
-    ring.bus.stopBus();
+    ring.bus.setRunning(false);
     advance(40);
     EXPECT_EQ(steps(ParameterModel::isPaleRole), true);
     EXPECT_TRUE(steps(Qt::ToolTipRole).toString().contains(QStringLiteral("The bus does not run.")));
-    ring.bus.startBus();
+    ring.bus.setRunning(true);
     advance(40);
     EXPECT_EQ(steps(ParameterModel::isPaleRole), false);
 }
@@ -227,7 +227,7 @@ TEST_F(OldCams, WhichCamsAreOnIsNotKnownAnyMore)
     EXPECT_TRUE(sheet().live().position) << "where it was";
     EXPECT_FALSE(sheet().isOn(test::manualCam));
     EXPECT_TRUE(sees("Not up to date: The bus does not run. Shown is how it was "));
-    ring.bus.startBus();
+    ring.bus.setRunning(true);
     advance(40);
     EXPECT_TRUE(sheet().isOn(test::manualCam));
 }

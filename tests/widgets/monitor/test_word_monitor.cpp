@@ -134,13 +134,13 @@ TEST_F(WordMonitorTest, AWordFromBeforeIsToldAsSuch)
 {
     const QString upToDate = in.meaning();
     EXPECT_FALSE(upToDate.startsWith(QStringLiteral("Not up to date")));
-    ring.bus.stopBus();
+    ring.bus.setRunning(false);
     ring.bus.advance(40);
     const QDateTime seen = ring.bus.dateTime(ring.channel(fraba).freshness().seen());
     const QString lastSeen = QLocale().toString(seen.toLocalTime(), QLocale::ShortFormat);
     EXPECT_EQ(in.meaning(), QStringLiteral("Not up to date, %1: %2").arg(lastSeen, upToDate));
     EXPECT_FALSE(out.meaning().startsWith(QStringLiteral("Not up to date"))) << "it is what will be sent";
-    ring.bus.startBus();
+    ring.bus.setRunning(true);
     ring.bus.advance(40);
     EXPECT_EQ(in.meaning(), upToDate);
     ring.bus.switchSegment(fraba.segment, false);

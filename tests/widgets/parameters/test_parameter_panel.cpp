@@ -230,7 +230,7 @@ TEST_F(Parameters, WhatIsReadOnlyHasTheRoomOfTheWantedValueToo)
 TEST_F(Parameters, ReadsOnlyWhenAskedAndSaysHowItKnows)
 {
     const test::ModelTester tester(model());
-    EXPECT_TRUE(bus.devicesWithOut().empty());
+    EXPECT_TRUE(devicesWithOut(bus).empty());
     click(QStringLiteral("Read from encoder"));
     finishJob();
     EXPECT_TRUE(
@@ -329,7 +329,7 @@ TEST_F(Parameters, ShowsOldNewAndTheExactWordBeforeItWrites)
     EXPECT_EQ(review->index(0, WriteReviewModel::oldValue).data().toString(), QStringLiteral("8192"));
     EXPECT_EQ(review->index(0, WriteReviewModel::newValue).data().toString(), QStringLiteral("255"));
     EXPECT_EQ(review->index(0, WriteReviewModel::word).data().toString(), QStringLiteral("020000FF"));
-    EXPECT_TRUE(bus.devicesWithOut().empty());
+    EXPECT_TRUE(devicesWithOut(bus).empty());
 
     click(QStringLiteral("Write this value"));
     finishJob();
@@ -437,7 +437,7 @@ TEST_F(Parameters, ARefusalStandsInThePanelAndNothingIsSent)
     click(QStringLiteral("Write this value"));
     EXPECT_TRUE(message().contains(QStringLiteral("Switch to Operate first"))) << message().toStdString();
     bus.advance(10);
-    EXPECT_TRUE(bus.devicesWithOut().empty());
+    EXPECT_TRUE(devicesWithOut(bus).empty());
 }
 
 TEST_F(Parameters, TheReviewFollowsWhatComesToBeKnown)

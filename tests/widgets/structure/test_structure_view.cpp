@@ -106,7 +106,7 @@ TEST_F(StructureTest, StatesFollowTheBus)
     ring.bus.advance(10);
     EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("parameterization"));
     EXPECT_EQ(text(baumer, StructureModel::stateColumn), QStringLiteral("ok"));
-    ring.bus.stopBus();
+    ring.bus.setRunning(false);
     ring.bus.advance(1);
     EXPECT_EQ(text(baumer, StructureModel::stateColumn), QStringLiteral("stopped"));
     EXPECT_EQ(model.index(0, StructureModel::stateColumn).data().toString(), QStringLiteral("ACTIVE"));

@@ -20,10 +20,10 @@ protected:
     {
         EXPECT_TRUE(line.open({}, {}, LineSession::Start::operating, LineSession::Drive::byHand));
         EXPECT_TRUE(line.add({5}, QStringLiteral("kuebler-esc-rs485")));
-        connected.setLine(&line);
+        buses.add(line);
         pass(500);
     }
-    ~WizardLine() override { connected.setLine(nullptr); }
+    ~WizardLine() override { buses.remove(&line); }
 
     void pass(int milliseconds)
     {

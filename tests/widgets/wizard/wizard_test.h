@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/buses.h"
+#include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "ring/bus_session.h"
-#include "ring/word_channel.h"
 #include "simulator/training_bus.h"
 #include "tests/app/question.h"
 #include "widgets/look/inline_message.h"
-#include "widgets/models/connected_encoders.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/project/project_document.h"
 #include "widgets/wizard/parameter_wizard.h"
@@ -36,6 +36,7 @@ protected:
     explicit WizardTest(TrainingBus (*make)(const Catalog &) = makeTrainingBus)
         : training(make(catalog))
     {
+        buses.add(bus);
         EXPECT_TRUE(bus.open(BusSession::Start::operating));
         bus.advance(20);
         wizard.resize(700, 560);
@@ -105,8 +106,8 @@ protected:
     BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC)};
     ProjectDocument project;
     WantedValues wanted{project};
-    ConnectedEncoders connected{bus};
-    ParameterWizard wizard{connected, wanted};
+    Buses buses;
+    ParameterWizard wizard{buses, wanted};
 };
 
 } // namespace codewheel::test

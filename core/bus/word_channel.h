@@ -4,16 +4,30 @@
 #include "encoder/device_number.h"
 #include "encoder/freshness.h"
 #include "encoder/refusal.h"
-#include "ring/snapshot.h"
+#include "words/k3_word.h"
 
 #include <QDateTime>
 #include <QObject>
 
+#include <functional>
 #include <optional>
 
 namespace codewheel {
 
-class BusSession;
+class EncoderBus;
+
+// The words of a device as they stood on the bus, and the bits that changed in any cycle since the last
+// picture.
+struct WordsOnBus
+{
+    Word in = 0;
+    Word out = 0;
+    Word inEdges = 0;
+    Word outEdges = 0;
+    bool heldByJob = false;
+
+    friend bool operator==(const WordsOnBus &, const WordsOnBus &) = default;
+};
 
 // The raw face of one cyclic device, for monitors: its words, and one staged OUT word that all its monitors
 // share. Staging sends nothing; write() does.
@@ -22,28 +36,36 @@ class WordChannel : public QObject
     Q_OBJECT
 
 public:
-    WordChannel(BusSession &bus, std::size_t device, DeviceNumber number, int inWords, int outWords);
+    using Send = std::function<Result<void>(const WordChannel &, Word)>;
+
+    // `send` refuses what may not go out now. The bus outlives what is asked of it here.
+    WordChannel(const EncoderBus &bus, DeviceNumber number, int inWords, int outWords, Send send);
 
     DeviceNumber number() const { return m_number; }
     int inWords() const { return m_inWords; } // 16 bit each; 0: none
     int outWords() const { return m_outWords; }
 
-    Word in() const { return m_in; }
-    Word out() const { return m_out; }         // as it stands on the bus
-    Word inEdges() const { return m_inEdges; } // bits that changed in any cycle since the last picture
-    Word outEdges() const { return m_outEdges; }
-    bool heldByJob() const { return m_heldByJob; }
+    Word in() const { return m_words.in; }
+    Word out() const { return m_words.out; } // as it stands on the bus
+    Word inEdges() const { return m_words.inEdges; }
+    Word outEdges() const { return m_words.outEdges; }
+    bool heldByJob() const { return m_words.heldByJob; }
     const Freshness &freshness() const { return m_freshness; } // of both words
     QDateTime dateTime(Instant at) const;
 
     std::optional<Word> staged() const { return m_staged; } // nothing: as on the bus
-    Word shownOut() const { return m_staged.value_or(m_out); }
+    Word shownOut() const { return m_staged.value_or(out()); }
     void stage(Word word);
     void unstage();
     // Sends the staged word, or repeats the OUT word if none is staged. Refused (signal and answer) in Watch,
     // while the bus is stopped, while a job holds the word, and by a device without OUT; the staged word
     // stays. It is unstaged once it stands on the bus; the bus may still refuse it (signal) until then.
     Result<void> write();
+    Result<void> zero(); // sends 00000000, whatever is staged; refused likewise
+
+    // By its bus: the newest picture, and that a word will be seen in the next one.
+    void show(const WordsOnBus &words, const Freshness &freshness, Instant now);
+    void wasWritten(Word word, Instant at) { m_written = {word, at}; }
 
 Q_SIGNALS:
     void changed(); // in, out, edges, or whether they are live: at most once per picture
@@ -51,10 +73,7 @@ Q_SIGNALS:
     void refused(const codewheel::Refusal &why);
 
 private:
-    friend class BusSession;
-    void show(const Snapshot &ring, const Freshness::Circumstances &bus);
-    void wasWritten(Word word, Instant at);
-    void moveTo(std::size_t device) { m_device = device; } // the ring is another
+    Result<void> send(Word word);
 
     struct Written
     {
@@ -62,16 +81,12 @@ private:
         Instant at;
     };
 
-    BusSession &m_bus;
-    std::size_t m_device;
+    const EncoderBus &m_bus;
+    const Send m_send;
     DeviceNumber m_number;
     int m_inWords;
     int m_outWords;
-    Word m_in = 0;
-    Word m_out = 0;
-    Word m_inEdges = 0;
-    Word m_outEdges = 0;
-    bool m_heldByJob = false;
+    WordsOnBus m_words;
     Freshness m_freshness;
     std::optional<Word> m_staged;
     std::optional<Written> m_written; // told by the bus, not shown by a snapshot yet

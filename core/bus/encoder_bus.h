@@ -8,9 +8,10 @@
 
 namespace codewheel {
 
-// What a ring and a serial line have in common for whoever deals with their encoders alone: the ledger of
-// EEPROM writes, jobs for several encoders one after the other, the message log. Implemented by BusSession
-// and LineSession.
+class WordChannel;
+
+// A connected bus, whatever it is, as window, command line and ledger see it: its devices, its state, and
+// what they let pass to it. Implemented by BusSession (a ring) and LineSession (a serial line).
 class EncoderBus : public QObject
 {
     Q_OBJECT
@@ -19,8 +20,10 @@ public:
     using QObject::QObject;
 
     virtual std::vector<DeviceNumber> numbers() const = 0; // of all devices, encoders or not
-    virtual EncoderSession *
-    encoder(DeviceNumber number) const = 0; // null: no driver for it, or no such device
+    // Null: no driver for it, or no such device.
+    virtual EncoderSession *encoder(DeviceNumber number) const = 0;
+    // Null: it has no words, or there is no such device.
+    virtual WordChannel *channel(DeviceNumber number) const;
 
     virtual bool isOpen() const = 0;      // connected
     virtual bool isSimulated() const = 0; // the encoders are
@@ -30,6 +33,14 @@ public:
     virtual Instant now() const = 0; // of the newest snapshot
     virtual QDateTime dateTime(Instant at) const = 0;
 
+    // Takes what came from the bus since the last call and emits it. The window calls this 30 times a second.
+    virtual void pump() = 0;
+    // Driven by hand: works so long on the bus's clock, and pumps afterwards.
+    virtual void advance(Instant duration) = 0;
+    // Leaves the bus. Jobs end as stopped; the sessions stay to be looked at.
+    virtual void close() = 0;
+
+    virtual void setRunning(bool on) = 0; // RUN or stopped; of a serial line: polled or not
     virtual void setOperate(bool on) = 0;
     // Jobs end as stopped, and nothing is sent on its own any more; of a ring, all OUT words become 0. From
     // every state, at once.
@@ -38,7 +49,11 @@ public:
 Q_SIGNALS:
     void updated();      // a new snapshot; at most once per pump
     void stateChanged(); // connected or not, running or stopped, Watch or Operate
+    void nodesChanged(); // other devices, or an encoder has another session than before
     void messaged(const codewheel::Message &message);
 };
+
+// Those whose OUT is not 00000000, to be named on stop, disconnect and quit.
+std::vector<DeviceNumber> devicesWithOut(const EncoderBus &bus);
 
 } // namespace codewheel

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/buses.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace codewheel {
+
+void Buses::add(EncoderBus &bus)
+{
+    m_buses.push_back(&bus);
+    connect(&bus, &EncoderBus::stateChanged, this, &Buses::changed);
+    connect(&bus, &EncoderBus::nodesChanged, this, &Buses::changed);
+    connect(&bus, &EncoderBus::updated, this, &Buses::updated);
+    Q_EMIT changed();
+}
+
+void Buses::remove(const EncoderBus *bus)
+{
+    if (!has(bus))
+        return;
+    std::erase(m_buses, bus);
+    bus->disconnect(this);
+    Q_EMIT changed();
+}
+
+bool Buses::has(const EncoderBus *bus) const
+{
+    return std::ranges::find(m_buses, bus) != m_buses.end();
+}
+
+std::vector<EncoderBus *> Buses::open() const
+{
+    std::vector<EncoderBus *> open;
+    std::ranges::copy_if(m_buses, std::back_inserter(open), &EncoderBus::isOpen);
+    return open;
+}
+
+std::vector<DeviceNumber> Buses::numbers() const
+{
+    std::vector<DeviceNumber> all;
+    for (const EncoderBus *bus : open())
+        std::ranges::copy(bus->numbers(), std::back_inserter(all));
+    return all;
+}
+
+EncoderBus *Buses::busOf(DeviceNumber number) const
+{
+    for (EncoderBus *bus : open()) {
+        const std::vector<DeviceNumber> its = bus->numbers();
+        if (std::ranges::find(its, number) != its.end())
+            return bus;
+    }
+    return nullptr;
+}
+
+EncoderSession *Buses::encoder(DeviceNumber number) const
+{
+    const EncoderBus *bus = busOf(number);
+    return bus ? bus->encoder(number) : nullptr;
+}
+
+WordChannel *Buses::channel(DeviceNumber number) const
+{
+    const EncoderBus *bus = busOf(number);
+    return bus ? bus->channel(number) : nullptr;
+}
+
+// What is told may bring a bus, or take one away.
+void Buses::pump()
+{
+    for (EncoderBus *bus : std::vector(m_buses))
+        if (has(bus))
+            bus->pump();
+}
+
+void Buses::setOperate(bool on)
+{
+    for (EncoderBus *bus : open())
+        bus->setOperate(on);
+}
+
+void Buses::alarmStop()
+{
+    for (EncoderBus *bus : open())
+        bus->alarmStop();
+}
+
+} // namespace codewheel

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bus/encoder_bus.h"
+
+#include <vector>
+
+namespace codewheel {
+
+// The buses the program works with, connected or not: for whoever deals with any encoder, whatever bus it is
+// on. What is asked about devices is asked of those that are open.
+class Buses : public QObject
+{
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    // In the order in which their devices are listed. It is here until it is removed.
+    void add(EncoderBus &bus);
+    void remove(const EncoderBus *bus); // nothing, if it is not here
+    std::vector<EncoderBus *> open() const;
+
+    std::vector<DeviceNumber> numbers() const;
+    EncoderBus *busOf(DeviceNumber number) const; // null: no open bus has it
+    bool isConnected(DeviceNumber number) const { return busOf(number) != nullptr; }
+    EncoderSession *encoder(DeviceNumber number) const; // null: none, or a device without a driver
+    WordChannel *channel(DeviceNumber number) const;    // null: none, or it has no words
+
+    // To all of them.
+    void pump();
+    void setOperate(bool on);
+    void alarmStop();
+
+Q_SIGNALS:
+    void changed(); // there may be others, or another state of a bus
+    void updated(); // a new snapshot of one of them
+
+private:
+    bool has(const EncoderBus *bus) const;
+
+    std::vector<EncoderBus *> m_buses;
+};
+
+} // namespace codewheel
