@@ -46,12 +46,16 @@ public:
         m_driver.stop(RefusalId::alarmStop, m_now);
         m_out = 0;
     }
-    void expectTruth() const
+    void expectWritten() const
     {
         for (const auto &[parameter, value] : outcome->written)
             EXPECT_EQ(parameter == Parameter::direction ? encoder.parameters().direction
                                                         : encoder.parameters().measuringLength,
                       value);
+    }
+    void expectTruth() const
+    {
+        expectWritten();
         EXPECT_EQ(countedWrites, encoder.eepromWrites());
         EXPECT_EQ(m_out, 0u);
     }
@@ -137,19 +141,23 @@ TEST(La66Jobs, AfterAnAlarmStopInAnyCycleTheNextJobFindsItsWay)
 
 TEST(La66Jobs, APowerCycleInAnyCycleLeavesNothingUntrue)
 {
+    int failed = 0;
     for (int when = 0; when < 60; ++when) {
+        SCOPED_TRACE(when);
         DrivenRod rod;
         rod.begin(lengthAndDirection());
         for (int i = 0; i < when && !rod.outcome; ++i)
             rod.cycle();
         rod.encoder.powerCycle();
         rod.finish();
-        for (const auto &[parameter, value] : rod.outcome->written)
-            EXPECT_EQ(parameter == Parameter::direction ? rod.encoder.parameters().direction
-                                                        : rod.encoder.parameters().measuringLength,
-                      value)
-                << when;
+        rod.expectWritten();
+        if (rod.outcome->result) {
+            EXPECT_EQ(rod.outcome->written, lengthAndDirection().values);
+        }
+        failed += rod.outcome->result ? 0 : 1;
     }
+    EXPECT_GT(failed, 0);
+    EXPECT_LT(failed, 60);
 }
 
 TEST(La66Jobs, ServicesGoOnWhileTheMagnetIsLost)
