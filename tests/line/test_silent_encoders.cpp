@@ -68,6 +68,7 @@ TEST_F(SilentEncoders, TheOthersKeepTheirRate)
     add({3});
     run(10s);
     const auto alone = answersIn(20s);
+    ASSERT_GT(alone, 1'000U);
     for (const int silent : {2, 11}) {
         addAbsent(silent);
         run(60s);
@@ -82,6 +83,7 @@ TEST_F(SilentEncoders, WhileSomeFallSilentTheOthersHaveAQuarterOfTheLine)
     add({3});
     run(10s);
     const auto alone = answersIn(4s);
+    ASSERT_GT(alone, 200U);
     add({5});
     add({0x12});
     run(10s);
@@ -149,6 +151,11 @@ TEST_F(SilentEncoders, ADamagedLineMakesNobodySilent)
                 ASSERT_NE(message->id, MessageId::encoderSilent) << seconds;
             }
     }
+    const LineFigures &figures = latest()->figures;
+    EXPECT_GT(figures.timeOuts, figures.requests / 8);
+    EXPECT_GT(figures.garbageBytes, 0U);
+    for (const std::size_t i : {0U, 1U})
+        EXPECT_GT(shown(i).figures.answers, 1'000U) << i;
 }
 
 TEST_F(SilentEncoders, AJobIsNotPutOff)
