@@ -30,12 +30,15 @@ protected:
         open(); // in this language
         for (const QAction *menu : window().menuBar()->actions())
             take(m_menus, menu->text(), QStringLiteral("menu bar"));
+        EXPECT_EQ(m_menus.size(), static_cast<std::size_t>(window().menuBar()->actions().size()));
     }
     ~Mnemonics() override { QLocale::setDefault(QLocale::c()); }
 
-    void check(const QWidget &part, const QString &name)
+    // How many keys the part adds to those of the menu bar.
+    std::size_t check(const QWidget &part, const QString &name)
     {
         advance(50);
+        EXPECT_TRUE(part.isVisible()) << name.toStdString();
         Owners owners = m_menus;
         for (const auto *button : part.findChildren<QAbstractButton *>())
             if (button->isVisible())
@@ -43,6 +46,7 @@ protected:
         for (const auto *label : part.findChildren<QLabel *>())
             if (label->isVisible() && label->buddy() != nullptr)
                 take(owners, label->text(), name);
+        return owners.size() - m_menus.size();
     }
 
 private:
@@ -66,16 +70,19 @@ TEST_P(Mnemonics, AreUniqueOnEveryPage)
                           actions().compare, actions().transfer, actions().replaceEncoder,
                           actions().lineSettings, actions().lineSearch, actions().lineTerminal}) {
         page->trigger();
-        check(*window().centralWidget(), page->text());
+        EXPECT_GT(check(*window().centralWidget(), page->text()), 0U) << page->text().toStdString();
     }
 }
 
 TEST_P(Mnemonics, AreUniqueInEveryPanel)
 {
+    std::size_t keys = 0;
     for (auto *panel : window().findChildren<QDockWidget *>()) {
+        panel->show();
         panel->raise();
-        check(*panel, panel->windowTitle());
+        keys += check(*panel, panel->windowTitle());
     }
+    EXPECT_GE(keys, 5U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Language, Mnemonics, testing::Values("en", "de"),

@@ -80,9 +80,13 @@ TEST_P(SmallWindow, HoldsEveryPage)
 
 TEST_P(SmallWindow, HoldsEveryPanel)
 {
-    for (auto *panel : window().findChildren<QDockWidget *>()) {
+    const auto panels = window().findChildren<QDockWidget *>();
+    EXPECT_GE(panels.size(), 8);
+    for (auto *panel : panels) {
+        panel->show();
         panel->raise();
         expectSmall(panel->windowTitle());
+        EXPECT_FALSE(panel->visibleRegion().isEmpty()) << panel->windowTitle().toStdString();
     }
 }
 
