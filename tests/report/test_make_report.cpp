@@ -15,6 +15,7 @@ namespace codewheel {
 namespace {
 
 using testing::Contains;
+using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -90,8 +91,9 @@ TEST(CommissioningReport, AFactoryValueIsNeverTakenForAKnownOne)
 {
     ReportInput input = exampleInput();
     fraba(input).stored.clear();
-    for (const std::string &row : rowsOf(sectionOf(reportOf(input), frabaHeading)))
-        EXPECT_THAT(row, HasSubstr("unknown"));
+    const std::vector<std::string> rows = rowsOf(sectionOf(reportOf(input), frabaHeading));
+    EXPECT_EQ(rows.size(), 5U);
+    EXPECT_THAT(rows, Each(HasSubstr("unknown")));
 }
 
 TEST(CommissioningReport, WhatTheConnectedEncoderTellsGoesBeforeTheProject)

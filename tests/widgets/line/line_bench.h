@@ -74,12 +74,15 @@ inline QAction *action(const QWidget &in, const QString &text)
 // Every control has a name, a tooltip, and can be reached by key.
 inline void expectAccessible(const QWidget &view)
 {
+    int checked = 0;
     for (const auto *found : view.findChildren<QPushButton *>()) {
         if (found->text().isEmpty() || found->isHidden())
             continue;
+        ++checked;
         EXPECT_FALSE(found->toolTip().isEmpty()) << found->text().toStdString();
         EXPECT_NE(found->focusPolicy(), Qt::NoFocus) << found->text().toStdString();
     }
+    EXPECT_GT(checked, 0);
 }
 
 } // namespace codewheel::test

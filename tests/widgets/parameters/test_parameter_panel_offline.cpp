@@ -147,12 +147,15 @@ TEST_F(OfflineParameters, ConnectedItCanSendAgain)
 {
     want(Parameter::steps, QStringLiteral("4096"));
     panel.setEncoder(ring.bus.encoder(fraba));
+    int buttons = 0;
     for (const auto *button : panel.findChildren<QAbstractButton *>())
         if (button->isVisible() && button->text() == QStringLiteral("&Write...")) {
+            ++buttons;
             EXPECT_TRUE(button->isEnabled());
             EXPECT_EQ(button->toolTip(),
                       QStringLiteral("Shows what will be written before anything is sent"));
         }
+    EXPECT_EQ(buttons, 1);
     EXPECT_FALSE(isSaid(QStringLiteral("Not connected")));
     EXPECT_EQ(textAt(Parameter::steps, ParameterModel::wantedColumn), QStringLiteral("4096 not compared"));
 }

@@ -170,7 +170,9 @@ TEST_F(ReplacePageTest, LongLinesBreakInANarrowWindow)
     QCoreApplication::processEvents(); // it is laid out
     const auto *last = find<QRadioButton>("positionLast");
     EXPECT_GT(last->height(), find<QRadioButton>("positionTyped")->height());
-    for (const QScrollArea *area : page.findChildren<QScrollArea *>())
+    const auto areas = page.findChildren<QScrollArea *>();
+    EXPECT_FALSE(areas.isEmpty());
+    for (const QScrollArea *area : areas)
         EXPECT_FALSE(area->horizontalScrollBar()->isVisible());
 }
 
