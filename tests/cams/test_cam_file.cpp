@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cams/cam_file.h"
 #include "encoder/refusal_text.h"
+#include "tests/support/breakage.h"
 
 #include <QRegularExpression>
 
@@ -44,38 +45,14 @@ TEST(CamFile, IsRead)
     EXPECT_EQ(file->programs, std::vector{program});
 }
 
-struct Breakage
-{
-    const char *from;
-    const char *to;
-    int line;
-    const char *key;
-    const char *reason; // a part of it
-};
-
-void PrintTo(const Breakage &breakage, std::ostream *out)
-{
-    *out << breakage.from << " -> " << breakage.to;
-}
-
 class BrokenCamFile : public testing::TestWithParam<Breakage>
 {};
 
 TEST_P(BrokenCamFile, IsRefusedWithLineKeyAndReason)
 {
-    QByteArray json = sound;
-    ASSERT_EQ(json.count(GetParam().from), 1) << GetParam().from;
-    const auto file = camFileFromJson(json.replace(GetParam().from, GetParam().to), fileName);
+    const auto file = camFileFromJson(brokenBy(GetParam(), sound), fileName);
     ASSERT_FALSE(file);
-    const Refusal &refusal = file.error();
-    EXPECT_EQ(refusal.kind, RefusalKind::badInput);
-    EXPECT_EQ(refusal.id, RefusalId::camFileBroken);
-    ASSERT_EQ(refusal.arguments.size(), 4);
-    EXPECT_EQ(std::get<QString>(refusal.arguments[0]), fileName);
-    EXPECT_EQ(std::get<std::int64_t>(refusal.arguments[1]), GetParam().line);
-    EXPECT_EQ(std::get<QString>(refusal.arguments[2]).toStdString(), GetParam().key);
-    const QString &reason = std::get<QString>(refusal.arguments[3]);
-    EXPECT_TRUE(reason.contains(QLatin1String(GetParam().reason))) << reason.toStdString();
+    expectNamed(GetParam(), file.error(), RefusalId::camFileBroken, fileName);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
-#include "tests/catalog/breakage.h"
+#include "tests/support/breakage.h"
 
 #include <QFile>
 
@@ -45,27 +45,16 @@ const QByteArray sound = R"({
 }
 )";
 
-QByteArray brokenBy(const char *from, const char *to)
-{
-    QByteArray json = sound;
-    EXPECT_EQ(json.count(from), 1) << from;
-    return json.replace(from, to);
-}
-
 class BrokenDescription : public testing::TestWithParam<Breakage>
 {};
 
 TEST_P(BrokenDescription, IsRefusedWithLineKeyAndReason)
 {
     Catalog catalog;
-    const auto added = catalog.add(brokenBy(GetParam().from, GetParam().to), QStringLiteral("some.json"));
+    const auto added = catalog.add(brokenBy(GetParam(), sound), QStringLiteral("some.json"));
     ASSERT_FALSE(added);
     EXPECT_TRUE(catalog.devices().empty());
-    EXPECT_EQ(added.error().file, QStringLiteral("some.json"));
-    EXPECT_EQ(added.error().line, GetParam().line);
-    EXPECT_EQ(added.error().key.toStdString(), GetParam().key);
-    EXPECT_TRUE(added.error().reason.contains(QLatin1String(GetParam().reason)))
-        << added.error().reason.toStdString();
+    expectNamed(GetParam(), added.error(), QStringLiteral("some.json"));
 }
 
 constexpr Breakage breakages[] = {

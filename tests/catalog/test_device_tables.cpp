@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
-#include "tests/catalog/breakage.h"
+#include "tests/support/breakage.h"
 
 #include <gtest/gtest.h>
 
@@ -72,17 +72,11 @@ class BrokenTables : public testing::TestWithParam<Breakage>
 
 TEST_P(BrokenTables, AreRefusedWithLineKeyAndReason)
 {
-    QByteArray json = soundTables;
-    ASSERT_EQ(json.count(GetParam().from), 1);
-    json.replace(GetParam().from, GetParam().to);
     Catalog catalog;
-    const auto added = catalog.add(json, QStringLiteral("some.json"));
+    const auto added = catalog.add(brokenBy(GetParam(), soundTables), QStringLiteral("some.json"));
     ASSERT_FALSE(added);
     EXPECT_TRUE(catalog.devices().empty());
-    EXPECT_EQ(added.error().line, GetParam().line);
-    EXPECT_EQ(added.error().key.toStdString(), GetParam().key);
-    EXPECT_TRUE(added.error().reason.contains(QLatin1String(GetParam().reason)))
-        << added.error().reason.toStdString();
+    expectNamed(GetParam(), added.error(), QStringLiteral("some.json"));
 }
 
 constexpr Breakage tableBreakages[] = {

@@ -3,6 +3,7 @@
 #include "project/project_json.h"
 #include "ring/ring_rules.h"
 #include "tests/project/made_up_project.h"
+#include "tests/support/breakage.h"
 
 #include <QFile>
 
@@ -179,40 +180,14 @@ TEST(ProjectJson, AnEmptyProjectIsOne)
     EXPECT_EQ(projectFromJson(projectToJson(Project()), fileName), Project());
 }
 
-struct Breakage
-{
-    const char *from;
-    const char *to;
-    int line;
-    const char *key;
-    const char *reason; // a part of it
-};
-
-void PrintTo(const Breakage &breakage, std::ostream *out)
-{
-    *out << breakage.from << " -> " << breakage.to;
-}
-
 class BrokenProject : public testing::TestWithParam<Breakage>
 {};
 
 TEST_P(BrokenProject, IsRefusedWithLineKeyAndReason)
 {
-    QByteArray json = example();
-    const qsizetype at = json.indexOf(GetParam().from);
-    ASSERT_GE(at, 0) << GetParam().from;
-    json.replace(at, static_cast<qsizetype>(qstrlen(GetParam().from)), GetParam().to);
-    const auto project = projectFromJson(json, fileName);
+    const auto project = projectFromJson(brokenBy(GetParam(), example(), Occurs::firstOfSeveral), fileName);
     ASSERT_FALSE(project);
-    const Refusal &refusal = project.error();
-    EXPECT_EQ(refusal.kind, RefusalKind::badInput);
-    EXPECT_EQ(refusal.id, RefusalId::projectFileBroken);
-    ASSERT_EQ(refusal.arguments.size(), 4u);
-    EXPECT_EQ(std::get<QString>(refusal.arguments[0]), fileName);
-    EXPECT_EQ(std::get<std::int64_t>(refusal.arguments[1]), GetParam().line);
-    EXPECT_EQ(std::get<QString>(refusal.arguments[2]).toStdString(), GetParam().key);
-    const QString &reason = std::get<QString>(refusal.arguments[3]);
-    EXPECT_TRUE(reason.contains(QLatin1String(GetParam().reason))) << reason.toStdString();
+    expectNamed(GetParam(), project.error(), RefusalId::projectFileBroken, fileName);
 }
 
 INSTANTIATE_TEST_SUITE_P(

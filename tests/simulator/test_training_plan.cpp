@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulator/training_plan.h"
+#include "tests/support/breakage.h"
 
 #include <gtest/gtest.h>
 
@@ -19,36 +20,15 @@ const QByteArray sound = R"({
 }
 )";
 
-struct Breakage
-{
-    const char *from;
-    const char *to;
-    int line;
-    const char *key;
-    const char *reason; // a part of it
-};
-
-void PrintTo(const Breakage &breakage, std::ostream *out)
-{
-    *out << breakage.from << " -> " << breakage.to;
-}
-
 class BrokenTrainingPlan : public testing::TestWithParam<Breakage>
 {};
 
 TEST_P(BrokenTrainingPlan, IsRefusedWithLineKeyAndReason)
 {
-    QByteArray json = sound;
-    ASSERT_EQ(json.count(GetParam().from), 1) << GetParam().from;
-    json.replace(GetParam().from, GetParam().to);
     const Catalog catalog = Catalog::builtIn();
-    const auto plan = readTrainingPlan(json, QStringLiteral("plant.json"), catalog);
+    const auto plan = readTrainingPlan(brokenBy(GetParam(), sound), QStringLiteral("plant.json"), catalog);
     ASSERT_FALSE(plan);
-    EXPECT_EQ(plan.error().file, QStringLiteral("plant.json"));
-    EXPECT_EQ(plan.error().line, GetParam().line);
-    EXPECT_EQ(plan.error().key.toStdString(), GetParam().key);
-    EXPECT_TRUE(plan.error().reason.contains(QLatin1String(GetParam().reason)))
-        << plan.error().reason.toStdString();
+    expectNamed(GetParam(), plan.error(), QStringLiteral("plant.json"));
 }
 
 constexpr Breakage breakages[] = {
