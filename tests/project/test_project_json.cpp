@@ -275,7 +275,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "serialLine.encoders[1].place", "above already"},
         Breakage{"\"device\": \"kuebler-esc-rs422\",", "", 105, "serialLine.encoders[0].device", "missing"}));
 
-// Whatever key is taken away, or given a value of another kind: there is a sentence, or it may be left out.
+// A value of another kind is taken, or there is a sentence. A list or an object in its place is never taken.
 void breakEverywhere(Json::Value &part, const Json::Value &root, const std::vector<Json::Value> &others)
 {
     if (!part.isObject() && !part.isArray()) {
@@ -285,6 +285,7 @@ void breakEverywhere(Json::Value &part, const Json::Value &root, const std::vect
             const auto project = projectFromJson(
                 QByteArray::fromStdString(Json::writeString(Json::StreamWriterBuilder(), root)), fileName);
             EXPECT_TRUE(project || !refusalText(project.error()).isEmpty());
+            EXPECT_FALSE(project && (other.isArray() || other.isObject())) << before.toStyledString();
         }
         part = before;
         return;
