@@ -47,13 +47,16 @@ TEST(CliCommandLine, TheExamplesOfTheHelpWork)
     for (const char *command :
          {"devices", "scan", "explain", "words", "read", "write", "preset", "monitor", "terminal"}) {
         const CliRun help = runLine(QStringLiteral("%1 --help").arg(QString::fromLatin1(command)));
+        int examples = 0;
         for (const QString &line : QString::fromStdString(help.out).split(u'\n')) {
             if (!line.startsWith(prefix))
                 continue;
+            ++examples;
             const CliRun run = runLine(line.sliced(prefix.size()), {true, "y\n"});
             EXPECT_NE(run.exit, 2) << line.toStdString() << '\n' << run.err;
             EXPECT_NE(run.out, "") << line.toStdString();
         }
+        EXPECT_GT(examples, 0) << command;
     }
 }
 

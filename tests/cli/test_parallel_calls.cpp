@@ -78,15 +78,16 @@ TEST_F(ParallelCalls, NoReplacementInAProjectIsLostThatWasToldToBeDone)
         const auto answers = ended();
         const auto saved = loadProject(project);
         ASSERT_TRUE(saved);
+        int done = 0;
         for (std::size_t i = 0; i < places.size(); ++i) {
             const bool isDone = answers[i][u"error"][u"key"] != QStringLiteral("fileChanged");
-            for (const ProjectDevice &device : saved->devices)
-                if (device.participant.number == places[i]) {
-                    EXPECT_EQ(device.label.serialNumber == serial, isDone)
-                        << places[i].toString().toStdString()
-                        << QJsonDocument(answers[i]).toJson().toStdString();
-                }
+            const ProjectDevice *device = findDevice(*saved, places[i]);
+            ASSERT_NE(device, nullptr);
+            EXPECT_EQ(device->label.serialNumber == serial, isDone)
+                << places[i].toString().toStdString() << QJsonDocument(answers[i]).toJson().toStdString();
+            done += isDone ? 1 : 0;
         }
+        EXPECT_GT(done, 0) << "somebody is the first";
     }
     EXPECT_EQ(names(), (QStringList{QStringLiteral("crane.codewheel"), QStringLiteral("crane.codewheel~")}));
 }
