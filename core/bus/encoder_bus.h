@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/wall_time.h"
 #include "encoder/encoder_session.h"
 #include "encoder/message.h"
 
@@ -17,7 +18,8 @@ class EncoderBus : public QObject
     Q_OBJECT
 
 public:
-    using QObject::QObject;
+    // `begin` is the date and time that Instant 0 of the bus stands for.
+    explicit EncoderBus(QDateTime begin, QObject *parent = nullptr);
 
     virtual std::vector<DeviceNumber> numbers() const = 0; // of all devices, encoders or not
     // Null: no driver for it, or no such device.
@@ -31,7 +33,7 @@ public:
     virtual bool isOperating() const = 0; // writing is allowed
 
     virtual Instant now() const = 0; // of the newest snapshot
-    virtual QDateTime dateTime(Instant at) const = 0;
+    QDateTime dateTime(Instant at) const { return m_wallTime.dateTime(at); }
 
     // Takes what came from the bus since the last call and emits it. The window calls this 30 times a second.
     virtual void pump() = 0;
@@ -51,6 +53,13 @@ Q_SIGNALS:
     void stateChanged(); // connected or not, running or stopped, Watch or Operate
     void nodesChanged(); // other devices, or an encoder has another session than before
     void messaged(const codewheel::Message &message);
+
+protected:
+    // The jobs have ended, and the bus is in Watch: the times are right again, and it is told.
+    void takeSleep(const Slept &slept, Instant at);
+
+private:
+    WallTime m_wallTime;
 };
 
 // Those whose OUT is not 00000000, to be named on stop, disconnect and quit.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/wall_time.h"
 #include "encoder/event.h"
 #include "encoder/message.h"
 #include "line/line_scan.h"
@@ -32,7 +33,7 @@ struct TypedAnswered
 struct LineEvent
 {
     std::size_t device = 0; // of an Event; meaningless for the rest
-    std::variant<Event, Message, esc::LineRow, ScanProgress, ScanEnded, TypedAnswered> what;
+    std::variant<Event, Message, esc::LineRow, ScanProgress, ScanEnded, TypedAnswered, Slept> what;
     Instant at{};
 
     bool isRow() const { return std::holds_alternative<esc::LineRow>(what); } // of the terminal

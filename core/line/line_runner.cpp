@@ -258,10 +258,7 @@ void LineRunner::slept(std::chrono::milliseconds duration)
     d->endScan(true);
     d->stopJobs({RefusalKind::stopped, RefusalId::computerSlept, {}});
     d->state.operate = false;
-    const auto seconds = std::chrono::ceil<std::chrono::seconds>(duration).count();
-    d->tell({.severity = Severity::attention,
-             .id = MessageId::computerSlept,
-             .arguments = {std::int64_t{seconds}}});
+    d->tellEvent(Slept{duration});
     d->publish();
 }
 

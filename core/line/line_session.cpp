@@ -3,7 +3,6 @@
 
 #include "catalog/catalog.h"
 #include "drivers/esc_fraction_bits.h"
-#include "encoder/wall_time.h"
 #include "line/line_encoder_session.h"
 #include "line/line_runner.h"
 #include "line/line_thread.h"
@@ -41,7 +40,6 @@ struct LineSession::Private
 
     std::unique_ptr<ByteLink> link;
     const Catalog &catalog;
-    WallTime wallTime;
     DriverFactory makeDriver;
     LineSettings settings{};
     int fractionBits = EscSettings{}.fractionBits;
@@ -56,9 +54,8 @@ struct LineSession::Private
 
 LineSession::LineSession(std::unique_ptr<ByteLink> link, const Catalog &catalog, QDateTime begin,
                          DriverFactory makeDriver, QObject *parent)
-    : EncoderBus(parent)
-    , d(std::make_unique<Private>(
-          Private{std::move(link), catalog, WallTime(std::move(begin)), std::move(makeDriver)}))
+    : EncoderBus(std::move(begin), parent)
+    , d(std::make_unique<Private>(Private{std::move(link), catalog, std::move(makeDriver)}))
 {}
 
 LineSession::~LineSession()
@@ -207,6 +204,8 @@ void LineSession::dispatch(const LineEvent &event)
             session->take(*ofDriver, event.at);
     } else if (const auto *message = std::get_if<Message>(&event.what)) {
         dispatch(*message);
+    } else if (const auto *slept = std::get_if<Slept>(&event.what)) {
+        takeSleep(*slept, event.at);
     } else if (const auto *row = std::get_if<esc::LineRow>(&event.what)) {
         Q_EMIT passed(*row);
     } else if (const auto *progress = std::get_if<ScanProgress>(&event.what)) {
@@ -220,9 +219,6 @@ void LineSession::dispatch(const LineEvent &event)
 
 void LineSession::dispatch(const Message &message)
 {
-    if (message.id == MessageId::computerSlept)
-        d->wallTime.slept(std::chrono::seconds(std::get<std::int64_t>(message.arguments.front())),
-                          message.at);
     Q_EMIT messaged(message);
     if (message.refusal && message.refusal->id == RefusalId::portOfOther)
         Q_EMIT otherAdapterFound(*message.refusal);
@@ -340,11 +336,6 @@ bool LineSession::isPolling() const
 bool LineSession::isRunning() const
 {
     return d->latest->connected && d->latest->polling;
-}
-
-QDateTime LineSession::dateTime(Instant at) const
-{
-    return d->wallTime.dateTime(at);
 }
 
 void LineSession::takeOtherAdapter()

@@ -68,7 +68,6 @@ public:
     bool isPolling() const;
     bool isRunning() const override;
     Instant now() const override { return latest().at; }
-    QDateTime dateTime(Instant at) const override;
 
     // The adapter that otherAdapterFound() told of is meant: it is used from now on.
     void takeOtherAdapter();

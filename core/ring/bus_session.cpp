@@ -78,12 +78,12 @@ void BusSession::Private::fetch()
             keepEepromWrites(event);
             continue;
         }
-        const auto *message = std::get_if<Message>(&event.what);
-        if (message && message->id == MessageId::deviceNamed)
+        if (const auto *written = std::get_if<WordWritten>(&event.what))
+            channels[event.device]->wasWritten(written->word, event.at);
+        else if (std::holds_alternative<DriverTaken>(event.what))
             --renamings[event.device];
-        if (message && message->id == MessageId::wordWritten)
-            channels[event.device]->wasWritten(std::get<Word>(message->arguments.front()), message->at);
-        events.push_back(std::move(event));
+        else
+            events.push_back(std::move(event));
     }
     if (auto newest = runner->takeLatest()) {
         latest = std::move(newest);
@@ -111,8 +111,8 @@ std::size_t BusSession::Private::indexOf(DeviceNumber number) const
 
 BusSession::BusSession(std::unique_ptr<ProcessDataLink> link, const Catalog &catalog, QDateTime begin,
                        QObject *parent, DriverFactory makeDriver)
-    : EncoderBus(parent)
-    , d(std::make_unique<Private>(std::move(link), catalog, std::move(begin), std::move(makeDriver)))
+    : EncoderBus(std::move(begin), parent)
+    , d(std::make_unique<Private>(std::move(link), catalog, std::move(makeDriver)))
 {}
 
 BusSession::~BusSession()
@@ -270,13 +270,14 @@ void BusSession::dispatch(const RingEvent &event)
         takeOfMaster(*ofMaster);
         return;
     }
+    if (const auto *slept = std::get_if<Slept>(&event.what)) {
+        takeSleep(*slept, event.at);
+        return;
+    }
     auto message = std::get<Message>(event.what);
     const bool isFault = session && message.id == MessageId::deviceFault;
     if (isFault)
         message.refusal = session->nameOf(message);
-    if (message.id == MessageId::computerSlept)
-        d->wallTime.slept(std::chrono::seconds(std::get<std::int64_t>(message.arguments.front())),
-                          message.at);
     Q_EMIT messaged(message);
     if (isFault)
         session->takeFault(message);
@@ -415,11 +416,6 @@ bool BusSession::isOperating() const
 bool BusSession::isRunning() const
 {
     return d->latest->state == MasterState::run;
-}
-
-QDateTime BusSession::dateTime(Instant at) const
-{
-    return d->wallTime.dateTime(at);
 }
 
 void BusSession::setRunning(bool on)

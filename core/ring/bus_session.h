@@ -64,7 +64,6 @@ public:
     bool isOperating() const override;
     bool isRunning() const override;
     Instant now() const override { return latest().at; }
-    QDateTime dateTime(Instant at) const override;
 
     void setRunning(bool on) override;
     void setOperate(bool on) override;

@@ -4,7 +4,6 @@
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "drivers/make_driver.h"
-#include "encoder/wall_time.h"
 #include "ring/bus_session.h"
 #include "ring/crc_history.h"
 #include "ring/paced_thread.h"
@@ -18,11 +17,9 @@ namespace codewheel {
 // What the files of the session share.
 struct BusSession::Private
 {
-    Private(std::unique_ptr<ProcessDataLink> usedLink, const Catalog &usedCatalog, QDateTime instantZero,
-            DriverFactory factory)
+    Private(std::unique_ptr<ProcessDataLink> usedLink, const Catalog &usedCatalog, DriverFactory factory)
         : link(std::move(usedLink))
         , catalog(usedCatalog)
-        , wallTime(std::move(instantZero))
         , driverFor(factory ? std::move(factory) : DriverFactory(makeDriver))
     {}
 
@@ -42,7 +39,6 @@ struct BusSession::Private
 
     std::unique_ptr<ProcessDataLink> link;
     const Catalog &catalog;
-    WallTime wallTime;
     DriverFactory driverFor;
 
     // What was found by open(), in ring order.

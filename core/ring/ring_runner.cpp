@@ -83,6 +83,7 @@ void RingRunner::Private::carryOut(command::SetDriver &c)
 {
     drivers[c.device] = std::move(c.driver);
     ring.devices[c.device].reading = {};
+    tell(c.device, DriverTaken{});
     tellOfDevice(c.device, {.id = MessageId::deviceNamed, .arguments = {c.name}});
 }
 
@@ -218,8 +219,10 @@ void RingRunner::Private::step(std::size_t i)
 
 void RingRunner::Private::tellWritten()
 {
-    for (const std::size_t device : written)
+    for (const std::size_t device : written) {
+        tell(device, WordWritten{image[device]});
         tellOfDevice(device, {.id = MessageId::wordWritten, .arguments = {image[device]}});
+    }
     written.clear();
 }
 
@@ -339,10 +342,7 @@ void RingRunner::slept(std::chrono::milliseconds duration, Instant now)
     if (isAlarm) // whatever was exchanged
         std::ranges::fill(d->image, Word{0});
     d->ring.operate = false;
-    const auto seconds = std::chrono::ceil<std::chrono::seconds>(duration).count();
-    d->tellOfRing({.severity = Severity::attention,
-                   .id = MessageId::computerSlept,
-                   .arguments = {std::int64_t{seconds}}});
+    d->tell(0, Slept{duration});
 }
 
 void RingRunner::finish(Instant now)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/wall_time.h"
 #include "encoder/freshness_text.h"
 #include "encoder/sleep_watch.h"
-#include "encoder/wall_time.h"
 
 #include <gtest/gtest.h>
 

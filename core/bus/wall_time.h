@@ -9,6 +9,12 @@
 
 namespace codewheel {
 
+// What the thread of a bus tells: the computer slept so long, just before.
+struct Slept
+{
+    std::chrono::milliseconds duration;
+};
+
 // The date and time of the instants of a bus. Its clock stands still while the computer sleeps.
 class WallTime
 {
