@@ -8,11 +8,11 @@
 
 namespace codewheel {
 
-LastPositions::LastPositions(BusSession &bus, QObject *parent)
+LastPositions::LastPositions(EncoderBus &bus, QObject *parent)
     : QObject(parent)
     , m_bus(bus)
 {
-    connect(&bus, &BusSession::updated, this, &LastPositions::look);
+    connect(&bus, &EncoderBus::updated, this, &LastPositions::look);
     look();
 }
 
@@ -34,7 +34,7 @@ std::optional<SeenPosition> LastPositions::newest(DeviceNumber number) const
 
 void LastPositions::look()
 {
-    const Instant now = m_bus.latest().at;
+    const Instant now = m_bus.now();
     for (const DeviceNumber number : m_bus.numbers()) {
         const EncoderSession *encoder = m_bus.encoder(number);
         if (encoder == nullptr)

@@ -9,6 +9,7 @@
 namespace codewheel {
 
 class BusSession;
+class EncoderBus;
 
 // The position an encoder had last.
 struct SeenPosition
@@ -35,7 +36,7 @@ class LastPositions : public QObject
 public:
     static constexpr std::chrono::milliseconds untilGone{1000};
 
-    explicit LastPositions(BusSession &bus, QObject *parent = nullptr);
+    explicit LastPositions(EncoderBus &bus, QObject *parent = nullptr);
 
     // The one to give to a new encoder: that before the encoder went away, if it did.
     std::optional<SeenPosition> at(DeviceNumber number) const;
@@ -52,7 +53,7 @@ private:
 
     void look();
 
-    BusSession &m_bus;
+    EncoderBus &m_bus;
     std::map<DeviceNumber, Watched> m_watched;
 };
 

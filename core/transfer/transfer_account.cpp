@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transfer/transfer_account.h"
 
+#include "bus/encoder_bus.h"
 #include "catalog/device_description.h"
-#include "ring/bus_session.h"
 
 #include <algorithm>
 
@@ -71,7 +71,7 @@ void addResult(EncoderAccount &account, const EncoderResult &result)
     }
 }
 
-EncoderAccount accountOfEncoder(const BusSession &bus, const EncoderPlan &plan, const EncoderResult *result)
+EncoderAccount accountOfEncoder(const EncoderBus &bus, const EncoderPlan &plan, const EncoderResult *result)
 {
     const EncoderSession *encoder = bus.encoder(plan.place);
     EncoderAccount account{.place = plan.place,
@@ -130,10 +130,10 @@ bool TransferAccount::isDone() const
     return std::ranges::all_of(encoders, &EncoderAccount::isDone);
 }
 
-TransferAccount accountOf(const BusSession &bus, TransferKind kind, const TransferPlan &plan,
+TransferAccount accountOf(const EncoderBus &bus, TransferKind kind, const TransferPlan &plan,
                           const std::vector<EncoderResult> &results)
 {
-    TransferAccount account{.kind = kind, .at = bus.dateTime(bus.latest().at)};
+    TransferAccount account{.kind = kind, .at = bus.dateTime(bus.now())};
     for (const EncoderPlan &one : plan) {
         const auto result = std::ranges::find(results, one.place, &EncoderResult::place);
         account.encoders.push_back(accountOfEncoder(bus, one, result == results.end() ? nullptr : &*result));

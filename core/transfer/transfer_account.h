@@ -71,7 +71,7 @@ struct TransferAccount
 };
 
 // `results` are those of the encoders of the plan that are written. What is known now is asked of the bus.
-TransferAccount accountOf(const BusSession &bus, TransferKind kind, const TransferPlan &plan,
+TransferAccount accountOf(const EncoderBus &bus, TransferKind kind, const TransferPlan &plan,
                           const std::vector<EncoderResult> &results);
 
 // "transferDone" for the message log.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/messages/message_model.h"
 
+#include "bus/encoder_bus.h"
 #include "journal/message_fields.h"
-#include "ring/bus_session.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
@@ -43,12 +43,12 @@ MessageModel::MessageModel(MessageStore &store, QObject *parent)
     m_timer.start(refreshPeriod);
 }
 
-void MessageModel::setBus(BusSession &bus)
+void MessageModel::setBus(EncoderBus &bus)
 {
     if (m_bus)
         m_bus->disconnect(this);
     m_bus = &bus;
-    connect(&bus, &BusSession::messaged, this,
+    connect(&bus, &EncoderBus::messaged, this,
             [this](const Message &message) { add(message, m_bus->dateTime(message.at)); });
 }
 
@@ -60,7 +60,7 @@ void MessageModel::add(const Message &message, const QDateTime &at)
 void MessageModel::addNow(Message message)
 {
     if (m_bus)
-        message.at = m_bus->latest().at;
+        message.at = m_bus->now();
     add(message, m_bus ? m_bus->dateTime(message.at) : QDateTime::currentDateTime());
 }
 

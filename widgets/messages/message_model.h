@@ -12,7 +12,7 @@
 
 namespace codewheel {
 
-class BusSession;
+class EncoderBus;
 
 // Everything that happened to bus and devices, oldest first, as the message store keeps it, of this run of
 // the program and of those before. Fetches the messages that are looked at and knows of the others only their
@@ -28,7 +28,7 @@ public:
     explicit MessageModel(MessageStore &store, QObject *parent = nullptr);
 
     // Takes the messages of this ring, and its date and time, from now on.
-    void setBus(BusSession &bus);
+    void setBus(EncoderBus &bus);
     // Shown as soon as the store has it.
     void add(const Message &message, const QDateTime &at);
     // Something that happens now: stamped with the time of the bus, where there is one.
@@ -78,7 +78,7 @@ private:
     qint64 firstShown() const;
 
     MessageStore &m_store;
-    QPointer<BusSession> m_bus;
+    QPointer<EncoderBus> m_bus;
     DatabasePlace m_place;
     std::optional<MessageTable> m_table; // nothing until the store has one
     qint64 m_changes = 0;                // of the table, when it was looked at last

@@ -32,7 +32,7 @@ constexpr std::array everyKind{MonitorKind::in32, MonitorKind::out32, MonitorKin
 
 } // namespace
 
-MonitorArea::MonitorArea(BusSession &bus, QWidget *parent)
+MonitorArea::MonitorArea(EncoderBus &bus, QWidget *parent)
     : QWidget(parent)
     , m_bus(bus)
     , m_add(describe(new QToolButton(this), tr("Add monitor"), tr("Open another word of a device")))
@@ -66,13 +66,12 @@ MonitorArea::MonitorArea(BusSession &bus, QWidget *parent)
     m_scroll->setWidget(column);
     m_pages->addWidget(m_scroll);
 
-    connect(&bus, &BusSession::updated, this, &MonitorArea::showPicture);
-    connect(&bus, &BusSession::stateChanged, this, [this] {
+    connect(&bus, &EncoderBus::updated, this, &MonitorArea::showPicture);
+    connect(&bus, &EncoderBus::stateChanged, this, [this] {
         for (WordMonitor *monitor : m_monitors)
             monitor->busStateChanged();
     });
-    connect(&bus, &BusSession::named, this, &MonitorArea::openAgain);
-    connect(&bus, &BusSession::structureChanged, this, &MonitorArea::followStructure);
+    connect(&bus, &EncoderBus::nodesChanged, this, &MonitorArea::followDevices);
     showWhetherEmpty();
 }
 
@@ -95,8 +94,9 @@ void MonitorArea::openAgain(DeviceNumber number)
     }
 }
 
-// Monitors of devices that are gone are closed, those of other devices in their places made anew.
-void MonitorArea::followStructure()
+// Monitors of devices that are gone are closed, those of other devices in their places made anew, and of
+// those that were named.
+void MonitorArea::followDevices()
 {
     const auto before = m_monitors;
     for (WordMonitor *monitor : before) {
@@ -105,7 +105,7 @@ void MonitorArea::followStructure()
         const DeviceNumber number = monitor->number();
         if (!hasWord(number, monitor->kind()))
             remove(monitor);
-        else if (monitor->channel() != m_bus.channel(number))
+        else if (monitor->channel() != m_bus.channel(number) || monitor->encoder() != m_bus.encoder(number))
             openAgain(number);
     }
     showWhetherEmpty();
@@ -215,7 +215,7 @@ WordMonitor *MonitorArea::addMonitor(DeviceNumber number, MonitorKind kind)
     auto *monitor =
         new WordMonitor(*channel, encoder, encoder ? &encoder->device() : nullptr, kind, m_scroll->widget());
     monitor->setDisplay(m_displays.value(kind));
-    monitor->showPicture(m_bus.latest().at);
+    monitor->showPicture(m_bus.now());
     m_monitors.push_back(monitor);
     m_column->insertWidget(m_column->count() - 1, monitor);
     connect(monitor, &WordMonitor::closeRequested, this, [this, monitor] { remove(monitor); });
@@ -265,7 +265,7 @@ void MonitorArea::setDisplay(MonitorKind kind, const MonitorDisplay &display)
 void MonitorArea::showPicture()
 {
     for (WordMonitor *monitor : m_monitors)
-        monitor->showPicture(m_bus.latest().at);
+        monitor->showPicture(m_bus.now());
 }
 
 void MonitorArea::showWhetherEmpty()

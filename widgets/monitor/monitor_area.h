@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ring/bus_session.h"
+#include "bus/encoder_bus.h"
 #include "widgets/monitor/monitor_display.h"
 #include "widgets/monitor/monitor_kind.h"
 
@@ -25,7 +25,7 @@ class MonitorArea : public QWidget
     Q_OBJECT
 
 public:
-    explicit MonitorArea(BusSession &bus, QWidget *parent = nullptr);
+    explicit MonitorArea(EncoderBus &bus, QWidget *parent = nullptr);
 
     // Opens it at the end, or brings it into view where it is open already; says on the spot why it cannot.
     void openMonitor(DeviceNumber number, MonitorKind kind);
@@ -46,7 +46,7 @@ public:
 private:
     void makeBar();
     void openAgain(DeviceNumber number);
-    void followStructure();
+    void followDevices();
     void fillAddMenu();
     WordMonitor *addMonitor(DeviceNumber number, MonitorKind kind);
     void remove(WordMonitor *monitor);
@@ -56,7 +56,7 @@ private:
     void showPicture();
     void showWhetherEmpty();
 
-    BusSession &m_bus;
+    EncoderBus &m_bus;
     QToolButton *m_add;
     QMenu *m_addMenu;
     InlineMessage *m_message;

@@ -41,6 +41,7 @@ public:
     DeviceNumber number() const { return m_number; }
     MonitorKind kind() const { return m_kind; }
     const WordChannel *channel() const { return m_channel; } // null: it has ended
+    const EncoderSession *encoder() const { return m_encoder; }
 
     void setDisplay(const MonitorDisplay &display);
     // IN 16 of a device with 32 bits: D31..D16 or D15..D0.

@@ -30,7 +30,7 @@ constexpr int remarkWidth = 25 * grid::unit;
 
 } // namespace
 
-TraceView::TraceView(BusSession &bus, QWidget *parent)
+TraceView::TraceView(EncoderBus &bus, QWidget *parent)
     : QWidget(parent)
     , m_bus(bus)
     , m_pages(new QStackedWidget(this))
@@ -60,7 +60,8 @@ TraceView::TraceView(BusSession &bus, QWidget *parent)
     layout->setContentsMargins({});
     layout->addWidget(m_pages);
 
-    connect(&bus, &BusSession::stateChanged, this, &TraceView::watchEncoders);
+    connect(&bus, &EncoderBus::stateChanged, this, &TraceView::watchEncoders);
+    connect(&bus, &EncoderBus::nodesChanged, this, &TraceView::watchEncoders);
     watchEncoders();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ring/bus_session.h"
+#include "bus/encoder_bus.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -27,7 +27,7 @@ class TraceView : public QWidget
     Q_OBJECT
 
 public:
-    explicit TraceView(BusSession &bus, QWidget *parent = nullptr);
+    explicit TraceView(EncoderBus &bus, QWidget *parent = nullptr);
     ~TraceView() override;
 
     void setEncoder(codewheel::EncoderSession *encoder);
@@ -57,7 +57,7 @@ private:
     void follow();
     void copy();
 
-    BusSession &m_bus;
+    EncoderBus &m_bus;
     std::map<DeviceNumber, std::unique_ptr<TraceModel>> m_models;
     TraceModel *m_shown = nullptr;
     std::vector<QPointer<EncoderSession>> m_watched;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/eeprom_gates.h"
 
+#include "bus/encoder_bus.h"
 #include "journal/eeprom_cost.h"
-#include "ring/bus_session.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 
@@ -40,7 +40,7 @@ QString placesOf(const std::vector<DeviceNumber> &numbers)
 
 } // namespace
 
-EepromGates::EepromGates(BusSession &bus, QWidget *parent)
+EepromGates::EepromGates(EncoderBus &bus, QWidget *parent)
     : QWidget(parent)
     , m_bus(bus)
     , m_text(new QLabel(this))
