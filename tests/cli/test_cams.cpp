@@ -13,7 +13,6 @@
 namespace codewheel {
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsSupersetOf;
 using testing::Not;

@@ -11,7 +11,6 @@
 namespace codewheel {
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 using testing::StartsWith;

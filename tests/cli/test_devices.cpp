@@ -9,7 +9,6 @@
 namespace codewheel {
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 using testing::Contains;

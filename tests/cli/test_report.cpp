@@ -13,7 +13,6 @@ namespace codewheel {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 // The project of docs/examples: steps 4096 wanted of both encoders of the training bus, and more.
 class CliReport : public testing::Test

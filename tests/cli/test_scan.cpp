@@ -9,9 +9,6 @@
 namespace codewheel {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-
 TEST(CliScan, NamesEachParticipant)
 {
     SharedBus shared;

@@ -10,7 +10,6 @@ namespace codewheel {
 namespace {
 
 using testing::Contains;
-using testing::HasSubstr;
 
 std::vector<std::string> textsOf(const Sheet &sheet)
 {

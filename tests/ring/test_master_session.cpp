@@ -21,7 +21,6 @@ namespace {
 using namespace std::chrono_literals;
 using testing::Contains;
 using testing::ElementsAre;
-using testing::Not;
 
 const DeviceNumber first{1, 0};
 const DeviceNumber second{2, 0};

@@ -24,7 +24,6 @@
 namespace codewheel {
 namespace {
 
-using test::baumer;
 using test::fraba;
 
 // The shaft of 1.0 turns with 60 rpm, and all is known.

@@ -24,7 +24,6 @@
 namespace codewheel {
 namespace {
 
-using test::baumer;
 using test::fraba;
 
 // Two monitors of the FRABA encoder in one window.

@@ -12,7 +12,6 @@ namespace codewheel {
 namespace {
 
 using test::fraba;
-using test::onLoop;
 
 class ReplacePageTest : public test::TransferTest
 {
