@@ -26,6 +26,10 @@ bool ShownLineRow::isPoll() const
     return !row.typed && !isWrong && request && request->command == esc::Command::position;
 }
 
+LineRowModel::LineRowModel(QObject *parent)
+    : TrafficModelBase(mostRows, rowsDropped, parent)
+{}
+
 void LineRowModel::setBegin(const QDateTime &begin)
 {
     m_begin = begin;
@@ -47,17 +51,13 @@ ShownLineRow LineRowModel::shown(LineRecord::Row row)
 
 void LineRowModel::add(const esc::LineRow &row)
 {
-    m_waiting.push_back(shown({.what = row}));
-    if (waiting() > mostRows) {
-        m_waiting.erase(m_waiting.begin(), m_waiting.begin() + rowsDropped);
-        m_dropped += rowsDropped;
-    }
+    addWaiting(shown({.what = row}));
 }
 
 // It was sent once, and all that came since came in answer to it.
 void LineRowModel::markTyped(const esc::Request &request)
 {
-    for (auto waiting = m_waiting.rbegin(); waiting != m_waiting.rend(); ++waiting) {
+    for (auto waiting = waitingRows().rbegin(); waiting != waitingRows().rend(); ++waiting) {
         waiting->row.typed = true;
         if (isSending(*waiting, request))
             return;
@@ -70,45 +70,6 @@ void LineRowModel::markTyped(const esc::Request &request)
         if (isFirst)
             return;
     }
-}
-
-void LineRowModel::showWaiting()
-{
-    if (!m_held && !m_waiting.empty()) {
-        append(std::exchange(m_waiting, {}));
-        dropOldest();
-    }
-    Q_EMIT countsChanged();
-}
-
-void LineRowModel::dropOldest()
-{
-    if (rowCount() <= mostRows)
-        return;
-    const int surplus = std::max(rowCount() - mostRows, rowsDropped);
-    removeFirst(surplus);
-    m_dropped += static_cast<quint64>(surplus);
-}
-
-void LineRowModel::setHeld(bool held)
-{
-    m_held = held;
-    showWaiting();
-}
-
-void LineRowModel::clear()
-{
-    clearRows(std::exchange(m_waiting, {}), mostRows);
-    m_droppedBefore += std::exchange(m_dropped, 0);
-    Q_EMIT countsChanged();
-}
-
-void LineRowModel::bringBack()
-{
-    bringRowsBack();
-    m_dropped += std::exchange(m_droppedBefore, 0);
-    dropOldest();
-    Q_EMIT countsChanged();
 }
 
 void LineRowModel::setRecord(const LineRecord &record)
@@ -126,7 +87,7 @@ void LineRowModel::setRecord(const LineRecord &record)
 std::vector<LineRecord::Row> LineRowModel::recordRows() const
 {
     std::vector<LineRecord::Row> kept;
-    for (const auto *part : {&rows(), &m_waiting})
+    for (const auto *part : {&rows(), &waitingRows()})
         for (const ShownLineRow &row : *part)
             kept.push_back(row.row);
     if (kept.size() > LineRecord::mostRows)

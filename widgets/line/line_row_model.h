@@ -3,7 +3,7 @@
 
 #include "line/line_record.h"
 #include "widgets/line/line_row_text.h"
-#include "widgets/models/table_model_base.h"
+#include "widgets/models/traffic_model_base.h"
 
 #include <QDateTime>
 
@@ -18,9 +18,8 @@ struct ShownLineRow
     bool isPoll() const;
 };
 
-// What passed on a line, the newest last; the oldest go when there are too many. New rows wait until they are
-// shown all together, and while the model is held.
-class LineRowModel : public TableModelBase<ShownLineRow>
+// What passed on a line. New rows wait until they are shown all together.
+class LineRowModel : public TrafficModelBase<ShownLineRow>
 {
     Q_OBJECT
 
@@ -28,7 +27,7 @@ public:
     enum Column { time, kind, text, meaning, bytes };
     static constexpr int mostRows = static_cast<int>(LineRecord::mostRows);
 
-    using TableModelBase::TableModelBase;
+    explicit LineRowModel(QObject *parent = nullptr);
 
     // What Instant 0 of the rows stands for. Only while there are no rows.
     void setBegin(const QDateTime &begin);
@@ -38,15 +37,6 @@ public:
     void add(const esc::LineRow &row);
     // The exchange that ended last was typed: all its rows are.
     void markTyped(const esc::Request &request);
-    void showWaiting();
-    void setHeld(bool held);
-    bool isHeld() const { return m_held; }
-    int waiting() const { return static_cast<int>(m_waiting.size()); }
-    quint64 dropped() const { return m_dropped; } // since it was cleared
-    bool isEmpty() const { return rowCount() == 0 && m_waiting.empty(); }
-    // All rows go, also those that wait; bringBack() shows them again, before those that came since.
-    void clear();
-    void bringBack();
 
     // All rows anew, as they were kept.
     void setRecord(const LineRecord &record);
@@ -65,17 +55,13 @@ protected:
     QVariant cell(const ShownLineRow &row, int column, int role) const override;
 
 private:
+    void tellCounts() override { Q_EMIT countsChanged(); }
     ShownLineRow shown(LineRecord::Row row);
-    void dropOldest();
     QDateTime dateTime(const ShownLineRow &row) const;
 
     QDateTime m_begin;
     esc::ExplainOptions m_options;
-    std::vector<ShownLineRow> m_waiting;
     std::optional<esc::Request> m_lastRequest;
-    bool m_held = false;
-    quint64 m_dropped = 0;
-    quint64 m_droppedBefore = 0; // it was cleared
 };
 
 } // namespace codewheel

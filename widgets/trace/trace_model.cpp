@@ -17,7 +17,7 @@ constexpr int traceRowsDropped = 500;
 } // namespace
 
 TraceModel::TraceModel(DeviceDescription device, QObject *parent)
-    : TableModelBase(parent)
+    : TrafficModelBase(mostRows, traceRowsDropped, parent)
     , m_device(std::move(device))
 {}
 
@@ -31,51 +31,14 @@ void TraceModel::add(const Exchange &exchange, const QDateTime &at)
     if (m_last && exchange.at >= m_last->at)
         row.sinceLast = exchange.at - m_last->at;
     m_last = exchange;
-    if (m_held)
-        m_waiting.push_back(std::move(row));
-    else
-        append({std::move(row)});
-    dropOldest();
-    Q_EMIT countsChanged();
-}
-
-// While it is held nothing that is looked at goes; what waits is bounded by itself.
-void TraceModel::dropOldest()
-{
-    if (m_held && waiting() > mostRows) {
-        m_waiting.erase(m_waiting.begin(), m_waiting.begin() + traceRowsDropped);
-        m_dropped += traceRowsDropped;
-    } else if (!m_held && rowCount() > mostRows) {
-        const int surplus = std::max(rowCount() - mostRows, traceRowsDropped);
-        removeFirst(surplus);
-        m_dropped += static_cast<quint64>(surplus);
-    }
-}
-
-void TraceModel::setHeld(bool held)
-{
-    m_held = held;
-    if (!held) {
-        append(std::exchange(m_waiting, {}));
-        dropOldest();
-    }
-    Q_EMIT countsChanged();
+    addWaiting(std::move(row));
+    showWaiting();
 }
 
 void TraceModel::clear()
 {
-    clearRows(std::exchange(m_waiting, {}), mostRows);
+    TrafficModelBase::clear();
     m_last.reset();
-    m_droppedBefore += std::exchange(m_dropped, 0);
-    Q_EMIT countsChanged();
-}
-
-void TraceModel::bringBack()
-{
-    bringRowsBack();
-    m_dropped += std::exchange(m_droppedBefore, 0);
-    dropOldest();
-    Q_EMIT countsChanged();
 }
 
 Qt::ItemFlags TraceModel::flags(const QModelIndex &index) const
