@@ -86,7 +86,8 @@ void Leaving::goOn()
     std::vector<DeviceNumber> devices;
     for (const EncoderBus *bus : buses())
         std::ranges::copy(devicesWithOut(*bus), std::back_inserter(devices));
-    if (!devices.empty() && m_waitsForZero && canSend())
+    const auto isRunning = [this](DeviceNumber number) { return m_buses->busOf(number)->isRunning(); };
+    if (m_waitsForZero && std::ranges::any_of(devices, isRunning))
         return; // updated() comes back here
     if (!devices.empty() && !m_outAnswered && !askForOut(devices))
         return;

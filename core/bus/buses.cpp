@@ -66,24 +66,28 @@ WordChannel *Buses::channel(DeviceNumber number) const
     return bus ? bus->channel(number) : nullptr;
 }
 
-// What is told may bring a bus, or take one away.
+// What one of them tells meanwhile may take another away.
+template <typename Call>
+void Buses::callEach(Call call)
+{
+    for (EncoderBus *bus : open())
+        if (has(bus))
+            call(*bus);
+}
+
 void Buses::pump()
 {
-    for (EncoderBus *bus : std::vector(m_buses))
-        if (has(bus))
-            bus->pump();
+    callEach([](EncoderBus &bus) { bus.pump(); });
 }
 
 void Buses::setOperate(bool on)
 {
-    for (EncoderBus *bus : open())
-        bus->setOperate(on);
+    callEach([on](EncoderBus &bus) { bus.setOperate(on); });
 }
 
 void Buses::alarmStop()
 {
-    for (EncoderBus *bus : open())
-        bus->alarmStop();
+    callEach([](EncoderBus &bus) { bus.alarmStop(); });
 }
 
 } // namespace codewheel

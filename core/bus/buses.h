@@ -27,7 +27,7 @@ public:
     EncoderSession *encoder(DeviceNumber number) const; // null: none, or a device without a driver
     WordChannel *channel(DeviceNumber number) const;    // null: none, or it has no words
 
-    // To all of them.
+    // To all that are open.
     void pump();
     void setOperate(bool on);
     void alarmStop();
@@ -38,6 +38,8 @@ Q_SIGNALS:
 
 private:
     bool has(const EncoderBus *bus) const;
+    template <typename Call>
+    void callEach(Call call);
 
     std::vector<EncoderBus *> m_buses;
 };

@@ -202,13 +202,22 @@ TYPED_TEST(EncoderBusContract, OpensAThousandTimes)
     EXPECT_EQ(this->changes(), 0);
 }
 
-TEST(Buses, AnEncoderIsFoundOnWhateverBusItIs)
+class BusesTest : public testing::Test
 {
+protected:
+    BusesTest()
+    {
+        buses.add(ring.bus);
+        buses.add(line.bus);
+    }
+
     Ring ring;
     Line line;
     Buses buses;
-    buses.add(ring.bus);
-    buses.add(line.bus);
+};
+
+TEST_F(BusesTest, AnEncoderIsFoundOnWhateverBusItIs)
+{
     EXPECT_TRUE(buses.numbers().empty()) << "none is open";
     ring.open(false);
     line.open(false);
@@ -222,13 +231,8 @@ TEST(Buses, AnEncoderIsFoundOnWhateverBusItIs)
     EXPECT_TRUE(buses.isConnected(Ring::place));
 }
 
-TEST(Buses, OperateAndAlarmStopGoToAll)
+TEST_F(BusesTest, OperateAndAlarmStopGoToAll)
 {
-    Ring ring;
-    Line line;
-    Buses buses;
-    buses.add(ring.bus);
-    buses.add(line.bus);
     ring.open(false);
     line.open(false);
     const auto run = [&] {
