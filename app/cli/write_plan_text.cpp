@@ -14,11 +14,6 @@
 namespace codewheel {
 namespace {
 
-QString sentBy(const Step &step)
-{
-    return step.kind == StepKind::request ? QString::fromLatin1(step.line) : hexWord(step.out);
-}
-
 QString notesText(const EncoderSession &encoder, const WritePlan &plan)
 {
     QStringList lines;
@@ -58,7 +53,7 @@ QString writePlanText(const EncoderSession &encoder, const WritePlan &plan)
                    typedValue(parameter, value.value), sent});
     };
     for (const WritePlan::Row &row : plan.rows)
-        add(row.value, row.known, sentBy(row.step));
+        add(row.value, row.known, sentText(row.step));
     for (const ParameterValue &value : plan.leftOut)
         add(value, encoder.known(value.parameter), CommandLine::tr("left out: already there"));
     const bool endsWithRun = !isOnLine && device.profile != Profile::la66; // services need none
@@ -84,7 +79,7 @@ QJsonArray writePlanJson(const EncoderSession &encoder, const WritePlan &plan)
         json.append(object);
     };
     for (const WritePlan::Row &row : plan.rows)
-        add(row.value, row.known, sentBy(row.step));
+        add(row.value, row.known, sentText(row.step));
     for (const ParameterValue &value : plan.leftOut)
         add(value, encoder.known(value.parameter), {});
     return json;

@@ -2,6 +2,7 @@
 #include "drivers/write_plan.h"
 
 #include "catalog/device_description.h"
+#include "encoder/hex.h"
 #include "esc/esc_request.h"
 
 namespace codewheel {
@@ -38,6 +39,11 @@ WritePlan::Row rowFor(const Step &step, const WritePlan &plan, const EncoderSess
 }
 
 } // namespace
+
+QString sentText(const Step &step)
+{
+    return step.kind == StepKind::request ? QString::fromLatin1(step.line) : hexWord(step.out);
+}
 
 WritePlan planWrite(const EncoderSession &encoder, const WriteWish &wish)
 {

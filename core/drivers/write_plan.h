@@ -29,6 +29,9 @@ struct WritePlan
     std::vector<ValueNote> notes{}; // what else the values bring about
 };
 
+// What goes out with a step: its word, "020000FF", or its request, "03GP00005200".
+QString sentText(const Step &step);
+
 // Leaves out what the encoder is known to have, unless all is to be written. What is told and could be read
 // is read by the job first.
 WritePlan planWrite(const EncoderSession &encoder, const WriteWish &wish);

@@ -2,7 +2,6 @@
 #include "widgets/parameters/write_review.h"
 
 #include "catalog/value_text.h"
-#include "encoder/hex.h"
 #include "encoder/refusal_text.h"
 #include "line/line_encoder_session.h"
 #include "widgets/eeprom/eeprom_gate.h"
@@ -107,7 +106,7 @@ QString WriteReviewModel::text(const WritePlan::Row &row, int column) const
     case newValue:
         return valueText(*parameter, row.value.value, explainOptionsOf(m_encoder));
     default:
-        return row.step.line.isEmpty() ? hexWord(row.step.out) : QString::fromLatin1(row.step.line);
+        return sentText(row.step);
     }
 }
 

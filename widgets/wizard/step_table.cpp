@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/step_table.h"
 
+#include "drivers/write_plan.h"
 #include "encoder/hex.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/icons.h"
@@ -156,7 +157,7 @@ QVariant StepTable::cell(const StepRow &row, int at, int role) const
     case what:
         return row.what;
     case out:
-        return m_isOnLine ? QString::fromLatin1(row.step.line) : hexWord(row.step.out);
+        return sentText(row.step);
     case in:
         return row.in ? hexWord(*row.in) : QString();
     default:
