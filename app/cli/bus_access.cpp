@@ -19,12 +19,12 @@ namespace {
 QString placesOf(const BusSession &bus)
 {
     QStringList places;
-    for (const DeviceNumber number : bus.numbers())
+    for (const Place number : bus.places())
         places << number.toString();
     return places.join(QStringLiteral(", "));
 }
 
-Checked<void> nameDevice(const Call &call, DeviceNumber number, const QString &typed)
+Checked<void> nameDevice(const Call &call, Place number, const QString &typed)
 {
     if (call.bus->channel(number) == nullptr)
         return {};
@@ -44,7 +44,7 @@ Checked<void> nameDevice(const Call &call, DeviceNumber number, const QString &t
 
 } // namespace
 
-Checked<NamedDevice> deviceMeant(const Call &call, DeviceNumber place, const QString &typed)
+Checked<NamedDevice> deviceMeant(const Call &call, Place place, const QString &typed)
 {
     if (call.catalog.find(typed))
         return NamedDevice{typed};
@@ -71,7 +71,7 @@ Checked<EncoderSession *> encoderAt(const Call &call)
         return tl::unexpected(place.error());
     if (isOnLine(call, *place))
         return encoderOnLine(call, *place);
-    const auto number = DeviceNumber::parse(*place);
+    const auto number = Place::parse(*place);
     const auto device = call.arguments.value("--device");
     if (number && device)
         if (const auto named = nameDevice(call, *number, *device); !named)
@@ -81,7 +81,7 @@ Checked<EncoderSession *> encoderAt(const Call &call)
 
 Checked<EncoderSession *> encoderAt(BusSession &bus, const QString &place)
 {
-    const auto number = DeviceNumber::parse(place);
+    const auto number = Place::parse(place);
     if (!number || !bus.channel(*number))
         return tl::unexpected(
             complaintAbout({RefusalKind::badInput, RefusalId::unknownDevice, {place, placesOf(bus)}}));
@@ -98,7 +98,7 @@ Checked<EncoderSession *> encoderAt(BusSession &bus, const QString &place)
 
 Exchange currentRow(const BusSession &bus, const EncoderSession &encoder)
 {
-    const WordChannel &channel = *bus.channel(encoder.number());
+    const WordChannel &channel = *bus.channel(encoder.place());
     const Reading &reading = encoder.latest();
     return {bus.latest().cycle, bus.latest().at, channel.out(), channel.in(), reading.mode, reading.coding};
 }
@@ -106,7 +106,7 @@ Exchange currentRow(const BusSession &bus, const EncoderSession &encoder)
 FinishedJob runToEnd(const Call &call, const AllowedJob &allowed)
 {
     EncoderSession &encoder = allowed.encoder();
-    if (encoder.number().isOnLine())
+    if (encoder.place().isOnLine())
         return runOnLine(*call.line, allowed);
     BusSession &bus = *call.bus;
     FinishedJob finished;
@@ -132,19 +132,19 @@ FinishedJob runToEnd(const Call &call, const AllowedJob &allowed)
 
 Complaint complaintAboutJob(const Call &call, const EncoderSession &encoder, const Refusal &why)
 {
-    return encoder.number().isOnLine() ? call.line->complaint(why) : complaintAbout(why);
+    return encoder.place().isOnLine() ? call.line->complaint(why) : complaintAbout(why);
 }
 
 QString traceText(const Call &call, const EncoderSession &encoder, const FinishedJob &job)
 {
-    if (encoder.number().isOnLine())
+    if (encoder.place().isOnLine())
         return lineTraceText(job.passed, call.line->explainOptions());
     return traceText(encoder.device(), job.rows);
 }
 
 QJsonArray traceJson(const Call &call, const EncoderSession &encoder, const FinishedJob &job)
 {
-    if (encoder.number().isOnLine())
+    if (encoder.place().isOnLine())
         return lineTraceJson(job.passed, call.line->explainOptions());
     return traceJson(encoder.device(), job.rows);
 }

@@ -36,7 +36,7 @@ struct NamedDevice
     int turns = 0;
     int stepsPerTurn = 0;
 };
-Checked<NamedDevice> deviceMeant(const Call &call, DeviceNumber place, const QString &typed);
+Checked<NamedDevice> deviceMeant(const Call &call, Place place, const QString &typed);
 
 // The encoder at PLACE, with at least one bus cycle behind it, so that it shows where it stands.
 Checked<EncoderSession *> encoderAt(BusSession &bus, const QString &place);

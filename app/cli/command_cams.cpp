@@ -283,7 +283,7 @@ void write(CamCall &cams, const std::vector<CamProgram> &wanted)
         return;
     }
     const auto agreed = consent(
-        cams.call, sentence(CommandLine::tr("Write this to %1?"), {cams.encoder.number().toString()}),
+        cams.call, sentence(CommandLine::tr("Write this to %1?"), {cams.encoder.place().toString()}),
         CommandLine::tr("Nothing was written: there is nobody to ask. Add --yes to write, or use compare "
                         "to look only."));
     if (agreed)
@@ -327,7 +327,7 @@ Checked<Answer> runCams(const Call &call)
     else
         write(cams, wanted->programs);
     Answer answer = std::move(cams.answer);
-    answer.json.insert(QStringLiteral("place"), (*encoder)->number().toString());
+    answer.json.insert(QStringLiteral("place"), (*encoder)->place().toString());
     answer.json.insert(QStringLiteral("device"), (*encoder)->device().key);
     if (call.arguments.has("--trace")) {
         answer.text = traceText((*encoder)->device(), cams.rows) + u'\n' + answer.text;

@@ -71,7 +71,7 @@ Checked<Answer> runClone(const Call &call)
                         CommandLine::tr("Nothing is known of %1: it cannot be read, and nothing was written "
                                         "to it from here."),
                         {call.arguments.rest.front()});
-    return transfer(call, TransferKind::clone, (*from)->number().toString(), planTransfer(*call.bus, wishes));
+    return transfer(call, TransferKind::clone, (*from)->place().toString(), planTransfer(*call.bus, wishes));
 }
 
 } // namespace

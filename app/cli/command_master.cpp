@@ -56,7 +56,7 @@ QString segmentQuestion(const BusSession &bus, int segment, bool on)
                         {QString::number(segment)});
     QStringList devices;
     for (const std::size_t place : placesBehindSegment(bus.structure(), segment)) {
-        const DeviceNumber number = bus.structure()[place].number;
+        const NodeId number = bus.structure()[place].number;
         const WordChannel *channel = bus.channel(number);
         devices << (channel && channel->out() != 0 ? sentence(CommandLine::tr("%1 (OUT %2)"),
                                                               {number.toString(), hexWord(channel->out())})

@@ -58,16 +58,16 @@ Checked<std::optional<qint64>> timeFrom(const Call &call, const char *option)
     return at.toMSecsSinceEpoch();
 }
 
-Checked<MessageFilter::Place> placeFrom(const Call &call)
+Checked<MessageFilter::Where> placeFrom(const Call &call)
 {
     const auto text = call.arguments.value("--place");
     if (!text)
-        return MessageFilter::Place{};
-    const auto number = DeviceNumber::parse(*text);
+        return MessageFilter::Where{};
+    const auto number = Place::parse(*text);
     if (!number && *text != QStringLiteral("bus"))
         return badInput(QStringLiteral("badPlace"),
                         CommandLine::tr("\"%1\" is no place. Write it as 1.0, or bus."), {*text});
-    return MessageFilter::Place{.all = false, .number = number};
+    return MessageFilter::Where{.all = false, .at = number};
 }
 
 Checked<MessageFilter> filterFrom(const Call &call)

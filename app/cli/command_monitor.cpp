@@ -58,11 +58,11 @@ Checked<Answer> runMonitor(const Call &call)
     if (!interval)
         return tl::unexpected(interval.error());
 
-    Answer answer = (*encoder)->number().isOnLine()
+    Answer answer = (*encoder)->place().isOnLine()
                         ? monitorLine(call, **encoder, std::chrono::seconds(*seconds),
                                       std::chrono::milliseconds(*interval))
                         : monitorBus(call, **encoder, *seconds * 1000, *interval);
-    answer.json.insert(QStringLiteral("place"), (*encoder)->number().toString());
+    answer.json.insert(QStringLiteral("place"), (*encoder)->place().toString());
     answer.json.insert(QStringLiteral("device"), (*encoder)->device().key);
     return answer;
 }

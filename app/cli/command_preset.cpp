@@ -77,7 +77,7 @@ Checked<Answer> runPreset(const Call &call)
     const Reading before = (*encoder)->latest();
     const FinishedJob job = runToEnd(call, *allowed);
     Answer answer;
-    answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
+    answer.json = {{QStringLiteral("place"), (*encoder)->place().toString()},
                    {QStringLiteral("device"), device.key},
                    {QStringLiteral("positionBefore"), numberJson(job.outcome.positionBefore)},
                    {QStringLiteral("positionAfter"), numberJson(job.outcome.positionAfter)},

@@ -98,9 +98,10 @@ Answer versionOf(const Call &call, EncoderSession &encoder)
     answer.text = valueLines(encoder, {}, version);
     answer.json = {{QStringLiteral("values"), QJsonArray{versionJson(version)}}};
     if (version.isEmpty())
-        answer.complaint = complaintAbout({RefusalKind::device,
-                                           RefusalId::escNoAnswer,
-                                           {encoder.number().line.onWire() + u'V', std::int64_t{1}}});
+        answer.complaint =
+            complaintAbout({RefusalKind::device,
+                            RefusalId::escNoAnswer,
+                            {LineAddress::of(encoder.place().node).onWire() + u'V', std::int64_t{1}}});
     return answer;
 }
 
@@ -139,7 +140,7 @@ Checked<Answer> runRead(const Call &call)
         answer = named->parameters.empty() ? versionOf(call, **encoder)
                                            : readFrom(call, **encoder, *std::move(named));
     }
-    answer.json.insert(QStringLiteral("place"), (*encoder)->number().toString());
+    answer.json.insert(QStringLiteral("place"), (*encoder)->place().toString());
     answer.json.insert(QStringLiteral("device"), device.key);
     return answer;
 }

@@ -45,16 +45,16 @@ constexpr std::array replaceOptions{
     ledgerOption,
 };
 
-Checked<ProjectDevice> plannedAt(const Call &call, DeviceNumber place)
+Checked<ProjectDevice> plannedAt(const Call &call, Place place)
 {
     const auto &devices = call.project->devices;
-    const auto found = std::ranges::find_if(
-        devices, [&](const ProjectDevice &device) { return device.participant.number == place; });
+    const auto found =
+        std::ranges::find_if(devices, [&](const ProjectDevice &device) { return device.place() == place; });
     if (found != devices.end())
         return *found;
     QStringList places;
     for (const ProjectDevice &device : devices)
-        places << device.participant.number.toString();
+        places << device.place().toString();
     return tl::unexpected(complaintAbout({RefusalKind::badInput,
                                           RefusalId::noSuchProjectDevice,
                                           {place.toString(), places.join(QStringLiteral(", "))}}));
@@ -62,7 +62,7 @@ Checked<ProjectDevice> plannedAt(const Call &call, DeviceNumber place)
 
 Checked<NamedDevice> newDevice(const Call &call, const ProjectDevice &planned)
 {
-    const DeviceNumber place = planned.participant.number;
+    const Place place = planned.place();
     const auto named = call.arguments.value("--device");
     const auto label = call.arguments.value("--label");
     if (named && label)
@@ -85,8 +85,8 @@ Checked<Replacement> replacementMeant(const Call &call, const ProjectDevice &pla
         return tl::unexpected(meant.error());
     const DeviceDescription *device = call.catalog.find(meant->key);
     if (device == nullptr)
-        return tl::unexpected(deviceMeant(call, planned.participant.number, meant->key).error());
-    if (const auto can = call.bus->canBe(planned.participant.number, *device); !can)
+        return tl::unexpected(deviceMeant(call, planned.place(), meant->key).error());
+    if (const auto can = call.bus->canBe(planned.place(), *device); !can)
         return tl::unexpected(complaintAbout(can.error()));
     if (!device->capabilities.writes)
         return tl::unexpected(complaintAbout(
@@ -105,7 +105,7 @@ Checked<std::optional<std::int64_t>> positionMeant(const Call &call, const Proje
             return planned.lastPosition->position;
         return badInput(QStringLiteral("noLastPosition"),
                         CommandLine::tr("The project knows no last position of %1. Give it as a number."),
-                        {planned.participant.number.toString()});
+                        {planned.place().toString()});
     }
     const auto position = parseNumber(*typed);
     if (!position)
@@ -120,13 +120,13 @@ Checked<void> putIntoProject(const Call &call, const ProjectDevice &planned, con
 {
     Project project = *call.project;
     for (ProjectDevice &device : project.devices)
-        if (device.participant.number == planned.participant.number)
+        if (device.place() == planned.place())
             device = replaced(planned, now, position);
     const QString file = *call.arguments.value("--project");
     if (auto saved = saveUnlessChanged(project, file, projectMark(*call.project)); !saved)
         return saved;
     if (call.ledger != nullptr)
-        call.ledger->setLabel(planned.participant.number, now.serialNumber);
+        call.ledger->setLabel(planned.place(), now.serialNumber);
     return {};
 }
 
@@ -156,7 +156,7 @@ Checked<Answer> runReplace(const Call &call)
     const auto encoder = encoderMeant(call);
     if (!encoder)
         return tl::unexpected(encoder.error());
-    const DeviceNumber place = (*encoder)->number();
+    const Place place = (*encoder)->place();
     const auto planned = plannedAt(call, place);
     if (!planned)
         return tl::unexpected(planned.error());

@@ -36,7 +36,7 @@ QString warningText(const EncoderSession &encoder)
             lost << parameterKey(parameter.parameter);
     QString text =
         sentence(CommandLine::tr("%1, %2, will be reset to factory settings (0E000000, then run)."),
-                 {encoder.number().toString(), encoder.device().fullName()}) +
+                 {encoder.place().toString(), encoder.device().fullName()}) +
         u'\n' + sentence(CommandLine::tr("Lost are: %1."), {lost.join(QStringLiteral(", "))}) + u'\n';
     if (encoder.can().cams)
         text += CommandLine::tr("All cam programs are lost, too, and the encoder is in position mode "
@@ -107,7 +107,7 @@ Checked<Answer> runReset(const Call &call)
     if (!call.arguments.has("--json"))
         call.terminal.print(warningText(**encoder));
     Answer answer;
-    answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
+    answer.json = {{QStringLiteral("place"), (*encoder)->place().toString()},
                    {QStringLiteral("device"), device.key}};
     const auto allowed = eepromConsent(call, **encoder, ResetToDefault{}, AsksAnyway::yes);
     if (!allowed) {
@@ -115,7 +115,7 @@ Checked<Answer> runReset(const Call &call)
         return answer;
     }
     const auto agreed =
-        consent(call, sentence(CommandLine::tr("Reset %1?"), {(*encoder)->number().toString()}),
+        consent(call, sentence(CommandLine::tr("Reset %1?"), {(*encoder)->place().toString()}),
                 CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to reset."));
     if (agreed)
         carryOutReset(call, *allowed, answer);

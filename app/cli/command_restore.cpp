@@ -45,14 +45,14 @@ Checked<std::vector<ValuesBefore>> valuesBefore(const Call &call, EncoderSession
     if (call.ledger == nullptr)
         return std::vector<ValuesBefore>();
     const FindValuesBefore find = valuesBeforeOf(*call.ledger);
-    auto all = find(encoder.number());
+    auto all = find(encoder.place());
     if (!all.empty() || !encoder.can().serialNumber || encoder.known(Parameter::serialNumber))
         return all;
     const FinishedJob read =
         runToEnd(call, {encoder, ReadParameters{.parameters = {Parameter::serialNumber}}});
     if (!read.outcome.result)
         return tl::unexpected(complaintAbout(read.outcome.result.error()));
-    return find(encoder.number());
+    return find(encoder.place());
 }
 
 struct TimeSpan
@@ -128,7 +128,7 @@ Answer listedValues(const Call &call, const EncoderSession &encoder, const std::
                                 {QStringLiteral("values"), valuesJson(encoder, before.values)}});
     }
     return {.text = table.toString(),
-            .json = {{QStringLiteral("place"), encoder.number().toString()},
+            .json = {{QStringLiteral("place"), encoder.place().toString()},
                      {QStringLiteral("valuesBefore"), json}}};
 }
 
@@ -141,14 +141,14 @@ Checked<Answer> runRestore(const Call &call)
     if (!encoder)
         return tl::unexpected(encoder.error());
     const ProjectPlaces places(call.project ? *call.project : Project(), *call.bus);
-    if (const auto why = places.hindrance((*encoder)->number()))
+    if (const auto why = places.hindrance((*encoder)->place()))
         return tl::unexpected(complaintAbout(*why));
     const auto all = valuesBefore(call, **encoder);
     if (!all)
         return tl::unexpected(all.error());
     if (all->empty())
         return tl::unexpected(complaintAbout(
-            {RefusalKind::device, RefusalId::noValuesFromBefore, {(*encoder)->number().toString()}}));
+            {RefusalKind::device, RefusalId::noValuesFromBefore, {(*encoder)->place().toString()}}));
     if (call.arguments.has("--list"))
         return listedValues(call, **encoder, *all);
     const auto before = valuesMeant(call, *all, *span);

@@ -44,7 +44,7 @@ Meant sorted(const Call &call, const Project &project, const std::vector<Project
     Meant meant;
     const ProjectPlaces places(project, *call.bus);
     for (const ProjectDevice &device : devices) {
-        const DeviceNumber place = device.participant.number;
+        const Place place = device.place();
         const bool isEncoder = call.catalog.find(device.participant.deviceKey) ||
                                call.catalog.generic(device.participant.deviceCode);
         if (const auto why = places.hindrance(place); why && isEncoder)
@@ -59,8 +59,7 @@ std::vector<EncoderJobs> jobsFor(const Call &call, const std::vector<ProjectDevi
 {
     std::vector<EncoderJobs> all;
     for (const ProjectDevice &device : devices) {
-        EncoderJobs jobs =
-            jobsToStore(*call.bus->encoder(device.participant.number), call.arguments.has("--cams"));
+        EncoderJobs jobs = jobsToStore(*call.bus->encoder(device.place()), call.arguments.has("--cams"));
         if (!jobs.jobs.empty())
             all.push_back(std::move(jobs));
     }
@@ -87,10 +86,10 @@ void showStored(const EncoderSession &encoder, const ProjectDevice &device, Answ
                                   {QStringLiteral("at"), stored.at.toString(Qt::ISODate)}});
     }
     answer.text +=
-        device.participant.number.toString() + QStringLiteral("  ") + encoder.device().fullName() + u'\n' +
+        device.place().toString() + QStringLiteral("  ") + encoder.device().fullName() + u'\n' +
         (device.stored.empty() ? QStringLiteral("  ") + CommandLine::tr("Nothing is known of it.") + u'\n'
                                : table.toString(2));
-    json.append(QJsonObject{{QStringLiteral("place"), device.participant.number.toString()},
+    json.append(QJsonObject{{QStringLiteral("place"), device.place().toString()},
                             {QStringLiteral("stored"), values},
                             {QStringLiteral("camPrograms"), static_cast<int>(device.storedCams.size())}});
 }
@@ -100,7 +99,7 @@ void showOthers(const Meant &meant, Answer &answer)
 {
     QJsonArray json;
     for (const auto &[device, why] : meant.others) {
-        const QString place = device.participant.number.toString();
+        const QString place = device.place().toString();
         answer.text += sentence(CommandLine::tr("%1: nothing was stored."), {place}) + u'\n';
         json.append(QJsonObject{{QStringLiteral("place"), place}, {QStringLiteral("why"), refusalJson(why)}});
     }
@@ -139,10 +138,10 @@ Checked<Answer> runStore(const Call &call)
     QJsonArray encoders;
     addTrace(call, round, answer);
     for (const ProjectDevice &device : meant.encoders) {
-        const DeviceNumber place = device.participant.number;
+        const Place place = device.place();
         const EncoderSession &encoder = *call.bus->encoder(place);
         const auto kept = std::ranges::find_if(
-            project->devices, [&](const ProjectDevice &each) { return each.participant.number == place; });
+            project->devices, [&](const ProjectDevice &each) { return each.place() == place; });
         *kept = withStored(*kept, encoder);
         showStored(encoder, *kept, answer, encoders);
     }

@@ -196,7 +196,7 @@ EncoderSession *TypedCall::identified(LineAddress address)
     static_cast<void>(m_call.line->encoder(address, *device)); // it may be silent
     m_line.setRunning(false);
     m_call.line->advance(longestPoll);
-    return m_line.encoder(DeviceNumber::onLine(address));
+    return m_line.encoder(placeOnLine(address));
 }
 
 void TypedCall::send(const AllowedRequest &request)

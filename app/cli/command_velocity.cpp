@@ -60,7 +60,7 @@ Checked<Answer> runVelocity(const Call &call)
     const DeviceDescription &device = (*encoder)->device();
     const Reading &reading = (*encoder)->latest();
     Answer answer;
-    answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
+    answer.json = {{QStringLiteral("place"), (*encoder)->place().toString()},
                    {QStringLiteral("device"), device.key},
                    {QStringLiteral("eepromWrites"), job.outcome.eepromWrites},
                    {QStringLiteral("mode"), modeJson(reading.mode)},

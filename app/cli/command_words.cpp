@@ -87,7 +87,7 @@ Checked<Answer> runWords(const Call &call)
                   sentence(CommandLine::tr("EEPROM writes:   %1"),
                            argumentTexts({std::int64_t{job.outcome.eepromWrites}})) +
                   u'\n';
-    answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
+    answer.json = {{QStringLiteral("place"), (*encoder)->place().toString()},
                    {QStringLiteral("device"), (*encoder)->device().key},
                    {QStringLiteral("trace"), traceJson(call, **encoder, job)},
                    {QStringLiteral("eepromWrites"), job.outcome.eepromWrites},

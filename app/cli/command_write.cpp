@@ -140,7 +140,7 @@ void addAccount(QJsonObject &json, const EncoderSession &encoder, const Outcome 
 void carryOutWrite(const Call &call, const AllowedJob &write, const WritePlan &plan, Answer &answer)
 {
     const EncoderSession &encoder = write.encoder();
-    const bool isOnLine = encoder.number().isOnLine();
+    const bool isOnLine = encoder.place().isOnLine();
     Stand before = standOf(encoder);
     const FinishedJob job = runToEnd(call, write);
     Stand after = standOf(encoder);
@@ -156,7 +156,7 @@ void carryOutWrite(const Call &call, const AllowedJob &write, const WritePlan &p
                    accountText(job.outcome, before, after);
     if (isOnLine) {
         answer.json.insert(QStringLiteral("values"), onLine.toJson());
-        answer.json.insert(QStringLiteral("placeNow"), encoder.number().toString());
+        answer.json.insert(QStringLiteral("placeNow"), encoder.place().toString());
         answer.text += whereItIsNow(call, encoder, wanted);
     }
     if (job.outcome.onlyZeroSinceRun)
@@ -181,7 +181,7 @@ Checked<Answer> runWrite(const Call &call)
     const auto values = valuesToWrite(device, call.arguments.rest.sliced(1));
     if (!values)
         return tl::unexpected(values.error());
-    if ((*encoder)->number().isOnLine()) {
+    if ((*encoder)->place().isOnLine()) {
         auto ready = readBefore(call, **encoder, *values);
         if (ready)
             ready = checkAddressIsFree(call, **encoder, *values);
@@ -196,7 +196,7 @@ Checked<Answer> runWrite(const Call &call)
     if (!call.arguments.has("--json"))
         call.terminal.print(writePlanText(**encoder, plan));
     Answer answer;
-    answer.json = {{QStringLiteral("place"), (*encoder)->number().toString()},
+    answer.json = {{QStringLiteral("place"), (*encoder)->place().toString()},
                    {QStringLiteral("device"), device.key},
                    {QStringLiteral("plan"), writePlanJson(**encoder, plan)},
                    {QStringLiteral("notes"), valueNotesJson(plan.notes)}};
@@ -207,8 +207,7 @@ Checked<Answer> runWrite(const Call &call)
         answer.complaint = allowed.error();
         return answer;
     }
-    const QString question =
-        sentence(CommandLine::tr("Write this to %1?"), {(*encoder)->number().toString()});
+    const QString question = sentence(CommandLine::tr("Write this to %1?"), {(*encoder)->place().toString()});
     const auto agreed = consent(call, question,
                                 CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to "
                                                 "write, or --dry-run to look only."));

@@ -23,14 +23,14 @@ Checked<void> refused(const EncoderSession &encoder, RefusalId id, std::optional
     return tl::unexpected(
         complaintAbout({RefusalKind::busy,
                         id,
-                        {encoder.number().toString(), std::int64_t{encoder.eepromCount().atMost()},
+                        {encoder.place().toString(), std::int64_t{encoder.eepromCount().atMost()},
                          std::int64_t{mark.value_or(0)}}}));
 }
 
 Checked<void> askForPlace(const Call &call, const EncoderSession &encoder)
 {
-    const QString place = encoder.number().toString();
-    const auto isMeant = [&](const QString &typed) { return DeviceNumber::parse(typed) == encoder.number(); };
+    const QString place = encoder.place().toString();
+    const auto isMeant = [&](const QString &typed) { return Place::parse(typed) == encoder.place(); };
     const QString named = call.arguments.value("--beyond-eeprom-limit").value_or(QString());
     if (std::ranges::any_of(named.split(u','), isMeant)) // of commands for several encoders more than one
         return {};

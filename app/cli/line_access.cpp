@@ -38,7 +38,7 @@ Complaint aboutSeveral(LineAddress address)
                          "once. The address is for an encoder that is alone on its line. codewheel-cli "
                          "scan finds the addresses of all."),
                      {address.shown()}),
-            {DeviceNumber::onLine(address).toString()}};
+            {placeOnLine(address).toString()}};
 }
 
 Complaint aboutSilence(LineAddress address, int baudRate)
@@ -52,7 +52,7 @@ Complaint aboutSilence(LineAddress address, int baudRate)
                                  "supply; an RS-422 encoder also needs ST (pin 7) at +UB. codewheel-cli "
                                  "scan --all-rates looks for encoders."),
                  {address.shown(), QString::number(baudRate)}),
-        {DeviceNumber::onLine(address).toString(), std::int64_t{baudRate}}};
+        {placeOnLine(address).toString(), std::int64_t{baudRate}}};
 }
 
 Complaint aboutStrayBytes(LineAddress address, int baudRate, std::uint64_t bytes)
@@ -66,7 +66,7 @@ Complaint aboutStrayBytes(LineAddress address, int baudRate, std::uint64_t bytes
                                  "B exchanged, no termination), or a device on the line speaks another "
                                  "protocol."),
                  {address.shown(), QString::number(baudRate), QString::number(bytes)}),
-        {DeviceNumber::onLine(address).toString(), std::int64_t{baudRate}, static_cast<std::int64_t>(bytes)}};
+        {placeOnLine(address).toString(), std::int64_t{baudRate}, static_cast<std::int64_t>(bytes)}};
 }
 
 Complaint aboutOpening(const Refusal &why)
@@ -123,7 +123,7 @@ Checked<EncoderSession *> LineAccess::encoder(LineAddress address, const QString
     const auto line = session();
     if (!line)
         return tl::unexpected(line.error());
-    const DeviceNumber number = DeviceNumber::onLine(address);
+    const Place number = placeOnLine(address);
     if (EncoderSession *there = (*line)->encoder(number))
         return there;
     if (const auto added = (*line)->add(address, deviceKey); !added)
@@ -153,12 +153,12 @@ QString LineAccess::versionOf(const EncoderSession &encoder)
 }
 
 // What the scaling factor of this encoder fits is used for it from then on.
-Checked<void> LineAccess::determineFractionBits(DeviceNumber number)
+Checked<void> LineAccess::determineFractionBits(Place number)
 {
     std::optional<Result<int>> bits;
     QObject scope;
     QObject::connect(m_session.get(), &LineSession::fractionBitsDetermined, &scope,
-                     [&](DeviceNumber, const Result<int> &determined) { bits = determined; });
+                     [&](Place, const Result<int> &determined) { bits = determined; });
     if (const auto asked = m_session->determineFractionBits(number); !asked)
         return tl::unexpected(complaintAbout(asked.error()));
     if (!waitUntil([&] { return bits.has_value(); }, longestContact) || !bits)

@@ -52,7 +52,7 @@ public:
 
 private:
     Complaint noAnswerFrom(LineAddress address) const;
-    Checked<void> determineFractionBits(DeviceNumber number);
+    Checked<void> determineFractionBits(Place number);
     bool waitUntil(const std::function<bool()> &isDone, Instant atMost);
 
     LineLink m_link;

@@ -131,7 +131,8 @@ QString LineAccount::whereItWasLeft() const
         return CommandLine::tr("The encoder does not answer any more.");
     if (outcome.leftIn != EncoderState::operation)
         return {};
-    return sentence(CommandLine::tr("The encoder answers at %1."), {m_encoder.number().line.shown()});
+    return sentence(CommandLine::tr("The encoder answers at %1."),
+                    {LineAddress::of(m_encoder.place().node).shown()});
 }
 
 } // namespace codewheel

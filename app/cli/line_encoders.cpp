@@ -33,23 +33,24 @@ bool isForLines(const DeviceDescription *device)
 QString plannedDevice(const Call &call, LineAddress address)
 {
     const ProjectDevice *planned =
-        call.project != nullptr ? findDevice(*call.project, DeviceNumber::onLine(address)) : nullptr;
+        call.project != nullptr ? findDevice(*call.project, placeOnLine(address)) : nullptr;
     const bool isUsable = planned != nullptr && isForLines(call.catalog.find(planned->participant.deviceKey));
     return isUsable ? planned->participant.deviceKey : usualDevice;
 }
 
 // As far as the project tells: at the master address all encoders of a line would be meant.
-Checked<void> checkIsAlone(const Call &call, DeviceNumber number)
+Checked<void> checkIsAlone(const Call &call, Place number)
 {
-    if (!number.isAtMasterAddress || call.project == nullptr || !call.project->line ||
+    const LineAddress address = LineAddress::of(number.node);
+    if (!address.isMaster() || call.project == nullptr || !call.project->line ||
         call.project->line->encoders.size() < 2)
         return {};
     QStringList others;
     for (const ProjectDevice &encoder : call.project->line->encoders)
-        others << encoder.participant.number.toString();
+        others << encoder.place().toString();
     return tl::unexpected(complaintAbout({RefusalKind::badInput,
                                           RefusalId::lineAddressNotAlone,
-                                          {number.line.shown(), others.join(QStringLiteral(", "))}}));
+                                          {address.shown(), others.join(QStringLiteral(", "))}}));
 }
 
 // So that the position is one of after the job.
@@ -96,7 +97,7 @@ Checked<EncoderSession *> encoderOnLine(const Call &call, const QString &place)
 {
     if (call.whyNotOnLine != nullptr)
         return badInput(QStringLiteral("notOnSerialLine"), CommandLine::tr(call.whyNotOnLine));
-    const auto number = DeviceNumber::parse(place);
+    const auto number = Place::parse(place);
     if (number && !number->isOnLine())
         return badInput(QStringLiteral("placeOnBus"),
                         CommandLine::tr("%1 is a place on INTERBUS, and the link is a serial line. Give the "
@@ -106,10 +107,11 @@ Checked<EncoderSession *> encoderOnLine(const Call &call, const QString &place)
         return tl::unexpected(complaintAbout({RefusalKind::badInput, RefusalId::lineAddressWrong, {place}}));
     if (const auto alone = checkIsAlone(call, *number); !alone)
         return tl::unexpected(alone.error());
-    const auto device = deviceOnLine(call, number->line);
+    const LineAddress address = LineAddress::of(number->node);
+    const auto device = deviceOnLine(call, address);
     if (!device)
         return tl::unexpected(device.error());
-    return call.line->encoder(number->line, *device);
+    return call.line->encoder(address, *device);
 }
 
 FinishedJob runOnLine(LineAccess &access, const AllowedJob &allowed)

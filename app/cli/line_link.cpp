@@ -111,7 +111,7 @@ std::set<LineAddress> swappingOf(const Project *project)
     if (project != nullptr && project->line)
         for (const ProjectDevice &encoder : project->line->encoders)
             if (encoder.swapsWarningBytes)
-                swapping.insert(encoder.participant.number.line);
+                swapping.insert(LineAddress::of(encoder.place().node));
     return swapping;
 }
 

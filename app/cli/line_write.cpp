@@ -36,7 +36,7 @@ Checked<void> checkAddressIsFree(const Call &call, const EncoderSession &encoder
     if (!address || *address < 1 || *address > LineAddress::last)
         return {};
     for (const LineAddress reading : escReadingsOf({static_cast<std::uint8_t>(*address)})) {
-        if (reading == encoder.number().line)
+        if (reading == LineAddress::of(encoder.place().node))
             continue;
         const auto there = whoIsAt(call, reading);
         if (!there)
@@ -56,7 +56,8 @@ QString whereItIsNow(const Call &call, const EncoderSession &encoder, const Para
     QString text;
     if (valueOf(wanted, Parameter::lineAddress) && encoder.known(Parameter::lineAddress))
         text += sentence(CommandLine::tr("The encoder is at %1 now: PLACE %2."),
-                         {encoder.number().line.shown(), encoder.number().line.onWire()}) +
+                         {LineAddress::of(encoder.place().node).shown(),
+                          LineAddress::of(encoder.place().node).onWire()}) +
                 u'\n';
     const auto baudRate = encoder.known(Parameter::baudRate);
     if (baudRate && baudRate->value != call.line->link().wish.line.baudRate)

@@ -96,7 +96,7 @@ Answer monitorLine(const Call &call, const EncoderSession &encoder, Instant dura
         look();
     }
     Answer answer;
-    const LineFigures figures = line.shown(encoder.number())->figures;
+    const LineFigures figures = line.shown(encoder.place())->figures;
     answer.text = u'\n' + figuresText(figures);
     answer.json = {{QStringLiteral("samples"), samples}, {QStringLiteral("figures"), figuresJson(figures)}};
     if (line.latest().lowLatency == LowLatency::refused)

@@ -33,7 +33,7 @@ void nameDevice(const Call &call, const ProjectDevice &planned, const Participan
     if (device != nullptr && isNamedSo(connected, *device, planned.label))
         return;
     if (device != nullptr && device->deviceCode == connected.deviceCode &&
-        call.bus->name(connected.number, key, planned.label.turns, planned.label.stepsPerTurn))
+        call.bus->name(planned.place(), key, planned.label.turns, planned.label.stepsPerTurn))
         return;
     call.terminal.complain(
         sentence(CommandLine::tr("%1 is not taken for \"%2\" of the project: there is no such description, "
@@ -41,18 +41,18 @@ void nameDevice(const Call &call, const ProjectDevice &planned, const Participan
                  {connected.number.toString(), key}));
 }
 
-const ProjectDevice *deviceAt(const Project &project, DeviceNumber number)
+const ProjectDevice *deviceAt(const Project &project, Place number)
 {
     const auto found = std::ranges::find_if(
-        project.devices, [&](const ProjectDevice &device) { return device.participant.number == number; });
+        project.devices, [&](const ProjectDevice &device) { return device.place() == number; });
     return found == project.devices.end() ? nullptr : &*found;
 }
 
-Checked<void> checkSameDevice(const Call &call, DeviceNumber number)
+Checked<void> checkSameDevice(const Call &call, Place number)
 {
     const ProjectDevice *planned = deviceAt(*call.project, number);
     const auto &ring = call.bus->structure();
-    const auto connected = std::ranges::find(ring, number, &Participant::number);
+    const auto connected = std::ranges::find(ring, number.node, &Participant::number);
     if (!planned || connected == ring.end() || isSameKind(planned->participant, *connected))
         return {};
     return tl::unexpected(complaintAbout({RefusalKind::link,
@@ -62,13 +62,13 @@ Checked<void> checkSameDevice(const Call &call, DeviceNumber number)
 }
 
 // In the ring and on the serial line.
-std::vector<DeviceNumber> placesAt(const Project &project, const QString &station)
+std::vector<Place> placesAt(const Project &project, const QString &station)
 {
-    std::vector<DeviceNumber> places;
+    std::vector<Place> places;
     const auto take = [&](const std::vector<ProjectDevice> &devices) {
         for (const ProjectDevice &device : devices)
             if (device.station == station)
-                places.push_back(device.participant.number);
+                places.push_back(device.place());
     };
     take(project.devices);
     if (project.line)
@@ -78,11 +78,11 @@ std::vector<DeviceNumber> placesAt(const Project &project, const QString &statio
 
 } // namespace
 
-Checked<DeviceNumber> placeOfStation(const Call &call, const Project &project, const QString &station)
+Checked<Place> placeOfStation(const Call &call, const Project &project, const QString &station)
 {
-    const std::vector<DeviceNumber> places = placesAt(project, station);
+    const std::vector<Place> places = placesAt(project, station);
     QStringList texts;
-    for (const DeviceNumber place : places)
+    for (const Place place : places)
         texts << place.toString();
     if (places.empty())
         return badInput(QStringLiteral("unknownStation"),
@@ -136,15 +136,15 @@ void useProject(const Call &call, const Project &project, const QString &file)
         call.line->ledger()->setProject(QFileInfo(file).absoluteFilePath());
         if (project.line)
             for (const ProjectDevice &device : project.line->encoders)
-                call.line->ledger()->setLabel(device.participant.number, device.label.serialNumber);
+                call.line->ledger()->setLabel(device.place(), device.label.serialNumber);
     }
     if (call.bus == nullptr)
         return;
     const RingStructure connected = call.bus->structure();
     const ProjectPlaces places(project, *call.bus);
     for (const ProjectDevice &planned : project.devices) {
-        const auto found = std::ranges::find(connected, planned.participant.number, &Participant::number);
-        if (places.isAtItsPlace(planned.participant.number) && !planned.participant.deviceKey.isEmpty())
+        const auto found = std::ranges::find(connected, planned.place().node, &Participant::number);
+        if (places.isAtItsPlace(planned.place()) && !planned.participant.deviceKey.isEmpty())
             nameDevice(call, planned, *found);
     }
     if (!areSame(compareRings(structureOf(project), connected)))
@@ -154,8 +154,8 @@ void useProject(const Call &call, const Project &project, const QString &file)
         return;
     call.ledger->setProject(QFileInfo(file).absoluteFilePath());
     for (const ProjectDevice &device : project.devices)
-        if (places.isAtItsPlace(device.participant.number))
-            call.ledger->setLabel(device.participant.number, device.label.serialNumber);
+        if (places.isAtItsPlace(device.place()))
+            call.ledger->setLabel(device.place(), device.label.serialNumber);
 }
 
 Checked<QString> placeMeant(const Call &call, const QString &typed)
@@ -164,7 +164,7 @@ Checked<QString> placeMeant(const Call &call, const QString &typed)
         return typed;
     if (isOnLine(call, typed) && placesAt(*call.project, typed).empty())
         return typed;
-    auto number = DeviceNumber::parse(typed);
+    auto number = Place::parse(typed);
     if (!number || number->isOnLine()) {
         const auto station = placeOfStation(call, *call.project, typed);
         if (!station)

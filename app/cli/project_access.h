@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/subcommand.h"
-#include "encoder/device_number.h"
+#include "encoder/place.h"
 #include "project/project.h"
 
 #include <optional>
@@ -22,7 +22,7 @@ Checked<void> saveUnlessChanged(const Project &project, const QString &file, con
 void useProject(const Call &call, const Project &project, const QString &file);
 
 // Where the project has the device of this station: one, and only while the bus is as configured.
-Checked<DeviceNumber> placeOfStation(const Call &call, const Project &project, const QString &station);
+Checked<Place> placeOfStation(const Call &call, const Project &project, const QString &station);
 
 // The place that PLACE means: a device number, the station name of a device of the project, or the address of
 // an encoder on the serial line; a station of two hexadecimal digits goes before an address. Refused where

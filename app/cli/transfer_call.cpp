@@ -27,7 +27,7 @@ QString placesOf(const Project &project)
 {
     QStringList places;
     for (const ProjectDevice &device : project.devices)
-        places << device.participant.number.toString();
+        places << device.place().toString();
     return places.join(QStringLiteral(", "));
 }
 
@@ -91,7 +91,7 @@ Checked<ProjectDevice> deviceNamed(const Call &call, const Project &project, con
 {
     const bool isStation =
         std::ranges::find(project.devices, typed, &ProjectDevice::station) != project.devices.end();
-    auto number = DeviceNumber::parse(typed);
+    auto number = Place::parse(typed);
     if (isStation) {
         const auto station = placeOfStation(call, project, typed);
         if (!station)
@@ -99,7 +99,7 @@ Checked<ProjectDevice> deviceNamed(const Call &call, const Project &project, con
         number = *station;
     }
     const auto found = std::ranges::find_if(
-        project.devices, [&](const ProjectDevice &device) { return device.participant.number == number; });
+        project.devices, [&](const ProjectDevice &device) { return device.place() == number; });
     if (found == project.devices.end())
         return tl::unexpected(complaintAbout(
             {RefusalKind::badInput, RefusalId::noSuchProjectDevice, {typed, placesOf(project)}}));

@@ -34,7 +34,7 @@ Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project
 struct FinishedRound
 {
     std::vector<EncoderResult> results;
-    std::map<DeviceNumber, std::vector<Exchange>> rows; // the words that went over the bus
+    std::map<Place, std::vector<Exchange>> rows; // the words that went over the bus
 };
 FinishedRound runToEnd(BusSession &bus, const AllowedRound &allowed, JobRound::AfterRefusal afterRefusal);
 void addTrace(const Call &call, const FinishedRound &round, Answer &answer); // with --trace

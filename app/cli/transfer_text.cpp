@@ -15,7 +15,7 @@
 namespace codewheel {
 namespace {
 
-const DeviceDescription *deviceAt(const BusSession &bus, DeviceNumber place)
+const DeviceDescription *deviceAt(const BusSession &bus, Place place)
 {
     const EncoderSession *encoder = bus.encoder(place);
     return encoder ? &encoder->device() : nullptr;

@@ -25,7 +25,7 @@ QString notesText(const EncoderSession &encoder, const WritePlan &plan)
         lines << CommandLine::tr("The scaling factor is computed from them: they act once it is sent.");
     for (const ValueNote &note : plan.notes)
         lines << noteText(note);
-    if (encoder.number().isOnLine())
+    if (encoder.place().isOnLine())
         lines << CommandLine::tr("Each command is sent once, and what was written is read back.");
     if (encoder.device().profile == Profile::la66)
         lines << CommandLine::tr("Each word goes out for two bus cycles with its first bit, the service bit, "
@@ -41,7 +41,7 @@ QString notesText(const EncoderSession &encoder, const WritePlan &plan)
 QString writePlanText(const EncoderSession &encoder, const WritePlan &plan)
 {
     const DeviceDescription &device = encoder.device();
-    const bool isOnLine = encoder.number().isOnLine();
+    const bool isOnLine = encoder.place().isOnLine();
     TextTable table;
     table.add({CommandLine::tr("parameter"), CommandLine::tr("known"), CommandLine::tr("wanted"),
                isOnLine ? CommandLine::tr("command") : QStringLiteral("OUT")});
@@ -60,13 +60,13 @@ QString writePlanText(const EncoderSession &encoder, const WritePlan &plan)
     if (!plan.rows.empty() && endsWithRun)
         table.add({CommandLine::tr("run"), {}, {}, hexWord(k3::run)});
     return sentence(CommandLine::tr("To be written to %1, %2:"),
-                    {encoder.number().toString(), device.fullName()}) +
+                    {encoder.place().toString(), device.fullName()}) +
            u'\n' + table.toString(2) + notesText(encoder, plan);
 }
 
 QJsonArray writePlanJson(const EncoderSession &encoder, const WritePlan &plan)
 {
-    const QString carrier = encoder.number().isOnLine() ? QStringLiteral("command") : QStringLiteral("word");
+    const QString carrier = encoder.place().isOnLine() ? QStringLiteral("command") : QStringLiteral("word");
     QJsonArray json;
     const auto add = [&](const ParameterValue &value, const std::optional<Known> &known,
                          const QJsonValue &sent) {

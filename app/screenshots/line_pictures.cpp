@@ -28,7 +28,7 @@ constexpr int someThousandths = 20; // of all bytes
 
 void readAllOf(TrainingWindow &shown, LineAddress address)
 {
-    EncoderSession &encoder = *shown.line().session()->encoder(DeviceNumber::onLine(address));
+    EncoderSession &encoder = *shown.line().session()->encoder(placeOnLine(address));
     if (encoder.start(ReadParameters{encoder.device().readableValues()}))
         shown.advance(untilRead);
 }
@@ -67,7 +67,7 @@ QWidget *terminalAtWork(TrainingWindow &shown)
 QWidget *windowWithLine(TrainingWindow &shown)
 {
     readAllOf(shown, turning);
-    choose(shown, DeviceNumber::onLine(turning));
+    choose(shown, placeOnLine(turning));
     terminalAtWork(shown);
     return &shown.window();
 }
@@ -113,7 +113,7 @@ std::vector<Picture> linePictures()
         pictureOf("line-search", searchAtWork),
         pictureOf("line-parameters",
                   [](TrainingWindow &shown) {
-                      choose(shown, DeviceNumber::onLine(standing));
+                      choose(shown, placeOnLine(standing));
                       readAllOf(shown, standing);
                       return dock(shown, "parametersDock");
                   }),

@@ -73,7 +73,7 @@ QWidget *camsAtWork(TrainingWindow &shown)
     readAll(shown);
     CamProgram there = exampleCams();
     there.cam.at(5) = {20'000'000, 26'000'000, true};
-    shown.controls().turnTo(fraba, 7'654'321);
+    shown.controls().turnTo(fraba.node, 7'654'321);
     start(shown, fraba,
           WriteCams{.programs = {there}, .onlyWhatDiffers = true, .afterwards = SwitchMode{Mode::cam, 1}},
           4 * whileMilliseconds);
@@ -103,7 +103,7 @@ QWidget *rodAtWork(TrainingWindow &shown)
 {
     choose(shown, rod);
     start(shown, rod, ReadParameters{{Parameter::direction, Parameter::measuringLength}});
-    shown.controls().setMagnetSpeed(rod, 20);
+    shown.controls().setMagnetSpeed(rod.node, 20);
     shown.advance(whileMilliseconds);
     return dock(shown, "dialDock");
 }
@@ -113,11 +113,11 @@ QWidget *busFault(TrainingWindow &shown)
 {
     constexpr int tenSeconds = 10'000;
     for (const int perThousand : {1, 3, 2, 0, 4, 7, 5, 12}) {
-        shown.controls().setFault(TrainingFault::crcErrors, {3, 0}, perThousand);
+        shown.controls().setFault(TrainingFault::crcErrors, NodeId("3.0"), perThousand);
         shown.advance(tenSeconds);
     }
-    choose(shown, {4, 0});
-    shown.controls().setFault(TrainingFault::wireBreak, {4, 0}, 1);
+    choose(shown, {firstRing, NodeId("4.0")});
+    shown.controls().setFault(TrainingFault::wireBreak, NodeId("4.0"), 1);
     shown.advance(whileMilliseconds);
     dock(shown, "messagesDock");
     return dock(shown, "masterDock");
@@ -158,7 +158,7 @@ std::vector<Picture> views()
                   }),
         pictureOf("dial",
                   [](TrainingWindow &shown) {
-                      shown.controls().setSpeed(fraba, 60);
+                      shown.controls().setSpeed(fraba.node, 60);
                       readAll(shown);
                       return dock(shown, "dialDock");
                   }),
@@ -199,7 +199,7 @@ std::vector<Picture> views()
                   }),
         pictureOf("training",
                   [](TrainingWindow &shown) {
-                      shown.controls().setSpeed(fraba, 60);
+                      shown.controls().setSpeed(fraba.node, 60);
                       shown.advance(whileMilliseconds);
                       return dock(shown, "trainingDock");
                   }),

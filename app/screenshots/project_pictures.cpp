@@ -15,20 +15,22 @@
 namespace codewheel {
 namespace {
 
-constexpr DeviceNumber terminal{6, 0};
+constexpr Place terminal{firstRing, NodeId("6.0")};
 
 // A crane with its names and addresses; one address was typed wrong.
 void planCrane(TrainingWindow &shown)
 {
     struct Named
     {
-        DeviceNumber number;
+        Place number;
         const char16_t *station;
         const char16_t *group;
     };
-    static constexpr std::array named{Named{{1, 0}, u"Crane 1, hoist", u"A"},
-                                      Named{{2, 0}, u"Crane 1, trolley", u"A"}, Named{{3, 0}, u"Gate", u"B"},
-                                      Named{{5, 0}, u"Press", u"B"}, Named{{6, 1}, u"Turntable", u"C"}};
+    static constexpr std::array named{Named{{firstRing, NodeId("1.0")}, u"Crane 1, hoist", u"A"},
+                                      Named{{firstRing, NodeId("2.0")}, u"Crane 1, trolley", u"A"},
+                                      Named{{firstRing, NodeId("3.0")}, u"Gate", u"B"},
+                                      Named{{firstRing, NodeId("5.0")}, u"Press", u"B"},
+                                      Named{{firstRing, NodeId("6.1")}, u"Turntable", u"C"}};
     ProjectDocument &project = shown.project();
     for (const Named &each : named)
         project.editDevice(each.number, {}, [&](ProjectDevice &device) {
@@ -39,12 +41,12 @@ void planCrane(TrainingWindow &shown)
     PlanEdits edits(project, catalog);
     (void)edits.insert(deviceOf(0x81BE),
                        {.terminal = project.placeOf(terminal), .onLocalBus = true, .row = 1});
-    project.editDevice({4, 0}, {}, [](ProjectDevice &device) { device.inAddress = 128; });
-    project.editDevice({5, 0}, {}, [](ProjectDevice &device) { device.inAddress = 130; });
+    project.editDevice({firstRing, NodeId("4.0")}, {}, [](ProjectDevice &device) { device.inAddress = 128; });
+    project.editDevice({firstRing, NodeId("5.0")}, {}, [](ProjectDevice &device) { device.inAddress = 130; });
     shown.advance(40);
 }
 
-void wantSomething(TrainingWindow &shown, DeviceNumber number, const ParameterValues &values)
+void wantSomething(TrainingWindow &shown, Place number, const ParameterValues &values)
 {
     shown.project().editDevice(number, QString(), [&](ProjectDevice &device) { device.wanted = values; });
 }
@@ -104,9 +106,9 @@ QWidget *transferAtWork(TrainingWindow &shown)
 QWidget *replacementAtWork(TrainingWindow &shown)
 {
     wantSomething(shown, scene::fraba, {{Parameter::steps, 4096}, {Parameter::revolutions, 1}});
-    shown.controls().setPower(scene::fraba, false);
+    shown.controls().setPower(scene::fraba.node, false);
     shown.advance(3 * scene::whileMilliseconds);
-    shown.controls().setPower(scene::fraba, true);
+    shown.controls().setPower(scene::fraba.node, true);
     shown.advance(scene::whileMilliseconds);
     shown.window().actions().replaceEncoder->trigger();
     auto *next = shown.window().findChild<QAbstractButton *>(QStringLiteral("replaceNext"));

@@ -20,7 +20,7 @@ QDockWidget *dock(TrainingWindow &shown, const char *name)
     return dock;
 }
 
-void choose(TrainingWindow &shown, DeviceNumber number)
+void choose(TrainingWindow &shown, Place number)
 {
     shown.window().findChild<StructureView *>()->choose(number);
 }
@@ -33,13 +33,13 @@ void click(TrainingWindow &shown, const char *button)
     shown.advance(whileMilliseconds);
 }
 
-void start(TrainingWindow &shown, DeviceNumber number, const Job &job, int milliseconds)
+void start(TrainingWindow &shown, Place number, const Job &job, int milliseconds)
 {
     if (shown.bus().encoder(number)->start(job))
         shown.advance(milliseconds);
 }
 
-void send(TrainingWindow &shown, DeviceNumber number, Word word)
+void send(TrainingWindow &shown, Place number, Word word)
 {
     WordChannel &channel = *shown.bus().channel(number);
     channel.stage(word);
@@ -47,7 +47,7 @@ void send(TrainingWindow &shown, DeviceNumber number, Word word)
         shown.advance(33);
 }
 
-void readAll(TrainingWindow &shown, DeviceNumber number)
+void readAll(TrainingWindow &shown, Place number)
 {
     start(shown, number, ReadParameters{shown.bus().encoder(number)->device().readableValues()});
 }

@@ -20,7 +20,7 @@ DeviceChoice::DeviceChoice(const Buses &buses, const Catalog &catalog, const Pro
     , m_editor(editor)
 {
     connect(&tree, &StructureView::chosen, this, &DeviceChoice::choose);
-    connect(&editor, &StructureEditor::chosen, this, [this](DeviceNumber number) {
+    connect(&editor, &StructureEditor::chosen, this, [this](Place number) {
         if (m_editor.isVisible()) // else nobody has chosen anything there
             choose(number);
     });
@@ -28,56 +28,56 @@ DeviceChoice::DeviceChoice(const Buses &buses, const Catalog &catalog, const Pro
     connect(&buses, &Buses::changed, this, &DeviceChoice::show);
 }
 
-void DeviceChoice::choose(std::optional<DeviceNumber> number)
+void DeviceChoice::choose(std::optional<Place> number)
 {
     if (m_isChoosing)
         return;
     const QScopedValueRollback choosing(m_isChoosing, true);
     const auto place = number ? m_project.placeOf(*number) : std::nullopt;
     const bool isThere = place || (number && m_buses.isConnected(*number));
-    m_number = isThere ? number : m_tree.current();
-    const auto planned = m_number ? m_project.placeOf(*m_number) : std::nullopt;
+    m_place = isThere ? number : m_tree.current();
+    const auto planned = m_place ? m_project.placeOf(*m_place) : std::nullopt;
     m_planned = planned ? std::optional(m_project.ids()[*planned]) : std::nullopt;
-    if (m_number) {
-        m_tree.choose(*m_number);
-        m_editor.choose(*m_number);
+    if (m_place) {
+        m_tree.choose(*m_place);
+        m_editor.choose(*m_place);
     }
     show();
 }
 
-void DeviceChoice::keep(std::optional<DeviceNumber> before)
+void DeviceChoice::keep(std::optional<Place> before)
 {
     choose(before && m_buses.isConnected(*before) ? before : m_tree.current());
 }
 
 ShownEncoder DeviceChoice::find() const
 {
-    if (m_number && m_buses.isConnected(*m_number))
-        return m_buses.encoder(*m_number);
-    if (m_number && m_planned)
-        if (const auto description = plannedDescription(m_project.device(*m_number), m_catalog))
-            return {*m_number, *description};
+    if (m_place && m_buses.isConnected(*m_place))
+        return m_buses.encoder(*m_place);
+    if (m_place && m_planned)
+        if (const auto description = plannedDescription(m_project.device(*m_place), m_catalog))
+            return {*m_place, *description};
     return {};
 }
 
 // The panel of the bus structure may have been made anew, and numbers follow from the places.
 void DeviceChoice::followPlan()
 {
-    if (m_number && m_buses.isConnected(*m_number)) {
+    if (m_place && m_buses.isConnected(*m_place)) {
         show();
         return;
     }
     const auto place = m_planned ? m_project.placeOf(*m_planned) : std::nullopt;
-    choose(place ? std::optional(m_project.project().devices[*place].participant.number) : m_number);
+    choose(place ? std::optional(m_project.project().devices[*place].place()) : m_place);
 }
 
 void DeviceChoice::show()
 {
     ShownEncoder now = find();
-    if (now == m_encoder && m_number == m_told)
+    if (now == m_encoder && m_place == m_told)
         return;
     m_encoder = std::move(now);
-    m_told = m_number;
+    m_told = m_place;
     Q_EMIT changed();
 }
 

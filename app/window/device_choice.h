@@ -25,13 +25,13 @@ public:
     DeviceChoice(const Buses &buses, const Catalog &catalog, const ProjectDocument &project,
                  StructureView &tree, StructureEditor &editor, QObject *parent = nullptr);
 
-    std::optional<DeviceNumber> number() const { return m_number; }
+    std::optional<Place> place() const { return m_place; }
     const ShownEncoder &encoder() const { return m_encoder; } // none: no encoder, or nothing is known of it
     // Neither connected nor planned: what the panel of the bus structure has chosen is taken instead.
-    void choose(std::optional<DeviceNumber> number);
+    void choose(std::optional<Place> number);
     // Another ring is connected: what the panel of the bus structure chose by itself gives way to the device
     // of before, if that is in the ring.
-    void keep(std::optional<DeviceNumber> before);
+    void keep(std::optional<Place> before);
 
 Q_SIGNALS:
     void changed(); // number or encoder, and be it that it is connected now
@@ -46,10 +46,10 @@ private:
     const ProjectDocument &m_project;
     StructureView &m_tree;
     StructureEditor &m_editor;
-    std::optional<DeviceNumber> m_number;
+    std::optional<Place> m_place;
     std::optional<ProjectDocument::DeviceId> m_planned; // the device of that number in the plan
     ShownEncoder m_encoder;
-    std::optional<DeviceNumber> m_told;
+    std::optional<Place> m_told;
     bool m_isChoosing = false;
 };
 

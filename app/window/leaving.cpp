@@ -37,7 +37,7 @@ void Leaving::watch()
     const auto isWatched = [this](const EncoderSession *encoder) {
         return std::ranges::any_of(m_watched, [encoder](const auto &watched) { return watched == encoder; });
     };
-    for (const DeviceNumber number : m_buses->numbers()) {
+    for (const Place number : m_buses->places()) {
         EncoderSession *encoder = m_buses->encoder(number);
         if (encoder == nullptr || isWatched(encoder))
             continue;
@@ -45,7 +45,7 @@ void Leaving::watch()
         connect(encoder, &EncoderSession::progressed, this,
                 [this, encoder](const Progress &progress) { takeProgress(*encoder, progress); });
         connect(encoder, &EncoderSession::finished, this, [this, encoder] {
-            m_progress.erase(encoder->number());
+            m_progress.erase(encoder->place());
             if (m_cancelled == encoder)
                 m_cancelled = nullptr;
             QTimer::singleShot(0, this, &Leaving::goOn);
@@ -56,7 +56,7 @@ void Leaving::watch()
 // An encoder that had taken something before it heard of the cancel: how shall it be left?
 void Leaving::takeProgress(const EncoderSession &encoder, const Progress &progress)
 {
-    m_progress[encoder.number()] = progress;
+    m_progress[encoder.place()] = progress;
     if (m_cancelled != &encoder || !progress.hasTaken)
         return;
     m_cancelled = nullptr;
@@ -83,10 +83,10 @@ void Leaving::goOn()
             stay();
         return; // finished() comes back here
     }
-    std::vector<DeviceNumber> devices;
+    std::vector<Place> devices;
     for (const EncoderBus *bus : buses())
         std::ranges::copy(devicesWithOut(*bus), std::back_inserter(devices));
-    const auto isRunning = [this](DeviceNumber number) { return m_buses->busOf(number)->isRunning(); };
+    const auto isRunning = [this](Place number) { return m_buses->busOf(number)->isRunning(); };
     if (m_waitsForZero && std::ranges::any_of(devices, isRunning))
         return; // updated() comes back here
     if (!devices.empty() && !m_outAnswered && !askForOut(devices))
@@ -105,7 +105,7 @@ std::vector<EncoderBus *> Leaving::buses() const
 EncoderSession *Leaving::busyEncoder() const
 {
     for (const EncoderBus *bus : buses())
-        for (const DeviceNumber number : bus->numbers())
+        for (const Place number : bus->places())
             if (EncoderSession *encoder = bus->encoder(number); encoder != nullptr && encoder->runningJob())
                 return encoder;
     return nullptr;
@@ -120,7 +120,7 @@ bool Leaving::canSend() const
 
 bool Leaving::endJob(EncoderSession &encoder)
 {
-    const Progress progress = m_progress[encoder.number()];
+    const Progress progress = m_progress[encoder.place()];
     if (!progress.hasTaken) {
         m_cancelled = &encoder;
         encoder.cancel(OnCancel::ifNothingTaken);
@@ -133,10 +133,10 @@ bool Leaving::endJob(EncoderSession &encoder)
 }
 
 // True: go on now. False: the user stays, or the zeros are on their way.
-bool Leaving::askForOut(const std::vector<DeviceNumber> &devices)
+bool Leaving::askForOut(const std::vector<Place> &devices)
 {
     QStringList words;
-    for (const DeviceNumber number : devices)
+    for (const Place number : devices)
         words.append(tr("OUT %1 is %2").arg(number.toString(), hexWord(m_buses->channel(number)->out())));
     const QString title = m_why == Why::quit         ? tr("Quit Codewheel")
                           : m_why == Why::disconnect ? tr("Disconnect")
@@ -166,7 +166,7 @@ bool Leaving::askForOut(const std::vector<DeviceNumber> &devices)
     }
     m_outAnswered = true;
     m_waitsForZero = true;
-    for (const DeviceNumber number : devices)
+    for (const Place number : devices)
         if (WordChannel *channel = m_buses->channel(number))
             channel->zero();
     return false;

@@ -36,7 +36,7 @@ public:
 private:
     void goOn();
     bool endJob(EncoderSession &encoder);
-    bool askForOut(const std::vector<DeviceNumber> &devices);
+    bool askForOut(const std::vector<Place> &devices);
     EncoderSession *busyEncoder() const;
     std::vector<EncoderBus *> buses() const; // that are left, and still open
     bool canSend() const;                    // on all of them
@@ -47,8 +47,8 @@ private:
     QWidget &m_window;
     Buses *m_buses = nullptr;
     std::vector<QPointer<EncoderSession>> m_watched;
-    std::map<DeviceNumber, Progress> m_progress; // of the jobs on their way
-    QPointer<EncoderSession> m_cancelled;        // as long as nothing was taken
+    std::map<Place, Progress> m_progress; // of the jobs on their way
+    QPointer<EncoderSession> m_cancelled; // as long as nothing was taken
     Why m_why = Why::stop;
     std::vector<EncoderBus *> m_left; // only to be looked for: they may be gone
     std::function<void()> m_then;

@@ -10,20 +10,20 @@
 namespace codewheel {
 namespace {
 
-DeviceNumber numberOf(const ProjectDevice &encoder)
+Place numberOf(const ProjectDevice &encoder)
 {
-    return encoder.participant.number;
+    return encoder.place();
 }
 
 // In its place; as it is connected where the line has none of this number yet.
 ProjectDevice &plannedEncoder(ProjectLine &line, const EncoderSession &connected)
 {
-    const DeviceNumber number = connected.number();
+    const Place number = connected.place();
     const auto place = std::ranges::lower_bound(line.encoders, number, {}, numberOf);
     if (place != line.encoders.end() && numberOf(*place) == number)
         return *place;
     ProjectDevice encoder;
-    encoder.participant.number = number;
+    encoder.standAt(number);
     encoder.participant.deviceKey = connected.device().key;
     const auto explained = explainOptionsOf(&connected);
     encoder.swapsWarningBytes = explained && explained->swapWarningBytes;
@@ -72,7 +72,7 @@ void LineKeeper::keepBaudRate(int baudRate)
     edit(after, tr("Baud rate of the serial line"));
 }
 
-void LineKeeper::keepByteOrder(DeviceNumber number, bool isSwapped)
+void LineKeeper::keepByteOrder(Place number, bool isSwapped)
 {
     const EncoderSession *connected = sessionOf(number);
     if (connected == nullptr)
@@ -83,24 +83,24 @@ void LineKeeper::keepByteOrder(DeviceNumber number, bool isSwapped)
 }
 
 // Null at the training line too.
-const EncoderSession *LineKeeper::sessionOf(DeviceNumber number) const
+const EncoderSession *LineKeeper::sessionOf(Place number) const
 {
     const bool isKept = m_line.session() != nullptr && m_line.training() == nullptr;
     return isKept ? m_line.session()->encoder(number) : nullptr;
 }
 
-void LineKeeper::keepEncoders(const std::vector<DeviceNumber> &numbers)
+void LineKeeper::keepEncoders(const std::vector<Place> &numbers)
 {
     if (m_line.training() != nullptr || numbers.empty())
         return;
     ProjectLine after = line();
-    for (const DeviceNumber number : numbers)
+    for (const Place number : numbers)
         if (const EncoderSession *connected = sessionOf(number))
             plannedEncoder(after, *connected);
     edit(after, tr("Encoders of the serial line"));
 }
 
-void LineKeeper::removeEncoder(DeviceNumber number)
+void LineKeeper::removeEncoder(Place number)
 {
     if (m_line.training() != nullptr || !m_project.project().line)
         return;
@@ -111,7 +111,7 @@ void LineKeeper::removeEncoder(DeviceNumber number)
 }
 
 // What is planned for a training encoder is in no file; it goes along all the same.
-void LineKeeper::moveEncoder(DeviceNumber from, DeviceNumber to)
+void LineKeeper::moveEncoder(Place from, Place to)
 {
     if (m_line.training() == nullptr || findDevice(m_project.project(), from) == nullptr)
         m_project.renumber(from, to, tr("Address of %1 to %2").arg(from.toString(), to.toString()));

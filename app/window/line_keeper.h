@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/device_number.h"
+#include "encoder/place.h"
 #include "project/project.h"
 
 #include <QObject>
@@ -30,15 +30,15 @@ public:
     void keepFractionBits(int bits);
     void keepBaudRate(int baudRate);
     // Whether the warnings of this encoder come with their bytes in the other order.
-    void keepByteOrder(DeviceNumber number, bool isSwapped);
+    void keepByteOrder(Place number, bool isSwapped);
     // Those that the project has already stay as they are.
-    void keepEncoders(const std::vector<DeviceNumber> &numbers);
-    void removeEncoder(DeviceNumber number);
+    void keepEncoders(const std::vector<Place> &numbers);
+    void removeEncoder(Place number);
     // All that is planned and known of the encoder goes along.
-    void moveEncoder(DeviceNumber from, DeviceNumber to);
+    void moveEncoder(Place from, Place to);
 
 private:
-    const EncoderSession *sessionOf(DeviceNumber number) const;
+    const EncoderSession *sessionOf(Place number) const;
     void edit(const ProjectLine &after, const QString &what);
 
     const SerialLine &m_line;

@@ -17,7 +17,7 @@ struct LineRateText
 };
 
 // No encoder tells its rate: it is that of the line unless this program has changed it.
-int rateOf(const LineSession &line, DeviceNumber number)
+int rateOf(const LineSession &line, Place number)
 {
     const auto known = line.encoder(number)->known(Parameter::baudRate);
     return known ? static_cast<int>(known->value) : line.settings().baudRate;
@@ -25,12 +25,12 @@ int rateOf(const LineSession &line, DeviceNumber number)
 
 } // namespace
 
-LineRate lineRateAfter(const LineSession &line, DeviceNumber changed, int baudRate)
+LineRate lineRateAfter(const LineSession &line, Place changed, int baudRate)
 {
     const int lineRate = line.settings().baudRate;
     QStringList strangers;
     bool isShared = true; // by all of them
-    for (const DeviceNumber number : line.numbers()) {
+    for (const Place number : line.places()) {
         const int rate = number == changed ? baudRate : rateOf(line, number);
         isShared = isShared && rate == baudRate;
         if (rate != lineRate)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/device_number.h"
+#include "encoder/place.h"
 
 namespace codewheel {
 
@@ -16,6 +16,6 @@ struct LineRate
 
     friend bool operator==(const LineRate &, const LineRate &) = default;
 };
-LineRate lineRateAfter(const LineSession &line, DeviceNumber changed, int baudRate);
+LineRate lineRateAfter(const LineSession &line, Place changed, int baudRate);
 
 } // namespace codewheel

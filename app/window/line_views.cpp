@@ -37,10 +37,10 @@ std::vector<LineSearch::Device> devicesOnLines(const Catalog &catalog)
 }
 
 // The first of all where none does.
-DeviceNumber firstThatAnswers(const LineSession &line)
+Place firstThatAnswers(const LineSession &line)
 {
-    const std::vector<DeviceNumber> numbers = line.numbers();
-    const auto answering = std::ranges::find_if(numbers, [&line](DeviceNumber number) {
+    const std::vector<Place> numbers = line.places();
+    const auto answering = std::ranges::find_if(numbers, [&line](Place number) {
         return line.encoder(number)->latest().state == EncoderState::operation;
     });
     return answering == numbers.end() ? numbers.front() : *answering;
@@ -104,7 +104,7 @@ void LineViews::setLine(LineSession *line)
     if (line != nullptr) {
         connect(line, &LineSession::otherAdapterFound, this, &LineViews::askForOtherAdapter);
         connect(line, &LineSession::fractionBitsDetermined, this,
-                [this](DeviceNumber, const Result<int> &bits) { takeFractionBits(bits); });
+                [this](Place, const Result<int> &bits) { takeFractionBits(bits); });
         connect(line, &LineSession::stateChanged, this, &LineViews::showState);
         connect(line, &LineSession::nodesChanged, this, &LineViews::showActions);
         connect(line, &LineSession::nodesChanged, this, &LineViews::explainTerminal);
@@ -124,7 +124,7 @@ void LineViews::showActions()
 {
     m_actions.disconnectLine->setEnabled(m_line.session() != nullptr);
     m_actions.lineTraining->setEnabled(m_line.training() == nullptr);
-    m_form->setCanDetermine(m_session && !m_session->numbers().empty());
+    m_form->setCanDetermine(m_session && !m_session->places().empty());
 }
 
 void LineViews::showWish()
@@ -217,11 +217,11 @@ void LineViews::showState()
         keepPort(m_keeper->line());
 }
 
-void LineViews::determineFractionBits(std::optional<DeviceNumber> chosen)
+void LineViews::determineFractionBits(std::optional<Place> chosen)
 {
-    if (!m_session || m_session->numbers().empty())
+    if (!m_session || m_session->places().empty())
         return;
-    const DeviceNumber asked = chosen && m_session->encoder(*chosen) ? *chosen : firstThatAnswers(*m_session);
+    const Place asked = chosen && m_session->encoder(*chosen) ? *chosen : firstThatAnswers(*m_session);
     if (const auto started = m_session->determineFractionBits(asked); !started)
         m_form->setProblem(refusalText(started.error()));
 }
@@ -271,7 +271,7 @@ void LineViews::takeOver(const std::vector<FoundEncoder> &found, const QString &
     LineSession *line = m_line.session();
     if (line == nullptr)
         return;
-    std::vector<DeviceNumber> taken;
+    std::vector<Place> taken;
     std::vector<FoundEncoder> left;
     std::optional<Refusal> refused;
     for (const FoundEncoder &encoder : found) {
@@ -279,7 +279,7 @@ void LineViews::takeOver(const std::vector<FoundEncoder> &found, const QString &
             left.push_back(encoder);
             continue;
         }
-        const DeviceNumber number = DeviceNumber::onLine(encoder.address);
+        const Place number = placeOnLine(encoder.address);
         const auto added = line->add(encoder.address, deviceKey); // one that is there already stays
         if (!added && added.error().id == RefusalId::lineAddressNotAlone)
             refused = added.error();
@@ -292,14 +292,14 @@ void LineViews::takeOver(const std::vector<FoundEncoder> &found, const QString &
         m_search->showRefused(*refused);
 }
 
-void LineViews::remove(DeviceNumber number)
+void LineViews::remove(Place number)
 {
     LineSession *line = m_line.session();
     if (line != nullptr && line->remove(number))
         m_keeper->removeEncoder(number);
 }
 
-void LineViews::swapWarningBytes(DeviceNumber number, bool on)
+void LineViews::swapWarningBytes(Place number, bool on)
 {
     if (LineSession *line = m_line.session())
         line->setSwapsWarningBytes(number, on);

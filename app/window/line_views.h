@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/device_number.h"
+#include "encoder/place.h"
 #include "encoder/refusal.h"
 #include "line/line_scan.h"
 
@@ -50,11 +50,11 @@ public:
     // Null: the line is about to go.
     void setLine(LineSession *line);
     // Asks the chosen encoder for the format of its scaling factor, or else the first that answers.
-    void determineFractionBits(std::optional<DeviceNumber> chosen);
+    void determineFractionBits(std::optional<Place> chosen);
     // Takes the encoder out of polling and, unless it is one of the training line, out of the project.
-    void remove(DeviceNumber number);
+    void remove(Place number);
     // From now on its warnings are read with their two bytes in the other order, or as they come.
-    void swapWarningBytes(DeviceNumber number, bool on);
+    void swapWarningBytes(Place number, bool on);
 
 Q_SIGNALS:
     void portConnected(); // it begins in Watch

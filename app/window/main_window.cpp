@@ -150,7 +150,7 @@ void MainWindow::showOnline()
         m_monitors->restoreState(std::exchange(m_openMonitors, {}));
     }
     m_status->setBus(online, m_link);
-    const auto chosen = m_choice->number();
+    const auto chosen = m_choice->place();
     m_structure->setBus(online);
     if (online)
         m_choice->keep(chosen);
@@ -163,7 +163,7 @@ void MainWindow::showOnline()
 // Devices that stayed have kept their sessions; monitors of others are closed.
 void MainWindow::showOtherRing()
 {
-    const auto chosen = m_choice->number();
+    const auto chosen = m_choice->place();
     m_structure->setBus(m_bus);
     m_choice->keep(chosen);
 }
@@ -183,11 +183,11 @@ void MainWindow::showChosen()
     m_actions.showChosen(encoder);
     m_transfer->setEncoder(encoder);
     // of one on a serial line the ring knows nothing
-    const bool isOfRing = connected != nullptr && !connected->number().isOnLine();
-    m_device->setPlace(m_choice->number(),
+    const bool isOfRing = connected != nullptr && !connected->place().isOnLine();
+    m_device->setPlace(m_choice->place(),
                        encoder.isThere() && !isOfRing ? std::optional(encoder.device()) : std::nullopt);
-    if (m_choice->number() && m_buses->isConnected(*m_choice->number()))
-        m_trainingPanel->setDevice(*m_choice->number());
+    if (m_choice->place() && m_buses->isConnected(*m_choice->place()))
+        m_trainingPanel->setDevice(*m_choice->place());
 }
 
 void MainWindow::openFirstMonitors()
@@ -254,9 +254,9 @@ void MainWindow::showProjectPage()
     m_projectPage->setFocus();
 }
 
-std::optional<DeviceNumber> MainWindow::currentNumber() const
+std::optional<Place> MainWindow::currentNumber() const
 {
-    return m_choice == nullptr ? std::nullopt : m_choice->number();
+    return m_choice == nullptr ? std::nullopt : m_choice->place();
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)

@@ -3,7 +3,7 @@
 
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
-#include "encoder/device_number.h"
+#include "encoder/place.h"
 
 #include <QJsonObject>
 #include <QMainWindow>
@@ -131,7 +131,7 @@ private:
     void showBusState();
     void setOperate(bool on);
     void alarmStop();
-    std::optional<DeviceNumber> currentNumber() const;
+    std::optional<Place> currentNumber() const;
 
     WindowSettings &m_settings;
     ProjectDocument &m_project;

@@ -39,7 +39,7 @@ void MainWindow::connectActions()
             [this] { m_leaving->ask(Leaving::Why::stop, {m_bus}, [this] { m_bus->setRunning(false); }); });
     connect(m_actions.switchSegment, &QAction::triggered, this, [this] {
         if (const auto number = currentNumber(); number && !number->isOnLine())
-            m_master->toggleSegment(number->segment);
+            m_master->toggleSegment(DeviceNumber::of(number->node).segment);
     });
     connect(m_actions.wizard, &QAction::triggered, this, &MainWindow::showWizard);
     connect(m_actions.monitors, &QAction::triggered, this, &MainWindow::showMonitors);

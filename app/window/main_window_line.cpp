@@ -24,9 +24,10 @@ namespace codewheel {
 
 namespace {
 
-std::optional<DeviceNumber> firstOf(const RingStructure &ring)
+std::optional<Place> firstOf(const EncoderBus &bus)
 {
-    return ring.empty() ? std::nullopt : std::optional(ring.front().number);
+    const std::vector<Place> places = bus.places();
+    return places.empty() ? std::nullopt : std::optional(places.front());
 }
 
 } // namespace
@@ -76,8 +77,9 @@ void MainWindow::connectLine()
     connect(m_structure, &StructureView::lineOpened, m_lineViews, &LineViews::panelRequested);
     connect(m_structure, &StructureView::lineMenuRequested, this,
             [this](const QPoint &position) { m_actions.lineMenu->popup(position); });
-    connect(m_structure, &StructureView::lineChosen, m_trainingPanel,
-            [this] { m_trainingPanel->setDevice({}); });
+    connect(m_structure, &StructureView::lineChosen, m_trainingPanel, [this] {
+        m_trainingPanel->setDevice({firstLine, {}});
+    });
     connect(m_trace, &TraceView::terminalRequested, m_actions.lineTerminal, &QAction::trigger);
     connect(m_sequence, &SequenceView::terminalRequested, m_actions.lineTerminal, &QAction::trigger);
     showLine();
@@ -86,14 +88,14 @@ void MainWindow::connectLine()
 // Its encoders are about to go; the panels show one of the ring then.
 void MainWindow::leaveLine()
 {
-    const auto chosen = m_choice->number();
+    const auto chosen = m_choice->place();
     m_buses->remove(m_line->session());
     m_structure->setLine(nullptr);
     m_status->setLine(nullptr);
     m_trainingPanel->setLine(nullptr);
     m_lineViews->setLine(nullptr);
     if (chosen && chosen->isOnLine())
-        m_choice->choose(firstOf(m_bus->structure()));
+        m_choice->choose(firstOf(*m_bus));
 }
 
 void MainWindow::showLine()

@@ -128,7 +128,7 @@ void MainWindow::connectProject()
 void MainWindow::connectViews()
 {
     connect(m_choice, &DeviceChoice::changed, this, &MainWindow::showChosen);
-    connect(m_structure, &StructureView::opened, this, [this](DeviceNumber number) {
+    connect(m_structure, &StructureView::opened, this, [this](Place number) {
         if (number.isOnLine()) {
             m_actions.lineTerminal->trigger();
             return;
@@ -137,7 +137,7 @@ void MainWindow::connectViews()
         m_monitors->openWords(number);
     });
     connect(m_structure, &StructureView::menuRequested, this,
-            [this](DeviceNumber, const QPoint &position) { m_actions.deviceMenu->popup(position); });
+            [this](Place, const QPoint &position) { m_actions.deviceMenu->popup(position); });
     connect(m_structure, &StructureView::namingRequested, this, [this] {
         showDock("deviceDock");
         m_device->focusNaming();
@@ -149,13 +149,13 @@ void MainWindow::connectViews()
     connect(m_parameters, &ParameterPanel::wizardRequested, this, &MainWindow::showWizard);
     connect(m_parameters, &ParameterPanel::refusalShown, this, [this] { showDock("parametersDock"); });
     connect(m_wizard, &ParameterWizard::closeRequested, this, &MainWindow::showMonitors);
-    connect(m_trainingPanel, &TrainingPanel::acted, this, [this](DeviceNumber number, const QString &what) {
-        m_messageModel->addNow({.place = number == DeviceNumber{} ? std::nullopt : std::optional(number),
+    connect(m_trainingPanel, &TrainingPanel::acted, this, [this](Place number, const QString &what) {
+        m_messageModel->addNow({.place = number.isEmpty() ? std::nullopt : std::optional(number),
                                 .severity = Severity::information,
                                 .id = MessageId::training,
                                 .arguments = {what}});
     });
-    connect(m_trainingPanel, &TrainingPanel::planned, this, [this](DeviceNumber number, const QString &what) {
+    connect(m_trainingPanel, &TrainingPanel::planned, this, [this](Place number, const QString &what) {
         m_messageModel->addNow({.place = number,
                                 .severity = Severity::information,
                                 .id = MessageId::faultPlan,

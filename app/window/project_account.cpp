@@ -10,7 +10,7 @@ void keepAccountOf(ProjectDocument &project, LedgerKeeper &ledger)
 {
     const auto tell = [&project, &ledger] {
         ledger.setProject(project.file());
-        project.forEachDevice([&ledger](DeviceNumber place, const ProjectDevice &device) {
+        project.forEachDevice([&ledger](Place place, const ProjectDevice &device) {
             ledger.setLabel(place, device.label.serialNumber);
         });
     };

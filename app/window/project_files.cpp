@@ -192,7 +192,7 @@ bool ProjectFiles::keep(const QString &path, const std::optional<QByteArray> &ov
 QString ProjectFiles::leftOut() const
 {
     QStringList places;
-    for (const DeviceNumber number : m_document.notPlanned())
+    for (const Place number : m_document.notPlanned())
         places << number.toString();
     if (places.isEmpty())
         return {};

@@ -60,7 +60,7 @@ private:
         QString deviceKey;
         ParameterValues values;
     };
-    std::map<DeviceNumber, Told> m_told;
+    std::map<NodeId, Told> m_told;
 };
 
 } // namespace codewheel

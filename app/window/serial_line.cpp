@@ -154,7 +154,7 @@ Result<void> SerialLine::open(const ProjectLine &line)
     if (!opened)
         return opened;
     for (const ProjectDevice &encoder : line.encoders)
-        (void)session->add(encoder.participant.number.line, encoder.participant.deviceKey);
+        (void)session->add(LineAddress::of(encoder.place().node), encoder.participant.deviceKey);
     replace(std::move(session), nullptr, port);
     m_openedWith = wish;
     tellByteOrder();
@@ -167,7 +167,7 @@ void SerialLine::tellByteOrder()
     if (!m_session || m_training || !m_project.project().line)
         return;
     for (const ProjectDevice &encoder : m_project.project().line->encoders)
-        m_session->setSwapsWarningBytes(encoder.participant.number, encoder.swapsWarningBytes);
+        m_session->setSwapsWarningBytes(encoder.place(), encoder.swapsWarningBytes);
 }
 
 ProjectLine SerialLine::asOpened(ProjectLine line) const

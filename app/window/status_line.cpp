@@ -177,8 +177,8 @@ void StatusLine::showLine()
         m_lineLabel->setState(Role::fault, tr("%1: port is gone", "serial port").arg(port));
         return;
     }
-    const auto numbers = m_line->numbers();
-    const auto answering = std::ranges::count_if(numbers, [this](DeviceNumber number) {
+    const auto numbers = m_line->places();
+    const auto answering = std::ranges::count_if(numbers, [this](Place number) {
         return m_line->encoder(number)->latest().state == EncoderState::operation;
     });
     const bool allAnswer = answering == std::ssize(numbers);
@@ -203,7 +203,7 @@ void StatusLine::showWrites()
     setTextOf(m_writes, m_encoder == nullptr || !m_encoder->can().writes
                             ? QString()
                             : tr("%1 %2: %3", "place, make: writes")
-                                  .arg(m_encoder->number().toString(), make(m_encoder->device()),
+                                  .arg(m_encoder->place().toString(), make(m_encoder->device()),
                                        eepromCountBrief(m_encoder->eepromCount())));
     const QString toolTip = m_encoder == nullptr ? QString() : eepromCountText(*m_encoder);
     if (m_writes->toolTip() != toolTip)

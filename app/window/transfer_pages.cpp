@@ -53,7 +53,7 @@ void TransferPages::setEncoder(const ShownEncoder &shown)
         if (EncoderSession *before = m_bus.encoder(*m_number))
             before->disconnect(this);
     EncoderSession *encoder = shown.session();
-    m_number = encoder ? std::optional(encoder->number()) : std::nullopt;
+    m_number = encoder ? std::optional(encoder->place()) : std::nullopt;
     m_isOnlyPlanned = shown.isThere() && !encoder;
     if (encoder)
         connect(encoder, &EncoderSession::finished, this, &TransferPages::showActions, Qt::QueuedConnection);
@@ -85,13 +85,13 @@ void TransferPages::showActions()
         before.empty()
             ? tr("Restore &values from before...")
             : tr("Restore &values of %1...").arg(timeOf(before.front(), m_bus.dateTime(m_bus.latest().at))));
-    describe(*m_actions.restoreValues,
-             !canBeWritten ? why
-             : before.empty()
-                 ? refusalText(
-                       {RefusalKind::device, RefusalId::noValuesFromBefore, {encoder->number().toString()}})
-                 : tr("Shows what the encoder had before this program wrote to it, and writes "
-                      "it again"));
+    describe(
+        *m_actions.restoreValues,
+        !canBeWritten ? why
+        : before.empty()
+            ? refusalText({RefusalKind::device, RefusalId::noValuesFromBefore, {encoder->place().toString()}})
+            : tr("Shows what the encoder had before this program wrote to it, and writes "
+                 "it again"));
 }
 
 void TransferPages::showTransfer()

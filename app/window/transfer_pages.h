@@ -49,7 +49,7 @@ private:
     QStackedWidget &m_pages;
     TransferPage *m_transfer;
     ReplacePage *m_replace;
-    std::optional<DeviceNumber> m_number; // of one that is connected
+    std::optional<Place> m_number; // of one that is connected
     bool m_isOnlyPlanned = false;
 };
 

@@ -226,7 +226,7 @@ void WindowActions::showChosen(const ShownEncoder &encoder)
               : isOnlyPlanned ? offline
                               : tr("Sends 00000000 to the chosen device: normal running"));
     zeroOut->setEnabled(hasOut && !isOnlyPlanned);
-    const bool isOnLine = isThere && encoder.number().isOnLine();
+    const bool isOnLine = isThere && encoder.place().isOnLine();
     const auto explained = explainOptionsOf(encoder.session());
     described(swapWarningBytes, Qt::CTRL | Qt::SHIFT | Qt::Key_F8,
               isOnLine ? tr("For an encoder that sends the low byte of its warnings first; nothing is sent")

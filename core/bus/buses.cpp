@@ -36,31 +36,31 @@ std::vector<EncoderBus *> Buses::open() const
     return open;
 }
 
-std::vector<DeviceNumber> Buses::numbers() const
+std::vector<Place> Buses::places() const
 {
-    std::vector<DeviceNumber> all;
+    std::vector<Place> all;
     for (const EncoderBus *bus : open())
-        std::ranges::copy(bus->numbers(), std::back_inserter(all));
+        std::ranges::copy(bus->places(), std::back_inserter(all));
     return all;
 }
 
-EncoderBus *Buses::busOf(DeviceNumber number) const
+EncoderBus *Buses::busOf(Place number) const
 {
     for (EncoderBus *bus : open()) {
-        const std::vector<DeviceNumber> its = bus->numbers();
+        const std::vector<Place> its = bus->places();
         if (std::ranges::find(its, number) != its.end())
             return bus;
     }
     return nullptr;
 }
 
-EncoderSession *Buses::encoder(DeviceNumber number) const
+EncoderSession *Buses::encoder(Place number) const
 {
     const EncoderBus *bus = busOf(number);
     return bus ? bus->encoder(number) : nullptr;
 }
 
-WordChannel *Buses::channel(DeviceNumber number) const
+WordChannel *Buses::channel(Place number) const
 {
     const EncoderBus *bus = busOf(number);
     return bus ? bus->channel(number) : nullptr;

@@ -21,11 +21,11 @@ public:
     void remove(const EncoderBus *bus); // nothing, if it is not here
     std::vector<EncoderBus *> open() const;
 
-    std::vector<DeviceNumber> numbers() const;
-    EncoderBus *busOf(DeviceNumber number) const; // null: no open bus has it
-    bool isConnected(DeviceNumber number) const { return busOf(number) != nullptr; }
-    EncoderSession *encoder(DeviceNumber number) const; // null: none, or a device without a driver
-    WordChannel *channel(DeviceNumber number) const;    // null: none, or it has no words
+    std::vector<Place> places() const;
+    EncoderBus *busOf(Place number) const; // null: no open bus has it
+    bool isConnected(Place number) const { return busOf(number) != nullptr; }
+    EncoderSession *encoder(Place number) const; // null: none, or a device without a driver
+    WordChannel *channel(Place number) const;    // null: none, or it has no words
 
     // To all that are open.
     void pump();

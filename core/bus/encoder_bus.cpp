@@ -7,8 +7,9 @@
 
 namespace codewheel {
 
-EncoderBus::EncoderBus(QDateTime begin, QObject *parent)
+EncoderBus::EncoderBus(BusId id, QDateTime begin, QObject *parent)
     : QObject(parent)
+    , m_id(id)
     , m_wallTime(std::move(begin))
 {}
 
@@ -22,17 +23,17 @@ void EncoderBus::takeSleep(const Slept &slept, Instant at)
                      .arguments = {std::int64_t{seconds}}});
 }
 
-WordChannel *EncoderBus::channel(DeviceNumber) const
+WordChannel *EncoderBus::channelAt(NodeId) const
 {
     return nullptr;
 }
 
-std::vector<DeviceNumber> devicesWithOut(const EncoderBus &bus)
+std::vector<Place> devicesWithOut(const EncoderBus &bus)
 {
-    std::vector<DeviceNumber> found;
-    for (const DeviceNumber number : bus.numbers())
-        if (const WordChannel *channel = bus.channel(number); channel != nullptr && channel->out() != 0)
-            found.push_back(number);
+    std::vector<Place> found;
+    for (const Place place : bus.places())
+        if (const WordChannel *channel = bus.channel(place); channel != nullptr && channel->out() != 0)
+            found.push_back(place);
     return found;
 }
 

@@ -19,13 +19,17 @@ class EncoderBus : public QObject
 
 public:
     // `begin` is the date and time that Instant 0 of the bus stands for.
-    explicit EncoderBus(QDateTime begin, QObject *parent = nullptr);
+    EncoderBus(BusId id, QDateTime begin, QObject *parent = nullptr);
 
-    virtual std::vector<DeviceNumber> numbers() const = 0; // of all devices, encoders or not
+    BusId id() const { return m_id; }
+    Place placeOf(NodeId node) const { return {m_id, node}; }
+    virtual std::vector<Place> places() const = 0; // of all devices, encoders or not
     // Null: no driver for it, or no such device.
-    virtual EncoderSession *encoder(DeviceNumber number) const = 0;
+    EncoderSession *encoder(NodeId node) const { return encoderAt(node); }
+    EncoderSession *encoder(Place place) const { return place.bus == m_id ? encoderAt(place.node) : nullptr; }
     // Null: it has no words, or there is no such device.
-    virtual WordChannel *channel(DeviceNumber number) const;
+    WordChannel *channel(NodeId node) const { return channelAt(node); }
+    WordChannel *channel(Place place) const { return place.bus == m_id ? channelAt(place.node) : nullptr; }
 
     virtual bool isOpen() const = 0;      // connected
     virtual bool isSimulated() const = 0; // the encoders are
@@ -59,10 +63,14 @@ protected:
     void takeSleep(const Slept &slept, Instant at);
 
 private:
+    virtual EncoderSession *encoderAt(NodeId node) const = 0;
+    virtual WordChannel *channelAt(NodeId node) const;
+
+    BusId m_id;
     WallTime m_wallTime;
 };
 
 // Those whose OUT is not 00000000, to be named on stop, disconnect and quit.
-std::vector<DeviceNumber> devicesWithOut(const EncoderBus &bus);
+std::vector<Place> devicesWithOut(const EncoderBus &bus);
 
 } // namespace codewheel

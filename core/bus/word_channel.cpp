@@ -7,10 +7,10 @@
 
 namespace codewheel {
 
-WordChannel::WordChannel(const EncoderBus &bus, DeviceNumber number, int inWords, int outWords, Send send)
+WordChannel::WordChannel(const EncoderBus &bus, Place number, int inWords, int outWords, Send send)
     : m_bus(bus)
     , m_send(std::move(send))
-    , m_number(number)
+    , m_place(number)
     , m_inWords(inWords)
     , m_outWords(outWords)
 {}

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/device_number.h"
 #include "encoder/freshness.h"
+#include "encoder/place.h"
 #include "encoder/refusal.h"
 #include "words/k3_word.h"
 
@@ -39,9 +39,9 @@ public:
     using Send = std::function<Result<void>(const WordChannel &, Word)>;
 
     // `send` refuses what may not go out now. The bus outlives what is asked of it here.
-    WordChannel(const EncoderBus &bus, DeviceNumber number, int inWords, int outWords, Send send);
+    WordChannel(const EncoderBus &bus, Place number, int inWords, int outWords, Send send);
 
-    DeviceNumber number() const { return m_number; }
+    Place place() const { return m_place; }
     int inWords() const { return m_inWords; } // 16 bit each; 0: none
     int outWords() const { return m_outWords; }
 
@@ -83,7 +83,7 @@ private:
 
     const EncoderBus &m_bus;
     const Send m_send;
-    DeviceNumber m_number;
+    Place m_place;
     int m_inWords;
     int m_outWords;
     WordsOnBus m_words;

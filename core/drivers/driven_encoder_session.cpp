@@ -5,10 +5,10 @@
 
 namespace codewheel {
 
-DrivenEncoderSession::DrivenEncoderSession(std::size_t device, DeviceNumber number,
+DrivenEncoderSession::DrivenEncoderSession(std::size_t device, Place place,
                                            const DeviceDescription &description)
-    : m_place(device)
-    , m_number(number)
+    : m_index(device)
+    , m_place(place)
     , m_description(description)
     , m_can(description.capabilities)
 {}
@@ -40,20 +40,20 @@ void DrivenEncoderSession::postAllKnown()
     std::vector<Known> all;
     for (const auto &[parameter, known] : m_known)
         all.push_back(known);
-    post(command::SetKnown{m_place, std::move(all)});
+    post(command::SetKnown{m_index, std::move(all)});
 }
 
 Result<JobId> DrivenEncoderSession::start(const Job &job, Pace pace)
 {
     if (m_runningJob)
-        return refuse(RefusalKind::busy, RefusalId::jobRunning, {m_number.toString()});
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {m_place.toString()});
     if (const auto allowed = mayStart(job); !allowed)
         return tl::unexpected(allowed.error());
     const JobId id = ++m_lastJob;
     m_runningJob = id;
     m_job = job;
     Q_EMIT jobAboutToStart(job);
-    post(command::StartJob{m_place, id, job, pace});
+    post(command::StartJob{m_index, id, job, pace});
     Q_EMIT jobStarted(id);
     return id;
 }
@@ -61,7 +61,7 @@ Result<JobId> DrivenEncoderSession::start(const Job &job, Pace pace)
 void DrivenEncoderSession::proceed()
 {
     if (m_runningJob)
-        post(command::Proceed{m_place});
+        post(command::Proceed{m_index});
 }
 
 void DrivenEncoderSession::cancel(OnCancel how)
@@ -70,7 +70,7 @@ void DrivenEncoderSession::cancel(OnCancel how)
         return;
     if (how == OnCancel::restorePrevious)
         Q_EMIT restoreAboutToStart();
-    post(command::Cancel{m_place, how});
+    post(command::Cancel{m_index, how});
 }
 
 void DrivenEncoderSession::show(const Reading &reading, const Freshness::Circumstances &bus)

@@ -19,9 +19,9 @@ class DrivenEncoderSession : public EncoderSession
 
 public:
     // `device` is its place in the runner of the bus. `description` must outlive the session.
-    DrivenEncoderSession(std::size_t device, DeviceNumber number, const DeviceDescription &description);
+    DrivenEncoderSession(std::size_t device, Place place, const DeviceDescription &description);
 
-    DeviceNumber number() const override { return m_number; }
+    Place place() const override { return m_place; }
     const DeviceDescription &device() const override { return m_description; }
     const Capabilities &can() const override { return m_can; }
 
@@ -57,9 +57,9 @@ protected:
     virtual Instant now() const = 0;
 
     void limitTo(const Capabilities &can) { m_can = can; }
-    void moveTo(DeviceNumber number) { m_number = number; }
-    std::size_t place() const { return m_place; } // in the runner
-    void movePlaceTo(std::size_t place) { m_place = place; }
+    void moveTo(Place place) { m_place = place; }
+    std::size_t index() const { return m_index; } // in the runner
+    void moveIndexTo(std::size_t index) { m_index = index; }
     bool knowsAnything() const { return !m_known.empty(); }
     void forgetAll();
 
@@ -68,8 +68,8 @@ private:
     void take(const KnowledgeChanged &change);
     void postAllKnown();
 
-    std::size_t m_place;
-    DeviceNumber m_number;
+    std::size_t m_index;
+    Place m_place;
     const DeviceDescription &m_description;
     Capabilities m_can;
     Reading m_reading;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/bus_fault.h"
 
+#include "encoder/device_number.h"
 #include "encoder/sentence.h"
 
 #include <QCoreApplication>
@@ -42,19 +43,19 @@ std::optional<FaultPlace> faultPlaceOf(std::uint16_t diagnosticParameter)
     if (segment == 0)
         return std::nullopt;
     if (low == remoteBusInterface)
-        return FaultPlace{{segment, 0}, FaultSpot::outgoingRemoteBus};
+        return FaultPlace{DeviceNumber{segment, 0}.node(), FaultSpot::outgoingRemoteBus};
     if (low == localBusInterface)
-        return FaultPlace{{segment, 0}, FaultSpot::outgoingLocalBus};
-    return FaultPlace{{segment, static_cast<int>(low)}};
+        return FaultPlace{DeviceNumber{segment, 0}.node(), FaultSpot::outgoingLocalBus};
+    return FaultPlace{DeviceNumber{segment, static_cast<int>(low)}.node()};
 }
 
 std::uint16_t diagnosticParameterOf(const FaultPlace &place)
 {
-    const auto low = place.spot == FaultSpot::outgoingRemoteBus ? remoteBusInterface
-                     : place.spot == FaultSpot::outgoingLocalBus
-                         ? localBusInterface
-                         : static_cast<unsigned>(place.number.position);
-    return static_cast<std::uint16_t>(static_cast<unsigned>(place.number.segment) << 8 | low);
+    const DeviceNumber number = DeviceNumber::of(place.number);
+    const auto low = place.spot == FaultSpot::outgoingRemoteBus  ? remoteBusInterface
+                     : place.spot == FaultSpot::outgoingLocalBus ? localBusInterface
+                                                                 : static_cast<unsigned>(number.position);
+    return static_cast<std::uint16_t>(static_cast<unsigned>(number.segment) << 8 | low);
 }
 
 QString faultPlaceText(const FaultPlace &place)

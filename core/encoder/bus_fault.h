@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/device_number.h"
+#include "encoder/place.h"
 #include "encoder/refusal.h"
 
 #include <QString>
@@ -24,7 +24,7 @@ inline constexpr std::uint16_t notLocated = 0x0080;
 enum class FaultSpot : std::uint8_t { device, outgoingRemoteBus, outgoingLocalBus };
 struct FaultPlace
 {
-    DeviceNumber number;
+    NodeId number;
     FaultSpot spot = FaultSpot::device;
 
     friend bool operator==(const FaultPlace &, const FaultPlace &) = default;

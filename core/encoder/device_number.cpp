@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/device_number.h"
 
+#include <charconv>
+
 namespace codewheel {
 namespace {
 
@@ -15,32 +17,37 @@ std::optional<int> wholeNumber(QStringView text)
     return text.toInt();
 }
 
-const QString linePrefix = QStringLiteral("esc:");
-
-std::optional<DeviceNumber> parseOnLine(QStringView text)
-{
-    if (text.startsWith(linePrefix))
-        text = text.sliced(linePrefix.size());
-    const auto address = text.size() == 2 ? LineAddress::fromWire(text) : std::nullopt;
-    if (!address)
-        return std::nullopt;
-    return DeviceNumber::onLine(*address);
-}
-
 } // namespace
 
 QString DeviceNumber::toString() const
 {
-    if (isOnLine())
-        return linePrefix + line.onWire();
     return QStringLiteral("%1.%2").arg(segment).arg(position);
+}
+
+NodeId DeviceNumber::node() const
+{
+    return *this == DeviceNumber() ? NodeId() : NodeId(toString().toStdString());
+}
+
+DeviceNumber DeviceNumber::of(NodeId node)
+{
+    const std::string_view text = node.text();
+    const std::size_t dot = text.find('.');
+    if (dot == std::string_view::npos)
+        return {};
+    const auto number = [](std::string_view digits) {
+        int value = 0;
+        std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        return value;
+    };
+    return {number(text.substr(0, dot)), number(text.substr(dot + 1))};
 }
 
 std::optional<DeviceNumber> DeviceNumber::parse(QStringView text)
 {
     const qsizetype dot = text.indexOf(u'.');
     if (dot < 0)
-        return parseOnLine(text);
+        return std::nullopt;
     const auto segment = wholeNumber(text.first(dot));
     const auto position = wholeNumber(text.sliced(dot + 1));
     if (!segment || !position || *segment == 0)

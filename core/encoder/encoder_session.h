@@ -2,10 +2,10 @@
 #pragma once
 
 #include "encoder/capabilities.h"
-#include "encoder/device_number.h"
 #include "encoder/eeprom_count.h"
 #include "encoder/event.h"
 #include "encoder/freshness.h"
+#include "encoder/place.h"
 
 #include <QDateTime>
 #include <QObject>
@@ -27,7 +27,7 @@ class EncoderSession : public QObject
 public:
     using QObject::QObject;
 
-    virtual DeviceNumber number() const = 0;
+    virtual Place place() const = 0;
     virtual const DeviceDescription &device() const = 0;
     virtual const Capabilities &can() const = 0;
 

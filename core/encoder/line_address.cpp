@@ -4,6 +4,11 @@
 #include "encoder/hex.h"
 
 namespace codewheel {
+namespace {
+
+const QString prefix = QStringLiteral("esc:");
+
+} // namespace
 
 QString LineAddress::onWire() const
 {
@@ -22,6 +27,23 @@ std::optional<LineAddress> LineAddress::fromWire(QStringView digits)
     if (!value || *value > last)
         return std::nullopt;
     return LineAddress{static_cast<std::uint8_t>(*value)};
+}
+
+LineAddress LineAddress::of(NodeId node)
+{
+    return addressTyped(node.toString()).value_or(master());
+}
+
+std::optional<LineAddress> addressTyped(QStringView text)
+{
+    if (text.startsWith(prefix))
+        text = text.sliced(prefix.size());
+    return text.size() == 2 ? LineAddress::fromWire(text) : std::nullopt;
+}
+
+bool Place::isOnLine() const
+{
+    return node.text().starts_with("esc:");
 }
 
 } // namespace codewheel

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/place.h"
+
 #include <QString>
 
 #include <compare>
@@ -30,6 +32,25 @@ struct LineAddress
     QString shown() const;
     // One or two hexadecimal digits, 0..1Fh; nothing for anything else.
     static std::optional<LineAddress> fromWire(QStringView digits);
+
+    // Its place: as on the wire, with what tells it from a number: "esc:12" is 12h = 18. An encoder that is
+    // alone on its line may also stand at "esc:00".
+    constexpr NodeId node() const
+    {
+        constexpr std::string_view digits = "0123456789ABCDEF";
+        const std::array text{
+            'e', 's', 'c', ':', digits.at(value / digits.size()), digits.at(value % digits.size())};
+        return NodeId({text.data(), text.size()});
+    }
+    static LineAddress of(NodeId node); // 0, too, where it is no place on a serial line
 };
+
+// "esc:12" and "12"; nothing for anything else.
+std::optional<LineAddress> addressTyped(QStringView text);
+
+constexpr Place placeOnLine(LineAddress address)
+{
+    return {firstLine, address.node()};
+}
 
 } // namespace codewheel

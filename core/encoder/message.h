@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/device_number.h"
 #include "encoder/instant.h"
+#include "encoder/place.h"
 #include "encoder/refusal.h"
 
 #include <optional>
@@ -92,7 +92,7 @@ inline constexpr std::size_t messageCount = static_cast<std::size_t>(MessageId::
 struct Message
 {
     Instant at{};
-    std::optional<DeviceNumber> place{};
+    std::optional<Place> place{};
     Severity severity = Severity::information;
     MessageId id = MessageId::refused;
     std::vector<RefusalArgument> arguments{};

@@ -56,7 +56,7 @@ Ledger::Entry ledgerEntryOf(const QSqlQuery &row)
                         .at = QDateTime::fromMSecsSinceEpoch(row.value(1).toLongLong(), Qt::UTC),
                         .identity = row.value(2).toString(),
                         .by = countedByFromKey(row.value(3).toString()).value_or(CountedBy::place),
-                        .place = DeviceNumber::parse(row.value(4).toString()).value_or(DeviceNumber()),
+                        .place = Place::parse(row.value(4).toString()).value_or(Place()),
                         .device = row.value(5).toString(),
                         .planned = row.value(6).toInt(),
                         .writes = row.value(7).toInt(),
@@ -309,7 +309,7 @@ std::vector<Ledger::Account> Ledger::accounts() const
     (void)m_database.run(query);
     while (query.next()) {
         Account account{.identity = query.value(0).toString(),
-                        .place = DeviceNumber::parse(query.value(2).toString()).value_or(DeviceNumber()),
+                        .place = Place::parse(query.value(2).toString()).value_or(Place()),
                         .device = query.value(3).toString(),
                         .count = countOf(query, 5)};
         account.count.by = countedByFromKey(query.value(1).toString()).value_or(CountedBy::place);

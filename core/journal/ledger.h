@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/device_number.h"
 #include "encoder/eeprom_count.h"
 #include "encoder/known.h"
+#include "encoder/place.h"
 #include "journal/database.h"
 
 #include <vector>
@@ -17,7 +17,7 @@ struct EncoderIdentity
     QString vendor;       // serial numbers are a make's own; empty: not known
     QString serialNumber; // by it, read or typed: the same number is the same encoder
     QString project;      // file, of a place; empty: none
-    DeviceNumber place;
+    Place place;
 
     QString key() const; // as the ledger keeps it (docs/journal.md)
 };
@@ -44,7 +44,7 @@ public:
         QDateTime at; // UTC
         QString identity{};
         CountedBy by = CountedBy::place;
-        DeviceNumber place{};
+        Place place{};
         QString device{};     // key of its description
         int planned = 0;      // writes, at most
         int writes = 0;       // seen
@@ -63,7 +63,7 @@ public:
     struct Account
     {
         QString identity;
-        DeviceNumber place; // where it was last
+        Place place; // where it was last
         QString device;
         EepromCount count;
     };

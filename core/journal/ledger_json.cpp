@@ -85,7 +85,7 @@ Ledger::Record recordOf(const JsonObject &json)
                                {countedByKey(CountedBy::serialNumber),
                                 countedByKey(CountedBy::labelSerialNumber), countedByKey(CountedBy::place)});
     entry.by = by.value_or(CountedBy::place);
-    entry.place = DeviceNumber::parse(json.freeText("place")).value_or(DeviceNumber());
+    entry.place = Place::parse(json.freeText("place")).value_or(Place());
     entry.device = json.freeText("device");
     entry.planned = static_cast<int>(json.number("planned", 0, mostWrites));
     entry.writes = static_cast<int>(json.number("writes", 0, mostWrites));

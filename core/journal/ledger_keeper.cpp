@@ -45,7 +45,7 @@ LedgerKeeper::LedgerKeeper(LineSession &line, const DatabasePlace &place, QObjec
 LedgerKeeper::LedgerKeeper(BusSession &ring, const DatabasePlace &place, QObject *parent)
     : LedgerKeeper(ring, &ring, place, parent)
 {
-    connect(&ring, &BusSession::named, this, [this](DeviceNumber number) {
+    connect(&ring, &BusSession::named, this, [this](Place number) {
         const Watched before = m_watched[number]; // it is the same encoder
         watch(number);
         m_watched[number].unassigned = before.unassigned;
@@ -55,7 +55,7 @@ LedgerKeeper::LedgerKeeper(BusSession &ring, const DatabasePlace &place, QObject
     connect(&ring, &BusSession::updated, this, qOverload<>(&LedgerKeeper::settleByHand));
     connect(&ring, &BusSession::structureChanged, this, &LedgerKeeper::watchAll);
     connect(&ring, &BusSession::stateChanged, this, [this] { // connected again, it has other sessions
-        for (const DeviceNumber number : m_bus.numbers())
+        for (const Place number : m_bus.places())
             if (m_watched[number].encoder != m_bus.encoder(number)) {
                 watchAll();
                 return;
@@ -123,9 +123,9 @@ void LedgerKeeper::takeAlong(const QString &from)
 }
 
 // Entries that are counted by their place and have not ended.
-std::map<DeviceNumber, std::vector<qint64>> LedgerKeeper::onTheirWay() const
+std::map<Place, std::vector<qint64>> LedgerKeeper::onTheirWay() const
 {
-    std::map<DeviceNumber, std::vector<qint64>> entries;
+    std::map<Place, std::vector<qint64>> entries;
     for (const auto &[place, watched] : m_watched) {
         if (watched.identity.by != CountedBy::place)
             continue;
@@ -140,7 +140,7 @@ std::map<DeviceNumber, std::vector<qint64>> LedgerKeeper::onTheirWay() const
     return entries;
 }
 
-void LedgerKeeper::setLabel(DeviceNumber place, const QString &serialNumber)
+void LedgerKeeper::setLabel(Place place, const QString &serialNumber)
 {
     QString &label = m_labels[place];
     if (std::exchange(label, serialNumber.trimmed()) != label)
@@ -153,7 +153,7 @@ void LedgerKeeper::watchAll()
     for (const auto &[place, watched] : before)
         if (watched.encoder)
             watched.encoder->disconnect(this);
-    for (const DeviceNumber place : m_bus.numbers()) {
+    for (const Place place : m_bus.places()) {
         watch(place);
         const auto same = before.find(place);
         if (same == before.end() || !same->second.encoder || same->second.encoder != m_watched[place].encoder)
@@ -167,18 +167,18 @@ void LedgerKeeper::watchAll()
 // Encoders were added to the line or removed from it; the others are as they were.
 void LedgerKeeper::watchDevices()
 {
-    const std::vector<DeviceNumber> there = m_bus.numbers();
+    const std::vector<Place> there = m_bus.places();
     std::erase_if(m_watched, [&](const auto &entry) {
         return std::ranges::find(there, entry.first) == there.end() ||
                entry.second.encoder != m_bus.encoder(entry.first);
     });
-    for (const DeviceNumber place : there)
+    for (const Place place : there)
         if (!m_watched.contains(place))
             watch(place);
 }
 
 // What was counted by its place since the connection was made goes along.
-void LedgerKeeper::move(DeviceNumber from, DeviceNumber to)
+void LedgerKeeper::move(Place from, Place to)
 {
     auto node = m_watched.extract(from);
     if (!node || !node.mapped().encoder)
@@ -196,7 +196,7 @@ void LedgerKeeper::move(DeviceNumber from, DeviceNumber to)
     showCount(to);
 }
 
-void LedgerKeeper::watch(DeviceNumber place)
+void LedgerKeeper::watch(Place place)
 {
     EncoderSession *encoder = m_bus.encoder(place);
     m_watched[place] = {.encoder = encoder, .identity = {}};
@@ -222,7 +222,7 @@ void LedgerKeeper::watch(DeviceNumber place)
     showCount(place);
 }
 
-EncoderIdentity LedgerKeeper::identity(DeviceNumber place) const
+EncoderIdentity LedgerKeeper::identity(Place place) const
 {
     EncoderIdentity identity{
         .by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = m_project, .place = place};
@@ -241,7 +241,7 @@ EncoderIdentity LedgerKeeper::identity(DeviceNumber place) const
     return identity;
 }
 
-void LedgerKeeper::identify(DeviceNumber place)
+void LedgerKeeper::identify(Place place)
 {
     const auto found = m_watched.find(place);
     if (found == m_watched.end() || !found->second.encoder || ledger() == nullptr)
@@ -281,7 +281,7 @@ void LedgerKeeper::note(Watched &watched, qint64 id)
         watched.unassigned.push_back(id);
 }
 
-void LedgerKeeper::begin(DeviceNumber place, const Job &job)
+void LedgerKeeper::begin(Place place, const Job &job)
 {
     Watched &watched = m_watched[place];
     const int planned = watched.encoder && ledger() ? mostEepromWrites(*watched.encoder, job) : 0;
@@ -301,7 +301,7 @@ std::optional<qint64> LedgerKeeper::beginEntry(Watched &watched, int planned)
 }
 
 // Beside what the job was to write.
-void LedgerKeeper::planToRestore(DeviceNumber place)
+void LedgerKeeper::planToRestore(Place place)
 {
     const Watched &watched = m_watched[place];
     const int more = mostWritesToRestore(watched.progress);
@@ -310,7 +310,7 @@ void LedgerKeeper::planToRestore(DeviceNumber place)
 }
 
 // What a job writes is part of it; all else are words by hand.
-void LedgerKeeper::count(DeviceNumber place, int writes)
+void LedgerKeeper::count(Place place, int writes)
 {
     Watched &watched = m_watched[place];
     if (!watched.encoder || ledger() == nullptr)
@@ -334,7 +334,7 @@ void LedgerKeeper::count(DeviceNumber place, int writes)
     warn(place, before);
 }
 
-void LedgerKeeper::settle(DeviceNumber place, const Outcome &outcome)
+void LedgerKeeper::settle(Place place, const Outcome &outcome)
 {
     Watched &watched = m_watched[place];
     const auto job = std::exchange(watched.job, std::nullopt);
@@ -352,7 +352,7 @@ void LedgerKeeper::settle(DeviceNumber place, const Outcome &outcome)
 }
 
 // While something is on its way, what it may still write is no doubt of the past.
-void LedgerKeeper::showCount(DeviceNumber place)
+void LedgerKeeper::showCount(Place place)
 {
     const Watched &watched = m_watched[place];
     if (!watched.encoder || ledger() == nullptr)
@@ -365,7 +365,7 @@ void LedgerKeeper::showCount(DeviceNumber place)
     watched.encoder->setEepromCount(ledger()->writes(watched.identity, running));
 }
 
-void LedgerKeeper::warn(DeviceNumber place, int before)
+void LedgerKeeper::warn(Place place, int before)
 {
     const EncoderSession &encoder = *m_watched[place].encoder;
     const auto budget = encoder.can().eepromBudget;

@@ -48,7 +48,7 @@ public:
     // what was counted by their places counts there as well.
     void projectSavedAs(const QString &file);
     // The serial number typed from the label of the encoder there; empty: none.
-    void setLabel(DeviceNumber place, const QString &serialNumber);
+    void setLabel(Place place, const QString &serialNumber);
 
     // What is to be said of the file: damaged and put aside, or not usable.
     const std::optional<Message> &problem() const { return m_problem; }
@@ -58,7 +58,7 @@ public:
 
     // Null where Qt's driver for SQLite is missing.
     const Ledger *ledger() const { return m_book->ledger(); }
-    EncoderIdentity identity(DeviceNumber place) const;
+    EncoderIdentity identity(Place place) const;
 
 Q_SIGNALS:
     // A mark of the budget was passed, or the file failed.
@@ -91,42 +91,42 @@ private:
     void open(const DatabasePlace &place);
     void watchAll();
     void watchDevices();
-    void watch(DeviceNumber place);
-    void move(DeviceNumber from, DeviceNumber to);
-    void begin(DeviceNumber place, const Job &job);
+    void watch(Place place);
+    void move(Place from, Place to);
+    void begin(Place place, const Job &job);
     std::optional<qint64> beginEntry(Watched &watched, int planned);
-    void planToRestore(DeviceNumber place);
-    void count(DeviceNumber place, int writes);
-    void settle(DeviceNumber place, const Outcome &outcome);
-    void identify(DeviceNumber place);
-    std::map<DeviceNumber, std::vector<qint64>> onTheirWay() const;
+    void planToRestore(Place place);
+    void count(Place place, int writes);
+    void settle(Place place, const Outcome &outcome);
+    void identify(Place place);
+    std::map<Place, std::vector<qint64>> onTheirWay() const;
     void takeAlong(const QString &from);
-    void showCount(DeviceNumber place);
+    void showCount(Place place);
     Ledger::Entry entryAt(const Watched &watched) const;
     void note(Watched &watched, qint64 id);
-    void warn(DeviceNumber place, int before);
+    void warn(Place place, int before);
 
     // ledger_keeper_by_hand.cpp
-    void beginByHand(DeviceNumber place, Word word);
+    void beginByHand(Place place, Word word);
     void beginByHand(const esc::Request &request);
     void beginByHand(Watched &watched, const esc::Request &request);
-    void beginToStranger(DeviceNumber place, const esc::Request &request);
+    void beginToStranger(Place place, const esc::Request &request);
     ByHand *byHand(Watched &watched, int planned);
     void settleByHand();
-    void settleByHand(DeviceNumber place, Watched &watched);
+    void settleByHand(Place place, Watched &watched);
     void settleRequest(const TypedAnswered &answer);
-    void settleToStranger(DeviceNumber place, const TypedAnswered &answer);
-    void noteWhatWasToStranger(DeviceNumber place);
-    bool standsStill(DeviceNumber place, const EncoderSession &encoder) const;
+    void settleToStranger(Place place, const TypedAnswered &answer);
+    void noteWhatWasToStranger(Place place);
+    bool standsStill(Place place, const EncoderSession &encoder) const;
 
     EncoderBus &m_bus;
     const BusSession *m_ring; // null: a serial line
     std::unique_ptr<SafeLedger> m_book;
     std::optional<Message> m_problem;
     QString m_project;
-    std::map<DeviceNumber, QString> m_labels;
-    std::map<DeviceNumber, Watched> m_watched;
-    std::map<DeviceNumber, std::vector<ToStranger>> m_strangers;
+    std::map<Place, QString> m_labels;
+    std::map<Place, Watched> m_watched;
+    std::map<Place, std::vector<ToStranger>> m_strangers;
 };
 
 } // namespace codewheel

@@ -13,14 +13,15 @@
 namespace codewheel {
 namespace {
 
-bool isFor(const esc::Request &request, DeviceNumber place)
+bool isFor(const esc::Request &request, Place place)
 {
-    return place.isOnLine() && (request.to.isMaster() || place.line == request.to || place.isAtMasterAddress);
+    const LineAddress address = LineAddress::of(place.node);
+    return place.isOnLine() && (request.to.isMaster() || address == request.to || address.isMaster());
 }
 
 } // namespace
 
-void LedgerKeeper::beginByHand(DeviceNumber place, Word word)
+void LedgerKeeper::beginByHand(Place place, Word word)
 {
     Watched &watched = m_watched[place];
     const int planned = watched.encoder && ledger() ? mostEepromWrites(*watched.encoder, word) : 0;
@@ -39,7 +40,7 @@ void LedgerKeeper::beginByHand(const esc::Request &request)
     for (auto &[place, watched] : m_watched)
         if (isFor(request, place))
             beginByHand(watched, request);
-    const DeviceNumber place = DeviceNumber::onLine(request.to);
+    const Place place = placeOnLine(request.to);
     const bool isKnown =
         std::ranges::any_of(m_watched, [&](const auto &one) { return isFor(request, one.first); });
     if (request.to.isDevice() && !isKnown)
@@ -69,7 +70,7 @@ LedgerKeeper::ByHand *LedgerKeeper::byHand(Watched &watched, int planned)
     return watched.byHand ? &*watched.byHand : nullptr;
 }
 
-bool LedgerKeeper::standsStill(DeviceNumber place, const EncoderSession &encoder) const
+bool LedgerKeeper::standsStill(Place place, const EncoderSession &encoder) const
 {
     const WordChannel *channel = m_ring ? m_ring->channel(place) : nullptr;
     return channel != nullptr && !encoder.runningJob() && encoder.latest().state == EncoderState::operation &&
@@ -96,10 +97,10 @@ void LedgerKeeper::settleRequest(const TypedAnswered &answer)
     for (auto &[place, watched] : m_watched)
         if (isFor(answer.request, place) && watched.byHand && --watched.byHand->awaited <= 0)
             settleByHand(place, watched);
-    settleToStranger(DeviceNumber::onLine(answer.request.to), answer);
+    settleToStranger(placeOnLine(answer.request.to), answer);
 }
 
-void LedgerKeeper::beginToStranger(DeviceNumber place, const esc::Request &request)
+void LedgerKeeper::beginToStranger(Place place, const esc::Request &request)
 {
     const Ledger::Entry entry{.at = m_bus.dateTime(m_bus.now()).toUTC(),
                               .identity = identity(place).key(),
@@ -110,7 +111,7 @@ void LedgerKeeper::beginToStranger(DeviceNumber place, const esc::Request &reque
 }
 
 // Not answered, it may have been carried out.
-void LedgerKeeper::settleToStranger(DeviceNumber place, const TypedAnswered &answer)
+void LedgerKeeper::settleToStranger(Place place, const TypedAnswered &answer)
 {
     std::vector<ToStranger> &requests = m_strangers[place];
     const auto ended = std::ranges::find(requests, std::optional(answer.request), &ToStranger::awaited);
@@ -128,7 +129,7 @@ void LedgerKeeper::settleToStranger(DeviceNumber place, const TypedAnswered &ans
 
 // It is taken over now. What is not answered yet ends as what was typed for a stranger, and may be counted by
 // the session as well: rather twice than never.
-void LedgerKeeper::noteWhatWasToStranger(DeviceNumber place)
+void LedgerKeeper::noteWhatWasToStranger(Place place)
 {
     std::vector<ToStranger> &requests = m_strangers[place];
     for (const ToStranger &request : requests)
@@ -136,7 +137,7 @@ void LedgerKeeper::noteWhatWasToStranger(DeviceNumber place)
     std::erase_if(requests, [](const ToStranger &request) { return !request.awaited; });
 }
 
-void LedgerKeeper::settleByHand(DeviceNumber place, Watched &watched)
+void LedgerKeeper::settleByHand(Place place, Watched &watched)
 {
     const ByHand done = *std::exchange(watched.byHand, std::nullopt);
     m_book->settle(done.id, done.sent);

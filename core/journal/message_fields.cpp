@@ -29,7 +29,7 @@ QString severityName(Severity severity)
     return Fields::tr("Information");
 }
 
-QString placeName(const std::optional<DeviceNumber> &place)
+QString placeName(const std::optional<Place> &place)
 {
     return place ? place->toString() : Fields::tr("Bus");
 }

@@ -8,10 +8,10 @@
 namespace codewheel {
 
 // The fields of a message beside its text, in the user's language.
-QString severityName(Severity severity);                     // "Information", "Attention", "Fault"
-QString placeName(const std::optional<DeviceNumber> &place); // "1.0"; "Bus"
-QString messageTime(const QDateTime &at);                    // local date, and time to the millisecond
-QString messageTime(qint64 at);                              // ms since 1970, UTC
+QString severityName(Severity severity);              // "Information", "Attention", "Fault"
+QString placeName(const std::optional<Place> &place); // "1.0"; "Bus"
+QString messageTime(const QDateTime &at);             // local date, and time to the millisecond
+QString messageTime(qint64 at);                       // ms since 1970, UTC
 
 // In every language the same: "information", "attention", "fault".
 QString severityKey(Severity severity);

@@ -11,16 +11,16 @@ namespace codewheel {
 // the row as it is shown.
 struct MessageFilter
 {
-    struct Place
+    struct Where
     {
         bool all = true;
-        std::optional<DeviceNumber> number = {}; // nothing: the bus itself
+        std::optional<Place> at = {}; // nothing: the bus itself
 
-        friend bool operator==(const Place &, const Place &) = default;
+        friend bool operator==(const Where &, const Where &) = default;
     };
 
     Severity least = Severity::information;
-    Place place{};
+    Where place{};
     std::optional<qint64> from{};  // ms since 1970, UTC; included
     std::optional<qint64> until{}; // not included
     QString text{};                // case does not matter

@@ -37,7 +37,7 @@ StoredMessage messageOf(const QSqlQuery &query)
     return {.id = query.value(0).toLongLong(),
             .at = query.value(1).toLongLong(),
             .severity = severityOf(query.value(2).toInt()),
-            .place = DeviceNumber::parse(query.value(3).toString()),
+            .place = Place::parse(query.value(3).toString()),
             .code = query.value(4).toString(),
             .arguments = query.value(5).toString(),
             .refusal = query.value(6).toString()};
@@ -49,8 +49,8 @@ QString conditions(const MessageFilter &filter)
     if (filter.least != Severity::information)
         text += QStringLiteral(" AND severity >= %1").arg(static_cast<int>(filter.least));
     if (!filter.place.all)
-        text += filter.place.number ? QStringLiteral(" AND place = '%1'").arg(filter.place.number->toString())
-                                    : QStringLiteral(" AND place IS NULL");
+        text += filter.place.at ? QStringLiteral(" AND place = '%1'").arg(filter.place.at->toString())
+                                : QStringLiteral(" AND place IS NULL");
     if (filter.from)
         text += QStringLiteral(" AND at >= %1").arg(*filter.from);
     if (filter.until)
@@ -116,7 +116,7 @@ Stored<void> MessageTable::insert(const std::vector<StoredMessage> &messages, bo
         QSqlQuery row = m_database.query(
             QStringLiteral("INSERT INTO message (%1) VALUES (?, ?, ?, ?, ?, ?, ?)").arg(messageColumns));
         QSqlQuery place = m_database.query(QStringLiteral("INSERT OR IGNORE INTO place VALUES (?)"));
-        std::optional<DeviceNumber> noted;
+        std::optional<Place> noted;
         for (const StoredMessage &message : messages) {
             const QString number = message.place ? message.place->toString() : QString();
             const QVariant values[] = {withIds ? QVariant(message.id) : QVariant(),
@@ -178,13 +178,13 @@ Stored<std::vector<qint64>> MessageTable::ids(qint64 first, qint64 last, const M
                        [](const QSqlQuery &row) { return row.value(0).toLongLong(); });
 }
 
-std::vector<DeviceNumber> MessageTable::places() const
+std::vector<Place> MessageTable::places() const
 {
     QSqlQuery query = m_database.query(QStringLiteral("SELECT number FROM place"));
-    std::vector<DeviceNumber> places;
+    std::vector<Place> places;
     (void)m_database.run(query);
     while (query.next())
-        if (const auto number = DeviceNumber::parse(query.value(0).toString()))
+        if (const auto number = Place::parse(query.value(0).toString()))
             places.push_back(*number);
     std::ranges::sort(places);
     return places;

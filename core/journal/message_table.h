@@ -40,7 +40,7 @@ public:
     // The same, ids alone.
     Stored<std::vector<qint64>> ids(qint64 first, qint64 last, const MessageFilter &filter) const;
     // Where something happened, in order.
-    std::vector<DeviceNumber> places() const;
+    std::vector<Place> places() const;
 
     qint64 size() const; // bytes
     // Drops the oldest, up to the id `last`, and gives the room back.

@@ -14,7 +14,7 @@ struct StoredMessage
     qint64 id = 0; // rises with each message
     qint64 at = 0; // ms since 1970, UTC
     Severity severity = Severity::information;
-    std::optional<DeviceNumber> place{};
+    std::optional<Place> place{};
     QString code;
     QString arguments; // JSON array
     QString refusal{}; // JSON object; empty: none

@@ -8,7 +8,7 @@ namespace codewheel {
 
 LineEncoderSession::LineEncoderSession(LineSession &line, std::size_t device, LineAddress address,
                                        const DeviceDescription &description)
-    : DrivenEncoderSession(device, DeviceNumber::onLine(address), description)
+    : DrivenEncoderSession(device, line.placeOf(address.node()), description)
     , m_line(line)
 {
     connect(&line, &LineSession::stateChanged, this, &EncoderSession::permissionChanged);
@@ -33,7 +33,7 @@ Result<void> LineEncoderSession::mayStart(const Job &job) const
 {
     if (!m_line.isOpen())
         return refuse(RefusalKind::link, RefusalId::lineClosed);
-    return codewheel::mayStart(m_line.latest(), job, number().line, m_line.linkName());
+    return codewheel::mayStart(m_line.latest(), job, LineAddress::of(place().node), m_line.linkName());
 }
 
 void LineEncoderSession::post(JobCommand command)
@@ -44,7 +44,7 @@ void LineEncoderSession::post(JobCommand command)
 void LineEncoderSession::report(Message message, Instant at)
 {
     message.at = at;
-    message.place = number();
+    message.place = place();
     Q_EMIT m_line.messaged(message);
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line/line_permission.h"
 
-#include "encoder/device_number.h"
+#include "encoder/place.h"
 
 namespace codewheel {
 namespace {
 
 tl::unexpected<Refusal> notNow(RefusalId why, LineAddress place)
 {
-    return refuse(RefusalKind::busy, why, {DeviceNumber::onLine(place).toString()});
+    return refuse(RefusalKind::busy, why, {placeOnLine(place).toString()});
 }
 
 tl::unexpected<Refusal> portLost(const QString &link)

@@ -186,7 +186,7 @@ void LineRunner::Private::collect(std::size_t device)
     for (Event &event : driver(device)->takeEvents())
         tellEvent(std::move(event), device);
     for (Message &message : driver(device)->takeMessages()) {
-        message.place = DeviceNumber::onLine(driver(device)->address());
+        message.place = placeOnLine(driver(device)->address());
         tell(std::move(message));
     }
 }

@@ -23,7 +23,7 @@ Result<void> LineRunner::Private::mayStart(std::size_t device, const Job &job) c
     if (auto allowed = codewheel::mayStart(state, job, place, link.name()); !allowed)
         return allowed;
     if (driver(device)->busy())
-        return refuse(RefusalKind::busy, RefusalId::jobRunning, {DeviceNumber::onLine(place).toString()});
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {placeOnLine(place).toString()});
     return {};
 }
 
@@ -95,7 +95,7 @@ void LineRunner::Private::carryOut(line_command::SetOperate &c)
     const auto busy = std::ranges::find_if(
         devices, [](const Device &device) { return device.driver && device.driver->busy(); });
     if (busy != devices.end()) {
-        const auto place = DeviceNumber::onLine(busy->driver->address());
+        const auto place = placeOnLine(busy->driver->address());
         tell({.severity = Severity::attention,
               .refusal = Refusal{RefusalKind::busy, RefusalId::jobRunning, {place.toString()}}});
         return;

@@ -26,14 +26,14 @@ struct LineSession::Private
     Result<void> begin(Drive drive, const esc::Timing &timing, SleepWatch::Slept slept);
     Freshness::Circumstances circumstances() const;
     void end();
-    Encoder *find(DeviceNumber number)
+    Encoder *find(NodeId node)
     {
-        const auto found = std::ranges::find_if(encoders, [number](const Encoder &encoder) {
-            return encoder.session && encoder.session->number() == number;
+        const auto found = std::ranges::find_if(encoders, [node](const Encoder &encoder) {
+            return encoder.session && encoder.session->place().node == node;
         });
         return found == encoders.end() ? nullptr : &*found;
     }
-    std::size_t placeOf(const Encoder &encoder) const
+    std::size_t indexOf(const Encoder &encoder) const
     {
         return static_cast<std::size_t>(&encoder - encoders.data());
     }
@@ -53,8 +53,8 @@ struct LineSession::Private
 };
 
 LineSession::LineSession(std::unique_ptr<ByteLink> link, const Catalog &catalog, QDateTime begin,
-                         DriverFactory makeDriver, QObject *parent)
-    : EncoderBus(std::move(begin), parent)
+                         DriverFactory makeDriver, QObject *parent, BusId id)
+    : EncoderBus(id, std::move(begin), parent)
     , d(std::make_unique<Private>(Private{std::move(link), catalog, std::move(makeDriver)}))
 {}
 
@@ -188,8 +188,8 @@ void LineSession::showLatest()
         LineEncoderSession *session = d->encoders[i].session.get();
         if (!session || !shown->devices[i].present)
             continue;
-        const DeviceNumber before = session->number();
-        const DeviceNumber now = DeviceNumber::onLine(shown->devices[i].address);
+        const Place before = session->place();
+        const Place now = placeOf(shown->devices[i].address.node());
         session->moveTo(now);
         session->show(shown->devices[i].reading, circumstances);
         if (now != before)
@@ -226,19 +226,19 @@ void LineSession::dispatch(const Message &message)
 
 Result<void> LineSession::add(LineAddress address, const QString &deviceKey)
 {
-    const DeviceNumber number = DeviceNumber::onLine(address);
+    const Place place = placeOf(address.node());
     if (!d->runner)
         return refuse(RefusalKind::link, RefusalId::lineClosed);
     if (!address.isDevice() && !address.isMaster())
         return refuse(RefusalKind::badInput, RefusalId::lineAddressWrong, {address.onWire()});
-    if (const Private::Encoder *there = d->find(number))
+    if (const Private::Encoder *there = d->find(place.node))
         return refuse(RefusalKind::badInput, RefusalId::lineAddressTaken,
                       {address.shown(), there->description->fullName()});
-    if (const auto others = numbers();
-        !others.empty() && (address.isMaster() || others.front().isAtMasterAddress))
+    if (const auto others = places();
+        !others.empty() && (address.isMaster() || LineAddress::of(others.front().node).isMaster()))
         return refuse(
             RefusalKind::badInput, RefusalId::lineAddressNotAlone,
-            {LineAddress::master().shown(), (address.isMaster() ? others.front() : number).toString()});
+            {LineAddress::master().shown(), (address.isMaster() ? others.front() : place).toString()});
     const DeviceDescription *described = d->catalog.find(deviceKey);
     if (!described || described->profile != Profile::esc)
         return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {deviceKey, QStringLiteral("ESC")});
@@ -253,43 +253,43 @@ Result<void> LineSession::add(LineAddress address, const QString &deviceKey)
     return {};
 }
 
-Result<void> LineSession::remove(DeviceNumber number)
+Result<void> LineSession::remove(Place place)
 {
-    Private::Encoder *encoder = d->find(number);
+    Private::Encoder *encoder = d->find(place.node);
     if (!encoder)
-        return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {number.toString(), QString()});
+        return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {place.toString(), QString()});
     if (encoder->session->runningJob())
-        return refuse(RefusalKind::busy, RefusalId::jobRunning, {number.toString()});
-    const std::size_t place = d->placeOf(*encoder);
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {place.toString()});
+    const std::size_t index = d->indexOf(*encoder);
     const auto ended = std::move(encoder->session); // who is told finds it no more
-    post(line_command::RemoveDevice{place});
+    post(line_command::RemoveDevice{index});
     Q_EMIT nodesChanged();
     return {};
 }
 
-std::vector<DeviceNumber> LineSession::numbers() const
+std::vector<Place> LineSession::places() const
 {
-    std::vector<DeviceNumber> numbers;
+    std::vector<Place> places;
     for (const Private::Encoder &encoder : d->encoders)
         if (encoder.session)
-            numbers.push_back(encoder.session->number());
-    std::ranges::sort(numbers);
-    return numbers;
+            places.push_back(encoder.session->place());
+    std::ranges::sort(places);
+    return places;
 }
 
-EncoderSession *LineSession::encoder(DeviceNumber number) const
+EncoderSession *LineSession::encoderAt(NodeId node) const
 {
-    const Private::Encoder *encoder = d->find(number);
+    const Private::Encoder *encoder = d->find(node);
     return encoder ? encoder->session.get() : nullptr;
 }
 
-const LineSnapshot::Device *LineSession::shown(DeviceNumber number) const
+const LineSnapshot::Device *LineSession::shown(Place place) const
 {
-    const Private::Encoder *encoder = d->find(number);
+    const Private::Encoder *encoder = d->find(place.node);
     if (!encoder)
         return nullptr;
-    const std::size_t place = d->placeOf(*encoder);
-    return place < d->latest->devices.size() ? &d->latest->devices[place] : nullptr;
+    const std::size_t index = d->indexOf(*encoder);
+    return index < d->latest->devices.size() ? &d->latest->devices[index] : nullptr;
 }
 
 void LineSession::post(LineCommand command)
@@ -343,21 +343,21 @@ void LineSession::takeOtherAdapter()
     post(line_command::TakeOtherAdapter{});
 }
 
-Result<void> LineSession::determineFractionBits(DeviceNumber number)
+Result<void> LineSession::determineFractionBits(Place place)
 {
-    Private::Encoder *encoder = d->find(number);
+    Private::Encoder *encoder = d->find(place.node);
     if (!encoder)
-        return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {number.toString(), QString()});
+        return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {place.toString(), QString()});
     const auto job = encoder->session->start(fractionBitsJob(), Pace::byItself);
     if (!job)
         return tl::unexpected(job.error());
     auto *waiting = new QObject(encoder->session.get());
     connect(encoder->session.get(), &EncoderSession::finished, waiting,
-            [this, waiting, number, id = *job](const Outcome &outcome) {
+            [this, waiting, place, id = *job](const Outcome &outcome) {
                 if (outcome.job != id)
                     return;
                 waiting->deleteLater();
-                Q_EMIT fractionBitsDetermined(number, fractionBitsOf(outcome));
+                Q_EMIT fractionBitsDetermined(place, fractionBitsOf(outcome));
             });
     return {};
 }
@@ -374,13 +374,13 @@ int LineSession::fractionBits() const
     return d->fractionBits;
 }
 
-void LineSession::setSwapsWarningBytes(DeviceNumber number, bool on)
+void LineSession::setSwapsWarningBytes(Place place, bool on)
 {
-    Private::Encoder *encoder = d->find(number);
+    Private::Encoder *encoder = d->find(place.node);
     if (!encoder || encoder->session->swapsWarningBytes() == on)
         return;
     encoder->session->m_swapsWarningBytes = on;
-    post(line_command::SetSwapsWarningBytes{d->placeOf(*encoder), on});
+    post(line_command::SetSwapsWarningBytes{d->indexOf(*encoder), on});
     Q_EMIT explainOptionsChanged();
 }
 
@@ -389,7 +389,7 @@ esc::ExplainOptions LineSession::explainOptions() const
     esc::ExplainOptions options{.fractionBits = d->fractionBits};
     for (const Private::Encoder &encoder : d->encoders)
         if (encoder.session && encoder.session->swapsWarningBytes())
-            options.swapping.insert(encoder.session->number().line);
+            options.swapping.insert(LineAddress::of(encoder.session->place().node));
     return options;
 }
 

@@ -39,7 +39,7 @@ public:
     // The catalog must outlive the session. `begin` is the date and time that the line's Instant 0 stands
     // for.
     LineSession(std::unique_ptr<ByteLink> link, const Catalog &catalog, QDateTime begin,
-                DriverFactory makeDriver, QObject *parent = nullptr);
+                DriverFactory makeDriver, QObject *parent = nullptr, BusId id = firstLine);
     ~LineSession() override;
 
     // Opens the line; it is polled from then on. Encoders and sessions of a connection before end.
@@ -58,12 +58,11 @@ public:
     // Takes an encoder at this address into the polling. Refused for an address out of range or taken, and
     // for a device that is not on a serial line.
     Result<void> add(LineAddress address, const QString &deviceKey);
-    Result<void> remove(DeviceNumber number);
-    std::vector<DeviceNumber> numbers() const override;
-    EncoderSession *encoder(DeviceNumber number) const override;
+    Result<void> remove(Place place);
+    std::vector<Place> places() const override;
 
     const LineSnapshot &latest() const;
-    const LineSnapshot::Device *shown(DeviceNumber number) const; // null: no such device
+    const LineSnapshot::Device *shown(Place place) const; // null: no such device
     bool isOperating() const override;
     bool isPolling() const;
     bool isRunning() const override;
@@ -73,14 +72,14 @@ public:
     void takeOtherAdapter();
     // "Determine from device": reads what tells the format of its scaling factor; ends with
     // fractionBitsDetermined(). Sets nothing.
-    Result<void> determineFractionBits(DeviceNumber number);
+    Result<void> determineFractionBits(Place place);
     // Of the scaling factor, for all encoders, those that are added later too; by them what a job will send
     // is told beforehand.
     void setFractionBits(int bits);
     int fractionBits() const;
     // Whether the warnings of this encoder come with their two bytes in the other order (the manual's example
     // of E reads 0098 as 9800h). Nothing without such an encoder.
-    void setSwapsWarningBytes(DeviceNumber number, bool on);
+    void setSwapsWarningBytes(Place place, bool on);
     // By which requests and answers on this line are told in words.
     esc::ExplainOptions explainOptions() const;
 
@@ -99,10 +98,10 @@ Q_SIGNALS:
     // The port is gone, and what is plugged in is not known to be its adapter (portOfOther): it is not used
     // unasked.
     void otherAdapterFound(const codewheel::Refusal &which);
-    void fractionBitsDetermined(codewheel::DeviceNumber number, const codewheel::Result<int> &bits);
+    void fractionBitsDetermined(codewheel::Place place, const codewheel::Result<int> &bits);
     void alarmStopped(); // by alarmStop(): nothing is to be sent on its own any more
     // The encoder has another address now: encoder() finds it by that one.
-    void moved(codewheel::DeviceNumber from, codewheel::DeviceNumber to);
+    void moved(codewheel::Place from, codewheel::Place to);
     void passed(const codewheel::esc::LineRow &row); // what went over the line
     // Nothing of it has been sent yet: a write that was typed. For the ledger of EEPROM writes; its end is
     // typedAnswered(), of one that is refused too.
@@ -113,6 +112,7 @@ Q_SIGNALS:
 
 private:
     friend class LineEncoderSession;
+    EncoderSession *encoderAt(NodeId node) const override;
     void post(LineCommand command);
     void dispatch(const LineEvent &event);
     void dispatch(const Message &message);

@@ -66,10 +66,7 @@ private:
     {
         return m_addresses[device].*direction.range;
     }
-    QString number(std::size_t device) const
-    {
-        return m_project.devices[device].participant.number.toString();
-    }
+    QString number(std::size_t device) const { return m_project.devices[device].place().toString(); }
     QString shown(int byte) const { return addressText(byte, m_project.addresses.unit); }
 
     const Project &m_project;

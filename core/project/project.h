@@ -57,6 +57,7 @@ struct LastPosition
 // One device of the planned bus, and what is wanted and known of it.
 struct ProjectDevice
 {
+    BusId bus = firstRing;
     Participant
         participant; // its number follows from its place and level, or is its address on a serial line
     QString station; // "Crane 1, hoist"; empty: none
@@ -71,6 +72,13 @@ struct ProjectDevice
     std::vector<StoredCams> storedCams; // by number
     std::optional<LastPosition> lastPosition;
     bool swapsWarningBytes = false; // on a serial line: its warnings come with the low byte first
+
+    Place place() const { return {bus, participant.number}; }
+    void standAt(Place place)
+    {
+        bus = place.bus;
+        participant.number = place.node;
+    }
 
     friend bool operator==(const ProjectDevice &, const ProjectDevice &) = default;
 };
@@ -143,7 +151,7 @@ struct Project
 };
 
 // The device of this number in the ring or on the serial line; null: the project has none.
-const ProjectDevice *findDevice(const Project &project, DeviceNumber number);
-ProjectDevice *findDevice(Project &project, DeviceNumber number);
+const ProjectDevice *findDevice(const Project &project, Place number);
+ProjectDevice *findDevice(Project &project, Place number);
 
 } // namespace codewheel

@@ -118,7 +118,7 @@ Participant ProjectReader::readParticipant(const JsonObject &json)
 }
 
 // The number follows from the place in the list; that it is told as well makes the file readable.
-DeviceNumber ProjectReader::readPlace(const JsonObject &json)
+NodeId ProjectReader::readPlace(const JsonObject &json)
 {
     const QString told = json.text("place");
     const bool onLocalBus = told.contains(u'.') && !told.endsWith(QStringLiteral(".0"));
@@ -129,7 +129,7 @@ DeviceNumber ProjectReader::readPlace(const JsonObject &json)
                                  .arg(told, nextNumber(m_lastPlace, false).toString(),
                                       nextNumber(m_lastPlace, true).toString()));
     m_lastPlace = place;
-    return place;
+    return place.node();
 }
 
 DeviceLabel ProjectReader::readLabel(const JsonObject &json)

@@ -21,7 +21,7 @@ private:
     ProjectDevice readDevice(const JsonObject &json);
     static void readWhatIsKnown(const JsonObject &json, ProjectDevice &device);
     Participant readParticipant(const JsonObject &json);
-    DeviceNumber readPlace(const JsonObject &json);
+    NodeId readPlace(const JsonObject &json);
     static DeviceLabel readLabel(const JsonObject &json);
     static ParameterValues readWanted(const JsonObject &json);
     static std::vector<StoredValue> readStored(const JsonObject &json);

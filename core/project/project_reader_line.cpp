@@ -27,6 +27,11 @@ int number(const JsonObject &json, const char *key, int otherwise, line_limits::
     return json.numberOr(key, otherwise, limits.least, limits.most);
 }
 
+bool isAtMasterAddress(Place place)
+{
+    return LineAddress::of(place.node).isMaster();
+}
+
 } // namespace
 
 ProjectLine ProjectReader::readLine(const JsonObject &json)
@@ -65,24 +70,24 @@ void ProjectReader::readEncoders(const JsonObject &json, std::vector<ProjectDevi
                                             LineAddress::last)) {
         ProjectDevice encoder;
         const QString told = row.text("place");
-        const auto place = DeviceNumber::parse(told);
+        const auto place = Place::parse(told);
         if (!place || !place->isOnLine() || place->toString() != told)
             row.report("place", tr("An address from \"esc:01\" to \"esc:1F\" is expected here, or \"esc:00\" "
                                    "for an encoder that is alone on its line."));
         else if (!places.insert(told).second)
             row.report("place", tr("The address \"%1\" stands above already.").arg(told));
         else if (!encoders.empty() &&
-                 (place->line.isMaster() || encoders.front().participant.number.line.isMaster()))
+                 (isAtMasterAddress(*place) || isAtMasterAddress(encoders.front().place())))
             row.report("place",
                        tr("Every encoder answers to \"esc:00\": one that stands there must be alone on its "
                           "line."));
-        encoder.participant.number = place.value_or(DeviceNumber());
+        encoder.standAt(place.value_or(placeOnLine({})));
         encoder.participant.deviceKey = row.text("device");
         encoder.swapsWarningBytes = row.flagOr("swapsWarningBytes", false);
         readWhatIsKnown(row, encoder);
         encoders.push_back(std::move(encoder));
     }
-    std::ranges::sort(encoders, {}, [](const ProjectDevice &encoder) { return encoder.participant.number; });
+    std::ranges::sort(encoders, {}, [](const ProjectDevice &encoder) { return encoder.place(); });
 }
 
 LineAdapter ProjectReader::readAdapter(const JsonObject &json)

@@ -55,7 +55,7 @@ Project takenOver(Project project, const RingStructure &connected, const Compari
         }
         device.participant = participant;
         number = nextNumber(number, isOnLocalBus(participant));
-        device.participant.number = number;
+        device.participant.number = number.node();
         devices.push_back(std::move(device));
     }
     project.devices = std::move(devices);

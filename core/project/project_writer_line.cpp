@@ -21,8 +21,7 @@ std::int64_t wholeMilliseconds(Instant time)
 void ProjectWriter::writeLine(const ProjectLine &line)
 {
     std::vector<ProjectDevice> byAddress = line.encoders;
-    std::ranges::stable_sort(byAddress, {},
-                             [](const ProjectDevice &encoder) { return encoder.participant.number; });
+    std::ranges::stable_sort(byAddress, {}, [](const ProjectDevice &encoder) { return encoder.place(); });
     const LineWish &wish = line.wish;
     m_json.object("serialLine", [&] {
         writeText("port", wish.port);
@@ -40,7 +39,7 @@ void ProjectWriter::writeLine(const ProjectLine &line)
         m_json.member("fractionBits", wish.fractionBits);
         m_json.member("topSpeed", wish.topSpeed);
         m_json.list("encoders", byAddress, [&](const ProjectDevice &encoder) {
-            m_json.member("place", encoder.participant.number.toString());
+            m_json.member("place", encoder.place().toString());
             writeText("device", encoder.participant.deviceKey);
             writeNames(encoder);
             if (encoder.swapsWarningBytes)

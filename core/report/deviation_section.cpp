@@ -102,7 +102,7 @@ void addFindings(ReportSection &section, const Project &project)
                       {Column::text, Column::text},
                       {}};
     for (const Finding &finding : checkProject(project))
-        table.rows.push_back({{project.devices[finding.device].participant.number.toString(), finding.text}});
+        table.rows.push_back({{project.devices[finding.device].place().toString(), finding.text}});
     if (!table.rows.empty())
         section.blocks.emplace_back(std::move(table));
 }

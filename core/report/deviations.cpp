@@ -62,7 +62,8 @@ std::optional<QStringList> busDifferences(const ReportInput &input, const Catalo
     const ProjectPlaces places(input.project, connected, catalog);
     for (const ComparisonLine &line : comparison) {
         const bool isSame = line.kind == ComparisonKind::same;
-        const auto why = isSame ? places.hindrance(configured[*line.configured].number) : std::nullopt;
+        const auto why =
+            isSame ? places.hindrance({firstRing, configured[*line.configured].number}) : std::nullopt;
         const bool hasItsNumber =
             isSame && configured[*line.configured].number == connected[*line.connected].number;
         if (why && hasItsNumber)

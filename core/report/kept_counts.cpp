@@ -16,7 +16,7 @@ std::vector<EncoderIdentity> identitiesOf(const ProjectDevice &device, const Cat
     std::vector<EncoderIdentity> identities;
     const DeviceDescription *description = catalog.find(device.participant.deviceKey);
     const QString vendor = description ? description->vendor : QString();
-    const DeviceNumber place = device.participant.number;
+    const Place place = device.place();
     const auto serial = std::ranges::find(device.stored, Parameter::serialNumber, &StoredValue::parameter);
     if (serial != device.stored.end() && serial->evidence == Evidence::read)
         identities.push_back(
@@ -33,11 +33,11 @@ std::vector<EncoderIdentity> identitiesOf(const ProjectDevice &device, const Cat
 void addKept(ReportInput &input, const Ledger &ledger, const Catalog &catalog, const QString &projectFile)
 {
     for (const ProjectDevice &device : input.project.devices) {
-        if (input.writes.contains(device.participant.number))
+        if (input.writes.contains(device.place()))
             continue;
         for (const EncoderIdentity &identity : identitiesOf(device, catalog, projectFile))
             if (const EepromCount count = ledger.writes(identity); count.since.isValid()) {
-                input.writes[device.participant.number] = count;
+                input.writes[device.place()] = count;
                 break;
             }
     }

@@ -22,8 +22,8 @@ std::vector<ConnectedEncoder> connectedEncoders(const Project &project, const Bu
     std::vector<ConnectedEncoder> encoders;
     const ProjectPlaces places(project, bus);
     for (const ProjectDevice &planned : project.devices)
-        if (places.isAtItsPlace(planned.participant.number))
-            if (EncoderSession *encoder = bus.encoder(planned.participant.number))
+        if (places.isAtItsPlace(planned.place()))
+            if (EncoderSession *encoder = bus.encoder(planned.place()))
                 encoders.emplace_back(&planned, encoder);
     return encoders;
 }
@@ -34,8 +34,8 @@ void addConnected(ReportInput &input, const BusSession &bus)
     for (const auto &[planned, encoder] : connectedEncoders(input.project, bus)) {
         LiveEncoder known{valuesToStore(*encoder), camsToStore(*encoder)};
         if (!known.cams.empty() || !std::ranges::all_of(known.values, isTold))
-            input.live[encoder->number()] = std::move(known);
-        input.writes[encoder->number()] = encoder->eepromCount();
+            input.live[encoder->place()] = std::move(known);
+        input.writes[encoder->place()] = encoder->eepromCount();
     }
 }
 

@@ -25,8 +25,8 @@ struct ReportInput
     QString version; // of the program
     QDateTime now;   // its time zone is that of all times in the report
     // What is known now, by place. A place that is not in it is reported as the project has it stored.
-    std::map<DeviceNumber, LiveEncoder> live{};
-    std::map<DeviceNumber, EepromCount> writes{};
+    std::map<Place, LiveEncoder> live{};
+    std::map<Place, EepromCount> writes{};
     // The connected ring, to be compared with the configured one; nothing: there is none.
     std::optional<RingStructure> connected{};
 };

@@ -73,7 +73,7 @@ std::vector<ReportedDevice> reportedDevices(const ReportInput &input, const Cata
                               .description = descriptionOf(planned.participant, catalog),
                               .values = planned.stored,
                               .cams = planned.storedCams};
-        if (const auto live = input.live.find(planned.participant.number); live != input.live.end()) {
+        if (const auto live = input.live.find(planned.place()); live != input.live.end()) {
             device.isLive = true;
             device.values = live->second.values;
             device.cams = live->second.cams;

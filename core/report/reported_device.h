@@ -16,7 +16,7 @@ struct ReportedDevice
     std::vector<StoredValue> values;
     std::vector<StoredCams> cams;
 
-    DeviceNumber place() const { return planned->participant.number; }
+    Place place() const { return planned->place(); }
     const StoredValue *known(Parameter parameter) const;
     const StoredCams *knownCams(unsigned program) const;
     const CamProgram *wantedCams(unsigned program) const;

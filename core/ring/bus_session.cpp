@@ -44,7 +44,7 @@ RingRunner::Drivers BusSession::Private::makeDevices(BusSession &bus)
 std::unique_ptr<WordChannel> BusSession::Private::makeChannel(BusSession &bus, const Participant &participant)
 {
     return std::make_unique<WordChannel>(
-        bus, participant.number, participant.inWords, participant.outWords,
+        bus, bus.placeOf(participant.number), participant.inWords, participant.outWords,
         [&bus](const WordChannel &channel, Word word) { return bus.write(channel, word); });
 }
 
@@ -57,8 +57,8 @@ std::unique_ptr<CyclicDriver> BusSession::Private::makeSession(BusSession &bus, 
     const DeviceDescription &own = descriptions.emplace_back(*description);
     auto driver = driverFor(own);
     if (driver)
-        sessions[place] = std::make_unique<RingEncoderSession>(bus, place, structure[place].number, own,
-                                                               link->boundsWordsToCycles());
+        sessions[place] = std::make_unique<RingEncoderSession>(
+            bus, place, bus.placeOf(structure[place].number), own, link->boundsWordsToCycles());
     return driver;
 }
 
@@ -103,15 +103,15 @@ void BusSession::Private::keepEepromWrites(const RingEvent &event)
         Event(KnowledgeChanged{.known = {}, .noLongerKnown = {}, .eepromWrites = change->eepromWrites});
 }
 
-std::size_t BusSession::Private::indexOf(DeviceNumber number) const
+std::size_t BusSession::Private::indexOf(NodeId node) const
 {
-    const auto found = std::ranges::find(structure, number, &Participant::number);
+    const auto found = std::ranges::find(structure, node, &Participant::number);
     return static_cast<std::size_t>(found - structure.begin());
 }
 
 BusSession::BusSession(std::unique_ptr<ProcessDataLink> link, const Catalog &catalog, QDateTime begin,
-                       QObject *parent, DriverFactory makeDriver)
-    : EncoderBus(std::move(begin), parent)
+                       QObject *parent, DriverFactory makeDriver, BusId id)
+    : EncoderBus(id, std::move(begin), parent)
     , d(std::make_unique<Private>(std::move(link), catalog, std::move(makeDriver)))
 {}
 
@@ -275,6 +275,8 @@ void BusSession::dispatch(const RingEvent &event)
         return;
     }
     auto message = std::get<Message>(event.what);
+    if (message.place)
+        message.place->bus = id();
     const bool isFault = session && message.id == MessageId::deviceFault;
     if (isFault)
         message.refusal = session->nameOf(message);
@@ -288,9 +290,9 @@ void BusSession::dispatch(const RingEvent &event)
 // At the place of a channel may be another by now.
 Result<void> BusSession::write(const WordChannel &channel, Word word)
 {
-    const std::size_t device = d->indexOf(channel.number());
+    const std::size_t device = d->indexOf(channel.place().node);
     if (device >= d->channels.size() || d->channels[device].get() != &channel)
-        return refuse(RefusalKind::link, RefusalId::notInRing, {channel.number().toString()});
+        return refuse(RefusalKind::link, RefusalId::notInRing, {channel.place().toString()});
     const Participant &participant = d->structure[device];
     if (participant.outWords == 0)
         return refuse(RefusalKind::notSupported, RefusalId::sendingNotSupported,
@@ -306,29 +308,29 @@ Result<void> BusSession::write(const WordChannel &channel, Word word)
     return {};
 }
 
-Result<void> BusSession::canBe(DeviceNumber number, const DeviceDescription &device) const
+Result<void> BusSession::canBe(Place place, const DeviceDescription &device) const
 {
-    const std::size_t i = d->indexOf(number);
+    const std::size_t i = d->indexOf(place.node);
     const unsigned there = i < d->structure.size() ? d->structure[i].deviceCode : 0;
     if (device.deviceCode == there)
         return {};
     const QString its = device.profile == Profile::esc ? QStringLiteral("-") : hexCode(device.deviceCode, 4);
     return refuse(RefusalKind::badInput, RefusalId::deviceCodeDiffers,
-                  {number.toString(), hexCode(there, 4), device.fullName(), its});
+                  {place.toString(), hexCode(there, 4), device.fullName(), its});
 }
 
-Result<void> BusSession::name(DeviceNumber number, const QString &deviceKey, int turns, int stepsPerTurn)
+Result<void> BusSession::name(Place place, const QString &deviceKey, int turns, int stepsPerTurn)
 {
-    const std::size_t i = d->indexOf(number);
+    const std::size_t i = d->indexOf(place.node);
     if (!d->runner || i >= d->structure.size())
-        return refuse(RefusalKind::busy, RefusalId::notRunning, {number.toString()});
+        return refuse(RefusalKind::busy, RefusalId::notRunning, {place.toString()});
     Participant &participant = d->structure[i];
     const DeviceDescription *wanted = d->catalog.find(deviceKey);
     if (wanted)
-        if (auto can = canBe(number, *wanted); !can)
+        if (auto can = canBe(place, *wanted); !can)
             return can;
     if (d->sessions[i] && d->sessions[i]->runningJob())
-        return refuse(RefusalKind::busy, RefusalId::jobRunning, {number.toString()});
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {place.toString()});
 
     participant.deviceKey = wanted ? deviceKey : QString();
     std::optional<DeviceDescription> described;
@@ -349,8 +351,8 @@ Result<void> BusSession::name(DeviceNumber number, const QString &deviceKey, int
             d->keepEepromWrites(event);
         else
             d->events.push_back(event);
-    post(command::SetDriver{i, std::move(driver), described ? described->fullName() : number.toString()});
-    Q_EMIT named(number);
+    post(command::SetDriver{i, std::move(driver), described ? described->fullName() : place.toString()});
+    Q_EMIT named(place);
     Q_EMIT nodesChanged();
     if (!d->pumping)
         d->retired.clear();
@@ -383,23 +385,23 @@ const RingStructure &BusSession::structure() const
     return d->structure;
 }
 
-std::vector<DeviceNumber> BusSession::numbers() const
+std::vector<Place> BusSession::places() const
 {
-    std::vector<DeviceNumber> numbers;
+    std::vector<Place> places;
     for (const Participant &participant : d->structure)
-        numbers.push_back(participant.number);
-    return numbers;
+        places.push_back(placeOf(participant.number));
+    return places;
 }
 
-EncoderSession *BusSession::encoder(DeviceNumber number) const
+EncoderSession *BusSession::encoderAt(NodeId node) const
 {
-    const std::size_t i = d->indexOf(number);
+    const std::size_t i = d->indexOf(node);
     return i < d->sessions.size() ? d->sessions[i].get() : nullptr;
 }
 
-WordChannel *BusSession::channel(DeviceNumber number) const
+WordChannel *BusSession::channelAt(NodeId node) const
 {
-    const std::size_t i = d->indexOf(number);
+    const std::size_t i = d->indexOf(node);
     return i < d->channels.size() ? d->channels[i].get() : nullptr;
 }
 

@@ -34,7 +34,7 @@ public:
     // The catalog must outlive the session. `begin` is the date and time that Instant 0 stands for. No
     // factory: the drivers of the program (drivers/make_driver.h).
     BusSession(std::unique_ptr<ProcessDataLink> link, const Catalog &catalog, QDateTime begin,
-               QObject *parent = nullptr, DriverFactory makeDriver = {});
+               QObject *parent = nullptr, DriverFactory makeDriver = {}, BusId id = firstRing);
     ~BusSession() override;
 
     // Connects, finds the participants, makes sessions and channels; the bus is in RUN afterwards, and its
@@ -53,9 +53,7 @@ public:
     bool isOpen() const override;
     bool isSimulated() const override;
     const RingStructure &structure() const;
-    std::vector<DeviceNumber> numbers() const override;
-    EncoderSession *encoder(DeviceNumber number) const override;
-    WordChannel *channel(DeviceNumber number) const override; // null: no such device
+    std::vector<Place> places() const override;
 
     const Snapshot &latest() const;
     // What the ring's master says; null where the link reaches none.
@@ -87,15 +85,15 @@ public:
     // it does not. The device gets a new session (or none): encoder() gives that one from now on, and nothing
     // that was known is kept but the count of EEPROM writes; the old one ends. Refused while a job runs.
     // Sends nothing.
-    Result<void> name(DeviceNumber number, const QString &deviceKey, int turns = 0, int stepsPerTurn = 0);
-    // Whether the device at `number` can be this one, by its device code.
-    Result<void> canBe(DeviceNumber number, const DeviceDescription &device) const;
+    Result<void> name(Place place, const QString &deviceKey, int turns = 0, int stepsPerTurn = 0);
+    // Whether the device at `place` can be this one, by its device code.
+    Result<void> canBe(Place place, const DeviceDescription &device) const;
     const Catalog &catalog() const;
 
 Q_SIGNALS:
-    void named(codewheel::DeviceNumber number); // its session is another one now
-    void readInProgressed(int devices);         // found so far
-    void readInEnded();                         // structure() is what was found
+    void named(codewheel::Place place); // its session is another one now
+    void readInProgressed(int devices); // found so far
+    void readInEnded();                 // structure() is what was found
     void readInFailed(const codewheel::Refusal &why);
     // structure() is another ring now, with sessions and channels of its own. A device of the same number,
     // device code and name has kept its session, its channel, and what is known of it; those of all others
@@ -105,6 +103,8 @@ Q_SIGNALS:
 
 private:
     friend class RingEncoderSession;
+    EncoderSession *encoderAt(NodeId node) const override;
+    WordChannel *channelAt(NodeId node) const override; // null: no such device
     Result<void> write(const WordChannel &channel, Word word);
     void showDevice(std::size_t place);
     void post(Command command);

@@ -35,7 +35,7 @@ struct BusSession::Private
     void keepEepromWrites(const RingEvent &event);
     // The ring that was read in takes the place of this one (bus_session_ring.cpp).
     RingRunner::Drivers takeOver(BusSession &bus, RingStructure found, RingRunner::Drivers drivers);
-    std::size_t indexOf(DeviceNumber number) const; // structure.size(): no such device
+    std::size_t indexOf(NodeId node) const; // structure.size(): no such device
 
     std::unique_ptr<ProcessDataLink> link;
     const Catalog &catalog;

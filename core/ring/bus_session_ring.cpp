@@ -41,7 +41,7 @@ RingRunner::Drivers BusSession::Private::takeOver(BusSession &bus, RingStructure
         channels.push_back(std::move(channelsBefore[j]));
         sessions[i] = std::move(sessionsBefore[j]);
         if (sessions[i])
-            sessions[i]->movePlaceTo(i);
+            sessions[i]->moveIndexTo(i);
     }
     std::ranges::move(sessionsBefore, std::back_inserter(retired));
     std::ranges::move(channelsBefore, std::back_inserter(retiredChannels));

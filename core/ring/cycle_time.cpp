@@ -25,7 +25,7 @@ RingLoad ringLoad(const RingStructure &structure, double cableKilometres)
     RingLoad load{0, 0, cableKilometres};
     for (const Participant &participant : structure) {
         load.dataBytes += 2 * std::max(participant.inWords, participant.outWords);
-        if (participant.number.position == 0)
+        if (!isOnLocalBus(participant))
             ++load.remoteBusDevices;
     }
     return load;

@@ -11,7 +11,8 @@ namespace codewheel {
 
 bool hasRemoteBusLeds(const EncoderSession *encoder)
 {
-    return encoder != nullptr && encoder->number().position == 0 && encoder->device().leds;
+    return encoder != nullptr && DeviceNumber::of(encoder->place().node).position == 0 &&
+           encoder->device().leds;
 }
 
 QString ledLightName(LedLight state)

@@ -15,7 +15,7 @@ std::vector<RefusalArgument> faultArguments(std::uint16_t errorCode, std::uint16
 
 } // namespace
 
-std::vector<Message> MasterWatch::look(const MasterStatus &status, const std::vector<DeviceNumber> &ring,
+std::vector<Message> MasterWatch::look(const MasterStatus &status, const std::vector<NodeId> &ring,
                                        Instant now)
 {
     lookAtBus(status);
@@ -42,7 +42,7 @@ void MasterWatch::lookAtBus(const MasterStatus &status)
                         .id = MessageId::busFault,
                         .arguments = faultArguments(status.errorCode, status.parameter)};
         if (const auto place = status.faultPlace())
-            message.place = place->number;
+            message.place = Place{.node = place->number};
         m_messages.push_back(std::move(message));
     }
     if (!failedBefore || status.state != MasterState::ready || status.isFaulty())
@@ -68,14 +68,14 @@ bool MasterWatch::isFaultSwitchedOff(const MasterStatus &status) const
     return true;
 }
 
-void MasterWatch::lookAtDevices(const MasterStatus &status, const std::vector<DeviceNumber> &ring)
+void MasterWatch::lookAtDevices(const MasterStatus &status, const std::vector<NodeId> &ring)
 {
     const std::size_t devices = std::min(ring.size(), status.devices.size());
     for (std::size_t i = 0; i < devices; ++i) {
         const bool before = i < m_before.devices.size() && m_before.devices[i].peripheralFault;
         if (status.devices[i].peripheralFault == before)
             continue;
-        Message message{.place = ring[i]};
+        Message message{.place = Place{.node = ring[i]}};
         const bool wasConfirmed = m_confirmed.erase(i) > 0;
         if (before) {
             if (!wasConfirmed)
@@ -126,7 +126,7 @@ void MasterWatch::lookAtCrcErrors(const MasterStatus::Segment &segment, Instant 
 void MasterWatch::tellCrcErrors(const MasterStatus::Segment &segment, Instant now)
 {
     Told &told = m_told[segment.segment];
-    m_messages.push_back({.place = DeviceNumber{segment.segment, 0},
+    m_messages.push_back({.place = Place{.node = DeviceNumber{segment.segment, 0}.node()},
                           .severity = Severity::attention,
                           .id = MessageId::crcErrors,
                           .arguments = {std::int64_t{segment.segment},

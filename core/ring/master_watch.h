@@ -17,7 +17,7 @@ class MasterWatch
 {
 public:
     // In the order of what happened; without time. `ring` has the numbers of status.devices.
-    std::vector<Message> look(const MasterStatus &status, const std::vector<DeviceNumber> &ring, Instant now);
+    std::vector<Message> look(const MasterStatus &status, const std::vector<NodeId> &ring, Instant now);
 
     // After each cycle: the CRC errors that were held back until their minute was over.
     std::vector<Message> lookAtTime(Instant now);
@@ -33,7 +33,7 @@ public:
 private:
     void lookAtBus(const MasterStatus &status);
     bool isFaultSwitchedOff(const MasterStatus &status) const;
-    void lookAtDevices(const MasterStatus &status, const std::vector<DeviceNumber> &ring);
+    void lookAtDevices(const MasterStatus &status, const std::vector<NodeId> &ring);
     void lookAtSegments(const MasterStatus &status, Instant now);
     void lookAtCrcErrors(const MasterStatus::Segment &segment, Instant now);
     void tellCrcErrors(const MasterStatus::Segment &segment, Instant now);

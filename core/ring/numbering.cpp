@@ -8,7 +8,7 @@ void numberDevices(RingStructure &structure)
     DeviceNumber number;
     for (Participant &participant : structure) {
         number = nextNumber(number, isOnLocalBus(participant));
-        participant.number = number;
+        participant.number = number.node();
     }
 }
 

@@ -8,7 +8,7 @@ namespace codewheel {
 // Whether it stands on the local bus behind a bus terminal (n.1, n.2, ...) rather than on the remote bus.
 inline bool isOnLocalBus(const Participant &participant)
 {
-    return participant.number.position > 0;
+    return participant.deviceNumber().position > 0;
 }
 
 // The number of the device that follows `before` in ring order: a remote-bus device begins a segment, one on

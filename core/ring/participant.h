@@ -17,13 +17,15 @@ inline constexpr unsigned busTerminalIdCode = 0x0C;
 // the ID code: without a plan, deviceKey is empty and the make is not known.
 struct Participant
 {
-    DeviceNumber number;
+    NodeId number;           // "6.1"
     unsigned idCode = 0;     // 37h
     unsigned deviceCode = 0; // length code << 8 | ID code: 0237h
     int inWords = 0;         // 16 bit each
     int outWords = 0;
     QString deviceKey; // catalog key, empty where the make is not known
     int level = 0;     // of the remote bus, 0..15: 0 is the main line, each branch one more
+
+    DeviceNumber deviceNumber() const { return DeviceNumber::of(number); }
 
     friend bool operator==(const Participant &, const Participant &) = default;
 };

@@ -11,7 +11,7 @@
 
 namespace codewheel {
 
-RingEncoderSession::RingEncoderSession(BusSession &bus, std::size_t device, DeviceNumber number,
+RingEncoderSession::RingEncoderSession(BusSession &bus, std::size_t device, Place number,
                                        const DeviceDescription &description, bool linkBoundsCycles)
     : DrivenEncoderSession(device, number, description)
     , m_bus(bus)
@@ -30,21 +30,21 @@ QDateTime RingEncoderSession::dateTime(Instant at) const
 
 Result<std::vector<Step>> RingEncoderSession::planned(const std::vector<Job> &jobs) const
 {
-    const WordChannel *channel = m_bus.channel(number());
+    const WordChannel *channel = m_bus.channel(place());
     return stepsForJobs(*this, jobs, channel ? channel->out() : k3::normalRunning);
 }
 
 // Named or vanished meanwhile, it is still there for as long as handlers are being told.
 bool RingEncoderSession::isOfThisRing() const
 {
-    return m_bus.encoder(number()) == this;
+    return m_bus.encoder(place()) == this;
 }
 
 Result<void> RingEncoderSession::mayStart(const Job &job) const
 {
     if (!isOfThisRing())
-        return refuse(RefusalKind::link, RefusalId::notInRing, {number().toString()});
-    if (auto allowed = maySend(m_bus.latest(), place(), number(), RefusalId::jobRunning); !allowed)
+        return refuse(RefusalKind::link, RefusalId::notInRing, {place().toString()});
+    if (auto allowed = maySend(m_bus.latest(), index(), place().node, RefusalId::jobRunning); !allowed)
         return allowed;
     return checkLink(job);
 }
@@ -100,7 +100,7 @@ void RingEncoderSession::takeFault(const Message &fault)
 void RingEncoderSession::report(Message message, Instant at)
 {
     message.at = at;
-    message.place = number();
+    message.place = place();
     Q_EMIT m_bus.messaged(message);
 }
 

@@ -15,7 +15,7 @@ class RingEncoderSession final : public DrivenEncoderSession
 
 public:
     // `linkBoundsCycles`: a word can be sent for one bus cycle only; without it some jobs cannot be done.
-    RingEncoderSession(BusSession &bus, std::size_t device, DeviceNumber number,
+    RingEncoderSession(BusSession &bus, std::size_t device, Place number,
                        const DeviceDescription &description, bool linkBoundsCycles);
 
     QDateTime dateTime(Instant at) const override;

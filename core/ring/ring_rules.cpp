@@ -147,7 +147,7 @@ RingCounts countRing(const RingStructure &structure)
         counts.levels = std::max(counts.levels, device.level + 1);
         counts.inPoints += device.inWords * pointsPerWord;
         counts.outPoints += device.outWords * pointsPerWord;
-        counts.longestLocalBus = std::max(counts.longestLocalBus, device.number.position);
+        counts.longestLocalBus = std::max(counts.longestLocalBus, device.deviceNumber().position);
         counts.pcpDevices += isPcp(device.idCode) ? 1 : 0;
     }
     return counts;
@@ -167,7 +167,7 @@ std::vector<RingFinding> checkRing(const RingStructure &structure)
 
 QString ringFindingText(const RingFinding &finding, const RingStructure &structure)
 {
-    const DeviceNumber number = structure[finding.device].number;
+    const DeviceNumber number = DeviceNumber::of(structure[finding.device].number);
     switch (finding.rule) {
     case RingRule::localBusNeedsTerminal:
         return RingRules::tr("%1 is on a local bus, which needs a bus terminal.").arg(number.toString());

@@ -302,7 +302,7 @@ void RingRunner::Private::refuseOfRing(const Refusal &why)
 void RingRunner::Private::tellOfDevice(std::size_t device, Message message)
 {
     message.at = ring.at;
-    message.place = structure[device].number;
+    message.place = Place{.node = structure[device].number};
     tell(device, std::move(message));
 }
 

@@ -186,7 +186,7 @@ void RingRunner::Private::lookAtStatus()
     ring.master = status;
     if (ringIsOther) // what it says is of devices that we have not
         return;
-    std::vector<DeviceNumber> numbers;
+    std::vector<NodeId> numbers;
     for (const Participant &participant : structure)
         numbers.push_back(participant.number);
     tellOfRing(masterWatch.look(*status, numbers, ring.at));

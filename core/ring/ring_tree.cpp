@@ -25,7 +25,7 @@ std::optional<std::size_t> terminalOf(const RingStructure &structure, std::size_
         return remoteBefore(structure, place,
                             [&](const Participant &other) { return other.level < device.level; });
     const auto ofSegment = remoteBefore(structure, place, [&](const Participant &other) {
-        return other.number.segment == device.number.segment;
+        return other.deviceNumber().segment == device.deviceNumber().segment;
     });
     return ofSegment ? ofSegment : remoteBefore(structure, place, [](const Participant &) { return true; });
 }
@@ -108,10 +108,11 @@ RingStructure numbered(const RingTree &tree, const RingStructure &participants)
         Participant participant = participants[device];
         const Participant *parent = node.parent ? &structure[placeOf[*node.parent]] : nullptr;
         if (node.isLocal)
-            participant.number = {parent ? parent->number.segment : std::max(segment, 1),
-                                  ++positions[parent ? placeOf[*node.parent] : 0]};
+            participant.number = DeviceNumber{parent ? parent->deviceNumber().segment : std::max(segment, 1),
+                                              ++positions[parent ? placeOf[*node.parent] : 0]}
+                                     .node();
         else
-            participant.number = {++segment, 0};
+            participant.number = DeviceNumber{++segment, 0}.node();
         participant.level = parent ? parent->level + (node.isLocal ? 0 : 1) : 0;
         placeOf[device] = structure.size();
         structure.push_back(std::move(participant));

@@ -142,7 +142,7 @@ const TrainingPlace *FaultPlanReader::readPlace(const JsonObject &json) const
     const QString text = json.text("place");
     const auto number = DeviceNumber::parse(text);
     const auto found = std::ranges::find_if(
-        m_ring, [&](const TrainingPlace &place) { return number && place.number == *number; });
+        m_ring, [&](const TrainingPlace &place) { return number && place.number == number->node(); });
     if (found != m_ring.end())
         return &*found;
     json.report("place", tr("There is no device at \"%1\".").arg(text));
@@ -176,7 +176,7 @@ QString trainingFaultKey(TrainingFault fault)
     return QString::fromLatin1(faultRow(fault).key);
 }
 
-QString trainingFaultText(TrainingFault fault, DeviceNumber place, int value)
+QString trainingFaultText(TrainingFault fault, NodeId place, int value)
 {
     const char *pattern = fault == TrainingFault::crcErrors && value > 0
                               ? QT_TRANSLATE_NOOP("codewheel::FaultPlan", "%1: %2, %3 of 1000 cycles")

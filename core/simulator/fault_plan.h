@@ -34,13 +34,13 @@ inline constexpr int mostCrcErrors = 100; // of 1000
 QString trainingFaultName(TrainingFault fault);
 QString trainingFaultKey(TrainingFault fault);
 // "3.0: Wire break before it"
-QString trainingFaultText(TrainingFault fault, DeviceNumber place, int value);
+QString trainingFaultText(TrainingFault fault, NodeId place, int value);
 
 struct FaultStep
 {
     std::chrono::milliseconds at{}; // since the plan was started, by the clock of the ring
     TrainingFault fault = TrainingFault::wireBreak;
-    DeviceNumber place;
+    NodeId place;
     int value = 1; // 0: off, 1: on; CRC errors: of 1000 data cycles
 
     friend bool operator==(const FaultStep &, const FaultStep &) = default;
@@ -66,7 +66,7 @@ struct TrainingPlace
         friend bool operator==(const Standing &, const Standing &) = default;
     };
 
-    DeviceNumber number;
+    NodeId number;
     std::vector<Standing> faults; // in the order of TrainingFault
 };
 

@@ -32,7 +32,7 @@ Participant RingWiring::present(std::size_t place) const
     participant.deviceKey.clear();
     if (!m_troubles[place].wrongDevice)
         return participant;
-    const bool isLocal = participant.number.position > 0;
+    const bool isLocal = participant.deviceNumber().position > 0;
     const unsigned k2 = isLocal ? 0xB2 : 0x36;
     const int words = participant.deviceCode == (0x0200U | k2) ? 1 : 2;
     participant.idCode = k2;
@@ -57,10 +57,10 @@ std::vector<std::size_t> RingWiring::reachable() const
 std::size_t endOfCutOff(const RingStructure &ring, std::size_t place)
 {
     const Participant &first = ring[place];
-    const bool isLocal = first.number.position > 0;
+    const bool isLocal = first.deviceNumber().position > 0;
     std::size_t end = place + 1;
-    while (end < ring.size() &&
-           (isLocal ? ring[end].number.segment == first.number.segment : ring[end].level >= first.level))
+    while (end < ring.size() && (isLocal ? ring[end].deviceNumber().segment == first.deviceNumber().segment
+                                         : ring[end].level >= first.level))
         ++end;
     return end;
 }

@@ -35,8 +35,8 @@ void SimulatedMaster::use(RingStructure configuration, std::vector<std::size_t> 
     m_located.reset();
     m_status.segments.clear();
     for (const Participant &participant : m_configuration)
-        if (participant.number.position == 0)
-            m_status.segments.push_back({.segment = participant.number.segment});
+        if (participant.deviceNumber().position == 0)
+            m_status.segments.push_back({.segment = participant.deviceNumber().segment});
 }
 
 // What a device reported is kept while it is there: only 0760 takes it back.
@@ -122,7 +122,8 @@ void SimulatedMaster::lookAtPeripherals()
 bool SimulatedMaster::isSwitchedOff(std::size_t device) const
 {
     return !m_off.empty() && std::ranges::any_of(m_off, [&](int segment) {
-        const auto head = std::ranges::find(m_configuration, DeviceNumber{segment, 0}, &Participant::number);
+        const auto head =
+            std::ranges::find(m_configuration, DeviceNumber{segment, 0}.node(), &Participant::number);
         const auto from = static_cast<std::size_t>(head - m_configuration.begin());
         return device >= from && device < endOfCutOff(m_configuration, from);
     });
@@ -149,14 +150,14 @@ std::optional<SimulatedMaster::Defect> SimulatedMaster::defect() const
 SimulatedMaster::Defect SimulatedMaster::brokenBefore(std::size_t device) const
 {
     const Participant &behind = m_configuration[device];
-    const bool isLocal = behind.number.position > 0;
+    const bool isLocal = behind.deviceNumber().position > 0;
     const std::uint16_t code = isLocal ? localBusBroken : remoteBusBroken;
     FaultPlace place{.number = behind.number};
-    if (isLocal && behind.number.position == 1)
-        place = {{behind.number.segment, 0}, FaultSpot::outgoingLocalBus};
+    if (isLocal && behind.deviceNumber().position == 1)
+        place = {DeviceNumber{behind.deviceNumber().segment, 0}.node(), FaultSpot::outgoingLocalBus};
     for (std::size_t i = isLocal ? 0 : device; i-- > 0;) {
         const Participant &before = m_configuration[i];
-        if (before.number.position > 0 || before.level > behind.level)
+        if (before.deviceNumber().position > 0 || before.level > behind.level)
             continue;
         place = {before.number,
                  before.level == behind.level ? FaultSpot::outgoingRemoteBus : FaultSpot::outgoingLocalBus};
@@ -230,7 +231,7 @@ bool SimulatedMaster::isCycleFaulty()
         if (perThousand == 0 || !takesPart(i) || !m_errors.strikes(perThousand))
             continue;
         isFaulty = true;
-        const int segment = m_configuration[i].number.segment;
+        const int segment = m_configuration[i].deviceNumber().segment;
         ++std::ranges::find(m_status.segments, segment, &MasterStatus::Segment::segment)->crcErrors;
         ++m_toleratedCrcErrors;
     }

@@ -23,7 +23,7 @@ QString codeText(const Participant *participant)
     return participant ? hexCode(participant->deviceCode, 4) : QStringLiteral("-");
 }
 
-tl::unexpected<Refusal> differs(DeviceNumber place, const Participant *configured, const Participant *found)
+tl::unexpected<Refusal> differs(NodeId place, const Participant *configured, const Participant *found)
 {
     return refuse(RefusalKind::link, RefusalId::ringDiffers,
                   {place.toString(), codeText(configured), codeText(found)});
@@ -33,7 +33,7 @@ QString headsOf(const RingStructure &configuration)
 {
     QStringList heads;
     for (const Participant &participant : configuration)
-        if (participant.number.position == 0)
+        if (participant.deviceNumber().position == 0)
             heads << participant.number.toString();
     return heads.join(QStringLiteral(", "));
 }
@@ -48,10 +48,12 @@ RingStructure SimulatedMaster::foundAt(const std::vector<std::size_t> &places) c
     std::size_t next = 0;
     for (const std::size_t place : places) {
         for (; next < place; ++next)
-            missing += m_wiring.planned()[next].number.position == 0 ? 1 : 0;
+            missing += m_wiring.planned()[next].deviceNumber().position == 0 ? 1 : 0;
         next = place + 1;
         found.push_back(m_wiring.present(place));
-        found.back().number.segment -= missing;
+        DeviceNumber number = found.back().deviceNumber();
+        number.segment -= missing;
+        found.back().number = number.node();
     }
     return found;
 }
@@ -148,7 +150,7 @@ Result<void> SimulatedMaster::switchSegment(int segment, bool on)
 {
     if (m_status.state == MasterState::ready || m_looking > 0)
         return wrongState(MasterService::switchSegment, m_status.state);
-    const DeviceNumber head{segment, 0};
+    const NodeId head = DeviceNumber{segment, 0}.node();
     if (std::ranges::find(m_configuration, head, &Participant::number) == m_configuration.end())
         return refuse(RefusalKind::badInput, RefusalId::unknownDevice,
                       {head.toString(), headsOf(m_configuration)});

@@ -141,7 +141,7 @@ std::vector<TrainingControls::Rod> SimulatedRing::rods() const
 }
 
 template <typename Act>
-void SimulatedRing::with(DeviceNumber number, Act act)
+void SimulatedRing::with(NodeId number, Act act)
 {
     const std::scoped_lock lock(m_mutex);
     for (std::size_t i = 0; i < m_devices.size(); ++i) {
@@ -150,73 +150,73 @@ void SimulatedRing::with(DeviceNumber number, Act act)
     }
 }
 
-void SimulatedRing::turnTo(DeviceNumber number, std::int64_t raw)
+void SimulatedRing::turnTo(NodeId number, std::int64_t raw)
 {
     with(number, [raw](SimulatedDevice &device) { device.turnTo(raw); });
 }
 
-void SimulatedRing::turnBy(DeviceNumber number, std::int64_t rawSteps)
+void SimulatedRing::turnBy(NodeId number, std::int64_t rawSteps)
 {
     with(number, [rawSteps](SimulatedDevice &device) { device.turnBy(rawSteps); });
 }
 
-void SimulatedRing::setSpeed(DeviceNumber number, double revolutionsPerMinute)
+void SimulatedRing::setSpeed(NodeId number, double revolutionsPerMinute)
 {
     with(number, [revolutionsPerMinute](SimulatedDevice &device) { device.setSpeed(revolutionsPerMinute); });
 }
 
-void SimulatedRing::moveMagnetTo(DeviceNumber number, double millimetres)
+void SimulatedRing::moveMagnetTo(NodeId number, double millimetres)
 {
     with(number, [millimetres](SimulatedDevice &device) { device.moveMagnetTo(millimetres); });
 }
 
-void SimulatedRing::setMagnetSpeed(DeviceNumber number, double millimetresPerSecond)
+void SimulatedRing::setMagnetSpeed(NodeId number, double millimetresPerSecond)
 {
     with(number,
          [millimetresPerSecond](SimulatedDevice &device) { device.setMagnetSpeed(millimetresPerSecond); });
 }
 
-void SimulatedRing::setMagnetInRange(DeviceNumber number, bool inRange)
+void SimulatedRing::setMagnetInRange(NodeId number, bool inRange)
 {
     with(number, [inRange](SimulatedDevice &device) { device.setMagnetInRange(inRange); });
 }
 
-void SimulatedRing::setPower(DeviceNumber number, bool on)
+void SimulatedRing::setPower(NodeId number, bool on)
 {
     with(number, [on](SimulatedDevice &device) { device.setPower(on); });
 }
 
-void SimulatedRing::powerCycle(DeviceNumber number)
+void SimulatedRing::powerCycle(NodeId number)
 {
     with(number, [](SimulatedDevice &device) { device.powerCycle(); });
 }
 
-void SimulatedRing::setSlow(DeviceNumber number, bool slow)
+void SimulatedRing::setSlow(NodeId number, bool slow)
 {
     with(number, [slow](SimulatedDevice &device) { device.setSlow(slow); });
 }
 
-void SimulatedRing::loseParameters(DeviceNumber number)
+void SimulatedRing::loseParameters(NodeId number)
 {
     with(number, [](SimulatedDevice &device) { device.loseParameters(); });
 }
 
-void SimulatedRing::setBatteryLow(DeviceNumber number, bool low)
+void SimulatedRing::setBatteryLow(NodeId number, bool low)
 {
     with(number, [low](SimulatedDevice &device) { device.setBatteryLow(low); });
 }
 
-void SimulatedRing::setEepromWornOut(DeviceNumber number, bool wornOut)
+void SimulatedRing::setEepromWornOut(NodeId number, bool wornOut)
 {
     with(number, [wornOut](SimulatedDevice &device) { device.setEepromWornOut(wornOut); });
 }
 
-void SimulatedRing::setCodeDiscFaulty(DeviceNumber number, bool faulty)
+void SimulatedRing::setCodeDiscFaulty(NodeId number, bool faulty)
 {
     with(number, [faulty](SimulatedDevice &device) { device.setCodeDiscFaulty(faulty); });
 }
 
-void SimulatedRing::setCamOutOfRange(DeviceNumber number, bool outOfRange)
+void SimulatedRing::setCamOutOfRange(NodeId number, bool outOfRange)
 {
     with(number, [outOfRange](SimulatedDevice &device) { device.setCamOutOfRange(outOfRange); });
 }

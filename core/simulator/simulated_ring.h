@@ -44,23 +44,23 @@ public:
 
     std::vector<Shaft> shafts() const override;
     std::vector<Rod> rods() const override;
-    void turnTo(DeviceNumber number, std::int64_t raw) override;
-    void turnBy(DeviceNumber number, std::int64_t rawSteps) override;
-    void setSpeed(DeviceNumber number, double revolutionsPerMinute) override;
-    void moveMagnetTo(DeviceNumber number, double millimetres) override;
-    void setMagnetSpeed(DeviceNumber number, double millimetresPerSecond) override;
-    void setMagnetInRange(DeviceNumber number, bool inRange) override;
-    void setPower(DeviceNumber number, bool on) override;
-    void powerCycle(DeviceNumber number) override;
-    void setSlow(DeviceNumber number, bool slow) override;
-    void loseParameters(DeviceNumber number) override;
-    void setBatteryLow(DeviceNumber number, bool low) override;
-    void setEepromWornOut(DeviceNumber number, bool wornOut) override;
-    void setCodeDiscFaulty(DeviceNumber number, bool faulty) override;
-    void setCamOutOfRange(DeviceNumber number, bool outOfRange) override;
+    void turnTo(NodeId number, std::int64_t raw) override;
+    void turnBy(NodeId number, std::int64_t rawSteps) override;
+    void setSpeed(NodeId number, double revolutionsPerMinute) override;
+    void moveMagnetTo(NodeId number, double millimetres) override;
+    void setMagnetSpeed(NodeId number, double millimetresPerSecond) override;
+    void setMagnetInRange(NodeId number, bool inRange) override;
+    void setPower(NodeId number, bool on) override;
+    void powerCycle(NodeId number) override;
+    void setSlow(NodeId number, bool slow) override;
+    void loseParameters(NodeId number) override;
+    void setBatteryLow(NodeId number, bool low) override;
+    void setEepromWornOut(NodeId number, bool wornOut) override;
+    void setCodeDiscFaulty(NodeId number, bool faulty) override;
+    void setCamOutOfRange(NodeId number, bool outOfRange) override;
 
     std::vector<TrainingPlace> places() const override;
-    void setFault(TrainingFault fault, DeviceNumber number, int value) override;
+    void setFault(TrainingFault fault, NodeId number, int value) override;
     void startFaultPlan(FaultPlan plan) override;
     void stopFaultPlan() override;
     PlanProgress planProgress() const override;
@@ -69,7 +69,7 @@ private:
     template <typename State>
     std::vector<State> states(std::optional<State> (SimulatedDevice::*stateOf)() const) const;
     template <typename Act>
-    void with(DeviceNumber number, Act act);
+    void with(NodeId number, Act act);
 
     void passTime();
     Result<void> exchangeSome(std::span<const Word> out, std::span<Word> in);

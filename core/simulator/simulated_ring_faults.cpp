@@ -23,7 +23,7 @@ std::optional<int> onlyIf(bool fits, bool standing)
 
 } // namespace
 
-void SimulatedRing::setFault(TrainingFault fault, DeviceNumber number, int value)
+void SimulatedRing::setFault(TrainingFault fault, NodeId number, int value)
 {
     const std::scoped_lock lock(m_mutex);
     const auto place = std::ranges::find(m_wiring.planned(), number, &Participant::number);
@@ -75,7 +75,7 @@ void SimulatedRing::befallRing(TrainingFault fault, std::size_t place, int value
         trouble.wireBroken = on;
         break;
     case TrainingFault::crcErrors:
-        if (m_wiring.planned()[place].number.position == 0)
+        if (m_wiring.planned()[place].deviceNumber().position == 0)
             trouble.crcErrors = std::clamp(value, 0, mostCrcErrors);
         break;
     case TrainingFault::noSupply:
@@ -152,7 +152,7 @@ std::optional<int> SimulatedRing::standing(TrainingFault fault, std::size_t plac
 std::optional<int> SimulatedRing::standingOfRing(TrainingFault fault, std::size_t place) const
 {
     const PlaceTrouble &trouble = m_wiring.trouble(place);
-    const bool isOnRemoteBus = m_wiring.planned()[place].number.position == 0;
+    const bool isOnRemoteBus = m_wiring.planned()[place].deviceNumber().position == 0;
     switch (fault) {
     case TrainingFault::wireBreak:
         return asValue(trouble.wireBroken);

@@ -24,7 +24,7 @@ constexpr std::int64_t rawDifference = 100'003;
 
 Participant frabaAt(int segment)
 {
-    return {.number = {segment, 0},
+    return {.number = DeviceNumber{segment, 0}.node(),
             .idCode = 0x37,
             .deviceCode = 0x0237,
             .inWords = 2,

@@ -19,7 +19,7 @@ public:
     // An encoder with a shaft.
     struct Shaft
     {
-        DeviceNumber number;
+        NodeId number;
         std::int64_t raw = 0;            // physical position, steps
         int stepsPerTurn = 0;            // physical
         int turns = 0;                   // physical
@@ -40,7 +40,7 @@ public:
     // A linear encoder: a magnet that travels along a rod.
     struct Rod
     {
-        DeviceNumber number;
+        NodeId number;
         double millimetres = 0;          // of the magnet, from the head
         double lengthMillimetres = 0;    // measuring length
         double millimetresPerSecond = 0; // positive: away from the head
@@ -57,27 +57,27 @@ public:
     virtual std::vector<Rod> rods() const = 0;
 
     // A device that has no such part, and a place that is not in the ring, are passed over.
-    virtual void turnTo(DeviceNumber number, std::int64_t raw) = 0;
-    virtual void turnBy(DeviceNumber number, std::int64_t rawSteps) = 0;
-    virtual void setSpeed(DeviceNumber number, double revolutionsPerMinute) = 0;
+    virtual void turnTo(NodeId number, std::int64_t raw) = 0;
+    virtual void turnBy(NodeId number, std::int64_t rawSteps) = 0;
+    virtual void setSpeed(NodeId number, double revolutionsPerMinute) = 0;
     // 0..length; the magnet stops at the ends.
-    virtual void moveMagnetTo(DeviceNumber number, double millimetres) = 0;
+    virtual void moveMagnetTo(NodeId number, double millimetres) = 0;
     // 0 stops it; at the ends it turns round.
-    virtual void setMagnetSpeed(DeviceNumber number, double millimetresPerSecond) = 0;
-    virtual void setMagnetInRange(DeviceNumber number, bool inRange) = 0; // out of range: magnet lost
-    virtual void setPower(DeviceNumber number, bool on) = 0;              // off, then on: a power cycle
-    virtual void powerCycle(DeviceNumber number) = 0;
-    virtual void setSlow(DeviceNumber number, bool slow) = 0;      // confirmations take 50 times as long
-    virtual void loseParameters(DeviceNumber number) = 0;          // error 3
-    virtual void setBatteryLow(DeviceNumber number, bool low) = 0; // shows at the next power-up
-    virtual void setEepromWornOut(DeviceNumber number, bool wornOut) = 0;    // error 13 when run is to store
-    virtual void setCodeDiscFaulty(DeviceNumber number, bool faulty) = 0;    // error 15, by itself
-    virtual void setCamOutOfRange(DeviceNumber number, bool outOfRange) = 0; // 98000004, by itself
+    virtual void setMagnetSpeed(NodeId number, double millimetresPerSecond) = 0;
+    virtual void setMagnetInRange(NodeId number, bool inRange) = 0; // out of range: magnet lost
+    virtual void setPower(NodeId number, bool on) = 0;              // off, then on: a power cycle
+    virtual void powerCycle(NodeId number) = 0;
+    virtual void setSlow(NodeId number, bool slow) = 0;                // confirmations take 50 times as long
+    virtual void loseParameters(NodeId number) = 0;                    // error 3
+    virtual void setBatteryLow(NodeId number, bool low) = 0;           // shows at the next power-up
+    virtual void setEepromWornOut(NodeId number, bool wornOut) = 0;    // error 13 when run is to store
+    virtual void setCodeDiscFaulty(NodeId number, bool faulty) = 0;    // error 15, by itself
+    virtual void setCamOutOfRange(NodeId number, bool outOfRange) = 0; // 98000004, by itself
 
     // Each place of the ring, in ring order, with the faults that fit it and how they stand.
     virtual std::vector<TrainingPlace> places() const = 0;
     // Any fault; the value as in a fault plan. One that does not fit the place is passed over.
-    virtual void setFault(TrainingFault fault, DeviceNumber number, int value) = 0;
+    virtual void setFault(TrainingFault fault, NodeId number, int value) = 0;
 
     // A fault plan on its way, by the ring's clock.
     struct PlanProgress

@@ -72,17 +72,17 @@ void TrainingPlanReader::read(const JsonObject &row)
 bool TrainingPlanReader::hasTerminal(int segment) const
 {
     return std::ranges::any_of(m_plan, [segment](const TrainingParticipant &other) {
-        return other.number == DeviceNumber{segment, 0} && other.device == nullptr;
+        return other.number == DeviceNumber{segment, 0}.node() && other.device == nullptr;
     });
 }
 
 void TrainingPlanReader::readPlace(const JsonObject &row, TrainingParticipant &participant) const
 {
     const auto number = DeviceNumber::parse(row.text("place"));
-    participant.number = number.value_or(DeviceNumber());
+    participant.number = number.value_or(DeviceNumber()).node();
     if (!number)
         row.report("place", tr("A device number such as \"6.1\" is expected here."));
-    else if (!m_plan.empty() && *number <= m_plan.back().number)
+    else if (!m_plan.empty() && number->node() <= m_plan.back().number)
         row.report("place", tr("The participants must stand in the order of the ring."));
     else if (number->position > 0 && !hasTerminal(number->segment))
         row.report("place", tr("A branch needs a bus terminal before it: %1.0.").arg(number->segment));

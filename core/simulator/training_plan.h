@@ -11,7 +11,7 @@ namespace codewheel {
 // One participant of a training bus, as its file describes it.
 struct TrainingParticipant
 {
-    DeviceNumber number;
+    NodeId number;
     const DeviceDescription *device = nullptr; // of the catalog; null: a bus terminal
     std::int64_t position = 0;                 // physical steps of the shaft
     std::int64_t revolutionsPerMinute = 0;     // positive: clockwise, looking at the shaft

@@ -70,7 +70,7 @@ RoundProgress JobRound::progress() const
     const std::size_t shown = std::min(m_index, m_encoders.empty() ? 0 : m_encoders.size() - 1);
     return {.encoder = static_cast<int>(shown),
             .encoders = static_cast<int>(m_encoders.size()),
-            .place = m_encoders.empty() ? DeviceNumber() : m_encoders[shown].place,
+            .place = m_encoders.empty() ? Place() : m_encoders[shown].place,
             .step = m_jobProgress.index,
             .steps = static_cast<int>(m_jobProgress.steps.size())};
 }

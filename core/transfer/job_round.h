@@ -12,14 +12,14 @@ class EncoderBus;
 // The jobs of one encoder, one after the other.
 struct EncoderJobs
 {
-    DeviceNumber place;
+    Place place;
     std::vector<Job> jobs;
 };
 
 // How far the jobs of one encoder came.
 struct EncoderResult
 {
-    DeviceNumber place;
+    Place place;
     std::vector<Outcome> outcomes{}; // of the jobs that were taken
     std::optional<Refusal> why{};    // why not all was done
     EncoderState leftIn = EncoderState::notSeen;
@@ -36,7 +36,7 @@ struct RoundProgress
 {
     int encoder = 0; // from 0
     int encoders = 0;
-    DeviceNumber place;
+    Place place;
     int step = 0; // of the running job, from 0
     int steps = 0;
 };

@@ -16,7 +16,7 @@ LastPositions::LastPositions(EncoderBus &bus, QObject *parent)
     look();
 }
 
-std::optional<SeenPosition> LastPositions::at(DeviceNumber number) const
+std::optional<SeenPosition> LastPositions::at(Place number) const
 {
     const auto found = m_watched.find(number);
     if (found == m_watched.end())
@@ -24,7 +24,7 @@ std::optional<SeenPosition> LastPositions::at(DeviceNumber number) const
     return found->second.beforeGone ? found->second.beforeGone : found->second.last;
 }
 
-std::optional<SeenPosition> LastPositions::newest(DeviceNumber number) const
+std::optional<SeenPosition> LastPositions::newest(Place number) const
 {
     const auto found = m_watched.find(number);
     if (found == m_watched.end())
@@ -35,7 +35,7 @@ std::optional<SeenPosition> LastPositions::newest(DeviceNumber number) const
 void LastPositions::look()
 {
     const Instant now = m_bus.now();
-    for (const DeviceNumber number : m_bus.numbers()) {
+    for (const Place number : m_bus.places()) {
         const EncoderSession *encoder = m_bus.encoder(number);
         if (encoder == nullptr)
             continue;
@@ -66,9 +66,9 @@ Project withLastPositions(Project project, const LastPositions &positions, const
 {
     const ProjectPlaces places(project, bus);
     for (ProjectDevice &device : project.devices) {
-        if (!places.isAtItsPlace(device.participant.number))
+        if (!places.isAtItsPlace(device.place()))
             continue;
-        if (const auto seen = positions.newest(device.participant.number))
+        if (const auto seen = positions.newest(device.place()))
             device.lastPosition = LastPosition{seen->position, seen->at.toUTC()};
     }
     return project;

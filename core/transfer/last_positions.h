@@ -39,9 +39,9 @@ public:
     explicit LastPositions(EncoderBus &bus, QObject *parent = nullptr);
 
     // The one to give to a new encoder: that before the encoder went away, if it did.
-    std::optional<SeenPosition> at(DeviceNumber number) const;
+    std::optional<SeenPosition> at(Place number) const;
     // The newest one, of whichever encoder is there.
-    std::optional<SeenPosition> newest(DeviceNumber number) const;
+    std::optional<SeenPosition> newest(Place number) const;
 
 private:
     struct Watched
@@ -54,7 +54,7 @@ private:
     void look();
 
     EncoderBus &m_bus;
-    std::map<DeviceNumber, Watched> m_watched;
+    std::map<Place, Watched> m_watched;
 };
 
 // The project as it is to be saved: with the newest position of each encoder that stands where it has one.

@@ -66,7 +66,8 @@ Refusal whyNot(const ComparisonLine &line, const Participant &configured, const 
 
 } // namespace
 
-ProjectPlaces::ProjectPlaces(const Project &project, const RingStructure &connected, const Catalog &catalog)
+ProjectPlaces::ProjectPlaces(const Project &project, const RingStructure &connected, const Catalog &catalog,
+                             BusId bus)
 {
     const RingStructure configured = structureOf(project);
     const Comparison comparison = compareRings(configured, connected);
@@ -77,22 +78,22 @@ ProjectPlaces::ProjectPlaces(const Project &project, const RingStructure &connec
         const Participant &planned = configured[*line.configured];
         const bool isThere = std::ranges::find(certain, line) != certain.end() &&
                              connected[*line.connected].number == planned.number;
-        m_places.emplace(planned.number,
+        m_places.emplace(Place{bus, planned.number},
                          isThere ? std::nullopt : std::optional(whyNot(line, planned, connected, catalog)));
     }
 }
 
 ProjectPlaces::ProjectPlaces(const Project &project, const BusSession &bus)
-    : ProjectPlaces(project, bus.structure(), bus.catalog())
+    : ProjectPlaces(project, bus.structure(), bus.catalog(), bus.id())
 {}
 
-std::optional<Refusal> ProjectPlaces::hindrance(DeviceNumber place) const
+std::optional<Refusal> ProjectPlaces::hindrance(Place place) const
 {
     const auto found = m_places.find(place);
     return found == m_places.end() ? std::nullopt : found->second;
 }
 
-bool ProjectPlaces::isAtItsPlace(DeviceNumber place) const
+bool ProjectPlaces::isAtItsPlace(Place place) const
 {
     const auto found = m_places.find(place);
     return found != m_places.end() && !found->second;

@@ -19,17 +19,18 @@ class Catalog;
 class ProjectPlaces
 {
 public:
-    ProjectPlaces(const Project &project, const RingStructure &connected, const Catalog &catalog);
+    ProjectPlaces(const Project &project, const RingStructure &connected, const Catalog &catalog,
+                  BusId bus = firstRing);
     ProjectPlaces(const Project &project, const BusSession &bus);
 
     // Why it is not for certain the project's device: notInRing, or ringDiffers, which tells where the
     // project's one stands now. Nothing where it is, and where the project has no device.
-    std::optional<Refusal> hindrance(DeviceNumber place) const;
+    std::optional<Refusal> hindrance(Place place) const;
     // Whether the project has a device there, and it is the connected one.
-    bool isAtItsPlace(DeviceNumber place) const;
+    bool isAtItsPlace(Place place) const;
 
 private:
-    std::map<DeviceNumber, std::optional<Refusal>> m_places;
+    std::map<Place, std::optional<Refusal>> m_places;
 };
 
 } // namespace codewheel

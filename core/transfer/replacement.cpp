@@ -96,14 +96,14 @@ ReplacementDifferences differencesOf(const ProjectDevice &planned, const DeviceD
 TransferWish wishToReplace(const ProjectDevice &planned, const Replacement &now,
                            std::optional<std::int64_t> position, const ProjectPlaces &places)
 {
-    TransferWish wish{.place = planned.participant.number,
+    TransferWish wish{.place = planned.place(),
                       .station = planned.station,
                       .deviceCode = now.device->deviceCode,
                       .deviceKey = now.device->key,
                       .values = valuesToWrite(planned, *now.device, position),
                       .position = position,
                       .toPositionMode = true,
-                      .hindrance = places.hindrance(planned.participant.number)};
+                      .hindrance = places.hindrance(planned.place())};
     if (now.device->capabilities.cams)
         wish.cams = camsFor(planned);
     return wish;
@@ -131,7 +131,7 @@ ProjectDevice replaced(ProjectDevice planned, const Replacement &now, std::optio
 
 Message encoderReplacedMessage(const ProjectDevice &before, const Replacement &now)
 {
-    return {.place = before.participant.number,
+    return {.place = before.place(),
             .id = MessageId::encoderReplaced,
             .arguments = {before.label.serialNumber, now.serialNumber}};
 }

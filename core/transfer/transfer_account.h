@@ -33,7 +33,7 @@ struct AccountCamRow
 // What was done with one encoder.
 struct EncoderAccount
 {
-    DeviceNumber place;
+    Place place;
     QString station{};
     QString device{};
     QString deviceKey{};

@@ -27,7 +27,7 @@ QString wantedName(const Catalog &catalog, const TransferWish &wish)
 std::optional<Refusal> hindranceOfPlace(const BusSession &bus, const TransferWish &wish)
 {
     const RingStructure &ring = bus.structure();
-    const auto found = std::ranges::find(ring, wish.place, &Participant::number);
+    const auto found = std::ranges::find(ring, wish.place.node, &Participant::number);
     const QString place = wish.place.toString();
     if (found == ring.end())
         return Refusal{RefusalKind::link, RefusalId::notInRing, {place}};
@@ -47,7 +47,7 @@ std::optional<Refusal> hindranceOfPlace(const BusSession &bus, const TransferWis
 // What the encoder, or the program, is doing.
 std::optional<Refusal> hindranceOfState(const BusSession &bus, const EncoderSession &encoder)
 {
-    const QString place = encoder.number().toString();
+    const QString place = encoder.place().toString();
     const Reading &reading = encoder.latest();
     if (!bus.isOperating())
         return Refusal{RefusalKind::busy, RefusalId::watchOnly, {place}};

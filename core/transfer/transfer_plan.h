@@ -27,7 +27,7 @@ struct TransferCamRow
 // What is to be done with one encoder, to be looked at before anything is sent.
 struct EncoderPlan
 {
-    DeviceNumber place;
+    Place place;
     QString station{};
     QString device{};                   // "FRABA OCD-IB K3"; empty: nothing there
     std::optional<Refusal> hindrance{}; // nothing is written

@@ -35,11 +35,11 @@ ParameterValues storedSettings(const ProjectDevice &device)
 
 TransferWish wishOf(const ProjectDevice &device, TransferSource source, const ProjectPlaces &places)
 {
-    TransferWish wish{.place = device.participant.number,
+    TransferWish wish{.place = device.place(),
                       .station = device.station,
                       .deviceCode = device.participant.deviceCode,
                       .deviceKey = device.participant.deviceKey,
-                      .hindrance = places.hindrance(device.participant.number)};
+                      .hindrance = places.hindrance(device.place())};
     if (source == TransferSource::wanted) {
         wish.values = device.wanted;
         wish.cams = device.wantedCams;
@@ -53,11 +53,11 @@ TransferWish wishOf(const ProjectDevice &device, TransferSource source, const Pr
 
 TransferWish wishToClone(const EncoderSession &from, const EncoderSession &to, bool withCams)
 {
-    TransferWish wish{.place = to.number()};
+    TransferWish wish{.place = to.place()};
     if (!takeTheSame(from.device(), to.device()))
         wish.hindrance = Refusal{RefusalKind::badInput,
                                  RefusalId::encodersDiffer,
-                                 {from.number().toString(), from.device().fullName(), to.number().toString(),
+                                 {from.place().toString(), from.device().fullName(), to.place().toString(),
                                   to.device().fullName()}};
     for (const Known &known : allKnown(from))
         if (isSetting(known.parameter) && known.parameter != Parameter::zeroOffset)

@@ -11,7 +11,7 @@ class ProjectPlaces;
 // What the encoder at a place shall have, wherever that was taken from.
 struct TransferWish
 {
-    DeviceNumber place;
+    Place place;
     QString station{};
     unsigned deviceCode = 0; // of the device the values are for; 0: any
     QString deviceKey{};     // of the catalog; empty: the make is not known

@@ -32,7 +32,7 @@ std::vector<Stored> mergedStore(std::vector<Stored> now, const std::vector<Store
 
 EncoderJobs jobsToStore(const EncoderSession &encoder, bool withCams)
 {
-    EncoderJobs jobs{.place = encoder.number(), .jobs = {}};
+    EncoderJobs jobs{.place = encoder.place(), .jobs = {}};
     if (encoder.can().reads) {
         ReadParameters read{encoder.device().readableValues()};
         std::erase(read.parameters, Parameter::temperature); // not every encoder has one

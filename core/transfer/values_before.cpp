@@ -12,7 +12,7 @@ namespace codewheel {
 
 FindValuesBefore valuesBeforeOf(const LedgerKeeper &keeper)
 {
-    return [&keeper](DeviceNumber place) {
+    return [&keeper](Place place) {
         std::vector<ValuesBefore> all;
         if (keeper.ledger() == nullptr)
             return all;

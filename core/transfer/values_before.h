@@ -15,7 +15,7 @@ class ProjectPlaces;
 // before.
 struct ValuesBefore
 {
-    DeviceNumber place;
+    Place place;
     QDateTime at; // of the write
     QString deviceKey;
     ParameterValues values;
@@ -24,7 +24,7 @@ struct ValuesBefore
 };
 
 // What there is to restore at a place, the newest first.
-using FindValuesBefore = std::function<std::vector<ValuesBefore>(DeviceNumber)>;
+using FindValuesBefore = std::function<std::vector<ValuesBefore>(Place)>;
 
 // As the ledger keeps them; of a job whose end was not seen, all that it was to write. The keeper must
 // outlive it.

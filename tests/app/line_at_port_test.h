@@ -113,7 +113,7 @@ protected:
             },
             20'000);
     }
-    bool answers(DeviceNumber number)
+    bool answers(Place number)
     {
         return comes([&] {
             const EncoderSession *encoder = line().encoder(number);

@@ -6,10 +6,10 @@
 namespace codewheel::test {
 
 // An encoder on the serial line of a project, as the user planned it.
-inline ProjectDevice plannedEncoder(DeviceNumber number, const QString &station = {})
+inline ProjectDevice plannedEncoder(Place number, const QString &station = {})
 {
     ProjectDevice planned;
-    planned.participant.number = number;
+    planned.standAt(number);
     planned.participant.deviceKey = QStringLiteral("kuebler-esc-rs485");
     planned.station = station;
     return planned;

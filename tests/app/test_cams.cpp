@@ -19,7 +19,7 @@ class CamsInTheWindow : public test::WindowTest
 protected:
     CamEditor &editor() { return *window().findChild<CamEditor *>(); }
     CamSheet &sheet() { return *window().findChild<CamSheet *>(); }
-    void choose(DeviceNumber number)
+    void choose(Place number)
     {
         window().findChild<StructureView *>()->choose(number);
         advance(40);

@@ -2,6 +2,7 @@
 // The comparison with what a fault of the ring changed, and with what the master keeps.
 #include "project/project_take_over.h"
 #include "tests/app/window_test.h"
+#include "tests/support/places.h"
 #include "widgets/comparison/comparison_page.h"
 #include "widgets/look/inline_message.h"
 
@@ -37,9 +38,9 @@ protected:
         QTest::mouseClick(found, Qt::LeftButton);
         advance(200);
     }
-    void otherDeviceAt(DeviceNumber place)
+    void otherDeviceAt(Place place)
     {
-        shown->controls().setFault(TrainingFault::wrongDevice, place, 1);
+        shown->controls().setFault(TrainingFault::wrongDevice, place.node, 1);
         advance(60);
         click("readIn");
     }
@@ -134,7 +135,7 @@ TEST_F(ComparisonPageTest, InWatchNothingIsDownloaded)
 TEST_F(ComparisonPageTest, NoDifferenceIsCutOffInASmallWindow)
 {
     window().resize(1024, 640);
-    otherDeviceAt({3, 0});
+    otherDeviceAt("3.0"_ring);
     const QString longest = table().model()->index(2, 2).data().toString();
     ASSERT_TRUE(longest.contains(QStringLiteral("configured"))) << longest.toStdString();
     for (const int width : {table().width(), table().width() - 150}) {

@@ -22,15 +22,15 @@
 namespace codewheel {
 namespace {
 
-const DeviceNumber at3 = DeviceNumber::onLine({3});
-const DeviceNumber at5 = DeviceNumber::onLine({5});
-const DeviceNumber at7 = DeviceNumber::onLine({7});
+const Place at3 = placeOnLine({3});
+const Place at5 = placeOnLine({5});
+const Place at7 = placeOnLine({7});
 
 class LineAtPort : public test::LineAtPortTest
 {
 protected:
     // In Operate, as the parameter panel writes it.
-    void write(DeviceNumber number, Parameter parameter, std::int64_t value)
+    void write(Place number, Parameter parameter, std::int64_t value)
     {
         actions().operate->trigger();
         ASSERT_TRUE(comes([&] { return line().isOperating(); }));
@@ -75,12 +75,12 @@ TEST_F(LineAtPort, AnEncoderOfAnotherAddressIsFoundThereByTheProject)
     write(at3, Parameter::lineAddress, 7);
     ASSERT_TRUE(comes([&] { return line().encoder(at7) != nullptr && !line().encoder(at7)->runningJob(); }));
     ASSERT_EQ(project().line->encoders.size(), 1u);
-    EXPECT_EQ(project().line->encoders[0].participant.number, at7);
+    EXPECT_EQ(project().line->encoders[0].place(), at7);
     EXPECT_EQ(project().line->encoders[0].station, QStringLiteral("Slide"));
     EXPECT_EQ(shown->project().undoStack().undoText(), QStringLiteral("Address of esc:03 to esc:07"));
 
     connectPort(port);
-    EXPECT_EQ(line().numbers(), std::vector{at7});
+    EXPECT_EQ(line().places(), std::vector{at7});
     EXPECT_TRUE(answers(at7));
 }
 
@@ -119,7 +119,7 @@ TEST_F(LineAtPort, SwappedWarningBytesAreKeptWithTheEncoder)
     actions().swapWarningBytes->trigger();
     EXPECT_TRUE(project().line->encoders[0].swapsWarningBytes);
     EXPECT_FALSE(project().line->encoders[1].swapsWarningBytes);
-    const auto warnings = [this](DeviceNumber number) { return line().encoder(number)->latest().warnings; };
+    const auto warnings = [this](Place number) { return line().encoder(number)->latest().warnings; };
     EXPECT_TRUE(comes([&] { return warnings(at3) == 0x9800 && warnings(at5) == 0x0098; }));
     ask(QStringLiteral("03E"));
     EXPECT_TRUE(comes([&] {
@@ -141,11 +141,11 @@ TEST_F(LineAtPort, SwappedWarningBytesFollowTheEncoderThroughRemovalAndAnotherPr
     plan({test::plannedEncoder(at3)});
     connectPort(startPeer(QStringLiteral("--addresses 03 --warnings 0098")));
     ASSERT_TRUE(answers(at3));
-    const auto isSwapped = [this] { return line().explainOptions().swaps(at3.line); };
+    const auto isSwapped = [this] { return line().explainOptions().swaps(LineAddress::of(at3.node)); };
     window().findChild<StructureView *>()->choose(at3);
     actions().swapWarningBytes->trigger();
     FoundEncoder found;
-    found.address = at3.line;
+    found.address = LineAddress::of(at3.node);
     found.baudRate = 19'200;
     const auto takeOver = [&] {
         Q_EMIT window().findChild<LineSearch *>()->takeOverWanted({found},
@@ -202,9 +202,9 @@ TEST_F(LineAtPort, TheFormatIsDeterminedFromTheChosenEncoder)
     connectPort(startPeer(QStringLiteral("--addresses 03,05")));
     ASSERT_TRUE(answers(at3));
     ASSERT_TRUE(answers(at5));
-    std::optional<DeviceNumber> asked;
+    std::optional<Place> asked;
     QObject::connect(&line(), &LineSession::fractionBitsDetermined, &line(),
-                     [&](DeviceNumber number, const Result<int> &) { asked = number; });
+                     [&](Place number, const Result<int> &) { asked = number; });
     window().findChild<StructureView *>()->choose(at5);
     actions().lineSettings->trigger();
     click(form(), QStringLiteral("Determine"));

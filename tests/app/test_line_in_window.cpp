@@ -32,8 +32,8 @@
 namespace codewheel {
 namespace {
 
-const DeviceNumber standing = DeviceNumber::onLine({5}); // at 1235h = 4661
-const DeviceNumber turning = DeviceNumber::onLine({3});
+const Place standing = placeOnLine({5}); // at 1235h = 4661
+const Place turning = placeOnLine({3});
 
 class LineInWindow : public test::WindowTest
 {
@@ -42,11 +42,11 @@ protected:
 
     QTreeView &tree() { return *window().findChild<QTreeView *>(QStringLiteral("structure")); }
     const StructureModel &model() { return *static_cast<const StructureModel *>(tree().model()); }
-    QString cell(DeviceNumber number, StructureModel::Column column)
+    QString cell(Place number, StructureModel::Column column)
     {
         return model().indexOf(number).siblingAtColumn(column).data().toString();
     }
-    void choose(DeviceNumber number)
+    void choose(Place number)
     {
         const QModelIndex row = model().indexOf(number);
         ASSERT_TRUE(row.isValid());
@@ -56,7 +56,7 @@ protected:
     }
     LineSession &line() { return *shown->line().session(); }
     SimulatedLine &simulated() { return *shown->line().training(); }
-    EncoderSession &encoder(DeviceNumber number) { return *line().encoder(number); }
+    EncoderSession &encoder(Place number) { return *line().encoder(number); }
     bool isSaidInStatusLine(const QString &text)
     {
         for (const QLabel *label : window().statusBar()->findChildren<QLabel *>())
@@ -78,7 +78,7 @@ TEST_F(LineInWindow, StandsBesideTheRingInTheTree)
     EXPECT_TRUE(cell(standing, StructureModel::deviceColumn).startsWith(QStringLiteral("esc:05  Kübler")));
     EXPECT_EQ(cell(standing, StructureModel::stateColumn), QStringLiteral("ok"));
     EXPECT_EQ(cell(standing, StructureModel::positionColumn), QLocale().toString(0x1235));
-    EXPECT_EQ(cell(DeviceNumber::onLine({0x12}), StructureModel::idCodeColumn), QStringLiteral("12h (18)"));
+    EXPECT_EQ(cell(placeOnLine({0x12}), StructureModel::idCodeColumn), QStringLiteral("12h (18)"));
     EXPECT_TRUE(isSaidInStatusLine(QStringLiteral("3 of 3 answer")));
 }
 
@@ -348,7 +348,7 @@ TEST_F(LineInWindow, OfAnotherAddressItStaysChosen)
     ASSERT_TRUE(
         encoder(standing).start(WriteParameters{.values = {{Parameter::lineAddress, 7}}, .previous = {}}));
     advance(4000);
-    const DeviceNumber now = DeviceNumber::onLine({7});
+    const Place now = placeOnLine({7});
     ASSERT_NE(line().encoder(now), nullptr);
     EXPECT_EQ(window().findChild<StructureView *>()->current(), now);
     EXPECT_FALSE(model().indexOf(standing).isValid());

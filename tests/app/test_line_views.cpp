@@ -27,7 +27,7 @@
 namespace codewheel {
 namespace {
 
-const DeviceNumber standingEncoder = DeviceNumber::onLine({5}); // at 1235h = 4661
+const Place standingEncoder = placeOnLine({5}); // at 1235h = 4661
 
 class LineViewsTest : public test::WindowTest
 {
@@ -149,9 +149,9 @@ TEST_F(LineViewsTest, WhatIsFoundAtAPortIsKeptInTheProject)
     PtyPair pty;
     connectPort(pty.path());
     Q_EMIT view<LineSearch>().takeOverWanted({found({7}, 19'200)}, QStringLiteral("kuebler-esc-rs485"));
-    EXPECT_EQ(line().numbers(), std::vector{DeviceNumber::onLine({7})});
+    EXPECT_EQ(line().places(), std::vector{placeOnLine({7})});
     ASSERT_TRUE(project().line);
-    EXPECT_EQ(project().line->encoders, std::vector{test::plannedEncoder(DeviceNumber::onLine({7}))});
+    EXPECT_EQ(project().line->encoders, std::vector{test::plannedEncoder(placeOnLine({7}))});
 }
 
 TEST_F(LineViewsTest, AnotherProjectTakesOverTheLineAsItIsOpen)
@@ -170,16 +170,16 @@ TEST_F(LineViewsTest, AnotherProjectTakesOverTheLineAsItIsOpen)
     ASSERT_TRUE(project().line);
     EXPECT_EQ(project().line->wish.line.baudRate, 9'600);
     EXPECT_EQ(project().line->wish.port, pty.path());
-    EXPECT_EQ(project().line->encoders, std::vector{test::plannedEncoder(DeviceNumber::onLine({7}))});
+    EXPECT_EQ(project().line->encoders, std::vector{test::plannedEncoder(placeOnLine({7}))});
 }
 
 TEST_F(LineViewsTest, WhatAnswersAtAnotherBaudRateIsNotTakenOverAndThatIsSaid)
 {
     actions().lineSearch->trigger();
-    const auto before = line().numbers();
+    const auto before = line().places();
     const auto steps = shown->project().project();
     Q_EMIT view<LineSearch>().takeOverWanted({found({8}, 9'600)}, QStringLiteral("kuebler-esc-rs485"));
-    EXPECT_EQ(line().numbers(), before);
+    EXPECT_EQ(line().places(), before);
     EXPECT_EQ(shown->project().project(), steps);
     const auto *message = view<LineSearch>().findChild<InlineMessage *>();
     ASSERT_TRUE(message->isVisible());
@@ -188,7 +188,7 @@ TEST_F(LineViewsTest, WhatAnswersAtAnotherBaudRateIsNotTakenOverAndThatIsSaid)
 
 TEST_F(LineViewsTest, AnEncoderIsRemovedFromLineAndProject)
 {
-    plan({test::plannedEncoder(standingEncoder), test::plannedEncoder(DeviceNumber::onLine({7}))});
+    plan({test::plannedEncoder(standingEncoder), test::plannedEncoder(placeOnLine({7}))});
     PtyPair pty;
     connectPort(pty.path());
     view<StructureView>().choose(standingEncoder);
@@ -197,7 +197,7 @@ TEST_F(LineViewsTest, AnEncoderIsRemovedFromLineAndProject)
     actions().removeFromLine->trigger();
     advance(50);
     EXPECT_EQ(line().encoder(standingEncoder), nullptr);
-    EXPECT_EQ(project().line->encoders, std::vector{test::plannedEncoder(DeviceNumber::onLine({7}))});
+    EXPECT_EQ(project().line->encoders, std::vector{test::plannedEncoder(placeOnLine({7}))});
     view<StructureView>().choose(test::fraba);
     EXPECT_FALSE(actions().removeFromLine->isEnabled());
 }
@@ -215,17 +215,17 @@ TEST_F(LineViewsTest, RemovedFromTheTrainingLineTheProjectsOwnStays)
 
 TEST_F(LineViewsTest, NoTrainingEncoderIsTakenAlongToAPort)
 {
-    ASSERT_EQ(line().numbers().size(), 3u);
+    ASSERT_EQ(line().places().size(), 3u);
     PtyPair pty;
     connectPort(pty.path());
-    EXPECT_TRUE(line().numbers().empty());
+    EXPECT_TRUE(line().places().empty());
     EXPECT_TRUE(project().line->encoders.empty());
 }
 
 TEST_F(LineViewsTest, ThePortOfAnEncoderIsConnectedInWatch)
 {
     plan({test::plannedEncoder(standingEncoder, QStringLiteral("Slide")),
-          test::plannedEncoder(DeviceNumber::onLine({7}))});
+          test::plannedEncoder(placeOnLine({7}))});
     PtyPair pty;
     connectPort(pty.path());
     ASSERT_NE(shown->line().session(), nullptr);
@@ -234,7 +234,7 @@ TEST_F(LineViewsTest, ThePortOfAnEncoderIsConnectedInWatch)
     EXPECT_FALSE(line().isOperating());
     EXPECT_FALSE(bus().isOperating()) << "one decision for both";
     EXPECT_EQ(project().line->wish, view<LineSettingsForm>().wish());
-    EXPECT_EQ(line().numbers(), (std::vector{standingEncoder, DeviceNumber::onLine({7})}))
+    EXPECT_EQ(line().places(), (std::vector{standingEncoder, placeOnLine({7})}))
         << "the encoders of the project";
     EXPECT_EQ(findDevice(project(), standingEncoder)->station, QStringLiteral("Slide"));
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/window_test.h"
+#include "tests/support/places.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
 
@@ -62,7 +63,7 @@ TEST_F(MainWindowTest, NothingIsSentByOpeningChoosingAndLooking)
 TEST_F(MainWindowTest, OfAnEncoderWithoutOutItSaysWhyNothingCanBeSetUp)
 {
     const QString usual = actions().wizard->toolTip();
-    window().findChild<StructureView *>()->choose({3, 0});
+    window().findChild<StructureView *>()->choose("3.0"_ring);
     EXPECT_TRUE(actions().wizard->toolTip().startsWith(
         QStringLiteral("The FRABA OCD-IB K1 cannot be parameterized over the bus.")));
     EXPECT_FALSE(actions().zeroOut->isEnabled());
@@ -74,7 +75,7 @@ TEST_F(MainWindowTest, OfAnEncoderWithoutOutItSaysWhyNothingCanBeSetUp)
 
 TEST_F(MainWindowTest, ABusTerminalCanBeChosenAndShowsNothing)
 {
-    window().findChild<StructureView *>()->choose({6, 0});
+    window().findChild<StructureView *>()->choose("6.0"_ring);
     advance(100);
     actions().wizard->trigger();
     actions().zeroOut->trigger();
@@ -140,7 +141,7 @@ TEST_F(MainWindowTest, InALowWindowTheWholeRingTheLineAndTheParametersAreSeen)
         EXPECT_FALSE(dock(name)->visibleRegion().isEmpty()) << name;
     const auto *tree = dock("structureDock")->findChild<QTreeView *>();
     const auto *model = static_cast<const StructureModel *>(tree->model());
-    for (const DeviceNumber number : bus().numbers())
+    for (const Place number : bus().places())
         EXPECT_TRUE(tree->viewport()->rect().contains(tree->visualRect(model->indexOf(number)).center()))
             << number.toString().toStdString();
     EXPECT_TRUE(tree->viewport()->rect().contains(tree->visualRect(model->lineIndex()).center()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which device the panels show, and editing the project while nothing is connected.
 #include "tests/app/window_test.h"
+#include "tests/support/places.h"
 #include "widgets/cams/cam_editor.h"
 #include "widgets/cams/cam_sheet.h"
 #include "widgets/parameters/parameter_model.h"
@@ -46,7 +47,7 @@ protected:
         return parameters().setData(parameters().index(0, ParameterModel::wantedColumn), qlonglong{steps},
                                     Qt::EditRole);
     }
-    ParameterValues wanted(DeviceNumber number) { return shown->project().device(number).wanted; }
+    ParameterValues wanted(Place number) { return shown->project().device(number).wanted; }
 };
 
 TEST_F(OfflineEditing, WantedValuesOfThePlannedEncoderAreEdited)
@@ -108,7 +109,7 @@ TEST_F(OfflineEditing, TreeAndStructureEditorFollowEachOther)
 {
     goOffline();
     QTest::keyClick(&window(), Qt::Key_F4);
-    tree().choose({5, 0});
+    tree().choose("5.0"_ring);
     EXPECT_EQ(chosenInPlan(), QStringLiteral("5.0"));
     chooseInPlan(1);
     EXPECT_EQ(tree().current(), baumer);
@@ -161,7 +162,7 @@ TEST_F(OfflineEditing, APlannedDeviceThatIsNotConnectedIsEditedWhileTheRingRuns)
     PlanEdits edits(shown->project(), catalog);
     const Participant same = shown->project().device(baumer).participant;
     ASSERT_TRUE(edits.insert(same, {.terminal = {}, .onLocalBus = false, .row = 1000}));
-    const DeviceNumber added = shown->project().project().devices.back().participant.number;
+    const Place added = shown->project().project().devices.back().place();
     QTest::keyClick(&window(), Qt::Key_F4);
     plan().setCurrentIndex(plan().model()->index(plan().model()->rowCount() - 1, 0));
     EXPECT_EQ(tree().current(), std::nullopt);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/window_test.h"
+#include "tests/support/places.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/structure/structure_view.h"
 
@@ -18,9 +19,9 @@ using test::fraba;
 class OtherRingTest : public test::WindowTest
 {
 protected:
-    void befall(TrainingFault fault, DeviceNumber place, int value = 1)
+    void befall(TrainingFault fault, Place place, int value = 1)
     {
-        shown->controls().setFault(fault, place, value);
+        shown->controls().setFault(fault, place.node, value);
         advance(60);
     }
 };
@@ -29,19 +30,19 @@ TEST_F(OtherRingTest, TheWindowFollowsTheRingThatWasReadIn)
 {
     monitors().closeAll();
     monitors().openMonitor(fraba, MonitorKind::in32);
-    monitors().openMonitor({6, 1}, MonitorKind::in32);
-    window().findChild<StructureView *>()->choose({6, 1});
-    befall(TrainingFault::wireBreak, {6, 0});
+    monitors().openMonitor("6.1"_ring, MonitorKind::in32);
+    window().findChild<StructureView *>()->choose("6.1"_ring);
+    befall(TrainingFault::wireBreak, "6.0"_ring);
     actions().readIn->trigger();
     advance(100);
     EXPECT_TRUE(bus().isRunning());
     EXPECT_EQ(bus().structure().size(), 5U);
     ASSERT_EQ(monitors().monitors().size(), 1U);
-    EXPECT_EQ(monitors().monitors().front()->number(), fraba);
+    EXPECT_EQ(monitors().monitors().front()->place(), fraba);
     EXPECT_EQ(window().findChild<StructureView *>()->current(), fraba);
     advance(200);
 
-    befall(TrainingFault::wireBreak, {6, 0}, 0);
+    befall(TrainingFault::wireBreak, "6.0"_ring, 0);
     actions().readIn->trigger();
     advance(100);
     EXPECT_EQ(bus().structure().size(), 7U);
@@ -63,7 +64,7 @@ TEST_F(OtherRingTest, TheChosenEncoderAndItsMonitorsStay)
 
 TEST_F(OtherRingTest, ASegmentIsSwitchedByItsAction)
 {
-    window().findChild<StructureView *>()->choose({6, 1});
+    window().findChild<StructureView *>()->choose("6.1"_ring);
     actions().switchSegment->trigger();
     advance(10);
     EXPECT_TRUE(bus().latest().devices[6].inRing) << "it is asked for";

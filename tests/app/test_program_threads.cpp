@@ -72,10 +72,10 @@ protected:
 TEST_F(RunningProgram, FourMonitorsARunOfTheWizardAndFiftyStartsAndStops)
 {
     auto *monitors = program.window()->findChild<MonitorArea *>();
-    for (const DeviceNumber number : {fraba, baumer})
+    for (const Place number : {fraba, baumer})
         for (const MonitorKind kind : {MonitorKind::in32, MonitorKind::out32})
             monitors->openMonitor(number, kind);
-    program.training().controls->setSpeed(fraba, 300);
+    program.training().controls->setSpeed(fraba.node, 300);
     ASSERT_TRUE(waitFor([this] { return bus().latest().cycle > 100; }));
 
     runTheWizard();

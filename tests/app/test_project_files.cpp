@@ -7,6 +7,7 @@
 #include "project/project_take_over.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
+#include "tests/support/places.h"
 #include "widgets/look/inline_message.h"
 
 #include <QAction>
@@ -314,7 +315,8 @@ TEST_F(ProjectFilesTest, APlanThatIsEditedDoesNotShiftTheNamesOfTheRing)
     Project project = document().project();
     project.devices.insert(project.devices.begin(), project.devices.front());
     for (std::size_t i = 0; i < project.devices.size(); ++i)
-        project.devices[i].participant.number.segment += i > 0 ? 1 : 0;
+        if (i > 0)
+            project.devices[i].participant.number = nextSegment(project.devices[i].participant.number);
     ASSERT_TRUE(saveProject(project, path("shifted.codewheel")));
     window().files().open(path("shifted.codewheel"));
     EXPECT_EQ(bus().structure(), before) << "2.0 is a FRABA in the plan, and has the code of the Baumer";

@@ -104,7 +104,7 @@ TEST_P(SmallWindow, HoldsTheInsertPanelOfTheStructureEditor)
 
 TEST_P(SmallWindow, TheStatusLineLeavesOutWhatHasNoRoom)
 {
-    window().findChild<StructureView *>()->choose(DeviceNumber::onLine({0x05}));
+    window().findChild<StructureView *>()->choose(placeOnLine({0x05}));
     expectSmall(QStringLiteral("encoder on the serial line"));
     const QRect bar = window().statusBar()->rect();
     int seen = 0;

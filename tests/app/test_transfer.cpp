@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/window_test.h"
+#include "tests/support/places.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/transfer/replace_page.h"
 #include "widgets/transfer/transfer_page.h"
@@ -18,7 +19,7 @@ class TransferInTheWindow : public test::WindowTest
 {
 protected:
     TransferPage &page() { return *window().findChild<TransferPage *>(); }
-    void choose(DeviceNumber number) { window().findChild<StructureView *>()->choose(number); }
+    void choose(Place number) { window().findChild<StructureView *>()->choose(number); }
     // What is wanted of the Baumer, by Transfer.
     void write(std::int64_t steps)
     {
@@ -95,7 +96,7 @@ TEST_F(TransferInTheWindow, TheChosenEncoderIsReplaced)
     choose(fraba);
     actions().replaceEncoder->trigger();
     EXPECT_TRUE(window().findChild<ReplacePage *>()->isVisible());
-    choose({3, 0});
+    choose("3.0"_ring);
     EXPECT_FALSE(actions().replaceEncoder->isEnabled()); // a K1 has nothing to be written
     EXPECT_TRUE(actions().replaceEncoder->toolTip().contains(QStringLiteral("cannot be parameterized")));
 }

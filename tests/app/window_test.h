@@ -4,6 +4,7 @@
 #include "app/window/training_window.h"
 #include "bus/word_channel.h"
 #include "ring/bus_session.h"
+#include "tests/support/places.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/monitor/word_monitor.h"
 
@@ -14,8 +15,8 @@
 
 namespace codewheel::test {
 
-inline constexpr DeviceNumber fraba{1, 0};
-inline constexpr DeviceNumber baumer{2, 0};
+inline constexpr Place fraba = "1.0"_ring;
+inline constexpr Place baumer = "2.0"_ring;
 
 // The whole window on the training bus in virtual time, shown and active.
 class WindowTest : public testing::Test
@@ -38,9 +39,9 @@ protected:
     MonitorArea &monitors() { return *window().findChild<MonitorArea *>(); }
     void advance(int milliseconds) { shown->advance(milliseconds); }
 
-    Word out(DeviceNumber number) { return bus().channel(number)->out(); }
-    Word in(DeviceNumber number) { return bus().channel(number)->in(); }
-    void send(DeviceNumber number, Word word)
+    Word out(Place number) { return bus().channel(number)->out(); }
+    Word in(Place number) { return bus().channel(number)->in(); }
+    void send(Place number, Word word)
     {
         bus().channel(number)->stage(word);
         EXPECT_TRUE(bus().channel(number)->write());

@@ -10,6 +10,7 @@
 #include "app/window/training_window.h"
 #include "bus/word_channel.h"
 #include "ring/bus_session.h"
+#include "tests/support/places.h"
 #include "widgets/monitor/monitor_area.h"
 
 #include <QApplication>
@@ -26,8 +27,8 @@ namespace {
 using namespace codewheel;
 using namespace std::chrono_literals;
 
-constexpr DeviceNumber worked{1, 0};  // FRABA K3, told and asked
-constexpr DeviceNumber watched{2, 0}; // Baumer K3, which turns
+constexpr Place worked = "1.0"_ring;  // FRABA K3, told and asked
+constexpr Place watched = "2.0"_ring; // Baumer K3, which turns
 constexpr std::array words{0x0200'00FFU, 0x8000'0000U, 0x0000'0000U};
 constexpr std::array sizes{QSize(1600, 1000), QSize(1024, 768), QSize(1280, 900)};
 constexpr int lines = 12;             // that are printed
@@ -62,7 +63,7 @@ public:
                 (void)encoder().start(ReadParameters{{Parameter::steps, Parameter::serialNumber}});
             break;
         case 2:
-            m_shown.controls().powerCycle(watched);
+            m_shown.controls().powerCycle(watched.node);
             break;
         case 3:
             m_shown.window().resize(sizes[++m_size % sizes.size()]);
@@ -99,7 +100,7 @@ private:
     {
         auto *monitors = m_shown.window().findChild<MonitorArea *>();
         monitors->closeAll();
-        for (const DeviceNumber place : {worked, watched})
+        for (const Place place : {worked, watched})
             for (const MonitorKind kind : {MonitorKind::in32, MonitorKind::out32})
                 monitors->openMonitor(place, kind);
     }

@@ -2,6 +2,7 @@
 // A million messages on disk: how long it takes to keep them, to open them, to scroll a page, to filter and
 // to search; and the longest time in which the window did nothing else.
 #include "journal/message_store.h"
+#include "tests/support/places.h"
 #include "widgets/look/appearance.h"
 #include "widgets/messages/messages_view.h"
 
@@ -30,7 +31,7 @@ double milliseconds(const QElapsedTimer &clock)
 
 Message messageAt(int i)
 {
-    const DeviceNumber place{i % 8 + 1, 0};
+    const Place place{firstRing, DeviceNumber{i % 8 + 1, 0}.node()};
     if (i % 1'000 == 0)
         return {.place = place,
                 .severity = Severity::fault,
@@ -122,7 +123,7 @@ int main(int argc, char **argv)
                 static_cast<double>(QFileInfo(file).size()) * 1e-6, milliseconds(clock));
     scroll(*view.findChild<QTableView *>());
     search(messages, "filter by severity", {.least = Severity::fault});
-    search(messages, "filter by place", {.place = {.all = false, .number = DeviceNumber{2, 0}}});
+    search(messages, "filter by place", {.place = {.all = false, .at = "2.0"_ring}});
     search(messages, "search a rare text", {.text = QStringLiteral("Steps = 777770")});
     search(messages, "search a frequent text", {.text = QStringLiteral("written")});
     return 0;

@@ -82,7 +82,7 @@ int main(int argc, char **argv)
                    .positions = positions});
     auto *monitors = window.findChild<MonitorArea *>();
     monitors->closeAll();
-    for (const DeviceNumber number : bus.numbers()) {
+    for (const Place number : bus.places()) {
         tell(*bus.encoder(number));
         monitors->openMonitor(number, MonitorKind::in32);
     }

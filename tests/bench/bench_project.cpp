@@ -55,7 +55,7 @@ Project largeProject()
     for (int n = 0; n < ring_limit::devices; ++n) {
         project.devices.push_back(n % 4 == 0 ? encoder(at) : digitalInput());
         number = nextNumber(number, n % 4 > 1);
-        project.devices.back().participant.number = number;
+        project.devices.back().participant.number = number.node();
     }
     static_assert(ring_limit::devices / 4 == encoders);
     return project;

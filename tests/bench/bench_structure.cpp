@@ -4,6 +4,7 @@
 #include "catalog/catalog.h"
 #include "project/project_take_over.h"
 #include "ring/id_code.h"
+#include "tests/support/places.h"
 #include "widgets/look/appearance.h"
 #include "widgets/structure_editor/plan_model.h"
 #include "widgets/structure_editor/structure_editor.h"
@@ -31,17 +32,17 @@ Project largestProject()
     RingStructure ring;
     for (int segment = 1; segment <= terminals; ++segment) {
         Participant terminal = deviceOf(busTerminalIdCode);
-        terminal.number = {segment, 0};
+        terminal.number = DeviceNumber{segment, 0}.node();
         ring.push_back(terminal);
         for (int position = 1; position <= localDevices; ++position) {
             Participant device = deviceOf(position % 2 == 0 ? 0x81BE : 0x81BD);
-            device.number = {segment, position};
+            device.number = DeviceNumber{segment, position}.node();
             ring.push_back(device);
         }
     }
     Project project = projectOf(ring);
     for (ProjectDevice &device : project.devices)
-        device.station = QStringLiteral("station ") + device.participant.number.toString();
+        device.station = QStringLiteral("station ") + device.place().toString();
     return project;
 }
 
@@ -91,7 +92,8 @@ int main(int argc, char **argv)
     measure("scroll by a page", editor,
             [&](int i) { bar->setValue((i * bar->pageStep()) % std::max(1, bar->maximum())); });
     measure("edit a station", editor, [&](int i) {
-        document.editDevice({4, 7}, {}, [&](ProjectDevice &device) { device.station = QString::number(i); });
+        document.editDevice("4.7"_ring, {},
+                            [&](ProjectDevice &device) { device.station = QString::number(i); });
     });
     measure("move first to last and back", editor, [&](int i) {
         const RingPlace place{.terminal = {}, .onLocalBus = false, .row = i % 2 == 0 ? 99U : 0U};

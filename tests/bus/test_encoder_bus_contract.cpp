@@ -8,6 +8,7 @@
 #include "simulator/simulated_line_link.h"
 #include "simulator/training_bus.h"
 #include "tests/bus/watched_links.h"
+#include "tests/support/places.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ const QDateTime began(QDate(2026, 3, 1), QTime(14, 2));
 
 struct Ring
 {
-    static constexpr DeviceNumber place{1, 0};
+    static constexpr Place place = "1.0"_ring;
     static constexpr std::int64_t steps = 255;
 
     void open(bool operating)
@@ -43,7 +44,7 @@ struct Ring
 
 struct Line
 {
-    static constexpr DeviceNumber place = DeviceNumber::onLine({5});
+    static constexpr Place place = placeOnLine({5});
     static constexpr std::int64_t steps = 864;
 
     void open(bool operating)
@@ -218,7 +219,7 @@ protected:
 
 TEST_F(BusesTest, AnEncoderIsFoundOnWhateverBusItIs)
 {
-    EXPECT_TRUE(buses.numbers().empty()) << "none is open";
+    EXPECT_TRUE(buses.places().empty()) << "none is open";
     ring.open(false);
     line.open(false);
     EXPECT_EQ(buses.busOf(Ring::place), &ring.bus);

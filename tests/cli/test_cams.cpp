@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/cli_run.h"
 #include "tests/support/no_room.h"
+#include "tests/support/places.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -50,7 +51,7 @@ TEST_F(CliCams, WritesTheWordsOfTheManualAndReadsThemBack)
                               "20200013 A0000015", "20200023 A0000213", "20200000 A0000008"}));
     EXPECT_EQ(run.json()[u"eepromWrites"], 1);
     EXPECT_EQ(shared.eepromWrites(), 1);
-    EXPECT_EQ(shared.bus().encoder({1, 0})->latest().mode, Mode::position) << "as before";
+    EXPECT_EQ(shared.bus().encoder("1.0"_ring)->latest().mode, Mode::position) << "as before";
 
     EXPECT_EQ(shared.runLine(QStringLiteral("cams 1.0 compare %1").arg(cams)).exit, 0);
     const CliRun again = shared.runLine(QStringLiteral("cams 1.0 write %1 --yes").arg(cams));
@@ -139,7 +140,8 @@ TEST_F(CliCams, AFileOfAnotherDeviceIsRefused)
             EXPECT_EQ(errorKey(run), "camFileOfOtherDevice") << device;
             EXPECT_THAT(run.err, HasSubstr(std::string("cams.json holds cam programs for the device ") +
                                            device + "; this encoder is fraba-ocd-ib. Nothing was taken"));
-            EXPECT_EQ(shared.bus().encoder({1, 0})->latest().mode, Mode::position) << "no cam word went out";
+            EXPECT_EQ(shared.bus().encoder("1.0"_ring)->latest().mode, Mode::position)
+                << "no cam word went out";
             EXPECT_EQ(shared.eepromWrites(), 0);
         }
 }
@@ -188,7 +190,7 @@ TEST_F(CliCams, StaysInTheProgramThatIsSavedWhereThatIsWanted)
     SharedBus shared;
     const QString line = QStringLiteral("cams 1.0 write %1 --yes --stay").arg(file(program("4", "0", "21")));
     EXPECT_EQ(shared.runLine(line).exit, 0);
-    EXPECT_EQ(shared.bus().encoder({1, 0})->latest().camProgram, 4u);
+    EXPECT_EQ(shared.bus().encoder("1.0"_ring)->latest().camProgram, 4u);
     EXPECT_EQ(shared.eepromWrites(), 1);
 }
 

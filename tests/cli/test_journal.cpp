@@ -6,6 +6,7 @@
 #include "journal_files.h"
 #include "tests/cli/cli_run.h"
 #include "tests/support/no_room.h"
+#include "tests/support/places.h"
 #include "tests/support/scripted_link.h"
 
 #include <QDir>
@@ -31,11 +32,14 @@ protected:
     {
         auto ledger = Ledger::open(DatabasePlace::file(path("ledger.sqlite")));
         ASSERT_TRUE(ledger);
-        const EncoderIdentity fraba{
-            .by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = project, .place = {1, 0}};
+        const EncoderIdentity fraba{.by = CountedBy::place,
+                                    .vendor = {},
+                                    .serialNumber = {},
+                                    .project = project,
+                                    .place = {firstRing, NodeId("1.0")}};
         ASSERT_TRUE(ledger->begin({.at = QDateTime(QDate(2026, 3, 1), QTime(12, 0), Qt::UTC),
                                    .identity = fraba.key(),
-                                   .place = {1, 0},
+                                   .place = fraba.place,
                                    .device = QStringLiteral("fraba-ocd-ib"),
                                    .planned = writes,
                                    .writes = writes,
@@ -77,7 +81,7 @@ protected:
         MessageStore store({.file = path("messages.sqlite")});
         const QDateTime noon(QDate(2026, 3, 1), QTime(12, 0));
         store.add({.id = MessageId::busStarted}, noon);
-        store.add({.place = DeviceNumber{1, 0},
+        store.add({.place = "1.0"_ring,
                    .severity = Severity::fault,
                    .id = MessageId::deviceFault,
                    .arguments = {std::int64_t{3}, Word{0x86000000}}},

@@ -94,12 +94,12 @@ protected:
         Project project = *loadProject(QStringLiteral(CODEWHEEL_ROOT "/docs/examples/training.codewheel"));
         project.devices.front().station = QStringLiteral("05");
         ProjectDevice encoder;
-        encoder.participant.number = DeviceNumber::onLine({0x12});
+        encoder.standAt(placeOnLine({0x12}));
         encoder.participant.deviceKey = QStringLiteral("kuebler-esc-rs422");
         encoder.station = QStringLiteral("Slewing gear");
         project.line = ProjectLine{};
         project.line->encoders.push_back(encoder);
-        encoder.participant.number = DeviceNumber::onLine({0x03});
+        encoder.standAt(placeOnLine({0x03}));
         encoder.station = QStringLiteral("0A");
         project.line->encoders.insert(project.line->encoders.begin(), encoder);
         EXPECT_TRUE(saveProject(project, m_file));

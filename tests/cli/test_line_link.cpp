@@ -67,8 +67,8 @@ TEST(CliLineLink, TheLineOfAProjectKeepsItsSettingsSaveThoseTyped)
     project.line->wish.line.baudRate = 4'800;
     project.line->adapter.serialNumber = QStringLiteral("A50285BI");
     project.line->encoders.resize(2);
-    project.line->encoders[0].participant.number = DeviceNumber::onLine({3});
-    project.line->encoders[1].participant.number = DeviceNumber::onLine({5});
+    project.line->encoders[0].standAt(placeOnLine({3}));
+    project.line->encoders[1].standAt(placeOnLine({5}));
     project.line->encoders[1].swapsWarningBytes = true;
     const auto link = linkMeant(QStringLiteral("esc:project,fraction-bits=30"), &project);
     ASSERT_TRUE(link);

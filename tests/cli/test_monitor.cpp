@@ -42,7 +42,7 @@ TEST(CliMonitor, AShaftThatTurnsIsARowEachTenthOfASecond)
 TEST(CliMonitor, ShowsRevolutionsPerMinuteInVelocityMode)
 {
     SharedBus shared;
-    shared.controls().setSpeed({1, 0}, -150);
+    shared.controls().setSpeed(NodeId("1.0"), -150);
     shared.runLine(QStringLiteral("velocity 1.0 on"));
     EXPECT_THAT(shared.runLine(QStringLiteral("monitor 1.0 --for 1")).out,
                 HasSubstr("00000000  01FFFF6A  Normal running  Running, speed -150 rpm\n"));

@@ -2,6 +2,7 @@
 // Several calls of the program at the same time, on the same files.
 #include "journal/ledger.h"
 #include "project/project_file.h"
+#include "tests/support/places.h"
 
 #include <QDir>
 #include <QFile>
@@ -69,10 +70,10 @@ TEST_F(ParallelCalls, NoReplacementInAProjectIsLostThatWasToldToBeDone)
 {
     const QString project = path("crane.codewheel");
     ASSERT_TRUE(QFile::copy(QStringLiteral(CODEWHEEL_ROOT "/docs/examples/training.codewheel"), project));
-    const std::array<DeviceNumber, 3> places{DeviceNumber{1, 0}, DeviceNumber{2, 0}, DeviceNumber{6, 1}};
+    const std::array<Place, 3> places{"1.0"_ring, "2.0"_ring, "6.1"_ring};
     for (int round = 0; round < 8; ++round) {
         const QString serial = QString::number(1000 + round);
-        for (const DeviceNumber place : places)
+        for (const Place place : places)
             start({QStringLiteral("replace"), place.toString(), QStringLiteral("--project"), project,
                    QStringLiteral("--serial"), serial, QStringLiteral("--yes"), QStringLiteral("--json")});
         const auto answers = ended();

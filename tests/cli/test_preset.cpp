@@ -24,7 +24,7 @@ TEST(CliPreset, PrintsThePositionBeforeAndAfter)
 TEST(CliPreset, OfAShaftThatTurnsTooFastIsNotSet)
 {
     SharedBus shared;
-    shared.controls().setSpeed({1, 0}, 6000);
+    shared.controls().setSpeed(NodeId("1.0"), 6000);
     for (const char *line : {"preset 1.0", "preset 1.0 1000", "preset 1.0 --fraba"}) {
         const CliRun run = shared.runLine(QString::fromLatin1(line));
         EXPECT_EQ(run.exit, 1) << line;

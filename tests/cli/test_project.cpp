@@ -7,6 +7,7 @@
 #include "project/project_file.h"
 #include "ring/bus_session.h"
 #include "tests/cli/cli_run.h"
+#include "tests/support/places.h"
 #include "tests/support/scripted_link.h"
 
 #include <QFile>
@@ -21,13 +22,13 @@ namespace {
 
 using testing::HasSubstr;
 
-const DeviceNumber first{1, 0};
-const DeviceNumber second{2, 0};
+const Place first = "1.0"_ring;
+const Place second = "2.0"_ring;
 
-ProjectDevice encoder(DeviceNumber number, const char *key, const char *station)
+ProjectDevice encoder(Place number, const char *key, const char *station)
 {
     ProjectDevice device;
-    device.participant = {number, 0x37, 0x0237, 2, 2, QString::fromLatin1(key)};
+    device.participant = {number.node, 0x37, 0x0237, 2, 2, QString::fromLatin1(key)};
     device.station = QString::fromLatin1(station);
     return device;
 }
@@ -37,8 +38,8 @@ class CliProject : public testing::Test
 {
 protected:
     CliProject()
-        : m_bus(std::make_unique<ScriptedLink>(
-                    RingStructure{{first, 0x37, 0x0237, 2, 2, {}}, {second, 0x37, 0x0237, 2, 2, {}}}),
+        : m_bus(std::make_unique<ScriptedLink>(RingStructure{{first.node, 0x37, 0x0237, 2, 2, {}},
+                                                             {second.node, 0x37, 0x0237, 2, 2, {}}}),
                 m_catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC))
     {
         EXPECT_TRUE(m_bus.open(BusSession::Start::operating));
@@ -59,7 +60,7 @@ protected:
         const int exit = runCommand(command, *arguments, m_catalog, {.bus = &m_bus}, Terminal{in, out, err});
         return {exit, out.str(), err.str()};
     }
-    QString nameAt(DeviceNumber number) const { return m_bus.encoder(number)->device().key; }
+    QString nameAt(Place number) const { return m_bus.encoder(number)->device().key; }
 
     const Catalog m_catalog = Catalog::builtIn();
     BusSession m_bus;
@@ -117,9 +118,9 @@ TEST_F(CliProject, AStationThatIsNotThereOrTwiceIsBadInput)
 TEST_F(CliProject, NothingIsSentToAStationWhereTheBusDiffers)
 {
     m_project.devices.insert(m_project.devices.begin(), encoder(first, "", "cabin"));
-    m_project.devices[0].participant = {first, 0xBE, 0x81BE, 1, 0, {}};
-    m_project.devices[1].participant.number = {2, 0};
-    m_project.devices[2].participant.number = {3, 0};
+    m_project.devices[0].participant = {first.node, 0xBE, 0x81BE, 1, 0, {}};
+    m_project.devices[1].participant.number = NodeId("2.0");
+    m_project.devices[2].participant.number = NodeId("3.0");
     const CliRun hoist = run(wordsCommand, {QStringLiteral("hoist"), QStringLiteral("020000FF")});
     EXPECT_EQ(hoist.exit, 1);
     EXPECT_THAT(hoist.err, HasSubstr("\"hoist\" may stand elsewhere"));

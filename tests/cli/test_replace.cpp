@@ -6,6 +6,7 @@
 #include "project/project_file.h"
 #include "ring/bus_session.h"
 #include "tests/cli/cli_run.h"
+#include "tests/support/places.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -51,7 +52,7 @@ protected:
                                     Terminal{in, out, err, person.isThere});
         return {exit, out.str(), err.str()};
     }
-    EncoderSession &fraba() { return *shared.bus().encoder({1, 0}); }
+    EncoderSession &fraba() { return *shared.bus().encoder("1.0"_ring); }
 
     const Catalog catalog = Catalog::builtIn();
     SharedBus shared;
@@ -118,7 +119,7 @@ TEST_F(CliReplace, TheLastPositionOfTheProjectIsGiven)
     EXPECT_EQ(run("store @ 1.0").exit, 0);
     ASSERT_TRUE(saved().devices[0].lastPosition);
     EXPECT_EQ(saved().devices[0].lastPosition->position, 12345);
-    shared.controls().turnBy({1, 0}, 500);
+    shared.controls().turnBy(NodeId("1.0"), 500);
     shared.bus().advance(5);
     const CliRun done = run("replace Hoist --project @ --position last --yes");
     EXPECT_EQ(done.exit, 0) << done.err;
@@ -216,7 +217,7 @@ TEST_F(CliReplace, AnEncoderIsAskedForItsSerialNumberWhereItsPlaceHasNothing)
                                           .vendor = QStringLiteral("FRABA"),
                                           .serialNumber = QStringLiteral("20417"),
                                           .project = {},
-                                          .place = {1, 0}}));
+                                          .place = "1.0"_ring}));
     }
     EXPECT_EQ(runLine(QStringLiteral("restore 1.0 --list --json") + option).json()[u"valuesBefore"],
               byPlace.json()[u"valuesBefore"]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/cli_run.h"
+#include "tests/support/places.h"
 
 #include <QJsonArray>
 
@@ -73,7 +74,7 @@ TEST(CliRod, ThePositionIsSetToTheValueGiven)
 TEST(CliRod, WithoutItsMagnetThePositionIsNotSetAndAWriteTellsTheState)
 {
     SharedBus shared;
-    shared.controls().setMagnetInRange({5, 0}, false);
+    shared.controls().setMagnetInRange(NodeId("5.0"), false);
     const CliRun preset = shared.runLine(QStringLiteral("preset 5.0 1000"));
     EXPECT_EQ(preset.exit, 1);
     EXPECT_THAT(preset.err, HasSubstr("The magnet is outside the measuring range"));
@@ -93,7 +94,7 @@ TEST(CliRod, IsWatchedInStepsAndMillimetres)
 TEST(CliRod, WithoutTheLengthOfTheRodThereAreNoMillimetres)
 {
     SharedBus shared;
-    shared.bus().encoder({5, 0})->tell(Parameter::rodLength, std::nullopt);
+    shared.bus().encoder("5.0"_ring)->tell(Parameter::rodLength, std::nullopt);
     EXPECT_THAT(shared.runLine(QStringLiteral("monitor 5.0 --for 1")).out,
                 HasSubstr("Running, position 12500\n"));
     const QJsonObject json = shared.runLine(QStringLiteral("monitor 5.0 --for 1 --json")).json();

@@ -2,6 +2,7 @@
 #include "project/project_file.h"
 #include "ring/bus_session.h"
 #include "tests/cli/cli_run.h"
+#include "tests/support/places.h"
 
 #include <QDir>
 #include <QFile>
@@ -26,9 +27,9 @@ protected:
         for (const Participant &participant : shared.bus().structure()) {
             ProjectDevice device;
             device.participant = participant;
-            if (participant.number == DeviceNumber{1, 0})
+            if (participant.number == NodeId("1.0"))
                 device.wanted = {{Parameter::steps, 255}, {Parameter::revolutions, 1}};
-            if (participant.number == DeviceNumber{2, 0})
+            if (participant.number == NodeId("2.0"))
                 device.wanted = {{Parameter::steps, 4096}};
             project.devices.push_back(device);
         }
@@ -143,7 +144,7 @@ TEST_F(CliTransfer, WhatAnotherProgramSavedMeanwhileIsNotOverwritten)
 {
     Project other = project;
     other.title = QStringLiteral("of another program");
-    QObject::connect(shared.bus().encoder({1, 0}), &EncoderSession::exchanged, &shared.bus(),
+    QObject::connect(shared.bus().encoder("1.0"_ring), &EncoderSession::exchanged, &shared.bus(),
                      [&] { EXPECT_TRUE(saveProject(other, file)); });
     const CliRun run = runIt("store @ 1.0");
     EXPECT_EQ(run.exit, 1);
@@ -155,7 +156,7 @@ TEST_F(CliTransfer, NothingIsReplacedWhereAnotherProgramChangedTheProjectMeanwhi
 {
     Project other = project;
     other.title = QStringLiteral("of another program");
-    QObject::connect(shared.bus().encoder({2, 0}), &EncoderSession::latestChanged, &shared.bus(),
+    QObject::connect(shared.bus().encoder("2.0"_ring), &EncoderSession::latestChanged, &shared.bus(),
                      [&] { EXPECT_TRUE(saveProject(other, file)); });
     EXPECT_EQ(errorKey(runIt("replace 1.0 --project @ --device fraba-ocd-ib --serial 4711 --yes --json")),
               "fileChanged");
@@ -211,7 +212,7 @@ TEST_F(CliTransfer, WhyAnEncoderWasNotWrittenIsToldBeforeAReportThatWasNotSaved)
     ASSERT_TRUE(QDir().mkpath(reports));
     project.devices[1].wanted = {{Parameter::steps, 8193}, {Parameter::revolutions, 1}}; // 2.0
     save();
-    QObject::connect(shared.bus().encoder({2, 0}), &EncoderSession::jobStarted, &shared.bus(),
+    QObject::connect(shared.bus().encoder("2.0"_ring), &EncoderSession::jobStarted, &shared.bus(),
                      [&] { QDir(reports).removeRecursively(); });
     const CliRun run =
         shared.runLine(QStringLiteral("transfer %1 2.0 --yes --report %2/x.html").arg(file, reports));
@@ -230,11 +231,11 @@ protected:
         Project shifted;
         ProjectDevice front;
         front.participant = ofTheFront;
-        front.participant.number = {1, 0};
+        front.participant.number = NodeId("1.0");
         shifted.devices.push_back(front);
         for (int i = 0; i < 4; ++i) {
             ProjectDevice device = project.devices[static_cast<std::size_t>(i)];
-            device.participant.number = {static_cast<std::uint16_t>(i + 2), 0};
+            device.participant.number = DeviceNumber{i + 2, 0}.node();
             device.participant.deviceKey.clear();
             shifted.devices.push_back(device);
         }

@@ -16,7 +16,7 @@ using testing::StartsWith;
 TEST(CliVelocity, SwitchesToRevolutionsPerMinuteAndBack)
 {
     SharedBus shared;
-    shared.controls().setSpeed({1, 0}, -150);
+    shared.controls().setSpeed(NodeId("1.0"), -150);
     const CliRun on = shared.runLine(QStringLiteral("velocity 1.0 on --trace --json"));
     EXPECT_EQ(on.exit, 0);
     EXPECT_THAT(rowsOf(on.json()),
@@ -24,8 +24,8 @@ TEST(CliVelocity, SwitchesToRevolutionsPerMinuteAndBack)
     EXPECT_EQ(on.json()[u"mode"], QStringLiteral("velocity"));
     EXPECT_EQ(on.json()[u"velocity"], -150);
     EXPECT_TRUE(on.json()[u"position"].isNull());
-    shared.controls().setSpeed({1, 0}, 0);
-    shared.controls().turnTo({1, 0}, 4711);
+    shared.controls().setSpeed(NodeId("1.0"), 0);
+    shared.controls().turnTo(NodeId("1.0"), 4711);
     EXPECT_EQ(shared.runLine(QStringLiteral("velocity 1.0 off")).out, "Position mode: 4711\n");
     EXPECT_EQ(shared.eepromWrites(), 0);
 }

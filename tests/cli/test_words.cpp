@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus/word_channel.h"
 #include "tests/cli/cli_run.h"
+#include "tests/support/places.h"
 
 #include <QJsonArray>
 
@@ -134,7 +135,7 @@ TEST(CliWords, ThePresetStandsUntilThePositionHasFollowed)
                 ElementsAre("00000000 00003039", "40000000 00003039", "00000000 000003E8"));
     EXPECT_EQ(cyclesOfPreset(bus), 200) << "programmed once, it works once: nothing follows";
     EXPECT_EQ(cyclesOfPreset(bus, QStringLiteral("--hold 7")), 7);
-    bus.controls().setSpeed({1, 0}, 60);
+    bus.controls().setSpeed(NodeId("1.0"), 60);
     ASSERT_EQ(bus.runLine(QStringLiteral("words 1.0 080003E8 80000000 00000000")).exit, 0);
     EXPECT_LT(cyclesOfPreset(bus), 10) << "it turns";
 }
@@ -189,7 +190,7 @@ TEST(CliWords, AnEncoderWithoutOutTakesNone)
     const CliRun run = shared.runLine(QStringLiteral("words 3.0 020000FF"));
     EXPECT_EQ(run.exit, 1);
     EXPECT_THAT(run.err, HasSubstr("FRABA OCD-IB K1 has no OUT word: nothing can be sent to it."));
-    EXPECT_EQ(shared.bus().channel({3, 0})->out(), 0u);
+    EXPECT_EQ(shared.bus().channel("3.0"_ring)->out(), 0u);
 }
 
 class CliWordsBadInput : public testing::TestWithParam<BadWords>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus/word_channel.h"
 #include "tests/cli/cli_run.h"
+#include "tests/support/places.h"
 
 #include <QJsonArray>
 
@@ -42,7 +43,7 @@ TEST(CliWrite, ADryRunShowsDiffAndWordsAndSendsNothing)
                                    "  preset       unknown  0       08000000\n"
                                    "  run                           80000000\n"));
     EXPECT_LE(shared.bus().latest().cycle, 1u);
-    EXPECT_EQ(shared.bus().channel({1, 0})->out(), 0u);
+    EXPECT_EQ(shared.bus().channel("1.0"_ring)->out(), 0u);
 }
 
 TEST(CliWrite, WithNobodyToAskItShowsTheDiffAndSendsNothing)
@@ -205,7 +206,7 @@ TEST_P(CliWriteBadInput, IsRefusedAndNothingIsSent)
     EXPECT_EQ(errorKey(run), GetParam().key);
     EXPECT_THAT(run.err, HasSubstr(GetParam().help));
     EXPECT_LE(shared.bus().latest().cycle, 1u);
-    EXPECT_EQ(shared.bus().channel({1, 0})->out(), 0u);
+    EXPECT_EQ(shared.bus().channel("1.0"_ring)->out(), 0u);
 }
 
 TEST(CliWrite, AnEncoderThatOnlyTellsItsPositionTakesNoParameters)

@@ -11,10 +11,10 @@ TEST(ADiagnosticParameter, HoldsSegmentAndPositionOrAnOutgoingInterface)
 {
     EXPECT_EQ(faultPlaceOf(0x0000), std::nullopt);
     EXPECT_EQ(faultPlaceOf(0x0080), std::nullopt); // not located
-    EXPECT_EQ(faultPlaceOf(0x0300), (FaultPlace{{3, 0}}));
-    EXPECT_EQ(faultPlaceOf(0x033F), (FaultPlace{{3, 63}}));
-    EXPECT_EQ(faultPlaceOf(0xFE80), (FaultPlace{{254, 0}, FaultSpot::outgoingRemoteBus}));
-    EXPECT_EQ(faultPlaceOf(0x0281), (FaultPlace{{2, 0}, FaultSpot::outgoingLocalBus}));
+    EXPECT_EQ(faultPlaceOf(0x0300), (FaultPlace{NodeId("3.0")}));
+    EXPECT_EQ(faultPlaceOf(0x033F), (FaultPlace{NodeId("3.63")}));
+    EXPECT_EQ(faultPlaceOf(0xFE80), (FaultPlace{NodeId("254.0"), FaultSpot::outgoingRemoteBus}));
+    EXPECT_EQ(faultPlaceOf(0x0281), (FaultPlace{NodeId("2.0"), FaultSpot::outgoingLocalBus}));
     for (const int parameter : {0x0300, 0x0302, 0xFE80, 0x0281})
         EXPECT_EQ(diagnosticParameterOf(*faultPlaceOf(static_cast<std::uint16_t>(parameter))), parameter);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/device_number.h"
+#include "encoder/line_address.h"
 
 #include <gtest/gtest.h>
 
@@ -12,28 +13,13 @@ TEST(DeviceNumber, IsWrittenAndReadAsSegmentDotPosition)
     EXPECT_EQ((DeviceNumber{12, 0}).toString(), QStringLiteral("12.0"));
 }
 
-TEST(DeviceNumber, IsTheAddressOnASerialLine)
+TEST(DeviceNumber, IsAPlaceAndBack)
 {
-    const auto twelve = DeviceNumber::onLine({0x12});
-    EXPECT_EQ(twelve.toString(), QStringLiteral("esc:12"));
-    EXPECT_EQ(DeviceNumber::parse(u"12"), twelve);
-    EXPECT_EQ(DeviceNumber::parse(u"esc:12"), twelve);
-    EXPECT_EQ(DeviceNumber::parse(u"1f"), DeviceNumber::onLine({31}));
-    EXPECT_TRUE(twelve.isOnLine());
-    EXPECT_FALSE((DeviceNumber{1, 2}.isOnLine()));
-    EXPECT_NE(twelve, (DeviceNumber{1, 2}));
-}
-
-// Manual, "Masteraddress: 00": the place of an encoder that is alone on its line, and not no place.
-TEST(DeviceNumber, MayBeTheMasterAddressOfASerialLine)
-{
-    const auto alone = DeviceNumber::onLine(LineAddress::master());
-    EXPECT_TRUE(alone.isOnLine());
-    EXPECT_EQ(alone.toString(), QStringLiteral("esc:00"));
-    EXPECT_EQ(DeviceNumber::parse(u"00"), alone);
-    EXPECT_EQ(DeviceNumber::parse(u"esc:00"), alone);
-    EXPECT_NE(alone, DeviceNumber());
-    EXPECT_FALSE(DeviceNumber().isOnLine());
+    EXPECT_EQ((DeviceNumber{12, 63}).node(), NodeId("12.63"));
+    EXPECT_EQ(DeviceNumber::of(NodeId("12.63")), (DeviceNumber{12, 63}));
+    EXPECT_TRUE(DeviceNumber().node().isEmpty());
+    for (const char *other : {"", "esc:12", "12"})
+        EXPECT_EQ(DeviceNumber::of(NodeId(other)), DeviceNumber()) << other;
 }
 
 TEST(DeviceNumber, AnythingElseIsNoDeviceNumber)
@@ -54,6 +40,16 @@ TEST(LineAddress, IsTwoHexDigitsOnTheWire)
     EXPECT_EQ(LineAddress::fromWire(u"0"), LineAddress::master());
     for (const QStringView text : {u"", u"20", u"21", u"0x1", u" 1", u"+1", u"001"})
         EXPECT_FALSE(LineAddress::fromWire(text)) << text.toString().toStdString();
+}
+
+TEST(LineAddress, IsAPlaceAndBack)
+{
+    EXPECT_EQ(LineAddress{0x12}.node(), NodeId("esc:12"));
+    EXPECT_EQ(LineAddress{31}.node(), NodeId("esc:1F"));
+    EXPECT_EQ(LineAddress::of(NodeId("esc:1F")), LineAddress{31});
+    EXPECT_EQ(addressTyped(u"esc:12"), LineAddress{0x12});
+    EXPECT_EQ(addressTyped(u"1f"), LineAddress{31});
+    EXPECT_FALSE(addressTyped(u"1.0"));
 }
 
 } // namespace

@@ -60,8 +60,11 @@ void readLedger(const DatabasePlace &place)
     }
     for (const Ledger::Account &account : ledger->accounts())
         must(!eepromCountText(account.count).isEmpty(), "there is a text");
-    const EncoderIdentity identity{
-        .by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = {}, .place = {1, 0}};
+    const EncoderIdentity identity{.by = CountedBy::place,
+                                   .vendor = {},
+                                   .serialNumber = {},
+                                   .project = {},
+                                   .place = {firstRing, NodeId("1.0")}};
     (void)ledger->valuesBefore(identity);
     const auto id = ledger->begin({.at = {}, .identity = identity.key(), .planned = 1});
     if (id)

@@ -50,7 +50,7 @@ public:
 };
 
 // "Trained: WHAT", at a time in ms.
-inline StoredMessage messageAt(qint64 at, const char *what, std::optional<DeviceNumber> place = {},
+inline StoredMessage messageAt(qint64 at, const char *what, std::optional<Place> place = {},
                                Severity severity = Severity::information)
 {
     return storedMessage({.place = place,

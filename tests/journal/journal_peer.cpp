@@ -24,8 +24,11 @@ int failed(const DatabaseError &error)
 
 int countWrites(const DatabasePlace &place, int times)
 {
-    const EncoderIdentity fraba{
-        .by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = {}, .place = {1, 0}};
+    const EncoderIdentity fraba{.by = CountedBy::place,
+                                .vendor = {},
+                                .serialNumber = {},
+                                .project = {},
+                                .place = {firstRing, NodeId("1.0")}};
     auto ledger = Ledger::open(place);
     if (!ledger)
         return failed(ledger.error());
@@ -33,8 +36,10 @@ int countWrites(const DatabasePlace &place, int times)
         const auto other = Ledger::open(place); // as the command line, which counts for ring and line
         if (!other)
             return failed(other.error());
-        const auto id = ledger->begin(
-            {.at = QDateTime::currentDateTimeUtc(), .identity = fraba.key(), .place = {1, 0}, .planned = 1});
+        const auto id = ledger->begin({.at = QDateTime::currentDateTimeUtc(),
+                                       .identity = fraba.key(),
+                                       .place = fraba.place,
+                                       .planned = 1});
         if (!id)
             return failed(id.error());
         if (const auto counted = ledger->count(*id, 1); !counted)

@@ -40,7 +40,7 @@ int main(int argc, char **argv)
     if (keeper.problem())
         return 1;
     bus.advance(10);
-    EncoderSession &encoder = *bus.encoder({1, 0});
+    EncoderSession &encoder = *bus.encoder(NodeId("1.0"));
     // After the keeper, which was connected first.
     QObject::connect(&encoder, &EncoderSession::jobAboutToStart, &encoder,
                      [] { say(QStringLiteral("job")); });

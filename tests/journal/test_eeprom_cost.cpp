@@ -5,6 +5,7 @@
 #include "journal/eeprom_cost.h"
 #include "ring/bus_session.h"
 #include "simulator/training_bus.h"
+#include "tests/support/places.h"
 
 #include <gtest/gtest.h>
 
@@ -44,7 +45,10 @@ class EepromCost : public testing::Test
 {
 protected:
     EepromCost() { EXPECT_TRUE(bus.open(BusSession::Start::operating)); }
-    int of(int segment, const Job &job) const { return mostEepromWrites(*bus.encoder({segment, 0}), job); }
+    int of(int segment, const Job &job) const
+    {
+        return mostEepromWrites(*bus.encoder(DeviceNumber{segment, 0}.node()), job);
+    }
 
     const Catalog catalog = Catalog::builtIn();
     BusSession bus{makeTrainingBus(catalog).link, catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
@@ -113,22 +117,24 @@ TEST_F(EepromCost, OfAWordByHand)
              WordRow{0xC2000005, 0, 0, 1}, // LA-66: measuring length
              WordRow{0x82000000, 0, 0, 0}, // LA-66: reads it
          }) {
-        const auto cost = [&](int segment) { return mostEepromWrites(*bus.encoder({segment, 0}), row.word); };
+        const auto cost = [&](int segment) {
+            return mostEepromWrites(*bus.encoder(DeviceNumber{segment, 0}.node()), row.word);
+        };
         EXPECT_EQ(cost(2), row.baumer) << std::hex << row.word;
         EXPECT_EQ(cost(5), row.rod) << std::hex << row.word;
         EXPECT_EQ(cost(1), row.fraba) << std::hex << row.word;
     }
-    bus.encoder({1, 0})->tell(Parameter::startUpMode, 1);
+    bus.encoder("1.0"_ring)->tell(Parameter::startUpMode, 1);
     bus.advance(10);
-    ASSERT_EQ(bus.encoder({1, 0})->latest().mode, Mode::position);
-    EXPECT_EQ(mostEepromWrites(*bus.encoder({1, 0}), Word{0x20800001}), 0);
+    ASSERT_EQ(bus.encoder("1.0"_ring)->latest().mode, Mode::position);
+    EXPECT_EQ(mostEepromWrites(*bus.encoder("1.0"_ring), Word{0x20800001}), 0);
     EXPECT_EQ(of(1, SendWords{{0x20800001, 0x46000015, 0x80000000, 0x20800000}}), 2); // the second leaves it
 }
 
 // An unnamed K3 may be a FRABA: no word costs less there.
 TEST_F(EepromCost, OfAnUnnamedK3IsThatOfAFraba)
 {
-    constexpr DeviceNumber unnamed{1, 0};
+    constexpr Place unnamed = "1.0"_ring;
     ASSERT_TRUE(bus.name(unnamed, QStringLiteral("generic-k3")));
     EXPECT_EQ(of(1, SetPreset{}), 1);
     EXPECT_EQ(of(1, SetPreset{.value = 1000}), 2);
@@ -140,7 +146,7 @@ TEST_F(EepromCost, OfAnUnnamedK3IsThatOfAFraba)
     const DeviceDescription &device = bus.encoder(unnamed)->device();
     for (const Job &job : {Job(SetPreset{.value = 1000}), Job(write)})
         EXPECT_EQ(eepromWritesOf(*plannedSteps(device, inPositionMode, job), device), 2);
-    const DeviceDescription &baumer = bus.encoder({2, 0})->device();
+    const DeviceDescription &baumer = bus.encoder("2.0"_ring)->device();
     EXPECT_EQ(of(2, SetPreset{.value = 1000}), 1);
     EXPECT_EQ(eepromWritesOf(*plannedSteps(baumer, {}, write), baumer), 1);
 }

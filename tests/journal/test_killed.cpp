@@ -3,6 +3,7 @@
 #include "encoder/refusal_text.h"
 #include "journal/ledger.h"
 #include "tests/journal/journal_file.h"
+#include "tests/support/places.h"
 #include "tests/support/times.h"
 
 #include <QProcess>
@@ -92,7 +93,7 @@ TEST(Killed, LeavesBothDatabasesWholeWithWhatWasPromised)
     const JournalFile messages;
     const JournalFile ledger;
     const EncoderIdentity fraba{
-        .by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = {}, .place = {1, 0}};
+        .by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = {}, .place = "1.0"_ring};
     int writes = 0;
     for (int run = 0; run < kills; ++run) {
         const int lines = static_cast<int>(QRandomGenerator::global()->bounded(linesAtMost));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/ledger.h"
 #include "tests/journal/journal_file.h"
+#include "tests/support/places.h"
 
 namespace codewheel {
 namespace {
@@ -15,9 +16,9 @@ EncoderIdentity serial(const char *number, const char *vendor = "FRABA")
             .vendor = QString::fromLatin1(vendor),
             .serialNumber = QString::fromLatin1(number),
             .project = {},
-            .place = {1, 0}};
+            .place = "1.0"_ring};
 }
-EncoderIdentity atPlace(DeviceNumber place, const QString &project = {})
+EncoderIdentity atPlace(Place place, const QString &project = {})
 {
     return {.by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = project, .place = place};
 }
@@ -69,12 +70,13 @@ TEST_F(LedgerTest, ForgetsAJobThatWroteNothing)
 
 TEST_F(LedgerTest, TellsEncodersApart)
 {
-    for (const EncoderIdentity &identity : {serial("1"), serial("1", "Baumer"), atPlace({1, 0}),
-                                            atPlace({2, 0}), atPlace({1, 0}, QStringLiteral("/a.codewheel"))})
+    for (const EncoderIdentity &identity :
+         {serial("1"), serial("1", "Baumer"), atPlace("1.0"_ring), atPlace("2.0"_ring),
+          atPlace("1.0"_ring, QStringLiteral("/a.codewheel"))})
         EXPECT_TRUE(ledger.count(*ledger.begin(entryOf(identity, 1)), 1));
     EXPECT_EQ(ledger.writes(serial("1")).writes, 1);
-    EXPECT_EQ(ledger.writes(atPlace({1, 0})).writes, 1);
-    EXPECT_EQ(ledger.writes(atPlace({1, 0}, QStringLiteral("/a.codewheel"))).writes, 1);
+    EXPECT_EQ(ledger.writes(atPlace("1.0"_ring)).writes, 1);
+    EXPECT_EQ(ledger.writes(atPlace("1.0"_ring, QStringLiteral("/a.codewheel"))).writes, 1);
     EXPECT_EQ(ledger.accounts().size(), 5U);
 }
 
@@ -89,11 +91,11 @@ TEST_F(LedgerTest, ANumberThatIsTypedIsTheSameAsOneThatIsRead)
 
 TEST_F(LedgerTest, AttributesWhatWasNotedBefore)
 {
-    const qint64 first = *ledger.begin(entryOf(atPlace({1, 0}), 1));
-    const qint64 second = *ledger.begin(entryOf(atPlace({1, 0}), 1));
+    const qint64 first = *ledger.begin(entryOf(atPlace("1.0"_ring), 1));
+    const qint64 second = *ledger.begin(entryOf(atPlace("1.0"_ring), 1));
     EXPECT_TRUE(ledger.count(first, 1) && ledger.count(second, 1));
     EXPECT_TRUE(ledger.attribute({second}, serial("9")));
-    EXPECT_EQ(ledger.writes(atPlace({1, 0})).writes, 1);
+    EXPECT_EQ(ledger.writes(atPlace("1.0"_ring)).writes, 1);
     EXPECT_EQ(ledger.writes(serial("9")).writes, 1);
 }
 
@@ -122,13 +124,13 @@ TEST_F(LedgerTest, ListsAccountsWithWhereTheEncoderWasLast)
     entry.writes = 5;
     entry.settled = true;
     EXPECT_TRUE(ledger.begin(entry));
-    entry.place = {3, 0};
+    entry.place = "3.0"_ring;
     entry.at = noonOfWrite;
     EXPECT_TRUE(ledger.begin(entry));
     const auto accounts = ledger.accounts();
     ASSERT_EQ(accounts.size(), 1U);
     EXPECT_EQ(accounts[0].identity, QStringLiteral("serial/FRABA/1"));
-    EXPECT_EQ(accounts[0].place, (DeviceNumber{3, 0}));
+    EXPECT_EQ(accounts[0].place, ("3.0"_ring));
     EXPECT_EQ(accounts[0].count.writes, 10);
     EXPECT_EQ(accounts[0].count.since, noonOfWrite);
     EXPECT_EQ(accounts[0].count.serialNumber, QStringLiteral("1"));

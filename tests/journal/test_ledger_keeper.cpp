@@ -6,6 +6,7 @@
 #include "ring/bus_session.h"
 #include "simulator/training_bus.h"
 #include "tests/journal/journal_file.h"
+#include "tests/support/places.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -15,8 +16,8 @@ namespace {
 
 using test::JournalFile;
 
-constexpr DeviceNumber fraba{1, 0};
-constexpr DeviceNumber baumer{2, 0};
+constexpr Place fraba = "1.0"_ring;
+constexpr Place baumer = "2.0"_ring;
 
 class LedgerKeeperTest : public testing::Test
 {
@@ -28,7 +29,7 @@ protected:
         bus.encoder(fraba)->tell(Parameter::startUpMode, 1); // position mode
     }
 
-    void run(DeviceNumber place, const Job &job)
+    void run(Place place, const Job &job)
     {
         EncoderSession &encoder = *bus.encoder(place);
         ASSERT_TRUE(encoder.start(job));
@@ -36,12 +37,12 @@ protected:
             bus.advance(10);
         ASSERT_FALSE(encoder.runningJob());
     }
-    void write(DeviceNumber place, std::int64_t steps)
+    void write(Place place, std::int64_t steps)
     {
         run(place, WriteParameters{.values = {{Parameter::steps, steps}}, .previous = {}});
     }
     void readSerialNumber() { run(fraba, ReadParameters{{Parameter::serialNumber}}); }
-    EepromCount countAt(DeviceNumber place) { return bus.encoder(place)->eepromCount(); }
+    EepromCount countAt(Place place) { return bus.encoder(place)->eepromCount(); }
     void keep(const DatabasePlace &place)
     {
         keeper = std::make_unique<LedgerKeeper>(bus, place);

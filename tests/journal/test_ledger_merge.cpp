@@ -2,6 +2,7 @@
 // Counts that are carried from one ledger to another one.
 #include "journal/ledger_json.h"
 #include "tests/journal/journal_file.h"
+#include "tests/support/places.h"
 
 namespace codewheel {
 namespace {
@@ -12,7 +13,7 @@ const EncoderIdentity seven{.by = CountedBy::serialNumber,
                             .vendor = QStringLiteral("FRABA"),
                             .serialNumber = QStringLiteral("7"),
                             .project = {},
-                            .place = {1, 0}};
+                            .place = "1.0"_ring};
 
 class LedgerMerge : public testing::Test
 {

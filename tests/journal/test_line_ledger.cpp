@@ -13,8 +13,8 @@ namespace {
 using namespace std::chrono_literals;
 using test::JournalFile;
 
-constexpr DeviceNumber three = DeviceNumber::onLine({0x03});
-constexpr DeviceNumber five = DeviceNumber::onLine({0x05});
+constexpr Place three = placeOnLine({0x03});
+constexpr Place five = placeOnLine({0x05});
 const QString rs485 = QStringLiteral("kuebler-esc-rs485");
 
 class LineLedgerTest : public testing::Test
@@ -26,13 +26,13 @@ protected:
         add(five);
     }
 
-    void add(DeviceNumber place)
+    void add(Place place)
     {
-        ASSERT_TRUE(line.add(place.line, rs485));
+        ASSERT_TRUE(line.add(LineAddress::of(place.node), rs485));
         line.advance(1s);
     }
     void keep(const DatabasePlace &place) { keeper = std::make_unique<LedgerKeeper>(line, place); }
-    void run(DeviceNumber place, const Job &job)
+    void run(Place place, const Job &job)
     {
         EncoderSession &encoder = *line.encoder(place);
         ASSERT_TRUE(encoder.start(job));
@@ -40,15 +40,12 @@ protected:
             line.advance(10ms);
         ASSERT_FALSE(encoder.runningJob());
     }
-    void write(DeviceNumber place, Parameter parameter, std::int64_t value)
+    void write(Place place, Parameter parameter, std::int64_t value)
     {
         run(place, WriteParameters{.values = {{parameter, value}}, .previous = {}});
     }
-    EepromCount countAt(DeviceNumber place) { return line.encoder(place)->eepromCount(); }
-    EepromCount onDisk(DeviceNumber place)
-    {
-        return Ledger::open(file.place())->writes(keeper->identity(place));
-    }
+    EepromCount countAt(Place place) { return line.encoder(place)->eepromCount(); }
+    EepromCount onDisk(Place place) { return Ledger::open(file.place())->writes(keeper->identity(place)); }
 
     const Catalog catalog = Catalog::builtIn();
     const std::shared_ptr<SimulatedLine> simulated = std::make_shared<SimulatedLine>();
@@ -78,7 +75,7 @@ TEST_F(LineLedgerTest, CountsEachAcceptedWriteBySerialNumber)
 TEST_F(LineLedgerTest, CountsNoWriteThatWasRefused)
 {
     keep(DatabasePlace::memory());
-    line.send({.to = five.line, .command = esc::Command::writeRevolutions, .data = 0}); // 05
+    line.send({.to = LineAddress::of(five.node), .command = esc::Command::writeRevolutions, .data = 0}); // 05
     line.advance(1s);
     EXPECT_EQ(countAt(five).atMost(), 0);
     EXPECT_TRUE(keeper->ledger()->accounts().empty());
@@ -95,7 +92,7 @@ TEST_F(LineLedgerTest, NotesAJobWithItsFactorBeforeItSendsAnything)
 TEST_F(LineLedgerTest, NotesATypedWriteBeforeItIsSent)
 {
     keep(file.place());
-    line.send({.to = five.line, .command = esc::Command::writeDirection, .data = 1});
+    line.send({.to = LineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 1});
     EXPECT_EQ(onDisk(five).perhaps, 1);
     EXPECT_EQ(countAt(five).perhaps, 0); // it is on its way
     line.advance(1s);
@@ -110,7 +107,7 @@ TEST_F(LineLedgerTest, NotesATypedWriteBeforeItIsSent)
 TEST_F(LineLedgerTest, ATypedReadCostsNothing)
 {
     keep(DatabasePlace::memory());
-    line.send({.to = five.line, .command = esc::Command::version});
+    line.send({.to = LineAddress::of(five.node), .command = esc::Command::version});
     EXPECT_TRUE(keeper->ledger()->accounts().empty());
 }
 
@@ -118,7 +115,7 @@ TEST_F(LineLedgerTest, ATypedWriteThatIsNotAnsweredMayHaveBeenCarriedOut)
 {
     keep(DatabasePlace::memory());
     simulated->setSilent(true);
-    line.send({.to = five.line, .command = esc::Command::writeDirection, .data = 1});
+    line.send({.to = LineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 1});
     line.advance(1s);
     EXPECT_EQ(countAt(five).writes, 1);
 }
@@ -126,12 +123,12 @@ TEST_F(LineLedgerTest, ATypedWriteThatIsNotAnsweredMayHaveBeenCarriedOut)
 TEST_F(LineLedgerTest, WhatWasTypedAndDroppedCostsNothing)
 {
     keep(DatabasePlace::memory());
-    line.send({.to = five.line, .command = esc::Command::writeDirection, .data = 1});
+    line.send({.to = LineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 1});
     line.alarmStop();
     line.advance(1s);
     EXPECT_TRUE(keeper->ledger()->accounts().empty());
     line.setOperate(false);
-    line.send({.to = five.line, .command = esc::Command::writeDirection, .data = 1});
+    line.send({.to = LineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 1});
     line.advance(1s);
     EXPECT_TRUE(keeper->ledger()->accounts().empty());
 }
@@ -153,12 +150,12 @@ TEST_F(LineLedgerTest, AWriteToAnyAddressIsOfTheEncoderThatIsAlone)
         simulated->withEncoder({other},
                                [](SimulatedEscEncoder &encoder) { encoder.condition().mute = true; });
     ASSERT_TRUE(line.remove(five));
-    const DeviceNumber alone = DeviceNumber::onLine(LineAddress::master());
+    const Place alone = placeOnLine(LineAddress::master());
     add(alone);
     keep(DatabasePlace::memory());
     EXPECT_EQ(countAt(alone).by, CountedBy::serialNumber);
     write(alone, Parameter::direction, 1);
-    line.send({.to = five.line, .command = esc::Command::writeDirection, .data = 0});
+    line.send({.to = LineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 0});
     line.advance(1s);
     EXPECT_EQ(countAt(alone).writes, 2);
     EXPECT_EQ(keeper->ledger()->accounts().size(), 1U);
@@ -167,7 +164,7 @@ TEST_F(LineLedgerTest, AWriteToAnyAddressIsOfTheEncoderThatIsAlone)
 TEST_F(LineLedgerTest, AWriteToAnAddressNobodyHasTakenOverIsItsEncodersOnceItIs)
 {
     keep(file.place());
-    line.send({.to = three.line, .command = esc::Command::writeDirection, .data = 1});
+    line.send({.to = LineAddress::of(three.node), .command = esc::Command::writeDirection, .data = 1});
     EXPECT_EQ(onDisk(three).perhaps, 1); // before it is sent
     line.advance(1s);
     EXPECT_EQ(onDisk(three).writes, 1);
@@ -183,7 +180,7 @@ TEST_F(LineLedgerTest, AWriteToAnAddressNobodyHasTakenOverIsItsEncodersOnceItIs)
 TEST_F(LineLedgerTest, AWriteAnsweredAfterItsEncoderWasTakenOverIsNotLost)
 {
     keep(DatabasePlace::memory());
-    line.send({.to = three.line, .command = esc::Command::writeDirection, .data = 1});
+    line.send({.to = LineAddress::of(three.node), .command = esc::Command::writeDirection, .data = 1});
     add(three);
     EXPECT_GE(countAt(three).writes, 1); // the session may have seen it too: rather twice than never
     EXPECT_EQ(countAt(three).perhaps, 0);
@@ -192,10 +189,12 @@ TEST_F(LineLedgerTest, AWriteAnsweredAfterItsEncoderWasTakenOverIsNotLost)
 TEST_F(LineLedgerTest, ARefusedWriteToAnAddressNobodyHasTakenOverCostsNothing)
 {
     keep(DatabasePlace::memory());
-    line.send({.to = three.line, .command = esc::Command::writeRevolutions, .data = 0}); // 05
+    line.send(
+        {.to = LineAddress::of(three.node), .command = esc::Command::writeRevolutions, .data = 0}); // 05
     line.advance(1s);
     line.setOperate(false);
-    line.send({.to = three.line, .command = esc::Command::writeDirection, .data = 1}); // Watch
+    line.send(
+        {.to = LineAddress::of(three.node), .command = esc::Command::writeDirection, .data = 1}); // Watch
     line.advance(1s);
     EXPECT_TRUE(keeper->ledger()->accounts().empty());
 }
@@ -204,7 +203,7 @@ TEST_F(LineLedgerTest, AWriteToAnAddressNobodyHasTakenOverThatIsNotAnsweredCount
 {
     keep(DatabasePlace::memory());
     simulated->setSilent(true);
-    line.send({.to = three.line, .command = esc::Command::writeDirection, .data = 1});
+    line.send({.to = LineAddress::of(three.node), .command = esc::Command::writeDirection, .data = 1});
     line.advance(1s);
     EXPECT_EQ(keeper->ledger()->writes(keeper->identity(three)).writes, 1);
 }
@@ -219,7 +218,7 @@ TEST_F(LineLedgerTest, AWriteTornByUnpluggingCounts)
                      [&](const Outcome &ended) { outcome = ended; });
     const auto isSent = [&] {
         bool sent = false;
-        simulated->withEncoder(five.line,
+        simulated->withEncoder(LineAddress::of(five.node),
                                [&](SimulatedEscEncoder &encoder) { sent = encoder.registers().countsCcw; });
         return sent;
     };
@@ -238,7 +237,7 @@ TEST_F(LineLedgerTest, AnEncoderWithAnotherAddressIsTheSame)
     keep(DatabasePlace::memory());
     write(five, Parameter::direction, 1);
     write(five, Parameter::lineAddress, 7);
-    constexpr DeviceNumber seven = DeviceNumber::onLine({0x07});
+    constexpr Place seven = placeOnLine({0x07});
     ASSERT_NE(line.encoder(seven), nullptr);
     EXPECT_EQ(countAt(seven).writes, 2);
     write(seven, Parameter::direction, 0);

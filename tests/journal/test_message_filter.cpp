@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/message_fields.h"
 #include "journal/message_filter.h"
+#include "tests/support/places.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@ const QDateTime afternoon(QDate(2026, 3, 1), QTime(14, 2, 5, 7));
 
 StoredMessage fault()
 {
-    return storedMessage({.place = DeviceNumber{2, 0},
+    return storedMessage({.place = "2.0"_ring,
                           .severity = Severity::fault,
                           .id = MessageId::deviceFault,
                           .arguments = {std::int64_t{3}, Word{0x86000000}}},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/journal/journal_file.h"
+#include "tests/support/places.h"
 
 namespace codewheel {
 namespace {
@@ -21,7 +22,7 @@ TEST(MessageTable, GivesBackWhatWasAppended)
     ASSERT_TRUE(table);
     EXPECT_EQ(table->span(), MessageTable::Span());
     std::vector<StoredMessage> messages{messageAt(1, "one"),
-                                        messageAt(2, "two", DeviceNumber{6, 1}, Severity::fault)};
+                                        messageAt(2, "two", "6.1"_ring, Severity::fault)};
     ASSERT_TRUE(table->append(messages));
     const auto again = MessageTable::open(file.place());
     ASSERT_TRUE(again);
@@ -31,7 +32,7 @@ TEST(MessageTable, GivesBackWhatWasAppended)
     ASSERT_TRUE(read);
     EXPECT_EQ(*read, messages);
     EXPECT_EQ(again->span(), (MessageTable::Span{1, 2}));
-    EXPECT_EQ(again->places(), (std::vector<DeviceNumber>{{6, 1}}));
+    EXPECT_EQ(again->places(), (std::vector<Place>{"6.1"_ring}));
 }
 
 TEST(MessageTable, ReadsSingleMessagesInTheOrderWanted)
@@ -48,8 +49,8 @@ TEST(MessageTable, ReadsSingleMessagesInTheOrderWanted)
 TEST(MessageTable, FiltersBySeverityPlaceAndTime)
 {
     auto table = MessageTable::open(DatabasePlace::memory());
-    ASSERT_TRUE(table && table->append({messageAt(10, "a"), messageAt(20, "b", DeviceNumber{1, 0}),
-                                        messageAt(30, "c", DeviceNumber{2, 0}, Severity::fault),
+    ASSERT_TRUE(table && table->append({messageAt(10, "a"), messageAt(20, "b", "1.0"_ring),
+                                        messageAt(30, "c", "2.0"_ring, Severity::fault),
                                         messageAt(40, "d", {}, Severity::attention)}));
     using Ids = std::vector<qint64>;
     const auto ids = [&](const MessageFilter &filter) { return table->ids(1, 4, filter).value_or(Ids()); };
@@ -57,7 +58,7 @@ TEST(MessageTable, FiltersBySeverityPlaceAndTime)
     EXPECT_EQ(ids({.least = Severity::attention}), (Ids{3, 4}));
     EXPECT_EQ(ids({.least = Severity::fault}), (Ids{3}));
     EXPECT_EQ(ids({.place = {.all = false}}), (Ids{1, 4}));
-    EXPECT_EQ(ids({.place = {.all = false, .number = DeviceNumber{1, 0}}}), (Ids{2}));
+    EXPECT_EQ(ids({.place = {.all = false, .at = "1.0"_ring}}), (Ids{2}));
     EXPECT_EQ(ids({.from = 20, .until = 40}), (Ids{2, 3}));
 }
 

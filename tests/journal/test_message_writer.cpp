@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/message_writer.h"
+#include "tests/support/places.h"
 
 #include <QBuffer>
 
@@ -34,7 +35,7 @@ TEST(MessageWriter, WritesCsv)
 {
     const QString time = twoOClock.toOffsetFromUtc(twoOClock.offsetFromUtc()).toString(Qt::ISODateWithMs);
     EXPECT_EQ(written(Format::csv, {{.id = MessageId::busStarted},
-                                    {.place = DeviceNumber{1, 0},
+                                    {.place = "1.0"_ring,
                                      .severity = Severity::fault,
                                      .id = MessageId::deviceFault,
                                      .arguments = {std::int64_t{3}, Word{0x86000000}}}}),

@@ -3,6 +3,7 @@
 #include "encoder/refusal_text.h"
 #include "journal/safe_ledger.h"
 #include "tests/journal/journal_file.h"
+#include "tests/support/places.h"
 
 #include <csignal>
 #include <gmock/gmock.h>
@@ -22,7 +23,7 @@ protected:
                 .vendor = QStringLiteral("FRABA"),
                 .serialNumber = QString::fromLatin1(serialNumber),
                 .project = {},
-                .place = {1, 0}};
+                .place = "1.0"_ring};
     }
     static Ledger::Entry entryOf(const EncoderIdentity &identity, int planned)
     {

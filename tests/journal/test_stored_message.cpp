@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/refusal_text.h"
 #include "journal/stored_message.h"
+#include "tests/support/places.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@ const QDateTime noonAndSevenMs(QDate(2026, 3, 1), QTime(12, 0, 0, 7), Qt::UTC);
 TEST(StoredMessage, GivesBackEveryMessage)
 {
     for (std::size_t i = 0; i < messageCount; ++i) {
-        Message message{.place = DeviceNumber{6, 1},
+        Message message{.place = "6.1"_ring,
                         .severity = Severity::attention,
                         .id = static_cast<MessageId>(i),
                         .arguments = {std::int64_t{3}, Word{0x86000000}, QStringLiteral("x")}};

@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr DeviceNumber five = DeviceNumber::onLine({0x05});
+constexpr Place five = placeOnLine({0x05});
 
 class EscLine : public testing::Test
 {
@@ -30,12 +30,12 @@ protected:
                })
     {
         EXPECT_TRUE(line.open({}, {}, LineSession::Start::operating, LineSession::Drive::byHand));
-        EXPECT_TRUE(line.add(five.line, QStringLiteral("kuebler-esc-rs485")));
+        EXPECT_TRUE(line.add(LineAddress::of(five.node), QStringLiteral("kuebler-esc-rs485")));
         line.advance(1s);
         QObject::connect(&line, &LineSession::messaged, &line,
                          [this](const Message &message) { messages.push_back(message.id); });
         QObject::connect(&line, &LineSession::fractionBitsDetermined, &line,
-                         [this](DeviceNumber number, const Result<int> &bits) {
+                         [this](Place number, const Result<int> &bits) {
                              EXPECT_EQ(number, five);
                              determined.push_back(bits);
                          });
@@ -148,7 +148,7 @@ TEST_F(EscLine, TheWarningBytesOfOneEncoderAreSwapped)
 
 TEST_F(EscLine, WhatCannotBeDeterminedIsTold)
 {
-    EXPECT_EQ(line.determineFractionBits(DeviceNumber::onLine({7})).error().id, RefusalId::unknownDevice);
+    EXPECT_EQ(line.determineFractionBits(placeOnLine({7})).error().id, RefusalId::unknownDevice);
     simulated->setSilent(true);
     ASSERT_TRUE(line.determineFractionBits(five));
     line.advance(10s);

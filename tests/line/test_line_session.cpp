@@ -46,8 +46,8 @@ TEST_F(LineSessionTest, ShowsAnEncoderByItsAddress)
 {
     ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
     ASSERT_TRUE(line->add({5}, rs485));
-    const auto place = DeviceNumber::onLine({5});
-    EXPECT_EQ(line->numbers(), std::vector{place});
+    const auto place = placeOnLine({5});
+    EXPECT_EQ(line->places(), std::vector{place});
     EncoderSession *encoder = line->encoder(place);
     ASSERT_NE(encoder, nullptr);
     EXPECT_EQ(encoder->latest().state, EncoderState::notSeen);
@@ -60,7 +60,7 @@ TEST_F(LineSessionTest, WhatIsShownIsOldOncePollingStops)
 {
     ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
     ASSERT_TRUE(line->add({5}, rs485));
-    const EncoderSession *encoder = line->encoder(DeviceNumber::onLine({5}));
+    const EncoderSession *encoder = line->encoder(placeOnLine({5}));
     EXPECT_EQ(encoder->freshness().state(), Freshness::State::unknown);
     line->advance(50ms);
     EXPECT_TRUE(encoder->freshness().isLive());
@@ -80,7 +80,7 @@ TEST_F(LineSessionTest, AfterTheComputerSleptTheLineIsInWatch)
     ASSERT_TRUE(line->open({}, {}, LineSession::Start::operating, LineSession::Drive::byThread,
                            [&slept] { return std::chrono::milliseconds(slept); }));
     ASSERT_TRUE(line->add({5}, rs485));
-    while (!line->encoder(DeviceNumber::onLine({5}))->freshness().isLive())
+    while (!line->encoder(placeOnLine({5}))->freshness().isLive())
         line->pump();
     slept = 3'600'000;
     const auto told = [this] {
@@ -90,7 +90,7 @@ TEST_F(LineSessionTest, AfterTheComputerSleptTheLineIsInWatch)
         line->pump();
     EXPECT_FALSE(line->isOperating());
     EXPECT_TRUE(line->isPolling());
-    EXPECT_EQ(line->encoder(DeviceNumber::onLine({5}))->start(SetPreset{1}).error().id, RefusalId::watchOnly);
+    EXPECT_EQ(line->encoder(placeOnLine({5}))->start(SetPreset{1}).error().id, RefusalId::watchOnly);
     line->close();
 }
 
@@ -111,8 +111,8 @@ TEST_F(LineSessionTest, TheMasterAddressIsForAnEncoderThatIsAlone)
                   "00P\r\n"] = "\r\n00001235\r\n";
     ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
     ASSERT_TRUE(line->add(LineAddress::master(), rs485));
-    const auto place = DeviceNumber::onLine(LineAddress::master());
-    EXPECT_EQ(line->numbers(), std::vector{place});
+    const auto place = placeOnLine(LineAddress::master());
+    EXPECT_EQ(line->places(), std::vector{place});
     ASSERT_NE(line->encoder(place), nullptr);
     line->advance(50ms);
     EXPECT_EQ(line->encoder(place)->latest().position, 0x1235);
@@ -132,7 +132,7 @@ TEST_F(LineSessionTest, InWatchAnEncoderTakesNoWrite)
 {
     ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
     ASSERT_TRUE(line->add({5}, rs485));
-    EncoderSession *encoder = line->encoder(DeviceNumber::onLine({5}));
+    EncoderSession *encoder = line->encoder(placeOnLine({5}));
     EXPECT_EQ(encoder->start(SetPreset{1}).error().id, RefusalId::watchOnly);
     line->setOperate(true);
     line->advance(50ms);
@@ -146,16 +146,16 @@ TEST_F(LineSessionTest, AnEncoderWithAnotherAddressIsFoundByThatOne)
     ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
     ASSERT_TRUE(line->add({5}, rs485));
     line->advance(20ms);
-    EncoderSession *encoder = line->encoder(DeviceNumber::onLine({5}));
-    std::vector<std::pair<DeviceNumber, DeviceNumber>> moves;
+    EncoderSession *encoder = line->encoder(placeOnLine({5}));
+    std::vector<std::pair<Place, Place>> moves;
     QObject::connect(line.get(), &LineSession::moved, line.get(),
-                     [&](DeviceNumber from, DeviceNumber to) { moves.emplace_back(from, to); });
+                     [&](Place from, Place to) { moves.emplace_back(from, to); });
     drivers.front()->moveTo({0x12});
     line->advance(200ms);
     ASSERT_EQ(moves.size(), 1U);
-    EXPECT_EQ(moves.front(), std::pair(DeviceNumber::onLine({5}), DeviceNumber::onLine({0x12})));
-    EXPECT_EQ(line->encoder(DeviceNumber::onLine({0x12})), encoder);
-    EXPECT_EQ(line->encoder(DeviceNumber::onLine({5})), nullptr);
+    EXPECT_EQ(moves.front(), std::pair(placeOnLine({5}), placeOnLine({0x12})));
+    EXPECT_EQ(line->encoder(placeOnLine({0x12})), encoder);
+    EXPECT_EQ(line->encoder(placeOnLine({5})), nullptr);
 }
 
 TEST_F(LineSessionTest, AnEncoderAddedLaterHasTheFractionBitsOfTheLine)
@@ -175,12 +175,12 @@ TEST_F(LineSessionTest, ARemovedEncoderIsAskedNoMore)
     ASSERT_TRUE(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
     ASSERT_TRUE(line->add({5}, rs485));
     line->advance(50ms);
-    ASSERT_TRUE(line->remove(DeviceNumber::onLine({5})));
+    ASSERT_TRUE(line->remove(placeOnLine({5})));
     line->advance(50ms);
     const auto sent = link->sent.size();
     line->advance(500ms);
     EXPECT_EQ(link->sent.size(), sent);
-    EXPECT_TRUE(line->numbers().empty());
+    EXPECT_TRUE(line->places().empty());
     EXPECT_TRUE(line->add({5}, rs485)); // its address is free again
     line->advance(500ms);
     EXPECT_GT(link->sent.size(), sent);
@@ -225,7 +225,7 @@ TEST_F(LineSessionTest, RunsInAThreadOfItsOwn)
     while (line->latest().figures.answers < 100)
         line->pump();
     line->close();
-    EXPECT_EQ(line->encoder(DeviceNumber::onLine({5}))->latest().position, 0x1235);
+    EXPECT_EQ(line->encoder(placeOnLine({5}))->latest().position, 0x1235);
 }
 
 TEST_F(LineSessionTest, APortThatCannotBeOpenedIsRefused)

@@ -73,7 +73,7 @@ ProjectDevice Maker::device(DeviceNumber before)
     const unsigned codes[] = {0x0237, 0x0236, 0x0136, 0x0233, 0x000C, 0x81BE};
     ProjectDevice device;
     Participant &participant = device.participant;
-    participant.number = nextNumber(before, before.segment > 0 && below(4) == 0);
+    participant.number = nextNumber(before, before.segment > 0 && below(4) == 0).node();
     participant.level = static_cast<int>(below(16));
     participant.deviceCode = codes[static_cast<std::size_t>(below(std::ssize(codes)))];
     participant.idCode = participant.deviceCode & 0xFF;
@@ -133,7 +133,7 @@ ProjectLine Maker::line()
         if (below(8) != 0)
             continue;
         ProjectDevice encoder;
-        encoder.participant.number = DeviceNumber::onLine({address});
+        encoder.standAt(placeOnLine({address}));
         encoder.participant.deviceKey = QStringLiteral("kuebler-esc-rs485");
         encoder.station = text();
         encoder.label = {0, 0, text()};
@@ -158,7 +158,7 @@ Project Maker::project(std::size_t devices)
     DeviceNumber before;
     for (std::size_t n = 0; n < devices; ++n) {
         project.devices.push_back(device(before));
-        before = project.devices.back().participant.number;
+        before = project.devices.back().participant.deviceNumber();
     }
     for (std::int64_t n = below(4); n > 0; --n) {
         WordList list{.words = {}, .holdCycles = static_cast<int>(1 + below(WordList::longestHold))};

@@ -11,7 +11,7 @@ Project encoders(int count)
     Project project;
     for (int segment = 1; segment <= count; ++segment) {
         ProjectDevice device;
-        device.participant = {{segment, 0}, 0x37, 0x0237, 2, 2, {}};
+        device.participant = {DeviceNumber{segment, 0}.node(), 0x37, 0x0237, 2, 2, {}};
         project.devices.push_back(device);
     }
     return project;
@@ -72,7 +72,7 @@ TEST(CheckProject, Step5WantsEncodersAboveP127)
 {
     Project project = encoders(1);
     ProjectDevice input;
-    input.participant = {{2, 0}, 0x02, 0x0102, 1, 0, {}};
+    input.participant = {NodeId("2.0"), 0x02, 0x0102, 1, 0, {}};
     project.devices.push_back(input);
     EXPECT_EQ(findings(project), QStringList()) << "it is switched off";
     project.addresses.step5 = true;
@@ -92,12 +92,12 @@ TEST(CheckProject, Step5WantsEncodersAboveP127)
 TEST(CheckProject, ALoop2EncoderStandsOnALocalBus)
 {
     Project project = encoders(1);
-    project.devices[0].participant = {{1, 0}, 0x0C, 0x000C, 0, 0, {}};
+    project.devices[0].participant = {NodeId("1.0"), 0x0C, 0x000C, 0, 0, {}};
     ProjectDevice loop2;
-    loop2.participant = {{1, 1}, 0xB3, 0x02B3, 2, 2, {}};
+    loop2.participant = {NodeId("1.1"), 0xB3, 0x02B3, 2, 2, {}};
     project.devices.push_back(loop2);
     EXPECT_EQ(findings(project), QStringList());
-    project.devices[1].participant.number = {2, 0};
+    project.devices[1].participant.number = NodeId("2.0");
     EXPECT_EQ(findings(project),
               (QStringList{QStringLiteral(
                   "1 attention: Devices of this ID code stand on the local bus of a bus terminal.")}));

@@ -269,7 +269,7 @@ TEST_F(ProjectFile, WhatCouldNotBeOpenedAgainIsNotSaved)
 {
     ASSERT_TRUE(saveProject(m_old, path()));
     Project broken = m_new;
-    broken.devices[2].participant.number = {9, 9};
+    broken.devices[2].participant.number = NodeId("9.9");
     const auto saved = saveProject(broken, path());
     ASSERT_FALSE(saved);
     EXPECT_EQ(saved.error().id, RefusalId::fileNotWritten);

@@ -4,6 +4,7 @@
 #include "ring/ring_rules.h"
 #include "tests/project/made_up_project.h"
 #include "tests/support/breakage.h"
+#include "tests/support/places.h"
 
 #include <QFile>
 
@@ -37,7 +38,7 @@ TEST(ProjectJson, ReadsWhatThePageShows)
     ASSERT_EQ(project->devices.size(), 3u);
 
     ProjectDevice first;
-    first.participant = {{1, 0}, 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")};
+    first.participant = {NodeId("1.0"), 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")};
     first.station = QStringLiteral("Hoist");
     first.group = QStringLiteral("Crane 1");
     first.label = {4096, 8192, QStringLiteral("20417")};
@@ -50,7 +51,7 @@ TEST(ProjectJson, ReadsWhatThePageShows)
     cams.cam[7] = {8000, 100, false};
     first.wantedCams = {cams};
     EXPECT_EQ(project->devices[0], first);
-    EXPECT_EQ(project->devices[2].participant.number, (DeviceNumber{2, 1}));
+    EXPECT_EQ(project->devices[2].place(), ("2.1"_ring));
     EXPECT_EQ(project->sequences,
               (std::vector{ProjectSequence{QStringLiteral("Example of the manual"),
                                            {.words = {0x020000FF, 0x80000000, 0}, .holdCycles = 3}}}));
@@ -64,16 +65,16 @@ TEST(ProjectJson, ReadsTheSerialLineThatThePageShows)
     line.wish.port = QStringLiteral("/dev/ttyUSB0");
     line.adapter = {0x0403, 0x6001, QStringLiteral("A50285BI"), QStringLiteral("1-2.4:1.0")};
     ProjectDevice encoder;
-    encoder.participant.number = DeviceNumber::onLine({0x12});
+    encoder.standAt(placeOnLine({0x12}));
     encoder.participant.deviceKey = QStringLiteral("kuebler-esc-rs422");
     encoder.station = QStringLiteral("Slide");
     encoder.wanted = {{Parameter::direction, 1}};
     encoder.swapsWarningBytes = true;
     line.encoders = {encoder};
     EXPECT_EQ(*project->line, line);
-    EXPECT_EQ(findDevice(*project, encoder.participant.number), &project->line->encoders[0]);
-    EXPECT_EQ(findDevice(*project, DeviceNumber::onLine({0x13})), nullptr);
-    EXPECT_EQ(findDevice(*project, {2, 1}), &project->devices[2]);
+    EXPECT_EQ(findDevice(*project, encoder.place()), &project->line->encoders[0]);
+    EXPECT_EQ(findDevice(*project, placeOnLine({0x13})), nullptr);
+    EXPECT_EQ(findDevice(*project, "2.1"_ring), &project->devices[2]);
 }
 
 TEST(ProjectJson, WhatIsLeftOutOfASerialLineIsAsDelivered)
@@ -109,7 +110,7 @@ TEST(ProjectJson, AnEncoderThatIsAloneMayStandAtTheMasterAddress)
             {"place": "esc:00", "device": "kuebler-esc-rs485"}]}})";
     const auto project = projectFromJson(text, fileName);
     ASSERT_TRUE(project) << refusalText(project.error()).toStdString();
-    EXPECT_NE(findDevice(*project, DeviceNumber::onLine(LineAddress::master())), nullptr);
+    EXPECT_NE(findDevice(*project, placeOnLine(LineAddress::master())), nullptr);
     EXPECT_EQ(projectFromJson(projectToJson(*project), fileName), project);
 }
 

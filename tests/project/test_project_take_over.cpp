@@ -59,10 +59,10 @@ TEST(ProjectTakeOver, ADeviceThatMovedKeepsAllButItsNumber)
     const Project before = projectOf("DI K3 K3 K1");
     const Project after = allTakenOver(before, writtenRing("K3 K3 K1 DI"));
     ProjectDevice moved = before.devices[0];
-    moved.participant.number = {4, 0};
+    moved.participant.number = NodeId("4.0");
     EXPECT_EQ(after.devices[3], moved);
     ProjectDevice stayed = before.devices[1];
-    stayed.participant.number = {1, 0};
+    stayed.participant.number = NodeId("1.0");
     EXPECT_EQ(after.devices[0], stayed);
 }
 

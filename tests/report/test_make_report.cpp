@@ -5,6 +5,7 @@
 #include "report/deviations.h"
 #include "report/kept_counts.h"
 #include "tests/report/report_example.h"
+#include "tests/support/places.h"
 
 #include <QLocale>
 
@@ -99,7 +100,7 @@ TEST(CommissioningReport, AFactoryValueIsNeverTakenForAKnownOne)
 TEST(CommissioningReport, WhatTheConnectedEncoderTellsGoesBeforeTheProject)
 {
     ReportInput input = exampleInput();
-    input.live[{1, 0}].values = {{Parameter::steps, 4096, Evidence::read, input.now}};
+    input.live["1.0"_ring].values = {{Parameter::steps, 4096, Evidence::read, input.now}};
     const ReportSection section = sectionOf(reportOf(input), frabaHeading);
     EXPECT_THAT(rowsOf(section),
                 Contains("Steps | 4096 | 4096 | steps | read | 1 Mar 2026 14:00:00 | as wanted"));
@@ -126,7 +127,7 @@ TEST(CommissioningReport, ComparisonOfTheBusIsToldLineByLine)
     EXPECT_THAT(paragraphsOf(sectionOf(reportOf(input), "Deviations")),
                 Contains("The connected bus is as configured."));
     EXPECT_THAT(factsOf({reportOf(input).facts}), Contains("Bus: connected as configured"));
-    input.connected->front() = {{1, 0}, 0x36, 0x0236, 2, 2, {}, 0};
+    input.connected->front() = {NodeId("1.0"), 0x36, 0x0236, 2, 2, {}, 0};
     EXPECT_THAT(factsOf({reportOf(input).facts}),
                 Contains("Bus: not connected as configured; lines that differ: 2"));
     EXPECT_THAT(rowsOf(sectionOf(reportOf(input), "Deviations")),
@@ -172,8 +173,9 @@ TEST(CommissioningReport, CycleTimeIsToldByBothFormulas)
 TEST(CommissioningReport, EepromWritesSayHowTheEncoderIsTold)
 {
     ReportInput input = exampleInput();
-    input.writes[{1, 0}] = {12, 0, input.now.addDays(-30), CountedBy::serialNumber, QStringLiteral("20417")};
-    input.writes[{2, 0}] = {3, 2, {}, CountedBy::session, {}};
+    input.writes["1.0"_ring] = {12, 0, input.now.addDays(-30), CountedBy::serialNumber,
+                                QStringLiteral("20417")};
+    input.writes["2.0"_ring] = {3, 2, {}, CountedBy::session, {}};
     EXPECT_THAT(
         rowsOf(sectionOf(reportOf(input), "EEPROM writes by this program")),
         ElementsAre(
@@ -203,11 +205,11 @@ TEST(CommissioningReport, EepromWritesOfTheLedgerAreAddedByTheBestThatIsKnown)
                                    .settled = true}));
     };
     const QString fraba = QStringLiteral("FRABA");
-    note({CountedBy::serialNumber, fraba, QStringLiteral("4711"), {}, {1, 0}}, 12);
-    note({CountedBy::labelSerialNumber, fraba, QStringLiteral("20417"), {}, {1, 0}}, 7);
-    note({CountedBy::place, fraba, {}, file, {1, 0}}, 5);
+    note({CountedBy::serialNumber, fraba, QStringLiteral("4711"), {}, "1.0"_ring}, 12);
+    note({CountedBy::labelSerialNumber, fraba, QStringLiteral("20417"), {}, "1.0"_ring}, 7);
+    note({CountedBy::place, fraba, {}, file, "1.0"_ring}, 5);
 
-    const DeviceNumber encoder{1, 0};
+    const Place encoder = "1.0"_ring;
     ReportInput input = exampleInput();
     input.writes.clear();
     ProjectDevice &planned = input.project.devices[0];
@@ -217,7 +219,7 @@ TEST(CommissioningReport, EepromWritesOfTheLedgerAreAddedByTheBestThatIsKnown)
     const auto counted = [&] {
         input.writes.clear();
         addKept(input, *ledger, catalog, file);
-        return input.writes[{1, 0}];
+        return input.writes["1.0"_ring];
     };
     EXPECT_EQ(counted().writes, 5);
     EXPECT_EQ(counted().by, CountedBy::place);
@@ -226,8 +228,8 @@ TEST(CommissioningReport, EepromWritesOfTheLedgerAreAddedByTheBestThatIsKnown)
     planned.stored = {{Parameter::serialNumber, 4711, Evidence::read, {}}};
     EXPECT_EQ(counted().writes, 12);
     EXPECT_EQ(counted().serialNumber, QStringLiteral("4711"));
-    EXPECT_EQ(input.writes.size(), 1u);    // of the others nobody knows
-    input.writes[{1, 0}] = {.writes = 99}; // the connected encoder says it itself
+    EXPECT_EQ(input.writes.size(), 1u);        // of the others nobody knows
+    input.writes["1.0"_ring] = {.writes = 99}; // the connected encoder says it itself
     addKept(input, *ledger, catalog, file);
     EXPECT_EQ(input.writes.at(encoder).writes, 99);
 }
@@ -264,7 +266,8 @@ TEST(CommissioningReport, TimesAreInTheZoneOfTheReport)
 TEST(CommissioningReport, ADeviceWithoutDescriptionStandsInTheStructureOnly)
 {
     ReportInput input = exampleInput();
-    input.project.devices[2].participant = {{3, 0}, 0x03, 0x0103, 1, 1, QStringLiteral("my-device"), 0};
+    input.project.devices[2].participant = {
+        NodeId("3.0"), 0x03, 0x0103, 1, 1, QStringLiteral("my-device"), 0};
     input.project.devices[2].note = QStringLiteral("Valve island");
     const Report report = reportOf(input);
     EXPECT_THAT(rowsOf(sectionOf(report, "Bus structure")),
@@ -275,7 +278,7 @@ TEST(CommissioningReport, ADeviceWithoutDescriptionStandsInTheStructureOnly)
 TEST(CommissioningReport, APositionEncoderHasNoParameters)
 {
     ReportInput input = exampleInput();
-    fraba(input).participant = {{1, 0}, 0x36, 0x0136, 1, 1, QStringLiteral("fraba-ocd-ib-k1"), 0};
+    fraba(input).participant = {NodeId("1.0"), 0x36, 0x0136, 1, 1, QStringLiteral("fraba-ocd-ib-k1"), 0};
     fraba(input).wanted.clear();
     fraba(input).stored.clear();
     EXPECT_THAT(paragraphsOf(sectionOf(reportOf(input), "1.0: FRABA OCD-IB K1, Crane 1, hoist")),

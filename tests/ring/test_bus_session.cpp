@@ -3,6 +3,7 @@
 #include "catalog/catalog.h"
 #include "ring/bus_session.h"
 #include "tests/ring/word_by_word_driver.h"
+#include "tests/support/places.h"
 #include "tests/support/scripted_link.h"
 
 #include <gmock/gmock.h>
@@ -16,15 +17,15 @@ using testing::IsEmpty;
 
 const Word wordA = 0x020000FF;
 const Word wordB = 0x04000001;
-const DeviceNumber firstPlace{1, 0};
-const DeviceNumber secondPlace{2, 0};
-const DeviceNumber thirdPlace{3, 0};
+const Place firstPlace = "1.0"_ring;
+const Place secondPlace = "2.0"_ring;
+const Place thirdPlace = "3.0"_ring;
 
 RingStructure mixedRing()
 {
-    return {{firstPlace, 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")},
-            {secondPlace, 0x37, 0x0237, 2, 2, {}},
-            {thirdPlace, 0xBE, 0x81BE, 1, 0, {}}};
+    return {{firstPlace.node, 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")},
+            {secondPlace.node, 0x37, 0x0237, 2, 2, {}},
+            {thirdPlace.node, 0xBE, 0x81BE, 1, 0, {}}};
 }
 
 // Two encoders, one of them of an unknown make, and a digital input.
@@ -95,19 +96,19 @@ TEST_F(BusSessionTest, ALinkThatDoesNotOpenLeavesNothingRunning)
     EXPECT_EQ(opened.error().id, RefusalId::linkFailed);
     m_bus->advance(1);
     EXPECT_FALSE(m_bus->isRunning());
-    EXPECT_THAT(m_bus->numbers(), IsEmpty());
+    EXPECT_THAT(m_bus->places(), IsEmpty());
 }
 
 TEST_F(BusSessionTest, EncodersAreDescribedByTheirKeyOrByTheirIdCode)
 {
     open(BusSession::Start::watching);
-    EXPECT_THAT(m_bus->numbers(), ElementsAre(firstPlace, secondPlace, thirdPlace));
+    EXPECT_THAT(m_bus->places(), ElementsAre(firstPlace, secondPlace, thirdPlace));
     EXPECT_EQ(encoder()->device().key, QStringLiteral("fraba-ocd-ib"));
     EXPECT_TRUE(m_bus->encoder(secondPlace)->device().isGeneric());
     EXPECT_EQ(m_bus->encoder(thirdPlace), nullptr);
     ASSERT_NE(m_bus->channel(thirdPlace), nullptr);
-    EXPECT_EQ(m_bus->encoder({9, 0}), nullptr);
-    EXPECT_EQ(m_bus->channel({9, 0}), nullptr);
+    EXPECT_EQ(m_bus->encoder("9.0"_ring), nullptr);
+    EXPECT_EQ(m_bus->channel("9.0"_ring), nullptr);
 }
 
 TEST_F(BusSessionTest, AStagedWordStaysUntilItStandsOnTheBus)

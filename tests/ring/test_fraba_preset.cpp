@@ -4,6 +4,7 @@
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "ring/bus_session.h"
+#include "tests/support/places.h"
 #include "tests/support/scripted_link.h"
 
 #include <gmock/gmock.h>
@@ -14,7 +15,7 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr DeviceNumber place{1, 0};
+constexpr Place place = "1.0"_ring;
 constexpr Word frabaPreset = 0x6000'0000;
 constexpr SetPreset presetJob{{}, PresetCommand::manufacturer};
 
@@ -24,7 +25,7 @@ protected:
     FrabaPresetOnTheRing()
     {
         auto link = std::make_unique<ScriptedLink>(
-            RingStructure{{place, 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")}});
+            RingStructure{{place.node, 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")}});
         m_link = link.get();
         m_link->answerWith([this](std::size_t, Word out) {
             m_seen += out == frabaPreset ? 1 : 0;

@@ -5,6 +5,7 @@
 #include "encoder/refusal_text.h"
 #include "ring/bus_session.h"
 #include "tests/support/faulty_ring.h"
+#include "tests/support/places.h"
 #include "tests/support/scripted_link.h"
 
 #include <QPointer>
@@ -22,10 +23,10 @@ using namespace std::chrono_literals;
 using testing::Contains;
 using testing::ElementsAre;
 
-const DeviceNumber first{1, 0};
-const DeviceNumber second{2, 0};
-const DeviceNumber onLocalBus{3, 1};
-const DeviceNumber last{6, 0};
+const Place first = "1.0"_ring;
+const Place second = "2.0"_ring;
+const Place onLocalBus = "3.1"_ring;
+const Place last = "6.0"_ring;
 
 class ASessionWithAMaster : public testing::Test
 {
@@ -43,9 +44,9 @@ protected:
         EXPECT_TRUE(m_bus.open(BusSession::Start::operating));
         m_bus.advance(10);
     }
-    void befall(TrainingFault fault, DeviceNumber place, int value = 1)
+    void befall(TrainingFault fault, Place place, int value = 1)
     {
-        m_ring.ring->setFault(fault, place, value);
+        m_ring.ring->setFault(fault, place.node, value);
     }
     std::vector<MessageId> takeMessages()
     {
@@ -54,7 +55,7 @@ protected:
             ids.push_back(message.id);
         return ids;
     }
-    EncoderState stateOf(DeviceNumber number) const { return m_bus.encoder(number)->latest().state; }
+    EncoderState stateOf(Place number) const { return m_bus.encoder(number)->latest().state; }
     void readIn()
     {
         m_bus.readIn();
@@ -76,18 +77,18 @@ protected:
 TEST_F(ASessionWithAMaster, NamingTakesNothingFromTheEventsOfOthers)
 {
     const auto send = [this](Word word) {
-        for (const DeviceNumber place : {first, second}) {
+        for (const Place place : {first, second}) {
             m_bus.channel(place)->stage(word);
             ASSERT_TRUE(m_bus.channel(place)->write());
         }
     };
-    for (const DeviceNumber place : {first, second})
+    for (const Place place : {first, second})
         m_bus.encoder(place)->tell(Parameter::startUpMode, 1);
     send(0x0400'0002);
     m_bus.advance(50);
     send(0x8000'0000);
-    std::map<DeviceNumber, int> rows;
-    const auto follow = [&](DeviceNumber place) {
+    std::map<Place, int> rows;
+    const auto follow = [&](Place place) {
         QObject::connect(m_bus.encoder(place), &EncoderSession::exchanged, &m_bus,
                          [&rows, place] { ++rows[place]; });
     };
@@ -279,21 +280,21 @@ TEST_F(ASessionWithAMaster, InAnotherRingAPeripheralFaultIsToldByItsNewNumber)
 {
     befall(TrainingFault::peripheralFault, last);
     m_bus.advance(1);
-    befall(TrainingFault::wireBreak, {4, 0});
+    befall(TrainingFault::wireBreak, "4.0"_ring);
     m_bus.advance(30);
     m_messages.clear();
     readIn();
     m_bus.advance(5);
     const auto told = std::ranges::find(m_messages, MessageId::peripheralFault, &Message::id);
     ASSERT_NE(told, m_messages.end());
-    EXPECT_EQ(told->place, (DeviceNumber{4, 0}));
+    EXPECT_EQ(told->place, ("4.0"_ring));
     EXPECT_EQ(std::ranges::count(m_messages, MessageId::peripheralFault, &Message::id), 1);
     EXPECT_EQ(std::ranges::count(m_messages, MessageId::peripheralFaultConfirmed, &Message::id), 0);
 }
 
 TEST_F(ASessionWithAMaster, AFaultInASegmentThatIsSwitchedOffIsNotToldAsGone)
 {
-    befall(TrainingFault::wireBreak, {5, 0});
+    befall(TrainingFault::wireBreak, "5.0"_ring);
     m_bus.advance(30);
     takeMessages();
     m_bus.switchSegment(4, false); // it is the segment before
@@ -402,7 +403,7 @@ TEST_F(ASessionWithAMaster, ReadingInAnotherRingKeepsWhatIsUnchanged)
     ASSERT_TRUE(kept->start(ReadParameters{{Parameter::steps}}));
     m_bus.advance(200);
     ASSERT_EQ(kept->known(Parameter::steps)->value, 8'192);
-    befall(TrainingFault::wireBreak, {3, 1});
+    befall(TrainingFault::wireBreak, "3.1"_ring);
     m_bus.advance(30);
     readIn();
     EXPECT_EQ(m_changes, 1);
@@ -410,8 +411,7 @@ TEST_F(ASessionWithAMaster, ReadingInAnotherRingKeepsWhatIsUnchanged)
     m_bus.advance(5);
     EXPECT_TRUE(m_bus.isRunning());
     EXPECT_TRUE(m_bus.isOperating());
-    EXPECT_THAT(m_bus.numbers(),
-                ElementsAre(first, second, DeviceNumber{3, 0}, DeviceNumber{4, 0}, DeviceNumber{5, 0}, last));
+    EXPECT_THAT(m_bus.places(), ElementsAre(first, second, "3.0"_ring, "4.0"_ring, "5.0"_ring, last));
     EXPECT_EQ(m_bus.encoder(first), kept);
     EXPECT_EQ(m_bus.channel(first), channel);
     EXPECT_EQ(kept->device().key, QStringLiteral("fraba-ocd-ib"));
@@ -438,7 +438,7 @@ TEST_F(ASessionWithAMaster, WhatVanishedOutlivesTheHandlersAndSendsNothing)
     QObject::connect(&m_bus, &BusSession::structureChanged, &m_bus, [&] {
         ASSERT_NE(channel, nullptr);
         ASSERT_NE(session, nullptr);
-        EXPECT_EQ(channel->number(), onLocalBus);
+        EXPECT_EQ(channel->place(), onLocalBus);
         channel->stage(0x0200'00FF);
         EXPECT_FALSE(channel->write());
         session->tell(Parameter::steps, 4'096);
@@ -457,7 +457,7 @@ TEST_F(ASessionWithAMaster, WhatVanishedOutlivesTheHandlersAndSendsNothing)
     EXPECT_EQ(channel, nullptr);
     EXPECT_EQ(session, nullptr);
     EXPECT_EQ(m_ring.ring->lastOut(), std::vector<Word>(m_bus.structure().size()));
-    EXPECT_EQ(m_bus.encoder({4, 0})->known(Parameter::steps), std::nullopt) << "it has its place now";
+    EXPECT_EQ(m_bus.encoder("4.0"_ring)->known(Parameter::steps), std::nullopt) << "it has its place now";
 }
 
 TEST_F(ASessionWithAMaster, AnotherDeviceInAPlaceGetsASessionOfItsOwn)
@@ -601,8 +601,8 @@ TEST(ASessionInThreads, TakesOtherRingsOver)
     bus.startThread(100us);
     std::jthread trainer([ring = faulty.ring](const std::stop_token &stop) {
         for (int i = 0; !stop.stop_requested(); ++i) {
-            ring->setFault(TrainingFault::wireBreak, i % 3 == 0 ? last : second, i % 2);
-            ring->setFault(TrainingFault::peripheralFault, first, i % 5 == 0);
+            ring->setFault(TrainingFault::wireBreak, i % 3 == 0 ? last.node : second.node, i % 2);
+            ring->setFault(TrainingFault::peripheralFault, first.node, i % 5 == 0);
             std::ignore = ring->places();
             std::this_thread::sleep_for(2ms);
         }

@@ -10,7 +10,7 @@ namespace {
 TEST(AMasterWatch, CallsConfirmedOnlyWhatWasConfirmedFromHere)
 {
     MasterWatch watch;
-    const std::vector<DeviceNumber> ring{{1, 0}, {2, 0}};
+    const std::vector<NodeId> ring{NodeId("1.0"), NodeId("2.0")};
     MasterStatus status;
     status.devices.resize(2);
     status.devices[1].peripheralFault = true;
@@ -25,7 +25,7 @@ TEST(AMasterWatch, CallsConfirmedOnlyWhatWasConfirmedFromHere)
     const auto told = watch.look(status, ring, {});
     ASSERT_EQ(told.size(), 1U);
     EXPECT_EQ(told[0].id, MessageId::peripheralFaultConfirmed);
-    EXPECT_EQ(told[0].place, (DeviceNumber{2, 0}));
+    EXPECT_EQ(told[0].place, Place{.node = NodeId("2.0")});
 }
 
 } // namespace

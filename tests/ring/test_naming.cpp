@@ -2,6 +2,7 @@
 // Which make an encoder is, the bus does not tell: the user names it.
 #include "catalog/catalog.h"
 #include "ring/bus_session.h"
+#include "tests/support/places.h"
 #include "tests/support/scripted_link.h"
 
 #include <QPointer>
@@ -15,8 +16,8 @@ namespace {
 
 using testing::ElementsAre;
 
-const DeviceNumber encoderPlace{1, 0};
-const DeviceNumber inputPlace{2, 0};
+const Place encoderPlace = "1.0"_ring;
+const Place inputPlace = "2.0"_ring;
 
 // An encoder whose make nobody has named, and a digital input. The encoder stands at 12345 and answers each
 // parameter at once.
@@ -24,8 +25,8 @@ class Naming : public testing::Test
 {
 protected:
     Naming()
-        : m_link(new ScriptedLink(
-              RingStructure{{encoderPlace, 0x37, 0x0237, 2, 2, {}}, {inputPlace, 0xBE, 0x81BE, 1, 0, {}}}))
+        : m_link(new ScriptedLink(RingStructure{{encoderPlace.node, 0x37, 0x0237, 2, 2, {}},
+                                                {inputPlace.node, 0xBE, 0x81BE, 1, 0, {}}}))
         , m_bus(std::unique_ptr<ScriptedLink>(m_link), m_catalog,
                 QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC))
     {
@@ -35,7 +36,7 @@ protected:
         });
         EXPECT_TRUE(m_bus.open(BusSession::Start::operating));
         QObject::connect(&m_bus, &BusSession::named, &m_bus,
-                         [this](DeviceNumber number) { m_named.push_back(number); });
+                         [this](Place number) { m_named.push_back(number); });
         QObject::connect(&m_bus, &BusSession::messaged, &m_bus,
                          [this](const Message &message) { m_messages.push_back(message); });
         m_bus.advance(3);
@@ -46,7 +47,7 @@ protected:
     const Catalog m_catalog = Catalog::builtIn();
     BusSession m_bus;
     std::map<Word, int> m_sent;
-    std::vector<DeviceNumber> m_named;
+    std::vector<Place> m_named;
     std::vector<Message> m_messages;
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 Participant device(DeviceNumber number, int level, unsigned idCode, int words)
 {
-    return {number, idCode, 0x0100 | idCode, words, words, {}, level};
+    return {number.node(), idCode, 0x0100 | idCode, words, words, {}, level};
 }
 
 // A terminal with so many devices on its local bus, one word each.

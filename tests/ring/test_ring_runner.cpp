@@ -2,6 +2,7 @@
 #include "bus/bus_mail.h"
 #include "ring/ring_runner.h"
 #include "tests/ring/word_by_word_driver.h"
+#include "tests/support/places.h"
 #include "tests/support/scripted_link.h"
 
 #include <gmock/gmock.h>
@@ -105,7 +106,7 @@ TEST_F(RingRunnerTest, AWrittenWordGoesOutInTheSameCycle)
     EXPECT_THAT(m_link->peerOut(), ElementsAre(0u, firstWord));
     EXPECT_THAT(messages(), ElementsAre(MessageId::busStarted, MessageId::operateOn, MessageId::wordWritten));
     const Message written = taken<Message>().back();
-    EXPECT_EQ(written.place, (DeviceNumber{2, 0}));
+    EXPECT_EQ(written.place, (Place{.node = NodeId("2.0")}));
     EXPECT_EQ(written.arguments, std::vector<RefusalArgument>{firstWord});
     EXPECT_EQ(written.at, std::chrono::milliseconds(1));
 }
@@ -292,7 +293,7 @@ TEST_F(RingRunnerTest, AFaultOfASingleCycleIsToldWithItsEnd)
     ASSERT_THAT(messages(),
                 ElementsAre(MessageId::busStarted, MessageId::deviceFault, MessageId::deviceFaultGone));
     const Message fault = taken<Message>()[1];
-    EXPECT_EQ(fault.place, (DeviceNumber{2, 0}));
+    EXPECT_EQ(fault.place, (Place{.node = NodeId("2.0")}));
     EXPECT_EQ(fault.severity, Severity::fault);
     EXPECT_EQ(fault.arguments, (std::vector<RefusalArgument>{std::int64_t{3}, Word{0x86000000}}));
 }

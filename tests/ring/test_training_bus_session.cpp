@@ -4,6 +4,7 @@
 #include "catalog/catalog.h"
 #include "ring/bus_session.h"
 #include "simulator/training_bus.h"
+#include "tests/support/places.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@
 namespace codewheel {
 namespace {
 
-const DeviceNumber fraba{1, 0};
+const Place fraba = "1.0"_ring;
 
 // A computer that sleeps once, right after somebody began to watch it.
 SleepWatch::Slept oneSleepOf(std::chrono::milliseconds duration)
@@ -75,7 +76,7 @@ TEST_F(TrainingBusSession, AnEncoderThatLosesItsParametersIsKnownNoMore)
 {
     finish(ReadParameters{{Parameter::steps}});
     ASSERT_TRUE(encoder().known(Parameter::steps));
-    m_training.controls->loseParameters(fraba);
+    m_training.controls->loseParameters(fraba.node);
     m_bus.advance(10);
     EXPECT_EQ(encoder().latest().state, EncoderState::error);
     EXPECT_FALSE(encoder().known(Parameter::steps));
@@ -85,7 +86,7 @@ TEST_F(TrainingBusSession, AlarmStopInTheMiddleOfAHandshakeZeroesOut)
 {
     ASSERT_TRUE(encoder().start(WriteParameters{{{Parameter::steps, 255}}, false, {}, false}));
     m_bus.advance(3);
-    ASSERT_EQ(devicesWithOut(m_bus), std::vector<DeviceNumber>{fraba});
+    ASSERT_EQ(devicesWithOut(m_bus), std::vector<Place>{fraba});
     m_bus.alarmStop();
     m_bus.advance(1);
     EXPECT_TRUE(devicesWithOut(m_bus).empty());
@@ -117,8 +118,8 @@ TEST_F(TrainingBusSession, WhatIsShownIsOldOnceTheBusStops)
 
 TEST_F(TrainingBusSession, WhatIsBehindASwitchedOffSegmentIsOld)
 {
-    const DeviceNumber behind = m_bus.numbers().back();
-    m_bus.switchSegment(behind.segment, false);
+    const Place behind = m_bus.places().back();
+    m_bus.switchSegment(DeviceNumber::of(behind.node).segment, false);
     m_bus.advance(10);
     EXPECT_EQ(m_bus.channel(behind)->freshness().reason(), Freshness::Reason::notInRing);
     EXPECT_TRUE(encoder().freshness().isLive());
@@ -134,7 +135,7 @@ TEST_F(TrainingBusSession, AnAlarmStopFromBeforeTheSleepZeroesOut)
     m_bus.channel(fraba)->stage(0x0200'00FF);
     ASSERT_TRUE(m_bus.channel(fraba)->write());
     m_bus.advance(3);
-    ASSERT_EQ(devicesWithOut(m_bus), std::vector<DeviceNumber>{fraba});
+    ASSERT_EQ(devicesWithOut(m_bus), std::vector<Place>{fraba});
     m_bus.alarmStop();
     m_bus.startThread(std::chrono::milliseconds(1), oneSleepOf(std::chrono::hours(2)));
     while (!hasSlept || m_bus.isOperating())

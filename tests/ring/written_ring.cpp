@@ -31,7 +31,7 @@ RingStructure writtenRing(const char *text)
         const auto level = static_cast<int>(word.count(u'/'));
         word.remove(u'.').remove(u'/');
         Participant participant = kinds.at(word);
-        participant.number.position = onLocalBus ? 1 : 0;
+        participant.number = DeviceNumber{1, onLocalBus ? 1 : 0}.node();
         participant.level = level;
         ring.push_back(participant);
     }

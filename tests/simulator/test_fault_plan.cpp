@@ -50,9 +50,9 @@ TEST_F(AFaultPlan, HoldsItsStepsAsTheyAreWritten)
     ASSERT_TRUE(plan) << refusalText(plan.error()).toStdString();
     using std::chrono::milliseconds;
     EXPECT_EQ(plan->steps, (std::vector<FaultStep>{
-                               {milliseconds(0), TrainingFault::crcErrors, {2, 0}, 5},
-                               {milliseconds(1'500), TrainingFault::wireBreak, {6, 1}, 1},
-                               {milliseconds(1'500), TrainingFault::wireBreak, {6, 1}, 0},
+                               {milliseconds(0), TrainingFault::crcErrors, NodeId("2.0"), 5},
+                               {milliseconds(1'500), TrainingFault::wireBreak, NodeId("6.1"), 1},
+                               {milliseconds(1'500), TrainingFault::wireBreak, NodeId("6.1"), 0},
                            }));
 }
 
@@ -105,8 +105,8 @@ TEST(ARunningFaultPlan, IsCarriedOutByTheClockOfTheRing)
     ASSERT_TRUE(faulty.link->open());
     using std::chrono::milliseconds;
     faulty.ring->startFaultPlan({{},
-                                 {{milliseconds(10), TrainingFault::wireBreak, {2, 0}, 1},
-                                  {milliseconds(60), TrainingFault::wireBreak, {2, 0}, 0}}});
+                                 {{milliseconds(10), TrainingFault::wireBreak, NodeId("2.0"), 1},
+                                  {milliseconds(60), TrainingFault::wireBreak, NodeId("2.0"), 0}}});
     MasterLink &master = *faulty.link->master();
     const std::vector<Word> out(FaultyRing::devices);
     std::vector<Word> in(FaultyRing::devices);
@@ -129,7 +129,8 @@ TEST(ARunningFaultPlan, CanBeStopped)
 {
     FaultyRing faulty;
     ASSERT_TRUE(faulty.link->open());
-    faulty.ring->startFaultPlan({{}, {{std::chrono::milliseconds(2), TrainingFault::wireBreak, {2, 0}, 1}}});
+    faulty.ring->startFaultPlan(
+        {{}, {{std::chrono::milliseconds(2), TrainingFault::wireBreak, NodeId("2.0"), 1}}});
     faulty.ring->stopFaultPlan();
     const std::vector<Word> out(FaultyRing::devices);
     std::vector<Word> in(FaultyRing::devices);
@@ -140,7 +141,7 @@ TEST(ARunningFaultPlan, CanBeStopped)
 TEST(AFaultThatFits, IsToldByPlace)
 {
     FaultyRing faulty;
-    const auto faults = [&](DeviceNumber number) {
+    const auto faults = [&](NodeId number) {
         std::vector<TrainingFault> found;
         for (const TrainingPlace &place : faulty.ring->places())
             if (place.number == number)
@@ -148,12 +149,13 @@ TEST(AFaultThatFits, IsToldByPlace)
                     found.push_back(standing.fault);
         return found;
     };
-    EXPECT_EQ(faults({3, 0}), (std::vector{TrainingFault::wireBreak, TrainingFault::crcErrors,
-                                           TrainingFault::noSupply, TrainingFault::peripheralFault}));
-    EXPECT_EQ(faults({3, 1}), (std::vector{TrainingFault::wireBreak, TrainingFault::noSupply,
-                                           TrainingFault::wrongDevice, TrainingFault::peripheralFault,
-                                           TrainingFault::powerOff, TrainingFault::slowConfirmation,
-                                           TrainingFault::parametersLost, TrainingFault::camOutOfRange}));
+    EXPECT_EQ(faults(NodeId("3.0")), (std::vector{TrainingFault::wireBreak, TrainingFault::crcErrors,
+                                                  TrainingFault::noSupply, TrainingFault::peripheralFault}));
+    EXPECT_EQ(
+        faults(NodeId("3.1")),
+        (std::vector{TrainingFault::wireBreak, TrainingFault::noSupply, TrainingFault::wrongDevice,
+                     TrainingFault::peripheralFault, TrainingFault::powerOff, TrainingFault::slowConfirmation,
+                     TrainingFault::parametersLost, TrainingFault::camOutOfRange}));
 }
 
 // FRABA manual 10.4: manufacturer error, cam start or stop above the largest position

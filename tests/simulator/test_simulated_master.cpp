@@ -33,7 +33,7 @@ protected:
             }
         }
     }
-    void befall(TrainingFault fault, DeviceNumber place, int value = 1)
+    void befall(TrainingFault fault, NodeId place, int value = 1)
     {
         m_ring.ring->setFault(fault, place, value);
     }
@@ -135,7 +135,7 @@ TEST_F(ASimulatedMaster, HoldsTheOutputsWhenStoppedAndZeroesThemAtAlarmStop)
 struct Broken
 {
     TrainingFault fault;
-    DeviceNumber place;
+    NodeId place;
     std::uint16_t code;
     std::uint16_t parameter;
     std::vector<int> outOfRing; // places
@@ -173,31 +173,31 @@ TEST_P(ALocatedFault, IsLookedForFoundAndGone)
     EXPECT_EQ(outOfRing(), std::vector<int>());
 }
 
-INSTANTIATE_TEST_SUITE_P(OfTheRing, ALocatedFault,
-                         testing::Values(
-                             // The outgoing remote bus of 1.0; all that is behind on the main line
-                             Broken{TrainingFault::wireBreak, {2, 0}, 0x0D10, 0x0180, {1, 2, 3, 4, 5, 6, 7}},
-                             // Before the first device there is only the master
-                             Broken{
-                                 TrainingFault::wireBreak, {1, 0}, 0x0D10, 0x0100, {0, 1, 2, 3, 4, 5, 6, 7}},
-                             // The branch of the terminal, and within it
-                             Broken{TrainingFault::wireBreak, {4, 0}, 0x0D10, 0x0381, {5, 6}},
-                             Broken{TrainingFault::wireBreak, {5, 0}, 0x0D10, 0x0480, {6}},
-                             // Behind the branch the main line goes on from the terminal
-                             Broken{TrainingFault::wireBreak, {6, 0}, 0x0D10, 0x0380, {7}},
-                             // The local bus
-                             Broken{TrainingFault::wireBreak, {3, 1}, 0x0D50, 0x0381, {3, 4}},
-                             Broken{TrainingFault::wireBreak, {3, 2}, 0x0D50, 0x0302, {4}},
-                             Broken{TrainingFault::noSupply, {2, 0}, 0x0C10, 0x0200, {1, 2, 3, 4, 5, 6, 7}},
-                             Broken{TrainingFault::noSupply, {3, 2}, 0x0C10, 0x0302, {4}},
-                             Broken{TrainingFault::wrongDevice, {5, 0}, 0x0C40, 0x0500, {6}},
-                             Broken{TrainingFault::wrongDevice, {3, 1}, 0x0C40, 0x0301, {3, 4}}));
+INSTANTIATE_TEST_SUITE_P(
+    OfTheRing, ALocatedFault,
+    testing::Values(
+        // The outgoing remote bus of 1.0; all that is behind on the main line
+        Broken{TrainingFault::wireBreak, NodeId("2.0"), 0x0D10, 0x0180, {1, 2, 3, 4, 5, 6, 7}},
+        // Before the first device there is only the master
+        Broken{TrainingFault::wireBreak, NodeId("1.0"), 0x0D10, 0x0100, {0, 1, 2, 3, 4, 5, 6, 7}},
+        // The branch of the terminal, and within it
+        Broken{TrainingFault::wireBreak, NodeId("4.0"), 0x0D10, 0x0381, {5, 6}},
+        Broken{TrainingFault::wireBreak, NodeId("5.0"), 0x0D10, 0x0480, {6}},
+        // Behind the branch the main line goes on from the terminal
+        Broken{TrainingFault::wireBreak, NodeId("6.0"), 0x0D10, 0x0380, {7}},
+        // The local bus
+        Broken{TrainingFault::wireBreak, NodeId("3.1"), 0x0D50, 0x0381, {3, 4}},
+        Broken{TrainingFault::wireBreak, NodeId("3.2"), 0x0D50, 0x0302, {4}},
+        Broken{TrainingFault::noSupply, NodeId("2.0"), 0x0C10, 0x0200, {1, 2, 3, 4, 5, 6, 7}},
+        Broken{TrainingFault::noSupply, NodeId("3.2"), 0x0C10, 0x0302, {4}},
+        Broken{TrainingFault::wrongDevice, NodeId("5.0"), 0x0C40, 0x0500, {6}},
+        Broken{TrainingFault::wrongDevice, NodeId("3.1"), 0x0C40, 0x0301, {3, 4}}));
 
 TEST_F(ASimulatedMaster, FindsNothingWhereTheFaultIsGoneAtTheCheck)
 {
-    befall(TrainingFault::wireBreak, {2, 0});
+    befall(TrainingFault::wireBreak, NodeId("2.0"));
     cycles(1);
-    befall(TrainingFault::wireBreak, {2, 0}, 0);
+    befall(TrainingFault::wireBreak, NodeId("2.0"), 0);
     cycles(SimulatedMaster::lookingCycles);
     EXPECT_EQ(status().state, MasterState::busFail);
     EXPECT_EQ(status().errorCode, 0x0BE1);
@@ -210,11 +210,11 @@ TEST_F(ASimulatedMaster, FindsNothingWhereTheFaultIsGoneAtTheCheck)
 
 TEST_F(ASimulatedMaster, LooksAgainWhereAnotherFaultIsLeft)
 {
-    befall(TrainingFault::wireBreak, {2, 0});
-    befall(TrainingFault::noSupply, {6, 0});
+    befall(TrainingFault::wireBreak, NodeId("2.0"));
+    befall(TrainingFault::noSupply, NodeId("6.0"));
     cycles(1 + SimulatedMaster::lookingCycles);
     EXPECT_EQ(status().parameter, 0x0180);
-    befall(TrainingFault::wireBreak, {2, 0}, 0);
+    befall(TrainingFault::wireBreak, NodeId("2.0"), 0);
     cycles(1);
     EXPECT_EQ(status().errorCode, 0x0BDF);
     cycles(SimulatedMaster::lookingCycles);
@@ -224,7 +224,7 @@ TEST_F(ASimulatedMaster, LooksAgainWhereAnotherFaultIsLeft)
 
 TEST_F(ASimulatedMaster, RunsOnWithoutTheSegmentOfTheFault)
 {
-    befall(TrainingFault::wireBreak, {4, 0});
+    befall(TrainingFault::wireBreak, NodeId("4.0"));
     cycles(1 + SimulatedMaster::lookingCycles);
     ASSERT_TRUE(m_master.switchSegment(4, false));
     start();
@@ -250,7 +250,7 @@ TEST_F(ASimulatedMaster, SwitchesOnlySegmentsItHas)
 
 TEST_F(ASimulatedMaster, PeripheralFaultsStayUntilTheyAreConfirmedAndTheirCauseIsGone)
 {
-    befall(TrainingFault::peripheralFault, {3, 1});
+    befall(TrainingFault::peripheralFault, NodeId("3.1"));
     cycles(1);
     EXPECT_EQ(status().state, MasterState::run);
     EXPECT_EQ(status().statusBits, 0x00E2);
@@ -261,7 +261,7 @@ TEST_F(ASimulatedMaster, PeripheralFaultsStayUntilTheyAreConfirmedAndTheirCauseI
     EXPECT_EQ(status().statusBits, 0x00E0);
     cycles(1); // the cause is there
     EXPECT_EQ(status().errorCode, 0x0BB1);
-    befall(TrainingFault::peripheralFault, {3, 1}, 0);
+    befall(TrainingFault::peripheralFault, NodeId("3.1"), 0);
     cycles(5);
     EXPECT_EQ(status().errorCode, 0x0BB1); // not by itself
     ASSERT_TRUE(m_master.confirmDiagnostics());
@@ -273,9 +273,9 @@ TEST_F(ASimulatedMaster, PeripheralFaultsStayUntilTheyAreConfirmedAndTheirCauseI
 // Only 0760 takes a report back, whatever else is done with the configuration.
 TEST_F(ASimulatedMaster, PeripheralFaultsStayWhenTheRingIsReadInAgain)
 {
-    befall(TrainingFault::peripheralFault, {6, 0});
+    befall(TrainingFault::peripheralFault, NodeId("6.0"));
     cycles(1);
-    befall(TrainingFault::peripheralFault, {6, 0}, 0);
+    befall(TrainingFault::peripheralFault, NodeId("6.0"), 0);
     readIn();
     EXPECT_EQ(status().statusBits, 0x00C2);
     EXPECT_EQ(status().parameter, 0x0600);
@@ -283,7 +283,7 @@ TEST_F(ASimulatedMaster, PeripheralFaultsStayWhenTheRingIsReadInAgain)
     m_master.alarmStop();
     start();
     EXPECT_EQ(status().statusBits, 0x00E2);
-    befall(TrainingFault::wireBreak, {4, 0}); // the segments behind it move up
+    befall(TrainingFault::wireBreak, NodeId("4.0")); // the segments behind it move up
     readIn();
     EXPECT_EQ(status().parameter, 0x0400);
     ASSERT_TRUE(m_master.confirmDiagnostics());
@@ -292,10 +292,10 @@ TEST_F(ASimulatedMaster, PeripheralFaultsStayWhenTheRingIsReadInAgain)
 
 TEST_F(ASimulatedMaster, APeripheralFaultGoesWithItsDevice)
 {
-    befall(TrainingFault::peripheralFault, {2, 0});
+    befall(TrainingFault::peripheralFault, NodeId("2.0"));
     cycles(1);
-    befall(TrainingFault::peripheralFault, {2, 0}, 0);
-    befall(TrainingFault::wrongDevice, {2, 0});
+    befall(TrainingFault::peripheralFault, NodeId("2.0"), 0);
+    befall(TrainingFault::wrongDevice, NodeId("2.0"));
     cycles(30);
     readIn();
     EXPECT_EQ(status().statusBits, 0x00C0);
@@ -303,7 +303,7 @@ TEST_F(ASimulatedMaster, APeripheralFaultGoesWithItsDevice)
 
 TEST_F(ASimulatedMaster, CountsCrcErrorsBySegmentAndKeepsTheWordsOfTheCycleBefore)
 {
-    befall(TrainingFault::crcErrors, {2, 0}, 100);
+    befall(TrainingFault::crcErrors, NodeId("2.0"), 100);
     cycles(1'000);
     const std::uint32_t errors = status().segments[1].crcErrors;
     EXPECT_GT(errors, 60U);
@@ -311,7 +311,7 @@ TEST_F(ASimulatedMaster, CountsCrcErrorsBySegmentAndKeepsTheWordsOfTheCycleBefor
     EXPECT_EQ(status().segments[0].crcErrors, 0U);
     EXPECT_EQ(status().statusBits, 0x40E0); // QUALITY
     EXPECT_EQ(m_in[0], 1'000U);
-    befall(TrainingFault::crcErrors, {2, 0}, 0);
+    befall(TrainingFault::crcErrors, NodeId("2.0"), 0);
     ASSERT_TRUE(m_master.confirmDiagnostics());
     EXPECT_EQ(status().statusBits, 0x00E0);
     EXPECT_EQ(status().segments[1].crcErrors, errors);
@@ -331,17 +331,17 @@ TEST_F(ASimulatedMaster, FindsTheSameRingDeviceByDevice)
 
 TEST_F(ASimulatedMaster, CountsSegmentsAnewWhereDevicesAreMissing)
 {
-    befall(TrainingFault::wireBreak, {4, 0});
+    befall(TrainingFault::wireBreak, NodeId("4.0"));
     const RingStructure found = readIn();
-    std::vector<DeviceNumber> numbers;
+    std::vector<NodeId> numbers;
     for (const Participant &participant : found)
         numbers.push_back(participant.number);
-    EXPECT_THAT(numbers, ElementsAre(DeviceNumber{1, 0}, DeviceNumber{2, 0}, DeviceNumber{3, 0},
-                                     DeviceNumber{3, 1}, DeviceNumber{3, 2}, DeviceNumber{4, 0}));
+    EXPECT_THAT(numbers, ElementsAre(NodeId("1.0"), NodeId("2.0"), NodeId("3.0"), NodeId("3.1"),
+                                     NodeId("3.2"), NodeId("4.0")));
     ASSERT_TRUE(m_master.startDataTransfer());
     cycles(3);
     EXPECT_EQ(m_in[5], 6'000U); // 6.0 of the whole ring
-    befall(TrainingFault::wireBreak, {4, 0}, 0);
+    befall(TrainingFault::wireBreak, NodeId("4.0"), 0);
     cycles(3);
     EXPECT_EQ(status().statusBits, 0x00E0);
     EXPECT_EQ(readIn().size(), FaultyRing::devices);
@@ -349,7 +349,7 @@ TEST_F(ASimulatedMaster, CountsSegmentsAnewWhereDevicesAreMissing)
 
 TEST_F(ASimulatedMaster, FindsTheWrongDevice)
 {
-    befall(TrainingFault::wrongDevice, {2, 0});
+    befall(TrainingFault::wrongDevice, NodeId("2.0"));
     cycles(30);
     const RingStructure found = readIn();
     EXPECT_EQ(found[1].deviceCode, 0x0236U);
@@ -399,7 +399,7 @@ TEST_F(ASimulatedMaster, RandomFaultsAndServicesLeaveNoStateThatIsNotDocumented)
                                               TrainingFault::noSupply, TrainingFault::wrongDevice,
                                               TrainingFault::peripheralFault};
     for (int round = 0; round < 20'000; ++round) {
-        const DeviceNumber place = plan[static_cast<std::size_t>(below(plan.size()))].number;
+        const NodeId place = plan[static_cast<std::size_t>(below(plan.size()))].number;
         switch (below(12)) {
         case 0:
         case 1:

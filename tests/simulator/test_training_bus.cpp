@@ -23,8 +23,8 @@ protected:
 
     const Catalog m_catalog = Catalog::builtIn();
     TrainingBus m_bus = makeTrainingBus(m_catalog);
-    const DeviceNumber m_fraba{1, 0};
-    const DeviceNumber m_baumer{2, 0};
+    const NodeId m_fraba{"1.0"};
+    const NodeId m_baumer{"2.0"};
 };
 
 TEST_F(TheTrainingBus, IsThePlantOfItsFile)
@@ -32,13 +32,13 @@ TEST_F(TheTrainingBus, IsThePlantOfItsFile)
     const auto structure = m_bus.link->open();
     ASSERT_TRUE(structure);
     const RingStructure plant{
-        {{1, 0}, 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")},
-        {{2, 0}, 0x37, 0x0237, 2, 2, QStringLiteral("baumer-gxp6w")},
-        {{3, 0}, 0x36, 0x0136, 1, 0, QStringLiteral("fraba-ocd-ib-k1")},
-        {{4, 0}, 0x36, 0x0236, 2, 0, QStringLiteral("fraba-ocd-ib-k2")},
-        {{5, 0}, 0x33, 0x0233, 2, 2, QStringLiteral("tr-la66")},
-        {{6, 0}, 0x0C, 0x000C, 0, 0, {}},
-        {{6, 1}, 0xB3, 0x02B3, 2, 2, QStringLiteral("fraba-ocd-ib-loop2")},
+        {NodeId("1.0"), 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")},
+        {NodeId("2.0"), 0x37, 0x0237, 2, 2, QStringLiteral("baumer-gxp6w")},
+        {NodeId("3.0"), 0x36, 0x0136, 1, 0, QStringLiteral("fraba-ocd-ib-k1")},
+        {NodeId("4.0"), 0x36, 0x0236, 2, 0, QStringLiteral("fraba-ocd-ib-k2")},
+        {NodeId("5.0"), 0x33, 0x0233, 2, 2, QStringLiteral("tr-la66")},
+        {NodeId("6.0"), 0x0C, 0x000C, 0, 0, {}},
+        {NodeId("6.1"), 0xB3, 0x02B3, 2, 2, QStringLiteral("fraba-ocd-ib-loop2")},
     };
     EXPECT_EQ(*structure, plant);
     EXPECT_EQ(m_bus.link->readBackOut().value(), std::vector<Word>(7));
@@ -117,13 +117,13 @@ TEST_F(TheTrainingBus, TheTrainerSeesAndMovesTheShafts)
     m_bus.controls->setSpeed(m_fraba, 60'000.0 / 8192 * 8); // 8 steps a cycle, nearly
     exchange(0, 0, 10);
     EXPECT_NEAR(static_cast<double>(m_bus.controls->shafts().at(0).raw), 150, 1);
-    m_bus.controls->turnTo({9, 0}, 5); // no such place
-    m_bus.controls->turnTo({6, 0}, 5); // nothing there that turns
-    m_bus.controls->moveMagnetTo({5, 0}, 250);
+    m_bus.controls->turnTo(NodeId("9.0"), 5); // no such place
+    m_bus.controls->turnTo(NodeId("6.0"), 5); // nothing there that turns
+    m_bus.controls->moveMagnetTo(NodeId("5.0"), 250);
     EXPECT_EQ(exchange(0, 0)[4], 25'000U);
     EXPECT_EQ(m_bus.controls->rods().at(0).millimetres, 250);
-    m_bus.controls->setSpeed({3, 0}, 0);
-    m_bus.controls->turnTo({3, 0}, 4095);
+    m_bus.controls->setSpeed(NodeId("3.0"), 0);
+    m_bus.controls->turnTo(NodeId("3.0"), 4095);
     EXPECT_EQ(exchange(0, 0)[2], 0xFFFU);
 }
 
@@ -151,7 +151,7 @@ TEST_F(TheTrainingBus, IsUsedByAnyThread)
     ASSERT_TRUE(m_bus.link->open());
     std::jthread trainer([controls = m_bus.controls](const std::stop_token &stop) {
         while (!stop.stop_requested()) {
-            controls->turnBy({1, 0}, 1);
+            controls->turnBy(NodeId("1.0"), 1);
             EXPECT_EQ(controls->shafts().size(), 5U);
             EXPECT_EQ(controls->rods().size(), 1U);
         }

@@ -67,7 +67,7 @@ TEST(TrainingPlan, TellsEachParticipant)
     ASSERT_TRUE(plan);
     ASSERT_EQ(plan->size(), 5U);
     const TrainingParticipant &fraba = plan->at(0);
-    EXPECT_EQ(fraba.number, (DeviceNumber{1, 0}));
+    EXPECT_EQ(fraba.number, (NodeId("1.0")));
     EXPECT_EQ(fraba.device, catalog.find(u"fraba-ocd-ib"));
     EXPECT_EQ(fraba.position, 12'345);
     EXPECT_EQ(fraba.serialNumber, 7);
@@ -76,7 +76,7 @@ TEST(TrainingPlan, TellsEachParticipant)
     EXPECT_EQ(plan->at(1).revolutionsPerMinute, -3);
     EXPECT_EQ(plan->at(1).position, 0);
     EXPECT_EQ(plan->at(2).device, nullptr);
-    EXPECT_EQ(plan->at(3).number, (DeviceNumber{3, 1}));
+    EXPECT_EQ(plan->at(3).number, (NodeId("3.1")));
     EXPECT_EQ(plan->at(4).rodMillimetres, 300);
     EXPECT_EQ(plan->at(4).millimetres, 20);
     EXPECT_EQ(plan->at(4).millimetresPerSecond, -5);

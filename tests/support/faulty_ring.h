@@ -15,23 +15,24 @@ struct FaultyRing
 {
     FaultyRing()
     {
-        add({1, 0}, 0);
-        add({2, 0}, 0);
-        ring->add({.number = {3, 0}, .idCode = 0x0C, .deviceCode = 0x000C, .deviceKey = {}},
+        add(NodeId("1.0"), 0);
+        add(NodeId("2.0"), 0);
+        ring->add({.number = NodeId("3.0"), .idCode = 0x0C, .deviceCode = 0x000C, .deviceKey = {}},
                   std::make_unique<SimulatedBusTerminal>());
-        add({3, 1}, 0);
-        add({3, 2}, 0);
-        add({4, 0}, 1);
-        add({5, 0}, 1);
-        add({6, 0}, 0);
+        add(NodeId("3.1"), 0);
+        add(NodeId("3.2"), 0);
+        add(NodeId("4.0"), 1);
+        add(NodeId("5.0"), 1);
+        add(NodeId("6.0"), 0);
         ring->keepConfiguration(QStringLiteral("plant.codewheel"));
     }
-    void add(DeviceNumber number, int level)
+    void add(NodeId node, int level)
     {
+        const DeviceNumber number = DeviceNumber::of(node);
         const bool isLocal = number.position > 0;
         const unsigned idCode = isLocal ? 0xB3 : 0x37;
         ring->add(
-            {.number = number,
+            {.number = node,
              .idCode = idCode,
              .deviceCode = 0x0200 | idCode,
              .inWords = 2,

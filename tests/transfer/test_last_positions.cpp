@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/places.h"
 #include "tests/transfer/transfer_bus.h"
 #include "transfer/last_positions.h"
 
@@ -24,21 +25,21 @@ TEST_F(LastPositionsOfTheRing, AreThoseTheEncodersShow)
     ASSERT_TRUE(positions.at(fraba));
     EXPECT_EQ(positions.at(fraba)->position, encoder(fraba).latest().position);
     EXPECT_FALSE(positions.at(fraba)->beforeItWent);
-    EXPECT_FALSE(positions.at({9, 0}));
+    EXPECT_FALSE(positions.at("9.0"_ring));
 }
 
 TEST_F(LastPositionsOfTheRing, ThePositionBeforeAnEncoderWentIsKeptWhenAnotherOneIsThere)
 {
     pass(100);
     const auto before = encoder(fraba).latest().position;
-    training.controls->setPower(fraba, false);
+    training.controls->setPower(fraba.node, false);
     pass(3000);
     ASSERT_TRUE(positions.at(fraba));
     EXPECT_EQ(positions.at(fraba)->position, before);
     EXPECT_TRUE(positions.at(fraba)->beforeItWent);
 
-    training.controls->turnBy(fraba, 100);
-    training.controls->setPower(fraba, true);
+    training.controls->turnBy(fraba.node, 100);
+    training.controls->setPower(fraba.node, true);
     pass(3000);
     EXPECT_NE(encoder(fraba).latest().position, before);
     EXPECT_EQ(positions.at(fraba)->position, before);
@@ -47,9 +48,9 @@ TEST_F(LastPositionsOfTheRing, ThePositionBeforeAnEncoderWentIsKeptWhenAnotherOn
 TEST_F(LastPositionsOfTheRing, APositionThatIsZeroForAMomentIsNoEncoderThatWent)
 {
     pass(100);
-    training.controls->setPower(fraba, false);
+    training.controls->setPower(fraba.node, false);
     pass(300);
-    training.controls->setPower(fraba, true);
+    training.controls->setPower(fraba.node, true);
     pass(100);
     EXPECT_FALSE(positions.at(fraba)->beforeItWent);
 }
@@ -65,11 +66,11 @@ TEST_F(LastPositionsOfTheRing, AreKeptWithTheProjectWhenItIsSaved)
     const auto before = encoder(fraba).latest().position;
     EXPECT_EQ(withLastPositions(project, positions, bus).devices[0].lastPosition->position, before);
 
-    training.controls->setPower(fraba, false); // it dies, and later another one is there
+    training.controls->setPower(fraba.node, false); // it dies, and later another one is there
     pass(3000);
     EXPECT_EQ(withLastPositions(project, positions, bus).devices[0].lastPosition->position, before);
-    training.controls->turnBy(fraba, 100);
-    training.controls->setPower(fraba, true);
+    training.controls->turnBy(fraba.node, 100);
+    training.controls->setPower(fraba.node, true);
     pass(3000);
     EXPECT_EQ(withLastPositions(project, positions, bus).devices[0].lastPosition->position,
               encoder(fraba).latest().position);

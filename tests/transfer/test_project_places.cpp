@@ -3,6 +3,7 @@
 #include "encoder/refusal_text.h"
 #include "project/project_take_over.h"
 #include "report/live_encoders.h"
+#include "tests/support/places.h"
 #include "tests/transfer/transfer_bus.h"
 #include "transfer/project_places.h"
 #include "transfer/replacement.h"
@@ -23,17 +24,17 @@ protected:
     {
         Project shifted = projectOf(bus.structure());
         for (ProjectDevice &device : shifted.devices)
-            ++device.participant.number.segment;
+            device.participant.number = nextSegment(device.participant.number);
         ProjectDevice &first = *shifted.devices.emplace(shifted.devices.begin());
         first.participant = front;
-        first.participant.number = {1, 0};
+        first.participant.number = NodeId("1.0");
         return shifted;
     }
-    Participant at(DeviceNumber place) const
+    Participant at(Place place) const
     {
-        return *std::ranges::find(bus.structure(), place, &Participant::number);
+        return *std::ranges::find(bus.structure(), place.node, &Participant::number);
     }
-    std::string hindrance(const Project &project, DeviceNumber place) const
+    std::string hindrance(const Project &project, Place place) const
     {
         const auto why = ProjectPlaces(project, bus).hindrance(place);
         return why ? refusalText(*why).toStdString() : std::string();
@@ -45,34 +46,34 @@ TEST_F(PlacesOfAProject, AllStandAtTheirPlacesWhereTheBusIsAsConfigured)
     const Project project = projectOf(bus.structure());
     const ProjectPlaces places(project, bus);
     for (const ProjectDevice &device : project.devices) {
-        EXPECT_FALSE(places.hindrance(device.participant.number));
-        EXPECT_TRUE(places.isAtItsPlace(device.participant.number));
+        EXPECT_FALSE(places.hindrance(device.place()));
+        EXPECT_TRUE(places.isAtItsPlace(device.place()));
     }
-    EXPECT_FALSE(places.hindrance({9, 0})); // not of the project
-    EXPECT_FALSE(places.isAtItsPlace({9, 0}));
+    EXPECT_FALSE(places.hindrance("9.0"_ring)); // not of the project
+    EXPECT_FALSE(places.isAtItsPlace("9.0"_ring));
 }
 
 TEST_F(PlacesOfAProject, ADeviceWithAnotherNumberIsNotTheOneThatHasItNow)
 {
     const Project project = shiftedBy(at(singleTurn));
     EXPECT_EQ(
-        hindrance(project, {1, 0}),
+        hindrance(project, "1.0"_ring),
         "1.0: configured is FRABA OCD-IB K1 (missing now), found was FRABA OCD-IB K3. Compare, and take "
         "over what is right.");
-    EXPECT_EQ(hindrance(project, {2, 0}),
+    EXPECT_EQ(hindrance(project, "2.0"_ring),
               "2.0: configured is FRABA OCD-IB K3 (its number is 1.0 now), found was Baumer GXP6W K3. "
               "Compare, and take over what is right.");
-    EXPECT_EQ(hindrance(project, {8, 0}), "");
+    EXPECT_EQ(hindrance(project, "8.0"_ring), "");
 }
 
 TEST_F(PlacesOfAProject, OfARowOfOneKindWithOneMissingNobodyCanSayWhichItIs)
 {
     Project project = projectOf(bus.structure());
     ProjectDevice third = project.devices[1];
-    third.participant.number = {3, 0};
+    third.participant.number = NodeId("3.0");
     project.devices.insert(project.devices.begin() + 2, third);
     for (std::size_t i = 3; i < project.devices.size(); ++i)
-        ++project.devices[i].participant.number.segment;
+        project.devices[i].participant.number = nextSegment(project.devices[i].participant.number);
     EXPECT_EQ(hindrance(project, fraba),
               "1.0: configured is FRABA OCD-IB K3, found was perhaps another one: beside it, one of the same "
               "kind is missing or additional. Compare, and take over what is right.");
@@ -86,7 +87,7 @@ TEST_F(PlacesOfAProject, NothingGoesFromAProjectToAnotherEncoderNorBack)
     const ProjectPlaces places(project, bus);
     const ProjectDevice &hoist = project.devices[1];
     const Replacement same{&encoder(baumer).device(), 0, 0, {}};
-    const ValuesBefore before{{2, 0}, {}, {}, {{Parameter::steps, 4096}}};
+    const ValuesBefore before{"2.0"_ring, {}, {}, {{Parameter::steps, 4096}}};
     for (const TransferWish &wish :
          {wishOf(hoist, TransferSource::wanted, places), wishOf(hoist, TransferSource::stored, places),
           wishToReplace(hoist, same, std::nullopt, places), wishToRestore(before, places)}) {

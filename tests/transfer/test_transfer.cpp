@@ -187,7 +187,7 @@ TEST_F(Transfer, AnEncoderThatLosesPowerInTheMiddleIsNamedAndTheNextOneIsWritten
     round.start(jobsOf(plan), JobRound::AfterRefusal::goOn);
     for (int i = 0; i < 1000 && round.jobProgress().confirmed.empty(); ++i)
         bus.advance(1);
-    training.controls->powerCycle(baumer);
+    training.controls->powerCycle(baumer.node);
     advance();
     const TransferAccount account = accountOf(bus, TransferKind::write, plan, round.results());
     EXPECT_EQ(account.encoders[0].why->id, RefusalId::restarted);
@@ -258,7 +258,7 @@ TEST_F(Transfer, TellsWhichEncoderRunsAndHowFarItIs)
     EXPECT_EQ(round.progress().encoders, 0);
     const TransferPlan plan = planTransfer(bus, {{.place = baumer, .values = {{Parameter::steps, 4096}}},
                                                  {.place = onLoop, .values = {{Parameter::steps, 100}}}});
-    std::map<DeviceNumber, RoundProgress> last;
+    std::map<Place, RoundProgress> last;
     QObject::connect(&round, &JobRound::progressed, &bus, [&] {
         if (!round.isRunning())
             return;
@@ -270,7 +270,7 @@ TEST_F(Transfer, TellsWhichEncoderRunsAndHowFarItIs)
         last[now.place] = now;
     });
     ASSERT_TRUE(carryOut(plan).isDone());
-    for (const DeviceNumber place : {baumer, onLoop}) {
+    for (const Place place : {baumer, onLoop}) {
         EXPECT_GT(last[place].steps, 0) << place.toString().toStdString();
         EXPECT_EQ(last[place].step, last[place].steps - 1);
     }
@@ -286,7 +286,7 @@ TEST_F(Transfer, AnEncoderIsNamedAfterItsRound)
     ASSERT_TRUE(carryOut(planTransfer(bus, {{.place = fraba, .values = setOf255},
                                             {.place = baumer, .values = {{Parameter::steps, 4096}}}}))
                     .isDone());
-    for (const DeviceNumber place : {fraba, baumer})
+    for (const Place place : {fraba, baumer})
         ASSERT_TRUE(bus.name(place, encoder(place).device().key));
     bus.advance(100);
     EXPECT_EQ(finished, 1);

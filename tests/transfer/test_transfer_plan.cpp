@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/refusal_text.h"
+#include "tests/support/places.h"
 #include "tests/transfer/transfer_bus.h"
 
 namespace codewheel {
@@ -41,7 +42,7 @@ TEST_F(TransferPlanning, ShowsEachValueWithItsWordInTheOrderOfTheDevice)
 
 TEST_F(TransferPlanning, TellsWhyAnEncoderCannotBeWritten)
 {
-    EXPECT_EQ(hindrance({.place = {9, 0}, .values = steps100}),
+    EXPECT_EQ(hindrance({.place = "9.0"_ring, .values = steps100}),
               "9.0 is not in the ring: its segment is switched off, or a fault lies before it.");
     EXPECT_EQ(hindrance({.place = fraba, .deviceCode = 0x0236, .values = steps100}),
               "1.0: configured is K2, make not known, found was FRABA OCD-IB K3. Compare, and take over what "

@@ -71,7 +71,7 @@ TEST_F(ValueStore, CamsAreReadOnlyIfAskedForAndTheModeIsAsBefore)
 TEST_F(ValueStore, StoredValuesComeBackToTheEncoder)
 {
     ProjectDevice device;
-    device.participant.number = baumer;
+    device.standAt(baumer);
     device.stored = {{Parameter::steps, 4096, Evidence::echoed, {}},
                      {Parameter::serialNumber, 4711, Evidence::told, {}}};
     const TransferWish wish = wishOf(device, TransferSource::stored, ProjectPlaces({}, bus));

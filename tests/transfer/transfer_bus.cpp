@@ -6,7 +6,7 @@ namespace codewheel::test {
 TransferBus::TransferBus(BusSession::Start start)
 {
     EXPECT_TRUE(bus.open(start));
-    for (const DeviceNumber number : bus.numbers())
+    for (const Place number : bus.places())
         if (EncoderSession *one = bus.encoder(number))
             QObject::connect(one, &EncoderSession::exchanged, &bus, [this, number](const Exchange &row) {
                 std::vector<Word> &words = m_words[number];
@@ -32,7 +32,7 @@ TransferAccount TransferBus::carryOut(const TransferPlan &plan, JobRound::AfterR
     return accountOf(bus, TransferKind::write, plan, round.results());
 }
 
-QString TransferBus::words(DeviceNumber number) const
+QString TransferBus::words(Place number) const
 {
     QStringList texts;
     if (const auto found = m_words.find(number); found != m_words.end())

@@ -5,17 +5,18 @@
 #include "encoder/hex.h"
 #include "ring/bus_session.h"
 #include "simulator/training_bus.h"
+#include "tests/support/places.h"
 #include "transfer/transfer_account.h"
 
 #include <gtest/gtest.h>
 
 namespace codewheel::test {
 
-inline constexpr DeviceNumber fraba{1, 0};
-inline constexpr DeviceNumber baumer{2, 0};
-inline constexpr DeviceNumber singleTurn{3, 0};
-inline constexpr DeviceNumber rod{5, 0};
-inline constexpr DeviceNumber onLoop{6, 1};
+inline constexpr Place fraba = "1.0"_ring;
+inline constexpr Place baumer = "2.0"_ring;
+inline constexpr Place singleTurn = "3.0"_ring;
+inline constexpr Place rod = "5.0"_ring;
+inline constexpr Place onLoop = "6.1"_ring;
 
 // The training bus in virtual time, and a round of jobs on it.
 class TransferBus : public testing::Test
@@ -23,13 +24,13 @@ class TransferBus : public testing::Test
 protected:
     explicit TransferBus(BusSession::Start start = BusSession::Start::operating);
 
-    EncoderSession &encoder(DeviceNumber number) { return *bus.encoder(number); }
+    EncoderSession &encoder(Place number) { return *bus.encoder(number); }
     // Until it is at its end, or `milliseconds` have passed.
     void advance(int milliseconds = 20'000);
     TransferAccount carryOut(const TransferPlan &plan,
                              JobRound::AfterRefusal afterRefusal = JobRound::AfterRefusal::goOn);
     // What was sent to the encoder so far: "02000FA0 80000000"; 00000000 left out.
-    QString words(DeviceNumber number) const;
+    QString words(Place number) const;
 
     const Catalog catalog = Catalog::builtIn();
     TrainingBus training = makeTrainingBus(catalog);
@@ -37,7 +38,7 @@ protected:
     JobRound round{bus};
 
 private:
-    std::map<DeviceNumber, std::vector<Word>> m_words;
+    std::map<Place, std::vector<Word>> m_words;
 };
 
 } // namespace codewheel::test

@@ -4,18 +4,19 @@
 #include "simulator/fraba_k3.h"
 #include "simulator/simulated_la66.h"
 #include "simulator/simulated_ring_link.h"
+#include "tests/support/places.h"
 #include "tests/widgets/training_bus_session.h"
 
 namespace codewheel::test {
 
-inline constexpr DeviceNumber rodPlace{5, 0};
+inline constexpr Place rodPlace = "5.0"_ring;
 inline constexpr double rodMillimetres = 500;
 
 // A FRABA encoder at 1.0 and a TR LA-66 as it is delivered at 5.0, its magnet standing at the head.
 inline TrainingBus makeRodBus(const Catalog &)
 {
-    const auto participant = [](DeviceNumber number, unsigned idCode, const char *key) {
-        return Participant{.number = number,
+    const auto participant = [](Place number, unsigned idCode, const char *key) {
+        return Participant{.number = number.node,
                            .idCode = idCode,
                            .deviceCode = 0x0200 | idCode,
                            .inWords = 2,

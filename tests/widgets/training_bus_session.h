@@ -5,17 +5,18 @@
 #include "catalog/catalog.h"
 #include "ring/bus_session.h"
 #include "simulator/training_bus.h"
+#include "tests/support/places.h"
 
 #include <gtest/gtest.h>
 
 namespace codewheel::test {
 
-inline constexpr DeviceNumber fraba{1, 0};
-inline constexpr DeviceNumber baumer{2, 0};
-inline constexpr DeviceNumber singleTurn{3, 0}; // K1
-inline constexpr DeviceNumber multiTurn{4, 0};  // K2
-inline constexpr DeviceNumber busTerminal{6, 0};
-inline constexpr DeviceNumber onLoop{6, 1};
+inline constexpr Place fraba = "1.0"_ring;
+inline constexpr Place baumer = "2.0"_ring;
+inline constexpr Place singleTurn = "3.0"_ring; // K1
+inline constexpr Place multiTurn = "4.0"_ring;  // K2
+inline constexpr Place busTerminal = "6.0"_ring;
+inline constexpr Place onLoop = "6.1"_ring;
 
 // The training bus in virtual time, for tests of views.
 class TrainingBusSession
@@ -29,8 +30,8 @@ public:
         bus.advance(10);
     }
 
-    WordChannel &channel(DeviceNumber number) const { return *bus.channel(number); }
-    EncoderSession &encoder(DeviceNumber number) const { return *bus.encoder(number); }
+    WordChannel &channel(Place number) const { return *bus.channel(number); }
+    EncoderSession &encoder(Place number) const { return *bus.encoder(number); }
 
     const Catalog catalog = Catalog::builtIn();
     TrainingBus training;

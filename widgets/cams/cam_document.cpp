@@ -22,7 +22,7 @@ void keep(std::vector<CamProgram> &kept, const CamProgram &program)
 
 } // namespace
 
-CamDocument::CamDocument(ProjectDocument &project, DeviceNumber number, QObject *parent)
+CamDocument::CamDocument(ProjectDocument &project, Place number, QObject *parent)
     : QObject(parent)
     , m_project(project)
     , m_number(number)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "encoder/cam_program.h"
-#include "encoder/device_number.h"
+#include "encoder/place.h"
 #include "widgets/project/project_document.h"
 
 #include <array>
@@ -21,7 +21,7 @@ public:
     using Gesture = ProjectDocument::Gesture;
     static constexpr Gesture noGesture = ProjectDocument::noGesture;
 
-    CamDocument(ProjectDocument &project, DeviceNumber number, QObject *parent = nullptr);
+    CamDocument(ProjectDocument &project, Place number, QObject *parent = nullptr);
 
     const CamProgram &program(unsigned number) const; // 1..8
     // what: the name of the step, for undo: "Move cam 3".
@@ -40,7 +40,7 @@ private:
     void take();
 
     ProjectDocument &m_project;
-    DeviceNumber m_number;
+    Place m_number;
     std::array<CamProgram, CamProgram::programs> m_programs;
 };
 

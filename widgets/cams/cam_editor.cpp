@@ -27,7 +27,7 @@
 
 namespace codewheel {
 
-CamEditor::Work &CamEditor::workOf(DeviceNumber number)
+CamEditor::Work &CamEditor::workOf(Place number)
 {
     auto &work = m_works[number];
     if (!work)
@@ -59,7 +59,7 @@ void CamEditor::setEncoder(const ShownEncoder &encoder)
         m_pages->setCurrentWidget(m_empty);
         return;
     }
-    Work &work = workOf(encoder.number());
+    Work &work = workOf(encoder.place());
     m_sheet->setDocument(work.document);
     m_sheet->setNumber(work.program);
     m_range->begin(work.toldLargest);
@@ -94,7 +94,7 @@ void CamEditor::chooseProgram(unsigned number)
         return;
     withdraw(Cause::input);
     if (m_encoder.isThere())
-        workOf(m_encoder.number()).program = number;
+        workOf(m_encoder.place()).program = number;
     m_sheet->setNumber(number);
     showLive();
 }
@@ -111,7 +111,7 @@ void CamEditor::showKnown()
 
 void CamEditor::showRange()
 {
-    const DeviceNumber number = m_encoder.number();
+    const Place number = m_encoder.place();
     const auto largest = largestPosition(m_encoder, m_project.device(number));
     const auto told = workOf(number).toldLargest;
     m_sheet->setLargest(largest ? largest : told);
@@ -130,7 +130,7 @@ void CamEditor::tellLargest(std::int64_t largest)
                 .arg(cam_texts::position(largest), cam_texts::position(*position)));
         return;
     }
-    workOf(m_encoder.number()).toldLargest = largest;
+    workOf(m_encoder.place()).toldLargest = largest;
     showRange();
     showLive();
 }
@@ -302,12 +302,12 @@ void CamEditor::start(CamJobs::Purpose purpose, const Job &job)
         say(Cause::refusal, Role::attention, refusalText(taken.error()));
 }
 
-void CamEditor::finished(DeviceNumber number, CamJobs::Purpose purpose, const Outcome &outcome)
+void CamEditor::finished(Place number, CamJobs::Purpose purpose, const Outcome &outcome)
 {
     CamDocument &document = workOf(number).document;
     if (outcome.result && purpose == CamJobs::Purpose::read)
         document.setPrograms(outcome.camsRead, tr("Read from the encoder"));
-    if (!session() || session()->number() != number)
+    if (!session() || session()->place() != number)
         return; // the messages tell it
     const bool isStuck =
         outcome.leftIn == EncoderState::parameterization || outcome.leftIn == EncoderState::error;

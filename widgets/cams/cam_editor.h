@@ -57,7 +57,7 @@ private:
     // What is kept for an encoder while the program runs.
     struct Work
     {
-        Work(ProjectDocument &project, DeviceNumber number)
+        Work(ProjectDocument &project, Place number)
             : document(project, number)
         {}
         CamDocument document;
@@ -72,7 +72,7 @@ private:
     void makePages();
     void connectParts();
     void connectSession(EncoderSession &session);
-    Work &workOf(DeviceNumber number);
+    Work &workOf(Place number);
 
     void chooseProgram(unsigned number);
     void showKnown();
@@ -104,7 +104,7 @@ private:
     // Asks for the mode afterwards where the mode is not known.
     void withModeAfterwards(std::function<void(const SwitchMode &)> then);
     void start(CamJobs::Purpose purpose, const Job &job);
-    void finished(DeviceNumber number, CamJobs::Purpose purpose, const Outcome &outcome);
+    void finished(Place number, CamJobs::Purpose purpose, const Outcome &outcome);
 
     void say(Cause cause, Role role, const QString &sentence, const QString &action = {});
     void withdraw(Cause cause); // its message, if that is the one which is shown
@@ -113,7 +113,7 @@ private:
     const Catalog &m_catalog;
     ProjectDocument &m_project;
     ShownEncoder m_encoder; // with cams, or none
-    std::map<DeviceNumber, std::unique_ptr<Work>> m_works;
+    std::map<Place, std::unique_ptr<Work>> m_works;
     CamSheet *m_sheet;
     AgeTimer *m_age;
     CamJobs *m_jobs;

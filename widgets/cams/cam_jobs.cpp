@@ -8,14 +8,14 @@ Result<void> CamJobs::start(EncoderSession &encoder, Purpose purpose, const Job 
     const auto started = encoder.start(job);
     if (!started)
         return tl::unexpected(started.error());
-    const DeviceNumber number = encoder.number();
+    const Place number = encoder.place();
     const auto connection = connect(&encoder, &EncoderSession::finished, this,
                                     [this, number](const Outcome &outcome) { finish(number, outcome); });
     m_running.insert_or_assign(number, Running{*started, purpose, connection});
     return {};
 }
 
-void CamJobs::finish(DeviceNumber number, const Outcome &outcome)
+void CamJobs::finish(Place number, const Outcome &outcome)
 {
     const auto found = m_running.find(number);
     if (found == m_running.end() || found->second.job != outcome.job)

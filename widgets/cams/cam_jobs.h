@@ -22,7 +22,7 @@ public:
     Result<void> start(EncoderSession &encoder, Purpose purpose, const Job &job);
 
 Q_SIGNALS:
-    void ended(codewheel::DeviceNumber number, codewheel::CamJobs::Purpose purpose,
+    void ended(codewheel::Place number, codewheel::CamJobs::Purpose purpose,
                const codewheel::Outcome &outcome);
 
 private:
@@ -32,9 +32,9 @@ private:
         Purpose purpose = Purpose::read;
         QMetaObject::Connection connection;
     };
-    void finish(DeviceNumber number, const Outcome &outcome);
+    void finish(Place number, const Outcome &outcome);
 
-    std::map<DeviceNumber, Running> m_running;
+    std::map<Place, Running> m_running;
 };
 
 // The mode the encoder is in, as what a job is to leave it in; nothing where it is not known.

@@ -41,7 +41,7 @@ DevicePanel::DevicePanel(BusSession &bus, QWidget *parent)
     rows->addWidget(m_empty, 1);
     setFocusProxy(m_naming);
     connect(m_naming, &NamingBar::lookedUp, this, &DevicePanel::showDevice);
-    connect(&bus, &BusSession::named, this, [this](DeviceNumber number) {
+    connect(&bus, &BusSession::named, this, [this](Place number) {
         if (m_number == number)
             setPlace(number, m_planned);
     });
@@ -51,7 +51,7 @@ DevicePanel::DevicePanel(BusSession &bus, QWidget *parent)
     showDevice();
 }
 
-void DevicePanel::setPlace(std::optional<DeviceNumber> number, std::optional<DeviceDescription> planned)
+void DevicePanel::setPlace(std::optional<Place> number, std::optional<DeviceDescription> planned)
 {
     m_number = number;
     m_planned = std::move(planned);
@@ -64,8 +64,9 @@ void DevicePanel::setPlace(std::optional<DeviceNumber> number, std::optional<Dev
 void DevicePanel::showLeds()
 {
     const RingStructure &ring = m_bus.structure();
-    const auto found = std::ranges::find_if(
-        ring, [this](const Participant &other) { return m_number && other.number == *m_number; });
+    const auto found = std::ranges::find_if(ring, [this](const Participant &other) {
+        return m_number && m_bus.placeOf(other.number) == *m_number;
+    });
     const auto place = static_cast<std::size_t>(found - ring.begin());
     const bool isConnected = m_bus.isOpen() && !m_planned && place < m_bus.latest().devices.size();
     const bool isShown = isConnected && hasRemoteBusLeds(m_bus.encoder(found->number));

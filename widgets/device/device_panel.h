@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalog/device_description.h"
-#include "encoder/device_number.h"
+#include "encoder/place.h"
 
 #include <QWidget>
 
@@ -28,7 +28,7 @@ public:
     explicit DevicePanel(BusSession &bus, QWidget *parent = nullptr);
 
     // planned: what stands there by the project, where it is not connected; it can be looked at, not named.
-    void setPlace(std::optional<DeviceNumber> number, std::optional<DeviceDescription> planned = {});
+    void setPlace(std::optional<Place> number, std::optional<DeviceDescription> planned = {});
     // For whoever asked to name the device.
     void focusNaming();
 
@@ -42,7 +42,7 @@ private:
     std::optional<DeviceDescription> shown() const;
 
     BusSession &m_bus;
-    std::optional<DeviceNumber> m_number;
+    std::optional<Place> m_number;
     std::optional<DeviceDescription> m_planned;
     std::optional<DeviceDescription> m_toFill; // the page with, once it is seen
     NamingBar *m_naming;

@@ -21,11 +21,11 @@
 
 namespace codewheel {
 
-const Participant *participantAt(const BusSession &bus, std::optional<DeviceNumber> number)
+const Participant *participantAt(const BusSession &bus, std::optional<Place> number)
 {
     const RingStructure &ring = bus.structure();
     const auto found = std::ranges::find_if(
-        ring, [number](const Participant &participant) { return number && participant.number == *number; });
+        ring, [&](const Participant &participant) { return bus.placeOf(participant.number) == number; });
     return found == ring.end() ? nullptr : &*found;
 }
 
@@ -81,7 +81,7 @@ NamingBar::NamingBar(BusSession &bus, QWidget *parent)
     setPlace({});
 }
 
-void NamingBar::setPlace(std::optional<DeviceNumber> number)
+void NamingBar::setPlace(std::optional<Place> number)
 {
     m_number = number;
     m_key->clear();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalog/label_key.h"
-#include "encoder/device_number.h"
+#include "encoder/place.h"
 
 #include <QWidget>
 
@@ -18,7 +18,7 @@ class InlineMessage;
 struct Participant;
 
 // Null where there is no such device.
-const Participant *participantAt(const BusSession &bus, std::optional<DeviceNumber> number);
+const Participant *participantAt(const BusSession &bus, std::optional<Place> number);
 // A bus terminal has no make that matters and nothing to describe.
 bool isBusTerminal(const Participant *participant);
 
@@ -33,7 +33,7 @@ public:
     explicit NamingBar(BusSession &bus, QWidget *parent = nullptr);
 
     // The device to be named; nothing: keys are only looked up.
-    void setPlace(std::optional<DeviceNumber> number);
+    void setPlace(std::optional<Place> number);
     void focusKey();
     // What the typed key stands for; null where it is empty or not understood.
     const LabelMatch *looked() const { return m_matches.empty() ? nullptr : &m_matches.front(); }
@@ -50,7 +50,7 @@ private:
     void ask();
 
     BusSession &m_bus;
-    std::optional<DeviceNumber> m_number;
+    std::optional<Place> m_number;
     std::vector<LabelMatch> m_matches;
     std::optional<Refusal> m_problem; // of the typed key
     QLabel *m_question;

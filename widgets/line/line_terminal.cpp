@@ -110,7 +110,7 @@ void LineTerminal::send()
 
 void LineTerminal::askBeforeWrite(const esc::Request &request)
 {
-    const QString place = DeviceNumber::onLine(request.to).toString();
+    const QString place = placeOnLine(request.to).toString();
     if (!m_line->isOperating())
         m_message->showMessage(Role::attention,
                                refusalText({RefusalKind::busy, RefusalId::watchOnly, {place}}));

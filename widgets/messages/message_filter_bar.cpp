@@ -76,8 +76,8 @@ void MessageFilterBar::makeChoices()
     m_severity->addItem(tr("All messages"), QVariant::fromValue(Severity::information));
     m_severity->addItem(tr("Attention and faults"), QVariant::fromValue(Severity::attention));
     m_severity->addItem(tr("Faults only"), QVariant::fromValue(Severity::fault));
-    m_place->addItem(tr("All places"), QVariant::fromValue(MessageFilter::Place{}));
-    m_place->addItem(tr("Bus"), QVariant::fromValue(MessageFilter::Place{.all = false}));
+    m_place->addItem(tr("All places"), QVariant::fromValue(MessageFilter::Where{}));
+    m_place->addItem(tr("Bus"), QVariant::fromValue(MessageFilter::Where{.all = false}));
     m_period->addItem(tr("All times"), QVariant::fromValue(Period::all));
     m_period->addItem(tr("Since the start"), QVariant::fromValue(Period::sinceStart));
     m_period->addItem(tr("Last hour"), QVariant::fromValue(Period::lastHour));
@@ -146,7 +146,7 @@ void MessageFilterBar::choosePeriod()
 MessageFilter MessageFilterBar::filter() const
 {
     MessageFilter filter{.least = m_severity->currentData().value<Severity>(),
-                         .place = m_place->currentData().value<MessageFilter::Place>(),
+                         .place = m_place->currentData().value<MessageFilter::Where>(),
                          .text = m_search->text().trimmed()};
     if (m_since)
         filter.from = m_since->toMSecsSinceEpoch();
@@ -157,18 +157,18 @@ MessageFilter MessageFilterBar::filter() const
     return filter;
 }
 
-void MessageFilterBar::setPlaces(const std::vector<DeviceNumber> &places)
+void MessageFilterBar::setPlaces(const std::vector<Place> &places)
 {
-    for (const DeviceNumber place : places) {
+    for (const Place place : places) {
         const auto before = [&](int index) {
-            return *m_place->itemData(index).value<MessageFilter::Place>().number < place;
+            return *m_place->itemData(index).value<MessageFilter::Where>().at < place;
         };
         int index = firstPlace;
         while (index < m_place->count() && before(index))
             ++index;
         if (m_place->itemText(index) != place.toString())
             m_place->insertItem(index, place.toString(),
-                                QVariant::fromValue(MessageFilter::Place{.all = false, .number = place}));
+                                QVariant::fromValue(MessageFilter::Where{.all = false, .at = place}));
     }
 }
 

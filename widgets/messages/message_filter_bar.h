@@ -23,7 +23,7 @@ public:
     explicit MessageFilterBar(QWidget *parent = nullptr);
 
     MessageFilter filter() const;
-    void setPlaces(const std::vector<DeviceNumber> &places); // that can be chosen
+    void setPlaces(const std::vector<Place> &places); // that can be chosen
     void showAll();
     QAction *findAction() const { return m_find; }
     QHBoxLayout &row() { return *m_row; }

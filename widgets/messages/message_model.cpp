@@ -95,9 +95,9 @@ bool MessageModel::isEmpty() const
     return m_span.last < firstShown() || m_span.last == 0;
 }
 
-std::vector<DeviceNumber> MessageModel::places() const
+std::vector<Place> MessageModel::places() const
 {
-    return m_table ? m_table->places() : std::vector<DeviceNumber>();
+    return m_table ? m_table->places() : std::vector<Place>();
 }
 
 qint64 MessageModel::firstShown() const

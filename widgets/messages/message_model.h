@@ -46,7 +46,7 @@ public:
     void bringBack();
 
     bool isEmpty() const; // nothing to show, even without the filter
-    std::vector<DeviceNumber> places() const;
+    std::vector<Place> places() const;
 
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;

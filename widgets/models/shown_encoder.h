@@ -21,15 +21,15 @@ public:
     ShownEncoder(EncoderSession *session)
         : m_session(session)
     {}
-    ShownEncoder(DeviceNumber number, const DeviceDescription &planned)
-        : m_number(number)
+    ShownEncoder(Place number, const DeviceDescription &planned)
+        : m_place(number)
         , m_planned(std::make_shared<const DeviceDescription>(planned))
     {}
 
     bool isThere() const { return m_session || m_planned; }
     EncoderSession *session() const { return m_session; } // null: not connected
     // Of one that is there:
-    DeviceNumber number() const { return m_session ? m_session->number() : m_number; }
+    Place place() const { return m_session ? m_session->place() : m_place; }
     const DeviceDescription &device() const { return m_session ? m_session->device() : *m_planned; }
     const Capabilities &can() const { return m_session ? m_session->can() : m_planned->capabilities; }
     std::optional<Known> known(Parameter parameter) const
@@ -40,13 +40,13 @@ public:
     friend bool operator==(const ShownEncoder &left, const ShownEncoder &right)
     {
         const bool arePlanned = left.m_planned && right.m_planned;
-        return left.m_session == right.m_session && left.m_number == right.m_number &&
+        return left.m_session == right.m_session && left.m_place == right.m_place &&
                (arePlanned ? *left.m_planned == *right.m_planned : left.m_planned == right.m_planned);
     }
 
 private:
     QPointer<EncoderSession> m_session;
-    DeviceNumber m_number;
+    Place m_place;
     std::shared_ptr<const DeviceDescription> m_planned; // null: connected, or none
 };
 

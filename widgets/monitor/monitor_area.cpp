@@ -76,11 +76,11 @@ MonitorArea::MonitorArea(EncoderBus &bus, QWidget *parent)
 }
 
 // A device that was named has another session and other words: its monitors are made anew, in their places.
-void MonitorArea::openAgain(DeviceNumber number)
+void MonitorArea::openAgain(Place number)
 {
     const auto before = m_monitors;
     for (WordMonitor *monitor : before) {
-        if (monitor->number() != number)
+        if (monitor->place() != number)
             continue;
         const int row = m_column->indexOf(monitor);
         const auto place = std::ranges::find(m_monitors, monitor) - m_monitors.begin();
@@ -102,7 +102,7 @@ void MonitorArea::followDevices()
     for (WordMonitor *monitor : before) {
         if (std::ranges::find(m_monitors, monitor) == m_monitors.end())
             continue; // made anew with another of its device
-        const DeviceNumber number = monitor->number();
+        const Place number = monitor->place();
         if (!hasWord(number, monitor->kind()))
             remove(monitor);
         else if (monitor->channel() != m_bus.channel(number) || monitor->encoder() != m_bus.encoder(number))
@@ -126,7 +126,7 @@ void MonitorArea::makeBar()
 void MonitorArea::fillAddMenu()
 {
     m_addMenu->clear();
-    for (const DeviceNumber number : m_bus.numbers())
+    for (const Place number : m_bus.places())
         for (const MonitorKind kind : everyKind) {
             if (!hasWord(number, kind))
                 continue;
@@ -140,7 +140,7 @@ void MonitorArea::fillAddMenu()
         m_addMenu->addAction(tr("There is no device on the bus"))->setEnabled(false);
 }
 
-bool MonitorArea::hasWord(DeviceNumber number, MonitorKind kind) const
+bool MonitorArea::hasWord(Place number, MonitorKind kind) const
 {
     const WordChannel *channel = m_bus.channel(number);
     if (!channel)
@@ -156,7 +156,7 @@ bool MonitorArea::hasWord(DeviceNumber number, MonitorKind kind) const
     return channel->inWords() >= 1;
 }
 
-void MonitorArea::openMonitor(DeviceNumber number, MonitorKind kind)
+void MonitorArea::openMonitor(Place number, MonitorKind kind)
 {
     m_message->withdraw();
     WordMonitor *opened = monitor(number, kind);
@@ -171,14 +171,14 @@ void MonitorArea::openMonitor(DeviceNumber number, MonitorKind kind)
     opened->setFocus();
 }
 
-void MonitorArea::openWords(DeviceNumber number)
+void MonitorArea::openWords(Place number)
 {
     openMonitor(number, hasWord(number, MonitorKind::in32) ? MonitorKind::in32 : MonitorKind::in16);
     if (hasWord(number, MonitorKind::out32))
         openMonitor(number, MonitorKind::out32);
 }
 
-QString MonitorArea::whyNot(DeviceNumber number, MonitorKind kind) const
+QString MonitorArea::whyNot(Place number, MonitorKind kind) const
 {
     if (number.isOnLine())
         return tr("%1 is on a serial line and has no words: its position stands in the panels, what passes "
@@ -198,7 +198,7 @@ QString MonitorArea::whyNot(DeviceNumber number, MonitorKind kind) const
 
 void MonitorArea::openFirst()
 {
-    for (const DeviceNumber number : m_bus.numbers()) {
+    for (const Place number : m_bus.places()) {
         if (!hasWord(number, MonitorKind::in32) || !hasWord(number, MonitorKind::out32))
             continue;
         for (const MonitorKind kind : {MonitorKind::in32, MonitorKind::out32})
@@ -208,7 +208,7 @@ void MonitorArea::openFirst()
     }
 }
 
-WordMonitor *MonitorArea::addMonitor(DeviceNumber number, MonitorKind kind)
+WordMonitor *MonitorArea::addMonitor(Place number, MonitorKind kind)
 {
     WordChannel *channel = m_bus.channel(number);
     EncoderSession *encoder = m_bus.encoder(number);
@@ -234,7 +234,7 @@ void MonitorArea::remove(WordMonitor *monitor)
     showWhetherEmpty();
 }
 
-void MonitorArea::closeMonitor(DeviceNumber number, MonitorKind kind)
+void MonitorArea::closeMonitor(Place number, MonitorKind kind)
 {
     if (WordMonitor *open = monitor(number, kind))
         remove(open);
@@ -246,10 +246,10 @@ void MonitorArea::closeAll()
         remove(m_monitors.back());
 }
 
-WordMonitor *MonitorArea::monitor(DeviceNumber number, MonitorKind kind) const
+WordMonitor *MonitorArea::monitor(Place number, MonitorKind kind) const
 {
     const auto found = std::ranges::find_if(m_monitors, [number, kind](const WordMonitor *monitor) {
-        return monitor->number() == number && monitor->kind() == kind;
+        return monitor->place() == number && monitor->kind() == kind;
     });
     return found == m_monitors.end() ? nullptr : *found;
 }
@@ -277,7 +277,7 @@ QJsonObject MonitorArea::state() const
 {
     QJsonArray monitors;
     for (const WordMonitor *monitor : m_monitors) {
-        QJsonObject json{{placeKey, monitor->number().toString()},
+        QJsonObject json{{placeKey, monitor->place().toString()},
                          {kindKey, monitorKindText(monitor->kind())}};
         if (monitor->isHighHalf())
             json.insert(highHalfKey, true);
@@ -297,7 +297,7 @@ void MonitorArea::restoreState(const QJsonObject &state)
         if (const QJsonValue display = displays.value(monitorKindText(kind)); display.isObject())
             setDisplay(kind, MonitorDisplay::fromJson(display.toObject()));
     for (const QJsonValue json : state.value(monitorsKey).toArray()) {
-        const auto number = DeviceNumber::parse(json[placeKey].toString());
+        const auto number = Place::parse(json[placeKey].toString());
         const auto kind = monitorKindFromText(json[kindKey].toString());
         if (number && kind && hasWord(*number, *kind) && !monitor(*number, *kind))
             addMonitor(*number, *kind)->setHighHalf(json[highHalfKey].toBool());

@@ -28,14 +28,14 @@ public:
     explicit MonitorArea(EncoderBus &bus, QWidget *parent = nullptr);
 
     // Opens it at the end, or brings it into view where it is open already; says on the spot why it cannot.
-    void openMonitor(DeviceNumber number, MonitorKind kind);
+    void openMonitor(Place number, MonitorKind kind);
     // All words the device has: IN 32, or IN 16 where there is no more, and OUT 32.
-    void openWords(DeviceNumber number);
+    void openWords(Place number);
     // At first start: IN 32 and OUT 32 of the first device that has both.
     void openFirst();
-    void closeMonitor(DeviceNumber number, MonitorKind kind);
+    void closeMonitor(Place number, MonitorKind kind);
     void closeAll();
-    WordMonitor *monitor(DeviceNumber number, MonitorKind kind) const; // null: not open
+    WordMonitor *monitor(Place number, MonitorKind kind) const; // null: not open
     const std::vector<WordMonitor *> &monitors() const { return m_monitors; }
 
     // Which monitors are open, and what each kind shows; for the window to keep.
@@ -45,13 +45,13 @@ public:
 
 private:
     void makeBar();
-    void openAgain(DeviceNumber number);
+    void openAgain(Place number);
     void followDevices();
     void fillAddMenu();
-    WordMonitor *addMonitor(DeviceNumber number, MonitorKind kind);
+    WordMonitor *addMonitor(Place number, MonitorKind kind);
     void remove(WordMonitor *monitor);
-    QString whyNot(DeviceNumber number, MonitorKind kind) const;
-    bool hasWord(DeviceNumber number, MonitorKind kind) const;
+    QString whyNot(Place number, MonitorKind kind) const;
+    bool hasWord(Place number, MonitorKind kind) const;
     void setDisplay(MonitorKind kind, const MonitorDisplay &display);
     void showPicture();
     void showWhetherEmpty();

@@ -42,7 +42,7 @@ int bitsOf(MonitorKind kind)
     return kind == MonitorKind::in16 ? 16 : 32;
 }
 
-QString wordPlace(MonitorKind kind, DeviceNumber number)
+QString wordPlace(MonitorKind kind, Place number)
 {
     const QString direction =
         directionOf(kind) == WordDirection::out ? QStringLiteral("OUT") : QStringLiteral("IN");

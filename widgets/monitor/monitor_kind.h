@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/device_number.h"
+#include "encoder/place.h"
 #include "words/k3_word.h"
 
 namespace codewheel {
@@ -17,6 +17,6 @@ WordDirection directionOf(MonitorKind kind);
 int bitsOf(MonitorKind kind);
 
 // "OUT 1.0": names word, bits and fields, on the screen and for screen readers.
-QString wordPlace(MonitorKind kind, DeviceNumber number);
+QString wordPlace(MonitorKind kind, Place number);
 
 } // namespace codewheel

@@ -44,18 +44,18 @@ WordMonitor::WordMonitor(WordChannel &channel, EncoderSession *encoder, const De
     , m_encoder(encoder)
     , m_device(device)
     , m_kind(kind)
-    , m_number(channel.number())
-    , m_place(wordPlace(kind, m_number))
+    , m_place(channel.place())
+    , m_wordName(wordPlace(kind, m_place))
     , m_menu(new DisplayMenu(kind, this))
     , m_bits(new WordView(wordForm(kind, device), this))
     , m_meaning(new MeaningLine(this))
-    , m_numbers(new NumberFields(m_place, wordForm(kind, device), isOut(), this))
+    , m_places(new NumberFields(m_wordName, wordForm(kind, device), isOut(), this))
     , m_message(new InlineMessage(this))
     , m_age(new AgeTimer(this))
 {
     setFrameShape(QFrame::StyledPanel);
-    setAccessibleName(tr("Monitor %1", "Monitor OUT 1.0").arg(m_place));
-    m_bits->setPlace(m_place);
+    setAccessibleName(tr("Monitor %1", "Monitor OUT 1.0").arg(m_wordName));
+    m_bits->setPlace(m_wordName);
     m_bits->setEditable(isOut());
     setFocusProxy(m_bits);
     m_bits->setBitText([this](int bit) {
@@ -63,7 +63,7 @@ WordMonitor::WordMonitor(WordChannel &channel, EncoderSession *encoder, const De
     });
     if (kind == MonitorKind::in32) {
         m_bar = new BarView(this);
-        m_bar->setPlace(m_place);
+        m_bar->setPlace(m_wordName);
     }
     if (isOut())
         makeSender();
@@ -86,8 +86,8 @@ QHBoxLayout *WordMonitor::makeTitle()
 {
     auto *row = new QHBoxLayout;
     row->setSpacing(grid::groupGap);
-    auto *title =
-        new QLabel(m_device ? QStringLiteral("%1  %2").arg(m_place, m_device->fullName()) : m_place, this);
+    auto *title = new QLabel(
+        m_device ? QStringLiteral("%1  %2").arg(m_wordName, m_device->fullName()) : m_wordName, this);
     QFont strong = title->font();
     strong.setBold(true);
     title->setFont(strong);
@@ -95,7 +95,7 @@ QHBoxLayout *WordMonitor::makeTitle()
     row->addWidget(title, 1);
 
     if (m_kind == MonitorKind::in16 && m_channel->inWords() > 1) {
-        m_half = describe(new QComboBox(this), tr("%1 half", "IN 1.0 half").arg(m_place),
+        m_half = describe(new QComboBox(this), tr("%1 half", "IN 1.0 half").arg(m_wordName),
                           tr("Which half of the 32 bits is shown"));
         m_half->addItems({QStringLiteral("D31..D16"), QStringLiteral("D15..D0")});
         m_half->setCurrentIndex(1);
@@ -103,7 +103,7 @@ QHBoxLayout *WordMonitor::makeTitle()
         connect(m_half, &QComboBox::currentIndexChanged, this, [this] { showWord(0); });
     }
 
-    auto *show = describe(new QToolButton(this), tr("Show of %1", "Show of OUT 1.0").arg(m_place),
+    auto *show = describe(new QToolButton(this), tr("Show of %1", "Show of OUT 1.0").arg(m_wordName),
                           tr("Choose what this kind of monitor shows"));
     show->setText(tr("Show"));
     show->setMenu(m_menu);
@@ -113,7 +113,8 @@ QHBoxLayout *WordMonitor::makeTitle()
     row->addWidget(show);
 
     auto *close = new QToolButton(this);
-    describe(close, tr("Close monitor %1", "Close monitor OUT 1.0").arg(m_place), tr("Close this monitor"));
+    describe(close, tr("Close monitor %1", "Close monitor OUT 1.0").arg(m_wordName),
+             tr("Close this monitor"));
     close->setIcon(lineIcon(Icon::cancel));
     close->setAutoRaise(true);
     close->setFocusPolicy(Qt::StrongFocus);
@@ -132,7 +133,7 @@ void WordMonitor::makeBody(QHBoxLayout *title)
     rows->addWidget(m_meaning);
     if (m_bar)
         rows->addWidget(m_bar);
-    rows->addWidget(m_numbers);
+    rows->addWidget(m_places);
     if (m_channel->outWords() == 0)
         rows->addWidget(makeNoOutNote());
     if (m_sender)
@@ -142,8 +143,8 @@ void WordMonitor::makeBody(QHBoxLayout *title)
 
 QLabel *WordMonitor::makeNoOutNote()
 {
-    auto *note = new QLabel(
-        tr("%1 has no OUT word: nothing can be sent to it.", "1.0").arg(m_number.toString()), this);
+    auto *note =
+        new QLabel(tr("%1 has no OUT word: nothing can be sent to it.", "1.0").arg(m_place.toString()), this);
     note->setObjectName(QStringLiteral("noOut"));
     note->setWordWrap(true);
     note->setFont(textFont(TextSize::small));
@@ -152,7 +153,7 @@ QLabel *WordMonitor::makeNoOutNote()
 
 void WordMonitor::makeSender()
 {
-    m_sender = new WordSender(*m_channel, m_place, wordForm(m_kind, m_device), this);
+    m_sender = new WordSender(*m_channel, m_wordName, wordForm(m_kind, m_device), this);
     m_sender->setGate([this](Word word) {
         return !m_encoder || askForEeprom(window(), *m_encoder, mostEepromWrites(*m_encoder, word));
     });
@@ -174,10 +175,10 @@ void WordMonitor::makeSender()
         m_channel->stage(shownWord() ^ (Word{1} << bit));
         m_sender->edited();
     });
-    connect(m_numbers, &NumberFields::wordTyped, this, &WordMonitor::stageTyped);
-    connect(m_numbers, &NumberFields::problemChanged, this, &WordMonitor::showProblem);
-    connect(m_numbers, &NumberFields::entered, m_sender, &WordSender::edited);
-    connect(m_numbers->hexadecimal(), &QLineEdit::editingFinished, this, [this] { m_isTyping = false; });
+    connect(m_places, &NumberFields::wordTyped, this, &WordMonitor::stageTyped);
+    connect(m_places, &NumberFields::problemChanged, this, &WordMonitor::showProblem);
+    connect(m_places, &NumberFields::entered, m_sender, &WordSender::edited);
+    connect(m_places->hexadecimal(), &QLineEdit::editingFinished, this, [this] { m_isTyping = false; });
     connect(m_sender, &WordSender::refused, this, &WordMonitor::showRefusal);
     connect(m_sender, &WordSender::askedFor, this, &WordMonitor::askBeforeSending);
     connect(m_sender, &WordSender::sent, this, [this] {
@@ -185,7 +186,7 @@ void WordMonitor::makeSender()
         withdraw(Cause::refusal);
         withdraw(Cause::question);
     });
-    connect(m_sender, &WordSender::discarded, m_numbers, &NumberFields::restore);
+    connect(m_sender, &WordSender::discarded, m_places, &NumberFields::restore);
     connect(m_message, &InlineMessage::actionTriggered, m_sender, &WordSender::write);
 }
 
@@ -224,7 +225,7 @@ void WordMonitor::setDisplay(const MonitorDisplay &display)
     m_display = display;
     m_menu->setDisplay(display);
     m_bits->setMatrix(display.matrix);
-    m_numbers->setDisplay(display);
+    m_places->setDisplay(display);
     if (m_bar)
         m_bar->setVisible(display.bar);
 }
@@ -314,8 +315,8 @@ void WordMonitor::showWord(Word edges)
     const auto part = [this, mask](Word word) { return word >> shift() & mask; };
     m_bits->setWord(part(shownWord()), part(onBus()), part(edges), m_now);
     m_bits->setOld(isOld());
-    m_numbers->setWord(part(shownWord()));
-    m_numbers->setOld(isOld());
+    m_places->setWord(part(shownWord()));
+    m_places->setOld(isOld());
     m_meaning->setText(explain());
 }
 

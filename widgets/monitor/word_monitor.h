@@ -38,7 +38,7 @@ public:
     WordMonitor(WordChannel &channel, EncoderSession *encoder, const DeviceDescription *device,
                 MonitorKind kind, QWidget *parent = nullptr);
 
-    DeviceNumber number() const { return m_number; }
+    Place place() const { return m_place; }
     MonitorKind kind() const { return m_kind; }
     const WordChannel *channel() const { return m_channel; } // null: it has ended
     const EncoderSession *encoder() const { return m_encoder; }
@@ -91,13 +91,13 @@ private:
     QPointer<EncoderSession> m_encoder;
     const DeviceDescription *m_device;
     MonitorKind m_kind;
-    DeviceNumber m_number;
-    QString m_place;
+    Place m_place;
+    QString m_wordName;
     DisplayMenu *m_menu;
     QComboBox *m_half = nullptr;
     WordView *m_bits;
     MeaningLine *m_meaning;
-    NumberFields *m_numbers;
+    NumberFields *m_places;
     BarView *m_bar = nullptr;
     WordSender *m_sender = nullptr;
     InlineMessage *m_message;

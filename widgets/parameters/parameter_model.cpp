@@ -117,7 +117,7 @@ int ParameterModel::differing() const
 ParameterRow ParameterModel::rowFor(const ParameterDescription &parameter) const
 {
     return {withRange(parameter), m_encoder.known(parameter.parameter),
-            m_wanted.value(m_encoder.number(), parameter.parameter)};
+            m_wanted.value(m_encoder.place(), parameter.parameter)};
 }
 
 // What a scaling factor may be follows from its format.
@@ -171,7 +171,7 @@ bool ParameterModel::setData(const QModelIndex &index, const QVariant &value, in
     if (rowAt(index.row()).isTold())
         m_encoder.session()->tell(rowAt(index.row()).parameter.parameter, number);
     else
-        m_wanted.set(m_encoder.number(), rowAt(index.row()).parameter.parameter, number);
+        m_wanted.set(m_encoder.place(), rowAt(index.row()).parameter.parameter, number);
     return true;
 }
 

@@ -189,7 +189,7 @@ void ParameterPanel::showWhyEmpty()
         return;
     }
     const DeviceDescription &device = m_encoder.device();
-    const QString what = tr("%1 has no parameters here").arg(m_encoder.number().toString());
+    const QString what = tr("%1 has no parameters here").arg(m_encoder.place().toString());
     m_empty->setTexts(what, device.outWords == 0
                                 ? tr("The %1 has no OUT word. It only tells its position: nothing can be "
                                      "read from it or written to it.")
@@ -281,7 +281,7 @@ void ParameterPanel::review()
 {
     if (!session() || !m_table->finishEditing())
         return;
-    const ParameterValues wanted = m_wanted.values(m_encoder.number());
+    const ParameterValues wanted = m_wanted.values(m_encoder.place());
     if (wanted.empty()) {
         showMessage(Cause::refusal, Role::attention,
                     tr("No value is wanted. Enter what you want in the column \"Wanted\" first."));
@@ -316,17 +316,17 @@ void ParameterPanel::bringBack()
 
 void ParameterPanel::takeKnownAsWanted()
 {
-    ParameterValues values = m_wanted.values(m_encoder.number());
+    ParameterValues values = m_wanted.values(m_encoder.place());
     for (const ParameterRow &row : m_model->rows())
         if (row.known && !row.isReadOnly())
             replaceValue(values, {row.parameter.parameter, row.known->value});
-    m_wanted.replace(m_encoder.number(), std::move(values),
-                     tr("Known values wanted for %1").arg(m_encoder.number().toString()));
+    m_wanted.replace(m_encoder.place(), std::move(values),
+                     tr("Known values wanted for %1").arg(m_encoder.place().toString()));
 }
 
 void ParameterPanel::leaveAllAsTheyAre()
 {
-    m_wanted.clear(m_encoder.number());
+    m_wanted.clear(m_encoder.place());
 }
 
 Parameter ParameterPanel::currentParameter() const

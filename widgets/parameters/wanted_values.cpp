@@ -24,17 +24,17 @@ WantedValues::WantedValues(ProjectDocument &project, QObject *parent)
     connect(&m_project, &ProjectDocument::changed, this, &WantedValues::tellChanges);
 }
 
-std::optional<std::int64_t> WantedValues::value(DeviceNumber number, Parameter parameter) const
+std::optional<std::int64_t> WantedValues::value(Place number, Parameter parameter) const
 {
     return valueOf(values(number), parameter);
 }
 
-ParameterValues WantedValues::values(DeviceNumber number) const
+ParameterValues WantedValues::values(Place number) const
 {
     return m_project.device(number).wanted;
 }
 
-void WantedValues::set(DeviceNumber number, Parameter parameter, std::optional<std::int64_t> value)
+void WantedValues::set(Place number, Parameter parameter, std::optional<std::int64_t> value)
 {
     if (this->value(number, parameter) == value)
         return;
@@ -44,14 +44,14 @@ void WantedValues::set(DeviceNumber number, Parameter parameter, std::optional<s
     replace(number, std::move(all), what);
 }
 
-void WantedValues::replace(DeviceNumber number, ParameterValues values, const QString &what)
+void WantedValues::replace(Place number, ParameterValues values, const QString &what)
 {
     std::ranges::sort(values, {}, &ParameterValue::parameter);
     if (values != this->values(number))
         m_project.editDevice(number, what, [&](ProjectDevice &device) { device.wanted = std::move(values); });
 }
 
-void WantedValues::clear(DeviceNumber number)
+void WantedValues::clear(Place number)
 {
     if (!values(number).empty())
         m_project.editDevice(number, tr("Nothing wanted for %1").arg(number.toString()),
@@ -60,14 +60,14 @@ void WantedValues::clear(DeviceNumber number)
 
 void WantedValues::tellChanges()
 {
-    std::map<DeviceNumber, ParameterValues> now;
-    m_project.forEachDevice([&](DeviceNumber number, const ProjectDevice &device) {
+    std::map<Place, ParameterValues> now;
+    m_project.forEachDevice([&](Place number, const ProjectDevice &device) {
         if (!device.wanted.empty())
             now[number] = device.wanted;
     });
     if (now == m_told)
         return;
-    std::set<DeviceNumber> others;
+    std::set<Place> others;
     for (const auto &[number, values] : now)
         if (const auto told = m_told.find(number); told == m_told.end() || told->second != values)
             others.insert(number);
@@ -75,7 +75,7 @@ void WantedValues::tellChanges()
         if (!now.contains(number))
             others.insert(number);
     m_told = std::move(now);
-    for (const DeviceNumber number : others)
+    for (const Place number : others)
         Q_EMIT changed(number);
 }
 

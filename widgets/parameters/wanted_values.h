@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/device_number.h"
 #include "encoder/parameter.h"
+#include "encoder/place.h"
 
 #include <QObject>
 
@@ -25,22 +25,22 @@ class WantedValues : public QObject
 public:
     explicit WantedValues(ProjectDocument &project, QObject *parent = nullptr);
 
-    std::optional<std::int64_t> value(DeviceNumber number, Parameter parameter) const;
-    ParameterValues values(DeviceNumber number) const; // in the order of the parameters
+    std::optional<std::int64_t> value(Place number, Parameter parameter) const;
+    ParameterValues values(Place number) const; // in the order of the parameters
     // Nothing: leave it as it is.
-    void set(DeviceNumber number, Parameter parameter, std::optional<std::int64_t> value);
+    void set(Place number, Parameter parameter, std::optional<std::int64_t> value);
     // All of them at once: one step of undo, called `what`.
-    void replace(DeviceNumber number, ParameterValues values, const QString &what);
-    void clear(DeviceNumber number);
+    void replace(Place number, ParameterValues values, const QString &what);
+    void clear(Place number);
 
 Q_SIGNALS:
-    void changed(codewheel::DeviceNumber number);
+    void changed(codewheel::Place number);
 
 private:
     void tellChanges();
 
     ProjectDocument &m_project;
-    std::map<DeviceNumber, ParameterValues> m_told; // of those that have any
+    std::map<Place, ParameterValues> m_told; // of those that have any
 };
 
 } // namespace codewheel

@@ -71,19 +71,19 @@ void DeviceNames::nameRing()
     for (const ComparisonLine &line : certainLines(compareRings(plan, ring), plan, ring)) {
         const Participant &participant = ring[*line.connected];
         const ProjectDevice &planned = m_document.project().devices[*line.configured];
-        if (planned.participant.number != participant.number)
+        if (planned.place() != m_bus.placeOf(participant.number))
             continue;
         const Name wanted = nameInTheProject(m_bus.catalog(), planned);
         // While a job runs it is refused, and done with the next change.
         if (wanted != nameOnTheBus(m_bus, participant))
-            (void)m_bus.name(participant.number, wanted.key, wanted.turns, wanted.stepsPerTurn);
+            (void)m_bus.name(planned.place(), wanted.key, wanted.turns, wanted.stepsPerTurn);
     }
 }
 
-void DeviceNames::takeName(DeviceNumber number)
+void DeviceNames::takeName(Place number)
 {
     const RingStructure &ring = m_bus.structure();
-    const auto participant = std::ranges::find(ring, number, &Participant::number);
+    const auto participant = std::ranges::find(ring, number.node, &Participant::number);
     const auto place = m_document.placeOf(number);
     if (m_isNaming || !place || participant == ring.end() ||
         m_document.project().devices[*place].participant.deviceCode != participant->deviceCode)

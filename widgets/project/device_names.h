@@ -7,7 +7,7 @@ namespace codewheel {
 
 class BusSession;
 class ProjectDocument;
-struct DeviceNumber;
+struct Place;
 
 // What the bus does not tell, the project does: it names the devices of a connected ring that fit, by number
 // and device code. Among neighbours of the same code that differ in the plan nobody can say which is which,
@@ -25,7 +25,7 @@ public:
     void nameRing();
 
 private:
-    void takeName(DeviceNumber number);
+    void takeName(Place number);
 
     ProjectDocument &m_document;
     BusSession &m_bus;

@@ -26,17 +26,16 @@ std::optional<std::size_t> ProjectDocument::placeOf(DeviceId id) const
                                 : std::optional(static_cast<std::size_t>(found - m_ids.begin()));
 }
 
-std::optional<std::size_t> ProjectDocument::placeOf(DeviceNumber number) const
+std::optional<std::size_t> ProjectDocument::placeOf(Place number) const
 {
-    const auto found = std::ranges::find_if(m_project.devices, [number](const ProjectDevice &device) {
-        return device.participant.number == number;
-    });
+    const auto found = std::ranges::find_if(
+        m_project.devices, [number](const ProjectDevice &device) { return device.place() == number; });
     return found == m_project.devices.end()
                ? std::nullopt
                : std::optional(static_cast<std::size_t>(found - m_project.devices.begin()));
 }
 
-const ProjectDevice &ProjectDocument::device(DeviceNumber number) const
+const ProjectDevice &ProjectDocument::device(Place number) const
 {
     static const ProjectDevice nothingPlanned;
     if (const ProjectDevice *planned = findDevice(m_project, number))
@@ -45,23 +44,22 @@ const ProjectDevice &ProjectDocument::device(DeviceNumber number) const
     return other == m_others.end() ? nothingPlanned : other->second;
 }
 
-std::vector<DeviceNumber> ProjectDocument::notPlanned() const
+std::vector<Place> ProjectDocument::notPlanned() const
 {
-    std::vector<DeviceNumber> numbers;
+    std::vector<Place> numbers;
     for (const auto &[number, device] : m_others)
         if (!number.isOnLine() && !findDevice(m_project, number)) // of the training line nothing is kept
             numbers.push_back(number);
     return numbers;
 }
 
-void ProjectDocument::forEachDevice(
-    const std::function<void(DeviceNumber, const ProjectDevice &)> &visit) const
+void ProjectDocument::forEachDevice(const std::function<void(Place, const ProjectDevice &)> &visit) const
 {
     for (const ProjectDevice &device : m_project.devices)
-        visit(device.participant.number, device);
+        visit(device.place(), device);
     if (m_project.line)
         for (const ProjectDevice &encoder : m_project.line->encoders)
-            visit(encoder.participant.number, encoder);
+            visit(encoder.place(), encoder);
     for (const auto &[number, device] : m_others)
         if (!findDevice(m_project, number))
             visit(number, device);
@@ -140,7 +138,7 @@ void ProjectDocument::pushPlanned(Project after, std::vector<DeviceId> ids, cons
                                   Gesture gesture)
 {
     auto others = m_others;
-    for (const DeviceNumber number : notPlanned()) {
+    for (const Place number : notPlanned()) {
         ProjectDevice *planned = findDevice(after, number);
         if (!planned)
             continue;
@@ -154,7 +152,7 @@ void ProjectDocument::pushPlanned(Project after, std::vector<DeviceId> ids, cons
     push(std::move(after), std::move(ids), std::move(others), what, gesture);
 }
 
-void ProjectDocument::editDevice(DeviceNumber number, const QString &what,
+void ProjectDocument::editDevice(Place number, const QString &what,
                                  const std::function<void(ProjectDevice &)> &edit, Gesture gesture)
 {
     Project after = m_project;
@@ -171,16 +169,16 @@ void ProjectDocument::editDevice(DeviceNumber number, const QString &what,
 }
 
 // On a serial line alone: the number of a device in the ring follows from its place.
-void ProjectDocument::renumber(DeviceNumber from, DeviceNumber to, const QString &what)
+void ProjectDocument::renumber(Place from, Place to, const QString &what)
 {
     Project after = m_project;
     auto others = m_others;
     if (findDevice(after, from) != nullptr && after.line) {
         auto &encoders = after.line->encoders;
-        const auto numberOf = [](const ProjectDevice &encoder) { return encoder.participant.number; };
+        const auto numberOf = [](const ProjectDevice &encoder) { return encoder.place(); };
         std::erase_if(encoders, [&](const ProjectDevice &encoder) { return numberOf(encoder) == to; });
         if (ProjectDevice *moved = findDevice(after, from))
-            moved->participant.number = to;
+            moved->standAt(to);
         std::ranges::sort(encoders, {}, numberOf);
     } else if (auto moved = others.extract(from)) {
         others.erase(to);
@@ -190,8 +188,8 @@ void ProjectDocument::renumber(DeviceNumber from, DeviceNumber to, const QString
     push(std::move(after), m_ids, std::move(others), what, noGesture);
 }
 
-void ProjectDocument::push(Project after, std::vector<DeviceId> ids,
-                           std::map<DeviceNumber, ProjectDevice> others, const QString &what, Gesture gesture)
+void ProjectDocument::push(Project after, std::vector<DeviceId> ids, std::map<Place, ProjectDevice> others,
+                           const QString &what, Gesture gesture)
 {
     auto step = std::make_unique<ProjectStep>(*this, std::move(after), std::move(ids), std::move(others),
                                               what, gesture);

@@ -38,14 +38,14 @@ public:
     const Project &project() const { return m_project; }
     const std::vector<DeviceId> &ids() const { return m_ids; } // as the devices
     std::optional<std::size_t> placeOf(DeviceId id) const;
-    std::optional<std::size_t> placeOf(DeviceNumber number) const;
+    std::optional<std::size_t> placeOf(Place number) const;
     // What is planned for the device of this number. One that the project does not have (a connected ring may
     // have others) can be given values as well: they go with it into the project once it is planned under
     // this number. Until then they are in no file, and the project is not saved.
-    const ProjectDevice &device(DeviceNumber number) const;
+    const ProjectDevice &device(Place number) const;
     // Those of the ring that have values, and that the project does not have.
-    std::vector<DeviceNumber> notPlanned() const;
-    void forEachDevice(const std::function<void(DeviceNumber, const ProjectDevice &)> &visit) const;
+    std::vector<Place> notPlanned() const;
+    void forEachDevice(const std::function<void(Place, const ProjectDevice &)> &visit) const;
 
     // Another project, or the same read from its file again. There is nothing to undo then. fileMark:
     // projectMark() of what the file held.
@@ -62,11 +62,11 @@ public:
     // where it stood; where there are more or less of them, those between what is the same are new.
     void edit(Project after, const QString &what, Gesture gesture = noGesture);
     void edit(Project after, const Origins &origins, const QString &what);
-    void editDevice(DeviceNumber number, const QString &what,
-                    const std::function<void(ProjectDevice &)> &edit, Gesture gesture = noGesture);
+    void editDevice(Place number, const QString &what, const std::function<void(ProjectDevice &)> &edit,
+                    Gesture gesture = noGesture);
     // The encoder has another address now: all that is planned and known of it goes along. Nothing is to be
     // planned for `to` any more: what stands there is replaced.
-    void renumber(DeviceNumber from, DeviceNumber to, const QString &what);
+    void renumber(Place from, Place to, const QString &what);
     Gesture newGesture() { return ++m_lastGesture; }
 
     QUndoStack &undoStack() { return m_undo; }
@@ -83,14 +83,14 @@ private:
     Content content() const;
     void apply(const Content &content, std::size_t first, std::size_t count,
                const std::vector<ProjectDevice> &devices, const std::vector<DeviceId> &ids);
-    void push(Project after, std::vector<DeviceId> ids, std::map<DeviceNumber, ProjectDevice> others,
+    void push(Project after, std::vector<DeviceId> ids, std::map<Place, ProjectDevice> others,
               const QString &what, Gesture gesture);
     void pushPlanned(Project after, std::vector<DeviceId> ids, const QString &what, Gesture gesture);
     std::vector<DeviceId> keptIds(const Project &after);
 
     Project m_project;
     std::vector<DeviceId> m_ids;
-    std::map<DeviceNumber, ProjectDevice> m_others; // of devices that the project does not have
+    std::map<Place, ProjectDevice> m_others; // of devices that the project does not have
     QString m_file;
     QByteArray m_fileMark;
     QUndoStack m_undo;

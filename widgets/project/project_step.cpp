@@ -6,7 +6,7 @@
 namespace codewheel {
 
 ProjectStep::ProjectStep(ProjectDocument &document, Project after, Ids ids,
-                         std::map<DeviceNumber, ProjectDevice> others, const QString &what,
+                         std::map<Place, ProjectDevice> others, const QString &what,
                          ProjectDocument::Gesture gesture)
     : QUndoCommand(what)
     , m_document(document)

@@ -11,7 +11,7 @@ namespace codewheel {
 struct ProjectDocument::Content
 {
     Project header; // without devices
-    std::map<DeviceNumber, ProjectDevice> others;
+    std::map<Place, ProjectDevice> others;
 
     friend bool operator==(const Content &, const Content &) = default;
 };
@@ -24,9 +24,8 @@ public:
     using Devices = std::vector<ProjectDevice>;
     using Ids = std::vector<ProjectDocument::DeviceId>;
 
-    ProjectStep(ProjectDocument &document, Project after, Ids ids,
-                std::map<DeviceNumber, ProjectDevice> others, const QString &what,
-                ProjectDocument::Gesture gesture);
+    ProjectStep(ProjectDocument &document, Project after, Ids ids, std::map<Place, ProjectDevice> others,
+                const QString &what, ProjectDocument::Gesture gesture);
 
     bool changesNothing() const { return m_before == m_after; }
 

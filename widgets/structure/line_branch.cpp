@@ -76,7 +76,7 @@ std::vector<LineBranch::Row> LineBranch::rows(const ProjectDocument *project) co
     std::vector<Row> rows;
     if (!m_line)
         return rows;
-    for (const DeviceNumber number : m_line->numbers()) {
+    for (const Place number : m_line->places()) {
         const EncoderSession &encoder = *m_line->encoder(number);
         rows.push_back({.number = number,
                         .name = encoder.device().fullName(),
@@ -88,7 +88,7 @@ std::vector<LineBranch::Row> LineBranch::rows(const ProjectDocument *project) co
     return rows;
 }
 
-StateWord LineBranch::stateOf(DeviceNumber number) const
+StateWord LineBranch::stateOf(Place number) const
 {
     const LineSnapshot &line = m_line->latest();
     const Reading &reading = m_line->encoder(number)->latest();
@@ -123,9 +123,9 @@ QString LineBranch::toolTip() const
 
 QString LineBranch::toolTip(const Row &row) const
 {
-    QString text = sentence(
-        tr("%1  %2\nAddress %3\nState: %4"),
-        {row.number.toString(), calledText(row.station, row.name), row.number.line.shown(), row.shown.word});
+    QString text = sentence(tr("%1  %2\nAddress %3\nState: %4"),
+                            {row.number.toString(), calledText(row.station, row.name),
+                             LineAddress::of(row.number.node).shown(), row.shown.word});
     if (row.position)
         text += u'\n' + tr("Position %1").arg(QLocale().toString(qlonglong{*row.position}));
     const EncoderSession *encoder = m_line ? m_line->encoder(row.number) : nullptr;

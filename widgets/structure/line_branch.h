@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/device_number.h"
+#include "encoder/place.h"
 #include "widgets/look/roles.h"
 
 #include <QCoreApplication>
@@ -32,7 +32,7 @@ class LineBranch
 public:
     struct Row
     {
-        DeviceNumber number;
+        Place number;
         QString name;    // of the kind of encoder
         QString station; // as the project has it; empty: none
         StateWord shown{};
@@ -53,7 +53,7 @@ public:
     QString toolTip(const Row &row) const;
 
 private:
-    StateWord stateOf(DeviceNumber number) const;
+    StateWord stateOf(Place number) const;
 
     QPointer<LineSession> m_line;
 };

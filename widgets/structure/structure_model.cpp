@@ -89,7 +89,7 @@ void StructureModel::followBus()
     connect(m_bus, &BusSession::updated, this, &StructureModel::refresh);
     connect(m_bus, &BusSession::stateChanged, this, &StructureModel::refresh);
     connect(m_bus, &BusSession::named, this, &StructureModel::showName);
-    for (const DeviceNumber number : m_bus->numbers())
+    for (const Place number : m_bus->places())
         if (WordChannel *channel = m_bus->channel(number))
             connect(channel, &WordChannel::stagedChanged, this, &StructureModel::refresh);
 }
@@ -147,7 +147,7 @@ QString StructureModel::stationOf(const Participant &participant) const
 {
     if (m_project == nullptr)
         return {};
-    const ProjectDevice &planned = m_project->device(participant.number);
+    const ProjectDevice &planned = m_project->device(placeOf(participant));
     return planned.participant.deviceCode == participant.deviceCode ? planned.station : QString();
 }
 
@@ -168,7 +168,7 @@ StructureModel::Node StructureModel::nodeOf(const Participant &participant) cons
             .position = {}};
 }
 
-void StructureModel::showName(DeviceNumber number)
+void StructureModel::showName(Place number)
 {
     const QModelIndex row = indexOf(number);
     if (!row.isValid())
@@ -188,7 +188,7 @@ void StructureModel::showNames(std::size_t place, const Participant &participant
     node.name = named.name;
     node.station = named.station;
     node.profile = named.profile;
-    const QModelIndex row = indexOf(participant.number);
+    const QModelIndex row = indexOf(placeOf(participant));
     Q_EMIT dataChanged(row, row.siblingAtColumn(columns - 1));
 }
 
@@ -207,7 +207,7 @@ void StructureModel::refresh()
         if (shown == m_nodes[place].shown)
             continue;
         m_nodes[place].shown = std::move(shown);
-        emitState(indexOf(m_nodes[place].participant.number));
+        emitState(indexOf(placeOf(m_nodes[place].participant)));
     }
     refreshPositions();
 }
@@ -302,21 +302,26 @@ std::optional<StructureModel::Shown> StructureModel::faultOf(const Node &node, s
     return std::nullopt;
 }
 
-std::optional<DeviceNumber> StructureModel::numberAt(const QModelIndex &index) const
+Place StructureModel::placeOf(const Participant &participant) const
+{
+    return {m_bus != nullptr ? m_bus->id() : firstRing, participant.number};
+}
+
+std::optional<Place> StructureModel::numberAt(const QModelIndex &index) const
 {
     if (const LineBranch::Row *row = lineRow(index))
         return row->number;
     const int node = nodeOf(index);
     return node < 0 ? std::nullopt
-                    : std::optional(m_nodes[static_cast<std::size_t>(node)].participant.number);
+                    : std::optional(placeOf(m_nodes[static_cast<std::size_t>(node)].participant));
 }
 
-QModelIndex StructureModel::indexOf(DeviceNumber number) const
+QModelIndex StructureModel::indexOf(Place number) const
 {
     if (number.isOnLine())
         return lineRowIndex(number, deviceColumn);
     for (std::size_t node = 0; node < m_nodes.size(); ++node)
-        if (m_nodes[node].participant.number == number)
+        if (placeOf(m_nodes[node].participant) == number)
             return createIndex(rowOf(static_cast<int>(node)), deviceColumn, static_cast<quintptr>(node) + 1);
     return {};
 }

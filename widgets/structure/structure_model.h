@@ -44,8 +44,8 @@ public:
     void setProject(const ProjectDocument &project, const Catalog &catalog);
 
     // Nothing for the rows of the master and of the line.
-    std::optional<DeviceNumber> numberAt(const QModelIndex &index) const;
-    QModelIndex indexOf(DeviceNumber number) const;
+    std::optional<Place> numberAt(const QModelIndex &index) const;
+    QModelIndex indexOf(Place number) const;
     QModelIndex lineIndex() const;               // invalid: no line
     bool isLine(const QModelIndex &index) const; // the line itself
 
@@ -58,7 +58,7 @@ public:
 
 Q_SIGNALS:
     // An encoder of the line has another address: both rows are there now, then that of the first goes.
-    void encoderMoved(codewheel::DeviceNumber from, codewheel::DeviceNumber to);
+    void encoderMoved(codewheel::Place from, codewheel::Place to);
 
 private:
     using Shown = StateWord;
@@ -82,7 +82,8 @@ private:
     RingStructure ring() const;
     QString stationOf(const Participant &participant) const;
     Node nodeOf(const Participant &participant) const;
-    void showName(DeviceNumber number);
+    Place placeOf(const Participant &participant) const;
+    void showName(Place number);
     void showNames(std::size_t place, const Participant &participant);
     Shown shownOf(const Node &node, std::size_t place) const;
     Shown shownOfMaster() const;
@@ -105,7 +106,7 @@ private:
     void insertNewEncoders();
     void removeGoneEncoders();
     const LineBranch::Row *lineRow(const QModelIndex &index) const; // null: none of an encoder of the line
-    QModelIndex lineRowIndex(DeviceNumber number, int column) const;
+    QModelIndex lineRowIndex(Place number, int column) const;
     static QVariant oldPositionLook(std::optional<std::int64_t> position, int role);
     QVariant lineCell(int column, int role) const;
     QVariant lineEncoderCell(const LineBranch::Row &row, int column, int role) const;

@@ -26,7 +26,7 @@ void StructureModel::setLine(LineSession *line)
         insertNewEncoders();
         removeGoneEncoders();
     });
-    connect(line, &LineSession::moved, this, [this](DeviceNumber from, DeviceNumber to) {
+    connect(line, &LineSession::moved, this, [this](Place from, Place to) {
         insertNewEncoders();
         Q_EMIT encoderMoved(from, to);
         removeGoneEncoders();
@@ -48,17 +48,18 @@ const LineBranch::Row *StructureModel::lineRow(const QModelIndex &index) const
     if (!index.isValid() || index.internalId() <= lineId)
         return nullptr;
     const auto found = std::ranges::find_if(m_lineRows, [&](const LineBranch::Row &row) {
-        return encoderId(row.number.line) == index.internalId();
+        return encoderId(LineAddress::of(row.number.node)) == index.internalId();
     });
     return found == m_lineRows.end() ? nullptr : &*found;
 }
 
-QModelIndex StructureModel::lineRowIndex(DeviceNumber number, int column) const
+QModelIndex StructureModel::lineRowIndex(Place number, int column) const
 {
     const auto found = std::ranges::find(m_lineRows, number, &LineBranch::Row::number);
     if (found == m_lineRows.end())
         return {};
-    return createIndex(static_cast<int>(found - m_lineRows.begin()), column, encoderId(number.line));
+    return createIndex(static_cast<int>(found - m_lineRows.begin()), column,
+                       encoderId(LineAddress::of(number.node)));
 }
 
 void StructureModel::insertNewEncoders()
@@ -146,7 +147,7 @@ QVariant StructureModel::lineEncoderCell(const LineBranch::Row &row, int column,
     case profileColumn:
         return profileName(Profile::esc);
     case idCodeColumn:
-        return row.number.line.shown();
+        return LineAddress::of(row.number.node).shown();
     default:
         return {};
     }

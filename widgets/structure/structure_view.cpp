@@ -31,10 +31,10 @@ int levelsBelow(const QAbstractItemModel &model, const QModelIndex &parent = {})
 }
 
 // Nobody named the device, and the catalog has some that it could be.
-bool makeIsOpen(const BusSession &bus, DeviceNumber number)
+bool makeIsOpen(const BusSession &bus, Place number)
 {
     const RingStructure &ring = bus.structure();
-    const auto participant = std::ranges::find(ring, number, &Participant::number);
+    const auto participant = std::ranges::find(ring, number.node, &Participant::number);
     return participant != ring.end() && participant->deviceKey.isEmpty() &&
            std::ranges::any_of(bus.catalog().devices(), [&](const DeviceDescription &device) {
                return !device.isGeneric() && device.deviceCode == participant->deviceCode;
@@ -93,7 +93,7 @@ StructureView::StructureView(QWidget *parent)
         else if (m_model->isLine(index))
             Q_EMIT lineMenuRequested(m_tree->viewport()->mapToGlobal(position));
     });
-    connect(m_model, &StructureModel::encoderMoved, this, [this](DeviceNumber from, DeviceNumber to) {
+    connect(m_model, &StructureModel::encoderMoved, this, [this](Place from, Place to) {
         if (current() == from)
             choose(to);
     });
@@ -172,7 +172,7 @@ void StructureView::setBus(BusSession *bus)
     if (bus != nullptr)
         connect(bus, &BusSession::named, this, &StructureView::askForMake);
     if (bus != nullptr && !bus->structure().empty())
-        choose(bus->structure().front().number);
+        choose(bus->places().front());
     else
         askForMake();
 }
@@ -218,12 +218,12 @@ void StructureView::askForMake()
         m_question->withdraw();
 }
 
-std::optional<DeviceNumber> StructureView::current() const
+std::optional<Place> StructureView::current() const
 {
     return m_model->numberAt(m_tree->currentIndex());
 }
 
-void StructureView::choose(DeviceNumber number)
+void StructureView::choose(Place number)
 {
     m_tree->setCurrentIndex(m_model->indexOf(number));
 }

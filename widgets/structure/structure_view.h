@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/device_number.h"
+#include "encoder/place.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -35,17 +35,17 @@ public:
     void setLine(codewheel::LineSession *line);
     // Both must outlive the view.
     void setProject(const ProjectDocument &project, const Catalog &catalog);
-    std::optional<DeviceNumber> current() const;
-    void choose(DeviceNumber number);
+    std::optional<Place> current() const;
+    void choose(Place number);
 
     void chooseLine(); // the line itself
 
 Q_SIGNALS:
-    void chosen(codewheel::DeviceNumber number);
-    void opened(codewheel::DeviceNumber number);
+    void chosen(codewheel::Place number);
+    void opened(codewheel::Place number);
     // Which make the chosen device is, the bus does not tell: the user wants to.
-    void namingRequested(codewheel::DeviceNumber number);
-    void menuRequested(codewheel::DeviceNumber number, const QPoint &globalPosition);
+    void namingRequested(codewheel::Place number);
+    void menuRequested(codewheel::Place number, const QPoint &globalPosition);
     // The row of the serial line itself.
     void lineChosen();
     void lineOpened();

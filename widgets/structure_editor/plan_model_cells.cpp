@@ -189,7 +189,7 @@ bool PlanModel::setData(const QModelIndex &index, const QVariant &value, int rol
         setAddress(*id, index.column() == inColumn, text);
         return true;
     }
-    const DeviceNumber number = rowAt(index).participant.number;
+    const Place number = rowAt(index).place;
     const auto edit = [&](const QString &what, auto field) {
         m_document.editDevice(number, what.arg(number.toString()),
                               [&](ProjectDevice &device) { std::invoke(field, device) = text; });
@@ -226,11 +226,11 @@ void PlanModel::setAddress(Id id, bool isIn, const QString &text)
     if (!now || isUnchanged)
         return;
     const QString number = row.participant.number.toString();
-    m_document.editDevice(
-        row.participant.number, (isIn ? tr("IN address of %1") : tr("OUT address of %1")).arg(number),
-        [&](ProjectDevice &device) {
-            (isIn ? device.inAddress : device.outAddress) = text.isEmpty() ? std::nullopt : given;
-        });
+    m_document.editDevice(row.place, (isIn ? tr("IN address of %1") : tr("OUT address of %1")).arg(number),
+                          [&](ProjectDevice &device) {
+                              (isIn ? device.inAddress : device.outAddress) =
+                                  text.isEmpty() ? std::nullopt : given;
+                          });
 }
 
 Qt::ItemFlags PlanModel::flags(const QModelIndex &index) const

@@ -37,7 +37,8 @@ std::vector<PlanRow> planRows(const Project &project, const Catalog &catalog)
     for (std::size_t place = 0; place < project.devices.size(); ++place) {
         const ProjectDevice &device = project.devices[place];
         const DeviceDescription *described = descriptionOf(device.participant, catalog);
-        rows.push_back({.participant = device.participant,
+        rows.push_back({.place = device.place(),
+                        .participant = device.participant,
                         .station = device.station,
                         .group = device.group,
                         .note = device.note,

@@ -12,6 +12,7 @@ class Catalog;
 // What the structure editor shows of a planned device. Two that are equal look the same.
 struct PlanRow
 {
+    Place place;
     Participant participant;
     QString station;
     QString group;

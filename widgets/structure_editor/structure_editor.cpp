@@ -43,7 +43,7 @@ void StructureEditor::makeCurrent(PlanEdits::Id id)
     m_tree->scrollTo(index);
 }
 
-void StructureEditor::choose(DeviceNumber number)
+void StructureEditor::choose(Place number)
 {
     const auto place = m_document.placeOf(number);
     if (place && m_document.ids()[*place] != current()) // else what is selected with it stays so
@@ -172,7 +172,7 @@ void StructureEditor::showCurrent()
     const auto place = id ? m_document.placeOf(*id) : std::nullopt;
     m_insert->setPlace(structureOf(m_document.project()), place);
     if (place) // while rows go, their numbers are not yet those of the plan
-        Q_EMIT chosen(m_document.project().devices[*place].participant.number);
+        Q_EMIT chosen(m_document.project().devices[*place].place());
 }
 
 void StructureEditor::showProject()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/device_number.h"
+#include "encoder/place.h"
 #include "widgets/look/icons.h"
 #include "widgets/structure_editor/plan_edits.h"
 
@@ -36,11 +36,11 @@ public:
     StructureEditor(ProjectDocument &document, const Catalog &catalog, QWidget *parent = nullptr);
     ~StructureEditor() override;
 
-    void choose(DeviceNumber number);
+    void choose(Place number);
     void openInsertPanel();
 
 Q_SIGNALS:
-    void chosen(codewheel::DeviceNumber number);
+    void chosen(codewheel::Place number);
 
 private:
     using Slot = void (StructureEditor::*)();

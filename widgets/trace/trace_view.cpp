@@ -126,7 +126,7 @@ void TraceView::watchEncoders()
     const auto isWatched = [this](const EncoderSession *encoder) {
         return std::ranges::any_of(m_watched, [encoder](const auto &watched) { return watched == encoder; });
     };
-    for (const DeviceNumber number : m_bus.numbers())
+    for (const Place number : m_bus.places())
         if (EncoderSession *encoder = m_bus.encoder(number); encoder && !isWatched(encoder))
             watch(*encoder);
 }
@@ -134,7 +134,7 @@ void TraceView::watchEncoders()
 void TraceView::watch(EncoderSession &encoder)
 {
     m_watched.emplace_back(&encoder);
-    std::unique_ptr<TraceModel> &model = m_models[encoder.number()];
+    std::unique_ptr<TraceModel> &model = m_models[encoder.place()];
     if (!model || model->device() != encoder.device()) {
         const bool isShown = model && model.get() == m_shown;
         auto fresh = std::make_unique<TraceModel>(encoder.device());
@@ -161,7 +161,7 @@ void TraceView::watch(EncoderSession &encoder)
 void TraceView::setEncoder(EncoderSession *encoder)
 {
     watchEncoders();
-    m_shown = encoder ? model(encoder->number()) : nullptr;
+    m_shown = encoder ? model(encoder->place()) : nullptr;
     m_message->withdraw();
     showModel();
     showWhyEmpty(encoder);
@@ -173,7 +173,7 @@ void TraceView::showWhyEmpty(const EncoderSession *encoder)
 {
     const bool onLine = encoder && isOnLine(encoder->device());
     if (onLine)
-        m_empty->setTexts(tr("%1 is on a serial line").arg(encoder->number().toString()),
+        m_empty->setTexts(tr("%1 is on a serial line").arg(encoder->place().toString()),
                           tr("It has no words. What passes on its line stands in the terminal."));
     else
         m_empty->setTexts(
@@ -183,7 +183,7 @@ void TraceView::showWhyEmpty(const EncoderSession *encoder)
     m_empty->setAction(onLine ? tr("Open the terminal") : QString());
 }
 
-TraceModel *TraceView::model(DeviceNumber number) const
+TraceModel *TraceView::model(Place number) const
 {
     const auto found = m_models.find(number);
     return found == m_models.end() ? nullptr : found->second.get();

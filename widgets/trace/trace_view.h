@@ -31,7 +31,7 @@ public:
     ~TraceView() override;
 
     void setEncoder(codewheel::EncoderSession *encoder);
-    TraceModel *model(DeviceNumber number) const; // null: nothing was collected for it
+    TraceModel *model(Place number) const; // null: nothing was collected for it
 
     // UTF-8, comma separated (docs/manual/sequence-and-trace.md). Says on the spot what went wrong.
     bool exportTo(const QString &path);
@@ -58,7 +58,7 @@ private:
     void copy();
 
     EncoderBus &m_bus;
-    std::map<DeviceNumber, std::unique_ptr<TraceModel>> m_models;
+    std::map<Place, std::unique_ptr<TraceModel>> m_models;
     TraceModel *m_shown = nullptr;
     std::vector<QPointer<EncoderSession>> m_watched;
     QStackedWidget *m_pages;

@@ -115,11 +115,11 @@ void TrainingPanel::makeTroubles(QVBoxLayout *column)
     connect(m_eeprom, &QCheckBox::clicked, this, &TrainingPanel::setEepromWornOut);
     connect(m_codeDisc, &QCheckBox::clicked, this, &TrainingPanel::setCodeDiscFaulty);
     connect(m_cycle, &QPushButton::clicked, this, [this] {
-        m_controls.powerCycle(*m_number);
+        m_controls.powerCycle(m_number->node);
         act(tr("Power off and on."));
     });
     connect(m_lose, &QPushButton::clicked, this, [this] {
-        m_controls.loseParameters(*m_number);
+        m_controls.loseParameters(m_number->node);
         act(tr("Parameters lost."));
     });
 }
@@ -130,14 +130,14 @@ void TrainingPanel::listDevices()
     m_devices.clear();
     m_device->clear();
     for (const TrainingPlace &place : m_controls.places())
-        m_devices.push_back(place.number);
+        m_devices.push_back({firstRing, place.number});
     if (m_line != nullptr) {
-        m_devices.push_back({});
+        m_devices.push_back({firstLine, {}});
         for (const LineAddress address : m_line->addresses())
-            m_devices.push_back(DeviceNumber::onLine(address));
+            m_devices.push_back(placeOnLine(address));
     }
-    for (const DeviceNumber number : m_devices)
-        m_device->addItem(number == DeviceNumber{} ? tr("Serial line") : number.toString());
+    for (const Place number : m_devices)
+        m_device->addItem(number.isEmpty() ? tr("Serial line") : number.toString());
     m_content->setEnabled(!m_devices.empty());
 }
 
@@ -167,20 +167,20 @@ void TrainingPanel::makeLineBoxes()
 
 bool TrainingPanel::isOnLine() const
 {
-    return m_number && (m_number->isOnLine() || *m_number == DeviceNumber{});
+    return m_number && m_number->bus == firstLine;
 }
 
 void TrainingPanel::refreshLine()
 {
     if (m_line == nullptr)
         return;
-    if (m_number->isOnLine())
-        m_lineEncoder->showEncoder(*m_line, m_number->line);
+    if (!m_number->isEmpty())
+        m_lineEncoder->showEncoder(*m_line, LineAddress::of(m_number->node));
     else
         m_lineFaults->showLine(*m_line);
 }
 
-void TrainingPanel::setDevice(DeviceNumber number)
+void TrainingPanel::setDevice(Place number)
 {
     const auto found = std::ranges::find(m_devices, number);
     if (found != m_devices.end())
@@ -199,8 +199,8 @@ void TrainingPanel::choose()
     m_plan->setVisible(!isOnLine());
     m_ringFaults->setVisible(!isOnLine());
     if (m_lineFaults != nullptr) {
-        m_lineFaults->setVisible(isOnLine() && !m_number->isOnLine());
-        m_lineEncoder->setVisible(isOnLine() && m_number->isOnLine());
+        m_lineFaults->setVisible(isOnLine() && m_number->isEmpty());
+        m_lineEncoder->setVisible(isOnLine() && !m_number->isEmpty());
     }
     if (isOnLine()) {
         m_shaft->hide();
@@ -219,7 +219,7 @@ void TrainingPanel::refresh()
         return;
     }
     const std::vector<TrainingControls::Shaft> shafts = m_controls.shafts();
-    const auto shaft = std::ranges::find(shafts, *m_number, &TrainingControls::Shaft::number);
+    const auto shaft = std::ranges::find(shafts, m_number->node, &TrainingControls::Shaft::number);
     m_shaft->setVisible(shaft != shafts.end());
     if (shaft != shafts.end()) {
         showCommon({shaft->powered, shaft->hasParameters, shaft->eepromWrites, shaft->hasParameters,
@@ -228,7 +228,7 @@ void TrainingPanel::refresh()
         m_shaft->showShaft(*shaft);
     }
     const std::vector<TrainingControls::Rod> rods = m_controls.rods();
-    const auto rod = std::ranges::find(rods, *m_number, &TrainingControls::Rod::number);
+    const auto rod = std::ranges::find(rods, m_number->node, &TrainingControls::Rod::number);
     m_rod->setVisible(rod != rods.end());
     if (rod != rods.end()) {
         showCommon({.powered = rod->powered, .eepromWrites = rod->eepromWrites});
@@ -237,7 +237,7 @@ void TrainingPanel::refresh()
     if (shaft == shafts.end() && rod == rods.end())
         hideCommon();
     const std::vector<TrainingPlace> places = m_controls.places();
-    if (const auto place = std::ranges::find(places, *m_number, &TrainingPlace::number);
+    if (const auto place = std::ranges::find(places, m_number->node, &TrainingPlace::number);
         place != places.end())
         m_ringFaults->showPlace(*place);
     m_plan->refresh();
@@ -288,32 +288,32 @@ void TrainingPanel::hideCommon()
 
 void TrainingPanel::setPower(bool on)
 {
-    m_controls.setPower(*m_number, on);
+    m_controls.setPower(m_number->node, on);
     act(on ? tr("Power on.") : tr("Power off."));
 }
 
 void TrainingPanel::setSlow(bool slow)
 {
-    m_controls.setSlow(*m_number, slow);
+    m_controls.setSlow(m_number->node, slow);
     act(slow ? tr("Slow confirmation on.") : tr("Slow confirmation off."));
 }
 
 void TrainingPanel::setBatteryLow(bool low)
 {
-    m_controls.setBatteryLow(*m_number, low);
+    m_controls.setBatteryLow(m_number->node, low);
     act(low ? tr("Battery low; the encoder finds it when it is switched on.")
             : tr("Battery full; the encoder finds it when it is switched on."));
 }
 
 void TrainingPanel::setEepromWornOut(bool wornOut)
 {
-    m_controls.setEepromWornOut(*m_number, wornOut);
+    m_controls.setEepromWornOut(m_number->node, wornOut);
     act(wornOut ? tr("EEPROM worn out.") : tr("EEPROM in order."));
 }
 
 void TrainingPanel::setCodeDiscFaulty(bool faulty)
 {
-    m_controls.setCodeDiscFaulty(*m_number, faulty);
+    m_controls.setCodeDiscFaulty(m_number->node, faulty);
     act(faulty ? tr("Code disc faulty.") : tr("Code disc in order; run ends the error."));
 }
 

@@ -40,16 +40,16 @@ public:
     // The simulated serial line, and its encoders, beside the devices of the ring. It outlives the panel, or
     // is taken away first; null: none.
     void setLine(SimulatedLine *line);
-    // Chooses this device, if it has anything to train with. The number of none is the serial line itself.
-    void setDevice(DeviceNumber number);
+    // Chooses this device, if it has anything to train with. Without a node it is the serial line itself.
+    void setDevice(Place number);
     // Shows how the encoder stands; called by the window with every picture.
     void refresh();
 
     QSize sizeHint() const override;
 
 Q_SIGNALS:
-    void acted(codewheel::DeviceNumber number, const QString &what);
-    void planned(codewheel::DeviceNumber number, const QString &what); // by the fault plan
+    void acted(codewheel::Place number, const QString &what);
+    void planned(codewheel::Place number, const QString &what); // by the fault plan
 
 private:
     // What a shaft and a rod have in common.
@@ -86,8 +86,8 @@ private:
 
     TrainingControls &m_controls;
     SimulatedLine *m_line = nullptr;
-    std::vector<DeviceNumber> m_devices; // by index of the field; the number of none is the serial line
-    std::optional<DeviceNumber> m_number;
+    std::vector<Place> m_devices; // by index of the field; without a node it is the serial line
+    std::optional<Place> m_number;
     std::optional<Common> m_shown; // what the fields say of the encoder
 
     QWidget *m_content;

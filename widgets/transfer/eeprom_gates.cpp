@@ -30,10 +30,10 @@ int writesOf(const EncoderSession &encoder, const EncoderPlan &plan)
     return std::max(plan.eepromWrites, ofJobs);
 }
 
-QString placesOf(const std::vector<DeviceNumber> &numbers)
+QString placesOf(const std::vector<Place> &numbers)
 {
     QStringList places;
-    for (const DeviceNumber number : numbers)
+    for (const Place number : numbers)
         places << number.toString();
     return places.join(u' ');
 }
@@ -66,8 +66,8 @@ EepromGates::EepromGates(EncoderBus &bus, QWidget *parent)
 void EepromGates::setPlan(const TransferPlan &plan)
 {
     QStringList texts;
-    std::vector<DeviceNumber> asked;
-    std::vector<DeviceNumber> typed;
+    std::vector<Place> asked;
+    std::vector<Place> typed;
     for (const EncoderPlan &one : plan) {
         const EncoderSession *encoder = m_bus.encoder(one.place);
         const int planned = encoder ? writesOf(*encoder, one) : 0;
@@ -100,7 +100,7 @@ bool EepromGates::isOpen() const
     static const QRegularExpression between(QStringLiteral("[\\s,;]+"));
     const QStringList places = m_places->text().split(between, Qt::SkipEmptyParts);
     const bool allTyped =
-        std::ranges::all_of(m_typed, [&](DeviceNumber number) { return places.contains(number.toString()); });
+        std::ranges::all_of(m_typed, [&](Place number) { return places.contains(number.toString()); });
     return allTyped && (m_asked.empty() || m_nevertheless->isChecked());
 }
 

@@ -35,8 +35,8 @@ Q_SIGNALS:
 
 private:
     EncoderBus &m_bus;
-    std::vector<DeviceNumber> m_asked; // to be ticked
-    std::vector<DeviceNumber> m_typed; // to be typed
+    std::vector<Place> m_asked; // to be ticked
+    std::vector<Place> m_typed; // to be typed
     QLabel *m_text;
     QCheckBox *m_nevertheless;
     QLineEdit *m_places;

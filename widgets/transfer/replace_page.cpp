@@ -98,7 +98,7 @@ ReplaceStep *ReplacePage::current() const
 }
 
 // The steps are made anew, so that nothing typed for another encoder stands in them.
-void ReplacePage::replace(DeviceNumber number)
+void ReplacePage::replace(Place number)
 {
     if (isBusy())
         return;
@@ -122,7 +122,7 @@ void ReplacePage::replace(DeviceNumber number)
 void ReplacePage::takePlanned()
 {
     m_replacing.before = m_replacing.project.device(m_replacing.place);
-    m_replacing.before.participant.number = m_replacing.place;
+    m_replacing.before.standAt(m_replacing.place);
 }
 
 void ReplacePage::followProject()

@@ -30,7 +30,7 @@ public:
                 QWidget *parent = nullptr);
 
     // Begins anew; not while something is written.
-    void replace(DeviceNumber number);
+    void replace(Place number);
     bool isBusy() const;
 
 Q_SIGNALS:

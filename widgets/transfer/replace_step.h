@@ -15,7 +15,7 @@ struct Replacing
 {
     BusSession &bus;
     ProjectDocument &project;
-    DeviceNumber place{};
+    Place place{};
     ProjectDevice before{};                 // as planned until Write is begun
     Replacement now{};                      // device null: not chosen yet
     std::optional<std::int64_t> position{}; // to be set; nothing: it stays as it is

@@ -75,7 +75,7 @@ void TransferChoice::choose(What what)
     showParts();
 }
 
-void TransferChoice::setEncoder(DeviceNumber number)
+void TransferChoice::setEncoder(Place number)
 {
     m_number = number;
     if (const int row = m_from->findText(number.toString() + u' ', Qt::MatchStartsWith); row >= 0)
@@ -84,9 +84,9 @@ void TransferChoice::setEncoder(DeviceNumber number)
         fillBefore();
 }
 
-std::optional<DeviceNumber> TransferChoice::from() const
+std::optional<Place> TransferChoice::from() const
 {
-    return DeviceNumber::parse(m_from->currentData().toString());
+    return Place::parse(m_from->currentData().toString());
 }
 
 const ValuesBefore *TransferChoice::before() const
@@ -105,7 +105,7 @@ void TransferChoice::showRing()
     const QSignalBlocker blocker(m_from);
     const QString before = m_from->currentData().toString();
     m_from->clear();
-    for (const DeviceNumber number : m_bus.numbers())
+    for (const Place number : m_bus.places())
         if (const EncoderSession *encoder = m_bus.encoder(number); encoder && encoder->can().writes)
             m_from->addItem(QStringLiteral("%1 %2").arg(number.toString(), encoder->device().fullName()),
                             number.toString());

@@ -26,10 +26,10 @@ public:
     void choose(What what);
     void showRing(); // another one
     // Whose values are cloned, or restored.
-    void setEncoder(DeviceNumber number);
-    std::optional<DeviceNumber> from() const; // of a clone
-    const ValuesBefore *before() const;       // null: there is nothing to restore
-    bool withCams() const;                    // store, clone
+    void setEncoder(Place number);
+    std::optional<Place> from() const;  // of a clone
+    const ValuesBefore *before() const; // null: there is nothing to restore
+    bool withCams() const;              // store, clone
 
 Q_SIGNALS:
     void changed();
@@ -41,7 +41,7 @@ private:
     BusSession &m_bus;
     FindValuesBefore m_findBefore;
     std::vector<ValuesBefore> m_befores;
-    DeviceNumber m_number;
+    Place m_number;
     QComboBox *m_what;
     QComboBox *m_from;
     QComboBox *m_before;

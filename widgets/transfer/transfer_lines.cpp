@@ -23,7 +23,7 @@ struct TransferLines
     Q_DECLARE_TR_FUNCTIONS(codewheel::TransferLines)
 };
 
-const DeviceDescription *deviceAt(const BusSession &bus, DeviceNumber place)
+const DeviceDescription *deviceAt(const BusSession &bus, Place place)
 {
     const EncoderSession *encoder = bus.encoder(place);
     return encoder ? &encoder->device() : nullptr;
@@ -46,7 +46,7 @@ TransferLine headOf(const EncoderPlan &plan)
             .isHindered = plan.hindrance.has_value()};
 }
 
-TransferLine lineOf(const DeviceDescription *device, DeviceNumber place, const TransferRow &row)
+TransferLine lineOf(const DeviceDescription *device, Place place, const TransferRow &row)
 {
     const QString thereAlready = TransferLines::tr("already there");
     return {.kind = TransferLine::Kind::value,
@@ -65,7 +65,7 @@ TransferLine lineOf(const DeviceDescription *device, DeviceNumber place, const T
             .isHindered = row.hindrance.has_value()};
 }
 
-TransferLine lineOf(DeviceNumber place, const TransferCamRow &row)
+TransferLine lineOf(Place place, const TransferCamRow &row)
 {
     return {.kind = TransferLine::Kind::value,
             .place = place,
@@ -79,7 +79,7 @@ TransferLine lineOf(DeviceNumber place, const TransferCamRow &row)
             .isThere = row.isThere};
 }
 
-TransferLine note(DeviceNumber place, const QString &text, bool isHindered = false)
+TransferLine note(Place place, const QString &text, bool isHindered = false)
 {
     return {.kind = TransferLine::Kind::note,
             .place = place,
@@ -107,7 +107,7 @@ QString readingText(const EncoderSession &encoder, const EncoderJobs &jobs)
 void addToStore(std::vector<TransferLine> &lines, const EncoderSession &encoder, const ProjectDevice &planned,
                 bool withCams)
 {
-    const DeviceNumber place = encoder.number();
+    const Place place = encoder.place();
     const EncoderJobs jobs = jobsToStore(encoder, withCams);
     const QString reading = readingText(encoder, jobs);
     lines.push_back({.place = place,
@@ -132,11 +132,11 @@ void addToStore(std::vector<TransferLine> &lines, const EncoderSession &encoder,
 void addHindered(std::vector<TransferLine> &lines, const EncoderSession &encoder,
                  const ProjectDevice &planned, const Refusal &why)
 {
-    lines.push_back({.place = encoder.number(),
+    lines.push_back({.place = encoder.place(),
                      .what = lineName(encoder.device().fullName(), planned.station),
                      .tip = refusalText(why),
                      .isHindered = true});
-    lines.push_back(note(encoder.number(), refusalText(why), true));
+    lines.push_back(note(encoder.place(), refusalText(why), true));
 }
 
 } // namespace
@@ -165,8 +165,8 @@ std::vector<TransferLine> linesToStore(const BusSession &bus, const ProjectPlace
 {
     std::vector<TransferLine> lines;
     for (const ProjectDevice &device : devices)
-        if (const EncoderSession *encoder = bus.encoder(device.participant.number)) {
-            if (const auto why = places.hindrance(device.participant.number))
+        if (const EncoderSession *encoder = bus.encoder(device.place())) {
+            if (const auto why = places.hindrance(device.place()))
                 addHindered(lines, *encoder, device, *why);
             else
                 addToStore(lines, *encoder, device, withCams);

@@ -15,7 +15,7 @@ struct TransferLine
     enum class Kind : std::uint8_t { encoder, value, note };
 
     Kind kind = Kind::encoder;
-    DeviceNumber place;
+    Place place;
     QString what{}; // of an encoder: its name and station
     QString now{};  // with its evidence
     QString wanted{};

@@ -80,7 +80,7 @@ void TransferModel::show(std::vector<TransferLine> lines, Heads heads)
     Q_EMIT chosenChanged();
 }
 
-bool TransferModel::isChosen(DeviceNumber number) const
+bool TransferModel::isChosen(Place number) const
 {
     const auto line = std::ranges::find_if(rows(), [number](const TransferLine &one) {
         return one.kind == LineKind::encoder && one.place == number;
@@ -91,7 +91,7 @@ bool TransferModel::isChosen(DeviceNumber number) const
     return found == m_chosen.end() || found->second;
 }
 
-void TransferModel::choose(DeviceNumber number, bool chosen)
+void TransferModel::choose(Place number, bool chosen)
 {
     m_chosen[number] = chosen;
     for (int row = 0; row < rowCount(); ++row)
@@ -115,9 +115,9 @@ void TransferModel::redraw(int row)
     Q_EMIT dataChanged(index(row, 0), index(row, columns() - 1));
 }
 
-std::vector<DeviceNumber> TransferModel::chosen() const
+std::vector<Place> TransferModel::chosen() const
 {
-    std::vector<DeviceNumber> numbers;
+    std::vector<Place> numbers;
     for (const TransferLine &line : rows())
         if (line.kind == LineKind::encoder && isChosen(line.place))
             numbers.push_back(line.place);

@@ -27,11 +27,11 @@ public:
 
     // Keeps what is there as far as it is the same, and what was chosen.
     void show(std::vector<TransferLine> lines, Heads heads = Heads::write);
-    bool isChosen(DeviceNumber number) const;
-    void choose(DeviceNumber number, bool chosen);
+    bool isChosen(Place number) const;
+    void choose(Place number, bool chosen);
     void chooseAll(bool chosen);
     void forgetChoice() { m_chosen.clear(); }
-    std::vector<DeviceNumber> chosen() const;
+    std::vector<Place> chosen() const;
 
     Qt::ItemFlags flags(const QModelIndex &index) const override;
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
@@ -49,7 +49,7 @@ private:
 
     Choice m_choice;
     Heads m_heads = Heads::write;
-    std::map<DeviceNumber, bool> m_chosen; // where the user chose
+    std::map<Place, bool> m_chosen; // where the user chose
 };
 
 } // namespace codewheel

@@ -32,7 +32,7 @@ namespace {
 
 using What = TransferChoice::What;
 
-bool isOneOf(const std::vector<DeviceNumber> &numbers, DeviceNumber number)
+bool isOneOf(const std::vector<Place> &numbers, Place number)
 {
     return std::ranges::find(numbers, number) != numbers.end();
 }
@@ -41,7 +41,7 @@ bool isOneOf(const std::vector<DeviceNumber> &numbers, DeviceNumber number)
 
 void TransferPage::followEncoders()
 {
-    for (const DeviceNumber number : m_bus.numbers())
+    for (const Place number : m_bus.places())
         if (EncoderSession *encoder = m_bus.encoder(number)) {
             connect(encoder, &EncoderSession::knownChanged, this, &TransferPage::planSoon,
                     Qt::UniqueConnection);
@@ -49,7 +49,7 @@ void TransferPage::followEncoders()
         }
 }
 
-void TransferPage::choose(What what, std::optional<DeviceNumber> number)
+void TransferPage::choose(What what, std::optional<Place> number)
 {
     if (isBusy())
         return;
@@ -103,7 +103,7 @@ TransferPlan TransferPage::chosenPlan() const
 
 void TransferPage::showSummary()
 {
-    const std::vector<DeviceNumber> chosen = m_model->chosen();
+    const std::vector<Place> chosen = m_model->chosen();
     const bool stores = m_choice->what() == What::store;
     m_begin->setText(stores ? tr("&Read and store") : tr("&Write"));
     m_begin->setIcon(lineIcon(stores ? Icon::read : Icon::write));
@@ -134,7 +134,7 @@ std::vector<EncoderJobs> TransferPage::jobsToDo() const
     if (m_choice->what() != What::store)
         return jobsOf(chosenPlan());
     std::vector<EncoderJobs> jobs;
-    for (const DeviceNumber number : m_toStore)
+    for (const Place number : m_toStore)
         if (const EncoderSession *encoder = m_bus.encoder(number))
             if (EncoderJobs one = jobsToStore(*encoder, m_choice->withCams()); !one.jobs.empty())
                 jobs.push_back(std::move(one));
@@ -147,7 +147,7 @@ TransferPlan TransferPage::planOfCost() const
     if (m_choice->what() != What::store)
         return chosenPlan();
     TransferPlan plan;
-    for (const DeviceNumber number : m_model->chosen())
+    for (const Place number : m_model->chosen())
         if (const EncoderSession *encoder = m_bus.encoder(number)) {
             EncoderPlan one{.place = number, .jobs = jobsToStore(*encoder, m_choice->withCams()).jobs};
             for (const Job &job : one.jobs)
@@ -208,9 +208,8 @@ void TransferPage::finishStoring()
     const ProjectPlaces places(project, m_bus); // another ring may have been read in meanwhile
     std::vector<ProjectDevice> stored;
     for (ProjectDevice &device : project.devices) {
-        const EncoderSession *encoder = m_bus.encoder(device.participant.number);
-        if (encoder == nullptr || !isOneOf(m_toStore, device.participant.number) ||
-            places.hindrance(device.participant.number))
+        const EncoderSession *encoder = m_bus.encoder(device.place());
+        if (encoder == nullptr || !isOneOf(m_toStore, device.place()) || places.hindrance(device.place()))
             continue;
         device = withStored(device, *encoder);
         stored.push_back(device);
@@ -232,7 +231,7 @@ QString TransferPage::source() const
 {
     switch (m_choice->what()) {
     case What::clone:
-        return tr("Values of %1").arg(m_choice->from().value_or(DeviceNumber()).toString());
+        return tr("Values of %1").arg(m_choice->from().value_or(Place()).toString());
     case What::restore:
         return m_choice->before()
                    ? tr("Values of %1").arg(timeOf(*m_choice->before(), m_bus.dateTime(m_bus.latest().at)))

@@ -33,7 +33,7 @@ public:
                  QWidget *parent = nullptr);
 
     // Shows what differs now. `number`: the encoder that is chosen elsewhere.
-    void choose(TransferChoice::What what, std::optional<DeviceNumber> number);
+    void choose(TransferChoice::What what, std::optional<Place> number);
     bool isBusy() const { return m_round.isRunning(); }
 
 Q_SIGNALS:
@@ -66,7 +66,7 @@ private:
     ProjectDocument &m_project;
     JobRound m_round;
     TransferPlan m_plan;
-    std::vector<DeviceNumber> m_toStore;
+    std::vector<Place> m_toStore;
     QTimer m_soon; // many encoders change at once
     TransferChoice *m_choice;
     TransferModel *m_model;

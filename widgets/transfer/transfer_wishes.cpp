@@ -14,11 +14,11 @@ namespace codewheel {
 std::vector<ProjectDevice> plannedDevices(const ProjectDocument &project)
 {
     std::vector<ProjectDevice> devices;
-    project.forEachDevice([&](DeviceNumber number, const ProjectDevice &device) {
+    project.forEachDevice([&](Place number, const ProjectDevice &device) {
         devices.push_back(device);
-        devices.back().participant.number = number;
+        devices.back().standAt(number);
     });
-    std::ranges::sort(devices, {}, [](const ProjectDevice &device) { return device.participant.number; });
+    std::ranges::sort(devices, {}, [](const ProjectDevice &device) { return device.place(); });
     return devices;
 }
 
@@ -37,7 +37,7 @@ std::vector<TransferWish> transferWishes(const TransferChoice &choice, const Bus
     if (what == What::clone) {
         const auto from = choice.from();
         const EncoderSession *model = from ? bus.encoder(*from) : nullptr;
-        for (const DeviceNumber number : bus.numbers())
+        for (const Place number : bus.places())
             if (const EncoderSession *to = bus.encoder(number);
                 model && to && number != *from && to->can().writes)
                 wishes.push_back(wishToClone(*model, *to, choice.withCams()));

@@ -44,7 +44,7 @@ void DevicePage::enter()
     m_list->clear();
     m_encoders.clear();
     if (m_setup.buses)
-        for (const DeviceNumber number : m_setup.buses->numbers())
+        for (const Place number : m_setup.buses->places())
             if (EncoderSession *encoder = m_setup.buses->encoder(number)) {
                 m_encoders.push_back(encoder);
                 m_list->addItem(new QListWidgetItem(

@@ -23,8 +23,8 @@ void Setup::want(const Wishes &wishes)
         putWanted(values, parameter, value);
         given.try_emplace(parameter, Given{before, value}).first->second.now = value;
     }
-    wanted.replace(encoder->number(), std::move(values),
-                   SetupTexts::tr("Values wanted for %1").arg(encoder->number().toString()));
+    wanted.replace(encoder->place(), std::move(values),
+                   SetupTexts::tr("Values wanted for %1").arg(encoder->place().toString()));
     takeWanted();
 }
 
@@ -37,8 +37,8 @@ void Setup::takeBack()
     for (const auto &[parameter, change] : given)
         if (valueOf(wish.wanted, parameter) == change.now)
             putWanted(values, parameter, change.before);
-    wanted.replace(encoder->number(), std::move(values),
-                   SetupTexts::tr("Wizard for %1 cancelled").arg(encoder->number().toString()));
+    wanted.replace(encoder->place(), std::move(values),
+                   SetupTexts::tr("Wizard for %1 cancelled").arg(encoder->place().toString()));
     keep();
     takeWanted();
 }

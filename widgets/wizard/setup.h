@@ -51,7 +51,7 @@ struct Setup
     void takeBack();
     // It is the user's now: nothing is taken back.
     void keep() { given.clear(); }
-    void takeWanted() { wish.wanted = encoder ? wanted.values(encoder->number()) : ParameterValues{}; }
+    void takeWanted() { wish.wanted = encoder ? wanted.values(encoder->place()) : ParameterValues{}; }
 };
 
 } // namespace codewheel

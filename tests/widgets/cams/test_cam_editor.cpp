@@ -195,13 +195,13 @@ TEST_F(CamEditorView, ThePictureOfTheWordTellsTheBitsOfThePosition)
 TEST_F(CamEditorView, InPositionModeItTellsWhatTheCamsWouldBe)
 {
     tellAll();
-    ring.controls->turnTo(fraba, 300);
+    ring.controls->turnTo(fraba.node, 300);
     setManualCam();
     advance(60);
     EXPECT_EQ(sheet().isOn(manualCam), true);
     EXPECT_FALSE(sheet().live().isTold);
     EXPECT_EQ(sheet().live().position, (CamLive::Position{300, 300}));
-    ring.controls->turnTo(fraba, 0x214); // one behind the stop
+    ring.controls->turnTo(fraba.node, 0x214); // one behind the stop
     advance(60);
     EXPECT_EQ(sheet().isOn(manualCam), false);
     sheet().setCam(manualCam, {33'554'000, 0x214, true}, {}); // through zero

@@ -157,13 +157,13 @@ TEST_F(CamEditorJobs, TheCamsOfTheRunningProgramAreShownAsTheEncoderTellsThem)
 {
     tellAll();
     writeManualCam();
-    ring.controls->turnTo(fraba, 0x15);
+    ring.controls->turnTo(fraba.node, 0x15);
     trigger("Run this program in the encoder");
     finishJob();
     EXPECT_EQ(encoder().latest().mode, Mode::cam);
     EXPECT_TRUE(sheet().live().isTold);
     EXPECT_EQ(sheet().isOn(manualCam), true);
-    ring.controls->turnTo(fraba, 0x214);
+    ring.controls->turnTo(fraba.node, 0x214);
     advance(60);
     EXPECT_EQ(sheet().isOn(manualCam), false);
     trigger("Back to position mode");
@@ -177,7 +177,7 @@ TEST_F(CamEditorJobs, AShiftedPositionIsAStretchOfTheRuler)
     tellAll();
     sheet().setShift(8);
     writeManualCam();
-    ring.controls->turnTo(fraba, 1'000'000);
+    ring.controls->turnTo(fraba.node, 1'000'000);
     trigger("Run this program in the encoder");
     finishJob();
     EXPECT_EQ(sheet().live().position, (CamLive::Position{999'936, 1'000'191}));

@@ -24,7 +24,7 @@ protected:
         project.setProject(projectOf(ring.bus.structure()), {});
         show(fraba);
     }
-    void show(DeviceNumber number)
+    void show(Place number)
     {
         editor.setEncoder({number, *plannedDescription(project.device(number), ring.catalog)});
     }

@@ -21,7 +21,7 @@ protected:
         finishJob();
         trigger("Run this program in the encoder");
         finishJob();
-        ring.controls->turnTo(fraba, 300);
+        ring.controls->turnTo(fraba.node, 300);
         advance(60);
         sheet().setNumber(2);
     }

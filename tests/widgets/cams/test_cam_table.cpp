@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/model_tester.h"
+#include "tests/support/places.h"
 #include "tests/widgets/cams/cam_test.h"
 #include "widgets/cams/cam_table.h"
 #include "widgets/cams/cam_table_model.h"
@@ -176,7 +177,7 @@ TEST_F(CamTableTest, AnotherProgramAndAnotherDocumentAreShownAtOnce)
     EXPECT_EQ(text(manualCam, CamTableModel::stopColumn), QStringLiteral("0"));
     sheet.setNumber(1);
     EXPECT_EQ(text(manualCam, CamTableModel::stopColumn), QStringLiteral("531"));
-    CamDocument other(project, DeviceNumber{9, 0});
+    CamDocument other(project, "9.0"_ring);
     sheet.setDocument(other);
     EXPECT_EQ(text(manualCam, CamTableModel::stopColumn), QStringLiteral("0"));
 }

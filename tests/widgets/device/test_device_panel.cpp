@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/places.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/device/device_html.h"
 #include "widgets/device/device_panel.h"
@@ -192,7 +193,7 @@ TEST_F(DevicePanelTest, TheTreeAsksForTheMakeUntilItIsNamed)
 // The code of the LA-66 is also that of analog modules: without a name there is no driver for it.
 TEST_F(DevicePanelTest, TheTreeAsksWhatAnUnnamedRodIsAndNeverABusTerminal)
 {
-    constexpr DeviceNumber la66{5, 0};
+    constexpr Place la66 = "5.0"_ring;
     StructureView tree;
     tree.setBus(&ring.bus);
     tree.show();
@@ -201,7 +202,7 @@ TEST_F(DevicePanelTest, TheTreeAsksWhatAnUnnamedRodIsAndNeverABusTerminal)
     ASSERT_EQ(ring.bus.encoder(la66), nullptr);
     tree.choose(la66);
     EXPECT_FALSE(question->isHidden());
-    tree.choose({6, 0});
+    tree.choose("6.0"_ring);
     EXPECT_TRUE(question->isHidden());
 }
 

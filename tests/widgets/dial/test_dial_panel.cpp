@@ -69,10 +69,10 @@ TEST_F(DialPanelTest, APositionWithoutItsScaleIsANumberAndADiscThatStands)
 
 TEST_F(DialPanelTest, APositionOnlyEncoderTurnsTheDiscAtOnce)
 {
-    ring.controls->setSpeed(test::singleTurn, 0);
-    ring.controls->turnTo(test::singleTurn, 1024);
-    ring.controls->setSpeed(test::multiTurn, 0);
-    ring.controls->turnTo(test::multiTurn, 3 * 4096 + 2048);
+    ring.controls->setSpeed(test::singleTurn.node, 0);
+    ring.controls->turnTo(test::singleTurn.node, 1024);
+    ring.controls->setSpeed(test::multiTurn.node, 0);
+    ring.controls->turnTo(test::multiTurn.node, 3 * 4096 + 2048);
     panel.setEncoder(&ring.encoder(test::singleTurn));
     advance(66);
     EXPECT_EQ(shown().position, 1024);
@@ -153,7 +153,7 @@ TEST_F(DialPanelTest, InVelocityModeItShowsRevolutionsPerMinuteAndNoPosition)
     EncoderSession &encoder = ring.encoder(fraba);
     encoder.tell(Parameter::startUpMode, 1);
     panel.setEncoder(&encoder);
-    ring.controls->setSpeed(fraba, -150);
+    ring.controls->setSpeed(fraba.node, -150);
     ASSERT_TRUE(encoder.start(SwitchMode{Mode::velocity}));
     advance(200);
     EXPECT_EQ(shown().velocity, -150);

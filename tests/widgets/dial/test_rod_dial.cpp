@@ -23,7 +23,7 @@ protected:
     {
         panel.resize(280, 420);
         panel.show();
-        ring.controls->setMagnetSpeed(rodPlace, 0);
+        ring.controls->setMagnetSpeed(rodPlace.node, 0);
         advance(66);
         panel.setEncoder(&encoder());
     }
@@ -97,10 +97,10 @@ TEST_F(RodDialTest, TheMagnetIsSeenWhereTheTrainerMovesIt)
 {
     knowAll();
     const double length = ring.controls->rods().at(0).lengthMillimetres;
-    ring.controls->moveMagnetTo(rodPlace, length / 4);
+    ring.controls->moveMagnetTo(rodPlace.node, length / 4);
     advance(66);
     EXPECT_NEAR(magnetPlace(shown()).value_or(-1), 0.25, 0.001);
-    ring.controls->setMagnetSpeed(rodPlace, 10);
+    ring.controls->setMagnetSpeed(rodPlace.node, 10);
     advance(1000);
     const double mmPerStep = length / static_cast<double>(*shown().length);
     EXPECT_NEAR(shown().stepsPerSecond.value_or(0) * mmPerStep * (*shown().countsUpToTheEnd ? 1 : -1), 10,
@@ -110,17 +110,17 @@ TEST_F(RodDialTest, TheMagnetIsSeenWhereTheTrainerMovesIt)
 TEST_F(RodDialTest, AMagnetOutsideItsRangeIsNamedAndItsLastPlaceIsPale)
 {
     knowAll();
-    ring.controls->moveMagnetTo(rodPlace, 100);
+    ring.controls->moveMagnetTo(rodPlace.node, 100);
     advance(66);
     const auto before = shown().position;
-    ring.controls->setMagnetInRange(rodPlace, false);
+    ring.controls->setMagnetInRange(rodPlace.node, false);
     advance(66);
     EXPECT_TRUE(shown().isLastKnown);
     EXPECT_EQ(shown().position, before);
     EXPECT_EQ(shown().role, Role::fault);
     EXPECT_TRUE(shown().note.contains(QStringLiteral("magnet is outside the measuring range")))
         << shown().note.toStdString();
-    ring.controls->setMagnetInRange(rodPlace, true);
+    ring.controls->setMagnetInRange(rodPlace.node, true);
     advance(66);
     ASSERT_TRUE(button("readErrorStatus").isVisible());
     QTest::mouseClick(&button("readErrorStatus"), Qt::LeftButton);

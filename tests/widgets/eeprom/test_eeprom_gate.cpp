@@ -36,7 +36,7 @@ using test::fraba;
 class EepromGateTest : public testing::Test
 {
 protected:
-    void count(int writes, DeviceNumber place = fraba)
+    void count(int writes, Place place = fraba)
     {
         ring.encoder(place).setEepromCount(
             {.writes = writes, .since = QDateTime(QDate(2026, 3, 1), QTime(12, 0)), .by = CountedBy::place});

@@ -34,7 +34,7 @@ protected:
         m_panel.show();
         show(fraba);
     }
-    void show(DeviceNumber number)
+    void show(Place number)
     {
         m_number = number;
         m_panel.setEncoder(&encoder());
@@ -79,14 +79,14 @@ protected:
     ProjectDocument m_project;
     WantedValues m_wanted{m_project};
     ParameterPanel m_panel{m_wanted};
-    DeviceNumber m_number;
+    Place m_number;
     std::vector<Word> m_sent;
 };
 
 TEST_F(EncoderFunctionsTest, VelocityModeIsSwitchedOnAndOffAndTheTickFollowsTheEncoder)
 {
     isInPositionMode();
-    m_ring.controls->setSpeed(fraba, -150);
+    m_ring.controls->setSpeed(fraba.node, -150);
     EXPECT_TRUE(action("positionMode").isChecked());
     click("velocityMode");
     EXPECT_FALSE(action("velocityMode").isChecked()) << "the encoder has not switched yet";

@@ -30,7 +30,7 @@ TEST(JobStrip, TellsTheRequestsOfASerialEncoderAsWhatTheyAre)
     test::LineBench bench;
     bench.open();
     bench.addEncoder();
-    EncoderSession &encoder = *bench.line->encoder(DeviceNumber::onLine({5}));
+    EncoderSession &encoder = *bench.line->encoder(placeOnLine({5}));
     EXPECT_EQ(told(encoder, request("05P")), QStringLiteral("Step 1 of 1: 05: position?"));
     EXPECT_EQ(told(encoder, request("05GP00005200")),
               QStringLiteral("Step 1 of 1: 05: set preset to 5200h = 20992"));

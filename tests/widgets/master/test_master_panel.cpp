@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/refusal_text.h"
 #include "tests/support/model_tester.h"
+#include "tests/support/places.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/device/device_panel.h"
 #include "widgets/look/inline_message.h"
@@ -27,7 +28,7 @@ namespace codewheel {
 namespace {
 
 using test::fraba;
-const DeviceNumber fourth{4, 0};
+const Place fourth = "4.0"_ring;
 
 class MasterPanelTest : public testing::Test
 {
@@ -54,9 +55,9 @@ protected:
         ADD_FAILURE() << "no button " << text.toStdString();
         std::abort();
     }
-    void befall(TrainingFault fault, DeviceNumber place, int value = 1)
+    void befall(TrainingFault fault, Place place, int value = 1)
     {
-        ring.controls->setFault(fault, place, value);
+        ring.controls->setFault(fault, place.node, value);
         ring.bus.advance(40);
     }
     InlineMessage &message() const { return *panel.findChild<InlineMessage *>(); }
@@ -97,7 +98,7 @@ TEST_F(MasterPanelTest, NamesAFaultAsTreeAndMessagesDo)
         return row.siblingAtColumn(StructureModel::stateColumn).data().toString();
     };
     EXPECT_EQ(state(model.index(0, 0)), QStringLiteral("BUS FAIL: %1").arg(name));
-    EXPECT_EQ(state(model.indexOf({3, 0})), name);
+    EXPECT_EQ(state(model.indexOf("3.0"_ring)), name);
     EXPECT_EQ(state(model.indexOf(fourth)), QStringLiteral("not in the ring"));
     EXPECT_EQ(state(model.indexOf(fraba)), QStringLiteral("stopped"));
 }
@@ -194,7 +195,7 @@ TEST_F(MasterPanelTest, ShowsTheProgressOfReadingIn)
 
 TEST_F(MasterPanelTest, CountsCrcErrorsWithAHistory)
 {
-    befall(TrainingFault::crcErrors, {2, 0}, 100);
+    befall(TrainingFault::crcErrors, "2.0"_ring, 100);
     ring.bus.advance(1'000);
     const QAbstractItemModel &model = *table().model();
     EXPECT_GT(model.index(1, SegmentModel::crcColumn).data().toString().toInt(), 50);
@@ -210,8 +211,8 @@ TEST(ASegmentModel, KeepsTheRulesOfModels)
     SegmentModel model;
     const test::ModelTester tester(model);
     model.show(ring.bus);
-    ring.controls->setFault(TrainingFault::wireBreak, fourth, 1);
-    ring.controls->setFault(TrainingFault::crcErrors, {1, 0}, 50);
+    ring.controls->setFault(TrainingFault::wireBreak, fourth.node, 1);
+    ring.controls->setFault(TrainingFault::crcErrors, NodeId("1.0"), 50);
     ring.bus.advance(40);
     model.show(ring.bus);
     ring.bus.readIn();
@@ -243,15 +244,13 @@ TEST(TheLedsInTheDevicePanel, AreNotShownForAnEncoderOnLoop2)
     DevicePanel panel(ring.bus);
     panel.setPlace(fourth);
     EXPECT_FALSE(panel.findChild<LedRow *>()->isHidden());
-    panel.setPlace(DeviceNumber{6, 1});
+    panel.setPlace("6.1"_ring);
     EXPECT_TRUE(panel.findChild<LedRow *>()->isHidden()) << "it has a single one, of another meaning";
     StructureModel model;
     model.setBus(&ring.bus);
-    const auto toolTip = [&](DeviceNumber number) {
-        return model.indexOf(number).data(Qt::ToolTipRole).toString();
-    };
+    const auto toolTip = [&](Place number) { return model.indexOf(number).data(Qt::ToolTipRole).toString(); };
     EXPECT_TRUE(toolTip(fourth).contains(QStringLiteral("LEDs: UL on")));
-    EXPECT_FALSE(toolTip({6, 1}).contains(QStringLiteral("LEDs")));
+    EXPECT_FALSE(toolTip("6.1"_ring).contains(QStringLiteral("LEDs")));
 }
 
 TEST(TheLedsInTheDevicePanel, AreShownWhereTheDescriptionHasThem)
@@ -260,7 +259,7 @@ TEST(TheLedsInTheDevicePanel, AreShownWhereTheDescriptionHasThem)
     DevicePanel panel(ring.bus);
     StructureModel model;
     model.setBus(&ring.bus);
-    for (const DeviceNumber without : {test::baumer, DeviceNumber{5, 0}}) {
+    for (const Place without : {test::baumer, "5.0"_ring}) {
         panel.setPlace(without);
         EXPECT_TRUE(panel.findChild<LedRow *>()->isHidden()) << without.toString().toStdString();
         EXPECT_FALSE(

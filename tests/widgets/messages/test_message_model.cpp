@@ -22,7 +22,7 @@ using test::fraba;
 
 const QDateTime noon(QDate(2026, 3, 1), QTime(12, 0));
 
-Message training(const char *what, std::optional<DeviceNumber> place = {})
+Message training(const char *what, std::optional<Place> place = {})
 {
     return {.place = place, .id = MessageId::training, .arguments = {QString::fromUtf8(what)}};
 }
@@ -209,7 +209,7 @@ TEST_F(MessageFilterTest, KeepsASeverityAndWorse)
 
 TEST_F(MessageFilterTest, KeepsAPlaceOrTheBus)
 {
-    ASSERT_EQ(count({.place = {.all = false, .number = fraba}}), 1);
+    ASSERT_EQ(count({.place = {.all = false, .at = fraba}}), 1);
     EXPECT_EQ(shown(messages, 0, MessageModel::textColumn), QStringLiteral("Power off"));
     ASSERT_EQ(count({.place = {.all = false}}), 1);
     EXPECT_EQ(shown(messages, 0, MessageModel::textColumn), QStringLiteral("The bus runs."));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/old_file.h"
+#include "tests/support/places.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
@@ -44,8 +45,7 @@ protected:
         EXPECT_TRUE(QTest::qWaitForWindowActive(&view));
     }
 
-    void add(const char *what, std::optional<DeviceNumber> place = {},
-             Severity severity = Severity::information)
+    void add(const char *what, std::optional<Place> place = {}, Severity severity = Severity::information)
     {
         messages.addNow({.place = place,
                          .severity = severity,
@@ -120,9 +120,9 @@ TEST_F(MessagesViewTest, FiltersByKeysAndShowsAllAgain)
 
 TEST_F(MessagesViewTest, OffersThePlacesWhereSomethingHappened)
 {
-    add("b", DeviceNumber{10, 0});
-    add("a", DeviceNumber{2, 0});
-    add("again", DeviceNumber{2, 0});
+    add("b", "10.0"_ring);
+    add("a", "2.0"_ring);
+    add("again", "2.0"_ring);
     add("bus");
     auto &places = find<QComboBox>("Place of messages");
     ASSERT_EQ(places.count(), 4);

@@ -37,7 +37,7 @@ protected:
         encoder.tell(Parameter::steps, 8192);
         encoder.tell(Parameter::revolutions, 1);
         encoder.tell(Parameter::direction, 3);
-        ring.controls->setSpeed(fraba, 60);
+        ring.controls->setSpeed(fraba.node, 60);
         advance(500);
     }
     void advance(int milliseconds)
@@ -124,7 +124,7 @@ TEST_F(FreshnessTest, TheTreeShowsOldPositionsGreyAndSaysSo)
     StructureModel model;
     model.setBus(&ring.bus);
     advance(40);
-    const auto cell = [&](DeviceNumber number) {
+    const auto cell = [&](Place number) {
         return model.indexOf(number).siblingAtColumn(StructureModel::positionColumn);
     };
     EXPECT_FALSE(cell(fraba).data(Qt::ForegroundRole).isValid());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/places.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
@@ -34,7 +35,7 @@ protected:
     {
         QStringList names;
         for (const WordMonitor *monitor : area.monitors())
-            names << monitor->number().toString() + QLatin1Char(' ') + monitorKindText(monitor->kind());
+            names << monitor->place().toString() + QLatin1Char(' ') + monitorKindText(monitor->kind());
         return names;
     }
 
@@ -68,7 +69,7 @@ TEST_F(MonitorAreaTest, OpensEachMonitorOnce)
 
 TEST_F(MonitorAreaTest, ADeviceThatIsNotThereIsRefusedWithASentence)
 {
-    area.openMonitor({7, 0}, MonitorKind::in32);
+    area.openMonitor("7.0"_ring, MonitorKind::in32);
     EXPECT_TRUE(open().isEmpty());
     EXPECT_EQ(area.findChild<InlineMessage *>()->sentence(),
               QStringLiteral("7.0 has no word IN 32 to show. Choose another device or word."));
@@ -107,8 +108,8 @@ TEST_F(MonitorAreaTest, WhereThereIsNoOutWordItSaysSo)
 TEST_F(MonitorAreaTest, WhatAPositionOnlyEncoderShowsIsExplained)
 {
     area.openWords(test::singleTurn);
-    ring.controls->setSpeed(test::singleTurn, 0);
-    ring.controls->turnTo(test::singleTurn, 4095);
+    ring.controls->setSpeed(test::singleTurn.node, 0);
+    ring.controls->turnTo(test::singleTurn.node, 4095);
     ring.bus.advance(5);
     const WordMonitor *monitor = area.monitor(test::singleTurn, MonitorKind::in16);
     EXPECT_EQ(monitor->hexText(), QStringLiteral("0FFF"));
@@ -128,7 +129,7 @@ TEST_F(MonitorAreaTest, TheMenuOffersEveryWordOfEveryDevice)
 TEST_F(MonitorAreaTest, MonitorsMoveWithTheBus)
 {
     area.openMonitor(fraba, MonitorKind::in32);
-    ring.controls->turnTo(fraba, 0x77);
+    ring.controls->turnTo(fraba.node, 0x77);
     ring.bus.advance(5);
     EXPECT_EQ(area.monitor(fraba, MonitorKind::in32)->hexText(), QStringLiteral("00000077"));
 }

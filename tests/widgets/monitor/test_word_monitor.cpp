@@ -110,7 +110,7 @@ protected:
 
 TEST_F(WordMonitorTest, AWordIsShownInEveryWriting)
 {
-    ring.controls->turnTo(fraba, 0x1234);
+    ring.controls->turnTo(fraba.node, 0x1234);
     ring.bus.advance(10);
     EXPECT_EQ(hexadecimal(in), QStringLiteral("00001234"));
     EXPECT_EQ(number(in, "IN 1.0 decimal"), QStringLiteral("4660"));
@@ -142,7 +142,7 @@ TEST_F(WordMonitorTest, AWordFromBeforeIsToldAsSuch)
     ring.bus.setRunning(true);
     ring.bus.advance(40);
     EXPECT_EQ(in.meaning(), upToDate);
-    ring.bus.switchSegment(fraba.segment, false);
+    ring.bus.switchSegment(DeviceNumber::of(fraba.node).segment, false);
     ring.bus.advance(40);
     EXPECT_TRUE(in.meaning().startsWith(QStringLiteral("Not up to date, "))) << "the ring runs without it";
 }
@@ -347,7 +347,7 @@ TEST_F(WordMonitorTest, TheBarShowsThePositionOnceTheRangeIsKnown)
 
 TEST_F(WordMonitorTest, In16ShowsTheHalfThatIsChosen)
 {
-    ring.controls->turnTo(fraba, 0x54321);
+    ring.controls->turnTo(fraba.node, 0x54321);
     ring.bus.advance(10);
     WordMonitor half = monitorOf(MonitorKind::in16);
     half.showPicture(ring.bus.latest().at);
@@ -394,7 +394,7 @@ TEST_F(WordMonitorTest, OnlyWhatChangedIsLaidOutAndPainted)
     ring.bus.advance(5);
     QCoreApplication::processEvents();
     EXPECT_EQ(counter.paints, 0);
-    ring.controls->turnBy(fraba, 1);
+    ring.controls->turnBy(fraba.node, 1);
     ring.bus.advance(5);
     QCoreApplication::processEvents();
     EXPECT_GT(counter.paints, 0);

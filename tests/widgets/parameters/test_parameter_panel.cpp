@@ -4,6 +4,7 @@
 #include "ring/bus_session.h"
 #include "simulator/training_bus.h"
 #include "tests/support/model_tester.h"
+#include "tests/support/places.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
@@ -105,7 +106,7 @@ protected:
         QTest::mouseClick(found, Qt::LeftButton);
     }
     // At most 5 s of bus time.
-    void finishJob(DeviceNumber number = fraba)
+    void finishJob(Place number = fraba)
     {
         for (int i = 0; i < 500 && bus.encoder(number)->runningJob(); ++i)
             bus.advance(10);
@@ -130,7 +131,7 @@ TEST_F(Parameters, WithoutAnEncoderItSaysWhatBelongsHere)
 
 TEST_F(Parameters, AnEncoderThatOnlyTellsItsPositionSaysSo)
 {
-    panel.setEncoder(bus.encoder({3, 0}));
+    panel.setEncoder(bus.encoder("3.0"_ring));
     EXPECT_FALSE(table().isVisible());
     const auto texts = [this] {
         QStringList shown;
@@ -374,7 +375,7 @@ TEST_F(Parameters, CancelAsksHowToLeaveAnEncoderThatHasTakenSomething)
 {
     click(QStringLiteral("Read from encoder"));
     finishJob();
-    training.controls->setSlow(fraba, true);
+    training.controls->setSlow(fraba.node, true);
     want(Parameter::steps, QStringLiteral("255"));
     want(Parameter::revolutions, QStringLiteral("2"));
     click(QStringLiteral("Write..."));
@@ -407,7 +408,7 @@ TEST_F(Parameters, CancelAsksHowToLeaveAnEncoderThatHasTakenSomething)
 TEST_F(Parameters, WhatCannotBeRestoredIsNotOffered)
 {
     panel.setEncoder(bus.encoder(baumer));
-    training.controls->setSlow(baumer, true);
+    training.controls->setSlow(baumer.node, true);
     want(Parameter::steps, QStringLiteral("255"));
     want(Parameter::revolutions, QStringLiteral("2"));
     click(QStringLiteral("Write..."));
@@ -422,7 +423,7 @@ TEST_F(Parameters, WhatCannotBeRestoredIsNotOffered)
     ASSERT_NE(button(QStringLiteral("Restore previous")), nullptr);
     EXPECT_FALSE(button(QStringLiteral("Restore previous"))->isEnabled());
     click(QStringLiteral("Go on"));
-    training.controls->setSlow(baumer, false);
+    training.controls->setSlow(baumer.node, false);
     finishJob(baumer);
     EXPECT_TRUE(message().startsWith(QStringLiteral("Steps, Revolutions written, echoed and active.")))
         << message().toStdString();

@@ -3,6 +3,7 @@
 #include "project/planned_device.h"
 #include "project/project_take_over.h"
 #include "tests/support/model_tester.h"
+#include "tests/support/places.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/parameter_panel.h"
@@ -26,7 +27,7 @@ namespace {
 
 using test::fraba;
 
-constexpr DeviceNumber rod{5, 0};
+constexpr Place rod = "5.0"_ring;
 
 class OfflineParameters : public testing::Test
 {
@@ -39,7 +40,7 @@ protected:
         show(fraba);
     }
 
-    void show(DeviceNumber number)
+    void show(Place number)
     {
         panel.setEncoder({number, *plannedDescription(project.device(number), ring.catalog)});
     }

@@ -25,8 +25,8 @@ TEST(WantedValues, TellOnlyOfARealChange)
 {
     ProjectDocument project;
     WantedValues wanted(project);
-    std::vector<DeviceNumber> told;
-    QObject::connect(&wanted, &WantedValues::changed, [&](DeviceNumber number) { told.push_back(number); });
+    std::vector<Place> told;
+    QObject::connect(&wanted, &WantedValues::changed, [&](Place number) { told.push_back(number); });
     wanted.set(fraba, Parameter::steps, 255);
     wanted.set(fraba, Parameter::steps, 255);
     wanted.clear(baumer);
@@ -43,8 +43,8 @@ TEST(WantedValues, EachChangeIsTakenBackByUndo)
     wanted.set(fraba, Parameter::steps, 255);
     wanted.set(fraba, Parameter::steps, 256);
     wanted.clear(fraba);
-    std::vector<DeviceNumber> told;
-    QObject::connect(&wanted, &WantedValues::changed, [&](DeviceNumber number) { told.push_back(number); });
+    std::vector<Place> told;
+    QObject::connect(&wanted, &WantedValues::changed, [&](Place number) { told.push_back(number); });
     project.undoStack().undo();
     EXPECT_EQ(wanted.value(fraba, Parameter::steps), 256);
     project.undoStack().undo();

@@ -2,6 +2,7 @@
 #include "project/project_json.h"
 #include "project/project_take_over.h"
 #include "ring/ring_edit.h"
+#include "tests/support/places.h"
 #include "widgets/project/project_document.h"
 
 #include <QSignalSpy>
@@ -14,7 +15,7 @@ namespace {
 
 Participant encoder(int segment)
 {
-    return {{segment, 0}, 0x37, 0x0237, 2, 2, {}};
+    return {DeviceNumber{segment, 0}.node(), 0x37, 0x0237, 2, 2, {}};
 }
 
 Project plant(int devices)
@@ -93,7 +94,7 @@ TEST_F(Document, ARecoveredProjectIsNotSaved)
 
 TEST_F(Document, IsNotSavedWhileValuesAreInNoFile)
 {
-    const DeviceNumber fifth{5, 0};
+    const Place fifth = "5.0"_ring;
     const auto want = [&](std::int64_t steps) {
         document.editDevice(fifth, QStringLiteral("steps"), [&](ProjectDevice &device) {
             device.wanted = {{Parameter::steps, steps}};
@@ -165,7 +166,7 @@ TEST_F(Document, ADeviceKeepsItsIdWhereverItGoes)
 
 TEST_F(Document, DevicesThatAreNotTheProjectsAreKeptBesideIt)
 {
-    constexpr DeviceNumber stranger{9, 0};
+    constexpr Place stranger = "9.0"_ring;
     document.editDevice(stranger, QStringLiteral("want"), [](ProjectDevice &device) {
         device.wanted = {{Parameter::steps, 255}};
     });
@@ -181,17 +182,17 @@ TEST_F(Document, DevicesThatAreNotTheProjectsAreKeptBesideIt)
 // Whatever is done is taken back, step by step, and done again.
 TEST_F(Document, AnEncoderOfTheSerialLineIsEditedLikeOneOfTheRing)
 {
-    constexpr DeviceNumber place = DeviceNumber::onLine({0x12});
+    constexpr Place place = placeOnLine({0x12});
     Project after = document.project();
     after.line.emplace();
-    after.line->encoders.emplace_back().participant.number = place;
+    after.line->encoders.emplace_back().standAt(place);
     document.edit(after, QStringLiteral("add"));
     document.editDevice(place, QStringLiteral("station"),
                         [](ProjectDevice &device) { device.station = QStringLiteral("Slide"); });
     EXPECT_EQ(document.project().line->encoders[0].station, QStringLiteral("Slide"));
     EXPECT_EQ(document.device(place).station, QStringLiteral("Slide"));
-    std::vector<DeviceNumber> visited;
-    document.forEachDevice([&](DeviceNumber number, const ProjectDevice &) { visited.push_back(number); });
+    std::vector<Place> visited;
+    document.forEachDevice([&](Place number, const ProjectDevice &) { visited.push_back(number); });
     EXPECT_EQ(visited.back(), place);
     EXPECT_EQ(visited.size(), 5u);
     document.undoStack().undo();
@@ -202,19 +203,19 @@ TEST_F(Document, AnEncoderOfTheSerialLineIsEditedLikeOneOfTheRing)
 
 TEST_F(Document, AnEncoderOfAnotherAddressKeepsWhatIsPlannedForIt)
 {
-    constexpr DeviceNumber from = DeviceNumber::onLine({0x12});
-    constexpr DeviceNumber to = DeviceNumber::onLine({7});
+    constexpr Place from = placeOnLine({0x12});
+    constexpr Place to = placeOnLine({7});
     Project before = document.project();
     before.line.emplace();
     for (const int address : {9, 0x12}) {
         ProjectDevice &encoder = before.line->encoders.emplace_back();
-        encoder.participant.number = DeviceNumber::onLine({static_cast<std::uint8_t>(address)});
+        encoder.standAt(placeOnLine({static_cast<std::uint8_t>(address)}));
         encoder.station = QString::number(address);
     }
     document.edit(before, QStringLiteral("add"));
     document.renumber(from, to, QStringLiteral("address"));
     ASSERT_EQ(document.project().line->encoders.size(), 2u);
-    EXPECT_EQ(document.project().line->encoders[0].participant.number, to) << "by address";
+    EXPECT_EQ(document.project().line->encoders[0].place(), to) << "by address";
     EXPECT_EQ(document.device(to).station, QStringLiteral("18"));
     EXPECT_TRUE(document.device(from).station.isEmpty());
     EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("address"));
@@ -227,8 +228,8 @@ TEST_F(Document, AnEncoderOfAnotherAddressKeepsWhatIsPlannedForIt)
 
 TEST_F(Document, WhatIsPlannedForAnEncoderBesideTheProjectGoesAlongToo)
 {
-    constexpr DeviceNumber from = DeviceNumber::onLine({3});
-    constexpr DeviceNumber to = DeviceNumber::onLine({7});
+    constexpr Place from = placeOnLine({3});
+    constexpr Place to = placeOnLine({7});
     document.editDevice(from, QStringLiteral("want"), [](ProjectDevice &device) {
         device.wanted = {{Parameter::steps, 255}};
     });

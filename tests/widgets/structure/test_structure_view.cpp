@@ -27,7 +27,7 @@ class StructureTest : public testing::Test
 protected:
     StructureTest() { ring.bus.advance(10); }
 
-    QString text(DeviceNumber number, StructureModel::Column column)
+    QString text(Place number, StructureModel::Column column)
     {
         return model.indexOf(number).siblingAtColumn(column).data().toString();
     }
@@ -84,7 +84,7 @@ TEST_F(StructureTest, TheTooltipTellsACodingThatIsNotPlain)
 TEST_F(StructureTest, AShaftThatTurnsTooFastHasNoValidPosition)
 {
     model.setBus(&ring.bus);
-    ring.controls->setSpeed(fraba, 6000);
+    ring.controls->setSpeed(fraba.node, 6000);
     ring.bus.advance(20);
     EXPECT_EQ(ring.encoder(fraba).latest().in, Word{0x8000'0000});
     EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("no valid position"));
@@ -193,7 +193,7 @@ TEST_F(StructureTest, ArrowsChooseAndEnterOpens)
     EXPECT_EQ(chosen.count(), 2);
     QTest::keyClick(tree, Qt::Key_Return);
     ASSERT_EQ(opened.count(), 1);
-    EXPECT_EQ(opened.front().front().value<DeviceNumber>(), baumer);
+    EXPECT_EQ(opened.front().front().value<Place>(), baumer);
     QTest::keyClick(tree, Qt::Key_Home);
     EXPECT_EQ(view.current(), std::nullopt) << "the master";
 }
@@ -231,7 +231,7 @@ TEST_F(StructureTest, TheNumbersAreSeenInANarrowPanelHoweverLongTheStates)
     view.show();
     view.setBus(&ring.bus);
     const auto &tree = *view.findChild<QTreeView *>();
-    ring.controls->setFault(TrainingFault::wireBreak, {4, 0}, 1);
+    ring.controls->setFault(TrainingFault::wireBreak, NodeId("4.0"), 1);
     ring.bus.advance(40);
     const auto &shown = static_cast<const StructureModel &>(*tree.model());
     EXPECT_TRUE(QTest::qWaitFor(

@@ -23,17 +23,17 @@ protected:
         QStringList texts;
         for (std::size_t i = 0; i < document.ids().size(); ++i)
             texts << QStringLiteral("%1=%2")
-                         .arg(document.project().devices[i].participant.number.toString())
+                         .arg(document.project().devices[i].place().toString())
                          .arg(document.ids()[i]);
         return texts.join(u' ');
     }
     ProjectDocument::DeviceId id(const QString &number) const
     {
-        return document.ids().at(*document.placeOf(*DeviceNumber::parse(number)));
+        return document.ids().at(*document.placeOf(*Place::parse(number)));
     }
     const Participant &at(const QString &number) const
     {
-        return document.device(*DeviceNumber::parse(number)).participant;
+        return document.device(*Place::parse(number)).participant;
     }
 
     Catalog catalog = Catalog::builtIn();

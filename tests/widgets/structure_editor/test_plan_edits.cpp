@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "encoder/refusal_text.h"
 #include "ring/id_code.h"
+#include "tests/support/places.h"
 #include "tests/widgets/structure_editor/plan_test.h"
 #include "widgets/structure_editor/plan_edits.h"
 
@@ -26,10 +27,11 @@ TEST_F(PlanEditsTest, AnInsertedDeviceIsAStepThatNamesIt)
 
 TEST_F(PlanEditsTest, WhatBelongsToADeviceGoesWithIt)
 {
-    document.editDevice({1, 0}, {}, [](ProjectDevice &device) { device.station = QStringLiteral("hoist"); });
+    document.editDevice("1.0"_ring, {},
+                        [](ProjectDevice &device) { device.station = QStringLiteral("hoist"); });
     ASSERT_TRUE(edits.move({id(QStringLiteral("1.0"))}, {.terminal = {}, .onLocalBus = false, .row = 99}));
     EXPECT_EQ(document.project().devices.back().station, QStringLiteral("hoist"));
-    EXPECT_EQ(document.project().devices.back().participant.number, (DeviceNumber{7, 0}));
+    EXPECT_EQ(document.project().devices.back().place(), ("7.0"_ring));
     EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("Move 1.0"));
 }
 
@@ -76,7 +78,7 @@ TEST_F(PlanEditsTest, WhatCannotBeIsRefusedAndIsNoStep)
 
 TEST_F(PlanEditsTest, AnotherKindOfDeviceKeepsThePlaceAndNotTheValues)
 {
-    document.editDevice({1, 0}, {}, [](ProjectDevice &device) {
+    document.editDevice("1.0"_ring, {}, [](ProjectDevice &device) {
         device.station = QStringLiteral("hoist");
         device.inAddress = 128;
         device.wanted = {{Parameter::steps, 255}};
@@ -84,7 +86,7 @@ TEST_F(PlanEditsTest, AnotherKindOfDeviceKeepsThePlaceAndNotTheValues)
         device.lastPosition = {4711, {}};
     });
     ASSERT_TRUE(edits.change(id(QStringLiteral("1.0")), deviceOf(0x0236)));
-    const ProjectDevice &changed = document.device({1, 0});
+    const ProjectDevice &changed = document.device("1.0"_ring);
     EXPECT_EQ(changed.participant.deviceCode, 0x0236U);
     EXPECT_EQ(changed.station, QStringLiteral("hoist"));
     EXPECT_EQ(changed.inAddress, 128);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ring/id_code.h"
 #include "tests/support/model_tester.h"
+#include "tests/support/places.h"
 #include "tests/widgets/structure_editor/plan_test.h"
 #include "widgets/structure_editor/plan_edits.h"
 #include "widgets/structure_editor/plan_model.h"
@@ -64,7 +65,8 @@ TEST_F(PlanModelTest, TellsOfOneRowWhereOneChanged)
 {
     QSignalSpy changes(&model, &QAbstractItemModel::dataChanged);
     QSignalSpy resets(&model, &QAbstractItemModel::modelReset);
-    document.editDevice({5, 0}, {}, [](ProjectDevice &device) { device.station = QStringLiteral("hoist"); });
+    document.editDevice("5.0"_ring, {},
+                        [](ProjectDevice &device) { device.station = QStringLiteral("hoist"); });
     ASSERT_EQ(changes.count(), 1);
     EXPECT_EQ(changes.first().at(0).toModelIndex().row(), 2);
     EXPECT_EQ(changes.first().at(1).toModelIndex().row(), 2);
@@ -97,31 +99,31 @@ TEST_F(PlanModelTest, StationGroupAndAddressesAreEditedInPlace)
     EXPECT_TRUE(edit(QStringLiteral("1.0"), PlanModel::stationColumn, QStringLiteral(" Crane 1 ")));
     EXPECT_TRUE(edit(QStringLiteral("1.0"), PlanModel::groupColumn, QStringLiteral("A")));
     EXPECT_TRUE(edit(QStringLiteral("1.0"), PlanModel::inColumn, QStringLiteral("128")));
-    const ProjectDevice &device = document.device({1, 0});
+    const ProjectDevice &device = document.device("1.0"_ring);
     EXPECT_EQ(device.station, QStringLiteral("Crane 1"));
     EXPECT_EQ(device.group, QStringLiteral("A"));
     EXPECT_EQ(device.inAddress, 128);
     EXPECT_EQ(document.undoStack().count(), 3);
     EXPECT_TRUE(edit(QStringLiteral("2.0"), PlanModel::noteColumn, QStringLiteral("behind the door")));
     EXPECT_TRUE(edit(QStringLiteral("1.0"), PlanModel::serialColumn, QStringLiteral("20417")));
-    EXPECT_EQ(document.device({1, 0}).label.serialNumber, QStringLiteral("20417"));
+    EXPECT_EQ(document.device("1.0"_ring).label.serialNumber, QStringLiteral("20417"));
     EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("Serial number of 1.0"));
     EXPECT_EQ(model.find(QStringLiteral("2041")), std::vector{id(QStringLiteral("1.0"))});
     EXPECT_FALSE(model.flags(model.indexOf(id(QStringLiteral("2.0")), PlanModel::serialColumn)) &
                  Qt::ItemIsEditable)
         << "a bus terminal";
-    EXPECT_EQ(document.device({2, 0}).note, QStringLiteral("behind the door"));
+    EXPECT_EQ(document.device("2.0"_ring).note, QStringLiteral("behind the door"));
     EXPECT_EQ(model.find(QStringLiteral("door")), std::vector{id(QStringLiteral("2.0"))});
     EXPECT_TRUE(edit(QStringLiteral("1.0"), PlanModel::inColumn, {}));
-    EXPECT_EQ(document.device({1, 0}).inAddress, std::nullopt) << "counted again";
+    EXPECT_EQ(document.device("1.0"_ring).inAddress, std::nullopt) << "counted again";
     EXPECT_TRUE(edit(QStringLiteral("1.0"), PlanModel::outColumn, QStringLiteral("0")));
-    EXPECT_EQ(document.device({1, 0}).outAddress, std::nullopt) << "only looked at";
+    EXPECT_EQ(document.device("1.0"_ring).outAddress, std::nullopt) << "only looked at";
 
     QSignalSpy complaints(&model, &PlanModel::badInput);
     edit(QStringLiteral("1.0"), PlanModel::inColumn, QStringLiteral("twelve"));
     ASSERT_EQ(complaints.count(), 1);
     EXPECT_TRUE(complaints.first().first().toString().contains(QStringLiteral("twelve")));
-    EXPECT_EQ(document.device({1, 0}).inAddress, std::nullopt);
+    EXPECT_EQ(document.device("1.0"_ring).inAddress, std::nullopt);
     EXPECT_FALSE(model.flags(model.indexOf(id(QStringLiteral("3.0")), PlanModel::outColumn)) &
                  Qt::ItemIsEditable);
 }
@@ -140,8 +142,8 @@ TEST_F(PlanModelTest, AddressesAreShownInWordsIfWanted)
 
 TEST_F(PlanModelTest, WhatIsWrongStandsBesideTheDevice)
 {
-    document.editDevice({1, 0}, {}, [](ProjectDevice &device) { device.inAddress = 128; });
-    document.editDevice({5, 0}, {}, [](ProjectDevice &device) { device.inAddress = 130; });
+    document.editDevice("1.0"_ring, {}, [](ProjectDevice &device) { device.inAddress = 128; });
+    document.editDevice("5.0"_ring, {}, [](ProjectDevice &device) { device.inAddress = 130; });
     EXPECT_EQ(text(QStringLiteral("1.0"), PlanModel::findingsColumn),
               QStringLiteral("IN at 128 overlaps that of 5.0."));
     EXPECT_EQ(text(QStringLiteral("2.1"), PlanModel::findingsColumn), QString());
@@ -149,11 +151,12 @@ TEST_F(PlanModelTest, WhatIsWrongStandsBesideTheDevice)
 
 TEST_F(PlanModelTest, FindsByNumberNameIdCodeAndStation)
 {
-    document.editDevice({7, 0}, {}, [](ProjectDevice &device) { device.station = QStringLiteral("Hoist"); });
+    document.editDevice("7.0"_ring, {},
+                        [](ProjectDevice &device) { device.station = QStringLiteral("Hoist"); });
     const auto numbers = [&](const char *wanted) {
         QStringList found;
         for (const PlanModel::Id each : model.find(QString::fromLatin1(wanted)))
-            found << document.project().devices[*document.placeOf(each)].participant.number.toString();
+            found << document.project().devices[*document.placeOf(each)].place().toString();
         return found.join(u' ');
     };
     EXPECT_EQ(numbers("2.1"), QStringLiteral("2.1"));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/places.h"
 #include "tests/widgets/structure_editor/plan_test.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/structure_editor/plan_model.h"
@@ -43,7 +44,7 @@ protected:
         tree.setFocus();
     }
 
-    void choose(const QString &number) { editor.choose(*DeviceNumber::parse(number)); }
+    void choose(const QString &number) { editor.choose(*Place::parse(number)); }
     QModelIndex indexOf(const QString &number, PlanModel::Column column = PlanModel::numberColumn) const
     {
         return static_cast<PlanModel *>(tree.model())->indexOf(id(number), column);
@@ -143,12 +144,12 @@ TEST_F(StructureEditorTest, AKeyRemovesAndUndoBringsBack)
 TEST_F(StructureEditorTest, CellsAreEditedWithTheMouse)
 {
     edit(QStringLiteral("1.0"), PlanModel::stationColumn, QStringLiteral("Crane 1, hoist"));
-    EXPECT_EQ(document.device({1, 0}).station, QStringLiteral("Crane 1, hoist"));
+    EXPECT_EQ(document.device("1.0"_ring).station, QStringLiteral("Crane 1, hoist"));
     edit(QStringLiteral("2.1"), PlanModel::outColumn, QStringLiteral("128"));
-    EXPECT_EQ(document.device({2, 1}).outAddress, 128);
+    EXPECT_EQ(document.device("2.1"_ring).outAddress, 128);
     edit(QStringLiteral("2.1"), PlanModel::outColumn, QStringLiteral("-3"));
     EXPECT_TRUE(message().contains(QStringLiteral("-3"))) << message().toStdString();
-    EXPECT_EQ(document.device({2, 1}).outAddress, 128);
+    EXPECT_EQ(document.device("2.1"_ring).outAddress, 128);
 }
 
 TEST_F(StructureEditorTest, AnAddressThatIsRefusedStaysInItsFieldUntilItIsCorrectedOrGivenUp)
@@ -159,17 +160,17 @@ TEST_F(StructureEditorTest, AnAddressThatIsRefusedStaysInItsFieldUntilItIsCorrec
     EXPECT_EQ(field->text(), QStringLiteral("12x"));
     child<QComboBox>("addressUnit").setFocus();
     ASSERT_NE(tree.viewport()->findChild<QLineEdit *>(), nullptr) << "left, it is still there";
-    EXPECT_EQ(document.device({2, 1}).outAddress, std::nullopt);
+    EXPECT_EQ(document.device("2.1"_ring).outAddress, std::nullopt);
     QTest::keyClick(field, Qt::Key_Backspace);
     EXPECT_EQ(message(), QString());
     QTest::keyClick(field, Qt::Key_Return);
     QCoreApplication::processEvents();
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-    EXPECT_EQ(document.device({2, 1}).outAddress, 12);
+    EXPECT_EQ(document.device("2.1"_ring).outAddress, 12);
     edit(QStringLiteral("2.1"), PlanModel::outColumn, QStringLiteral("y"));
     QTest::keyClick(tree.viewport()->findChild<QLineEdit *>(), Qt::Key_Escape);
     EXPECT_EQ(message(), QString());
-    EXPECT_EQ(document.device({2, 1}).outAddress, 12);
+    EXPECT_EQ(document.device("2.1"_ring).outAddress, 12);
     EXPECT_EQ(document.undoStack().count(), 1);
 }
 

@@ -44,8 +44,8 @@ protected:
         view.setEncoder(&ring.encoder(fraba));
         model().clear();
     }
-    TraceModel &model(DeviceNumber number = fraba) { return *view.model(number); }
-    void write(DeviceNumber number, Word word)
+    TraceModel &model(Place number = fraba) { return *view.model(number); }
+    void write(Place number, Word word)
     {
         ring.channel(number).stage(word);
         EXPECT_TRUE(ring.channel(number).write());

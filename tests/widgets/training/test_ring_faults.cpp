@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/places.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/training/fault_plan_bar.h"
@@ -27,9 +28,9 @@ protected:
         panel.show();
         EXPECT_TRUE(QTest::qWaitForWindowExposed(&panel));
         QObject::connect(&panel, &TrainingPanel::acted, &panel,
-                         [this](DeviceNumber, const QString &what) { acts.push_back(what); });
+                         [this](Place, const QString &what) { acts.push_back(what); });
         QObject::connect(&panel, &TrainingPanel::planned, &panel,
-                         [this](DeviceNumber, const QString &what) { steps.push_back(what); });
+                         [this](Place, const QString &what) { steps.push_back(what); });
     }
     QCheckBox &box(const char *text) const
     {
@@ -75,7 +76,7 @@ protected:
 
 TEST_F(RingFaultsTest, ABrokenWireStopsTheBusUntilItIsMended)
 {
-    panel.setDevice({4, 0});
+    panel.setDevice("4.0"_ring);
     tick("Wire break before it");
     picture(40);
     EXPECT_EQ(ring.bus.latest().state, MasterState::busFail);

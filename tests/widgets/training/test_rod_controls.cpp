@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/places.h"
 #include "tests/widgets/rod_bus.h"
 #include "widgets/training/training_panel.h"
 
@@ -19,7 +20,7 @@
 namespace codewheel {
 namespace {
 
-constexpr DeviceNumber k1{3, 0};
+constexpr Place k1 = "3.0"_ring;
 using test::rodPlace;
 
 // A ring of a single-turn encoder without parameters and a rod, that does at once what it is told.
@@ -28,30 +29,30 @@ class RodRing final : public TrainingControls
 public:
     std::vector<Shaft> shafts() const override
     {
-        return {{.number = k1, .stepsPerTurn = 4096, .turns = 1, .hasParameters = false}};
+        return {{.number = k1.node, .stepsPerTurn = 4096, .turns = 1, .hasParameters = false}};
     }
     std::vector<Rod> rods() const override { return {rod}; }
-    void turnTo(DeviceNumber, std::int64_t) override {}
-    void turnBy(DeviceNumber, std::int64_t) override {}
-    void setSpeed(DeviceNumber, double) override {}
-    void moveMagnetTo(DeviceNumber, double millimetres) override { rod.millimetres = millimetres; }
-    void setMagnetSpeed(DeviceNumber, double speed) override { rod.millimetresPerSecond = speed; }
-    void setMagnetInRange(DeviceNumber, bool inRange) override { rod.magnetInRange = inRange; }
-    void setPower(DeviceNumber number, bool on) override { rod.powered = number == rodPlace && on; }
-    void powerCycle(DeviceNumber) override {}
-    void setSlow(DeviceNumber, bool) override {}
-    void loseParameters(DeviceNumber) override {}
-    void setBatteryLow(DeviceNumber, bool) override {}
-    void setEepromWornOut(DeviceNumber, bool) override {}
-    void setCodeDiscFaulty(DeviceNumber, bool) override {}
-    void setCamOutOfRange(DeviceNumber, bool) override {}
-    std::vector<TrainingPlace> places() const override { return {{k1, {}}, {rodPlace, {}}}; }
-    void setFault(TrainingFault, DeviceNumber, int) override {}
+    void turnTo(NodeId, std::int64_t) override {}
+    void turnBy(NodeId, std::int64_t) override {}
+    void setSpeed(NodeId, double) override {}
+    void moveMagnetTo(NodeId, double millimetres) override { rod.millimetres = millimetres; }
+    void setMagnetSpeed(NodeId, double speed) override { rod.millimetresPerSecond = speed; }
+    void setMagnetInRange(NodeId, bool inRange) override { rod.magnetInRange = inRange; }
+    void setPower(NodeId number, bool on) override { rod.powered = number == rodPlace.node && on; }
+    void powerCycle(NodeId) override {}
+    void setSlow(NodeId, bool) override {}
+    void loseParameters(NodeId) override {}
+    void setBatteryLow(NodeId, bool) override {}
+    void setEepromWornOut(NodeId, bool) override {}
+    void setCodeDiscFaulty(NodeId, bool) override {}
+    void setCamOutOfRange(NodeId, bool) override {}
+    std::vector<TrainingPlace> places() const override { return {{k1.node, {}}, {rodPlace.node, {}}}; }
+    void setFault(TrainingFault, NodeId, int) override {}
     void startFaultPlan(FaultPlan) override {}
     void stopFaultPlan() override {}
     PlanProgress planProgress() const override { return {}; }
 
-    Rod rod{.number = rodPlace, .millimetres = 125, .lengthMillimetres = 500};
+    Rod rod{.number = rodPlace.node, .millimetres = 125, .lengthMillimetres = 500};
 };
 
 class RodControlsTest : public testing::Test
@@ -61,11 +62,10 @@ protected:
     {
         panel.resize(240, 900);
         panel.show();
-        QObject::connect(&panel, &TrainingPanel::acted, &panel,
-                         [this](DeviceNumber number, const QString &what) {
-                             EXPECT_EQ(number, rodPlace);
-                             acts.append(what);
-                         });
+        QObject::connect(&panel, &TrainingPanel::acted, &panel, [this](Place number, const QString &what) {
+            EXPECT_EQ(number, rodPlace);
+            acts.append(what);
+        });
         panel.setDevice(rodPlace);
     }
 

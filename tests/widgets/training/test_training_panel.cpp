@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/places.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/training/training_panel.h"
 
@@ -27,7 +28,7 @@ class TrainingPanelTest : public testing::Test
 protected:
     struct Act
     {
-        DeviceNumber number;
+        Place number;
         QString what;
     };
 
@@ -37,10 +38,9 @@ protected:
         panel.show();
         panel.activateWindow();
         EXPECT_TRUE(QTest::qWaitForWindowActive(&panel));
-        QObject::connect(&panel, &TrainingPanel::acted, &panel,
-                         [this](DeviceNumber number, const QString &what) {
-                             acts.push_back({number, what});
-                         });
+        QObject::connect(&panel, &TrainingPanel::acted, &panel, [this](Place number, const QString &what) {
+            acts.push_back({number, what});
+        });
         panel.setDevice(fraba);
     }
 
@@ -72,10 +72,10 @@ protected:
         ring.bus.advance(cycles);
         panel.refresh();
     }
-    TrainingControls::Shaft shaft(DeviceNumber number) const
+    TrainingControls::Shaft shaft(Place number) const
     {
         for (const auto &each : ring.controls->shafts())
-            if (each.number == number)
+            if (each.number == number.node)
                 return each;
         ADD_FAILURE() << "no shaft";
         return {};
@@ -113,7 +113,7 @@ TEST_F(TrainingPanelTest, OtherDeviceOtherFields)
     EXPECT_TRUE(button<QCheckBox>("Battery low").isVisible());
     EXPECT_EQ(find<QDoubleSpinBox>("Speed in revolutions per minute").value(), 10);
     EXPECT_TRUE(acts.empty());
-    panel.setDevice({7, 0}); // no such device: stays
+    panel.setDevice("7.0"_ring); // no such device: stays
     EXPECT_EQ(devices.currentText(), QStringLiteral("2.0"));
 }
 
@@ -195,7 +195,7 @@ TEST_F(TrainingPanelTest, SetsTheSpeedAndStops)
 
 TEST_F(TrainingPanelTest, ShowsASpeedSetElsewhereWithoutActing)
 {
-    ring.controls->setSpeed(fraba, 33);
+    ring.controls->setSpeed(fraba.node, 33);
     picture();
     EXPECT_EQ(find<QDoubleSpinBox>("Speed in revolutions per minute").value(), 33);
     EXPECT_TRUE(acts.empty());

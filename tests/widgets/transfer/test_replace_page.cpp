@@ -35,10 +35,10 @@ protected:
     // The encoder goes, and another one is there, whose shaft stands elsewhere.
     void exchange()
     {
-        session.controls->setPower(fraba, false);
+        session.controls->setPower(fraba.node, false);
         pass(2000);
-        session.controls->turnBy(fraba, 1000);
-        session.controls->setPower(fraba, true);
+        session.controls->turnBy(fraba.node, 1000);
+        session.controls->setPower(fraba.node, true);
         pass(500);
     }
 

@@ -3,6 +3,7 @@
 #include "tests/app/question.h"
 #include "tests/support/model_tester.h"
 #include "tests/support/old_file.h"
+#include "tests/support/places.h"
 #include "tests/widgets/transfer/transfer_test.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/transfer/account_view.h"
@@ -83,7 +84,7 @@ protected:
 
     std::vector<ValuesBefore> befores;
     QStringList messages;
-    TransferPage page{session.bus, project, [this](DeviceNumber) { return befores; }};
+    TransferPage page{session.bus, project, [this](Place) { return befores; }};
 };
 
 TEST_F(TransferPageTest, ShowsWhatDiffersEncoderByEncoder)
@@ -277,9 +278,9 @@ TEST_F(TransferPageTest, NeitherWritesToNorStoresOfAnEncoderThatIsNotTheProjects
 {
     Project shifted = project.project();
     for (ProjectDevice &device : shifted.devices)
-        ++device.participant.number.segment;
+        device.participant.number = nextSegment(device.participant.number);
     ProjectDevice front = shifted.devices[2]; // K1
-    front.participant.number = {1, 0};
+    front.participant.number = NodeId("1.0");
     shifted.devices.insert(shifted.devices.begin(), front);
     project.setProject(shifted, {});
     page.choose(What::write, {});

@@ -56,7 +56,7 @@ protected:
     QString text(const char *label) const { return find<QLabel>(label)->text(); }
     QString account() const { return find<QPlainTextEdit>("account")->toPlainText(); }
     bool isEnabled(const char *button) const { return find<QAbstractButton>(button)->isEnabled(); }
-    void want(DeviceNumber number, const ParameterValues &values)
+    void want(Place number, const ParameterValues &values)
     {
         project.editDevice(number, QStringLiteral("want"),
                            [&](ProjectDevice &device) { device.wanted = values; });

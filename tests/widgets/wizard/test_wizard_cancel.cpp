@@ -197,7 +197,7 @@ TEST_F(WizardHandshake, AnErrorStopsItAndRestoreBringsTheEncoderBack)
 TEST_F(WizardHandshake, AnEncoderSwitchedOffTimesOut)
 {
     begin();
-    controls->setPower({1, 0}, false);
+    controls->setPower(NodeId("1.0"), false);
     click("nextStep");
     settle();
     EXPECT_FALSE(wizard.isBusy());

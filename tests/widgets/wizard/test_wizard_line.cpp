@@ -11,7 +11,7 @@
 namespace codewheel {
 namespace {
 
-const DeviceNumber place = DeviceNumber::onLine({5}); // at 1235h
+const Place place = placeOnLine({5}); // at 1235h
 
 class WizardLine : public test::WizardTest
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/model_tester.h"
 #include "tests/support/old_file.h"
+#include "tests/support/places.h"
 #include "tests/widgets/wizard/wizard_test.h"
 #include "widgets/wizard/report_page.h"
 
@@ -48,7 +49,7 @@ TEST_F(WizardPages, WhatIsKnownIsShownOfAnEncoderOfAnotherKindToo)
 
 TEST_F(WizardPages, AnEncoderThatOnlyTellsItsPositionCannotBeSetUp)
 {
-    wizard.setEncoder(bus.encoder({3, 0}));
+    wizard.setEncoder(bus.encoder("3.0"_ring));
     EXPECT_FALSE(isEnabled("wizardNext"));
     QStringList sentences;
     for (const auto *message : wizard.findChildren<InlineMessage *>())
@@ -70,16 +71,16 @@ TEST_F(WizardPages, DirectionIsCheckedByTurningTheShaft)
     bus.advance(5);
     next();
     EXPECT_EQ(verdict(), QStringLiteral("Does not move yet"));
-    controls->turnBy({1, 0}, 100);
+    controls->turnBy(NodeId("1.0"), 100);
     bus.advance(5);
     EXPECT_EQ(verdict(), QStringLiteral("Counts up"));
-    controls->turnBy({1, 0}, -300);
+    controls->turnBy(NodeId("1.0"), -300);
     bus.advance(5);
-    controls->turnBy({1, 0}, -300);
+    controls->turnBy(NodeId("1.0"), -300);
     bus.advance(5);
     EXPECT_EQ(verdict(), QStringLiteral("Counts down"));
     click("otherWay");
-    EXPECT_EQ(wanted.value({1, 0}, Parameter::direction), 4);
+    EXPECT_EQ(wanted.value("1.0"_ring, Parameter::direction), 4);
 }
 
 TEST_F(WizardPages, TheRawWordIsWatchedWhereTheCodingIsNotKnown)
@@ -115,19 +116,19 @@ TEST_F(WizardPages, NeitherWhatIsHalfTypedNorWhatIsRefusedIsWanted)
     next();
     next();
     type("steps", "99999999");
-    EXPECT_FALSE(wanted.value({2, 0}, Parameter::steps));
+    EXPECT_FALSE(wanted.value("2.0"_ring, Parameter::steps));
     leaveField();
-    EXPECT_FALSE(wanted.value({2, 0}, Parameter::steps));
+    EXPECT_FALSE(wanted.value("2.0"_ring, Parameter::steps));
     EXPECT_FALSE(isEnabled("wizardNext"));
     type("steps", "400");
-    EXPECT_FALSE(wanted.value({2, 0}, Parameter::steps));
+    EXPECT_FALSE(wanted.value("2.0"_ring, Parameter::steps));
     leaveField();
-    EXPECT_EQ(wanted.value({2, 0}, Parameter::steps), 400);
+    EXPECT_EQ(wanted.value("2.0"_ring, Parameter::steps), 400);
 }
 
 TEST_F(WizardPages, EscInAFieldGivesTheValueBefore)
 {
-    wanted.set({2, 0}, Parameter::steps, 100);
+    wanted.set("2.0"_ring, Parameter::steps, 100);
     wizard.setEncoder(&baumer());
     next();
     next();
@@ -138,12 +139,12 @@ TEST_F(WizardPages, EscInAFieldGivesTheValueBefore)
     EXPECT_EQ(field->text(), QStringLiteral("100"));
     EXPECT_TRUE(isEnabled("wizardNext"));
     leaveField();
-    EXPECT_EQ(wanted.value({2, 0}, Parameter::steps), 100);
+    EXPECT_EQ(wanted.value("2.0"_ring, Parameter::steps), 100);
 }
 
 TEST_F(WizardPages, CancelRestoresWhatWasWantedBefore)
 {
-    wanted.set({2, 0}, Parameter::steps, 100);
+    wanted.set("2.0"_ring, Parameter::steps, 100);
     wizard.setEncoder(&baumer());
     next();
     next();
@@ -152,9 +153,9 @@ TEST_F(WizardPages, CancelRestoresWhatWasWantedBefore)
     leaveField();
     type("revolutions", "2");
     leaveField();
-    wanted.set({2, 0}, Parameter::offset, 7); // in the parameter panel beside it
+    wanted.set("2.0"_ring, Parameter::offset, 7); // in the parameter panel beside it
     click("wizardCancel");
-    EXPECT_EQ(wanted.values({2, 0}), (ParameterValues{{Parameter::steps, 100}, {Parameter::offset, 7}}));
+    EXPECT_EQ(wanted.values("2.0"_ring), (ParameterValues{{Parameter::steps, 100}, {Parameter::offset, 7}}));
 }
 
 TEST_F(WizardPages, AMeasuringRangeThatJumpsIsSaid)
@@ -182,8 +183,8 @@ TEST_F(WizardPages, TheCalculatorFillsStepsAndRevolutions)
     next();
     next();
     click("gearUse"); // 10 mm per turn, 0.01 mm per step
-    EXPECT_EQ(wanted.value({1, 0}, Parameter::steps), 1000);
-    EXPECT_EQ(wanted.value({1, 0}, Parameter::revolutions), 1);
+    EXPECT_EQ(wanted.value("1.0"_ring, Parameter::steps), 1000);
+    EXPECT_EQ(wanted.value("1.0"_ring, Parameter::revolutions), 1);
     EXPECT_EQ(find<QLineEdit>("steps")->text(), QStringLiteral("1000"));
 }
 
@@ -210,10 +211,10 @@ TEST_F(WizardPages, ValuesTheEncoderHasAreNotWrittenUnlessAskedFor)
 // The job sends 00000000 first where something else stands in OUT.
 TEST_F(WizardPages, TheWordThatClearsOutIsReviewedToo)
 {
-    bus.channel({2, 0})->stage(0x8000'0000);
-    ASSERT_TRUE(bus.channel({2, 0})->write());
+    bus.channel("2.0"_ring)->stage(0x8000'0000);
+    ASSERT_TRUE(bus.channel("2.0"_ring)->write());
     bus.advance(20);
-    ASSERT_EQ(out({2, 0}), 0x8000'0000u);
+    ASSERT_EQ(out("2.0"_ring), 0x8000'0000u);
     wizard.setEncoder(&baumer());
     next();
     next();
@@ -271,7 +272,7 @@ TEST_F(WizardPages, APresetThatIsUsedUpIsProgrammedAgainWhereNoneIsGiven)
     ASSERT_TRUE(fraba().start(SetPreset{.value = 1'000}));
     bus.advance(2000);
     ASSERT_EQ(fraba().latest().position, 1'000);
-    controls->turnBy({1, 0}, 77);
+    controls->turnBy(NodeId("1.0"), 77);
     bus.advance(20);
     ASSERT_EQ(fraba().latest().position, 1'077);
     next();
@@ -289,7 +290,7 @@ TEST_F(WizardPages, APresetThatIsUsedUpIsProgrammedAgainWhereNoneIsGiven)
 // It may be a FRABA in cam mode.
 TEST_F(WizardPages, TheModeOfAnUnnamedK3CanBeTold)
 {
-    ASSERT_TRUE(bus.name({2, 0}, {}));
+    ASSERT_TRUE(bus.name("2.0"_ring, {}));
     bus.advance(5);
     ASSERT_TRUE(baumer().device().isGeneric());
     wizard.setEncoder(&baumer());
@@ -312,7 +313,7 @@ TEST_F(WizardPages, TheModeOfAnUnnamedK3CanBeTold)
     next();
     bus.advance(2000);
     EXPECT_FALSE(wizard.isBusy());
-    EXPECT_EQ(out({2, 0}), 0u);
+    EXPECT_EQ(out("2.0"_ring), 0u);
     EXPECT_EQ(baumer().known(Parameter::preset)->value, 0);
 }
 

@@ -73,10 +73,10 @@ TEST_F(WizardRod, TheDirectionCheckIsDoneWithTheMagnet)
     click("readAll");
     bus.advance(2000);
     next();
-    controls->moveMagnetTo(rodPlace, 100);
+    controls->moveMagnetTo(rodPlace.node, 100);
     bus.advance(50);
     click("checkAgain");
-    controls->moveMagnetTo(rodPlace, 101);
+    controls->moveMagnetTo(rodPlace.node, 101);
     bus.advance(50);
     const auto *verdict = find<QWidget>("verdict")->findChild<QLabel *>();
     ASSERT_NE(verdict, nullptr);
@@ -214,7 +214,7 @@ TEST_F(WizardRod, TheReviewWarnsWhereThePositionCannotBeSet)
     toReview();
     EXPECT_EQ(sentence("reviewProblem"), QString());
     click("wizardBack");
-    controls->setMagnetInRange(rodPlace, false);
+    controls->setMagnetInRange(rodPlace.node, false);
     bus.advance(100);
     next();
     EXPECT_TRUE(sentence("reviewProblem").contains(QStringLiteral("the position is not set")));

@@ -7,6 +7,7 @@
 #include "ring/bus_session.h"
 #include "simulator/training_bus.h"
 #include "tests/app/question.h"
+#include "tests/support/places.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/project/project_document.h"
@@ -45,8 +46,8 @@ protected:
         EXPECT_TRUE(QTest::qWaitForWindowActive(&wizard));
     }
 
-    EncoderSession &fraba() { return *bus.encoder({1, 0}); }
-    EncoderSession &baumer() { return *bus.encoder({2, 0}); }
+    EncoderSession &fraba() { return *bus.encoder("1.0"_ring); }
+    EncoderSession &baumer() { return *bus.encoder("2.0"_ring); }
 
     template <typename W>
     W *find(const char *name) const
@@ -98,7 +99,7 @@ protected:
             states.append(model.index(row, model.columnCount() - 1).data().toString());
         return states;
     }
-    Word out(DeviceNumber number = {1, 0}) const { return bus.channel(number)->out(); }
+    Word out(Place number = "1.0"_ring) const { return bus.channel(number)->out(); }
 
     const Catalog catalog = Catalog::builtIn();
     TrainingBus training;

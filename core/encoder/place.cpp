@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/place.h"
+
+#include "encoder/device_number.h"
+#include "encoder/line_address.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+// The text up to the next "." or ":", which it takes away with it.
+std::string_view takePart(std::string_view &text)
+{
+    const std::size_t end = text.find_first_of(".:");
+    const std::string_view part = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    return part;
+}
+
+} // namespace
+
+std::optional<NodeId> NodeId::fromText(QStringView text)
+{
+    const auto isPrintable = [](QChar c) { return c > u' ' && c <= u'~'; };
+    if (text.isEmpty() || text.size() > qsizetype{mostCharacters} || !std::ranges::all_of(text, isPrintable))
+        return std::nullopt;
+    return NodeId(text.toLatin1().toStdString());
+}
+
+QString NodeId::toString() const
+{
+    return QString::fromLatin1(text().data(), static_cast<qsizetype>(text().size()));
+}
+
+// Of two numbers with the same digits before them, the longer one is greater.
+std::strong_ordering operator<=>(const NodeId &one, const NodeId &other)
+{
+    std::string_view left = one.text();
+    std::string_view right = other.text();
+    while (!left.empty() && !right.empty()) {
+        const std::string_view a = takePart(left);
+        const std::string_view b = takePart(right);
+        if (const auto order = a.size() <=> b.size(); order != 0) // NOLINT(modernize-use-nullptr)
+            return order;
+        if (const auto order = a <=> b; order != 0) // NOLINT(modernize-use-nullptr)
+            return order;
+    }
+    return left.size() <=> right.size();
+}
+
+std::optional<Place> Place::parse(QStringView text)
+{
+    if (const auto number = DeviceNumber::parse(text))
+        return Place{firstRing, number->node()};
+    if (const auto address = addressTyped(text))
+        return Place{firstLine, address->node()};
+    return std::nullopt;
+}
+
+} // namespace codewheel

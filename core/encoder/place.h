@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <array>
+#include <compare>
+#include <optional>
+#include <string_view>
+
+namespace codewheel {
+
+// Which bus, of those a program works with; in a project a bus keeps its number. 0: none.
+struct BusId
+{
+    int number = 0;
+
+    // clang-tidy 14 takes the 0 in a defaulted <=> for a null pointer.
+    // NOLINTNEXTLINE(modernize-use-nullptr)
+    friend constexpr auto operator<=>(const BusId &, const BusId &) = default;
+};
+
+// The buses of a program that was not told of others, and of files from before buses were numbered.
+inline constexpr BusId firstRing{1};
+inline constexpr BusId firstLine{2};
+
+// Where a device stands on its bus, as that kind of bus writes it: "6.1" on INTERBUS, "esc:12" on a serial
+// line. In order number by number, so 10.0 comes after 2.0. Empty: nowhere.
+class NodeId
+{
+public:
+    static constexpr std::size_t mostCharacters = 11;
+
+    constexpr NodeId() = default;
+    explicit constexpr NodeId(std::string_view text) // of the printable characters of ASCII; cut off
+    {
+        for (std::size_t i = 0; i < text.size() && i < mostCharacters; ++i)
+            m_text.at(i) = text[i];
+    }
+    // As written; nothing for what is empty, too long, or has other characters. Whether there can be such a
+    // place is for its bus to say.
+    static std::optional<NodeId> fromText(QStringView text);
+
+    constexpr bool isEmpty() const { return m_text.front() == '\0'; }
+    constexpr std::string_view text() const { return {m_text.data()}; }
+    QString toString() const;
+
+    friend bool operator==(const NodeId &, const NodeId &) = default;
+    friend std::strong_ordering operator<=>(const NodeId &one, const NodeId &other);
+
+private:
+    std::array<char, mostCharacters + 1> m_text{};
+};
+
+// Where a device stands: on which bus, and where there.
+struct Place
+{
+    BusId bus{};
+    NodeId node{};
+
+    bool isEmpty() const { return node.isEmpty(); }
+    bool isOnLine() const; // of a serial line, else INTERBUS
+
+    friend bool operator==(const Place &, const Place &) = default;
+    friend std::strong_ordering operator<=>(const Place &, const Place &) = default;
+
+    QString toString() const { return node.toString(); }
+    // "1.0" on the first ring, "esc:12" and "12" on the first line; nothing for anything else.
+    static std::optional<Place> parse(QStringView text);
+};
+
+} // namespace codewheel

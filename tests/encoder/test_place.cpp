@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/line_address.h"
+#include "encoder/place.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <vector>
+
+namespace codewheel {
+namespace {
+
+std::vector<NodeId> nodes(std::initializer_list<const char *> texts)
+{
+    std::vector<NodeId> made;
+    for (const char *text : texts)
+        made.emplace_back(text);
+    return made;
+}
+
+TEST(NodeId, StandsInOrderNumberByNumber)
+{
+    const std::vector<NodeId> ring = nodes({"1.0", "2.0", "2.1", "2.2", "2.10", "10.0", "254.63"});
+    EXPECT_TRUE(std::ranges::is_sorted(ring));
+    const std::vector<NodeId> line = nodes({"esc:00", "esc:01", "esc:0A", "esc:12", "esc:1F"});
+    EXPECT_TRUE(std::ranges::is_sorted(line));
+    EXPECT_LT(NodeId(), NodeId("1.0"));
+    EXPECT_LT(NodeId("1"), NodeId("1.0"));
+    EXPECT_EQ(NodeId("1.0") <=> NodeId("1.0"), std::strong_ordering::equal);
+}
+
+TEST(NodeId, IsShortAndPrintable)
+{
+    EXPECT_EQ(NodeId::fromText(u"254.63"), NodeId("254.63"));
+    EXPECT_EQ(NodeId("esc:1F").toString(), QStringLiteral("esc:1F"));
+    EXPECT_TRUE(NodeId().isEmpty());
+    for (const QStringView text : {u"", u"1 0", u"1\n", u"1.0\u00E4", u"123456789012"})
+        EXPECT_FALSE(NodeId::fromText(text)) << text.toString().toStdString();
+}
+
+TEST(Place, IsOfOneBus)
+{
+    const Place one{firstRing, NodeId("1.0")};
+    const Place other{BusId{7}, NodeId("1.0")};
+    EXPECT_NE(one, other);
+    EXPECT_LT((Place{firstRing, NodeId("2.0")}), other) << "bus by bus";
+    EXPECT_TRUE((Place{firstLine, {}}.isEmpty()));
+}
+
+TEST(Place, IsReadAsItIsTyped)
+{
+    EXPECT_EQ(Place::parse(u"6.1"), (Place{firstRing, NodeId("6.1")}));
+    const Place twelve{firstLine, NodeId("esc:12")};
+    EXPECT_EQ(Place::parse(u"12"), twelve);
+    EXPECT_EQ(Place::parse(u"esc:12"), twelve);
+    EXPECT_EQ(Place::parse(u"1f"), placeOnLine({31}));
+    EXPECT_TRUE(twelve.isOnLine());
+    EXPECT_FALSE(Place::parse(u"1.2")->isOnLine());
+}
+
+// Manual, "Masteraddress: 00": the place of an encoder that is alone on its line, and not no place.
+TEST(Place, MayBeTheMasterAddressOfASerialLine)
+{
+    const Place alone = placeOnLine(LineAddress::master());
+    EXPECT_TRUE(alone.isOnLine());
+    EXPECT_FALSE(alone.isEmpty());
+    EXPECT_EQ(Place::parse(u"00"), alone);
+    EXPECT_EQ(Place::parse(u"esc:00"), alone);
+}
+
+TEST(Place, AnythingElseIsNone)
+{
+    for (const QStringView text :
+         {u"", u"1", u"1.", u".0", u"0.0", u"+1.0", u"1.0 ", u"1,0", u"-1.0", u"1.0.0", u"1234.0", u"20",
+          u"012", u"esc:", u"esc:0", u"esc:1.0", u"1G", u"esc:+1"})
+        EXPECT_FALSE(Place::parse(text)) << text.toString().toStdString();
+}
+
+} // namespace
+} // namespace codewheel
