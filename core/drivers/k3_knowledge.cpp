@@ -35,9 +35,8 @@ bool mayTakePreset(Word in)
 
 void K3Knowledge::set(const std::vector<Known> &known)
 {
-    m_known.clear();
+    m_known.set(known);
     for (const Known &one : known) {
-        m_known[one.parameter] = one;
         // A start-up mode that was read says nothing about now: something may have switched the mode since.
         if (one.parameter == Parameter::startUpMode && one.evidence == Evidence::told &&
             one.at >= m_modeSince)
@@ -105,10 +104,10 @@ void K3Knowledge::observeMode(Word out, Instant now)
         m_mode.tell(std::nullopt);
     m_modeSince = now;
     if (m_cams.leave())
-        countEepromWrite();
+        m_known.countEepromWrite();
     const auto startUp = value(Parameter::startUpMode); // an encoder starts in the mode it was in
     if (startUp && (mode() == Mode::cam || modeAfterStartUp(*startUp) != mode()))
-        forget(Parameter::startUpMode);
+        m_known.forget(Parameter::startUpMode);
 }
 
 // An encoder whose make is not known may be a FRABA, too.
@@ -133,7 +132,7 @@ void K3Knowledge::observeConfirmation(Word in, Word out)
     m_lastConfirmed = number;
     m_asked.reset();
     if (!stands)
-        countEepromWrite(); // confirmed after it has left OUT
+        m_known.countEepromWrite(); // confirmed after it has left OUT
 }
 
 // An error in answer to run is about the set, which stays pending. Else, or where a confirmation comes before
@@ -174,7 +173,7 @@ void K3Knowledge::observeOperation(Word in, Word out, Instant now)
     if ((out & k3::startBit) != 0 && !k3::isOperation(m_in))
         observeRun(in, now);
     else if (k3::isParameterWord(out) && m_pending.contains(k3::number(out)))
-        countEepromWrite(); // a power cycle drops what is pending; its word still stands in OUT
+        m_known.countEepromWrite(); // a power cycle drops what is pending; its word still stands in OUT
     m_pending.clear();
     m_lastConfirmed.reset();
 }
@@ -184,7 +183,7 @@ void K3Knowledge::observeRun(Word in, Instant now)
     if (m_asked) { // it may have been taken without a word
         m_pending.try_emplace(k3::number(*m_asked), std::nullopt);
         if (m_askedIsProcessed)
-            countEepromWrite();
+            m_known.countEepromWrite();
         m_asked.reset();
     }
     if (m_pending.empty())
@@ -193,7 +192,7 @@ void K3Knowledge::observeRun(Word in, Instant now)
         activate(number, in != 0 ? data : std::nullopt, now);
     if (in == 0 && !m_device.capabilities.reads) // else the read-out tells
         m_unproven = m_pending;
-    m_changed = true;
+    m_hasRun = true;
 }
 
 // D30 0 -> 1: the zero offset is a new one. FRABA stores it, once for each programmed preset; with a number
@@ -205,34 +204,27 @@ void K3Knowledge::observePreset(Word out)
         return;
     if (m_device.quirks.hasModes && out != k3::initialisePreset)
         return;
-    forget(Parameter::zeroOffset);
-    forget(Parameter::presetFlag);
+    m_known.forget(Parameter::zeroOffset);
+    m_known.forget(Parameter::presetFlag);
     if (mayStorePreset(m_device) && m_presetArmed.value_or(true))
-        countEepromWrite();
+        m_known.countEepromWrite();
     m_presetArmed = false;
 }
 
 // One write for each cycle (assumed).
 void K3Knowledge::observeManufacturerPreset()
 {
-    forget(Parameter::zeroOffset);
-    forget(Parameter::presetFlag);
+    m_known.forget(Parameter::zeroOffset);
+    m_known.forget(Parameter::presetFlag);
     m_presetArmed = false;
-    countEepromWrite();
+    m_known.countEepromWrite();
 }
 
 // One write per parameter that was confirmed and not refused by the time its word leaves OUT.
 void K3Knowledge::countConfirmed()
 {
     if (k3::isParameterWord(m_out) && m_pending.contains(k3::number(m_out)))
-        countEepromWrite();
-}
-
-void K3Knowledge::countEepromWrite()
-{
-    ++m_eepromWrites;
-    ++m_changes.eepromWrites;
-    m_changed = true;
+        m_known.countEepromWrite();
 }
 
 void K3Knowledge::activate(unsigned number, std::optional<Word> data, Instant now)
@@ -245,14 +237,14 @@ void K3Knowledge::activate(unsigned number, std::optional<Word> data, Instant no
     if (parameter == nullptr)
         return;
     if (parameter->parameter == Parameter::preset) {
-        forget(Parameter::presetFlag);
+        m_known.forget(Parameter::presetFlag);
         m_presetArmed = true;
     }
     const auto value = data ? valueOfReadOut(parameter->parameter, *data) : std::nullopt;
     if (value)
         learn(parameter->parameter, *value, Evidence::echoed, now);
     else
-        forget(parameter->parameter);
+        m_known.forget(parameter->parameter);
 }
 
 // Factory settings. Where they can be read they are read, as those of FRABA are assumed only; else a proven
@@ -265,30 +257,16 @@ void K3Knowledge::reset(bool isProven, Instant now)
         if (isProven && !m_device.capabilities.reads && parameter.factory)
             learn(parameter.parameter, *parameter.factory, Evidence::echoed, now);
         else
-            forget(parameter.parameter);
+            m_known.forget(parameter.parameter);
     }
-    forget(Parameter::presetFlag);
+    m_known.forget(Parameter::presetFlag);
     m_presetArmed.reset();
     m_cams.forgetAll();
     if (m_device.mayHaveModes() && mode() != Mode::position) { // position mode then (assumed)
         m_mode.tell(std::nullopt);
         m_modeSince = now;
-        forget(Parameter::startUpMode);
+        m_known.forget(Parameter::startUpMode);
     }
-}
-
-std::optional<std::int64_t> K3Knowledge::value(Parameter parameter) const
-{
-    const auto found = m_known.find(parameter);
-    return found == m_known.end() ? std::nullopt : std::optional(found->second.value);
-}
-
-ParameterValues K3Knowledge::values() const
-{
-    ParameterValues all;
-    for (const auto &[parameter, known] : m_known)
-        all.push_back({parameter, known.value});
-    return all;
 }
 
 std::optional<PositionCoding> K3Knowledge::coding() const
@@ -338,29 +316,17 @@ void K3Knowledge::learn(Parameter parameter, std::int64_t value, Evidence eviden
 {
     if (parameter == Parameter::presetFlag)
         m_presetArmed = value != 0;
-    const Known known{parameter, value, evidence, now};
-    m_known[parameter] = known;
-    std::erase(m_changes.noLongerKnown, parameter);
-    std::erase_if(m_changes.known, [&](const Known &other) { return other.parameter == parameter; });
-    m_changes.known.push_back(known);
-    m_changed = true;
-}
-
-void K3Knowledge::forget(Parameter parameter)
-{
-    if (m_known.erase(parameter) == 0)
-        return;
-    std::erase_if(m_changes.known, [&](const Known &other) { return other.parameter == parameter; });
-    m_changes.noLongerKnown.push_back(parameter);
-    m_changed = true;
+    m_known.learn({parameter, value, evidence, now});
 }
 
 std::optional<KnowledgeChanged> K3Knowledge::takeChanges()
 {
-    if (!m_cams.takeChanges(m_changes) && !m_changed)
+    const auto values = m_known.takeChanges();
+    KnowledgeChanged changes = values.value_or(KnowledgeChanged{});
+    const bool hasRun = std::exchange(m_hasRun, false);
+    if (!m_cams.takeChanges(changes) && !values && !hasRun)
         return std::nullopt;
-    m_changed = false;
-    return std::exchange(m_changes, {});
+    return changes;
 }
 
 } // namespace codewheel

@@ -4,7 +4,7 @@
 #include "catalog/device_description.h"
 #include "drivers/k3_cam_knowledge.h"
 #include "drivers/k3_mode.h"
-#include "encoder/event.h"
+#include "drivers/known_values.h"
 
 #include <map>
 #include <optional>
@@ -26,8 +26,9 @@ public:
     void setCams(const std::vector<KnownCams> &known) { m_cams.set(known); }
     void observe(Word in, Word out, Instant now);
 
-    std::optional<std::int64_t> value(Parameter parameter) const;
-    ParameterValues values() const;
+    const KnownValues &known() const { return m_known; }
+    std::optional<std::int64_t> value(Parameter parameter) const { return m_known.value(parameter); }
+    ParameterValues values() const { return m_known.values(); }
     std::optional<Mode> mode() const { return m_mode.now(); }
     // The cam program the encoder is in, in cam mode.
     std::optional<unsigned> camProgram() const { return m_mode.camProgram(); }
@@ -37,7 +38,7 @@ public:
     std::optional<PositionCoding> coding() const;
     // Whether the encoder takes and tells steps - 1 (flag_mt_stepsm1); nothing: not known yet.
     std::optional<bool> countsStepsMinusOne() const;
-    int eepromWrites() const { return m_eepromWrites; }
+    int eepromWrites() const { return m_known.eepromWrites(); }
 
     // The data of the word that gives `parameter` this value, and back from a read-out.
     Word dataFor(Parameter parameter, std::int64_t value) const;
@@ -56,14 +57,12 @@ private:
     void observePreset(Word out);
     void observeManufacturerPreset();
     void countConfirmed();
-    void countEepromWrite();
     void activate(unsigned number, std::optional<Word> data, Instant now);
     void reset(bool isProven, Instant now);
     void learn(Parameter parameter, std::int64_t value, Evidence evidence, Instant now);
-    void forget(Parameter parameter);
 
     const DeviceDescription &m_device;
-    std::map<Parameter, Known> m_known;
+    KnownValues m_known;
     std::map<unsigned, std::optional<Word>>
         m_pending; // by number; no data: confirmed, but not sure with what
     std::optional<unsigned> m_lastConfirmed;
@@ -75,12 +74,10 @@ private:
     std::map<unsigned, std::optional<Word>> m_unproven;
     K3Mode m_mode;
     K3CamKnowledge m_cams;
-    Instant m_modeSince{}; // what was told before that is out of date
-    KnowledgeChanged m_changes;
-    bool m_changed = false;
+    Instant m_modeSince{};        // what was told before that is out of date
+    bool m_hasRun = false;        // what was confirmed became active, whether it is known or not
     bool m_answerIsFresh = false; // IN held no read-out answer since the request stands in OUT
     std::optional<bool> m_presetArmed;
-    int m_eepromWrites = 0;
     bool m_hasSeenWords = false;
     Word m_out = 0;
     Word m_in = 0;
