@@ -1,49 +1,145 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/event.h"
+#include "drivers/job_account.h"
+#include "drivers/job_steps.h"
+
+#include <utility>
 
 namespace codewheel {
 
-// A job on its way, as every cyclic driver keeps it; a driver adds its steps and what it reads.
-struct JobRun
+// The life of a job, whatever the encoder: taken, step after step, waiting for the user, cancelled, given
+// back, ended, with the account of what it read and wrote. A driver derives the run of its jobs from it and
+// adds what its steps are, how they are sent, and what their answers mean.
+template <typename OneStep>
+class JobRun
 {
-    JobRun() = default;
-    // `known`: the values the encoder has as far as they are known. Those the job tells from before go over
-    // them.
-    JobRun(JobId jobId, Job given, Pace how, ParameterValues known)
-        : id(jobId)
-        , job(std::move(given))
-        , pace(how)
-        , before(std::move(known))
+public:
+    virtual ~JobRun() = default;
+
+    bool isDone() const { return m_isDone; }                 // the outcome is among the events
+    bool waits() const { return m_hasAsked && !m_mayBegin; } // for the user: Pace::byHand
+    void proceed() { m_mayBegin = m_hasAsked; }
+
+    // A job that has failed already ends by itself.
+    void cancel(OnCancel how, Instant now)
     {
-        if (const auto *write = std::get_if<WriteParameters>(&job))
-            for (const ParameterValue &value : write->previous)
-                replaceValue(before, value);
+        if (m_isDone || m_cancelled || m_failure)
+            return;
+        if (how == OnCancel::ifNothingTaken && hasTaken()) {
+            reportProgress(waits());
+            return;
+        }
+        m_cancelled = how;
+        leaveOffAt(now);
     }
 
-    // Steps are planned once IN is known. What was cancelled before that is not planned any more.
-    bool needsPlan() const { return !prepared && !cancelled; }
+protected:
+    JobRun(JobId id, Job job, Pace pace, const KnownValues &known, std::vector<Event> &events)
+        : m_job(std::move(job))
+        , m_account(id, m_job, known)
+        , m_pace(pace)
+        , m_known(known)
+        , m_events(events)
+    {}
 
-    JobId id = 0;
-    Job job;
-    Pace pace = Pace::byItself;
-    bool prepared = false;          // its steps are planned
-    std::size_t index = 0;          // of the current step
-    bool begun = false;             // the current step is in OUT, or goes there now
-    bool mayBegin = false;          // by hand: the user said "next step"
-    bool asked = false;             // by hand: the user was told that it waits
-    std::optional<Refusal> failure; // the remaining steps only bring OUT back
-    std::optional<OnCancel> cancelled;
-    bool cancelPlanned = false; // its steps have been appended
-    bool restores = false;      // the last steps give the values from before back
-    int writesBefore = 0;       // to EEPROM
-    ParameterValues before;     // values from before this job
-    ParameterValues written;
-    ParameterValues alreadyThere;
-    ParameterValues read;
-    std::optional<std::int64_t> positionBefore;
-    std::optional<std::int64_t> positionAfter;
+    // The encoder has taken something, or may have.
+    virtual bool hasTaken() const = 0;
+    // What it has taken, as Progress::confirmed tells it; and whether that can go back.
+    virtual const ParameterValues &confirmed() const { return m_account.outcome.written; }
+    virtual bool canRestore() const { return m_account.knowsBefore(m_account.outcome.written); }
+    // The job was cancelled: its steps from now on are those that leave nothing half done.
+    virtual void leaveOffAt(Instant now) = 0;
+    // Adds to the outcome what only the driver knows: what the encoder shows.
+    virtual void complete(Outcome &outcome) = 0;
+
+    template <typename OneJob>
+    const OneJob *job() const
+    {
+        return std::get_if<OneJob>(&m_job);
+    }
+
+    // By hand, a step waits for proceed(). What follows a failure or a cancel waits for nobody.
+    bool goesByItself() const { return m_pace == Pace::byItself || m_failure || m_cancelled || m_mayBegin; }
+    // Tells that the current step waits for the user. False: that was told before.
+    bool ask()
+    {
+        if (std::exchange(m_hasAsked, true))
+            return false;
+        reportProgress(true);
+        return true;
+    }
+    void beginStep()
+    {
+        m_steps.begun = true;
+        m_mayBegin = m_hasAsked = false;
+    }
+
+    // The first failure is told; the remaining steps are dropped. True: it was the first.
+    bool noteFailure(Refusal why)
+    {
+        m_steps.dropRest();
+        if (m_failure)
+            return false;
+        m_failure = std::move(why);
+        return true;
+    }
+
+    // True, once: the job was cancelled, and what was left to do then is done. What the user chose follows.
+    bool hasLeftOffNow() { return m_cancelled && m_steps.atEnd() && !std::exchange(m_hasLeftOff, true); }
+    bool leavesOff() const { return m_cancelled && !m_hasLeftOff; } // cancelled, and not yet there
+    // What was written goes back where that was asked for and the values from before are known.
+    bool givesBack() const
+    {
+        return m_cancelled == OnCancel::restorePrevious && !m_account.outcome.written.empty() && canRestore();
+    }
+    // The values from before were given back, to the last one.
+    bool hasRestored() const { return m_restores && m_steps.atEnd() && !m_failure; }
+
+    Result<void> result() const
+    {
+        if (m_failure)
+            return tl::unexpected(*m_failure);
+        if (m_cancelled)
+            return refuse(RefusalKind::stopped, RefusalId::cancelled);
+        return {};
+    }
+    void finish(Result<void> result)
+    {
+        m_isDone = true;
+        Outcome &outcome = m_account.outcome;
+        outcome.result = std::move(result);
+        complete(outcome);
+        outcome.eepromWrites += m_known.eepromWrites() - m_account.writesBefore;
+        m_events.emplace_back(outcome);
+    }
+
+    void reportProgress(bool waitsForUser)
+    {
+        m_events.emplace_back(Progress{.job = m_account.outcome.job,
+                                       .index = static_cast<int>(m_steps.index),
+                                       .steps = {m_steps.all.begin(), m_steps.all.end()},
+                                       .waitsForUser = waitsForUser,
+                                       .confirmed = confirmed(),
+                                       .canRestore = canRestore(),
+                                       .hasTaken = hasTaken()});
+    }
+
+    const Job m_job;
+    JobAccount m_account;
+    JobSteps<OneStep> m_steps;
+    std::optional<Refusal> m_failure; // the remaining steps only leave the encoder well
+    std::optional<OnCancel> m_cancelled;
+    bool m_restores = false; // the last steps give the values from before back
+
+private:
+    Pace m_pace;
+    const KnownValues &m_known;
+    std::vector<Event> &m_events;
+    bool m_hasAsked = false; // by hand: the user was told that the current step waits
+    bool m_mayBegin = false; // and said that it may begin
+    bool m_hasLeftOff = false;
+    bool m_isDone = false;
 };
 
 } // namespace codewheel

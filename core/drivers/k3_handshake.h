@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drivers/k3_step.h"
+#include "drivers/word_answer.h"
 
 namespace codewheel {
 
@@ -12,7 +13,7 @@ namespace codewheel {
 class K3Handshake
 {
 public:
-    enum class State : std::uint8_t { waiting, done, error, noAnswer, restarted };
+    using State = WordAnswer;
 
     K3Handshake(k3::Dialect dialect, K3Timing timing)
         : m_dialect(dialect)

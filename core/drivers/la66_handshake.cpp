@@ -14,7 +14,7 @@ La66State answerToService(Word in, Word out)
     if (!la66::answers(in, out))
         return La66State::waiting;
     if (la66::hasError(in))
-        return La66State::refused;
+        return La66State::error;
     const bool isOurs = !la66::isWrite(out) || la66::data(in) == la66::data(out);
     return isOurs ? La66State::done : La66State::waiting;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drivers/la66_step.h"
+#include "drivers/word_answer.h"
 
 namespace codewheel {
 
@@ -10,7 +11,7 @@ namespace codewheel {
 class La66Handshake
 {
 public:
-    enum class State : std::uint8_t { waiting, done, refused, noAnswer };
+    using State = WordAnswer;
 
     explicit La66Handshake(La66Timing timing)
         : m_timing(timing)

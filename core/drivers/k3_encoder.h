@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "drivers/k3_knowledge.h"
+#include "drivers/k3_plan.h"
+#include "drivers/k3_reading.h"
+
+namespace codewheel {
+
+// One K3 encoder as it is known by now: what it shows, what it has, which jobs it takes. Shared by the driver
+// and by the job on its way.
+struct K3Encoder
+{
+    // The description must outlive this.
+    K3Encoder(const DeviceDescription &description, K3Timing how);
+
+    void setKnown(const std::vector<Known> &known) { knowledge.set(known); }
+    // One bus cycle.
+    void observe(Word in, Word out, Instant now);
+    EncoderState stateOf(Word in) const { return codewheel::stateOf(in, device.dialect); }
+    bool isError(Word in) const { return isErrorAnswer(in, device.dialect); }
+
+    // Whether the job is one for this encoder, in the mode it is in as far as that is known.
+    Result<void> check(const Job &job) const;
+    // Whether it may begin while `in` stands in IN.
+    Result<void> checkState(const Job &job, Word in) const;
+
+    const DeviceDescription &device;
+    K3Timing timing;
+    K3Knowledge knowledge;
+    K3Plan plan;
+    Reading reading;
+    std::vector<Event> events;
+
+private:
+    Result<void> checkMode(const Job &job) const;
+};
+
+Refusal noValidPosition();
+
+} // namespace codewheel

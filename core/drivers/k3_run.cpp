@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivers/k3_run.h"
+
+#include "drivers/k3_refine.h"
+#include "drivers/k3_refusal.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace codewheel {
+namespace {
+
+bool setsPosition(const K3Step &step)
+{
+    return step.kind == StepKind::initialisePreset || step.kind == StepKind::manufacturerPreset;
+}
+
+// What was written is read back where the encoder tells it.
+Evidence evidenceOf(const ParameterValues &written, const DeviceDescription &device)
+{
+    const bool isRead = std::ranges::all_of(written, [&](const ParameterValue &value) {
+        return device.find(value.parameter)->readOut.has_value();
+    });
+    return isRead ? Evidence::read : Evidence::echoed;
+}
+
+} // namespace
+
+K3Run::K3Run(JobId id, const Job &job, Pace pace, K3Encoder &encoder)
+    : WordRun(id, job, pace, encoder.knowledge.known(), encoder.events)
+    , m_encoder(encoder)
+    , m_handshake(encoder.device.dialect, encoder.timing)
+    , m_cams(encoder)
+{}
+
+Result<void> K3Run::plan(Word in, Word out)
+{
+    if (auto checked = m_encoder.checkState(m_job, in); !checked)
+        return checked;
+    const EncoderState state = m_encoder.stateOf(in);
+    m_foundParameterizing = state == EncoderState::parameterization;
+    if (const auto *end = job<EndParameterization>()) {
+        m_restores = !end->restore.empty();
+        m_steps.all =
+            m_encoder.plan.endParameterization(end->restore, !m_restores || state != EncoderState::error);
+    } else {
+        m_steps.all = m_encoder.plan.stepsFor(m_job);
+    }
+    if (out != k3::normalRunning || state == EncoderState::readOut)
+        K3Plan::clearOutFirst(m_steps.all, m_job);
+    return {};
+}
+
+void K3Run::watch(Word in, Word /*out*/)
+{
+    lookForLateAnswer(in);
+    lookForRestart(in);
+}
+
+// Whether the step before was of that kind.
+bool K3Run::follows(StepKind kind) const
+{
+    return m_steps.index > 0 && m_steps.all[m_steps.index - 1].kind == kind;
+}
+
+// The word behind 60000000 waits for nobody: that one is a cycle long.
+bool K3Run::mayBegin(Word in)
+{
+    if (goesByItself() || follows(StepKind::manufacturerPreset))
+        return true;
+    if (ask())
+        m_inWhenAsked = in;
+    else if (in != m_inWhenAsked && m_encoder.isError(in))
+        fail(refusalFor(in));
+    return false;
+}
+
+std::optional<Refusal> K3Run::whyNotNow(Word in) const
+{
+    return setsPosition(m_steps.current()) && in == k3::error ? std::optional(noValidPosition())
+                                                              : std::nullopt;
+}
+
+void K3Run::begin(Word in, Instant now)
+{
+    if (m_encoder.knowledge.isManufacturerPreset(
+            m_steps.current().out)) { // also where the user gave the words
+        if (m_steps.current().kind == StepKind::word && m_steps.index + 1 == m_steps.all.size()) {
+            K3Step normal = m_steps.current(); // what follows it in OUT, so that its effect is seen
+            normal.out = k3::normalRunning;
+            m_steps.append({normal});
+        }
+        m_steps.current().kind = StepKind::manufacturerPreset;
+    }
+    m_steps.current().inCamMode = m_encoder.knowledge.mode() == Mode::cam;
+    m_handshake.begin(m_steps.current(), in, now);
+    if (setsPosition(m_steps.current()))
+        m_account.outcome.positionBefore = m_encoder.reading.position;
+}
+
+WordAnswer K3Run::answerTo(Word in, Word out, Instant now)
+{
+    const WordAnswer answer = m_handshake.cycle(in, out, now);
+    const bool isHeldBack = m_late && m_late->isAwaited(in, now, m_encoder.timing.timeOut);
+    return answer == WordAnswer::done && isHeldBack ? WordAnswer::waiting : answer;
+}
+
+void K3Run::stepDone(Word in)
+{
+    const K3Step step = m_steps.current();
+    const bool showsNewPosition = step.kind == StepKind::initialisePreset ||
+                                  (step.kind == StepKind::toNormal && follows(StepKind::manufacturerPreset));
+    if (showsNewPosition)
+        m_account.outcome.positionAfter = m_encoder.reading.position;
+    m_steps.goOn();
+    switch (step.kind) {
+    case StepKind::parameter:
+        if (step.parameter)
+            m_confirmed.values.push_back({*step.parameter, step.value});
+        else
+            m_confirmed.reset = true;
+        break;
+    case StepKind::run:
+        ran();
+        break;
+    case StepKind::readOut:
+        readDone(step, in);
+        break;
+    case StepKind::camReadOut:
+        if (auto differs = m_cams.readOutDone(step, in); differs && !m_mismatch)
+            m_mismatch = std::move(differs);
+        break;
+    case StepKind::endReadOut:
+        camReadOutEnded(step);
+        break;
+    case StepKind::camParameter:
+        m_cams.wordTaken(step.out);
+        break;
+    case StepKind::word:
+        wordDone(step);
+        break;
+    default:
+        break;
+    }
+    if (hasLeftOffNow())
+        m_steps.append(stepsOfCancel(in));
+}
+
+// A word of the user.
+void K3Run::wordDone(const K3Step &step)
+{
+    if (step.inCamMode && fieldSetBy(step.out))
+        m_cams.wordTaken(step.out);
+    else if (const auto value = valueGivenBy(step))
+        replaceValue(m_confirmed.values, *value);
+    else if (step.out == k3::run)
+        ran();
+}
+
+// What was confirmed is active, unless run was answered by an error, or by 00000000h where the read-back
+// tells.
+void K3Run::ran()
+{
+    const Reading &reading = m_encoder.reading;
+    const bool hasRun = reading.state != EncoderState::error || reading.errorNumber.value_or(0) == 0;
+    m_ranAtZero = reading.in == 0;
+    if (hasRun && !(m_ranAtZero && m_encoder.device.capabilities.reads))
+        for (const ParameterValue &value : m_confirmed.values)
+            m_account.written(value);
+    m_confirmed = {};
+    m_cams.ran();
+}
+
+void K3Run::readDone(const K3Step &step, Word in)
+{
+    const auto value = m_encoder.knowledge.valueOfReadOut(*step.parameter, k3::data(in));
+    if (!value)
+        return;
+    if (step.expected) {
+        verify(step, *value);
+        return;
+    }
+    m_account.read({*step.parameter, *value});
+    refine(m_steps, m_account, m_job, m_encoder, {*step.parameter, *value});
+}
+
+// A difference is a failure, but the others are read all the same, so that what the encoder has is known.
+void K3Run::verify(const K3Step &step, std::int64_t value)
+{
+    const Parameter parameter = *step.parameter;
+    if (value == *step.expected) {
+        if (!valueOf(m_account.outcome.alreadyThere, parameter))
+            m_account.written({parameter, value});
+        return;
+    }
+    m_account.notWritten(parameter);
+    if (!m_mismatch)
+        m_mismatch = {RefusalKind::device, RefusalId::verificationFailed, {parameter, *step.expected, value}};
+}
+
+// With the last read-out of a program follows what is to be written to it, or its verification is complete.
+void K3Run::camReadOutEnded(const K3Step &step)
+{
+    const auto *write = job<WriteCams>();
+    if (step.camProgram == 0 || write == nullptr || m_failure || m_cancelled ||
+        K3CamRun::readsOn(m_steps, step))
+        return;
+    if (step.expected && m_mismatch)
+        fail(*m_mismatch);
+    else if (step.expected)
+        m_cams.wasVerified(*write, step.camProgram);
+    else if (write->onlyWhatDiffers)
+        m_cams.planWrite(m_steps, *write);
+}
+
+void K3Run::stepFailed(WordAnswer how, Word in)
+{
+    const K3Step &step = m_steps.current();
+    if (how == WordAnswer::error) {
+        answeredByError(in);
+    } else if (how == WordAnswer::noAnswer) {
+        const bool isInvalid = setsPosition(step) && in == k3::error;
+        fail(isInvalid ? noValidPosition() : noAnswer(in, m_encoder.timing.timeOut));
+    } else {
+        dropConfirmed();
+        fail({RefusalKind::device, RefusalId::restarted, {in}});
+    }
+}
+
+// OUT goes back to 0. Run ends an error that only asking for cams has brought about; where the encoder was in
+// a parameterization before, it would make valid what others have sent.
+void K3Run::answeredByError(Word in)
+{
+    const bool runEndsIt =
+        onlyAsksForCams(m_steps.current()) && m_encoder.isError(in) && !m_foundParameterizing && !m_failure;
+    fail(refusalFor(in));
+    if (runEndsIt)
+        m_steps.append({K3Plan::runStep(true), K3Plan::toNormal(false)});
+}
+
+// OUT goes back to 0, except where the user gave the words himself.
+void K3Run::fail(Refusal why)
+{
+    const bool failsAgainAtRun = m_failure && !m_steps.atEnd() && m_steps.current().kind == StepKind::run;
+    const bool isFirst = noteFailure(std::move(why));
+    if ((isFirst || failsAgainAtRun) && job<SendWords>() == nullptr)
+        m_steps.append({K3Plan::toNormal(false)});
+}
+
+Refusal K3Run::refusalFor(Word in) const
+{
+    return k3Refusal({.device = m_encoder.device,
+                      .step = m_steps.current(),
+                      .isConfirmed = m_handshake.hasConfirmed(),
+                      .confirmed = m_confirmed.values,
+                      .written = m_account.outcome.written,
+                      .inCamMode = m_encoder.knowledge.mode() == Mode::cam,
+                      .foundParameterizing = m_foundParameterizing},
+                     in);
+}
+
+bool K3Run::endsInError(std::size_t step) const
+{
+    return step + 1 == m_steps.all.size() || m_encoder.reading.state == EncoderState::error;
+}
+
+Result<void> K3Run::resultAt(Word in)
+{
+    if (!m_failure && m_mismatch)
+        return tl::unexpected(*m_mismatch);
+    if (auto ended = WordRun::resultAt(in); !ended)
+        return ended;
+    return m_cams.dropLost() ? refuse(RefusalKind::device, RefusalId::restarted, {in}) : Result<void>();
+}
+
+void K3Run::complete(Outcome &outcome)
+{
+    const Reading &reading = m_encoder.reading;
+    outcome.leftIn = reading.state;
+    if (outcome.leftIn == EncoderState::parameterization)
+        outcome.confirmed = m_confirmed.values;
+    outcome.onlyZeroSinceRun = m_ranAtZero && reading.in == 0 && !m_encoder.device.capabilities.reads;
+    outcome.camsRead = m_cams.read();
+    outcome.camsWritten = m_cams.written();
+    if (!hasRestored() || m_mismatch)
+        return;
+    outcome.restored = evidenceOf(outcome.written, m_encoder.device);
+    for (const CamProgram &program : m_cams.programsBefore())
+        outcome.camsWritten.push_back(program);
+}
+
+} // namespace codewheel

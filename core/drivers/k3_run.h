@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "drivers/k3_cam_run.h"
+#include "drivers/k3_encoder.h"
+#include "drivers/k3_handshake.h"
+#include "drivers/k3_late_answer.h"
+#include "drivers/word_run.h"
+
+namespace codewheel {
+
+// A job of a K3 encoder on its way: one word after the other (K3Handshake), and what each answer means. What
+// is read makes the rest shorter (refine()), what is about cams is kept by K3CamRun, an error gets its name
+// from k3Refusal(), and what was on its way as the job was cancelled is a K3LateAnswer. Used by K3Driver.
+class K3Run final : public WordRun<K3Step>
+{
+public:
+    // The job has been checked. The encoder must outlive this.
+    K3Run(JobId id, const Job &job, Pace pace, K3Encoder &encoder);
+
+private:
+    // What the encoder has confirmed since the last run.
+    struct Confirmed
+    {
+        ParameterValues values;
+        bool reset = false; // to default
+    };
+
+    Result<void> plan(Word in, Word out) override;
+    void watch(Word in, Word out) override;
+    bool mayBegin(Word in) override;
+    std::optional<Refusal> whyNotNow(Word in) const override;
+    void begin(Word in, Instant now) override;
+    WordAnswer answerTo(Word in, Word out, Instant now) override;
+    void stepDone(Word in) override;
+    void stepFailed(WordAnswer how, Word in) override;
+    void fail(Refusal why) override;
+    Refusal refusalFor(Word in) const override;
+    Result<void> resultAt(Word in) override;
+    bool endsInError(std::size_t step) const override;
+    void complete(Outcome &outcome) override;
+    bool follows(StepKind kind) const;
+
+    // What the answer to a step means.
+    void ran();
+    void wordDone(const K3Step &step);
+    void readDone(const K3Step &step, Word in);
+    void verify(const K3Step &step, std::int64_t value);
+    void camReadOutEnded(const K3Step &step);
+    void answeredByError(Word in);
+
+    // How a job ends before its end.
+    void leaveOffAt(Instant now) override;
+    bool hasTaken() const override;
+    bool canRestore() const override;
+    const ParameterValues &confirmed() const override { return m_confirmed.values; }
+    void lookForRestart(Word in);
+    void lookForLateAnswer(Word in);
+    void dropConfirmed();
+    K3Steps stepsOfCancel(Word in);
+    K3Steps stepsToRestore(bool parameterizing);
+
+    K3Encoder &m_encoder;
+    K3Handshake m_handshake;
+    K3CamRun m_cams;
+    Confirmed m_confirmed;
+    std::optional<K3LateAnswer> m_late;
+    std::optional<Refusal> m_mismatch; // of the read-back, which goes on
+    Word m_inWhenAsked = 0;
+    bool m_foundParameterizing = false; // the encoder was in a parameterization before the job
+    bool m_ranAtZero = false;           // 00000000h answered run
+};
+
+} // namespace codewheel

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "drivers/la66_knowledge.h"
+#include "drivers/la66_plan.h"
+#include "encoder/reading.h"
+
+namespace codewheel {
+
+// One LA-66 as it is known by now: what it shows, what it has. Shared by the driver and by the job on its
+// way.
+struct La66Encoder
+{
+    // The description must outlive this.
+    La66Encoder(const DeviceDescription &device, La66Timing how)
+        : timing(how)
+        , knowledge(device)
+        , plan(device, timing)
+    {}
+
+    void setKnown(const std::vector<Known> &known) { knowledge.values().set(known); }
+    Result<void> check(const Job &job) const { return plan.check(job); }
+    void observe(Word in, Word out, Instant now);
+
+    La66Timing timing;
+    La66Knowledge knowledge;
+    La66Plan plan;
+    Reading reading;
+    std::vector<Event> events;
+};
+
+} // namespace codewheel

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "drivers/job_run.h"
+#include "drivers/word_answer.h"
+
+#include <chrono>
+
+namespace codewheel {
+
+// A job of a cyclic encoder on its way: each step puts a word into OUT, which stands there until the encoder
+// has answered it. A driver derives from it and says what its words mean.
+template <typename OneStep>
+class WordRun : public JobRun<OneStep>
+{
+    using Base = JobRun<OneStep>;
+
+public:
+    using Base::isDone;
+
+    // Plans the steps from the state the encoder is in, or says why it must not be in it. By itself in the
+    // first cycle, where IN is not known before.
+    Result<void> prepare(Word in, Word out)
+    {
+        m_isPrepared = true;
+        return plan(in, out);
+    }
+
+    // `in` came in while `out` stood on the bus. Answers the word that goes out next.
+    Word cycle(Word in, Word out, Instant now)
+    {
+        watch(in, out);
+        if (!m_isPrepared && !m_cancelled) // what was cancelled before that is not planned any more
+            if (auto prepared = prepare(in, out); !prepared)
+                finish(std::move(prepared));
+        while (!isDone()) {
+            if (m_steps.atEnd()) {
+                finish(resultAt(in));
+            } else if (m_steps.begun) {
+                if (takeAnswer(answerTo(in, out, now), in) == WordAnswer::waiting)
+                    return m_steps.current().out;
+            } else if (!mayBegin(in)) {
+                return out;
+            } else if (auto why = whyNotNow(in)) {
+                fail(*std::move(why));
+            } else {
+                beginStep();
+                begin(in, now);
+                reportProgress(false);
+                return m_steps.current().out;
+            }
+        }
+        return out;
+    }
+
+    // ALARM STOP, bus stopped.
+    void stop(RefusalId why) { finish(refuse(RefusalKind::stopped, why)); }
+
+protected:
+    using Base::ask;
+    using Base::Base;
+    using Base::beginStep;
+    using Base::finish;
+    using Base::goesByItself;
+    using Base::m_cancelled;
+    using Base::m_steps;
+    using Base::reportProgress;
+    using Base::result;
+
+    virtual Result<void> plan(Word in, Word out) = 0;
+    // Sees each cycle first, whatever the step is.
+    virtual void watch(Word in, Word out) = 0;
+    // The current step is not begun. False: the user has to say so first, or what stands in IN.
+    virtual bool mayBegin(Word /*in*/)
+    {
+        if (goesByItself())
+            return true;
+        ask();
+        return false;
+    }
+    // Why the current step must not be begun while this stands in IN.
+    virtual std::optional<Refusal> whyNotNow(Word /*in*/) const { return std::nullopt; }
+    virtual void begin(Word in, Instant now) = 0;
+
+    virtual WordAnswer answerTo(Word in, Word out, Instant now) = 0;
+    virtual void stepDone(Word in) = 0;
+    // The encoder refused the current step, said nothing, or has started anew.
+    virtual void stepFailed(WordAnswer how, Word in) = 0;
+    virtual void fail(Refusal why) = 0;
+    virtual Refusal refusalFor(Word in) const = 0;
+
+    // All steps are done.
+    virtual Result<void> resultAt(Word /*in*/)
+    {
+        if (auto ended = result(); !ended)
+            return ended;
+        return m_lastError && endsInError(m_lastErrorAt) ? tl::unexpected(*m_lastError) : Result<void>();
+    }
+    // Whether an error that the words of the user went on after is how they ended; it answered that step.
+    virtual bool endsInError(std::size_t step) const = 0;
+
+    Refusal noAnswer(Word in, Instant timeOut) const
+    {
+        return {RefusalKind::device,
+                RefusalId::noAnswer,
+                {std::chrono::duration<double>(timeOut).count(), m_steps.current().out, in}};
+    }
+    bool isPrepared() const { return m_isPrepared; }
+
+private:
+    WordAnswer takeAnswer(WordAnswer answer, Word in)
+    {
+        if (answer == WordAnswer::done)
+            stepDone(in);
+        else if (answer == WordAnswer::error && goesOnAfterError())
+            goOnAfterError(in);
+        else if (answer != WordAnswer::waiting)
+            stepFailed(answer, in);
+        return answer;
+    }
+
+    bool goesOnAfterError() const
+    {
+        const auto *send = this->template job<SendWords>();
+        return send != nullptr && send->afterError == SendWords::AfterError::goOn && !m_cancelled;
+    }
+    // The next word may be the way out of the error: run, once its cause is gone.
+    void goOnAfterError(Word in)
+    {
+        m_lastError = refusalFor(in);
+        m_lastErrorAt = m_steps.index;
+        m_steps.goOn();
+    }
+
+    bool m_isPrepared = false;
+    std::optional<Refusal> m_lastError; // that the words of the user went on after
+    std::size_t m_lastErrorAt = 0;      // the step it answered
+};
+
+} // namespace codewheel
