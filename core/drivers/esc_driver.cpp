@@ -40,11 +40,11 @@ void EscDriver::proceed()
         m_job->proceed();
 }
 
-void EscDriver::cancel(OnCancel how, Instant)
+void EscDriver::cancel(OnCancel how, Instant now)
 {
     if (!m_job)
         return;
-    m_job->cancel(how);
+    m_job->cancel(how, now);
     if (m_job->isDone())
         endJob();
 }

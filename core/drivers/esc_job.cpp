@@ -11,65 +11,53 @@
 namespace codewheel {
 
 EscJob::EscJob(JobId id, Job job, Pace pace, EscEncoder &encoder)
-    : m_id(id)
-    , m_job(std::move(job))
-    , m_pace(pace)
+    : JobRun(id, std::move(job), pace, encoder.values, encoder.events)
     , m_encoder(encoder)
-    , m_steps(encoder.plan().stepsFor(m_job))
-    , m_writesBefore(encoder.values.eepromWrites())
-    , m_before(encoder.values.values())
 {
-    m_outcome.job = id;
-    if (const auto *write = std::get_if<WriteParameters>(&m_job))
-        for (const ParameterValue &value : write->previous)
-            replaceValue(m_before, value);
+    m_steps.all = encoder.plan().stepsFor(m_job);
 }
 
 std::optional<esc::Request> EscJob::next(Instant now)
 {
     settle();
-    if (m_isDone || (!m_isBegun && !mayBegin()))
+    if (isDone() || (!m_steps.begun && !mayBegin()))
         return std::nullopt;
-    if (!m_isBegun)
+    if (!m_steps.begun)
         begin(now);
     m_isUnderWay = true;
-    return m_search ? m_search->request() : current().request;
+    return m_search ? m_search->request() : m_steps.current().request;
 }
 
 // What follows from the steps that are done: others, or the end.
 void EscJob::settle()
 {
-    if (m_isDone)
+    if (isDone())
         return;
-    if (!m_isCompared && (m_index == m_steps.size() || current().task != EscStep::Task::read))
+    if (!m_isCompared && (m_steps.atEnd() || m_steps.current().task != EscStep::Task::read))
         leaveOutWhatIsThere();
     checkPreset();
-    if (m_index == m_steps.size() && m_cancelled == OnCancel::restorePrevious && !m_isRestoring)
-        appendRestore();
-    if (m_index == m_steps.size())
+    if (hasLeftOffNow() && givesBack())
+        giveBack();
+    if (m_steps.atEnd())
         finish(result());
 }
 
-// By hand, a write waits for proceed(). Reading disturbs nothing, and putting back after a cancel waits for
-// nobody.
+// By hand only a write waits: reading disturbs nothing.
 bool EscJob::mayBegin()
 {
-    const bool byItself = m_pace == Pace::byItself || current().task != EscStep::Task::write;
-    if (byItself || m_failure || m_cancelled || m_mayBegin)
+    if (goesByItself() || m_steps.current().task != EscStep::Task::write)
         return true;
-    if (!std::exchange(m_waits, true))
-        reportProgress(true);
+    ask();
     return false;
 }
 
 void EscJob::begin(Instant now)
 {
-    m_isBegun = true;
-    m_waits = m_mayBegin = false;
+    beginStep();
     const int tries = std::max(m_encoder.settings.readTries, 1);
     m_reads = EscAgreement(tries);
     m_positions = EscPositionAgreement(2 * tries);
-    EscStep &step = current();
+    EscStep &step = m_steps.current();
     step.request.to = m_encoder.address; // another, where the job has changed it
     if (step.task == EscStep::Task::search)
         beginSearch();
@@ -84,9 +72,9 @@ void EscJob::begin(Instant now)
 void EscJob::answered(const esc::ExchangeResult &result, Instant now)
 {
     m_isUnderWay = false;
-    if (m_isDone)
+    if (isDone())
         return;
-    switch (current().task) {
+    switch (m_steps.current().task) {
     case EscStep::Task::read:
         readAnswered(result, now);
         break;
@@ -110,17 +98,11 @@ void EscJob::answered(const esc::ExchangeResult &result, Instant now)
     settle();
 }
 
-void EscJob::stepDone()
-{
-    ++m_index;
-    m_isBegun = false;
-}
-
 // What the encoder does not know is left out, and the rest is read. A job that goes on to write only wants to
 // compare: what cannot be compared is written.
 void EscJob::readAnswered(const esc::ExchangeResult &result, Instant now)
 {
-    const bool isForItself = std::holds_alternative<ReadParameters>(m_job);
+    const bool isForItself = job<ReadParameters>() != nullptr;
     if (!result.answer) {
         fail(refusalOf(result));
         return;
@@ -135,7 +117,7 @@ void EscJob::readAnswered(const esc::ExchangeResult &result, Instant now)
         }
         if (isForItself && !m_failure)
             m_failure = refusalOf(result);
-        stepDone();
+        m_steps.goOn();
         break;
     case EscAgreement::State::disagreed:
         if (!isForItself) {
@@ -144,19 +126,18 @@ void EscJob::readAnswered(const esc::ExchangeResult &result, Instant now)
         }
         if (!m_failure)
             m_failure = disagreed();
-        stepDone();
+        m_steps.goOn();
         break;
     }
 }
 
 void EscJob::readAgreed(Instant now)
 {
-    const Parameter parameter = *current().parameter;
-    m_encoder.take(current().request.command, m_reads.last(), now);
+    const Parameter parameter = *m_steps.current().parameter;
+    m_encoder.take(m_steps.current().request.command, m_reads.last(), now);
     const ParameterValue value{parameter, *m_encoder.values.value(parameter)};
-    replaceValue(m_outcome.read, value);
-    replaceValue(m_before, value);
-    stepDone();
+    m_account.read(value);
+    m_steps.goOn();
 }
 
 void EscJob::refreshAnswered(const esc::ExchangeResult &result, Instant now)
@@ -166,35 +147,35 @@ void EscJob::refreshAnswered(const esc::ExchangeResult &result, Instant now)
         if (state == EscAgreement::State::wantsMore)
             return;
         if (state == EscAgreement::State::agreed && hasValue(result.answer)) {
-            m_encoder.take(current().request.command, m_reads.last(), now);
+            m_encoder.take(m_steps.current().request.command, m_reads.last(), now);
             noteWhatWasSetAlong();
-            if (current().parameter == Parameter::preset)
+            if (m_steps.current().parameter == Parameter::preset)
                 (m_preset.sentAt ? m_preset.valueAfter : m_preset.valueBefore) = m_reads.last().value;
         }
     }
-    stepDone();
+    m_steps.goOn();
 }
 
 // Steps that were written have set the revolutions, unless these were written too (escSetAlong).
 void EscJob::noteWhatWasSetAlong()
 {
-    const Parameter parameter = current().parameter.value_or(Parameter::preset);
+    const Parameter parameter = m_steps.current().parameter.value_or(Parameter::preset);
     const auto now = m_encoder.values.value(parameter);
     const bool isSetAlong = now && parameter == Parameter::revolutions &&
-                            valueOf(m_outcome.written, Parameter::steps) &&
-                            !valueOf(m_outcome.written, parameter);
-    if (isSetAlong && valueOf(m_before, parameter) != now)
-        replaceValue(m_outcome.setAlong, {parameter, *now});
+                            valueOf(m_account.outcome.written, Parameter::steps) &&
+                            !valueOf(m_account.outcome.written, parameter);
+    if (isSetAlong && valueOf(m_account.before, parameter) != now)
+        replaceValue(m_account.outcome.setAlong, {parameter, *now});
 }
 
 // What is there already is neither written nor read back, unless it must go along with what is not.
 void EscJob::leaveOutWhatIsThere()
 {
     m_isCompared = true;
-    const auto *write = std::get_if<WriteParameters>(&m_job);
+    const auto *write = job<WriteParameters>();
     if (write == nullptr || !write->onlyWhatDiffers || m_failure || m_cancelled)
         return;
-    ParameterValues there = m_outcome.read;
+    ParameterValues there = m_account.outcome.read;
     replaceValue(there, {Parameter::lineAddress, m_encoder.address.value});
     if (m_encoder.baudRate)
         replaceValue(there, {Parameter::baudRate, *m_encoder.baudRate});
@@ -206,68 +187,41 @@ void EscJob::leaveOutWhatIsThere()
     ParameterValues left; // to be written
     for (const ParameterValue &value : write->values) {
         if (isThere(value) && !goesAlongOnEsc(value.parameter, differing))
-            m_outcome.alreadyThere.push_back(value);
+            m_account.outcome.alreadyThere.push_back(value);
         else
             left.push_back(value);
     }
-    m_steps.resize(m_index);
-    const EscSteps rest = m_encoder.plan().writes(left);
-    m_steps.insert(m_steps.end(), rest.begin(), rest.end());
+    m_steps.dropRest();
+    m_steps.append(m_encoder.plan().writes(left));
 }
 
 // What has been read before it is known now.
 void EscJob::checkPreset()
 {
     const bool isNext =
-        !m_isBegun && m_index < m_steps.size() && current().request.command == esc::Command::writePreset;
+        !m_steps.begun && !m_steps.atEnd() && m_steps.current().request.command == esc::Command::writePreset;
     if (!isNext)
         return;
     if (const auto checked = m_encoder.plan().check(m_job); !checked) {
         m_failure = checked.error();
-        m_steps.resize(m_index);
+        m_steps.dropRest();
     }
 }
 
-Result<void> EscJob::result() const
-{
-    if (m_failure)
-        return tl::unexpected(*m_failure);
-    if (m_cancelled)
-        return refuse(RefusalKind::stopped, RefusalId::cancelled);
-    return {};
-}
-
-void EscJob::finish(Result<void> result)
+void EscJob::complete(Outcome &outcome)
 {
     m_encoder.flushKnowledge();
-    m_isDone = true;
     m_search.reset();
-    m_outcome.result = std::move(result);
-    m_outcome.eepromWrites += m_encoder.values.eepromWrites() - m_writesBefore;
-    m_outcome.leftIn = m_encoder.reading.state;
+    outcome.leftIn = m_encoder.reading.state;
     if (m_positionBefore)
-        m_outcome.positionBefore = m_positionBefore->sample.position;
+        outcome.positionBefore = m_positionBefore->sample.position;
     if (m_positionAfter)
-        m_outcome.positionAfter = m_positionAfter->sample.position;
-    m_encoder.events.emplace_back(m_outcome);
-}
-
-void EscJob::reportProgress(bool waits)
-{
-    Progress progress;
-    progress.job = m_id;
-    progress.index = static_cast<int>(m_index);
-    progress.steps.assign(m_steps.begin(), m_steps.end());
-    progress.waitsForUser = waits;
-    progress.confirmed = m_outcome.written;
-    progress.canRestore = canRestore();
-    progress.hasTaken = hasTaken();
-    m_encoder.events.emplace_back(std::move(progress));
+        outcome.positionAfter = m_positionAfter->sample.position;
 }
 
 Refusal EscJob::refusalOf(const esc::ExchangeResult &result) const
 {
-    const QString line = QString::fromLatin1(current().line);
+    const QString line = QString::fromLatin1(m_steps.current().line);
     if (result.answer && result.answer->kind == esc::Answer::Kind::unknownCommand)
         return {RefusalKind::device, RefusalId::escCommandUnknown, {line}};
     if (result.answer && result.answer->kind == esc::Answer::Kind::outOfRange)
@@ -283,7 +237,8 @@ Refusal EscJob::disagreed() const
     };
     return {RefusalKind::device,
             RefusalId::escReadsDisagree,
-            {current().parameter.value_or(Parameter::preset), shown(m_reads.first()), shown(m_reads.last())}};
+            {m_steps.current().parameter.value_or(Parameter::preset), shown(m_reads.first()),
+             shown(m_reads.last())}};
 }
 
 } // namespace codewheel

@@ -5,6 +5,7 @@
 #include "drivers/esc_encoder.h"
 #include "drivers/esc_position_agreement.h"
 #include "drivers/esc_search.h"
+#include "drivers/job_run.h"
 
 #include <optional>
 #include <vector>
@@ -14,7 +15,7 @@ namespace codewheel {
 // A job of an encoder on a serial line on its way: its requests one after the other, and what their answers
 // mean. Nothing is written twice: after a write without an answer the encoder is read, and the outcome says
 // whether it was done. Used by EscDriver, which sends what this wants.
-class EscJob
+class EscJob final : public JobRun<EscStep>
 {
 public:
     // The job has been checked (EscPlan). The encoder must outlive this.
@@ -24,16 +25,8 @@ public:
     std::optional<esc::Request> next(Instant now);
     void answered(const esc::ExchangeResult &result, Instant now);
 
-    bool waits() const { return m_waits && !m_mayBegin; } // for the user
-    bool isDone() const { return m_isDone; }              // the outcome is among the events of the encoder
     // The encoder is looked for: nothing else may be asked of it meanwhile.
-    bool isSearching() const
-    {
-        return m_index < m_steps.size() && m_steps[m_index].task == EscStep::Task::search;
-    }
-
-    void proceed() { m_mayBegin = m_waits; }
-    void cancel(OnCancel how);
+    bool isSearching() const { return !m_steps.atEnd() && m_steps.current().task == EscStep::Task::search; }
     void stop(const Refusal &why);
 
 private:
@@ -63,12 +56,7 @@ private:
     void readAnswered(const esc::ExchangeResult &result, Instant now);
     void readAgreed(Instant now);
     void refreshAnswered(const esc::ExchangeResult &result, Instant now);
-    void finish(Result<void> result);
-    void reportProgress(bool waits);
-    Result<void> result() const;
-    EscStep &current() { return m_steps[m_index]; }
-    const EscStep &current() const { return m_steps[m_index]; }
-    void stepDone();
+    void complete(Outcome &outcome) override;
 
     // esc_job_write.cpp
     void writeAnswered(const esc::ExchangeResult &result, Instant now);
@@ -103,25 +91,16 @@ private:
 
     // esc_job_cancel.cpp
     void dropFrom(std::size_t first, std::optional<Parameter> refused = {});
-    void appendRestore();
-    bool canRestore() const;
-    bool hasTaken() const;
+    void leaveOffAt(Instant now) override;
+    void giveBack();
+    bool hasTaken() const override;
 
     Refusal refusalOf(const esc::ExchangeResult &result) const;
     Refusal disagreed() const;
 
-    JobId m_id;
-    Job m_job;
-    Pace m_pace;
     EscEncoder &m_encoder;
-    EscSteps m_steps;
-    std::size_t m_index = 0;
-    bool m_isBegun = false;
     bool m_isUnderWay = false; // a request of the step is on the line
-    bool m_waits = false;
-    bool m_mayBegin = false;
     bool m_isCompared = false;
-    bool m_isDone = false;
     EscAgreement m_reads;
     EscPositionAgreement m_positions;
     std::optional<AgreedPosition> m_positionBefore;
@@ -130,12 +109,6 @@ private:
     std::optional<EscSearch> m_search;
     std::optional<int> m_rateBefore; // the search for another baud rate
     Preset m_preset;
-    std::optional<Refusal> m_failure;
-    std::optional<OnCancel> m_cancelled;
-    bool m_isRestoring = false;
-    int m_writesBefore;
-    ParameterValues m_before;
-    Outcome m_outcome;
 };
 
 } // namespace codewheel

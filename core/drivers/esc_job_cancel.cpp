@@ -60,26 +60,18 @@ bool tellsOf(Sent sent, const EscStep &step)
 
 } // namespace
 
-void EscJob::cancel(OnCancel how)
+void EscJob::leaveOffAt(Instant /*now*/)
 {
-    if (m_isDone || m_cancelled || m_failure || m_index == m_steps.size())
-        return;
-    if (how == OnCancel::ifNothingTaken && hasTaken()) {
-        reportProgress(waits());
-        return;
-    }
-    m_cancelled = how;
-    const bool goesOn = m_isUnderWay || (m_isBegun && tellsOf(Sent(m_steps).first(m_index), current()));
-    m_isBegun = goesOn;
-    dropFrom(m_index + (goesOn ? 1 : 0));
+    const Sent done = Sent(m_steps.all).first(m_steps.index);
+    m_steps.begun = m_isUnderWay || (m_steps.begun && tellsOf(done, m_steps.current()));
+    dropFrom(m_steps.index + (m_steps.begun ? 1 : 0));
     settle();
 }
 
 // A write that was sent is carried out, whether it was answered or not.
 bool EscJob::hasTaken() const
 {
-    const Sent sent = Sent(m_steps).first(std::min(m_steps.size(), m_index + (m_isBegun ? 1 : 0)));
-    return !m_outcome.written.empty() || wasAnythingWritten(sent);
+    return !m_account.outcome.written.empty() || wasAnythingWritten(m_steps.sent());
 }
 
 // A write that waits for its answer may be carried out, so the outcome counts it; of the encoder it is
@@ -87,18 +79,18 @@ bool EscJob::hasTaken() const
 // looked for in the encoder, is counted here.
 void EscJob::stop(const Refusal &why)
 {
-    if (m_isDone)
+    if (isDone())
         return;
-    const bool isWriting = m_isUnderWay && current().task == EscStep::Task::write;
+    const bool isWriting = m_isUnderWay && m_steps.current().task == EscStep::Task::write;
     if (isWriting) {
-        m_encoder.mayHaveChanged(current().request.command);
-        ++m_outcome.eepromWrites;
+        m_encoder.mayHaveChanged(m_steps.current().request.command);
+        ++m_account.outcome.eepromWrites;
     }
     if (m_unanswered)
         m_encoder.values.countEepromWrite();
     if (isWriting || m_unanswered)
         finish(refuse(RefusalKind::stopped, RefusalId::stoppedInWrite,
-                      {QString::fromLatin1(isWriting ? current().line : m_unanswered->line)}));
+                      {QString::fromLatin1(isWriting ? m_steps.current().line : m_unanswered->line)}));
     else
         finish(tl::unexpected(why));
 }
@@ -107,9 +99,9 @@ void EscJob::stop(const Refusal &why)
 // changes the others.
 void EscJob::dropFrom(std::size_t first, std::optional<Parameter> refused)
 {
-    const Sent sent = Sent(m_steps).first(first);
+    const Sent sent = Sent(m_steps.all).first(first);
     EscSteps left(sent.begin(), sent.end());
-    for (EscStep step : Sent(m_steps).subspan(first)) {
+    for (EscStep step : Sent(m_steps.all).subspan(first)) {
         const bool isWritten =
             step.parameter && step.parameter != refused && wasWritten(sent, *step.parameter);
         if (step.task == EscStep::Task::readBack && !isWritten)
@@ -117,31 +109,17 @@ void EscJob::dropFrom(std::size_t first, std::optional<Parameter> refused)
         if (tellsOf(sent, step) && (isWritten || step.task != EscStep::Task::search))
             left.push_back(step);
     }
-    m_steps = std::move(left);
+    m_steps.all = std::move(left);
 }
 
-// What the job has written goes back where that was asked for and the old values are known.
-void EscJob::appendRestore()
+// The old steps would set the revolutions as the new ones did.
+void EscJob::giveBack()
 {
-    m_isRestoring = true;
-    if (m_outcome.written.empty() || !canRestore())
-        return;
-    ParameterValues values;
-    for (const ParameterValue &taken : m_outcome.written)
-        values.push_back({taken.parameter, *valueOf(m_before, taken.parameter)});
-    // The old steps would set the revolutions as the new ones did.
+    ParameterValues values = m_account.valuesBefore(m_account.outcome.written);
     for (const ParameterValue &along : escSetAlong(values, {}))
-        if (const auto before = valueOf(m_before, along.parameter))
+        if (const auto before = valueOf(m_account.before, along.parameter))
             values.push_back({along.parameter, *before});
-    const EscSteps back = m_encoder.plan().writes(values);
-    m_steps.insert(m_steps.end(), back.begin(), back.end());
-}
-
-bool EscJob::canRestore() const
-{
-    return std::ranges::all_of(m_outcome.written, [this](const ParameterValue &value) {
-        return valueOf(m_before, value.parameter).has_value();
-    });
+    m_steps.append(m_encoder.plan().writes(values));
 }
 
 } // namespace codewheel

@@ -45,7 +45,7 @@ void EscJob::positionAnswered(const esc::ExchangeResult &result, Instant now)
 void EscJob::positionAgreed()
 {
     const AgreedPosition agreed{m_positions.last(), m_positions.speed()};
-    if (current().task == EscStep::Task::positionAfter)
+    if (m_steps.current().task == EscStep::Task::positionAfter)
         m_positionAfter = agreed;
     else if (!m_positionBefore) // giving values back, it was there before the first of them
         m_positionBefore = agreed;
@@ -55,7 +55,7 @@ void EscJob::positionAgreed()
 // Beside values that are written the position only stands in the account.
 void EscJob::positionNotRead(const Refusal &why)
 {
-    if (std::holds_alternative<SetPreset>(m_job))
+    if (job<SetPreset>() != nullptr)
         notRead(why);
     else
         positionStepDone();
@@ -63,11 +63,11 @@ void EscJob::positionNotRead(const Refusal &why)
 
 void EscJob::positionStepDone()
 {
-    const bool isPreset = std::holds_alternative<SetPreset>(m_job);
-    if (isPreset && current().task == EscStep::Task::positionAfter)
+    const bool isPreset = job<SetPreset>() != nullptr;
+    if (isPreset && m_steps.current().task == EscStep::Task::positionAfter)
         presetDone();
     else
-        stepDone();
+        m_steps.goOn();
 }
 
 void EscJob::presetDone()
@@ -85,7 +85,7 @@ void EscJob::presetDone()
 // the shaft turned since; where nobody knows it, the position alone must tell.
 void EscJob::judgeAccepted(Said position, Said value)
 {
-    const EscStep step = current();
+    const EscStep step = m_steps.current();
     const auto isNot = [&](std::int64_t has) {
         fail({RefusalKind::device,
               RefusalId::verificationFailed,
@@ -97,7 +97,7 @@ void EscJob::judgeAccepted(Said position, Said value)
     else if (position == Said::notDone)
         isNot(m_positionAfter->sample.position);
     else if (value == Said::done || position == Said::done || isThere)
-        stepDone();
+        m_steps.goOn();
     else
         fail({RefusalKind::device,
               RefusalId::escPresetUnproven,
@@ -115,7 +115,7 @@ void EscJob::judgeUnanswered(Said position, Said value)
     } else {
         m_encoder.values.countEepromWrite();
         m_unanswered.reset();
-        stepDone();
+        m_steps.goOn();
     }
 }
 
@@ -129,7 +129,7 @@ EscJob::Said EscJob::positionSays() const
         const auto &[position, at] = m_positionAfter->sample;
         return m_encoder.guard.canReach(from.position, position, at - from.at);
     };
-    if (!isReachable({current().value, m_preset.sentAt.value_or(Instant())}))
+    if (!isReachable({m_steps.current().value, m_preset.sentAt.value_or(Instant())}))
         return Said::notDone;
     if (!m_positionBefore)
         return Said::nothing;
@@ -157,7 +157,7 @@ bool EscJob::hasTurnedFrom(const EscPositionAgreement::Sample &before, double sp
 bool EscJob::hasTurnedFromPreset() const
 {
     return m_positionAfter && m_preset.sentAt &&
-           hasTurnedFrom({current().value, *m_preset.sentAt},
+           hasTurnedFrom({m_steps.current().value, *m_preset.sentAt},
                          m_positionBefore ? m_positionBefore->speed : m_positionAfter->speed);
 }
 
@@ -167,10 +167,10 @@ EscJob::Said EscJob::presetValueSays() const
 {
     if (!m_preset.valueAfter)
         return Said::nothing;
-    if (m_preset.valueAfter != current().value)
+    if (m_preset.valueAfter != m_steps.current().value)
         return Said::notDone;
     const bool hasChanged =
-        m_preset.valueBefore ? m_preset.valueBefore != current().value : !m_unanswered.has_value();
+        m_preset.valueBefore ? m_preset.valueBefore != m_steps.current().value : !m_unanswered.has_value();
     return hasChanged ? Said::done : Said::nothing;
 }
 

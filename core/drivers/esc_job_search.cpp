@@ -35,9 +35,9 @@ Places placesOfBaudRate(int wanted, std::optional<int> before, LineAddress addre
 
 void EscJob::beginSearch()
 {
-    const auto wanted = current().value;
+    const auto wanted = m_steps.current().value;
     m_rateBefore = m_encoder.wantedBaudRate ? m_encoder.wantedBaudRate : m_encoder.baudRate;
-    Places places = current().parameter == Parameter::lineAddress
+    Places places = m_steps.current().parameter == Parameter::lineAddress
                         ? placesOfAddress({static_cast<std::uint8_t>(wanted)}, m_encoder.address,
                                           m_encoder.wantedBaudRate)
                         : placesOfBaudRate(static_cast<int>(wanted), m_rateBefore, m_encoder.address);
@@ -58,9 +58,9 @@ void EscJob::searchAnswered(const esc::ExchangeResult &result, Instant now)
         m_encoder.wantedBaudRate = m_rateBefore;
         if (m_unanswered)
             m_encoder.values.countEepromWrite();
-        m_encoder.values.forget(*current().parameter);
+        m_encoder.values.forget(*m_steps.current().parameter);
         fail({RefusalKind::device, RefusalId::escNotFoundAgain, {search.placesText()}});
-    } else if (current().parameter == Parameter::lineAddress) {
+    } else if (m_steps.current().parameter == Parameter::lineAddress) {
         foundAtAddress(search.place().address, now);
     } else {
         foundAtBaudRate(search.place().baudRate, now);
@@ -72,7 +72,7 @@ void EscJob::foundAtAddress(LineAddress found, Instant now)
     const LineAddress before = m_encoder.address;
     m_encoder.address = found;
     m_encoder.values.learn({Parameter::lineAddress, found.value, Evidence::read, now});
-    const bool isWanted = found.value == current().value;
+    const bool isWanted = found.value == m_steps.current().value;
     if (found == before && !isWanted) {
         isNotThere(found.value);
         return;
@@ -82,16 +82,16 @@ void EscJob::foundAtAddress(LineAddress found, Instant now)
                        MessageId::lineAddressChanged, {before.shown(), found.shown()});
     isThere({Parameter::lineAddress, found.value});
     if (isWanted)
-        stepDone();
+        m_steps.goOn();
     else
         fail({RefusalKind::device,
               RefusalId::verificationFailed,
-              {Parameter::lineAddress, current().value, std::int64_t{found.value}}});
+              {Parameter::lineAddress, m_steps.current().value, std::int64_t{found.value}}});
 }
 
 void EscJob::foundAtBaudRate(std::optional<int> found, Instant now)
 {
-    const int wanted = static_cast<int>(current().value);
+    const int wanted = static_cast<int>(m_steps.current().value);
     if (found != wanted) {
         if (found)
             m_encoder.values.learn({Parameter::baudRate, *found, Evidence::read, now});
@@ -103,9 +103,10 @@ void EscJob::foundAtBaudRate(std::optional<int> found, Instant now)
         before = std::int64_t{*m_rateBefore};
     m_encoder.values.learn({Parameter::baudRate, wanted, Evidence::read, now});
     if (m_rateBefore != wanted)
-        m_encoder.tell(now, Severity::information, MessageId::baudRateChanged, {before, current().value});
+        m_encoder.tell(now, Severity::information, MessageId::baudRateChanged,
+                       {before, m_steps.current().value});
     isThere({Parameter::baudRate, wanted});
-    stepDone();
+    m_steps.goOn();
 }
 
 } // namespace codewheel

@@ -19,33 +19,32 @@ void EscJob::writeAnswered(const esc::ExchangeResult &result, Instant now)
 
 void EscJob::accepted(Instant now)
 {
-    const EscStep &step = current();
+    const EscStep &step = m_steps.current();
     m_encoder.mayHaveChanged(step.request.command);
     m_encoder.values.countEepromWrite();
     if (step.parameter) {
-        replaceValue(m_outcome.written, {*step.parameter, step.value});
-        std::erase_if(m_outcome.setAlong,
+        m_account.written({*step.parameter, step.value});
+        std::erase_if(m_account.outcome.setAlong,
                       [&](const ParameterValue &along) { return along.parameter == *step.parameter; });
         m_encoder.values.learn({*step.parameter, step.value, Evidence::echoed, now});
     }
-    stepDone();
+    m_steps.goOn();
 }
 
 // It is never sent again by itself: the encoder is read instead, and at once.
 void EscJob::notAnswered()
 {
-    const EscStep step = current();
+    const EscStep step = m_steps.current();
     m_unanswered = step;
     m_encoder.mayHaveChanged(step.request.command);
-    stepDone();
-    const bool isNext = m_index < m_steps.size() && m_steps[m_index].parameter == step.parameter &&
-                        m_steps[m_index].task == EscStep::Task::readBack;
-    const bool isLookedFor = std::ranges::any_of(m_steps, [&](const EscStep &other) {
+    m_steps.goOn();
+    const bool isNext = !m_steps.atEnd() && m_steps.current().parameter == step.parameter &&
+                        m_steps.current().task == EscStep::Task::readBack;
+    const bool isLookedFor = std::ranges::any_of(m_steps.all, [&](const EscStep &other) {
         return other.task == EscStep::Task::search && other.parameter == step.parameter;
     });
     if (step.parameter && !isNext && !isLookedFor)
-        m_steps.insert(m_steps.begin() + static_cast<std::ptrdiff_t>(m_index),
-                       m_encoder.plan().readBack(step));
+        m_steps.all.insert(m_steps.rest(), m_encoder.plan().readBack(step));
 }
 
 void EscJob::readBackAnswered(const esc::ExchangeResult &result, Instant now)
@@ -71,7 +70,7 @@ void EscJob::readBackAnswered(const esc::ExchangeResult &result, Instant now)
 
 void EscJob::readBackAgreed(Instant now)
 {
-    const EscStep step = current();
+    const EscStep step = m_steps.current();
     m_encoder.take(step.request.command, m_reads.last(), now);
     const std::int64_t has = *m_encoder.values.value(*step.parameter);
     if (has != step.value) {
@@ -79,7 +78,7 @@ void EscJob::readBackAgreed(Instant now)
         return;
     }
     isThere({*step.parameter, has});
-    stepDone();
+    m_steps.goOn();
 }
 
 // What was written was seen in the encoder: a write without an answer was carried out.
@@ -88,14 +87,13 @@ void EscJob::isThere(const ParameterValue &value)
     if (m_unanswered)
         m_encoder.values.countEepromWrite();
     m_unanswered.reset();
-    replaceValue(m_outcome.written, value);
+    m_account.written(value);
 }
 
 void EscJob::isNotThere(std::int64_t has)
 {
-    const EscStep step = current();
-    std::erase_if(m_outcome.written,
-                  [&](const ParameterValue &value) { return value.parameter == *step.parameter; });
+    const EscStep step = m_steps.current();
+    m_account.notWritten(*step.parameter);
     if (m_unanswered && isBoundToEscFactor(*step.parameter))
         failAsUnknown(); // carried out it would show as soon as the factor is sent, and not before
     else if (m_unanswered)
@@ -112,7 +110,7 @@ void EscJob::notRead(const Refusal &why)
     }
     failAsUnknown();
     if (why.id == RefusalId::escNoAnswer)
-        m_steps.resize(m_index);
+        m_steps.dropRest();
 }
 
 // A write that may have reached the EEPROM counts as one.
@@ -127,13 +125,13 @@ void EscJob::fail(Refusal why)
 {
     const bool isSilent = why.id == RefusalId::escNoAnswer || why.id == RefusalId::escNotFoundAgain;
     const std::optional<Parameter> refused =
-        current().task == EscStep::Task::write ? current().parameter : std::nullopt;
+        m_steps.current().task == EscStep::Task::write ? m_steps.current().parameter : std::nullopt;
     m_unanswered.reset();
-    stepDone();
+    m_steps.goOn();
     if (isSilent)
-        m_steps.resize(m_index);
+        m_steps.dropRest();
     else
-        dropFrom(m_index, refused);
+        dropFrom(m_steps.index, refused);
     if (!m_failure)
         m_failure = std::move(why);
 }
