@@ -11,7 +11,7 @@
 namespace codewheel {
 
 EscJob::EscJob(JobId id, Job job, Pace pace, EscEncoder &encoder)
-    : JobRun(id, std::move(job), pace, encoder.values, encoder.events)
+    : JobRun(id, std::move(job), pace, encoder.values, encoder.reading, encoder.events)
     , m_encoder(encoder)
 {
     m_steps.all = encoder.plan().stepsFor(m_job);
@@ -212,7 +212,6 @@ void EscJob::complete(Outcome &outcome)
 {
     m_encoder.flushKnowledge();
     m_search.reset();
-    outcome.leftIn = m_encoder.reading.state;
     if (m_positionBefore)
         outcome.positionBefore = m_positionBefore->sample.position;
     if (m_positionAfter)

@@ -3,6 +3,7 @@
 
 #include "drivers/job_account.h"
 #include "drivers/job_steps.h"
+#include "encoder/reading.h"
 
 #include <utility>
 
@@ -35,9 +36,12 @@ public:
     }
 
 protected:
-    JobRun(JobId id, Job job, Pace pace, const KnownValues &known, std::vector<Event> &events)
+    // Of the encoder, which outlives the job: what it is known to have, what it shows, where its events go.
+    JobRun(JobId id, Job job, Pace pace, const KnownValues &known, const Reading &reading,
+           std::vector<Event> &events)
         : m_job(std::move(job))
         , m_account(id, m_job, known)
+        , m_reading(reading)
         , m_pace(pace)
         , m_known(known)
         , m_events(events)
@@ -50,7 +54,7 @@ protected:
     virtual bool canRestore() const { return m_account.knowsBefore(m_account.outcome.written); }
     // The job was cancelled: its steps from now on are those that leave nothing half done.
     virtual void leaveOffAt(Instant now) = 0;
-    // Adds to the outcome what only the driver knows: what the encoder shows.
+    // Adds to the outcome what only the driver knows.
     virtual void complete(Outcome &outcome) = 0;
 
     template <typename OneJob>
@@ -109,6 +113,7 @@ protected:
         m_isDone = true;
         Outcome &outcome = m_account.outcome;
         outcome.result = std::move(result);
+        outcome.leftIn = m_reading.state;
         complete(outcome);
         outcome.eepromWrites += m_known.eepromWrites() - m_account.writesBefore;
         m_events.emplace_back(outcome);
@@ -131,6 +136,7 @@ protected:
     std::optional<Refusal> m_failure; // the remaining steps only leave the encoder well
     std::optional<OnCancel> m_cancelled;
     bool m_restores = false; // the last steps give the values from before back
+    const Reading &m_reading;
 
 private:
     Pace m_pace;

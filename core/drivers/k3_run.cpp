@@ -27,7 +27,7 @@ Evidence evidenceOf(const ParameterValues &written, const DeviceDescription &dev
 } // namespace
 
 K3Run::K3Run(JobId id, const Job &job, Pace pace, K3Encoder &encoder)
-    : WordRun(id, job, pace, encoder.knowledge.known(), encoder.events)
+    : WordRun(id, job, pace, encoder.knowledge.known(), encoder.reading, encoder.events)
     , m_encoder(encoder)
     , m_handshake(encoder.device.dialect, encoder.timing)
     , m_cams(encoder)
@@ -83,19 +83,24 @@ std::optional<Refusal> K3Run::whyNotNow(Word in) const
 
 void K3Run::begin(Word in, Instant now)
 {
-    if (m_encoder.knowledge.isManufacturerPreset(
-            m_steps.current().out)) { // also where the user gave the words
-        if (m_steps.current().kind == StepKind::word && m_steps.index + 1 == m_steps.all.size()) {
-            K3Step normal = m_steps.current(); // what follows it in OUT, so that its effect is seen
-            normal.out = k3::normalRunning;
-            m_steps.append({normal});
-        }
-        m_steps.current().kind = StepKind::manufacturerPreset;
+    if (m_encoder.knowledge.isManufacturerPreset(m_steps.current().out))
+        lastOneCycle();
+    K3Step &step = m_steps.current();
+    step.inCamMode = m_encoder.knowledge.mode() == Mode::cam;
+    m_handshake.begin(step, in, now);
+    if (setsPosition(step))
+        m_account.outcome.positionBefore = m_reading.position;
+}
+
+// 60000000, also where the user gave the words: another word follows it in OUT, so that its effect is seen.
+void K3Run::lastOneCycle()
+{
+    if (m_steps.current().kind == StepKind::word && m_steps.index + 1 == m_steps.all.size()) {
+        K3Step normal = m_steps.current();
+        normal.out = k3::normalRunning;
+        m_steps.append({normal});
     }
-    m_steps.current().inCamMode = m_encoder.knowledge.mode() == Mode::cam;
-    m_handshake.begin(m_steps.current(), in, now);
-    if (setsPosition(m_steps.current()))
-        m_account.outcome.positionBefore = m_encoder.reading.position;
+    m_steps.current().kind = StepKind::manufacturerPreset;
 }
 
 WordAnswer K3Run::answerTo(Word in, Word out, Instant now)
@@ -111,7 +116,7 @@ void K3Run::stepDone(Word in)
     const bool showsNewPosition = step.kind == StepKind::initialisePreset ||
                                   (step.kind == StepKind::toNormal && follows(StepKind::manufacturerPreset));
     if (showsNewPosition)
-        m_account.outcome.positionAfter = m_encoder.reading.position;
+        m_account.outcome.positionAfter = m_reading.position;
     m_steps.goOn();
     switch (step.kind) {
     case StepKind::parameter:
@@ -161,9 +166,8 @@ void K3Run::wordDone(const K3Step &step)
 // tells.
 void K3Run::ran()
 {
-    const Reading &reading = m_encoder.reading;
-    const bool hasRun = reading.state != EncoderState::error || reading.errorNumber.value_or(0) == 0;
-    m_ranAtZero = reading.in == 0;
+    const bool hasRun = m_reading.state != EncoderState::error || m_reading.errorNumber.value_or(0) == 0;
+    m_ranAtZero = m_reading.in == 0;
     if (hasRun && !(m_ranAtZero && m_encoder.device.capabilities.reads))
         for (const ParameterValue &value : m_confirmed.values)
             m_account.written(value);
@@ -261,7 +265,7 @@ Refusal K3Run::refusalFor(Word in) const
 
 bool K3Run::endsInError(std::size_t step) const
 {
-    return step + 1 == m_steps.all.size() || m_encoder.reading.state == EncoderState::error;
+    return step + 1 == m_steps.all.size() || m_reading.state == EncoderState::error;
 }
 
 Result<void> K3Run::resultAt(Word in)
@@ -275,11 +279,9 @@ Result<void> K3Run::resultAt(Word in)
 
 void K3Run::complete(Outcome &outcome)
 {
-    const Reading &reading = m_encoder.reading;
-    outcome.leftIn = reading.state;
     if (outcome.leftIn == EncoderState::parameterization)
         outcome.confirmed = m_confirmed.values;
-    outcome.onlyZeroSinceRun = m_ranAtZero && reading.in == 0 && !m_encoder.device.capabilities.reads;
+    outcome.onlyZeroSinceRun = m_ranAtZero && m_reading.in == 0 && !m_encoder.device.capabilities.reads;
     outcome.camsRead = m_cams.read();
     outcome.camsWritten = m_cams.written();
     if (!hasRestored() || m_mismatch)

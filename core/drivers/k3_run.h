@@ -40,6 +40,7 @@ private:
     bool endsInError(std::size_t step) const override;
     void complete(Outcome &outcome) override;
     bool follows(StepKind kind) const;
+    void lastOneCycle();
 
     // What the answer to a step means.
     void ran();

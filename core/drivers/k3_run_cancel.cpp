@@ -45,7 +45,7 @@ void K3Run::leaveOffAt(Instant now)
 bool K3Run::hasTaken() const
 {
     const bool parameterizes =
-        m_encoder.reading.state == EncoderState::parameterization && job<ReadParameters>() == nullptr;
+        m_reading.state == EncoderState::parameterization && job<ReadParameters>() == nullptr;
     return parameterizes || !m_confirmed.values.empty() || !m_account.outcome.written.empty() ||
            m_cams.hasTaken() || std::ranges::any_of(m_steps.sent(), mayBeTaken);
 }

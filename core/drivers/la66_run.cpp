@@ -18,7 +18,7 @@ void La66Encoder::observe(Word in, Word /*out*/, Instant now)
 }
 
 La66Run::La66Run(JobId id, const Job &job, Pace pace, La66Encoder &encoder)
-    : WordRun(id, job, pace, encoder.knowledge.values(), encoder.events)
+    : WordRun(id, job, pace, encoder.knowledge.values(), encoder.reading, encoder.events)
     , m_encoder(encoder)
     , m_handshake(encoder.timing)
 {}
@@ -64,7 +64,7 @@ void La66Run::begin(Word /*in*/, Instant now)
 {
     m_out = m_steps.current().out;
     if (setsPosition())
-        m_account.outcome.positionBefore = m_encoder.reading.position;
+        m_account.outcome.positionBefore = m_reading.position;
     m_handshake.begin(m_steps.current(), now);
 }
 
@@ -75,7 +75,7 @@ void La66Run::stepDone(Word in)
     if (step.kind == StepKind::serviceBit)
         serviceDone(step, in);
     else if (step.kind == StepKind::toNormal && job<SetPreset>() != nullptr)
-        m_account.outcome.positionAfter = m_encoder.reading.position;
+        m_account.outcome.positionAfter = m_reading.position;
     if (hasLeftOffNow() && givesBack())
         giveBack();
 }
@@ -171,7 +171,6 @@ void La66Run::giveBack()
 
 void La66Run::complete(Outcome &outcome)
 {
-    outcome.leftIn = m_encoder.reading.state;
     if (hasRestored())
         outcome.restored = Evidence::read; // as all that is written
 }
