@@ -17,14 +17,10 @@ constexpr CamField activeField{CamValue::activeCams};
 void appendReadOut(K3Steps &steps, unsigned program, CamField field,
                    std::optional<std::int64_t> expected = {})
 {
-    K3Step read;
-    read.kind = StepKind::camReadOut;
-    read.out = readOutWord(field);
+    K3Step read = k3Step(StepKind::camReadOut, readOutWord(field));
     read.camProgram = program;
     read.expected = expected;
-    K3Step end;
-    end.kind = StepKind::endReadOut;
-    end.out = k3::normalRunning;
+    K3Step end = k3Step(StepKind::endReadOut, k3::normalRunning);
     end.camProgram = program;
     end.expected = expected;
     steps.push_back(read);
@@ -49,9 +45,7 @@ bool hasAnotherMeaning(Word out)
 
 void appendSetting(K3Steps &steps, const CamProgram &program, CamField field)
 {
-    K3Step step;
-    step.kind = StepKind::camParameter;
-    step.out = settingWord(field, valueOf(program, field));
+    K3Step step = k3Step(StepKind::camParameter, settingWord(field, valueOf(program, field)));
     step.camProgram = program.number;
     steps.push_back(step);
 }

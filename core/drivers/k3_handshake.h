@@ -24,11 +24,8 @@ public:
     void begin(const K3Step &step, Word in, Instant now);
     State cycle(Word in, Word out, Instant now);
 
-    const K3Step &step() const { return m_step; }
-    bool hasConfirmed() const
-    {
-        return m_hasConfirmed;
-    } // the number was confirmed, which is not yet an acceptance
+    // The number of the step was confirmed, which is not yet an acceptance.
+    bool hasConfirmed() const { return m_hasConfirmed; }
 
 private:
     State answerTo(Word in);

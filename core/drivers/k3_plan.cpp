@@ -104,9 +104,7 @@ K3Steps K3Plan::plan(const SendWords &job) const
 {
     K3Steps steps;
     for (const Word word : job.words) {
-        K3Step step;
-        step.kind = StepKind::word;
-        step.out = word;
+        K3Step step = k3Step(StepKind::word, word);
         step.holdCycles = job.holdCycles;
         step.standsUntilItActs = job.presetStandsUntilItActs && word == k3::initialisePreset;
         if (k3::isParameterWord(word))
@@ -139,9 +137,7 @@ K3Steps K3Plan::endParameterization(const ParameterValues &restore, bool runFirs
 
 K3Step K3Plan::runStep(bool tolerateError)
 {
-    K3Step step;
-    step.kind = StepKind::run;
-    step.out = k3::run;
+    K3Step step = k3Step(StepKind::run, k3::run);
     step.tolerateError = tolerateError;
     return step;
 }
@@ -154,9 +150,7 @@ void K3Plan::clearOutFirst(K3Steps &steps, const Job &job)
 
 K3Step K3Plan::toNormal(bool mustOperate)
 {
-    K3Step step;
-    step.kind = StepKind::toNormal;
-    step.out = k3::normalRunning;
+    K3Step step = k3Step(StepKind::toNormal, k3::normalRunning);
     step.mustOperate = mustOperate;
     return step;
 }
@@ -178,17 +172,11 @@ void K3Plan::appendRead(K3Steps &steps, Parameter parameter, std::optional<std::
     const ParameterDescription *description = m_device.find(parameter);
     if (description == nullptr || !description->readOut)
         return;
-    K3Step read;
-    read.kind = StepKind::readOut;
-    read.out = k3::readOutWord(*description->readOut);
+    K3Step read = k3Step(StepKind::readOut, k3::readOutWord(*description->readOut));
     read.parameter = parameter;
-    read.readOutCode = description->readOut;
     read.expected = expected;
-    K3Step end;
-    end.kind = StepKind::endReadOut;
-    end.out = k3::normalRunning;
     steps.push_back(read);
-    steps.push_back(end);
+    steps.push_back(k3Step(StepKind::endReadOut, k3::normalRunning));
 }
 
 void K3Plan::appendWrites(K3Steps &steps, const ParameterValues &values) const
@@ -196,9 +184,7 @@ void K3Plan::appendWrites(K3Steps &steps, const ParameterValues &values) const
     if (values.empty())
         return;
     for (const ParameterValue &value : values) {
-        K3Step step;
-        step.kind = StepKind::parameter;
-        step.out = parameterWord(value.parameter, value.value);
+        K3Step step = k3Step(StepKind::parameter, parameterWord(value.parameter, value.value));
         step.parameter = value.parameter;
         step.value = value.value;
         steps.push_back(step);
@@ -209,10 +195,7 @@ void K3Plan::appendWrites(K3Steps &steps, const ParameterValues &values) const
 
 void K3Plan::appendPreset(K3Steps &steps) const
 {
-    K3Step step;
-    step.kind = StepKind::initialisePreset;
-    step.out = k3::initialisePreset;
-    steps.push_back(step);
+    steps.push_back(k3Step(StepKind::initialisePreset, k3::initialisePreset));
     steps.push_back(toNormal(true));
 }
 

@@ -5,11 +5,7 @@
 #include "drivers/k3_knowledge.h"
 #include "drivers/k3_step.h"
 
-#include <vector>
-
 namespace codewheel {
-
-using K3Steps = std::vector<K3Step>;
 
 // What a job means in words, step by step. Pure: a plan is made from the job, the description and what is
 // known; what is read on the way refines it (k3_driver.cpp).

@@ -9,9 +9,7 @@ namespace codewheel {
 
 K3Step K3Plan::switchStep(Word modeWord)
 {
-    K3Step step;
-    step.kind = StepKind::switchMode;
-    step.out = modeWord;
+    K3Step step = k3Step(StepKind::switchMode, modeWord);
     step.holdCycles = K3Mode::cyclesUntilTaken;
     return step;
 }
@@ -92,10 +90,7 @@ K3Steps K3Plan::manufacturerPreset(std::optional<std::int64_t> value) const
                                      .onlyWhatDiffers = true,
                                      .previous = {},
                                      .initialisePreset = false});
-    K3Step preset;
-    preset.kind = StepKind::manufacturerPreset;
-    preset.out = k3::frabaPreset;
-    steps.push_back(preset);
+    steps.push_back(k3Step(StepKind::manufacturerPreset, k3::frabaPreset));
     steps.push_back(toNormal(true));
     return steps;
 }
@@ -109,10 +104,7 @@ K3Steps K3Plan::plan(const ResetToDefault &) const
         appendPositionMode(steps);
         steps.push_back(toNormal(false));
     }
-    K3Step reset;
-    reset.kind = StepKind::parameter;
-    reset.out = k3::parameterWord(resetNumber, 0);
-    steps.push_back(reset);
+    steps.push_back(k3Step(StepKind::parameter, k3::parameterWord(resetNumber, 0)));
     steps.push_back(runStep(false));
     steps.push_back(toNormal(true));
     if (m_device.quirks.mayCountStepsMinusOne)

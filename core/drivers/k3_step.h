@@ -23,7 +23,6 @@ struct K3Timing
 struct K3Step : Step
 {
     std::int64_t value = 0;               // parameter: wanted value
-    std::optional<unsigned> readOutCode;  // readOut
     std::optional<std::int64_t> expected; // readOut that verifies a write: what must be read
     bool mustOperate = false;             // toNormal: only operation will do
     bool tolerateError = false;           // run: an error answer is an answer
@@ -33,5 +32,14 @@ struct K3Step : Step
     unsigned camProgram = 0;              // camParameter, camReadOut: of this program
     bool writesCams = false;              // follows from what was read of the program
 };
+using K3Steps = std::vector<K3Step>;
+
+inline K3Step k3Step(StepKind kind, Word out)
+{
+    K3Step step;
+    step.kind = kind;
+    step.out = out;
+    return step;
+}
 
 } // namespace codewheel

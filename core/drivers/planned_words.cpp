@@ -4,6 +4,7 @@
 #include "drivers/esc_plan.h"
 #include "drivers/k3_plan.h"
 #include "drivers/la66_plan.h"
+#include "drivers/value_notes.h"
 
 namespace codewheel {
 namespace {
@@ -21,9 +22,7 @@ Result<std::vector<Step>> stepsOf(const Plan &plan, const Job &job, MakeSteps ma
 Result<std::vector<Step>> escSteps(const DeviceDescription &device, const std::vector<Known> &known,
                                    const Job &job, const EscSettings &settings)
 {
-    ParameterValues values;
-    for (const Known &one : known)
-        values.push_back({one.parameter, one.value});
+    const ParameterValues values = valuesOf(known);
     const auto address = valueOf(values, Parameter::lineAddress).value_or(LineAddress::master().value);
     const EscPlan plan(device, {static_cast<std::uint8_t>(address)}, settings, values);
     return stepsOf(plan, job, [&] { return plan.stepsFor(job); });
