@@ -63,8 +63,8 @@ void EscJob::begin(Instant now)
         beginSearch();
     step.line = (m_search ? m_search->request() : step.request).text();
     if (step.request.command == esc::Command::writePreset) {
-        m_preset.sentAt = now;
-        m_preset.line = step.line;
+        m_proof.sentAt = now;
+        m_proof.line = step.line;
     }
     reportProgress(false);
 }
@@ -150,7 +150,7 @@ void EscJob::refreshAnswered(const esc::ExchangeResult &result, Instant now)
             m_encoder.take(m_steps.current().request.command, m_reads.last(), now);
             noteWhatWasSetAlong();
             if (m_steps.current().parameter == Parameter::preset)
-                (m_preset.sentAt ? m_preset.valueAfter : m_preset.valueBefore) = m_reads.last().value;
+                (m_proof.sentAt ? m_proof.valueAfter : m_proof.valueBefore) = m_reads.last().value;
         }
     }
     m_steps.goOn();
@@ -212,10 +212,10 @@ void EscJob::complete(Outcome &outcome)
 {
     m_encoder.flushKnowledge();
     m_search.reset();
-    if (m_positionBefore)
-        outcome.positionBefore = m_positionBefore->sample.position;
-    if (m_positionAfter)
-        outcome.positionAfter = m_positionAfter->sample.position;
+    if (const auto &before = m_proof.positionBefore)
+        outcome.positionBefore = before->sample.position;
+    if (const auto &after = m_proof.positionAfter)
+        outcome.positionAfter = after->sample.position;
 }
 
 Refusal EscJob::refusalOf(const esc::ExchangeResult &result) const

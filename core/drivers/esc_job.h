@@ -3,7 +3,7 @@
 
 #include "drivers/esc_agreement.h"
 #include "drivers/esc_encoder.h"
-#include "drivers/esc_position_agreement.h"
+#include "drivers/esc_preset_proof.h"
 #include "drivers/esc_search.h"
 #include "drivers/job_run.h"
 
@@ -30,21 +30,7 @@ public:
     void stop(const Refusal &why);
 
 private:
-    // What tells whether a preset was done.
-    struct Preset
-    {
-        std::optional<Instant> sentAt;
-        QByteArray line;                         // the command
-        std::optional<std::int64_t> valueBefore; // S
-        std::optional<std::int64_t> valueAfter;
-    };
-    // A position that reads agreed on.
-    struct AgreedPosition
-    {
-        EscPositionAgreement::Sample sample;
-        double speed = 0; // steps per us
-    };
-    enum class Said : std::uint8_t { done, notDone, nothing };
+    using Said = EscPresetProof::Said;
 
     // esc_job.cpp
     void settle();
@@ -78,10 +64,6 @@ private:
     void presetDone();
     void judgeAccepted(Said position, Said value);
     void judgeUnanswered(Said position, Said value);
-    Said positionSays() const;
-    bool hasTurnedFrom(const EscPositionAgreement::Sample &before, double speedThen) const;
-    bool hasTurnedFromPreset() const;
-    Said presetValueSays() const;
 
     // esc_job_search.cpp
     void beginSearch();
@@ -103,12 +85,10 @@ private:
     bool m_isCompared = false;
     EscAgreement m_reads;
     EscPositionAgreement m_positions;
-    std::optional<AgreedPosition> m_positionBefore;
-    std::optional<AgreedPosition> m_positionAfter;
     std::optional<EscStep> m_unanswered; // the write of which nothing is known yet
     std::optional<EscSearch> m_search;
     std::optional<int> m_rateBefore; // the search for another baud rate
-    Preset m_preset;
+    EscPresetProof m_proof;
 };
 
 } // namespace codewheel
