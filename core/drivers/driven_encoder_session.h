@@ -42,12 +42,6 @@ public:
     void show(const Reading &reading, const Freshness::Circumstances &bus);
     void take(const Event &event, Instant at);
 
-Q_SIGNALS:
-    // Nothing of it has been sent: a word by hand, which was allowed; and the values from before, which the
-    // running job writes again, being cancelled. For the ledger of EEPROM writes.
-    void wordAboutToBeSent(codewheel::Word word);
-    void restoreAboutToStart();
-
 protected:
     // Whether the bus lets the job out now.
     virtual Result<void> mayStart(const Job &job) const = 0;

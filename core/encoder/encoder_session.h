@@ -75,7 +75,11 @@ Q_SIGNALS:
     void eepromWritten(int writes);
     void eepromCountChanged();
     void permissionChanged(); // Watch or Operate, started or stopped: what start() refused may be taken now
-    void jobAboutToStart(const codewheel::Job &job); // it was taken, and nothing of it has been sent
+    // Nothing of it has been sent: a job that was taken; the values from before, which the running job writes
+    // again, being cancelled; a word by hand, which was allowed. For the ledger of EEPROM writes.
+    void jobAboutToStart(const codewheel::Job &job);
+    void restoreAboutToStart();
+    void wordAboutToBeSent(codewheel::Word word);
     void jobStarted(codewheel::JobId job);
     void progressed(const codewheel::Progress &progress);
     void finished(const codewheel::Outcome &outcome);

@@ -2,7 +2,6 @@
 #include "journal/ledger_keeper.h"
 
 #include "catalog/device_description.h"
-#include "drivers/driven_encoder_session.h"
 #include "journal/eeprom_cost.h"
 #include "line/line_session.h"
 #include "ring/bus_session.h"
@@ -208,12 +207,9 @@ void LedgerKeeper::watch(Place place)
             [this, place](const Job &job) { begin(place, job); });
     connect(encoder, &EncoderSession::progressed, this,
             [this, place](const Progress &progress) { m_watched[place].progress = progress; });
-    if (const auto *driven = qobject_cast<DrivenEncoderSession *>(encoder)) {
-        connect(driven, &DrivenEncoderSession::wordAboutToBeSent, this,
-                [this, place](Word word) { beginByHand(place, word); });
-        connect(driven, &DrivenEncoderSession::restoreAboutToStart, this,
-                [this, place] { planToRestore(place); });
-    }
+    connect(encoder, &EncoderSession::wordAboutToBeSent, this,
+            [this, place](Word word) { beginByHand(place, word); });
+    connect(encoder, &EncoderSession::restoreAboutToStart, this, [this, place] { planToRestore(place); });
     connect(encoder, &EncoderSession::eepromWritten, this,
             [this, place](int writes) { count(place, writes); });
     connect(encoder, &EncoderSession::finished, this,
