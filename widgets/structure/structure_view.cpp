@@ -8,10 +8,10 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/structure/structure_model.h"
+#include "widgets/structure/structure_tree.h"
 
 #include <QHeaderView>
 #include <QLocale>
-#include <QTreeView>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ bool makeIsOpen(const BusSession &bus, Place number)
 StructureView::StructureView(QWidget *parent)
     : QWidget(parent)
     , m_model(new StructureModel(this))
-    , m_tree(describe(new QTreeView(this), "structure", tr("Bus structure"),
+    , m_tree(describe(new StructureTree(this), "structure", tr("Bus structure"),
                       tr("Choose a device to see it in the panels. Enter opens its monitors.")))
     , m_empty(new EmptyState(Icon::ring, tr("No ring is connected."), tr("The project has no devices yet."),
                              this))
