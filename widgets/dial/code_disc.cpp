@@ -45,6 +45,19 @@ double arcDegrees(double rpm)
     return std::copysign(std::min(share, 1.0) * arcHalf, rpm);
 }
 
+// What can be seen of a speed: half degrees.
+std::optional<int> arcOf(const std::optional<double> &rpm)
+{
+    return rpm ? std::optional(qRound(2 * arcDegrees(*rpm))) : std::nullopt;
+}
+
+// Nobody sees the edges of what moves that fast from picture to picture.
+bool isBlur(const DialState &state)
+{
+    constexpr double slowest = 20; // rpm: 4 degrees a picture
+    return std::abs(state.rpm.value_or(0)) > slowest;
+}
+
 } // namespace
 
 CodeDisc::CodeDisc(QWidget *parent)
@@ -70,13 +83,15 @@ void CodeDisc::setState(const DialState &state)
         update();
         return;
     }
-    if (placeOf(before.turnFraction) != placeOf(state.turnFraction) || before.turn != state.turn)
+    const bool isStillOther = arcOf(before.rpm) != arcOf(state.rpm) || before.turn != state.turn;
+    if (isStillOther)
+        m_still = {};
+    if (isStillOther || placeOf(before.turnFraction) != placeOf(state.turnFraction) ||
+        isBlur(before) != isBlur(state))
         update(m_dial);
     if (before.position != state.position || before.velocity != state.velocity)
         update(m_number);
-    if (before.rpm != state.rpm)
-        update(QRegion(m_dial) + m_speed);
-    if (before.age != state.age)
+    if (speedText(before) != speedText(state))
         update(m_speed);
 }
 
@@ -104,6 +119,7 @@ void CodeDisc::arrange()
     const int side = std::clamp(std::min(width(), height() - textHeight(noteLines)), 0, largestSide);
     const int above = std::max(0, (height() - side - textHeight(noteLines)) / 2);
     m_dial = QRect((width() - side) / 2, above, side, side);
+    m_still = {};
     m_number = QRect(0, m_dial.bottom() + 1 + grid::unit, width(), heightOf(numberFont(TextSize::large)));
     m_speed = QRect(0, m_number.bottom() + 1, width(), line);
     m_note = QRect(0, m_speed.bottom() + 1 + grid::unit, width(), noteLines * line + grid::unit);
@@ -136,17 +152,34 @@ void CodeDisc::paintEvent(QPaintEvent *event)
     QPainter painter(this);
     if (event->region().intersects(m_dial)) {
         painter.save();
-        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setClipRect(m_dial); // with one rectangle Qt has a quick way to turn a picture
         painter.translate(QRectF(m_dial).center());
-        drawSpeed(painter);
-        drawScale(painter);
         drawDisc(painter);
-        drawHub(painter);
+        drawStill(painter);
         painter.restore();
     }
-    drawNumbers(painter);
+    if (event->region().intersects(m_number | m_speed))
+        drawNumbers(painter);
     if (event->region().intersects(m_note))
         dial_note::paint(painter, *this, m_note, m_state.role, note());
+}
+
+// What does not turn with the disc, and so is the same in many pictures.
+void CodeDisc::drawStill(QPainter &painter)
+{
+    const QPointF center = QRectF(m_dial).center() - m_dial.topLeft();
+    if (m_still.isNull() || !qFuzzyCompare(m_still.devicePixelRatio(), devicePixelRatioF())) {
+        m_still = QPixmap(m_dial.size() * devicePixelRatioF());
+        m_still.setDevicePixelRatio(devicePixelRatioF());
+        m_still.fill(Qt::transparent);
+        QPainter onto(&m_still);
+        onto.setRenderHint(QPainter::Antialiasing);
+        onto.translate(center);
+        drawSpeed(onto);
+        drawScale(onto);
+        drawHub(onto);
+    }
+    painter.drawPixmap(-center, m_still);
 }
 
 void CodeDisc::drawSpeed(QPainter &painter) const
@@ -188,14 +221,12 @@ void CodeDisc::drawDisc(QPainter &painter)
     if (radius <= 0)
         return;
     painter.save();
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, !isBlur(m_state));
     painter.setOpacity(m_state.turnFraction && !m_state.isLastKnown ? 1.0 : 0.35); // no place of now
     painter.rotate(360.0 * placeOf(m_state.turnFraction).value_or(0) / pointerPlaces);
     painter.drawPixmap(QPointF(-radius, -radius),
                        m_face.picture(qRound(2 * radius), devicePixelRatioF(), palette()));
-    painter.setPen(QPen(roleColor(Role::inactive, palette()), 1));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(QPointF(), radius - 0.5, radius - 0.5);
+    painter.setRenderHint(QPainter::Antialiasing);
     painter.setOpacity(1);
     if (m_state.turnFraction)
         drawPointer(painter, radius);
@@ -241,7 +272,7 @@ void CodeDisc::drawNumbers(QPainter &painter) const
     painter.setFont(numberFont(TextSize::large));
     painter.drawText(m_number, Qt::AlignCenter, numberText());
     painter.setFont(m_state.isLastKnown ? font() : numberFont());
-    painter.drawText(m_speed, Qt::AlignCenter, m_state.rpm ? speedText() : m_state.age);
+    painter.drawText(m_speed, Qt::AlignCenter, speedText(m_state));
 }
 
 QColor CodeDisc::numberColor() const
@@ -257,9 +288,12 @@ QString CodeDisc::numberText() const
                             : QString(QChar(0x2013));
 }
 
-QString CodeDisc::speedText() const
+// Or how old the position is.
+QString CodeDisc::speedText(const DialState &state) const
 {
-    const double rpm = *m_state.rpm;
+    if (!state.rpm)
+        return state.age;
+    const double rpm = *state.rpm;
     const QString number = locale().toString(std::abs(rpm), 'f', 1);
     if (std::abs(rpm) < 0.05)
         return tr("%1 rpm", "revolutions per minute").arg(number);
@@ -289,7 +323,7 @@ QString CodeDisc::valueText() const
     if (m_state.turnFraction)
         parts.append(tr("%1 degrees").arg(locale().toString(*m_state.turnFraction * 360, 'f', 0)));
     if (m_state.rpm)
-        parts.append(speedText());
+        parts.append(speedText(m_state));
     if (!m_state.age.isEmpty())
         parts.append(m_state.age);
     if (!note().isEmpty())

@@ -34,6 +34,7 @@ protected:
 
 private:
     void arrange();
+    void drawStill(QPainter &painter);
     void drawSpeed(QPainter &painter) const;
     void drawScale(QPainter &painter) const;
     void drawDisc(QPainter &painter);
@@ -42,13 +43,14 @@ private:
     void drawNumbers(QPainter &painter) const;
     QColor numberColor() const;
     QString numberText() const;
-    QString speedText() const;
+    QString speedText(const DialState &state) const;
     QString note() const;
     int textHeight(int noteLines) const;
 
     DialState m_state;
     DiscFace m_face;
-    QRect m_dial; // square: speed arc, scale and disc
+    QPixmap m_still; // speed arc, scale and hub
+    QRect m_dial;    // square: speed arc, scale and disc
     QRect m_number;
     QRect m_speed;
     QRect m_note;

@@ -69,6 +69,9 @@ QPixmap drawnDisc(int diameter, qreal scale, const QPalette &palette)
         const double inner = innermost + track * step;
         drawTrack(painter, track, inner, inner + step - trackGap);
     }
+    painter.setPen(QPen(roleColor(Role::inactive, palette), 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(QPointF(), diameter / 2.0 - 0.5, diameter / 2.0 - 0.5);
     return picture;
 }
 
