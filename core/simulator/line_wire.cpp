@@ -46,6 +46,17 @@ std::optional<Instant> LineWire::nextEnd() const
     return m_characters.begin()->first;
 }
 
+std::optional<Instant> LineWire::runEnd() const
+{
+    std::optional<Instant> end = nextEnd();
+    for (const auto &[itsEnd, character] : m_characters) {
+        if (character.begin > *end)
+            break;
+        end = itsEnd;
+    }
+    return end;
+}
+
 LineWire::Ended LineWire::take()
 {
     const auto node = m_characters.extract(m_characters.begin());

@@ -41,6 +41,8 @@ public:
     std::size_t waiting() const { return m_characters.size(); } // characters that are not complete yet
     // When the next character is complete.
     std::optional<Instant> nextEnd() const;
+    // When that one and all that follow it without a gap are.
+    std::optional<Instant> runEnd() const;
     // That character, with its end; there is one.
     Ended take();
     void clear();

@@ -68,10 +68,10 @@ std::size_t SimulatedLine::waiting() const
     return m_wire.waiting();
 }
 
-std::optional<Instant> SimulatedLine::nextEnd() const
+std::optional<Instant> SimulatedLine::runEnd() const
 {
     const std::scoped_lock lock(m_mutex);
-    return m_wire.nextEnd();
+    return m_wire.runEnd();
 }
 
 void SimulatedLine::turnShaftsTo(Instant now)

@@ -88,7 +88,7 @@ QByteArray SimulatedLineLink::readReally(Instant until)
             bytes += more.bytes;
         if (!bytes.isEmpty() || time >= until)
             break;
-        goOn = m_line->wait(std::min(until, m_line->nextEnd().value_or(until)) - time);
+        goOn = m_line->wait(std::min(until, m_line->runEnd().value_or(until)) - time);
     }
     return bytes;
 }

@@ -11,7 +11,7 @@ namespace codewheel {
 
 // The link to a simulated serial line. Without a clock its time is virtual: it passes in read() and wait()
 // alone, which return at once, read() with one byte after the other. With one, it keeps that clock's time and
-// waits.
+// waits; what comes without a gap is handed over together, as an adapter does.
 class SimulatedLineLink final : public ByteLink
 {
 public:
