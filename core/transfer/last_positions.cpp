@@ -21,7 +21,7 @@ std::optional<SeenPosition> LastPositions::at(Place number) const
     const auto found = m_watched.find(number);
     if (found == m_watched.end())
         return std::nullopt;
-    return found->second.beforeGone ? found->second.beforeGone : found->second.last;
+    return dated(found->second.beforeGone ? found->second.beforeGone : found->second.last);
 }
 
 std::optional<SeenPosition> LastPositions::newest(Place number) const
@@ -29,7 +29,14 @@ std::optional<SeenPosition> LastPositions::newest(Place number) const
     const auto found = m_watched.find(number);
     if (found == m_watched.end())
         return std::nullopt;
-    return found->second.last ? found->second.last : found->second.beforeGone;
+    return dated(found->second.last ? found->second.last : found->second.beforeGone);
+}
+
+std::optional<SeenPosition> LastPositions::dated(const std::optional<Seen> &seen) const
+{
+    if (!seen)
+        return std::nullopt;
+    return SeenPosition{seen->position, m_bus.dateTime(seen->at), seen->beforeItWent};
 }
 
 void LastPositions::look()
@@ -49,7 +56,7 @@ void LastPositions::look()
         }
         if (!isSeen || !reading.position)
             continue;
-        watched.last = SeenPosition{*reading.position, m_bus.dateTime(reading.at)};
+        watched.last = Seen{*reading.position, reading.at};
         watched.lastAt = now;
     }
 }

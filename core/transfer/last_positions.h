@@ -44,14 +44,21 @@ public:
     std::optional<SeenPosition> newest(Place number) const;
 
 private:
+    struct Seen // a date and time is made of it when somebody asks
+    {
+        std::int64_t position = 0; // steps
+        Instant at{};
+        bool beforeItWent = false;
+    };
     struct Watched
     {
-        std::optional<SeenPosition> last;       // not 00000000
-        std::optional<SeenPosition> beforeGone; // of the encoder that was there then
+        std::optional<Seen> last;       // not 00000000
+        std::optional<Seen> beforeGone; // of the encoder that was there then
         Instant lastAt{};
     };
 
     void look();
+    std::optional<SeenPosition> dated(const std::optional<Seen> &seen) const;
 
     EncoderBus &m_bus;
     std::map<Place, Watched> m_watched;
