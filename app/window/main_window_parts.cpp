@@ -96,6 +96,7 @@ void MainWindow::addDock(const char *name, const QString &title, QWidget *conten
     auto *dock = new QDockWidget(title, this);
     dock->setObjectName(QLatin1String(name));
     dock->setWidget(content);
+    content->setAutoFillBackground(true); // so that what changes in it does not paint the dock
     QAction *toggle = makePanelAction(*dock);
     toggle->setToolTip(tr("Shows or hides the panel \"%1\"").arg(title));
     toggle->setShortcut(key);

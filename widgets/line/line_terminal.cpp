@@ -12,11 +12,11 @@
 #include "widgets/line/request_field.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/save_file.h"
+#include "widgets/monitor/meaning_line.h"
 
 #include <QAction>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -38,7 +38,10 @@ void LineTerminal::setLine(LineSession *line)
         if (m_rows->isEmpty() && !m_rows->hasCleared())
             m_rows->setBegin(line->dateTime({}));
         connect(line, &LineSession::passed, this, &LineTerminal::add);
-        connect(line, &LineSession::updated, this, [this] { m_rows->showWaiting(); });
+        connect(line, &LineSession::updated, this, [this] {
+            if (!visibleRegion().isEmpty())
+                m_rows->showWaiting();
+        });
         connect(line, &LineSession::typedAnswered, this, &LineTerminal::takeAnswer);
         connect(line, &LineSession::stateChanged, this, [this] {
             m_question->withdraw();
@@ -59,6 +62,14 @@ void LineTerminal::setExplainOptions(const esc::ExplainOptions &options)
     m_field->setFractionBits(options.fractionBits);
     m_rows->setExplainOptions(options);
     m_record->setExplainOptions(options);
+}
+
+// What came while nobody looked. Not when it is shown: behind another tab it is, too.
+void LineTerminal::paintEvent(QPaintEvent *event)
+{
+    QWidget::paintEvent(event);
+    if (m_rows->waiting() > 0 && !m_rows->isHeld())
+        QMetaObject::invokeMethod(m_rows, &LineRowModel::showWaiting, Qt::QueuedConnection);
 }
 
 QStringList LineTerminal::history() const
@@ -183,6 +194,7 @@ bool LineTerminal::open(const QString &path)
 
 bool LineTerminal::exportText(const QString &path)
 {
+    m_rows->showWaiting();
     const auto written = writeWholeFile(path, m_table->exportText().toUtf8());
     if (!written)
         m_message->showMessage(Role::attention, written.error());

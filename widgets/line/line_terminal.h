@@ -9,7 +9,6 @@
 #include <QWidget>
 
 class QAction;
-class QLabel;
 class QPushButton;
 class QStackedWidget;
 class QToolBar;
@@ -22,6 +21,7 @@ class LineRecordView;
 class LineRowModel;
 class LineRowTable;
 class LineSession;
+class MeaningLine;
 class RequestField;
 
 // The terminal of a serial line: what passed both ways, as text, as bytes and in words; requests are typed
@@ -47,6 +47,9 @@ public:
 
 Q_SIGNALS:
     void historyChanged();
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
 
 private:
     QWidget *makePage();
@@ -78,7 +81,7 @@ private:
     QAction *m_hold = nullptr;
     QAction *m_save = nullptr;
     QAction *m_bringBack = nullptr;
-    QLabel *m_counts;
+    MeaningLine *m_counts;
     RequestField *m_field;
     QPushButton *m_send;
     InlineMessage *m_question;

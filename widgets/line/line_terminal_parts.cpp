@@ -8,6 +8,7 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/tool.h"
+#include "widgets/monitor/meaning_line.h"
 
 #include <QAction>
 #include <QLabel>
@@ -24,7 +25,7 @@ LineTerminal::LineTerminal(QWidget *parent)
     , m_pages(new QStackedWidget(this))
     , m_table(new LineRowTable(*m_rows, tr("What passed on the line"), this))
     , m_record(new LineRecordView(this))
-    , m_counts(new QLabel(this))
+    , m_counts(new MeaningLine(this, Qt::AlignRight))
     , m_field(new RequestField(this))
     , m_send(new QPushButton(lineIcon(Icon::start), tr("Send"), this))
     , m_question(new InlineMessage(this))
@@ -79,7 +80,6 @@ QWidget *LineTerminal::makePage()
     auto *columns = new LineRowOptions(*m_table, page);
     connect(columns, &LineRowOptions::changed, this, &LineTerminal::showCounts);
     options->addWidget(columns);
-    m_counts->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     options->addWidget(m_counts, 1);
     rows->addLayout(options);
     makeSending(*rows);

@@ -81,6 +81,8 @@ void InlineMessage::showMessage(Role role, const QString &sentence, const QStrin
 
 void InlineMessage::withdraw()
 {
+    if (m_sentence->text().isEmpty())
+        return; // who has nothing to say tells it 30 times a second
     hide();
     m_sentence->clear();
     setAccessibleName({});

@@ -34,6 +34,7 @@ QAccessibleInterface *makeValueInterface(const QString &className, QObject *obje
 ValueWidget::ValueWidget(QWidget *parent)
     : QWidget(parent)
 {
+    setAutoFillBackground(true); // so that a value that changes does not paint what is behind it
     QAccessible::installFactory(makeValueInterface); // ignored if it is there already
 }
 

@@ -9,9 +9,11 @@
 
 namespace codewheel {
 
-MeaningLine::MeaningLine(QWidget *parent)
+MeaningLine::MeaningLine(QWidget *parent, Qt::Alignment side)
     : QWidget(parent)
+    , m_side(side)
 {
+    setAutoFillBackground(true);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
 }
 
@@ -43,7 +45,7 @@ bool MeaningLine::event(QEvent *event)
 void MeaningLine::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
-    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
+    painter.drawText(rect(), m_side | Qt::AlignVCenter,
                      fontMetrics().elidedText(m_text, Qt::ElideRight, width()));
 }
 

@@ -6,13 +6,14 @@
 namespace codewheel {
 
 // What a word means, below it: one line, elided where it is too long, whole in the tooltip and for screen
-// readers. Painted, since a label would lay out its window anew with every text.
+// readers. Painted, since a label would lay out its window anew with every text. Also for other texts that
+// change 30 times a second.
 class MeaningLine : public QWidget
 {
     Q_OBJECT
 
 public:
-    explicit MeaningLine(QWidget *parent = nullptr);
+    explicit MeaningLine(QWidget *parent = nullptr, Qt::Alignment side = Qt::AlignLeft);
 
     void setText(const QString &text);
     QString text() const { return m_text; }
@@ -25,6 +26,7 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
+    const Qt::Alignment m_side;
     QString m_text;
 };
 

@@ -50,6 +50,7 @@ WordView::WordView(const WordForm &form, QWidget *parent)
     , m_focusedBit(form.bits - 1)
 {
     installWordViewAccessibility();
+    setAutoFillBackground(true); // so that a bit that changes does not paint what is behind it
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);

@@ -39,8 +39,7 @@ LineEncoderBox::LineEncoderBox(QWidget *parent)
     fields->setHorizontalSpacing(grid::unit);
     fields->setVerticalSpacing(grid::unit);
     fields->setColumnStretch(1, 1);
-    addCaption(fields, 0, tr("Raw position"), m_raw);
-    fields->addWidget(m_raw, 0, 1);
+    addNumber(fields, 0, tr("Raw position"), m_raw);
     m_speed->setRange(-TurningShaft::fastest, TurningShaft::fastest);
     m_speed->setDecimals(1);
     m_speed->setSingleStep(10);

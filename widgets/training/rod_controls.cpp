@@ -52,8 +52,7 @@ RodControls::RodControls(TrainingControls &controls, QWidget *parent)
     fields->setHorizontalSpacing(grid::unit);
     fields->setVerticalSpacing(grid::unit);
     fields->setColumnStretch(1, 1);
-    addCaption(fields, 0, tr("Place, mm"), m_place);
-    fields->addWidget(m_place, 0, 1);
+    addNumber(fields, 0, tr("Place, mm"), m_place);
     makePlace(fields);
     makeSpeed(fields);
     auto *column = new QVBoxLayout(this);

@@ -34,10 +34,8 @@ ShaftControls::ShaftControls(TrainingControls &controls, QWidget *parent)
     auto *numbers = new QGridLayout;
     numbers->setVerticalSpacing(grid::unit / 2);
     numbers->setColumnStretch(1, 1);
-    addCaption(numbers, 0, tr("Raw position"), m_raw);
-    numbers->addWidget(m_raw, 0, 1);
-    addCaption(numbers, 1, tr("Turn"), m_turn);
-    numbers->addWidget(m_turn, 1, 1);
+    addNumber(numbers, 0, tr("Raw position"), m_raw);
+    addNumber(numbers, 1, tr("Turn"), m_turn);
     auto *fields = new QGridLayout;
     fields->setHorizontalSpacing(grid::unit);
     fields->setVerticalSpacing(grid::unit);

@@ -21,6 +21,9 @@ QLabel *numberLabel(const QString &name, QWidget *parent)
     label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     label->setAccessibleName(name);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label->setAutoFillBackground(true);
+    // Of one size, or each number that comes would lay the panel out anew.
+    label->setFixedSize(QFontMetrics(numberFont()).size(0, QStringLiteral("-33,554,431")));
     return label;
 }
 
@@ -54,6 +57,12 @@ void addCaption(QGridLayout *grid, int row, const QString &text, QWidget *field)
     auto *caption = new QLabel(text, field->parentWidget());
     caption->setBuddy(field);
     grid->addWidget(caption, row, 0);
+}
+
+void addNumber(QGridLayout *grid, int row, const QString &text, QLabel *number)
+{
+    addCaption(grid, row, text, number);
+    grid->addWidget(number, row, 1, Qt::AlignRight);
 }
 
 } // namespace codewheel::training_fields

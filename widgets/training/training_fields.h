@@ -21,5 +21,6 @@ void prepare(QAbstractSpinBox *field, int digits);
 QToolButton *buttonBeside(Icon icon, const QString &name, QWidget *parent);
 QCheckBox *addBox(QVBoxLayout *column, const QString &text, const QString &toolTip);
 void addCaption(QGridLayout *grid, int row, const QString &text, QWidget *field);
+void addNumber(QGridLayout *grid, int row, const QString &text, QLabel *number);
 
 } // namespace codewheel::training_fields

@@ -80,7 +80,7 @@ void TrainingPanel::makeTop(QVBoxLayout *column)
     writes->setColumnStretch(1, 1);
     m_writesCaption->setBuddy(m_writes);
     writes->addWidget(m_writesCaption, 0, 0);
-    writes->addWidget(m_writes, 0, 1);
+    writes->addWidget(m_writes, 0, 1, Qt::AlignRight);
     column->addLayout(device);
     column->addWidget(m_shaft);
     column->addWidget(m_rod);

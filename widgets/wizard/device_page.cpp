@@ -70,11 +70,6 @@ bool DevicePage::mayGoOn() const
     return m_setup.encoder && m_setup.encoder->can().writes;
 }
 
-void DevicePage::showLatest()
-{
-    describeChosen();
-}
-
 void DevicePage::describeChosen()
 {
     if (m_encoders.empty()) {

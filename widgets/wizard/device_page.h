@@ -20,7 +20,6 @@ public:
 
     void enter() override;
     bool mayGoOn() const override;
-    void showLatest() override;
 
 Q_SIGNALS:
     void encoderChosen(codewheel::EncoderSession *encoder);
