@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/report/save_report.h"
 #include "cli/commands.h"
 #include "cli/eeprom_consent.h"
 #include "cli/project_access.h"
@@ -9,7 +10,6 @@
 #include "encoder/sentence.h"
 #include "journal/ledger.h"
 #include "journal_files.h"
-#include "pdf/save_report.h"
 #include "project/project_file.h"
 #include "report/deviations.h"
 #include "report/kept_counts.h"

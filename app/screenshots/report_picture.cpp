@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/screenshots/report_picture.h"
 
+#include "app/report/report_pages.h"
+#include "app/report/sheet_format.h"
 #include "app/window/training_window.h"
-#include "pdf/paint_sheet.h"
-#include "pdf/report_sheets.h"
-#include "pdf/sheet_format.h"
 #include "report/live_encoders.h"
 #include "report/make_report.h"
 #include "ring/bus_session.h"
@@ -37,7 +36,7 @@ Report reportOf(TrainingWindow &shown)
 QWidget *reportOnPaper(TrainingWindow &shown)
 {
     constexpr int sheetsShown = 2;
-    const std::vector<Sheet> sheets = reportSheets(reportOf(shown));
+    const ReportPages pages(reportOf(shown));
     QPixmap picture(sheetsShown * (sheetSize.width() + gap) + gap, sheetSize.height() + 2 * gap);
     picture.fill(Qt::gray);
     QPainter painter(&picture);
@@ -47,7 +46,7 @@ QWidget *reportOnPaper(TrainingWindow &shown)
         painter.fillRect(QRect({}, sheetSize), Qt::white);
         painter.save();
         painter.scale(1 / dotsPerPixel, 1 / dotsPerPixel);
-        paintSheet(painter, sheets.at(static_cast<std::size_t>(i)));
+        pages.paint(painter, i);
         painter.restore();
         painter.translate(sheetSize.width() + gap, 0);
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/report_export.h"
 
+#include "app/report/save_report.h"
 #include "encoder/refusal_text.h"
 #include "journal/ledger_keeper.h"
-#include "pdf/save_report.h"
 #include "report/kept_counts.h"
 #include "report/live_encoders.h"
 #include "report/make_report.h"

@@ -51,11 +51,11 @@ QString barSvg(const CamBar &bar)
 
 QString camPictureAsSvg(const CamPicture &picture)
 {
-    QString svg =
-        QStringLiteral("<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 %1 %2\" "
-                       "aria-label=\"")
-            .arg(svgNumber(svgWidth), svgNumber(height)) +
-        printableText(picture.title).toHtmlEscaped() + QStringLiteral("\">\n");
+    QString svg = QStringLiteral("<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" "
+                                 "font-family=\"sans-serif\" font-size=\"9\" viewBox=\"0 0 %1 %2\" "
+                                 "aria-label=\"")
+                      .arg(svgNumber(svgWidth), svgNumber(height)) +
+                  printableText(picture.title).toHtmlEscaped() + QStringLiteral("\">\n");
     for (std::size_t cam = 0; cam < CamProgram::cams; ++cam) {
         const double foot = rowHeight * static_cast<double>(cam + 1);
         svg += textAt(0, foot - textRise, QStringLiteral("start"), QString::number(cam));

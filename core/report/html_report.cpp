@@ -50,6 +50,8 @@ QString rowHtml(const ReportTable &table, const ReportTable::Row &row)
 
 struct BlockHtml
 {
+    const std::function<QString(const CamPicture &)> &drawn;
+
     QString operator()(const QString &paragraph) const
     {
         return element(QStringLiteral("p"), paragraph) + u'\n';
@@ -57,11 +59,12 @@ struct BlockHtml
 
     QString operator()(const ReportFacts &facts) const
     {
-        QString html = QStringLiteral("<dl>\n");
+        QString html = QStringLiteral("<table class=\"facts\">\n");
         for (const ReportFact &fact : facts)
-            html +=
-                element(QStringLiteral("dt"), fact.name) + element(QStringLiteral("dd"), fact.text) + u'\n';
-        return html + QStringLiteral("</dl>\n");
+            html += QStringLiteral("<tr>") +
+                    element(QStringLiteral("th"), fact.name, QStringLiteral(" scope=\"row\"")) +
+                    element(QStringLiteral("td"), fact.text) + QStringLiteral("</tr>\n");
+        return html + QStringLiteral("</table>\n");
     }
 
     QString operator()(const ReportTable &table) const
@@ -77,30 +80,33 @@ struct BlockHtml
 
     QString operator()(const CamPicture &picture) const
     {
-        return QStringLiteral("<figure>\n") + element(QStringLiteral("figcaption"), picture.title) + u'\n' +
-               camPictureAsSvg(picture) + QStringLiteral("</figure>\n");
+        return QStringLiteral("<figure>\n<figcaption>") + element(QStringLiteral("p"), picture.title) +
+               QStringLiteral("</figcaption>\n") + drawn(picture) + QStringLiteral("</figure>\n");
     }
 
     QString operator()(const SignaturePlaces &places) const
     {
         QString html;
         for (const QString &role : places.roles) {
-            html += QStringLiteral("<div class=\"sign\">") + element(QStringLiteral("p"), role);
-            for (const QString &caption : {places.name, places.date, places.signature})
-                html += element(QStringLiteral("span"), caption);
-            html += QStringLiteral("</div>\n");
+            html += element(QStringLiteral("p"), role, QStringLiteral(" class=\"role\"")) +
+                    QStringLiteral("\n<table class=\"sign\"><tr>") +
+                    QStringList{element(QStringLiteral("td"), places.name),
+                                element(QStringLiteral("td"), places.date),
+                                element(QStringLiteral("td"), places.signature)}
+                        .join(QStringLiteral("<td class=\"gap\"></td>")) +
+                    QStringLiteral("</tr></table>\n");
         }
         return html;
     }
 };
 
-QString sectionHtml(const ReportSection &section)
+QString sectionHtml(const ReportSection &section, const BlockHtml &blocks)
 {
     const bool isChapter = section.level == ReportSection::Level::chapter;
     QString html = QStringLiteral("<section>\n") +
                    element(isChapter ? QStringLiteral("h2") : QStringLiteral("h3"), section.heading) + u'\n';
     for (const ReportBlock &block : section.blocks)
-        html += std::visit(BlockHtml(), block);
+        html += std::visit(blocks, block);
     return html + QStringLiteral("</section>\n");
 }
 
@@ -118,20 +124,26 @@ QString head(const Report &report)
 
 } // namespace
 
+QString reportBody(const Report &report, const std::function<QString(const CamPicture &)> &drawn)
+{
+    const BlockHtml blocks{drawn};
+    QString html = element(QStringLiteral("h1"), report.title) + u'\n';
+    if (!report.subject.isEmpty())
+        html += element(QStringLiteral("p"), report.subject, QStringLiteral(" class=\"subject\"")) + u'\n';
+    html += blocks(report.facts);
+    for (const ReportSection &section : report.sections)
+        html += sectionHtml(section, blocks);
+    return html;
+}
+
 QByteArray reportAsHtml(const Report &report)
 {
     const QString language = escaped(report.language);
-    QString html = QStringLiteral("<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"") +
-                   language + QStringLiteral("\" xml:lang=\"") + language + QStringLiteral("\">\n") +
-                   head(report) + QStringLiteral("<body>\n") + element(QStringLiteral("h1"), report.title) +
-                   u'\n';
-    if (!report.subject.isEmpty())
-        html += element(QStringLiteral("p"), report.subject, QStringLiteral(" class=\"subject\"")) + u'\n';
-    html += BlockHtml()(report.facts);
-    for (const ReportSection &section : report.sections)
-        html += sectionHtml(section);
-    html += element(QStringLiteral("footer"), report.origin);
-    return (html + QStringLiteral("\n</body>\n</html>\n")).toUtf8();
+    return (QStringLiteral("<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"") +
+            language + QStringLiteral("\" xml:lang=\"") + language + QStringLiteral("\">\n") + head(report) +
+            QStringLiteral("<body>\n") + reportBody(report, camPictureAsSvg) +
+            element(QStringLiteral("footer"), report.origin) + QStringLiteral("\n</body>\n</html>\n"))
+        .toUtf8();
 }
 
 } // namespace codewheel

@@ -12,7 +12,7 @@
 namespace codewheel {
 
 // What a commissioning report says, in the user's language, before it is a web page (report/html_report.h) or
-// sheets of paper (pdf/). Texts are plain: whoever writes them down escapes them.
+// sheets of paper (app/report). Texts are plain: whoever writes them down escapes them.
 
 // "Software: Codewheel 0.1.0"
 struct ReportFact

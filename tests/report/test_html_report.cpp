@@ -44,14 +44,14 @@ TEST(HtmlReport, HasTheTablesWithHeaders)
     EXPECT_THAT(html, HasSubstr("<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\" "
                                 "xml:lang=\"en\">\n"));
     EXPECT_THAT(html, HasSubstr("<title>Commissioning report: Harbour crane</title>"));
-    EXPECT_THAT(html, HasSubstr("<dt>Program</dt><dd>Codewheel 0.1.0</dd>"));
+    EXPECT_THAT(html, HasSubstr("<th scope=\"row\">Program</th><td>Codewheel 0.1.0</td>"));
     EXPECT_THAT(html, HasSubstr("<thead><tr><th scope=\"col\">Parameter</th><th scope=\"col\" "
                                 "class=\"number\">Wanted</th>"));
     EXPECT_THAT(html, HasSubstr("<tr class=\"stressed\"><td>Steps</td><td class=\"number\">4096</td><td "
                                 "class=\"number\">8192</td><td>steps</td><td>read</td>"));
     EXPECT_THAT(html, HasSubstr("<td class=\"code\">37h</td>"));
-    EXPECT_THAT(html, HasSubstr("<div class=\"sign\"><p>Commissioned by</p><span>Name</span><span>Date</span>"
-                                "<span>Signature</span></div>"));
+    EXPECT_THAT(html,
+                HasSubstr("<p class=\"role\">Commissioned by</p>\n<table class=\"sign\"><tr><td>Name</td>"));
 }
 
 TEST(HtmlReport, IsMadeForPaper)
@@ -85,7 +85,7 @@ TEST(HtmlReport, DrawsCamsAsBars)
     fraba(input).wantedCams = {program};
     const QString html = htmlOf(input);
     expectWellFormed(html);
-    EXPECT_THAT(html.toStdString(), HasSubstr("<figcaption>Cam program 1, wanted</figcaption>"));
+    EXPECT_THAT(html.toStdString(), HasSubstr("<figcaption><p>Cam program 1, wanted</p></figcaption>"));
     // From 20 to 676: a quarter of the range is 164 wide.
     EXPECT_THAT(html.toStdString(), HasSubstr("<rect x=\"184.0\" y=\"31.0\" width=\"164.0\" height=\"8.0\" "
                                               "fill=\"black\" stroke=\"black\"/>"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pdf/column_widths.h"
+#include "app/report/column_widths.h"
 
 #include <algorithm>
 #include <numeric>

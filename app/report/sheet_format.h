@@ -22,9 +22,7 @@ inline constexpr QRectF body(mm(18), mm(20), mm(177),
                              mm(256));     // 15 mm at the right, 18 for holes at the left
 inline constexpr qreal headLine = mm(12);  // top of the line above the body
 inline constexpr qreal footLine = mm(281); // and of that below
-inline constexpr qreal gap = mm(2);        // between lines of blocks
-inline constexpr qreal columnGap = mm(3);  // between columns of a table
+inline constexpr qreal columnGap = mm(3);  // between columns of a table, as in html_style.h
 inline constexpr qreal thinLine = mm(0.1);
-inline constexpr qreal thickLine = mm(0.3);
 
 } // namespace codewheel::sheet

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pdf/report_sheets.h"
-#include "pdf/save_report.h"
+#include "app/report/report_pages.h"
+#include "app/report/save_report.h"
 #include "project/file_access.h"
 #include "report/html_report.h"
 #include "tests/report/report_example.h"
@@ -37,7 +37,7 @@ TEST(SaveReport, WritesAPdfOfAllSheets)
     const Report report = reportOf(exampleInput());
     const auto sheets = saveReport(report, path, ReportFormat::pdf);
     ASSERT_TRUE(sheets);
-    EXPECT_EQ(static_cast<std::size_t>(*sheets), reportSheets(report).size());
+    EXPECT_EQ(*sheets, ReportPages(report).count());
     const QByteArray pdf = contentOf(path);
     EXPECT_TRUE(pdf.startsWith("%PDF-1."));
     EXPECT_TRUE(pdf.contains("/Count " + QByteArray::number(*sheets) + '\n'));
