@@ -6,6 +6,7 @@
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "drivers/esc_plan.h"
+#include "drivers/values_to_write.h"
 #include "encoder/sentence.h"
 
 #include <algorithm>

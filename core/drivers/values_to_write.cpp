@@ -5,11 +5,21 @@
 #include "drivers/esc_plan.h"
 #include "drivers/k3_mode.h"
 #include "drivers/planned_words.h"
+#include "esc/esc_request.h"
+#include "words/la66_word.h"
 
 #include <algorithm>
 
 namespace codewheel {
 namespace {
+
+bool isWritingRequest(const Step &step)
+{
+    if (step.kind != StepKind::request)
+        return false;
+    const auto request = esc::parseRequest(step.line);
+    return request && esc::shapeOf(request->command).writes;
+}
 
 bool mustBeRearmed(const EncoderSession &encoder, const WriteWish &wish)
 {
@@ -141,7 +151,13 @@ std::vector<Known> allKnown(const EncoderSession &encoder)
 
 bool takesValue(const Step &step)
 {
-    return writesAnything(step);
+    return step.kind == StepKind::parameter ||
+           (step.kind == StepKind::serviceBit && la66::isWrite(step.out)) || isWritingRequest(step);
+}
+
+bool writesValue(const Step &step)
+{
+    return step.parameter && takesValue(step);
 }
 
 bool readsCams(const Step &step)

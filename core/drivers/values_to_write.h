@@ -40,8 +40,11 @@ Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std:
 // All that is known of an encoder.
 std::vector<Known> allKnown(const EncoderSession &encoder);
 
-// Whether the encoder takes a value with this step: it changes, and its EEPROM is written.
+// Whether the encoder takes anything with this step, a value or a position that is its preset from then on:
+// its EEPROM is written.
 bool takesValue(const Step &step);
+// Whether that is a value of the step's parameter.
+bool writesValue(const Step &step);
 
 // Whether the step only reads cams, or ends such a read-out.
 bool readsCams(const Step &step);

@@ -43,11 +43,6 @@ struct Step
     friend bool operator==(const Step &, const Step &) = default;
 };
 
-// Whether the step gives the encoder a value of its parameter.
-bool writesValue(const Step &step);
-// Whether the encoder takes anything by it: a value, or a position that is its preset from then on.
-bool writesAnything(const Step &step);
-
 // Sent when a step begins, is waited for, or is done.
 struct Progress
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
 #include "drivers/planned_words.h"
+#include "drivers/values_to_write.h"
 
 #include <algorithm>
 #include <gmock/gmock.h>
