@@ -13,8 +13,8 @@
 #include "encoder/sentence.h"
 #include "project/file_access.h"
 #include "report/html_report.h"
+#include "report/transfer_report.h"
 #include "ring/bus_session.h"
-#include "transfer/transfer_report.h"
 
 #include <QCoreApplication>
 

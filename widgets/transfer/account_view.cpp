@@ -3,7 +3,7 @@
 
 #include "project/file_access.h"
 #include "report/html_report.h"
-#include "transfer/transfer_report.h"
+#include "report/transfer_report.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"

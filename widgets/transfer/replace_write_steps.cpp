@@ -3,8 +3,8 @@
 
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
+#include "report/transfer_report.h"
 #include "ring/bus_session.h"
-#include "transfer/transfer_report.h"
 #include "transfer/transfer_words.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "transfer/transfer_report.h"
+#include "report/transfer_report.h"
 
 #include "catalog/catalog.h"
 #include "encoder/shown_text.h"

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/html_report.h"
+#include "report/transfer_report.h"
 #include "tests/transfer/transfer_bus.h"
-#include "transfer/transfer_report.h"
 #include "transfer/transfer_words.h"
 
 namespace codewheel {
 namespace {
 
 using test::baumer;
-using test::fraba;
 using test::singleTurn;
 
 using TransferReports = test::TransferBus;
@@ -69,8 +68,9 @@ TEST_F(TransferReports, TellWhatBecameOfEachValueAndWhyNot)
 TEST_F(TransferReports, PlansSayWhatIsWorthKnowing)
 {
     const TransferPlan plan = planTransfer(
-        bus, {{.place = fraba, .values = {{Parameter::steps, 255}}, .cams = {CamProgram{}}, .position = 100},
-              {.place = baumer}});
+        bus,
+        {{.place = test::fraba, .values = {{Parameter::steps, 255}}, .cams = {CamProgram{}}, .position = 100},
+         {.place = baumer}});
     EXPECT_EQ(transfer_words::summary(plan[0]).toStdString(),
               "Values and cam programs to write: 2. EEPROM writes: at most 4.");
     EXPECT_EQ(transfer_words::notes(plan[0]).join(u'\n').toStdString(),
