@@ -11,6 +11,7 @@
 #include "cli/json.h"
 #include "cli/texts.h"
 #include "cli/trace.h"
+#include "drivers/value_notes.h"
 #include "drivers/values_to_write.h"
 #include "encoder/hex.h"
 #include "encoder/sentence.h"
@@ -69,11 +70,7 @@ struct CamCall
     }
     std::optional<std::int64_t> positions() const
     {
-        ParameterValues values;
-        for (const Parameter parameter : {Parameter::steps, Parameter::revolutions})
-            if (const auto known = encoder.known(parameter))
-                values.push_back({parameter, known->value});
-        return totalRange(encoder.device(), values);
+        return totalRange(encoder.device(), valuesOf(allKnown(encoder)));
     }
     // Costs EEPROM writes where a program was changed before.
     Checked<std::vector<CamProgram>> readPrograms(const std::vector<unsigned> &programs)

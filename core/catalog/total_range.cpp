@@ -19,10 +19,8 @@ std::optional<std::int64_t> totalRange(const DeviceDescription &device, const Pa
         return valueOf(values, Parameter::measuringRange);
     const std::int64_t steps = valueOf(values, Parameter::steps).value_or(0);
     const std::int64_t revolutions = valueOf(values, Parameter::revolutions).value_or(0);
-    const std::int64_t turns = turnsOf(device, values);
-    if (steps < 1 || revolutions < 1 || turns < 1)
-        return std::nullopt;
-    return steps * turns / revolutions;
+    const std::int64_t total = totalRange(steps, turnsOf(device, values), revolutions);
+    return total > 0 ? std::optional(total) : std::nullopt;
 }
 
 } // namespace codewheel

@@ -5,9 +5,15 @@
 
 namespace codewheel {
 
-// How many positions the encoder has with these values: floor(steps x turns / revolutions), where turns is
-// the measuring range, or the physical turns where the encoder has none. Nothing where one of them is not
-// known. On a serial line the encoder tells it as its measuring range, in steps.
+// floor(steps x turns / revolutions); 0: the values make no sense.
+constexpr std::int64_t totalRange(std::int64_t steps, std::int64_t turns, std::int64_t revolutions) noexcept
+{
+    return steps < 1 || turns < 1 || revolutions < 1 ? 0 : steps * turns / revolutions;
+}
+
+// How many positions the encoder has with these values, where turns is the measuring range, or the physical
+// turns where the encoder has none. Nothing where one of them is not known. On a serial line the encoder
+// tells it as its measuring range, in steps.
 std::optional<std::int64_t> totalRange(const DeviceDescription &device, const ParameterValues &values);
 
 } // namespace codewheel

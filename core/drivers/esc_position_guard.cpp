@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/esc_position_guard.h"
 
+#include "encoder/circle.h"
+
 #include <cmath>
 #include <cstdlib>
 
@@ -14,11 +16,8 @@ constexpr std::int64_t largestPosition = 33'554'432; // manual, table of the rea
 
 std::int64_t EscPositionGuard::turned(std::int64_t from, std::int64_t to) const
 {
-    const std::int64_t distance = to - from;
-    if (!m_scale.total || std::abs(distance) > *m_scale.total)
-        return distance;
-    const std::int64_t otherWay = distance > 0 ? distance - *m_scale.total : distance + *m_scale.total;
-    return std::abs(otherWay) < std::abs(distance) ? otherWay : distance;
+    const bool isOnCircle = m_scale.total && std::abs(to - from) <= *m_scale.total;
+    return isOnCircle ? shorterWay(from, to, *m_scale.total) : to - from;
 }
 
 bool EscPositionGuard::canReach(std::int64_t from, std::int64_t to, Instant within) const

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivers/position_scale.h"
 
+#include "catalog/total_range.h"
 #include "drivers/esc_values.h"
+#include "encoder/circle.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace codewheel {
 namespace {
-
-std::int64_t modulo(std::int64_t value, std::int64_t range)
-{
-    const std::int64_t rest = value % range;
-    return rest < 0 ? rest + range : rest;
-}
 
 // API without direction: floor(raw x steps / (revolutions x physical steps)) mod total.
 std::int64_t scaled(const PositionScale &scale, std::int64_t raw)
@@ -29,12 +25,6 @@ std::int64_t inDirection(const PositionScale &scale, std::int64_t x)
 std::int64_t positionOfRaw(const PositionScale &scale, std::int64_t raw)
 {
     return scale.shown(inDirection(scale, scaled(scale, raw)) + *scale.zeroOffset + scale.offset);
-}
-
-bool isClockwise(const DeviceDescription &device, std::int64_t value, Parameter parameter)
-{
-    const Choice *choice = device.find(parameter)->findChoice(value);
-    return choice == nullptr || !choice->key.endsWith(QStringLiteral("ccw"));
 }
 
 bool isSignedCoding(const DeviceDescription &device, std::int64_t value)
@@ -76,11 +66,20 @@ std::optional<PositionScale> scaleOnLine(const DeviceDescription &device, const 
     scale.turns = *turns;
     scale.physicalStepsPerTurn = device.physicalStepsPerTurn;
     scale.physicalTurns = device.physicalTurns;
-    scale.clockwise = isClockwise(device, *direction, Parameter::direction);
+    scale.clockwise = countsClockwise(device, {Parameter::direction, *direction});
     return scale;
 }
 
 } // namespace
+
+// By what the description calls the value. Where it does not: codings of the profile with an even number
+// count counter-clockwise (Baumer manual 5); direction 4 is CCW (FRABA 5.3).
+bool countsClockwise(const DeviceDescription &device, const ParameterValue &directionOrCoding)
+{
+    const ParameterDescription *description = device.find(directionOrCoding.parameter);
+    const Choice *choice = description ? description->findChoice(directionOrCoding.value) : nullptr;
+    return choice ? !choice->key.endsWith(QStringLiteral("ccw")) : directionOrCoding.value % 2 != 0;
+}
 
 double PositionScale::resolution() const
 {
@@ -89,13 +88,13 @@ double PositionScale::resolution() const
 
 std::int64_t PositionScale::total() const
 {
-    return revolutions < 1 ? 0 : steps * turns / revolutions;
+    return totalRange(steps, turns, revolutions);
 }
 
 std::int64_t PositionScale::shown(std::int64_t position) const
 {
     const std::int64_t pi = modulo(position, total());
-    return isSigned && pi >= (total() + 1) / 2 ? pi - total() : pi;
+    return isSigned ? signedPosition(pi, total()) : pi;
 }
 
 std::optional<PositionScale> scaleOf(const DeviceDescription &device, const ValueOf &valueOf)
@@ -124,7 +123,7 @@ std::optional<PositionScale> scaleOf(const DeviceDescription &device, const Valu
         const auto value = valueOf(parameter);
         if (!value)
             return std::nullopt;
-        scale.clockwise = isClockwise(device, *value, parameter);
+        scale.clockwise = countsClockwise(device, {parameter, *value});
         scale.isSigned = parameter == Parameter::coding && isSignedCoding(device, *value);
     }
     if (device.find(Parameter::offset) != nullptr)

@@ -32,6 +32,9 @@ struct PositionScale
     friend bool operator==(const PositionScale &, const PositionScale &) = default;
 };
 
+// By its direction, or its coding where that tells it.
+bool countsClockwise(const DeviceDescription &device, const ParameterValue &directionOrCoding);
+
 using ValueOf = std::function<std::optional<std::int64_t>(Parameter)>;
 
 // Nothing where steps or revolutions, or the direction of an encoder that has one, are not known.

@@ -4,10 +4,13 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <cmath>
+
 namespace codewheel {
 namespace {
 
 constexpr int mostDecimals = 3;
+constexpr double micrometresPerMillimetre = 1'000;
 
 std::optional<std::int64_t> valueOf(const std::optional<Known> &known)
 {
@@ -15,6 +18,16 @@ std::optional<std::int64_t> valueOf(const std::optional<Known> &known)
 }
 
 } // namespace
+
+double millimetresOf(std::int64_t micrometres)
+{
+    return static_cast<double>(micrometres) / micrometresPerMillimetre;
+}
+
+std::int64_t micrometresOf(double millimetres)
+{
+    return std::llround(millimetres * micrometresPerMillimetre);
+}
 
 double RodScale::millimetres(std::int64_t position) const
 {

@@ -5,7 +5,9 @@
 
 namespace codewheel {
 
-inline constexpr double micrometresPerMillimetre = 1'000;
+// The length of a rod is kept in micrometres and shown in millimetres.
+double millimetresOf(std::int64_t micrometres);
+std::int64_t micrometresOf(double millimetres);
 
 // What makes millimetres of the position of a rod: its measuring length in steps and on its label (LA-66
 // manual 3.2: steps = length [mm] / resolution [mm]).

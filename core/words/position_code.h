@@ -17,12 +17,17 @@ constexpr Word binaryFromGray(Word gray) noexcept
     return gray;
 }
 
+// Two's complement of so many bits.
+constexpr std::int64_t signedNumber(Word number, int bits) noexcept
+{
+    const std::int64_t range = std::int64_t{1} << bits;
+    return number < range / 2 ? std::int64_t{number} : number - range;
+}
+
 // D24..D0 as 25-bit two's complement (Baumer manual 5, "Coding").
 constexpr std::int64_t signedData(Word word) noexcept
 {
-    constexpr std::int64_t range = std::int64_t{1} << dataBits;
-    const std::int64_t value = data(word);
-    return value < range / 2 ? value : value - range;
+    return signedNumber(data(word), dataBits);
 }
 
 // The position in steps that stands in D24..D0.

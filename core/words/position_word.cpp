@@ -11,10 +11,8 @@ std::int64_t decoded(Word in, const PositionWord &format) noexcept
     switch (format.coding) {
     case PositionCoding::gray:
         return k3::binaryFromGray(in);
-    case PositionCoding::signedBinary: {
-        const std::int64_t range = std::int64_t{1} << format.positionBits;
-        return in < range / 2 ? std::int64_t{in} : in - range;
-    }
+    case PositionCoding::signedBinary:
+        return k3::signedNumber(in, format.positionBits);
     case PositionCoding::binary:
         break;
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "encoder/cam_program.h"
+#include "encoder/circle.h"
 
 #include <algorithm>
 #include <vector>
@@ -9,12 +10,6 @@
 // A cam as an arc of the circle of positions 0..total - 1, so that moving it over an end of the range just
 // goes on at the other (FRABA manual 5.4.4; wrap-around assumed). Used by the cam ruler.
 namespace codewheel::cam_circle {
-
-constexpr std::int64_t modulo(std::int64_t value, std::int64_t total) noexcept
-{
-    const std::int64_t rest = value % total;
-    return rest < 0 ? rest + total : rest;
-}
 
 // Positions on which the cam is on: 1..total.
 constexpr std::int64_t length(const Cam &cam, std::int64_t total) noexcept

@@ -2,19 +2,12 @@
 #include "widgets/cams/cam_range.h"
 
 #include "catalog/total_range.h"
+#include "drivers/value_notes.h"
 #include "drivers/values_to_write.h"
 #include "project/project.h"
 
 namespace codewheel {
 namespace {
-
-ParameterValues knownValues(const EncoderSession &encoder)
-{
-    ParameterValues values;
-    for (const Known &known : allKnown(encoder))
-        values.push_back({known.parameter, known.value});
-    return values;
-}
 
 ParameterValues plannedValues(const ProjectDevice &planned)
 {
@@ -30,7 +23,7 @@ ParameterValues plannedValues(const ProjectDevice &planned)
 
 std::optional<std::int64_t> largestPosition(const ShownEncoder &encoder, const ProjectDevice &planned)
 {
-    const auto total = totalRange(encoder.device(), encoder.session() ? knownValues(*encoder.session())
+    const auto total = totalRange(encoder.device(), encoder.session() ? valuesOf(allKnown(*encoder.session()))
                                                                       : plannedValues(planned));
     return total ? std::optional(*total - 1) : std::nullopt;
 }

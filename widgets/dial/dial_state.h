@@ -5,6 +5,7 @@
 
 #include <QString>
 
+#include <cmath>
 #include <optional>
 
 namespace codewheel {
@@ -24,5 +25,12 @@ struct DialState
 
     friend bool operator==(const DialState &, const DialState &) = default;
 };
+
+// What of a turn the disc stands turned clockwise, where the position is so many turns.
+inline double partOfTurn(double turns, bool clockwise)
+{
+    const double part = turns - std::floor(turns);
+    return clockwise || part == 0 ? part : 1 - part;
+}
 
 } // namespace codewheel

@@ -25,11 +25,6 @@ int digitsFor(double number)
 
 } // namespace
 
-double millimetresPerStep(const RodScale &scale)
-{
-    return scale.millimetres(1);
-}
-
 QString resolution(double mmPerStep)
 {
     return QCoreApplication::translate("Resolution", "%1 mm per step")

@@ -140,7 +140,7 @@ QString RodView::speedText() const
 {
     if (!m_state.stepsPerSecond)
         return {};
-    const double speed = *m_state.stepsPerSecond * (m_state.scale ? millimetresPerStep(*m_state.scale) : 1);
+    const double speed = *m_state.stepsPerSecond * (m_state.scale ? m_state.scale->millimetres(1) : 1);
     const QString number = locale().toString(std::abs(speed), 'f', 1);
     QString text = m_state.scale ? tr("%1 mm/s").arg(number) : tr("%1 steps/s").arg(number);
     if (std::abs(speed) < 0.05 || !m_state.countsUpToTheEnd)
@@ -151,7 +151,7 @@ QString RodView::speedText() const
 
 QString RodView::resolutionText() const
 {
-    return m_state.scale ? resolution(millimetresPerStep(*m_state.scale)) : QString();
+    return m_state.scale ? resolution(m_state.scale->millimetres(1)) : QString();
 }
 
 QString RodView::note() const

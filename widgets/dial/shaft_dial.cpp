@@ -2,6 +2,7 @@
 #include "widgets/dial/shaft_dial.h"
 
 #include "catalog/position_format.h"
+#include "drivers/position_scale.h"
 #include "encoder/hex.h"
 #include "widgets/dial/code_disc.h"
 #include "widgets/dial/missing_values.h"
@@ -18,25 +19,13 @@
 namespace codewheel {
 namespace {
 
-// By what the description calls the value. Where it does not: codings of the profile with an even number
-// count counter-clockwise (Baumer manual 5); direction 4 is CCW (FRABA 5.3).
 bool countsClockwise(const EncoderSession &encoder)
 {
     for (const Parameter parameter : {Parameter::direction, Parameter::coding}) {
-        const auto known = encoder.known(parameter);
-        if (!known)
-            continue;
-        const ParameterDescription *description = encoder.device().find(parameter);
-        const Choice *choice = description ? description->findChoice(known->value) : nullptr;
-        return choice ? !choice->key.endsWith(QStringLiteral("ccw")) : known->value % 2 != 0;
+        if (const auto known = encoder.known(parameter))
+            return countsClockwise(encoder.device(), {parameter, known->value});
     }
     return true;
-}
-
-double partOfTurn(double turns, bool clockwise)
-{
-    const double part = turns - std::floor(turns);
-    return clockwise || part == 0 ? part : 1 - part;
 }
 
 // Where it stands and how fast it turns nobody knows any more.

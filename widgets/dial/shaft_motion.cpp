@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/dial/shaft_motion.h"
 
+#include "encoder/circle.h"
+
 namespace codewheel {
 namespace {
 
@@ -8,16 +10,6 @@ using namespace std::chrono_literals;
 
 constexpr Instant smoothedOver = 500ms;
 constexpr Instant enough = 100ms;
-
-std::int64_t shortestWay(std::int64_t from, std::int64_t to, std::optional<std::int64_t> total)
-{
-    const std::int64_t way = to - from;
-    if (!total || *total <= 0)
-        return way;
-    if (way > *total / 2)
-        return way - *total;
-    return way < -(*total / 2) ? way + *total : way;
-}
 
 } // namespace
 
@@ -30,7 +22,9 @@ void ShaftMotion::observe(Instant at, std::int64_t position, std::optional<std::
     const Sample &last = m_samples.back();
     if (at <= last.at)
         return;
-    m_samples.push_back({at, position, last.way + shortestWay(last.shown, position, total)});
+    const std::int64_t way =
+        total && *total > 0 ? shorterWay(last.shown, position, *total) : position - last.shown;
+    m_samples.push_back({at, position, last.way + way});
     while (m_samples.size() > 2 && at - m_samples.front().at > smoothedOver)
         m_samples.pop_front();
 }

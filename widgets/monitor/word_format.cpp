@@ -42,9 +42,7 @@ QString decimalText(Word word, int bits)
 
 QString signedText(Word word, int bits)
 {
-    const qint64 range = qint64{1} << bits;
-    const qint64 value = lowBits(word, bits);
-    return plainNumber(value < range / 2 ? value : value - range);
+    return plainNumber(k3::signedNumber(lowBits(word, bits), bits));
 }
 
 QString grayText(Word word, int bits)

@@ -14,7 +14,6 @@
 #include <QValidator>
 
 #include <algorithm>
-#include <cmath>
 
 namespace codewheel {
 
@@ -33,7 +32,7 @@ QString inputText(const ParameterDescription &parameter, std::int64_t value)
         return QString::number(value);
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(static_cast<double>(value) / micrometresPerMillimetre, 'g', typedDigits);
+    return locale.toString(millimetresOf(value), 'g', typedDigits);
 }
 
 tl::expected<std::int64_t, QString> inputNumber(const ParameterDescription &parameter, const QString &text)
@@ -43,7 +42,7 @@ tl::expected<std::int64_t, QString> inputNumber(const ParameterDescription &para
     const auto millimetres = readDecimal(text, QLocale());
     if (!millimetres)
         return tl::unexpected(millimetres.error());
-    return std::llround(std::clamp(*millimetres, -largestInput, largestInput) * micrometresPerMillimetre);
+    return micrometresOf(std::clamp(*millimetres, -largestInput, largestInput));
 }
 
 // Anything can be typed, so that what is wrong can be said; only what is good is taken.

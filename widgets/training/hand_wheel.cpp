@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/training/hand_wheel.h"
 
+#include "encoder/circle.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 
@@ -81,11 +82,7 @@ void HandWheel::showRaw(std::int64_t raw)
 // The way it went is the shorter one.
 void HandWheel::turnWheel(int place)
 {
-    int moved = (place - m_place) % places;
-    if (moved > places / 2)
-        moved -= places;
-    else if (moved < -places / 2)
-        moved += places;
+    const std::int64_t moved = shorterWay(m_place % places, place % places, places);
     m_place = place;
     if (moved != 0)
         Q_EMIT turned(std::llround(static_cast<double>(moved) * m_stepsPerTurn / places));

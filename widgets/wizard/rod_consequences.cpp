@@ -13,8 +13,6 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
-#include <cmath>
-
 namespace codewheel {
 
 RodConsequences::RodConsequences(Setup &setup, QWidget *parent)
@@ -27,7 +25,7 @@ RodConsequences::RodConsequences(Setup &setup, QWidget *parent)
     m_scaleText->setWordWrap(true);
     m_warning->setObjectName(QStringLiteral("scaleWarning"));
     if (const auto length = m_setup.valueNow(Parameter::rodLength))
-        m_calculator->setRodLength(static_cast<double>(*length) / micrometresPerMillimetre);
+        m_calculator->setRodLength(millimetresOf(*length));
     if (const ParameterDescription *length = m_setup.encoder->device().find(Parameter::measuringLength))
         m_calculator->setMostSteps(length->maximum);
     auto *layout = new QVBoxLayout(this);
@@ -37,8 +35,7 @@ RodConsequences::RodConsequences(Setup &setup, QWidget *parent)
     layout->addWidget(m_warning);
     layout->addWidget(m_calculator);
     connect(m_calculator, &RodPanel::chosen, this, [this](qint64 steps) {
-        m_setup.encoder->tell(Parameter::rodLength,
-                              std::llround(m_calculator->rodLength() * micrometresPerMillimetre));
+        m_setup.encoder->tell(Parameter::rodLength, micrometresOf(m_calculator->rodLength()));
         Q_EMIT chosen({{Parameter::measuringLength, steps}});
     });
 }
@@ -64,10 +61,9 @@ QString RodConsequences::scaleText() const
                   "rod, "
                   "or tell that length under What is known.")
             .arg(numberText(*steps));
-    const double millimetres = static_cast<double>(*length) / micrometresPerMillimetre;
     return tr("Positions from 0 to %1 over %2 mm: %3.")
-        .arg(numberText(*steps), QLocale().toString(millimetres, 'g', 7),
-             resolution(millimetres / static_cast<double>(*steps)));
+        .arg(numberText(*steps), QLocale().toString(millimetresOf(*length), 'g', 7),
+             resolution(RodScale{*steps, *length}.millimetres(1)));
 }
 
 // What the manual leaves open is not refused.

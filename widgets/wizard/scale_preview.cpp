@@ -55,10 +55,9 @@ void ScalePreview::draw()
     if (m_scale && m_start) {
         const std::int64_t position = positionAfterTurns(*m_scale, *m_start, m_turns->value());
         const double turns = static_cast<double>(position) / m_scale->resolution();
-        const double fraction = turns - std::floor(turns);
         state.position = position;
         state.turn = static_cast<qint64>(std::floor(turns));
-        state.turnFraction = m_scale->clockwise || fraction == 0 ? fraction : 1 - fraction;
+        state.turnFraction = partOfTurn(turns, m_scale->clockwise);
     } else {
         state.note = m_whyNot;
     }

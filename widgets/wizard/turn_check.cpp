@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/turn_check.h"
 
+#include "encoder/circle.h"
 #include "words/k3_word.h"
 
 namespace codewheel {
@@ -13,12 +14,8 @@ void TurnCheck::begin(std::optional<std::int64_t> totalRange)
 
 void TurnCheck::take(std::int64_t position)
 {
-    std::int64_t move = position - m_last.value_or(position);
+    const std::int64_t move = shorterWay(m_last.value_or(position), position, m_total);
     m_last = position;
-    if (move > m_total / 2)
-        move -= m_total;
-    else if (move < -m_total / 2)
-        move += m_total;
     m_moved += move;
     m_ups += move > 0;
     m_downs += move < 0;

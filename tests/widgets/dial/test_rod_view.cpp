@@ -150,7 +150,7 @@ TEST(Resolution, IsToldAsFineAsItIs)
     EXPECT_EQ(resolution(0.01), QStringLiteral("0.010 mm per step"));
     EXPECT_EQ(resolution(500.0 / 30'000), QStringLiteral("0.016667 mm per step"));
     EXPECT_EQ(resolution(0.0025), QStringLiteral("0.0025 mm per step"));
-    EXPECT_NEAR(millimetresPerStep({.steps = 5000, .micrometres = 500'000}), 0.1, 1e-12);
+    EXPECT_NEAR(RodScale({.steps = 5000, .micrometres = 500'000}).millimetres(1), 0.1, 1e-12);
 }
 
 } // namespace

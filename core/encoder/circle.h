@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+// Positions stand on a circle: behind the last of `total` comes the first again.
+namespace codewheel {
+
+constexpr std::int64_t modulo(std::int64_t value, std::int64_t total) noexcept
+{
+    const std::int64_t rest = value % total;
+    return rest < 0 ? rest + total : rest;
+}
+
+// From one position to another, perhaps over the end of the range; negative where it goes down.
+constexpr std::int64_t shorterWay(std::int64_t from, std::int64_t to, std::int64_t total) noexcept
+{
+    const std::int64_t way = to - from;
+    if (way > total / 2)
+        return way - total;
+    return way < -(total / 2) ? way + total : way;
+}
+
+// Where they are signed, the upper half is below 0.
+constexpr std::int64_t signedPosition(std::int64_t position, std::int64_t total) noexcept
+{
+    return position >= (total + 1) / 2 ? position - total : position;
+}
+
+} // namespace codewheel
