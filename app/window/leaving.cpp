@@ -4,7 +4,7 @@
 #include "bus/buses.h"
 #include "bus/word_channel.h"
 #include "encoder/hex.h"
-#include "widgets/wizard/cancel_question.h"
+#include "widgets/job/cancel_question.h"
 
 #include <QMessageBox>
 #include <QPushButton>

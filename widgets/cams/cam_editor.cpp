@@ -12,12 +12,12 @@
 #include "widgets/cams/cam_review.h"
 #include "widgets/cams/cam_texts.h"
 #include "widgets/eeprom/eeprom_question.h"
+#include "widgets/job/job_strip.h"
+#include "widgets/job/known_text.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/models/age_text.h"
 #include "widgets/models/age_timer.h"
-#include "widgets/parameters/job_strip.h"
-#include "widgets/wizard/known_text.h"
 
 #include <QScrollArea>
 #include <QStackedWidget>

@@ -5,13 +5,13 @@
 #include "widgets/cams/cam_mode_bar.h"
 #include "widgets/cams/cam_range_bar.h"
 #include "widgets/cams/cam_review.h"
+#include "widgets/job/job_strip.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/tool.h"
 #include "widgets/models/age_timer.h"
-#include "widgets/parameters/job_strip.h"
 
 #include <QMenu>
 #include <QScrollArea>

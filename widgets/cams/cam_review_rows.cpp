@@ -4,7 +4,7 @@
 #include "cams/cam_fields.h"
 #include "drivers/values_to_write.h"
 #include "widgets/cams/cam_texts.h"
-#include "widgets/parameters/step_text.h"
+#include "widgets/job/step_text.h"
 #include "words/k3_cam_word.h"
 
 #include <QCoreApplication>

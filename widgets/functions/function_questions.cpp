@@ -3,7 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
-#include "widgets/wizard/known_text.h"
+#include "widgets/job/known_text.h"
 
 #include <QCoreApplication>
 #include <QGuiApplication>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/parameters/job_strip.h"
+#include "widgets/job/job_strip.h"
 
 #include "journal/eeprom_cost.h"
 #include "widgets/eeprom/eeprom_question.h"
+#include "widgets/job/known_text.h"
+#include "widgets/job/step_text.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/models/device_traits.h"
-#include "widgets/parameters/parameter_words.h"
-#include "widgets/parameters/step_text.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -141,7 +141,7 @@ QString JobStrip::question() const
     if (m_progress.confirmed.empty())
         return tr("The encoder has taken, or is taking, what was sent. How is it to be left?");
     return tr("The encoder has taken: %1. How is it to be left?")
-        .arg(parameter_words::list(m_encoder->device(), m_progress.confirmed));
+        .arg(valueList(m_encoder->device(), m_progress.confirmed));
 }
 
 void JobStrip::showChoices(bool visible)

@@ -8,7 +8,7 @@
 #include "widgets/line/replay_model.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
-#include "widgets/wizard/quiet_table.h"
+#include "widgets/look/quiet_table.h"
 
 #include <QLabel>
 #include <QLocale>

@@ -11,7 +11,7 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
-#include "widgets/wizard/quiet_table.h"
+#include "widgets/look/quiet_table.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -13,7 +13,7 @@ struct Flag
     bool MonitorDisplay::*value;
 };
 
-constexpr std::array flags{
+constexpr std::array allFlags{
     Flag{QLatin1String("matrix"), &MonitorDisplay::matrix},
     Flag{QLatin1String("bar"), &MonitorDisplay::bar},
     Flag{QLatin1String("decimal"), &MonitorDisplay::decimal},
@@ -28,7 +28,7 @@ constexpr std::array flags{
 QJsonObject MonitorDisplay::toJson() const
 {
     QJsonObject json;
-    for (const Flag &flag : flags)
+    for (const Flag &flag : allFlags)
         json.insert(flag.key, this->*flag.value);
     return json;
 }
@@ -36,7 +36,7 @@ QJsonObject MonitorDisplay::toJson() const
 MonitorDisplay MonitorDisplay::fromJson(const QJsonObject &json)
 {
     MonitorDisplay display;
-    for (const Flag &flag : flags)
+    for (const Flag &flag : allFlags)
         display.*flag.value = json.value(flag.key).toBool(display.*flag.value);
     return display;
 }

@@ -4,8 +4,8 @@
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
 #include "widgets/functions/function_questions.h"
+#include "widgets/job/known_text.h"
 #include "widgets/parameters/parameter_panel.h"
-#include "widgets/wizard/known_text.h"
 
 #include <QLocale>
 

@@ -4,11 +4,11 @@
 #include "catalog/value_text.h"
 #include "drivers/esc_values.h"
 #include "line/line_encoder_session.h"
+#include "widgets/job/known_text.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/roles.h"
 #include "widgets/models/age_text.h"
 #include "widgets/parameters/parameter_words.h"
-#include "widgets/wizard/known_text.h"
 
 #include <QLocale>
 

@@ -7,13 +7,14 @@
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/functions/encoder_functions.h"
 #include "widgets/functions/function_questions.h"
+#include "widgets/job/job_strip.h"
+#include "widgets/job/known_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
 #include "widgets/models/device_traits.h"
-#include "widgets/parameters/job_strip.h"
 #include "widgets/parameters/outcome_text.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/parameter_table.h"
@@ -21,7 +22,6 @@
 #include "widgets/parameters/value_bar.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/parameters/write_review.h"
-#include "widgets/wizard/known_text.h"
 
 #include <QAction>
 #include <QGridLayout>

@@ -2,7 +2,7 @@
 #include "widgets/parameters/parameter_words.h"
 
 #include "catalog/value_text.h"
-#include "widgets/wizard/known_text.h"
+#include "widgets/job/known_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -30,16 +30,6 @@ QString range(const ParameterDescription &parameter)
 }
 
 } // namespace
-
-QString list(const DeviceDescription &device, const ParameterValues &values)
-{
-    QStringList texts;
-    for (const ParameterValue &value : values)
-        if (const ParameterDescription *parameter = device.find(value.parameter))
-            texts << QStringLiteral("%1 = %2").arg(parameterName(value.parameter),
-                                                   valueText(*parameter, value.value));
-    return texts.join(QStringLiteral(", "));
-}
 
 QString howKnown(const std::optional<Known> &known, const QDateTime &when)
 {

@@ -9,8 +9,6 @@
 
 namespace codewheel::parameter_words {
 
-// "Steps = 255, Direction = 3 (CW)"
-QString list(const DeviceDescription &device, const ParameterValues &values);
 // "The encoder told it when it was read. 02/03/2026 14:02"
 QString howKnown(const std::optional<Known> &known, const QDateTime &when);
 // "Range: 1 to 4 096. Factory setting: 1."

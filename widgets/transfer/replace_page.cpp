@@ -2,6 +2,7 @@
 #include "widgets/transfer/replace_page.h"
 
 #include "ring/bus_session.h"
+#include "widgets/job/step_list.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
@@ -10,7 +11,6 @@
 #include "widgets/transfer/replace_device_step.h"
 #include "widgets/transfer/replace_position_step.h"
 #include "widgets/transfer/replace_write_steps.h"
-#include "widgets/wizard/step_list.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

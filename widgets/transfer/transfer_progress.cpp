@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/transfer_progress.h"
 
+#include "widgets/job/cancel_question.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
-#include "widgets/wizard/cancel_question.h"
 
 #include <QGridLayout>
 #include <QLabel>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/transfer_table.h"
 
+#include "widgets/look/quiet_table.h"
 #include "widgets/transfer/transfer_model.h"
-#include "widgets/wizard/quiet_table.h"
 
 namespace codewheel {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/job/step_table.h"
 #include "widgets/wizard/done_jobs.h"
-#include "widgets/wizard/step_table.h"
 #include "widgets/wizard/wizard_page.h"
 
 class QCheckBox;

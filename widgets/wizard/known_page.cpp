@@ -8,9 +8,9 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/quiet_table.h"
 #include "widgets/look/role_label.h"
 #include "widgets/parameters/value_field.h"
-#include "widgets/wizard/quiet_table.h"
 
 #include <QItemSelectionModel>
 #include <QLabel>

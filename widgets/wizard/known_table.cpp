@@ -4,8 +4,8 @@
 #include "catalog/device_description.h"
 #include "encoder/encoder_session.h"
 #include "line/line_encoder_session.h"
+#include "widgets/job/known_text.h"
 #include "widgets/look/fonts.h"
-#include "widgets/wizard/known_text.h"
 
 namespace codewheel {
 

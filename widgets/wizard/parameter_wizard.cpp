@@ -2,6 +2,7 @@
 #include "widgets/wizard/parameter_wizard.h"
 
 #include "bus/buses.h"
+#include "widgets/job/step_list.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
@@ -12,7 +13,6 @@
 #include "widgets/wizard/known_page.h"
 #include "widgets/wizard/report_page.h"
 #include "widgets/wizard/review_page.h"
-#include "widgets/wizard/step_list.h"
 #include "widgets/wizard/values_page.h"
 
 #include <QHBoxLayout>

@@ -2,13 +2,13 @@
 #include "widgets/wizard/report_page.h"
 
 #include "project/file_access.h"
+#include "widgets/job/known_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/save_file.h"
-#include "widgets/wizard/known_text.h"
 #include "widgets/wizard/wizard_report.h"
 
 #include <QCoreApplication>

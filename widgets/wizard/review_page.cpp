@@ -8,12 +8,12 @@
 #include "line/line_encoder_session.h"
 #include "ring/bus_session.h"
 #include "widgets/eeprom/eeprom_gate.h"
+#include "widgets/job/known_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/look/quiet_table.h"
 #include "widgets/models/device_traits.h"
-#include "widgets/wizard/known_text.h"
-#include "widgets/wizard/quiet_table.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/wizard/step_table.h"
+#include "widgets/job/step_table.h"
 #include "widgets/wizard/value_change_table.h"
 #include "widgets/wizard/wizard_page.h"
 

@@ -3,6 +3,7 @@
 
 #include "catalog/value_text.h"
 #include "encoder/refusal_text.h"
+#include "widgets/job/known_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -10,7 +11,6 @@
 #include "widgets/parameters/position_to_set.h"
 #include "widgets/parameters/value_field.h"
 #include "widgets/wizard/consequences.h"
-#include "widgets/wizard/known_text.h"
 
 #include <QCheckBox>
 #include <QGridLayout>

@@ -5,9 +5,9 @@
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
 #include "encoder/shown_text.h"
+#include "widgets/job/known_text.h"
+#include "widgets/job/step_text.h"
 #include "widgets/models/device_traits.h"
-#include "widgets/parameters/step_text.h"
-#include "widgets/wizard/known_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -4,11 +4,11 @@
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/eeprom/eeprom_question.h"
+#include "widgets/job/cancel_question.h"
+#include "widgets/job/job_strip.h"
 #include "widgets/monitor/word_field.h"
 #include "widgets/monitor/word_monitor.h"
-#include "widgets/parameters/job_strip.h"
 #include "widgets/parameters/write_review.h"
-#include "widgets/wizard/cancel_question.h"
 
 #include <QApplication>
 #include <QCheckBox>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/line/line_bench.h"
 #include "tests/widgets/training_bus_session.h"
-#include "widgets/parameters/job_strip.h"
+#include "widgets/job/job_strip.h"
 
 #include <QLabel>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/wizard/step_list.h"
+#include "widgets/job/step_list.h"
 
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"

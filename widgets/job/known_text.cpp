@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/wizard/known_text.h"
+#include "widgets/job/known_text.h"
 
 #include "catalog/value_text.h"
 
@@ -55,6 +55,18 @@ QString valueWithUnit(const DeviceDescription &device, const ParameterValue &val
     return QStringLiteral("%1 %2")
         .arg(valueText(*parameter, value.value, options), unitText(parameter->unit))
         .trimmed();
+}
+
+QString valueList(const DeviceDescription &device, const ParameterValues &values)
+{
+    QStringList texts;
+    for (const ParameterValue &value : values) {
+        const ParameterDescription *parameter = device.find(value.parameter);
+        texts += QStringLiteral("%1 = %2").arg(parameterName(value.parameter),
+                                               parameter ? valueText(*parameter, value.value)
+                                                         : QString::number(value.value));
+    }
+    return texts.join(QStringLiteral(", "));
 }
 
 QString knownText(const DeviceDescription &device, const std::optional<Known> &known)

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/wizard/step_table.h"
+#include "widgets/job/step_table.h"
 
 #include "drivers/write_plan.h"
 #include "encoder/hex.h"
+#include "widgets/job/step_text.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
 #include "widgets/models/device_traits.h"
-#include "widgets/parameters/step_text.h"
 
 #include <QCoreApplication>
 

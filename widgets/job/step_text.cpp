@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/parameters/step_text.h"
+#include "widgets/job/step_text.h"
 
 #include "catalog/explain_word.h"
 #include "esc/esc_explain.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/wizard/cancel_question.h"
+#include "widgets/job/cancel_question.h"
 
-#include "catalog/value_text.h"
 #include "encoder/encoder_session.h"
 #include "journal/eeprom_cost.h"
 #include "widgets/eeprom/eeprom_question.h"
+#include "widgets/job/known_text.h"
 #include "widgets/models/device_traits.h"
 
 #include <QCoreApplication>
@@ -22,15 +22,8 @@ struct CancelQuestion
 
 QString takenText(const EncoderSession &encoder, const ParameterValues &taken)
 {
-    QStringList texts;
-    for (const ParameterValue &value : taken) {
-        const ParameterDescription *parameter = encoder.device().find(value.parameter);
-        texts += QStringLiteral("%1 = %2").arg(parameterName(value.parameter),
-                                               parameter ? valueText(*parameter, value.value)
-                                                         : QString::number(value.value));
-    }
-    return texts.isEmpty() ? CancelQuestion::tr("a value it has not confirmed yet")
-                           : texts.join(QStringLiteral(", "));
+    return taken.empty() ? CancelQuestion::tr("a value it has not confirmed yet")
+                         : valueList(encoder.device(), taken);
 }
 
 QString explanation(const EncoderSession &encoder, const CancelSituation &situation)

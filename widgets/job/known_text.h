@@ -14,6 +14,8 @@ QString evidenceExplanation(const std::optional<Known> &known);
 // "8 192 steps", "3 (CW)". options: valueText().
 QString valueWithUnit(const DeviceDescription &device, const ParameterValue &value,
                       const std::optional<esc::ExplainOptions> &options = {});
+// "Steps = 255, Direction = 3 (CW)"
+QString valueList(const DeviceDescription &device, const ParameterValues &values);
 // "8 192 steps (read)"; "unknown".
 QString knownText(const DeviceDescription &device, const std::optional<Known> &known);
 
