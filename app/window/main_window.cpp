@@ -206,6 +206,11 @@ void MainWindow::showPicture()
     m_trainingPanel->refresh();
 }
 
+bool MainWindow::hasJob() const
+{
+    return m_buses != nullptr && m_buses->hasJob();
+}
+
 void MainWindow::showWizard()
 {
     if (m_wizard == nullptr)

@@ -83,8 +83,9 @@ public:
     // What has to be known before all else, such as that messages are not kept. Stands until it is closed.
     void warn(const QString &sentence);
 
-    // Takes a picture of the bus and shows it. Called 30 times a second by the program, by hand in tests.
+    // Takes a picture of the bus and shows it. Called by the PictureClock, by hand in tests.
     void showPicture();
+    bool hasJob() const; // on any bus
 
     const WindowActions &actions() const { return m_actions; }
     void showWizard();

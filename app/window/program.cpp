@@ -24,9 +24,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto busPeriod = 1ms;   // of the training bus
-constexpr auto pollPeriod = 33ms; // 30 pictures a second
-constexpr auto measuredRun = 2s;  // then a measured start ends
+constexpr auto busPeriod = 1ms;  // of the training bus
+constexpr auto measuredRun = 2s; // then a measured start ends
 
 } // namespace
 
@@ -41,8 +40,6 @@ Program::Program(QApplication &application, const QString &settingsFile)
 {
     applyAppearance(application, m_settings.appearance());
     m_language.use(m_settings.language());
-    m_pictures.setTimerType(Qt::PreciseTimer);
-    connect(&m_pictures, &QTimer::timeout, this, [this] { m_window->showPicture(); });
 }
 
 Program::~Program()
@@ -62,6 +59,7 @@ int Program::run()
 void Program::openWindow()
 {
     m_window = std::make_unique<MainWindow>(m_settings, m_project);
+    m_pictures.setWindow(*m_window);
     connect(m_window.get(), &MainWindow::languageChosen, this, &Program::useLanguage, Qt::QueuedConnection);
     if (m_training.bus) {
         attach();
@@ -99,7 +97,7 @@ void Program::startBus()
     attach();
     openProject();
     m_training.bus->startThread(busPeriod);
-    m_pictures.start(pollPeriod);
+    m_pictures.start();
     if (measured)
         QTimer::singleShot(measuredRun, &m_application, [] {
             reportMemory();

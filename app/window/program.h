@@ -3,12 +3,12 @@
 
 #include "app/language.h"
 #include "app/training_session.h"
+#include "app/window/picture_clock.h"
 #include "app/window/window_settings.h"
 #include "catalog/catalog.h"
 #include "widgets/project/project_document.h"
 
 #include <QObject>
-#include <QTimer>
 
 #include <memory>
 
@@ -67,7 +67,7 @@ private:
     std::unique_ptr<LedgerKeeper> m_ledger;
     std::unique_ptr<LastPositions> m_positions;
     std::unique_ptr<MainWindow> m_window;
-    QTimer m_pictures;
+    PictureClock m_pictures;
 };
 
 } // namespace codewheel

@@ -66,6 +66,14 @@ WordChannel *Buses::channel(Place number) const
     return bus ? bus->channel(number) : nullptr;
 }
 
+bool Buses::hasJob() const
+{
+    return std::ranges::any_of(numbers(), [this](auto number) {
+        const EncoderSession *of = encoder(number);
+        return of != nullptr && of->runningJob();
+    });
+}
+
 // What one of them tells meanwhile may take another away.
 template <typename Call>
 void Buses::callEach(Call call)

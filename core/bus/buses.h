@@ -26,6 +26,7 @@ public:
     bool isConnected(Place number) const { return busOf(number) != nullptr; }
     EncoderSession *encoder(Place number) const; // null: none, or a device without a driver
     WordChannel *channel(Place number) const;    // null: none, or it has no words
+    bool hasJob() const;                         // any of them
 
     // To all that are open.
     void pump();

@@ -4,6 +4,7 @@
 // positions; then the same at rest, with a window that nobody sees. Prints pictures a second and the share of
 // one core of both.
 #include "app/window/main_window.h"
+#include "app/window/picture_clock.h"
 #include "app/window/serial_line.h"
 #include "catalog/catalog.h"
 #include "journal/ledger_keeper.h"
@@ -35,7 +36,6 @@ constexpr QSize windowSize(1600, 1450);
 constexpr MonitorDisplay display{
     .bar = false, .decimal = false, .signedDecimal = false, .gray = false, .binary = false};
 constexpr auto busPeriod = 1ms;
-constexpr auto picturePeriod = 33ms;
 constexpr auto settling = 3s;
 constexpr auto measured = 10s;
 
@@ -118,10 +118,9 @@ int main(int argc, char **argv)
     window.show();
     bus.startThread(busPeriod);
 
-    QTimer picture;
-    picture.setTimerType(Qt::PreciseTimer);
-    QObject::connect(&picture, &QTimer::timeout, &window, &MainWindow::showPicture);
-    picture.start(picturePeriod);
+    PictureClock pictures;
+    pictures.setWindow(window);
+    pictures.start();
 
     measure("at work", bus);
     window.hide();

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+
+namespace codewheel {
+
+class MainWindow;
+
+// Has a window take its pictures: 30 a second while any window of the program can be seen or a job runs, else
+// 5, so that messages are kept. What comes in sight again is of now.
+class PictureClock : public QObject
+{
+public:
+    explicit PictureClock(QObject *parent = nullptr);
+
+    void setWindow(MainWindow &window) { m_window = &window; } // before start()
+    void start() { m_timer.start(); }
+    void stop()
+    {
+        m_timer.stop();
+        m_left = 0;
+    }
+
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void tick();
+    void takePicture();
+
+    MainWindow *m_window = nullptr;
+    QTimer m_timer;
+    int m_left = 0; // pictures left out since the last one
+};
+
+} // namespace codewheel

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/picture_clock.h"
+#include "tests/app/window_test.h"
+
+#include <QLabel>
+#include <QTimer>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+using test::fraba;
+
+constexpr int atMost = 60'000; // ms
+
+class PictureClockTest : public test::WindowTest
+{
+protected:
+    PictureClockTest()
+    {
+        clock.setWindow(window());
+        clock.start();
+    }
+    ~PictureClockTest() override { clock.stop(); }
+
+    // Pictures for each of the times at which there is one usually.
+    double share()
+    {
+        int pictures = 0;
+        int ticks = 0;
+        QTimer usual;
+        usual.setTimerType(Qt::PreciseTimer);
+        QObject::connect(&usual, &QTimer::timeout, &usual, [&] { ++ticks; });
+        QObject::connect(&bus(), &BusSession::updated, &usual, [&] { ++pictures; });
+        usual.start(33ms);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return ticks >= 20; }, atMost));
+        return static_cast<double>(pictures) / ticks;
+    }
+    QString rawPosition()
+    {
+        for (const auto *label : window().findChildren<QLabel *>())
+            if (label->accessibleName() == QLatin1String("Raw position") && label->isVisible())
+                return label->text();
+        return {};
+    }
+
+    PictureClock clock;
+};
+
+TEST_F(PictureClockTest, AWindowThatNobodySeesTakesFewPictures)
+{
+    bus().startThread(1ms);
+    EXPECT_GT(share(), 0.5);
+    window().hide();
+    EXPECT_LT(share(), 0.5);
+    window().show();
+    EXPECT_GT(share(), 0.5);
+}
+
+TEST_F(PictureClockTest, AJobIsNotKeptWaiting)
+{
+    bus().startThread(1ms);
+    window().hide();
+    ASSERT_TRUE(bus().encoder(fraba)->start(ReadParameters{{Parameter::steps}}, Pace::byHand));
+    EXPECT_TRUE(window().hasJob());
+    EXPECT_GT(share(), 0.5);
+    bus().encoder(fraba)->cancel(OnCancel::runWithWhatItHas);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !window().hasJob(); }, atMost));
+}
+
+TEST_F(PictureClockTest, NewPositionsLayNothingOutAnew)
+{
+    struct Layouts : QObject
+    {
+        QStringList asked;
+        bool eventFilter(QObject *watched, QEvent *event) override
+        {
+            if (event->type() == QEvent::LayoutRequest)
+                asked << QString::fromLatin1(watched->metaObject()->className()) + watched->objectName();
+            return false;
+        }
+    } layouts;
+    clock.stop();
+    shown->controls().setSpeed(fraba, 300);
+    advance(500);
+    qApp->installEventFilter(&layouts);
+    advance(500);
+    EXPECT_EQ(layouts.asked.join(u' '), QString());
+}
+
+TEST_F(PictureClockTest, WhatComesInSightIsOfNow)
+{
+    window().hide();
+    QTest::qWait(50); // a picture is left out
+    shown->controls().turnTo(fraba, 1'234);
+    advance(0);
+    window().show();
+    QCoreApplication::processEvents();
+    EXPECT_EQ(rawPosition(), QStringLiteral("1234"));
+}
+
+} // namespace
+} // namespace codewheel
