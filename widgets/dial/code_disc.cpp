@@ -45,10 +45,10 @@ double arcDegrees(double rpm)
     return std::copysign(std::min(share, 1.0) * arcHalf, rpm);
 }
 
-// What can be seen of a speed: half degrees.
+// What can be seen of a speed: whole degrees.
 std::optional<int> arcOf(const std::optional<double> &rpm)
 {
-    return rpm ? std::optional(qRound(2 * arcDegrees(*rpm))) : std::nullopt;
+    return rpm ? std::optional(qRound(arcDegrees(*rpm))) : std::nullopt;
 }
 
 // Nobody sees the edges of what moves that fast from picture to picture.
@@ -139,6 +139,7 @@ void CodeDisc::changeEvent(QEvent *event)
     case QEvent::StyleChange:
     case QEvent::FontChange:
         m_face.clear();
+        m_coarseFace.clear();
         arrange();
         update();
         break;
@@ -221,11 +222,13 @@ void CodeDisc::drawDisc(QPainter &painter)
     if (radius <= 0)
         return;
     painter.save();
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, !isBlur(m_state));
+    const bool isFine = !isBlur(m_state);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, isFine);
     painter.setOpacity(m_state.turnFraction && !m_state.isLastKnown ? 1.0 : 0.35); // no place of now
     painter.rotate(360.0 * placeOf(m_state.turnFraction).value_or(0) / pointerPlaces);
     painter.drawPixmap(QPointF(-radius, -radius),
-                       m_face.picture(qRound(2 * radius), devicePixelRatioF(), palette()));
+                       (isFine ? m_face : m_coarseFace)
+                           .picture(qRound(2 * radius), devicePixelRatioF() * (isFine ? 2 : 1), palette()));
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setOpacity(1);
     if (m_state.turnFraction)

@@ -48,7 +48,8 @@ private:
     int textHeight(int noteLines) const;
 
     DialState m_state;
-    DiscFace m_face;
+    DiscFace m_face; // twice as fine as the screen: turned edges stay smooth
+    DiscFace m_coarseFace;
     QPixmap m_still; // speed arc, scale and hub
     QRect m_dial;    // square: speed arc, scale and disc
     QRect m_number;

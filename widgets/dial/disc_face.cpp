@@ -79,10 +79,9 @@ QPixmap drawnDisc(int diameter, qreal scale, const QPalette &palette)
 
 const QPixmap &DiscFace::picture(int diameter, qreal scale, const QPalette &palette)
 {
-    const qreal fineScale = scale * 2; // turned edges stay smooth
-    if (m_picture.isNull() || m_picture.width() != qFloor(diameter * fineScale) ||
-        !qFuzzyCompare(m_picture.devicePixelRatio(), fineScale))
-        m_picture = drawnDisc(diameter, fineScale, palette);
+    if (m_picture.isNull() || m_picture.width() != qFloor(diameter * scale) ||
+        !qFuzzyCompare(m_picture.devicePixelRatio(), scale))
+        m_picture = drawnDisc(diameter, scale, palette);
     return m_picture;
 }
 

@@ -118,6 +118,8 @@ TEST_F(Dial, TheSameStateAgainPaintsNothing)
     const DialState state{.turnFraction = 0.1, .position = 1, .turn = 2, .rpm = 3.0};
     disc.setState(state);
     QCoreApplication::processEvents();
+    DialState alike = state;
+    alike.rpm = 3.001;
     struct Paints : QObject
     {
         int count = 0;
@@ -129,8 +131,24 @@ TEST_F(Dial, TheSameStateAgainPaintsNothing)
     } paints;
     disc.installEventFilter(&paints);
     disc.setState(state);
+    disc.setState(alike);
     QCoreApplication::processEvents();
     EXPECT_EQ(paints.count, 0);
+}
+
+TEST_F(Dial, WhatWasPaintedBeforeDoesNotShowThrough)
+{
+    const DialState states[] = {{.turnFraction = 0.1, .position = 1, .turn = 2, .rpm = 3.0},
+                                {.turnFraction = 0.1, .position = 1, .turn = 3, .rpm = 3.0},
+                                {.turnFraction = 0.1, .position = 1, .turn = 3, .rpm = 300.0},
+                                {.turnFraction = 0.1, .position = 1, .turn = 3}};
+    for (const DialState &state : states) {
+        disc.setState(state);
+        CodeDisc fresh;
+        fresh.resize(disc.size());
+        fresh.setState(state);
+        EXPECT_EQ(disc.grab().toImage(), fresh.grab().toImage());
+    }
 }
 
 } // namespace
