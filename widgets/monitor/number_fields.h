@@ -28,7 +28,7 @@ public:
     void setDisplay(const MonitorDisplay &display);
     void setOld(bool old); // the word is of before: grey
     void restore();        // hexadecimal says the word again, whatever was typed
-    WordField *hexadecimal() const { return m_hex; }
+    WordField *hexadecimal() const { return m_hex; } // null: not editable
 
 Q_SIGNALS:
     void wordTyped(codewheel::Word word);         // with every key that makes a word
@@ -50,6 +50,7 @@ private:
 
     WordForm m_form;
     WordField *m_hex;
+    NumberField *m_hexRead; // one of the two
     NumberField *m_decimal;
     NumberField *m_signed;
     NumberField *m_gray;

@@ -261,11 +261,20 @@ void WordView::paintEvent(QPaintEvent *event)
     }
 }
 
+// Neighbours together: each rectangle costs as much as its cells.
 void WordView::updateCells(Word bitMask)
 {
-    for (int bit = 0; bit < bits(); ++bit)
-        if ((bitMask & maskOf(bit)) != 0)
-            update(m_layout.cell(bit));
+    QRect together;
+    for (int bit = 0; bit < bits(); ++bit) {
+        if ((bitMask & maskOf(bit)) == 0)
+            continue;
+        const QRect cell = m_layout.cell(bit);
+        const bool isNext = bit > 0 && (bitMask & maskOf(bit - 1)) != 0 && cell.top() == together.top();
+        if (!isNext)
+            update(together);
+        together = isNext ? together.united(cell) : cell;
+    }
+    update(together);
 }
 
 void WordView::setHoveredBit(std::optional<int> bit)
