@@ -31,11 +31,14 @@ QLabel *addLabel(QStatusBar &bar, const QString &name, const QString &toolTip)
     return label;
 }
 
-// Repainting a text that is the same costs a picture of its own.
+// Repainting a text that is the same costs a picture of its own, and one that is as long as before must not
+// lay out the window anew.
 void setTextOf(QLabel *label, const QString &text)
 {
-    if (label->text() != text)
-        label->setText(text);
+    if (label->text() == text)
+        return;
+    label->setFixedSize(label->fontMetrics().size(Qt::TextSingleLine, text));
+    label->setText(text);
 }
 
 int crcErrorsOf(const MasterStatus &master)
