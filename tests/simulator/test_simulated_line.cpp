@@ -269,6 +269,18 @@ TEST(SimulatedLineInRealTime, KeepsTheTimeOfItsClock)
     EXPECT_EQ(all, "\r\n00001235\r\n");
 }
 
+TEST(SimulatedLineInRealTime, WaitsForAWholeAnswerAndNotForEachCharacter)
+{
+    const auto now = [] {
+        return std::chrono::duration_cast<Instant>(std::chrono::steady_clock::now().time_since_epoch());
+    };
+    SimulatedLineLink link(std::make_shared<SimulatedLine>(), now);
+    ASSERT_TRUE(link.open(usual));
+    ASSERT_TRUE(link.write("\x1B"
+                           "05P\r\n"));
+    EXPECT_EQ(link.read(1h).value(), "\r\n00001235\r\n");
+}
+
 TEST(SimulatedLineInRealTime, InterruptAndUnpluggingEndTheReadUnderWay)
 {
     const auto line = std::make_shared<SimulatedLine>();

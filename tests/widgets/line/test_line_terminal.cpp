@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "line/typed_request.h"
 #include "tests/support/old_file.h"
 #include "tests/widgets/line/line_bench.h"
 #include "widgets/line/line_row_table.h"
@@ -77,6 +78,40 @@ TEST_F(LineTerminalTest, ATypedRequestAndItsAnswerAreSeenAmongThePolls)
     EXPECT_EQ(cell(1, LineRowModel::meaning).remove(u','), QStringLiteral("1235h = 4661"));
     EXPECT_EQ(field.text(), QString());
     EXPECT_EQ(terminal.history(), QStringList{QStringLiteral("05P")});
+}
+
+TEST_F(LineTerminalTest, WhatPassedWhileNobodyLookedIsThereWhenSomebodyDoes)
+{
+    bench.open();
+    terminal.hide();
+    field.setText(QStringLiteral("05P"));
+    button("Send")->click();
+    bench.pass(300);
+    EXPECT_EQ(table.model()->rowCount(), 0) << "nobody sees them";
+    terminal.show();
+    EXPECT_TRUE(QTest::qWaitFor([this] { return table.model()->rowCount() == 2; }));
+}
+
+TEST_F(LineTerminalTest, RowsThatComeLayNothingOutAnew)
+{
+    bench.open();
+    type("05P"); // the page of rows comes
+    QCoreApplication::processEvents();
+    struct Layouts : QObject
+    {
+        int count = 0;
+        bool eventFilter(QObject *, QEvent *event) override
+        {
+            count += event->type() == QEvent::LayoutRequest ? 1 : 0;
+            return false;
+        }
+    } layouts;
+    terminal.installEventFilter(&layouts);
+    bench.line->send(*typedRequest(QStringLiteral("05N"), 0));
+    bench.pass(300);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(table.model()->rowCount(), 4);
+    EXPECT_EQ(layouts.count, 0);
 }
 
 TEST_F(LineTerminalTest, ABadRequestIsRefusedOnTheSpot)

@@ -5,16 +5,20 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
 #include "widgets/structure/structure_model.h"
+#include "widgets/structure/structure_tree.h"
 #include "widgets/structure/structure_view.h"
 
 #include <QAbstractItemModel>
 #include <QModelIndex>
 #include <QSignalSpy>
+#include <QStandardItemModel>
+#include <QStyledItemDelegate>
 #include <QTest>
 #include <QTreeView>
 #include <QWidget>
 
 #include <gtest/gtest.h>
+#include <set>
 
 namespace codewheel {
 namespace {
@@ -238,6 +242,34 @@ TEST_F(StructureTest, TheNumbersAreSeenInANarrowPanelHoweverLongTheStates)
         [&] { return tree.columnWidth(StructureModel::stateColumn) > tree.viewport()->width(); }));
     const int number = tree.fontMetrics().horizontalAdvance(QStringLiteral("6.1"));
     EXPECT_GT(tree.visualRect(shown.indexOf(test::onLoop)).width(), tree.iconSize().width() + number);
+}
+
+TEST(TheTreeOfTheStructure, PaintsNoMoreThanTheColumnThatChanged)
+{
+    struct Painted : QStyledItemDelegate
+    {
+        mutable std::set<std::pair<int, int>> cells;
+        void paint(QPainter *, const QStyleOptionViewItem &, const QModelIndex &index) const override
+        {
+            cells.emplace(index.row(), index.column());
+        }
+    } painted;
+    QStandardItemModel rows(3, 2);
+    StructureTree tree;
+    tree.setModel(&rows);
+    tree.setItemDelegate(&painted);
+    tree.setUniformRowHeights(true);
+    tree.show();
+    tree.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&tree));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return painted.cells.size() == 6; }));
+    painted.cells.clear();
+    rows.setData(rows.index(0, 1), 1);
+    rows.setData(rows.index(2, 1), 1);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return painted.cells.contains({2, 1}); }));
+    for (const auto &[row, column] : painted.cells)
+        EXPECT_EQ(column, 1) << "row " << row;
+    tree.setModel(nullptr);
 }
 
 } // namespace
