@@ -28,7 +28,8 @@ public:
     void setDisplay(const MonitorDisplay &display);
     void setOld(bool old); // the word is of before: grey
     void restore();        // hexadecimal says the word again, whatever was typed
-    WordField *hexadecimal() const { return m_hex; } // null: not editable
+    // Null where it is not editable.
+    WordField *hexadecimal() const { return m_hex; }
 
 Q_SIGNALS:
     void wordTyped(codewheel::Word word);         // with every key that makes a word
