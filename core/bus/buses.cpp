@@ -68,7 +68,7 @@ WordChannel *Buses::channel(Place number) const
 
 bool Buses::hasJob() const
 {
-    return std::ranges::any_of(numbers(), [this](auto number) {
+    return std::ranges::any_of(places(), [this](auto number) {
         const EncoderSession *of = encoder(number);
         return of != nullptr && of->runningJob();
     });

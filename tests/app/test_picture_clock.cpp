@@ -81,7 +81,7 @@ TEST_F(PictureClockTest, NewPositionsLayNothingOutAnew)
         }
     } layouts;
     clock.stop();
-    shown->controls().setSpeed(fraba, 300);
+    shown->controls().setSpeed(fraba.node, 300);
     advance(500);
     qApp->installEventFilter(&layouts);
     advance(500);
@@ -92,7 +92,7 @@ TEST_F(PictureClockTest, WhatComesInSightIsOfNow)
 {
     window().hide();
     QTest::qWait(50); // a picture is left out
-    shown->controls().turnTo(fraba, 1'234);
+    shown->controls().turnTo(fraba.node, 1'234);
     advance(0);
     window().show();
     QCoreApplication::processEvents();

@@ -52,7 +52,7 @@ ReportInput withStations(int count, const QString &station)
     input.project.devices.clear();
     for (int segment = 1; segment <= count; ++segment) {
         input.project.devices.push_back(first);
-        input.project.devices.back().participant.number = {segment, 0};
+        input.project.devices.back().participant.number = DeviceNumber{segment, 0}.node();
         input.project.devices.back().station = station + QString::number(segment);
     }
     return input;
