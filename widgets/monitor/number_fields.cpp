@@ -23,8 +23,7 @@ const QString widestHex = widestNumber; // with room for the mark of bad input
 NumberFields::NumberFields(const QString &place, const WordForm &form, bool editable, QWidget *parent)
     : QWidget(parent)
     , m_form(form)
-    , m_hex(editable ? new WordField(widestHex, this) : nullptr)
-    , m_hexRead(editable ? nullptr : new NumberField(widestHex, this))
+    , m_hex(new WordField(widestHex, this))
     , m_decimal(new NumberField(widestNumber, this))
     , m_signed(new NumberField(widestNumber, this))
     , m_gray(new NumberField(widestNumber, this))
@@ -46,8 +45,7 @@ NumberFields::NumberFields(const QString &place, const WordForm &form, bool edit
         numbers->addLayout(column);
         return column;
     };
-    QWidget *hex = editable ? static_cast<QWidget *>(m_hex) : m_hexRead;
-    addField(hex, tr("Hexadecimal"), tr("%1 hexadecimal", "OUT 1.0 hexadecimal").arg(place), above());
+    addField(m_hex, tr("Hexadecimal"), tr("%1 hexadecimal", "OUT 1.0 hexadecimal").arg(place), above());
     addField(m_decimal, tr("Decimal"), tr("%1 decimal", "OUT 1.0 decimal").arg(place), above());
     addField(m_signed, tr("Signed"), tr("%1 signed", "OUT 1.0 signed").arg(place), above());
     addField(m_gray, tr("Gray"), tr("%1 Gray", "OUT 1.0 Gray").arg(place), above());
@@ -55,16 +53,15 @@ NumberFields::NumberFields(const QString &place, const WordForm &form, bool edit
     numbers->addStretch(1);
     last->addStretch(1);
 
-    hex->setToolTip(editable ? tr("Type the word: 020000FF, 0x020000FF, 20000FFh; spaces are allowed")
-                             : tr("The whole word, as the manuals write it"));
-    if (editable) {
-        connect(m_hex, &WordField::typed, this, &NumberFields::hexTyped);
-        connect(m_hex, &QLineEdit::returnPressed, this, [this] {
-            if (!m_hex->hasProblem())
-                Q_EMIT entered();
-        });
-        connect(m_hex, &QLineEdit::editingFinished, this, &NumberFields::hexLeft);
-    }
+    m_hex->setReadOnly(!editable);
+    m_hex->setToolTip(editable ? tr("Type the word: 020000FF, 0x020000FF, 20000FFh; spaces are allowed")
+                               : tr("The whole word, as the manuals write it"));
+    connect(m_hex, &WordField::typed, this, &NumberFields::hexTyped);
+    connect(m_hex, &QLineEdit::returnPressed, this, [this] {
+        if (!m_hex->hasProblem() && !m_hex->isReadOnly())
+            Q_EMIT entered();
+    });
+    connect(m_hex, &QLineEdit::editingFinished, this, &NumberFields::hexLeft);
     setDisplay(m_display);
     showNumbers();
 }
@@ -116,9 +113,8 @@ void NumberFields::show(QWidget *field, bool shown)
 void NumberFields::setWord(Word word)
 {
     const bool isOther = std::exchange(m_word, word) != word;
-    const bool isTyped =
-        m_hex && m_hex->hasFocus() && (m_hex->hasProblem() || parseHexWord(m_hex->text()) == word);
-    if (m_hex && !isTyped && (isOther || !m_hex->hasProblem()))
+    const bool isTyped = m_hex->hasFocus() && (m_hex->hasProblem() || parseHexWord(m_hex->text()) == word);
+    if (!isTyped && (isOther || !m_hex->hasProblem()))
         restore();
     if (isOther)
         showNumbers();
@@ -151,8 +147,6 @@ int NumberFields::numberBits() const
 
 void NumberFields::showNumbers()
 {
-    if (m_hexRead)
-        m_hexRead->showText(hexWord(m_word));
     if (m_display.decimal)
         m_decimal->showText(decimalText(m_word, numberBits()));
     if (m_display.signedDecimal)

@@ -28,7 +28,6 @@ public:
     void setDisplay(const MonitorDisplay &display);
     void setOld(bool old); // the word is of before: grey
     void restore();        // hexadecimal says the word again, whatever was typed
-    // Null where it is not editable.
     WordField *hexadecimal() const { return m_hex; }
 
 Q_SIGNALS:
@@ -51,7 +50,6 @@ private:
 
     WordForm m_form;
     WordField *m_hex;
-    NumberField *m_hexRead; // one of the two
     NumberField *m_decimal;
     NumberField *m_signed;
     NumberField *m_gray;

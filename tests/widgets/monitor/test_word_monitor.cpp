@@ -67,7 +67,7 @@ protected:
     }
     QString hexadecimal(const WordMonitor &monitor)
     {
-        return find<NumberField>(monitor, "IN 1.0 hexadecimal").text();
+        return find<WordField>(monitor, "IN 1.0 hexadecimal").text();
     }
     WordField &hex() { return find<WordField>(out, "OUT 1.0 hexadecimal"); }
     QAbstractButton &write() { return find<QAbstractButton>(out, "Write OUT 1.0"); }
