@@ -98,36 +98,37 @@ void EscJob::answered(const esc::ExchangeResult &result, Instant now)
     settle();
 }
 
+EscJob::Heard EscJob::hear(const esc::ExchangeResult &result)
+{
+    if (!result.answer)
+        return Heard::nothing;
+    switch (m_reads.add(*result.answer)) {
+    case EscAgreement::State::wantsMore:
+        return Heard::tooLittle;
+    case EscAgreement::State::agreed:
+        return hasValue(result.answer) ? Heard::value : Heard::error;
+    case EscAgreement::State::disagreed:
+        break;
+    }
+    return Heard::contradiction;
+}
+
 // What the encoder does not know is left out, and the rest is read. A job that goes on to write only wants to
 // compare: what cannot be compared is written.
 void EscJob::readAnswered(const esc::ExchangeResult &result, Instant now)
 {
     const bool isForItself = job<ReadParameters>() != nullptr;
-    if (!result.answer) {
-        fail(refusalOf(result));
+    const Heard heard = hear(result);
+    if (heard == Heard::tooLittle)
         return;
-    }
-    switch (m_reads.add(*result.answer)) {
-    case EscAgreement::State::wantsMore:
-        break;
-    case EscAgreement::State::agreed:
-        if (hasValue(result.answer)) {
-            readAgreed(now);
-            break;
-        }
+    if (heard == Heard::value) {
+        readAgreed(now);
+    } else if (heard == Heard::nothing || (heard == Heard::contradiction && !isForItself)) {
+        fail(whyNotRead(heard, result));
+    } else {
         if (isForItself && !m_failure)
-            m_failure = refusalOf(result);
+            m_failure = whyNotRead(heard, result);
         m_steps.goOn();
-        break;
-    case EscAgreement::State::disagreed:
-        if (!isForItself) {
-            fail(disagreed());
-            break;
-        }
-        if (!m_failure)
-            m_failure = disagreed();
-        m_steps.goOn();
-        break;
     }
 }
 
@@ -142,16 +143,14 @@ void EscJob::readAgreed(Instant now)
 
 void EscJob::refreshAnswered(const esc::ExchangeResult &result, Instant now)
 {
-    if (result.answer) {
-        const auto state = m_reads.add(*result.answer);
-        if (state == EscAgreement::State::wantsMore)
-            return;
-        if (state == EscAgreement::State::agreed && hasValue(result.answer)) {
-            m_encoder.take(m_steps.current().request.command, m_reads.last(), now);
-            noteWhatWasSetAlong();
-            if (m_steps.current().parameter == Parameter::preset)
-                (m_proof.sentAt ? m_proof.valueAfter : m_proof.valueBefore) = m_reads.last().value;
-        }
+    const Heard heard = hear(result);
+    if (heard == Heard::tooLittle)
+        return;
+    if (heard == Heard::value) {
+        m_encoder.take(m_steps.current().request.command, m_reads.last(), now);
+        noteWhatWasSetAlong();
+        if (m_steps.current().parameter == Parameter::preset)
+            (m_proof.sentAt ? m_proof.valueAfter : m_proof.valueBefore) = m_reads.last().value;
     }
     m_steps.goOn();
 }
@@ -228,8 +227,10 @@ Refusal EscJob::refusalOf(const esc::ExchangeResult &result) const
     return {RefusalKind::device, RefusalId::escNoAnswer, {line, std::int64_t{result.sent}}};
 }
 
-Refusal EscJob::disagreed() const
+Refusal EscJob::whyNotRead(Heard heard, const esc::ExchangeResult &result) const
 {
+    if (heard != Heard::contradiction)
+        return refusalOf(result);
     const auto shown = [](const esc::Answer &answer) {
         return hasValue(answer) ? RefusalArgument(std::int64_t{answer.value})
                                 : RefusalArgument(QString::fromLatin1(answer.text)); // 03, 05

@@ -31,6 +31,8 @@ public:
 
 private:
     using Said = EscPresetProof::Said;
+    // What the reads of a step have told by now.
+    enum class Heard : std::uint8_t { nothing, tooLittle, value, error, contradiction };
 
     // esc_job.cpp
     void settle();
@@ -39,6 +41,7 @@ private:
     void checkPreset();
     bool mayBegin();
     void begin(Instant now);
+    Heard hear(const esc::ExchangeResult &result);
     void readAnswered(const esc::ExchangeResult &result, Instant now);
     void readAgreed(Instant now);
     void refreshAnswered(const esc::ExchangeResult &result, Instant now);
@@ -78,7 +81,7 @@ private:
     bool hasTaken() const override;
 
     Refusal refusalOf(const esc::ExchangeResult &result) const;
-    Refusal disagreed() const;
+    Refusal whyNotRead(Heard heard, const esc::ExchangeResult &result) const;
 
     EscEncoder &m_encoder;
     bool m_isUnderWay = false; // a request of the step is on the line

@@ -6,16 +6,9 @@ namespace codewheel {
 
 void EscJob::positionAnswered(const esc::ExchangeResult &result, Instant now)
 {
-    if (!result.answer) {
-        positionNotRead(refusalOf(result));
-        return;
-    }
     if (!hasValue(result.answer)) {
-        const auto errors = m_reads.add(*result.answer);
-        if (errors == EscAgreement::State::agreed)
-            positionNotRead(refusalOf(result));
-        else if (errors == EscAgreement::State::disagreed)
-            positionNotRead(disagreed());
+        if (const Heard heard = hear(result); heard != Heard::tooLittle)
+            positionNotRead(whyNotRead(heard, result));
         return;
     }
     m_encoder.takePosition(result.answer->value, now);

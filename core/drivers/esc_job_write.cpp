@@ -49,23 +49,11 @@ void EscJob::notAnswered()
 
 void EscJob::readBackAnswered(const esc::ExchangeResult &result, Instant now)
 {
-    if (!result.answer) {
-        notRead(refusalOf(result));
-        return;
-    }
-    switch (m_reads.add(*result.answer)) {
-    case EscAgreement::State::wantsMore:
-        break;
-    case EscAgreement::State::agreed:
-        if (hasValue(result.answer))
-            readBackAgreed(now);
-        else
-            notRead(refusalOf(result));
-        break;
-    case EscAgreement::State::disagreed:
-        notRead(disagreed());
-        break;
-    }
+    const Heard heard = hear(result);
+    if (heard == Heard::value)
+        readBackAgreed(now);
+    else if (heard != Heard::tooLittle)
+        notRead(whyNotRead(heard, result));
 }
 
 void EscJob::readBackAgreed(Instant now)

@@ -8,7 +8,7 @@
 namespace codewheel {
 
 // What a job means in words, step by step. Pure: a plan is made from the job, the description and what is
-// known; what is read on the way refines it (k3_driver.cpp).
+// known; what is read on the way refines it (k3_refine.h).
 class K3Plan
 {
 public:

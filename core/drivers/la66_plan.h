@@ -7,7 +7,7 @@
 namespace codewheel {
 
 // What a job means in words, step by step: the services of LA-66 manual 3. Pure; what is read on the way
-// refines it (la66_driver.cpp).
+// refines it (la66_run.cpp).
 class La66Plan
 {
 public:
