@@ -45,7 +45,7 @@ bool MeaningLine::event(QEvent *event)
 void MeaningLine::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
-    painter.drawText(rect(), m_side | Qt::AlignVCenter,
+    painter.drawText(rect(), static_cast<int>(m_side | Qt::AlignVCenter),
                      fontMetrics().elidedText(m_text, Qt::ElideRight, width()));
 }
 

