@@ -104,9 +104,12 @@ std::unique_ptr<QTextDocument> reportDocument(const Report &report, QPaintDevice
     document->setDefaultTextOption(option);
     document->setDefaultStyleSheet(styleInPixels());
     document->setHtml(reportBody(report, pictureElement));
+    QTextCursor all(document.get());
+    all.beginEditBlock();
     for (QTextFrame *frame : document->rootFrame()->childFrames())
         if (auto *table = qobject_cast<QTextTable *>(frame))
             setWidths(*table, device);
+    all.endEditBlock();
     document->setTextWidth(sheet::body.width()); // lays all of it out anew
     return document;
 }

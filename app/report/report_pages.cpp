@@ -51,7 +51,8 @@ ReportPages::ReportPages(const Report &report)
 void ReportPages::paint(QPainter &painter, int page) const
 {
     const PageCut &cut = m_cuts.at(static_cast<std::size_t>(page));
-    paintPart(painter, cut.header, sheet::body.top());
+    if (!cut.header.isEmpty())
+        paintPart(painter, cut.header, sheet::body.top());
     paintPart(painter, {0, cut.top, sheet::body.width(), cut.bottom - cut.top},
               sheet::body.top() + cut.header.height());
     paintHeadAndFoot(painter, page);
