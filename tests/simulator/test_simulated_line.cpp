@@ -70,6 +70,20 @@ TEST_F(SimulatedLineTest, KeepsTheTimeOfTheLine)
     EXPECT_EQ(m_arrivals.front(), 100ms + 3438us + 5ms + 573us);
 }
 
+// Who waits in real time is woken by these two, and not by each character.
+TEST_F(SimulatedLineTest, TellsWhenTheRequestAndWhenTheWholeAnswerHasPassed)
+{
+    SimulatedLine line;
+    line.begin(usual);
+    EXPECT_FALSE(line.runEnd());
+    line.send("\x1B"
+              "05P\r\n",
+              0us);
+    EXPECT_EQ(line.runEnd(), 3438us);
+    EXPECT_EQ(line.advance(3438us).bytes, "");
+    EXPECT_EQ(line.runEnd(), 3438us + 200us + 6875us);
+}
+
 TEST_F(SimulatedLineTest, ShaftsTurnWithTheTimeOfTheLine)
 {
     EXPECT_TRUE(m_line->withEncoder({5}, [](SimulatedEscEncoder &encoder) { encoder.shaft().setSpeed(60); }));
@@ -267,18 +281,6 @@ TEST(SimulatedLineInRealTime, KeepsTheTimeOfItsClock)
     while (link.now() < 20ms)
         all += link.read(20ms).value();
     EXPECT_EQ(all, "\r\n00001235\r\n");
-}
-
-TEST(SimulatedLineInRealTime, WaitsForAWholeAnswerAndNotForEachCharacter)
-{
-    const auto now = [] {
-        return std::chrono::duration_cast<Instant>(std::chrono::steady_clock::now().time_since_epoch());
-    };
-    SimulatedLineLink link(std::make_shared<SimulatedLine>(), now);
-    ASSERT_TRUE(link.open(usual));
-    ASSERT_TRUE(link.write("\x1B"
-                           "05P\r\n"));
-    EXPECT_EQ(link.read(1h).value(), "\r\n00001235\r\n");
 }
 
 TEST(SimulatedLineInRealTime, InterruptAndUnpluggingEndTheReadUnderWay)
