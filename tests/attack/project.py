@@ -2,6 +2,7 @@
 """One project: several processes replace encoders in it at once, and are killed at random instants."""
 
 import json
+import re
 import shutil
 import threading
 import time
@@ -30,11 +31,18 @@ def copy_of_example(bench, folder):
     return project
 
 
-def look_for_leftovers(project, findings):
+def is_new_file_of_killed(one, project):
+    """What a program leaves that is killed as it puts the new file in place (docs/project-files.md, Saving)."""
+    return re.fullmatch(re.escape(project.name) + r"\.[A-Za-z]{6}", one.name) is not None
+
+
+def look_for_leftovers(project, findings, was_killed=False):
     """Nothing stays beside the project but the file before, and a lock that holds nothing."""
     for one in project.parent.iterdir():
         isOurs = one.name in (project.name, project.name + "~")
-        if not isOurs and one.stat().st_size > 0:
+        if was_killed and is_new_file_of_killed(one, project):
+            findings.tries("new files left by a kill")
+        elif not isOurs and one.stat().st_size > 0:
             findings.loses(f"left over: {one.name}, {one.stat().st_size} bytes")
         elif not isOurs and one.name.endswith("~"):
             findings.loses(f"left over: {one.name}")
@@ -101,4 +109,4 @@ def killed(bench, random, until, findings):
     end = bench.run(*replace(bench, project, place, serial + 1))
     if end.code != 0:
         findings.loses(f"after the kills: {end}")
-    look_for_leftovers(project, findings)
+    look_for_leftovers(project, findings, was_killed=True)
