@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/picture_clock.h"
 #include "tests/app/window_test.h"
+#include "tests/support/events_seen.h"
 
 #include <QLabel>
 #include <QTimer>
@@ -70,22 +71,12 @@ TEST_F(PictureClockTest, AJobIsNotKeptWaiting)
 
 TEST_F(PictureClockTest, NewPositionsLayNothingOutAnew)
 {
-    struct Layouts : QObject
-    {
-        QStringList asked;
-        bool eventFilter(QObject *watched, QEvent *event) override
-        {
-            if (event->type() == QEvent::LayoutRequest)
-                asked << QString::fromLatin1(watched->metaObject()->className()) + watched->objectName();
-            return false;
-        }
-    } layouts;
     clock.stop();
     shown->controls().setSpeed(fraba.node, 300);
     advance(500);
-    qApp->installEventFilter(&layouts);
+    const test::EventsSeen layouts(QEvent::LayoutRequest);
     advance(500);
-    EXPECT_EQ(layouts.asked.join(u' '), QString());
+    EXPECT_EQ(layouts.text(), QString());
 }
 
 TEST_F(PictureClockTest, WhatComesInSightIsOfNow)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/events_seen.h"
 #include "widgets/dial/code_disc.h"
 
 #include <QAccessible>
@@ -120,20 +121,11 @@ TEST_F(Dial, TheSameStateAgainPaintsNothing)
     QCoreApplication::processEvents();
     DialState alike = state;
     alike.rpm = 3.001;
-    struct Paints : QObject
-    {
-        int count = 0;
-        bool eventFilter(QObject *, QEvent *event) override
-        {
-            count += event->type() == QEvent::Paint ? 1 : 0;
-            return false;
-        }
-    } paints;
-    disc.installEventFilter(&paints);
+    const test::EventsSeen paints(QEvent::Paint, disc);
     disc.setState(state);
     disc.setState(alike);
     QCoreApplication::processEvents();
-    EXPECT_EQ(paints.count, 0);
+    EXPECT_EQ(paints.count(), 0);
 }
 
 TEST_F(Dial, WhatWasPaintedBeforeDoesNotShowThrough)

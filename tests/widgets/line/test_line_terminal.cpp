@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line/typed_request.h"
+#include "tests/support/events_seen.h"
 #include "tests/support/old_file.h"
 #include "tests/widgets/line/line_bench.h"
 #include "widgets/line/line_row_table.h"
@@ -95,23 +96,15 @@ TEST_F(LineTerminalTest, WhatPassedWhileNobodyLookedIsThereWhenSomebodyDoes)
 TEST_F(LineTerminalTest, RowsThatComeLayNothingOutAnew)
 {
     bench.open();
-    type("05P"); // the page of rows comes
-    QCoreApplication::processEvents();
-    struct Layouts : QObject
-    {
-        int count = 0;
-        bool eventFilter(QObject *, QEvent *event) override
-        {
-            count += event->type() == QEvent::LayoutRequest ? 1 : 0;
-            return false;
-        }
-    } layouts;
-    terminal.installEventFilter(&layouts);
+    bench.line->send(*typedRequest(QStringLiteral("05P"), 0)); // the page of rows comes
+    bench.pass(300);
+    QTest::qWait(50);
+    const test::EventsSeen layouts(QEvent::LayoutRequest);
     bench.line->send(*typedRequest(QStringLiteral("05N"), 0));
     bench.pass(300);
     QCoreApplication::processEvents();
     EXPECT_EQ(table.model()->rowCount(), 4);
-    EXPECT_EQ(layouts.count, 0);
+    EXPECT_EQ(layouts.text(), QString());
 }
 
 TEST_F(LineTerminalTest, ABadRequestIsRefusedOnTheSpot)

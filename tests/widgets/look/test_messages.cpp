@@ -109,30 +109,6 @@ TEST_F(InlineMessages, OffersWhatHelps)
     EXPECT_EQ(buttonNamed(message, QStringLiteral("Operate")), nullptr);
 }
 
-TEST(InlineMessage, WithdrawingNothingLaysNothingOutAnew)
-{
-    struct Layouts : QObject
-    {
-        int count = 0;
-        bool eventFilter(QObject *, QEvent *event) override
-        {
-            count += event->type() == QEvent::LayoutRequest ? 1 : 0;
-            return false;
-        }
-    } layouts;
-    QWidget window;
-    auto *message = new InlineMessage(&window);
-    auto *column = new QVBoxLayout(&window);
-    column->addWidget(message);
-    window.show();
-    QCoreApplication::processEvents();
-    window.installEventFilter(&layouts);
-    message->installEventFilter(&layouts);
-    message->withdraw();
-    QCoreApplication::processEvents();
-    EXPECT_EQ(layouts.count, 0);
-}
-
 TEST(EmptyState, SaysWhatBelongsHereAndOffersIt)
 {
     EmptyState state(Icon::monitor, QStringLiteral("No monitor is open"), QStringLiteral("Choose a device."));
