@@ -24,7 +24,7 @@ std::optional<Instant> ServedLine::serve(Instant now)
     for (auto arrived = m_line.advance(now); !arrived.bytes.isEmpty(); arrived = m_line.advance(now))
         m_port.write(arrived.bytes);
     takeWritten(now);
-    return m_line.runEnd();
+    return m_line.nextEnd();
 }
 
 void ServedLine::takeWritten(Instant now)

@@ -68,6 +68,12 @@ std::size_t SimulatedLine::waiting() const
     return m_wire.waiting();
 }
 
+std::optional<Instant> SimulatedLine::nextEnd() const
+{
+    const std::scoped_lock lock(m_mutex);
+    return m_wire.nextEnd();
+}
+
 std::optional<Instant> SimulatedLine::runEnd() const
 {
     const std::scoped_lock lock(m_mutex);

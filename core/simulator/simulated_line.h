@@ -41,7 +41,9 @@ public:
     Arrival advance(Instant until);
     // Characters that are on the wire or wait for it, of all senders.
     std::size_t waiting() const;
-    // When what is on the wire will have passed, up to the next gap; nothing: the line is quiet.
+    // When there will be something to do; nothing: the line is quiet.
+    std::optional<Instant> nextEnd() const;
+    // When what is on the wire will have passed, up to the next gap.
     std::optional<Instant> runEnd() const;
 
     // Waits, really, for so long; false: wake() ended it, or was called before, or the adapter is unplugged.
