@@ -80,6 +80,7 @@ TEST_F(SimulatedLineTest, TellsWhenTheRequestAndWhenTheWholeAnswerHasPassed)
               "05P\r\n",
               0us);
     EXPECT_EQ(line.runEnd(), 3438us);
+    EXPECT_EQ(line.nextEnd(), 573us) << "of a character: for who passes it on";
     EXPECT_EQ(line.advance(3438us).bytes, "");
     EXPECT_EQ(line.runEnd(), 3438us + 200us + 6875us);
 }
