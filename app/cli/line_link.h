@@ -11,7 +11,7 @@
 namespace codewheel {
 
 // Before the port in --link, and before the address of an encoder on a line.
-inline constexpr QLatin1String linePrefix("esc:");
+inline constexpr QLatin1String linePrefix(LineAddress::prefix.data(), qsizetype{LineAddress::prefix.size()});
 
 // The serial line that --link names.
 struct LineLink

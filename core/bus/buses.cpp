@@ -44,32 +44,37 @@ std::vector<Place> Buses::places() const
     return all;
 }
 
-EncoderBus *Buses::busOf(Place number) const
+EncoderBus *Buses::busOf(Place place) const
 {
     for (EncoderBus *bus : open()) {
         const std::vector<Place> its = bus->places();
-        if (std::ranges::find(its, number) != its.end())
+        if (std::ranges::find(its, place) != its.end())
             return bus;
     }
     return nullptr;
 }
 
-EncoderSession *Buses::encoder(Place number) const
+// Each bus answers for its own places alone.
+EncoderSession *Buses::encoder(Place place) const
 {
-    const EncoderBus *bus = busOf(number);
-    return bus ? bus->encoder(number) : nullptr;
+    for (const EncoderBus *bus : open())
+        if (EncoderSession *its = bus->encoder(place))
+            return its;
+    return nullptr;
 }
 
-WordChannel *Buses::channel(Place number) const
+WordChannel *Buses::channel(Place place) const
 {
-    const EncoderBus *bus = busOf(number);
-    return bus ? bus->channel(number) : nullptr;
+    for (const EncoderBus *bus : open())
+        if (WordChannel *its = bus->channel(place))
+            return its;
+    return nullptr;
 }
 
 bool Buses::hasJob() const
 {
-    return std::ranges::any_of(places(), [this](auto number) {
-        const EncoderSession *of = encoder(number);
+    return std::ranges::any_of(places(), [this](Place place) {
+        const EncoderSession *of = encoder(place);
         return of != nullptr && of->runningJob();
     });
 }

@@ -22,11 +22,11 @@ public:
     std::vector<EncoderBus *> open() const;
 
     std::vector<Place> places() const;
-    EncoderBus *busOf(Place number) const; // null: no open bus has it
-    bool isConnected(Place number) const { return busOf(number) != nullptr; }
-    EncoderSession *encoder(Place number) const; // null: none, or a device without a driver
-    WordChannel *channel(Place number) const;    // null: none, or it has no words
-    bool hasJob() const;                         // any of them
+    EncoderBus *busOf(Place place) const; // null: no open bus has it
+    bool isConnected(Place place) const { return busOf(place) != nullptr; }
+    EncoderSession *encoder(Place place) const; // null: none, or a device without a driver
+    WordChannel *channel(Place place) const;    // null: none, or it has no words
+    bool hasJob() const;                        // any of them
 
     // To all that are open.
     void pump();

@@ -4,12 +4,6 @@
 #include "encoder/hex.h"
 
 namespace codewheel {
-namespace {
-
-const QString prefix = QStringLiteral("esc:");
-
-} // namespace
-
 QString LineAddress::onWire() const
 {
     return QStringLiteral("%1").arg(value, 2, 16, QLatin1Char('0')).toUpper();
@@ -36,6 +30,7 @@ LineAddress LineAddress::of(NodeId node)
 
 std::optional<LineAddress> addressTyped(QStringView text)
 {
+    constexpr QLatin1String prefix(LineAddress::prefix.data(), qsizetype{LineAddress::prefix.size()});
     if (text.startsWith(prefix))
         text = text.sliced(prefix.size());
     return text.size() == 2 ? LineAddress::fromWire(text) : std::nullopt;
@@ -43,7 +38,7 @@ std::optional<LineAddress> addressTyped(QStringView text)
 
 bool Place::isOnLine() const
 {
-    return node.text().starts_with("esc:");
+    return node.text().starts_with(LineAddress::prefix);
 }
 
 } // namespace codewheel

@@ -5,9 +5,12 @@
 
 #include <QString>
 
+#include <algorithm>
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 namespace codewheel {
 
@@ -26,6 +29,8 @@ struct LineAddress
     bool isMaster() const { return value == 0; }
     bool isDevice() const { return value >= 1 && value <= last; }
 
+    static constexpr std::string_view prefix = "esc:"; // of a place, and of a link
+
     // The two digits on the wire: "12".
     QString onWire() const;
     // Both readings, as the window shows it: "12h (18)".
@@ -38,8 +43,10 @@ struct LineAddress
     constexpr NodeId node() const
     {
         constexpr std::string_view digits = "0123456789ABCDEF";
-        const std::array text{
-            'e', 's', 'c', ':', digits.at(value / digits.size()), digits.at(value % digits.size())};
+        std::array<char, prefix.size() + 2> text{};
+        std::ranges::copy(prefix, text.begin());
+        text.at(prefix.size()) = digits.at(value / digits.size());
+        text.back() = digits.at(value % digits.size());
         return NodeId({text.data(), text.size()});
     }
     static LineAddress of(NodeId node); // 0, too, where it is no place on a serial line

@@ -4,8 +4,6 @@
 #include "encoder/device_number.h"
 #include "encoder/line_address.h"
 
-#include <algorithm>
-
 namespace codewheel {
 namespace {
 
@@ -19,14 +17,6 @@ std::string_view takePart(std::string_view &text)
 }
 
 } // namespace
-
-std::optional<NodeId> NodeId::fromText(QStringView text)
-{
-    const auto isPrintable = [](QChar c) { return c > u' ' && c <= u'~'; };
-    if (text.isEmpty() || text.size() > qsizetype{mostCharacters} || !std::ranges::all_of(text, isPrintable))
-        return std::nullopt;
-    return NodeId(text.toLatin1().toStdString());
-}
 
 QString NodeId::toString() const
 {

@@ -37,9 +37,6 @@ public:
         for (std::size_t i = 0; i < text.size() && i < mostCharacters; ++i)
             m_text.at(i) = text[i];
     }
-    // As written; nothing for what is empty, too long, or has other characters. Whether there can be such a
-    // place is for its bus to say.
-    static std::optional<NodeId> fromText(QStringView text);
 
     constexpr bool isEmpty() const { return m_text.front() == '\0'; }
     constexpr std::string_view text() const { return {m_text.data()}; }
@@ -62,7 +59,8 @@ struct Place
     bool isOnLine() const; // of a serial line, else INTERBUS
 
     friend bool operator==(const Place &, const Place &) = default;
-    friend std::strong_ordering operator<=>(const Place &, const Place &) = default;
+    friend std::strong_ordering operator<=>(const Place &,
+                                            const Place &) = default; // NOLINT(modernize-use-nullptr)
 
     QString toString() const { return node.toString(); }
     // "1.0" on the first ring, "esc:12" and "12" on the first line; nothing for anything else.

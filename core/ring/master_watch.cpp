@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ring/master_watch.h"
 
+#include "encoder/device_number.h"
+
 #include <algorithm>
 
 namespace codewheel {

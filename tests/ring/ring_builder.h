@@ -12,7 +12,7 @@ inline Participant participant(const QString &text)
 {
     const QStringList parts = text.split(u' ');
     const bool isTerminal = parts.contains(QStringLiteral("T"));
-    Participant made{.number = *NodeId::fromText(parts.first()),
+    Participant made{.number = NodeId(parts.first().toStdString()),
                      .idCode = isTerminal ? busTerminalIdCode : 0x37,
                      .deviceCode = isTerminal ? busTerminalIdCode : 0x0237,
                      .inWords = isTerminal ? 0 : 2,
