@@ -2,6 +2,7 @@
 #include "ring/device_leds.h"
 
 #include "catalog/device_description.h"
+#include "encoder/device_number.h"
 #include "encoder/encoder_session.h"
 
 #include <QCoreApplication>
