@@ -10707,6 +10707,14 @@ Worte: IN %5, OUT %6</translation>
         <source>Every encoder answers to &quot;esc:00&quot;: one that stands there must be alone on its line.</source>
         <translation>Auf &quot;esc:00&quot; antwortet jeder Geber: Einer, der dort steht, muss allein an seiner Leitung sein.</translation>
     </message>
+    <message>
+        <source>Another bus above has the number %1.</source>
+        <translation>Ein anderer Bus weiter oben hat die Nummer %1.</translation>
+    </message>
+    <message>
+        <source>Another bus above is called &quot;%1&quot;.</source>
+        <translation>Ein anderer Bus weiter oben heißt „%1“.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ProjectRecovery</name>
@@ -11562,6 +11570,14 @@ Worte: IN %5, OUT %6</translation>
     <message>
         <source>Bytes of process data: %1, remote bus devices: %2, km of cable: %3.</source>
         <translation>Byte Prozessdaten: %1, Fernbusteilnehmer: %2, km Kabel: %3.</translation>
+    </message>
+    <message>
+        <source>%1 Bd</source>
+        <translation>%1 Bd</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
     </message>
 </context>
 <context>

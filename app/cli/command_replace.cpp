@@ -47,13 +47,10 @@ constexpr std::array replaceOptions{
 
 Checked<ProjectDevice> plannedAt(const Call &call, Place place)
 {
-    const auto &devices = call.project->devices;
-    const auto found =
-        std::ranges::find_if(devices, [&](const ProjectDevice &device) { return device.place() == place; });
-    if (found != devices.end())
-        return *found;
+    if (const ProjectDevice *planned = findDevice(*call.project, place))
+        return *planned;
     QStringList places;
-    for (const ProjectDevice &device : devices)
+    for (const ProjectDevice &device : devicesOn(*call.project, call.bus->id()))
         places << device.place().toString();
     return tl::unexpected(complaintAbout({RefusalKind::badInput,
                                           RefusalId::noSuchProjectDevice,
@@ -119,9 +116,8 @@ Checked<void> putIntoProject(const Call &call, const ProjectDevice &planned, con
                              std::optional<std::int64_t> position)
 {
     Project project = *call.project;
-    for (ProjectDevice &device : project.devices)
-        if (device.place() == planned.place())
-            device = replaced(planned, now, position);
+    if (ProjectDevice *device = findDevice(project, planned.place()))
+        *device = replaced(planned, now, position);
     const QString file = *call.arguments.value("--project");
     if (auto saved = saveUnlessChanged(project, file, projectMark(*call.project)); !saved)
         return saved;

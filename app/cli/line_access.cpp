@@ -22,7 +22,7 @@ std::unique_ptr<ByteLink> linkTo(const LineLink &link)
 {
     if (link.isSimulated())
         return std::make_unique<SimulatedLineLink>(std::make_shared<SimulatedLine>());
-    ProjectLine line;
+    LinePlan line;
     line.wish = link.wish;
     line.adapter = link.adapter;
     return std::make_unique<SerialPortLink>(keptAdapterOf(line));

@@ -42,11 +42,10 @@ QString plannedDevice(const Call &call, LineAddress address)
 Checked<void> checkIsAlone(const Call &call, Place number)
 {
     const LineAddress address = LineAddress::of(number.node);
-    if (!address.isMaster() || call.project == nullptr || !call.project->line ||
-        call.project->line->encoders.size() < 2)
+    if (!address.isMaster() || call.project == nullptr || devicesOn(*call.project, number.bus).size() < 2)
         return {};
     QStringList others;
-    for (const ProjectDevice &encoder : call.project->line->encoders)
+    for (const ProjectDevice &encoder : devicesOn(*call.project, number.bus))
         others << encoder.place().toString();
     return tl::unexpected(complaintAbout({RefusalKind::badInput,
                                           RefusalId::lineAddressNotAlone,

@@ -108,8 +108,8 @@ Checked<void> takeSetting(LineLink &link, const QString &setting)
 std::set<LineAddress> swappingOf(const Project *project)
 {
     std::set<LineAddress> swapping;
-    if (project != nullptr && project->line)
-        for (const ProjectDevice &encoder : project->line->encoders)
+    if (project != nullptr)
+        for (const ProjectDevice &encoder : devicesOn(*project, firstLine))
             if (encoder.swapsWarningBytes)
                 swapping.insert(LineAddress::of(encoder.place().node));
     return swapping;
@@ -129,13 +129,14 @@ Checked<LineLink> lineAt(const QString &port, const Project *project)
         link.wish.port = port;
         return link;
     }
-    if (project == nullptr || !project->line || project->line->wish.port.isEmpty())
+    const LinePlan *planned = project != nullptr ? linePlan(*project, firstLine) : nullptr;
+    if (planned == nullptr || planned->wish.port.isEmpty())
         return badInput(
             QStringLiteral("noLineInProject"),
             CommandLine::tr("There is no project with the port of a serial line. Name one that has it "
                             "with --project FILE, or the port, as --link esc:ttyUSB0."));
-    link.wish = project->line->wish;
-    link.adapter = project->line->adapter;
+    link.wish = planned->wish;
+    link.adapter = planned->adapter;
     return link;
 }
 

@@ -4,7 +4,7 @@
 #include "cli/complaint.h"
 #include "drivers/esc_settings.h"
 #include "esc/esc_explain.h"
-#include "project/project.h"
+#include "project/line_plan.h"
 
 #include <QString>
 

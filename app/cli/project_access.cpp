@@ -41,16 +41,9 @@ void nameDevice(const Call &call, const ProjectDevice &planned, const Participan
                  {connected.number.toString(), key}));
 }
 
-const ProjectDevice *deviceAt(const Project &project, Place number)
-{
-    const auto found = std::ranges::find_if(
-        project.devices, [&](const ProjectDevice &device) { return device.place() == number; });
-    return found == project.devices.end() ? nullptr : &*found;
-}
-
 Checked<void> checkSameDevice(const Call &call, Place number)
 {
-    const ProjectDevice *planned = deviceAt(*call.project, number);
+    const ProjectDevice *planned = findDevice(*call.project, number);
     const auto &ring = call.bus->structure();
     const auto connected = std::ranges::find(ring, number.node, &Participant::number);
     if (!planned || connected == ring.end() || isSameKind(planned->participant, *connected))
@@ -61,18 +54,13 @@ Checked<void> checkSameDevice(const Call &call, Place number)
                                            hexCode(connected->deviceCode, 4)}}));
 }
 
-// In the ring and on the serial line.
+// Of all buses.
 std::vector<Place> placesAt(const Project &project, const QString &station)
 {
     std::vector<Place> places;
-    const auto take = [&](const std::vector<ProjectDevice> &devices) {
-        for (const ProjectDevice &device : devices)
-            if (device.station == station)
-                places.push_back(device.place());
-    };
-    take(project.devices);
-    if (project.line)
-        take(project.line->encoders);
+    for (const ProjectDevice &device : project.devices)
+        if (device.station == station)
+            places.push_back(device.place());
     return places;
 }
 
@@ -134,15 +122,14 @@ void useProject(const Call &call, const Project &project, const QString &file)
 {
     if (call.line != nullptr && call.line->ledger() != nullptr) {
         call.line->ledger()->setProject(QFileInfo(file).absoluteFilePath());
-        if (project.line)
-            for (const ProjectDevice &device : project.line->encoders)
-                call.line->ledger()->setLabel(device.place(), device.label.serialNumber);
+        for (const ProjectDevice &device : devicesOn(project, firstLine))
+            call.line->ledger()->setLabel(device.place(), device.label.serialNumber);
     }
     if (call.bus == nullptr)
         return;
     const RingStructure connected = call.bus->structure();
     const ProjectPlaces places(project, *call.bus);
-    for (const ProjectDevice &planned : project.devices) {
+    for (const ProjectDevice &planned : devicesOn(project, call.bus->id())) {
         const auto found = std::ranges::find(connected, planned.place().node, &Participant::number);
         if (places.isAtItsPlace(planned.place()) && !planned.participant.deviceKey.isEmpty())
             nameDevice(call, planned, *found);
@@ -153,7 +140,7 @@ void useProject(const Call &call, const Project &project, const QString &file)
     if (call.ledger == nullptr)
         return;
     call.ledger->setProject(QFileInfo(file).absoluteFilePath());
-    for (const ProjectDevice &device : project.devices)
+    for (const ProjectDevice &device : devicesOn(project, call.bus->id()))
         if (places.isAtItsPlace(device.place()))
             call.ledger->setLabel(device.place(), device.label.serialNumber);
 }

@@ -23,10 +23,10 @@
 namespace codewheel {
 namespace {
 
-QString placesOf(const Project &project)
+QString placesOf(const Project &project, BusId bus)
 {
     QStringList places;
-    for (const ProjectDevice &device : project.devices)
+    for (const ProjectDevice &device : devicesOn(project, bus))
         places << device.place().toString();
     return places.join(QStringLiteral(", "));
 }
@@ -89,8 +89,8 @@ std::optional<Complaint> complaintAboutAccount(const TransferAccount &account)
 // By its number or its station.
 Checked<ProjectDevice> deviceNamed(const Call &call, const Project &project, const QString &typed)
 {
-    const bool isStation =
-        std::ranges::find(project.devices, typed, &ProjectDevice::station) != project.devices.end();
+    const auto devices = devicesOn(project, call.bus->id());
+    const bool isStation = std::ranges::find(devices, typed, &ProjectDevice::station) != devices.end();
     auto number = Place::parse(typed);
     if (isStation) {
         const auto station = placeOfStation(call, project, typed);
@@ -98,11 +98,11 @@ Checked<ProjectDevice> deviceNamed(const Call &call, const Project &project, con
             return tl::unexpected(station.error());
         number = *station;
     }
-    const auto found = std::ranges::find_if(
-        project.devices, [&](const ProjectDevice &device) { return device.place() == number; });
-    if (found == project.devices.end())
-        return tl::unexpected(complaintAbout(
-            {RefusalKind::badInput, RefusalId::noSuchProjectDevice, {typed, placesOf(project)}}));
+    const auto found = std::ranges::find(devices, number, &ProjectDevice::place);
+    if (found == devices.end())
+        return tl::unexpected(complaintAbout({RefusalKind::badInput,
+                                              RefusalId::noSuchProjectDevice,
+                                              {typed, placesOf(project, call.bus->id())}}));
     return *found;
 }
 
@@ -111,12 +111,13 @@ Checked<ProjectDevice> deviceNamed(const Call &call, const Project &project, con
 Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project &project,
                                                  const QString &file)
 {
-    if (project.devices.empty())
+    const auto all = devicesOn(project, call.bus->id());
+    if (all.empty())
         return tl::unexpected(complaintAbout({RefusalKind::badInput, RefusalId::projectEmpty, {}}));
     useProject(call, project, file);
     call.bus->advance(1); // so that each encoder shows where it stands
     if (call.arguments.rest.size() == 1)
-        return project.devices;
+        return std::vector(all.begin(), all.end());
     std::vector<ProjectDevice> devices;
     for (const QString &place : call.arguments.rest.sliced(1)) {
         const auto device = deviceNamed(call, project, place);

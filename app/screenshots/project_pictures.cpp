@@ -40,7 +40,7 @@ void planCrane(TrainingWindow &shown)
     const Catalog catalog = Catalog::builtIn();
     PlanEdits edits(project, catalog);
     (void)edits.insert(deviceOf(0x81BE),
-                       {.terminal = project.placeOf(terminal), .onLocalBus = true, .row = 1});
+                       {.terminal = project.indexOf(project.idAt(terminal).value_or(0)), .onLocalBus = true, .row = 1});
     project.editDevice({firstRing, NodeId("4.0")}, {}, [](ProjectDevice &device) { device.inAddress = 128; });
     project.editDevice({firstRing, NodeId("5.0")}, {}, [](ProjectDevice &device) { device.inAddress = 130; });
     shown.advance(40);
@@ -77,8 +77,8 @@ QWidget *comparisonAtWork(TrainingWindow &shown)
     const Catalog catalog = Catalog::builtIn();
     ProjectDocument &project = shown.project();
     PlanEdits edits(project, catalog);
-    (void)edits.change(project.ids()[1], deviceOf(0x0236));
-    (void)edits.remove({project.ids()[2]});
+    (void)edits.change(project.ids(firstRing)[1], deviceOf(0x0236));
+    (void)edits.remove({project.ids(firstRing)[2]});
     shown.window().showComparison();
     shown.advance(40);
     return shown.window().findChild<ComparisonPage *>();

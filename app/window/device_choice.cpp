@@ -33,11 +33,9 @@ void DeviceChoice::choose(std::optional<Place> number)
     if (m_isChoosing)
         return;
     const QScopedValueRollback choosing(m_isChoosing, true);
-    const auto place = number ? m_project.placeOf(*number) : std::nullopt;
-    const bool isThere = place || (number && m_buses.isConnected(*number));
+    const bool isThere = number && (m_project.idAt(*number) || m_buses.isConnected(*number));
     m_place = isThere ? number : m_tree.current();
-    const auto planned = m_place ? m_project.placeOf(*m_place) : std::nullopt;
-    m_planned = planned ? std::optional(m_project.ids()[*planned]) : std::nullopt;
+    m_planned = m_place ? m_project.idAt(*m_place) : std::nullopt;
     if (m_place) {
         m_tree.choose(*m_place);
         m_editor.choose(*m_place);
@@ -67,8 +65,8 @@ void DeviceChoice::followPlan()
         show();
         return;
     }
-    const auto place = m_planned ? m_project.placeOf(*m_planned) : std::nullopt;
-    choose(place ? std::optional(m_project.project().devices[*place].place()) : m_place);
+    const ProjectDevice *planned = m_planned ? m_project.device(*m_planned) : nullptr;
+    choose(planned ? std::optional(planned->place()) : m_place);
 }
 
 void DeviceChoice::show()

@@ -10,24 +10,19 @@
 namespace codewheel {
 namespace {
 
-Place numberOf(const ProjectDevice &encoder)
-{
-    return encoder.place();
-}
-
 // In its place; as it is connected where the line has none of this number yet.
-ProjectDevice &plannedEncoder(ProjectLine &line, const EncoderSession &connected)
+ProjectDevice &plannedEncoder(std::vector<ProjectDevice> &encoders, const EncoderSession &connected)
 {
     const Place number = connected.place();
-    const auto place = std::ranges::lower_bound(line.encoders, number, {}, numberOf);
-    if (place != line.encoders.end() && numberOf(*place) == number)
+    const auto place = std::ranges::lower_bound(encoders, number, {}, &ProjectDevice::place);
+    if (place != encoders.end() && place->place() == number)
         return *place;
     ProjectDevice encoder;
     encoder.standAt(number);
     encoder.participant.deviceKey = connected.device().key;
     const auto explained = explainOptionsOf(&connected);
     encoder.swapsWarningBytes = explained && explained->swapWarningBytes;
-    return *line.encoders.insert(place, std::move(encoder));
+    return *encoders.insert(place, std::move(encoder));
 }
 
 } // namespace
@@ -38,19 +33,34 @@ LineKeeper::LineKeeper(const SerialLine &line, ProjectDocument &project, QObject
     , m_project(project)
 {}
 
-ProjectLine LineKeeper::line() const
+LinePlan LineKeeper::line() const
 {
-    return m_project.project().line.value_or(m_line.opened());
+    const LinePlan *planned = linePlan(m_project.project(), firstLine);
+    return planned ? *planned : m_line.opened();
 }
 
-void LineKeeper::edit(const ProjectLine &after, const QString &what)
+std::vector<ProjectDevice> LineKeeper::encoders() const
+{
+    const auto planned = devicesOn(m_project.project(), firstLine);
+    return {planned.begin(), planned.end()};
+}
+
+void LineKeeper::edit(const LinePlan &after, const QString &what)
 {
     Project project = m_project.project();
-    project.line = after;
+    setLinePlan(project, firstLine, after);
     m_project.edit(std::move(project), what);
 }
 
-void LineKeeper::keepPort(const ProjectLine &line)
+void LineKeeper::edit(std::vector<ProjectDevice> after, const QString &what)
+{
+    Project project = m_project.project();
+    setLinePlan(project, firstLine, line());
+    setDevicesOn(project, firstLine, std::move(after));
+    m_project.edit(std::move(project), what);
+}
+
+void LineKeeper::keepPort(const LinePlan &line)
 {
     edit(m_line.asOpened(line), tr("Serial line"));
 }
@@ -59,14 +69,14 @@ void LineKeeper::keepFractionBits(int bits)
 {
     if (m_line.training() != nullptr)
         return;
-    ProjectLine after = line();
+    LinePlan after = line();
     after.wish.fractionBits = bits;
     edit(after, tr("Fraction bits of the scaling factor"));
 }
 
 void LineKeeper::keepBaudRate(int baudRate)
 {
-    ProjectLine after = line();
+    LinePlan after = line();
     after.wish.line.baudRate = baudRate;
     after.wish.timing.character = after.wish.line.timeOf(1);
     edit(after, tr("Baud rate of the serial line"));
@@ -77,9 +87,9 @@ void LineKeeper::keepByteOrder(Place number, bool isSwapped)
     const EncoderSession *connected = sessionOf(number);
     if (connected == nullptr)
         return;
-    ProjectLine after = line();
+    std::vector<ProjectDevice> after = encoders();
     plannedEncoder(after, *connected).swapsWarningBytes = isSwapped;
-    edit(after, tr("Warning bytes of %1").arg(number.toString()));
+    edit(std::move(after), tr("Warning bytes of %1").arg(number.toString()));
 }
 
 // Null at the training line too.
@@ -93,21 +103,20 @@ void LineKeeper::keepEncoders(const std::vector<Place> &numbers)
 {
     if (m_line.training() != nullptr || numbers.empty())
         return;
-    ProjectLine after = line();
+    std::vector<ProjectDevice> after = encoders();
     for (const Place number : numbers)
         if (const EncoderSession *connected = sessionOf(number))
             plannedEncoder(after, *connected);
-    edit(after, tr("Encoders of the serial line"));
+    edit(std::move(after), tr("Encoders of the serial line"));
 }
 
 void LineKeeper::removeEncoder(Place number)
 {
-    if (m_line.training() != nullptr || !m_project.project().line)
+    if (m_line.training() != nullptr || linePlan(m_project.project(), firstLine) == nullptr)
         return;
-    ProjectLine after = line();
-    std::erase_if(after.encoders,
-                  [number](const ProjectDevice &encoder) { return numberOf(encoder) == number; });
-    edit(after, tr("Remove %1").arg(number.toString()));
+    std::vector<ProjectDevice> after = encoders();
+    std::erase_if(after, [number](const ProjectDevice &encoder) { return encoder.place() == number; });
+    edit(std::move(after), tr("Remove %1").arg(number.toString()));
 }
 
 // What is planned for a training encoder is in no file; it goes along all the same.

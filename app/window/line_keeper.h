@@ -2,7 +2,7 @@
 #pragma once
 
 #include "encoder/place.h"
-#include "project/project.h"
+#include "project/line_plan.h"
 
 #include <QObject>
 
@@ -23,10 +23,10 @@ public:
     LineKeeper(const SerialLine &line, ProjectDocument &project, QObject *parent = nullptr);
 
     // Of the project; where that has none, the one that is open, as the factory has it where none is.
-    ProjectLine line() const;
+    LinePlan line() const;
 
     // As it is open now, with these settings.
-    void keepPort(const ProjectLine &line);
+    void keepPort(const LinePlan &line);
     void keepFractionBits(int bits);
     void keepBaudRate(int baudRate);
     // Whether the warnings of this encoder come with their bytes in the other order.
@@ -39,7 +39,9 @@ public:
 
 private:
     const EncoderSession *sessionOf(Place number) const;
-    void edit(const ProjectLine &after, const QString &what);
+    void edit(const LinePlan &after, const QString &what);
+    void edit(std::vector<ProjectDevice> after, const QString &what);
+    std::vector<ProjectDevice> encoders() const; // of the project
 
     const SerialLine &m_line;
     ProjectDocument &m_project;

@@ -129,8 +129,8 @@ void LineViews::showActions()
 
 void LineViews::showWish()
 {
-    if (m_project.project().line)
-        m_form->setWish(m_project.project().line->wish);
+    if (const LinePlan *planned = linePlan(m_project.project(), firstLine))
+        m_form->setWish(planned->wish);
 }
 
 void LineViews::showSettings()
@@ -155,7 +155,7 @@ void LineViews::listPorts()
 void LineViews::connectPort(const LineWish &wish, bool isPicked)
 {
     m_leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this, wish, isPicked] {
-        ProjectLine wanted = m_keeper->line();
+        LinePlan wanted = m_keeper->line();
         if (isPicked || wanted.wish.port != wish.port)
             wanted.adapter = {}; // whichever is there
         wanted.wish = wish;
@@ -166,13 +166,13 @@ void LineViews::connectPort(const LineWish &wish, bool isPicked)
 void LineViews::connectOtherAdapter(const LineWish &wish)
 {
     m_leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this, wish] {
-        ProjectLine wanted = m_keeper->line();
+        LinePlan wanted = m_keeper->line();
         wanted.wish = wish;
         showConnected(m_line.openOtherAdapter(wanted), wanted);
     });
 }
 
-void LineViews::showConnected(const Result<void> &opened, const ProjectLine &wanted)
+void LineViews::showConnected(const Result<void> &opened, const LinePlan &wanted)
 {
     if (opened)
         m_form->setProblem({});
@@ -188,7 +188,7 @@ void LineViews::showConnected(const Result<void> &opened, const ProjectLine &wan
     Q_EMIT panelRequested();
 }
 
-void LineViews::keepPort(const ProjectLine &line)
+void LineViews::keepPort(const LinePlan &line)
 {
     m_keeper->keepPort(line);
     m_form->setPort(m_keeper->line().wish.port);

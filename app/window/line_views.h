@@ -27,7 +27,7 @@ class WindowActions;
 class WindowSettings;
 struct LineWish;
 struct Message;
-struct ProjectLine;
+struct LinePlan;
 
 // The views of the serial line in the window: terminal and panel, which stand in docks, and the pages to
 // connect it and to search for encoders; and the actions that open them.
@@ -68,8 +68,8 @@ private:
     void listPorts();
     void connectPort(const LineWish &wish, bool isPicked);
     void connectOtherAdapter(const LineWish &wish);
-    void showConnected(const Result<void> &opened, const ProjectLine &wanted);
-    void keepPort(const ProjectLine &line);
+    void showConnected(const Result<void> &opened, const LinePlan &wanted);
+    void keepPort(const LinePlan &line);
     void showState();
     void connectTraining();
     void disconnectLine();

@@ -112,13 +112,13 @@ void SerialLine::openTraining()
     replace(std::move(session), std::move(line), nullptr);
 }
 
-Result<void> SerialLine::openPort(const ProjectLine &line)
+Result<void> SerialLine::openPort(const LinePlan &line)
 {
     m_wanted = keptAdapterOf(line);
     return open(line);
 }
 
-Result<void> SerialLine::openOtherAdapter(const ProjectLine &line)
+Result<void> SerialLine::openOtherAdapter(const LinePlan &line)
 {
     if (m_wanted)
         m_wanted->takeOther();
@@ -138,7 +138,7 @@ bool SerialLine::holds(const QString &path) const
            (held && wanted && sameAdapter(*held, {*wanted}).kind == AdapterMatch::Kind::found);
 }
 
-Result<void> SerialLine::open(const ProjectLine &line)
+Result<void> SerialLine::open(const LinePlan &line)
 {
     const auto there = m_wanted->find(m_ports());
     if (!there)
@@ -153,7 +153,7 @@ Result<void> SerialLine::open(const ProjectLine &line)
                                 LineSession::Drive::byThread); // a port keeps real time
     if (!opened)
         return opened;
-    for (const ProjectDevice &encoder : line.encoders)
+    for (const ProjectDevice &encoder : devicesOn(m_project.project(), firstLine))
         (void)session->add(LineAddress::of(encoder.place().node), encoder.participant.deviceKey);
     replace(std::move(session), nullptr, port);
     m_openedWith = wish;
@@ -164,13 +164,13 @@ Result<void> SerialLine::open(const ProjectLine &line)
 // Of the project's encoders, and of what undo made of them; those of the training line are none of these.
 void SerialLine::tellByteOrder()
 {
-    if (!m_session || m_training || !m_project.project().line)
+    if (!m_session || m_training)
         return;
-    for (const ProjectDevice &encoder : m_project.project().line->encoders)
+    for (const ProjectDevice &encoder : devicesOn(m_project.project(), firstLine))
         m_session->setSwapsWarningBytes(encoder.place(), encoder.swapsWarningBytes);
 }
 
-ProjectLine SerialLine::asOpened(ProjectLine line) const
+LinePlan SerialLine::asOpened(LinePlan line) const
 {
     if (m_port == nullptr)
         return line;
@@ -180,9 +180,9 @@ ProjectLine SerialLine::asOpened(ProjectLine line) const
     return line;
 }
 
-ProjectLine SerialLine::opened() const
+LinePlan SerialLine::opened() const
 {
-    ProjectLine line;
+    LinePlan line;
     if (m_port == nullptr)
         return line;
     line.wish = m_openedWith;

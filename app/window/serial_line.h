@@ -4,7 +4,7 @@
 #include "line/line_session.h"
 #include "line/line_wish.h"
 #include "links/serial_port_link.h"
-#include "project/project.h"
+#include "project/line_plan.h"
 #include "simulator/simulated_line.h"
 
 #include <QObject>
@@ -42,15 +42,15 @@ public:
     // Begins in Watch, with the encoders of the project and no others, at its adapter wherever that is
     // plugged in. Refused as ByteLink::open(): then the line there was goes on, unless it was at the same
     // port.
-    Result<void> openPort(const ProjectLine &line);
+    Result<void> openPort(const LinePlan &line);
     // The same once more, with the adapter that it refused (portOfOther) in place of that of the line.
-    Result<void> openOtherAdapter(const ProjectLine &line);
+    Result<void> openOtherAdapter(const LinePlan &line);
     // With the port and the adapter that are open: it may be plugged in elsewhere, or another one be meant
     // meanwhile.
-    ProjectLine asOpened(ProjectLine line) const;
+    LinePlan asOpened(LinePlan line) const;
     // The port that is open, without its encoders, and how it was opened; as the factory has it where none
     // is.
-    ProjectLine opened() const;
+    LinePlan opened() const;
     // In place of those of this computer.
     void setPortList(SerialPortLink::PortList ports) { m_ports = std::move(ports); }
     std::vector<PortInfo> ports() const { return m_ports(); }
@@ -64,7 +64,7 @@ Q_SIGNALS:
 private:
     void tellByteOrder();
     std::unique_ptr<LineSession> makeSession(std::unique_ptr<ByteLink> link, const LineWish &wish);
-    Result<void> open(const ProjectLine &line); // at m_wanted
+    Result<void> open(const LinePlan &line); // at m_wanted
     bool holds(const QString &path) const;
     void replace(std::unique_ptr<LineSession> session, std::shared_ptr<SimulatedLine> training,
                  const SerialPortLink *port);

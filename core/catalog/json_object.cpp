@@ -26,19 +26,23 @@ void FaultKeeper::report(const Json::Value &where, const QString &key, const QSt
     report(static_cast<int>(std::ranges::count(before, '\n')) + 1, key, reason);
 }
 
-JsonObject::JsonObject(const Json::Value &value, QString path, std::initializer_list<const char *> allowed,
-                       FaultKeeper &faults)
+JsonObject::JsonObject(const Json::Value &value, QString path, FaultKeeper &faults)
     : m_value(value.isObject() ? &value : &Json::Value::nullSingleton())
     , m_path(std::move(path))
     , m_faults(&faults)
 {
-    if (value.isObject())
-        refuseUnknownKeys(allowed);
-    else
+    if (!value.isObject())
         m_faults->report(value, m_path, tr("An object { } is expected here."));
 }
 
-void JsonObject::refuseUnknownKeys(std::initializer_list<const char *> allowed) const
+JsonObject::JsonObject(const Json::Value &value, QString path, std::initializer_list<const char *> allowed,
+                       FaultKeeper &faults)
+    : JsonObject(value, std::move(path), faults)
+{
+    allowOnly(allowed);
+}
+
+void JsonObject::allowOnly(std::initializer_list<const char *> allowed) const
 {
     for (auto it = m_value->begin(); it != m_value->end(); ++it) {
         const std::string key = it.name();
@@ -260,12 +264,20 @@ std::vector<Word> JsonObject::words(const char *key, std::size_t most) const
 std::vector<JsonObject> JsonObject::array(const char *key, std::initializer_list<const char *> allowed,
                                           std::size_t most) const
 {
+    std::vector<JsonObject> rows = arrayOfAny(key, most);
+    for (const JsonObject &row : rows)
+        row.allowOnly(allowed);
+    return rows;
+}
+
+std::vector<JsonObject> JsonObject::arrayOfAny(const char *key, std::size_t most) const
+{
     std::vector<JsonObject> rows;
     if (!isListOfAtMost(key, most))
         return rows;
     for (const Json::Value &row : member(key)) {
         const QString path = QStringLiteral("%1[%2]").arg(QLatin1String(key)).arg(rows.size());
-        rows.emplace_back(row, pathOf(path), allowed, *m_faults);
+        rows.emplace_back(row, pathOf(path), *m_faults);
     }
     return rows;
 }

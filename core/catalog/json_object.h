@@ -49,6 +49,9 @@ public:
     // `allowed` are all the keys the object may have; `path` is how its place is told: "parameters[2]".
     JsonObject(const Json::Value &value, QString path, std::initializer_list<const char *> allowed,
                FaultKeeper &faults);
+    // Of any keys: allowOnly() tells them once it is known what it is.
+    JsonObject(const Json::Value &value, QString path, FaultKeeper &faults);
+    void allowOnly(std::initializer_list<const char *> allowed) const;
 
     bool has(const char *key) const;
     QString text(const char *key) const; // not empty
@@ -95,6 +98,9 @@ public:
     std::vector<JsonObject> array(const char *key, std::initializer_list<const char *> allowed,
                                   std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
+    std::vector<JsonObject> arrayOfAny(const char *key,
+                                       std::size_t most = std::numeric_limits<std::size_t>::max()) const;
+
     // A fault of the member `key`, for rules that go beyond one value.
     void report(const char *key, const QString &reason) const;
     void reportUnknownName(const char *key, const QString &name, const QStringList &known) const;
@@ -103,7 +109,6 @@ private:
     const Json::Value &member(const char *key) const; // reports a missing one
     bool isListOfAtMost(const char *key, std::size_t most) const;
     QString pathOf(const QString &key) const;
-    void refuseUnknownKeys(std::initializer_list<const char *> allowed) const;
 
     const Json::Value *m_value;
     QString m_path;

@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-KeptAdapter keptAdapterOf(const ProjectLine &line)
+KeptAdapter keptAdapterOf(const LinePlan &line)
 {
     const QString path = portPath(line.wish.port);
     const LineAdapter &adapter = line.adapter;

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "links/kept_adapter.h"
-#include "project/project.h"
+#include "project/line_plan.h"
 
 namespace codewheel {
 
 // The adapter that a project has for its serial line, to open a SerialPortLink with; whichever is at its port
 // where it has none.
-KeptAdapter keptAdapterOf(const ProjectLine &line);
+KeptAdapter keptAdapterOf(const LinePlan &line);
 
 // What a project keeps of an adapter; nothing of a port without one.
 LineAdapter lineAdapter(const std::optional<PortInfo> &adapter);

@@ -42,8 +42,10 @@ bool isEncoder(const Participant &participant)
 class Check
 {
 public:
-    Check(const Project &project, const std::vector<DeviceAddresses> &addresses)
-        : m_project(project)
+    Check(const RingPlan &plan, std::span<const ProjectDevice> devices,
+          const std::vector<DeviceAddresses> &addresses)
+        : m_plan(plan)
+        , m_devices(devices)
         , m_addresses(addresses)
     {}
 
@@ -66,10 +68,11 @@ private:
     {
         return m_addresses[device].*direction.range;
     }
-    QString number(std::size_t device) const { return m_project.devices[device].place().toString(); }
-    QString shown(int byte) const { return addressText(byte, m_project.addresses.unit); }
+    QString number(std::size_t device) const { return m_devices[device].place().toString(); }
+    QString shown(int byte) const { return addressText(byte, m_plan.addresses.unit); }
 
-    const Project &m_project;
+    const RingPlan &m_plan;
+    const std::span<const ProjectDevice> m_devices;
     const std::vector<DeviceAddresses> &m_addresses;
     std::vector<Finding> m_findings;
 };
@@ -108,7 +111,7 @@ void Check::step5(const Direction &direction)
 {
     for (std::size_t device = 0; device < m_addresses.size(); ++device) {
         const auto &given = range(device, direction);
-        if (given && given->first <= lastOfStep5Image && isEncoder(m_project.devices[device].participant))
+        if (given && given->first <= lastOfStep5Image && isEncoder(m_devices[device].participant))
             add(Severity::attention, device,
                 CheckProject::tr("%1 is not above P127: with Step 5, the process image overwrites it.")
                     .arg(QLatin1String(direction.name)));
@@ -119,8 +122,8 @@ void Check::step5(const Direction &direction)
 // what is connected may be taken over line by line.
 void Check::localBusDevices()
 {
-    for (std::size_t device = 0; device < m_project.devices.size(); ++device)
-        if (const Participant &participant = m_project.devices[device].participant;
+    for (std::size_t device = 0; device < m_devices.size(); ++device)
+        if (const Participant &participant = m_devices[device].participant;
             standsOnLocalBus(participant.idCode) && !isOnLocalBus(participant))
             add(Severity::attention, device,
                 CheckProject::tr("Devices of this ID code stand on the local bus of a bus terminal."));
@@ -128,22 +131,24 @@ void Check::localBusDevices()
 
 } // namespace
 
-std::vector<Finding> checkProject(const Project &project)
+std::vector<Finding> checkProject(const Project &project, BusId ring)
 {
-    return checkProject(project, processAddresses(project));
+    return checkProject(project, processAddresses(project, ring), ring);
 }
 
-std::vector<Finding> checkProject(const Project &project, const std::vector<DeviceAddresses> &addresses)
+std::vector<Finding> checkProject(const Project &project, const std::vector<DeviceAddresses> &addresses,
+                                  BusId ring)
 {
-    Check check(project, addresses);
-    const RingStructure structure = structureOf(project);
+    const RingPlan &plan = ringPlan(project, ring);
+    Check check(plan, devicesOn(project, ring), addresses);
+    const RingStructure structure = structureOf(project, ring);
     for (const RingFinding &finding : checkRing(structure))
         check.add(Severity::fault, finding.device, ringFindingText(finding, structure));
     check.localBusDevices();
     for (const Direction &direction : directions) {
         check.overlaps(direction);
         check.alignment(direction);
-        if (project.addresses.step5)
+        if (plan.addresses.step5)
             check.step5(direction);
     }
     return check.take();

@@ -41,16 +41,17 @@ private:
 
 using Range = std::optional<AddressRange> DeviceAddresses::*;
 
-void fill(const Project &project, std::vector<DeviceAddresses> &addresses, Range range,
+void fill(const Project &project, BusId ring, std::vector<DeviceAddresses> &addresses, Range range,
           int Participant::*words, std::optional<int> ProjectDevice::*given)
 {
     std::vector<AddressRange> byHand;
-    for (const ProjectDevice &device : project.devices)
+    const std::span<const ProjectDevice> devices = devicesOn(project, ring);
+    for (const ProjectDevice &device : devices)
         if (device.*given && device.participant.*words > 0)
             byHand.push_back({*(device.*given), device.participant.*words * bytesPerWord, true});
-    Image image(byHand, project.addresses.first);
+    Image image(byHand, ringPlan(project, ring).addresses.first);
     for (std::size_t place = 0; place < addresses.size(); ++place) {
-        const ProjectDevice &device = project.devices[place];
+        const ProjectDevice &device = devices[place];
         const int bytes = device.participant.*words * bytesPerWord;
         if (bytes == 0)
             continue;
@@ -61,11 +62,11 @@ void fill(const Project &project, std::vector<DeviceAddresses> &addresses, Range
 
 } // namespace
 
-std::vector<DeviceAddresses> processAddresses(const Project &project)
+std::vector<DeviceAddresses> processAddresses(const Project &project, BusId ring)
 {
-    std::vector<DeviceAddresses> addresses(project.devices.size());
-    fill(project, addresses, &DeviceAddresses::in, &Participant::inWords, &ProjectDevice::inAddress);
-    fill(project, addresses, &DeviceAddresses::out, &Participant::outWords, &ProjectDevice::outAddress);
+    std::vector<DeviceAddresses> addresses(devicesOn(project, ring).size());
+    fill(project, ring, addresses, &DeviceAddresses::in, &Participant::inWords, &ProjectDevice::inAddress);
+    fill(project, ring, addresses, &DeviceAddresses::out, &Participant::outWords, &ProjectDevice::outAddress);
     return addresses;
 }
 

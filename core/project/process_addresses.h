@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "project/project.h"
+#include "project/ring_plan.h"
 
 #include <QStringView>
 
@@ -29,7 +29,7 @@ inline constexpr int largestAddress = 65'535; // byte, to be given by hand
 
 // Of each device in ring order. Automatic ones follow each other from AddressRules::first on, word aligned,
 // and go round those that were given by hand. IN and OUT are counted apart.
-std::vector<DeviceAddresses> processAddresses(const Project &project);
+std::vector<DeviceAddresses> processAddresses(const Project &project, BusId ring = firstRing);
 
 // As it is shown and typed: a byte or a word number. Of a word, an odd byte is shown as "6 + 1".
 QString addressText(int byte, AddressRules::Unit unit);

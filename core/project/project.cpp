@@ -2,22 +2,61 @@
 #include "project/project.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace codewheel {
+namespace {
 
-const ProjectDevice *findDevice(const Project &project, Place number)
+// Where those of a bus begin and end, or would stand.
+std::pair<std::size_t, std::size_t> rangeOf(const Project &project, BusId bus)
 {
-    if (number.isOnLine() && !project.line)
-        return nullptr;
-    const std::vector<ProjectDevice> &devices = number.isOnLine() ? project.line->encoders : project.devices;
-    const auto found = std::ranges::find_if(
-        devices, [number](const ProjectDevice &device) { return device.place() == number; });
-    return found == devices.end() ? nullptr : &*found;
+    const auto range = std::ranges::equal_range(project.devices, bus, {}, &ProjectDevice::bus);
+    return {static_cast<std::size_t>(range.begin() - project.devices.begin()), range.size()};
 }
 
-ProjectDevice *findDevice(Project &project, Place number)
+} // namespace
+
+const PlannedBus *findBus(const Project &project, BusId bus)
 {
-    return const_cast<ProjectDevice *>(findDevice(std::as_const(project), number));
+    const auto found = std::ranges::find(project.buses, bus, &PlannedBus::id);
+    return found == project.buses.end() ? nullptr : &*found;
+}
+
+PlannedBus *findBus(Project &project, BusId bus)
+{
+    return const_cast<PlannedBus *>(findBus(std::as_const(project), bus));
+}
+
+const ProjectDevice *findDevice(const Project &project, Place place)
+{
+    const auto found = std::ranges::find(project.devices, place, &ProjectDevice::place);
+    return found == project.devices.end() ? nullptr : &*found;
+}
+
+ProjectDevice *findDevice(Project &project, Place place)
+{
+    return const_cast<ProjectDevice *>(findDevice(std::as_const(project), place));
+}
+
+std::span<const ProjectDevice> devicesOn(const Project &project, BusId bus)
+{
+    const auto [first, count] = rangeOf(project, bus);
+    return std::span(project.devices).subspan(first, count);
+}
+
+std::span<ProjectDevice> devicesOn(Project &project, BusId bus)
+{
+    const auto [first, count] = rangeOf(project, bus);
+    return std::span(project.devices).subspan(first, count);
+}
+
+void setDevicesOn(Project &project, BusId bus, std::vector<ProjectDevice> devices)
+{
+    const auto [first, count] = rangeOf(project, bus);
+    const auto begin = project.devices.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto at = project.devices.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
+    project.devices.insert(at, std::make_move_iterator(devices.begin()),
+                           std::make_move_iterator(devices.end()));
 }
 
 } // namespace codewheel

@@ -3,15 +3,15 @@
 
 #include "encoder/cam_program.h"
 #include "encoder/known.h"
-#include "line/line_wish.h"
+#include "project/kind_data.h"
 #include "project/word_list.h"
 #include "ring/participant.h"
 
 #include <QDateTime>
 #include <QString>
 
-#include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace codewheel {
@@ -83,28 +83,6 @@ struct ProjectDevice
     friend bool operator==(const ProjectDevice &, const ProjectDevice &) = default;
 };
 
-// The USB adapter that a serial line is connected by, as far as it tells: by its serial number, else by its
-// place on USB, it is known again after it was plugged in elsewhere. 0 or empty: not told.
-struct LineAdapter
-{
-    int vendor = 0;
-    int product = 0;
-    QString serialNumber;
-    QString usbPath; // "1-2.4:1.0"
-
-    friend bool operator==(const LineAdapter &, const LineAdapter &) = default;
-};
-
-// A serial line beside the ring.
-struct ProjectLine
-{
-    LineWish wish; // the file keeps of its timing: time-out, retries, and the quiet after a write
-    LineAdapter adapter;
-    std::vector<ProjectDevice> encoders; // by address
-
-    friend bool operator==(const ProjectLine &, const ProjectLine &) = default;
-};
-
 struct ProjectSequence
 {
     QString name;
@@ -113,45 +91,44 @@ struct ProjectSequence
     friend bool operator==(const ProjectSequence &, const ProjectSequence &) = default;
 };
 
-// How addresses in the process image are counted and checked.
-struct AddressRules
+// One bus of the plan. Its devices are in the project's list.
+struct PlannedBus
 {
-    enum class Unit : std::uint8_t { byte, word };
+    BusId id;
+    QString kind;      // "interbus", "esc"
+    QString name;      // each once in a project
+    KindData settings; // a RingPlan, a LinePlan: of its kind
 
-    Unit unit = Unit::byte; // shown and typed
-    int first = 0;          // of automatic addresses, bytes
-    bool step5 = false;     // encoders must stand above P127 (Step 5)
-
-    friend bool operator==(const AddressRules &, const AddressRules &) = default;
+    friend bool operator==(const PlannedBus &, const PlannedBus &) = default;
 };
 
-// The link the project is used with: its kind ("training") and settings, as its file keeps them.
-struct ProjectLink
-{
-    QString kind = QStringLiteral("training");
-    std::map<QString, QString> settings;
+// A ring without devices: what a project begins with.
+std::vector<PlannedBus> usualBuses();
 
-    friend bool operator==(const ProjectLink &, const ProjectLink &) = default;
-};
-
-// The document: a planned bus with what is wanted of its encoders, and a serial line beside it. A value;
-// edits make a new one. Its file is documented in docs/project-files.md.
+// The document: planned buses with what is wanted of their encoders. A value; edits make a new one. Its file
+// is documented in docs/project-files.md.
 struct Project
 {
     QString title;
     QString note;
-    ProjectLink link;
-    AddressRules addresses;
-    double cableKilometres = 0;
-    std::vector<ProjectDevice> devices; // in ring order
+    std::vector<PlannedBus> buses = usualBuses(); // by number
+    std::vector<ProjectDevice> devices;           // bus by bus, as the buses; those of a bus in its order
     std::vector<ProjectSequence> sequences;
-    std::optional<ProjectLine> line;
 
     friend bool operator==(const Project &, const Project &) = default;
 };
 
-// The device of this number in the ring or on the serial line; null: the project has none.
-const ProjectDevice *findDevice(const Project &project, Place number);
-ProjectDevice *findDevice(Project &project, Place number);
+const PlannedBus *findBus(const Project &project, BusId bus); // null: it has none of this number
+PlannedBus *findBus(Project &project, BusId bus);
+
+// Null: the project has none there.
+const ProjectDevice *findDevice(const Project &project, Place place);
+ProjectDevice *findDevice(Project &project, Place place);
+
+// Those of one bus, in its order.
+std::span<const ProjectDevice> devicesOn(const Project &project, BusId bus);
+std::span<ProjectDevice> devicesOn(Project &project, BusId bus);
+// Puts these in the place of those of this bus, which the project has.
+void setDevicesOn(Project &project, BusId bus, std::vector<ProjectDevice> devices);
 
 } // namespace codewheel

@@ -37,6 +37,40 @@ std::int64_t FileHeader::readVersion(const Json::Value &root, FaultKeeper &fault
     return version.asInt64();
 }
 
+// Takes the member along to another object, under this name; nothing, where it is not there.
+void move(Json::Value &from, const char *key, Json::Value &to, const char *name)
+{
+    Json::Value member;
+    if (from.removeMember(key, &member))
+        to[name] = std::move(member);
+}
+
+// 1: one ring, and a serial line beside it. Whatever broke a rule still does, at its line.
+void ringAndLineBecomeBuses(Json::Value &root)
+{
+    Json::Value ring(Json::objectValue);
+    ring["kind"] = interbusKind;
+    ring["number"] = firstRing.number;
+    ring["name"] = "Ring";
+    for (const char *key : {"link", "addresses", "cableKilometres", "devices"})
+        move(root, key, ring, key);
+    Json::Value buses(Json::arrayValue);
+    buses.append(std::move(ring));
+    Json::Value line;
+    if (root.removeMember("serialLine", &line)) {
+        if (line.isObject()) {
+            line["kind"] = escKind;
+            line["number"] = firstLine.number;
+            line["name"] = "Line";
+            if (!line.isMember("encoders"))
+                line["encoders"] = Json::Value(Json::arrayValue);
+            move(line, "encoders", line, "devices");
+        }
+        buses.append(std::move(line));
+    }
+    root["buses"] = std::move(buses);
+}
+
 Result<Project> refuseFirst(const FaultKeeper &faults)
 {
     const Catalog::Fault &fault = *faults.first();
@@ -48,7 +82,8 @@ Result<Project> refuseFirst(const FaultKeeper &faults)
 
 std::span<const MigrationStep> projectMigrations()
 {
-    return {}; // version 1 is the first there ever was
+    static constexpr MigrationStep steps[] = {ringAndLineBecomeBuses};
+    return steps;
 }
 
 Result<Project> projectFromJson(const QByteArray &json, const QString &name,

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "catalog/json_object.h"
-#include "project/project.h"
+#include "project/line_plan.h"
+#include "project/ring_plan.h"
 
 namespace codewheel::project_keys {
 

@@ -10,6 +10,7 @@
 #include "ring/numbering.h"
 #include "ring/ring_rules.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace codewheel {
@@ -18,6 +19,7 @@ namespace {
 using namespace project_keys;
 
 constexpr int largestNumber = std::numeric_limits<int>::max();
+constexpr std::size_t mostBuses = 100;
 constexpr int mostWords = ring_limit::points / 16; // of the whole ring in one direction
 
 std::optional<int> address(const JsonObject &json, const char *key)
@@ -30,35 +32,66 @@ std::optional<int> address(const JsonObject &json, const char *key)
 
 Project ProjectReader::read(const Json::Value &root, FaultKeeper &faults)
 {
-    const JsonObject json(root, QString(),
-                          {"format", "version", "title", "note", "link", "addresses", "cableKilometres",
-                           "devices", "sequences", "serialLine"},
+    const JsonObject json(root, QString(), {"format", "version", "title", "note", "buses", "sequences"},
                           faults);
     Project project;
+    project.buses.clear();
     project.title = json.freeText("title");
     project.note = json.freeText("note");
-    if (json.has("link"))
-        project.link = readLink(json.object("link", {"kind", "settings"}));
-    if (json.has("addresses"))
-        project.addresses = readAddresses(json.object("addresses", {"unit", "first", "step5"}));
-    project.cableKilometres = json.decimalOr("cableKilometres", 0, 0, longestRemoteBus);
-    ProjectReader reader;
-    for (const JsonObject &row : json.array("devices",
-                                            {"place", "level", "deviceCode", "inWords", "outWords", "device",
-                                             "station", "group", "note", "label", "inAddress", "outAddress",
-                                             "wanted", "stored", "wantedCams", "storedCams", "lastPosition"},
-                                            ring_limit::devices))
-        project.devices.push_back(reader.readDevice(row));
+    for (const JsonObject &row : json.arrayOfAny("buses", mostBuses))
+        readBus(row, project);
+    std::ranges::stable_sort(project.buses, {}, &PlannedBus::id);
+    std::ranges::stable_sort(project.devices, {}, &ProjectDevice::bus);
     if (json.has("sequences"))
         for (const JsonObject &row :
              json.array("sequences", {"name", "holdCycles", "words"}, mostProjectSequences))
             project.sequences.push_back({row.freeText("name"), readWordList(row)});
-    if (json.has("serialLine"))
-        project.line = readLine(
-            json.object("serialLine", {"port", "adapter", "baudRate", "dataBits", "parity", "stopBits",
-                                       "lowLatency", "pollInterval", "timeOut", "retries", "quietAfterWrite",
-                                       "fractionBits", "topSpeed", "encoders"}));
     return project;
+}
+
+void ProjectReader::readBus(const JsonObject &json, Project &project)
+{
+    PlannedBus bus;
+    bus.kind = json.text("kind");
+    bus.id = {static_cast<int>(json.number("number", 1, largestNumber))};
+    bus.name = json.text("name");
+    if (findBus(project, bus.id) != nullptr)
+        json.report("number", tr("Another bus above has the number %1.").arg(bus.id.number));
+    if (std::ranges::find(project.buses, bus.name, &PlannedBus::name) != project.buses.end())
+        json.report("name", tr("Another bus above is called \"%1\".").arg(bus.name));
+    std::vector<ProjectDevice> devices;
+    if (bus.kind == QLatin1String(interbusKind))
+        bus.settings = KindData(readRing(json, devices));
+    else if (bus.kind == QLatin1String(escKind))
+        bus.settings = KindData(readLine(json, devices));
+    else
+        json.reportUnknownName("kind", bus.kind, {QLatin1String(interbusKind), QLatin1String(escKind)});
+    for (ProjectDevice &device : devices) {
+        device.bus = bus.id;
+        project.devices.push_back(std::move(device));
+    }
+    project.buses.push_back(std::move(bus));
+}
+
+RingPlan ProjectReader::readRing(const JsonObject &json, std::vector<ProjectDevice> &devices)
+{
+    json.allowOnly({"kind", "number", "name", "link", "addresses", "cableKilometres", "devices"});
+    RingPlan plan;
+    if (json.has("link"))
+        plan.link = readLink(json.object("link", {"kind", "settings"}));
+    if (json.has("addresses"))
+        plan.addresses = readAddresses(json.object("addresses", {"unit", "first", "step5"}));
+    plan.cableKilometres = json.decimalOr("cableKilometres", 0, 0, longestRemoteBus);
+    DeviceNumber last;
+    for (const JsonObject &row : json.array("devices",
+                                            {"place", "level", "deviceCode", "inWords", "outWords", "device",
+                                             "station", "group", "note", "label", "inAddress", "outAddress",
+                                             "wanted", "stored", "wantedCams", "storedCams", "lastPosition"},
+                                            ring_limit::devices)) {
+        devices.push_back(readDevice(row, last));
+        last = devices.back().participant.deviceNumber();
+    }
+    return plan;
 }
 
 ProjectLink ProjectReader::readLink(const JsonObject &json)
@@ -76,10 +109,10 @@ AddressRules ProjectReader::readAddresses(const JsonObject &json)
     return rules;
 }
 
-ProjectDevice ProjectReader::readDevice(const JsonObject &json)
+ProjectDevice ProjectReader::readDevice(const JsonObject &json, DeviceNumber before)
 {
     ProjectDevice device;
-    device.participant = readParticipant(json);
+    device.participant = readParticipant(json, before);
     device.inAddress = address(json, "inAddress");
     device.outAddress = address(json, "outAddress");
     device.wantedCams = readWantedCams(json);
@@ -102,10 +135,10 @@ void ProjectReader::readWhatIsKnown(const JsonObject &json, ProjectDevice &devic
         device.lastPosition = readLastPosition(json.object("lastPosition", {"position", "at"}));
 }
 
-Participant ProjectReader::readParticipant(const JsonObject &json)
+Participant ProjectReader::readParticipant(const JsonObject &json, DeviceNumber before)
 {
     Participant participant;
-    participant.number = readPlace(json);
+    participant.number = readPlace(json, before);
     participant.level = json.numberOr("level", 0, 0, ring_limit::levels - 1);
     participant.deviceCode = json.hexNumber("deviceCode");
     if (participant.deviceCode > 0xFFFF)
@@ -118,17 +151,16 @@ Participant ProjectReader::readParticipant(const JsonObject &json)
 }
 
 // The number follows from the place in the list; that it is told as well makes the file readable.
-NodeId ProjectReader::readPlace(const JsonObject &json)
+NodeId ProjectReader::readPlace(const JsonObject &json, DeviceNumber before)
 {
     const QString told = json.text("place");
     const bool onLocalBus = told.contains(u'.') && !told.endsWith(QStringLiteral(".0"));
-    const DeviceNumber place = nextNumber(m_lastPlace, onLocalBus);
+    const DeviceNumber place = nextNumber(before, onLocalBus);
     if (told != place.toString())
         json.report("place", tr("\"%1\" cannot stand here: by its place in the list this device is %2 on the "
                                 "remote bus, or %3 on a local bus.")
-                                 .arg(told, nextNumber(m_lastPlace, false).toString(),
-                                      nextNumber(m_lastPlace, true).toString()));
-    m_lastPlace = place;
+                                 .arg(told, nextNumber(before, false).toString(),
+                                      nextNumber(before, true).toString()));
     return place.node();
 }
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "catalog/json_object.h"
-#include "project/project.h"
+#include "project/line_plan.h"
+#include "project/ring_plan.h"
 
 namespace codewheel {
 
@@ -16,12 +17,14 @@ public:
     static Project read(const Json::Value &root, FaultKeeper &faults);
 
 private:
+    static void readBus(const JsonObject &json, Project &project);
+    static RingPlan readRing(const JsonObject &json, std::vector<ProjectDevice> &devices);
     static ProjectLink readLink(const JsonObject &json);
     static AddressRules readAddresses(const JsonObject &json);
-    ProjectDevice readDevice(const JsonObject &json);
+    static ProjectDevice readDevice(const JsonObject &json, DeviceNumber before);
     static void readWhatIsKnown(const JsonObject &json, ProjectDevice &device);
-    Participant readParticipant(const JsonObject &json);
-    NodeId readPlace(const JsonObject &json);
+    static Participant readParticipant(const JsonObject &json, DeviceNumber before);
+    static NodeId readPlace(const JsonObject &json, DeviceNumber before);
     static DeviceLabel readLabel(const JsonObject &json);
     static ParameterValues readWanted(const JsonObject &json);
     static std::vector<StoredValue> readStored(const JsonObject &json);
@@ -31,11 +34,9 @@ private:
     static QDateTime readTime(const JsonObject &json);
 
     // project_reader_line.cpp
-    static ProjectLine readLine(const JsonObject &json);
+    static LinePlan readLine(const JsonObject &json, std::vector<ProjectDevice> &encoders);
     static void readEncoders(const JsonObject &json, std::vector<ProjectDevice> &encoders);
     static LineAdapter readAdapter(const JsonObject &json);
-
-    DeviceNumber m_lastPlace;
 };
 
 } // namespace codewheel

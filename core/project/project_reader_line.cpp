@@ -34,9 +34,12 @@ bool isAtMasterAddress(Place place)
 
 } // namespace
 
-ProjectLine ProjectReader::readLine(const JsonObject &json)
+LinePlan ProjectReader::readLine(const JsonObject &json, std::vector<ProjectDevice> &encoders)
 {
-    ProjectLine line;
+    json.allowOnly({"kind", "number", "name", "port", "adapter", "baudRate", "dataBits", "parity", "stopBits",
+                    "lowLatency", "pollInterval", "timeOut", "retries", "quietAfterWrite", "fractionBits",
+                    "topSpeed", "devices"});
+    LinePlan line;
     LineWish &wish = line.wish;
     wish.port = json.freeText("port");
     if (json.has("adapter"))
@@ -56,15 +59,14 @@ ProjectLine ProjectReader::readLine(const JsonObject &json)
     wish.topSpeed =
         json.decimalOr("topSpeed", wish.topSpeed, line_limits::topSpeed.least, line_limits::topSpeed.most);
     wish.timing.character = wish.line.timeOf(1);
-    if (json.has("encoders"))
-        readEncoders(json, line.encoders);
+    readEncoders(json, encoders);
     return line;
 }
 
 void ProjectReader::readEncoders(const JsonObject &json, std::vector<ProjectDevice> &encoders)
 {
     std::set<QString> places;
-    for (const JsonObject &row : json.array("encoders",
+    for (const JsonObject &row : json.array("devices",
                                             {"place", "device", "station", "group", "note", "label",
                                              "swapsWarningBytes", "wanted", "stored", "lastPosition"},
                                             LineAddress::last)) {
@@ -77,11 +79,12 @@ void ProjectReader::readEncoders(const JsonObject &json, std::vector<ProjectDevi
         else if (!places.insert(told).second)
             row.report("place", tr("The address \"%1\" stands above already.").arg(told));
         else if (!encoders.empty() &&
-                 (isAtMasterAddress(*place) || isAtMasterAddress(encoders.front().place())))
+                 (isAtMasterAddress(*place) ||
+                  isAtMasterAddress(placeOnLine(LineAddress::of(encoders.front().participant.number)))))
             row.report("place",
                        tr("Every encoder answers to \"esc:00\": one that stands there must be alone on its "
                           "line."));
-        encoder.standAt(place.value_or(placeOnLine({})));
+        encoder.participant.number = place.value_or(placeOnLine({})).node;
         encoder.participant.deviceKey = row.text("device");
         encoder.swapsWarningBytes = row.flagOr("swapsWarningBytes", false);
         readWhatIsKnown(row, encoder);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/project_take_over.h"
 
+#include "project/ring_plan.h"
 #include "ring/numbering.h"
 #include "ring/take_over.h"
 
@@ -20,19 +21,21 @@ ProjectDevice inThePlaceOf(const ProjectDevice &before)
 
 } // namespace
 
-RingStructure structureOf(const Project &project)
+RingStructure structureOf(const Project &project, BusId ring)
 {
     RingStructure structure;
-    for (const ProjectDevice &device : project.devices)
+    for (const ProjectDevice &device : devicesOn(project, ring))
         structure.push_back(device.participant);
     return structure;
 }
 
-Project projectOf(const RingStructure &ring)
+Project projectOf(const RingStructure &ring, BusId id)
 {
     Project project;
+    setRingPlan(project, id, {});
     for (const Participant &participant : ring) {
         ProjectDevice device;
+        device.bus = id;
         device.participant = participant;
         project.devices.push_back(std::move(device));
     }
@@ -40,25 +43,28 @@ Project projectOf(const RingStructure &ring)
 }
 
 Project takenOver(Project project, const RingStructure &connected, const Comparison &comparison,
-                  std::span<const std::size_t> lines)
+                  std::span<const std::size_t> lines, BusId ring)
 {
-    const RingStructure configured = structureOf(project);
+    setRingPlan(project, ring, ringPlan(project, ring));
+    const RingStructure configured = structureOf(project, ring);
+    const std::span<ProjectDevice> own = devicesOn(project, ring);
     std::vector<ProjectDevice> devices;
     DeviceNumber number;
     for (const TakenDevice &taken : takeOver(comparison, lines)) {
         const Participant participant = takenParticipant(taken, configured, connected);
         ProjectDevice device;
         if (taken.own) {
-            ProjectDevice &before = project.devices.at(*taken.own);
+            ProjectDevice &before = own[*taken.own];
             const bool isSame = isSameKind(before.participant, participant);
             device = isSame ? std::move(before) : inThePlaceOf(before);
         }
+        device.bus = ring;
         device.participant = participant;
         number = nextNumber(number, isOnLocalBus(participant));
         device.participant.number = number.node();
         devices.push_back(std::move(device));
     }
-    project.devices = std::move(devices);
+    setDevicesOn(project, ring, std::move(devices));
     return project;
 }
 

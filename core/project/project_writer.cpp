@@ -31,17 +31,31 @@ QByteArray ProjectWriter::write(const Project &project)
     m_json.member("version", projectMigrations().size() + 1);
     writeText("title", project.title);
     writeText("note", project.note);
-    writeLink(project.link);
-    writeAddresses(project.addresses);
-    m_json.member("cableKilometres", project.cableKilometres);
-    m_json.list("devices", project.devices, [&](const ProjectDevice &device) { writeDevice(device); });
+    m_json.list("buses", project.buses, [&](const PlannedBus &bus) { writeBus(project, bus); });
     m_json.list("sequences", project.sequences, [&](const ProjectSequence &sequence) {
         writeText("name", sequence.name);
         writeWordList(m_json, sequence.list);
     });
-    if (project.line)
-        writeLine(*project.line);
     return m_json.finish();
+}
+
+void ProjectWriter::writeBus(const Project &project, const PlannedBus &bus)
+{
+    m_json.member("kind", bus.kind);
+    m_json.member("number", bus.id.number);
+    m_json.member("name", bus.name);
+    if (const auto *ring = bus.settings.as<RingPlan>())
+        writeRing(*ring, devicesOn(project, bus.id));
+    if (const auto *line = bus.settings.as<LinePlan>())
+        writeLine(*line, devicesOn(project, bus.id));
+}
+
+void ProjectWriter::writeRing(const RingPlan &plan, std::span<const ProjectDevice> devices)
+{
+    writeLink(plan.link);
+    writeAddresses(plan.addresses);
+    m_json.member("cableKilometres", plan.cableKilometres);
+    m_json.list("devices", devices, [&](const ProjectDevice &device) { writeDevice(device); });
 }
 
 // What is not there takes no line.

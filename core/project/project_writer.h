@@ -2,7 +2,8 @@
 #pragma once
 
 #include "catalog/json_writer.h"
-#include "project/project.h"
+#include "project/line_plan.h"
+#include "project/ring_plan.h"
 
 namespace codewheel {
 
@@ -14,6 +15,8 @@ public:
     QByteArray write(const Project &project);
 
 private:
+    void writeBus(const Project &project, const PlannedBus &bus);
+    void writeRing(const RingPlan &plan, std::span<const ProjectDevice> devices);
     void writeText(const char *key, const QString &text);
     void writeNumber(const char *key, std::optional<std::int64_t> number);
     void writeLink(const ProjectLink &link);
@@ -28,7 +31,7 @@ private:
     void writeEvidence(Evidence evidence, const QDateTime &at);
 
     // project_writer_line.cpp
-    void writeLine(const ProjectLine &line);
+    void writeLine(const LinePlan &line, std::span<const ProjectDevice> encoders);
     void writeAdapter(const LineAdapter &adapter);
 
     JsonWriter m_json;

@@ -18,35 +18,33 @@ std::int64_t wholeMilliseconds(Instant time)
 
 } // namespace
 
-void ProjectWriter::writeLine(const ProjectLine &line)
+void ProjectWriter::writeLine(const LinePlan &line, std::span<const ProjectDevice> encoders)
 {
-    std::vector<ProjectDevice> byAddress = line.encoders;
-    std::ranges::stable_sort(byAddress, {}, [](const ProjectDevice &encoder) { return encoder.place(); });
+    std::vector<ProjectDevice> byAddress(encoders.begin(), encoders.end());
+    std::ranges::stable_sort(byAddress, {}, &ProjectDevice::place);
     const LineWish &wish = line.wish;
-    m_json.object("serialLine", [&] {
-        writeText("port", wish.port);
-        if (line.adapter != LineAdapter())
-            writeAdapter(line.adapter);
-        m_json.member("baudRate", wish.line.baudRate);
-        m_json.member("dataBits", wish.line.dataBits);
-        m_json.member("parity", nameOf(parities, wish.line.parity));
-        m_json.member("stopBits", wish.line.stopBits);
-        m_json.flag("lowLatency", wish.line.lowLatency);
-        m_json.member("pollInterval", wholeMilliseconds(wish.pollInterval));
-        m_json.member("timeOut", wholeMilliseconds(wish.timing.answerTimeOut));
-        m_json.member("retries", wish.timing.retries);
-        m_json.member("quietAfterWrite", wholeMilliseconds(wish.timing.quietAfterWrite));
-        m_json.member("fractionBits", wish.fractionBits);
-        m_json.member("topSpeed", wish.topSpeed);
-        m_json.list("encoders", byAddress, [&](const ProjectDevice &encoder) {
-            m_json.member("place", encoder.place().toString());
-            writeText("device", encoder.participant.deviceKey);
-            writeNames(encoder);
-            if (encoder.swapsWarningBytes)
-                m_json.flag("swapsWarningBytes", true);
-            writeValues(encoder);
-            writeLastPosition(encoder);
-        });
+    writeText("port", wish.port);
+    if (line.adapter != LineAdapter())
+        writeAdapter(line.adapter);
+    m_json.member("baudRate", wish.line.baudRate);
+    m_json.member("dataBits", wish.line.dataBits);
+    m_json.member("parity", nameOf(parities, wish.line.parity));
+    m_json.member("stopBits", wish.line.stopBits);
+    m_json.flag("lowLatency", wish.line.lowLatency);
+    m_json.member("pollInterval", wholeMilliseconds(wish.pollInterval));
+    m_json.member("timeOut", wholeMilliseconds(wish.timing.answerTimeOut));
+    m_json.member("retries", wish.timing.retries);
+    m_json.member("quietAfterWrite", wholeMilliseconds(wish.timing.quietAfterWrite));
+    m_json.member("fractionBits", wish.fractionBits);
+    m_json.member("topSpeed", wish.topSpeed);
+    m_json.list("devices", byAddress, [&](const ProjectDevice &encoder) {
+        m_json.member("place", encoder.place().toString());
+        writeText("device", encoder.participant.deviceKey);
+        writeNames(encoder);
+        if (encoder.swapsWarningBytes)
+            m_json.flag("swapsWarningBytes", true);
+        writeValues(encoder);
+        writeLastPosition(encoder);
     });
 }
 

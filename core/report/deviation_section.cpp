@@ -101,8 +101,11 @@ void addFindings(ReportSection &section, const Project &project)
     ReportTable table{{ReportTexts::tr("No.", "device number"), ReportTexts::tr("Rules of the bus")},
                       {Column::text, Column::text},
                       {}};
-    for (const Finding &finding : checkProject(project))
-        table.rows.push_back({{project.devices[finding.device].place().toString(), finding.text}});
+    for (const PlannedBus &bus : project.buses)
+        if (bus.settings.as<RingPlan>())
+            for (const Finding &finding : checkProject(project, bus.id))
+                table.rows.push_back(
+                    {{devicesOn(project, bus.id)[finding.device].place().toString(), finding.text}});
     if (!table.rows.empty())
         section.blocks.emplace_back(std::move(table));
 }

@@ -2,6 +2,7 @@
 #include "report/make_report.h"
 
 #include "encoder/sentence.h"
+#include "project/ring_plan.h"
 #include "report/deviations.h"
 #include "report/report_words.h"
 #include "report/sections.h"
@@ -62,7 +63,9 @@ ReportFacts factsOf(const ReportInput &input, const Catalog &catalog,
     add(ReportTexts::tr("Date"),
         QStringLiteral("%1 (%2)").arg(report_words::time(input.now, input.now), zoneText(input.now)));
     add(ReportTexts::tr("Program"), program);
-    add(ReportTexts::tr("Link"), linkText(input.project.link));
+    for (const PlannedBus &bus : input.project.buses)
+        if (const auto *ring = bus.settings.as<RingPlan>())
+            add(ReportTexts::tr("Link"), linkText(ring->link));
     add(ReportTexts::tr("Devices"),
         sentence(ReportTexts::tr("%1, encoders among them: %2"),
                  {numberText(static_cast<std::int64_t>(devices.size())), numberText(encoders)}));
@@ -77,15 +80,17 @@ Report makeReport(const ReportInput &input, const Catalog &catalog)
 {
     const std::vector<ReportedDevice> devices = reportedDevices(input, catalog);
     const QString program = QStringLiteral("Codewheel %1").arg(input.version);
-    Report report{
-        .language =
-            QCoreApplication::translate("DeviceDescription", "en", "code of the language of these texts"),
-        .title = ReportTexts::tr("Commissioning report"),
-        .subject = input.project.title,
-        .origin = QStringLiteral("%1, %2").arg(program, report_words::time(input.now, input.now)),
-        .facts = factsOf(input, catalog, devices, program),
-        .sections = {report_sections::deviations(input, catalog, devices),
-                     report_sections::structure(input, devices), report_sections::cycleTime(input)}};
+    Report report{.language = QCoreApplication::translate("DeviceDescription", "en",
+                                                          "code of the language of these texts"),
+                  .title = ReportTexts::tr("Commissioning report"),
+                  .subject = input.project.title,
+                  .origin = QStringLiteral("%1, %2").arg(program, report_words::time(input.now, input.now)),
+                  .facts = factsOf(input, catalog, devices, program),
+                  .sections = {report_sections::deviations(input, catalog, devices),
+                               report_sections::structure(input, devices)}};
+    for (const PlannedBus &bus : input.project.buses)
+        if (bus.settings.as<RingPlan>() && !devicesOn(input.project, bus.id).empty())
+            report.sections.push_back(report_sections::cycleTime(input.project, bus.id));
     std::ranges::move(report_sections::encoders(input, devices), std::back_inserter(report.sections));
     report.sections.push_back(report_sections::eepromWrites(input, devices));
     if (ReportSection notes = report_sections::notes(input, devices); !notes.blocks.empty())

@@ -6,11 +6,14 @@
 namespace codewheel {
 namespace {
 
-const DeviceDescription *descriptionOf(const Participant &participant, const Catalog &catalog)
+// Of a serial encoder the name alone tells what it is.
+const DeviceDescription *descriptionOf(const ProjectDevice &planned, const Catalog &catalog)
 {
-    const DeviceDescription *named = catalog.find(participant.deviceKey);
-    return named && named->deviceCode == participant.deviceCode ? named
-                                                                : catalog.generic(participant.deviceCode);
+    const DeviceDescription *named = catalog.find(planned.participant.deviceKey);
+    const unsigned deviceCode = planned.participant.deviceCode;
+    return named && (named->deviceCode == deviceCode || named->profile == Profile::esc)
+               ? named
+               : catalog.generic(deviceCode);
 }
 
 } // namespace
@@ -70,7 +73,7 @@ std::vector<ReportedDevice> reportedDevices(const ReportInput &input, const Cata
     std::vector<ReportedDevice> devices;
     for (const ProjectDevice &planned : input.project.devices) {
         ReportedDevice device{.planned = &planned,
-                              .description = descriptionOf(planned.participant, catalog),
+                              .description = descriptionOf(planned, catalog),
                               .values = planned.stored,
                               .cams = planned.storedCams};
         if (const auto live = input.live.find(planned.place()); live != input.live.end()) {

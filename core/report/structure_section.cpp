@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/hex_code.h"
 #include "encoder/sentence.h"
+#include "project/line_plan.h"
 #include "project/process_addresses.h"
 #include "project/project_take_over.h"
 #include "report/report_words.h"
@@ -39,7 +40,7 @@ struct Wanted
     bool level = false;
 };
 
-Wanted columnsOf(const std::vector<ProjectDevice> &devices)
+Wanted columnsOf(std::span<const ProjectDevice> devices)
 {
     return {
         std::ranges::any_of(devices, [](const ProjectDevice &each) { return !each.group.isEmpty(); }),
@@ -89,28 +90,73 @@ QString milliseconds(const RingLoad &load, MicrosecondsOnTheWire bit, CycleTimeF
     return sentence(ReportTexts::tr("about %1 ms"), {QLocale().toString(time, 'f', 3)});
 }
 
+std::vector<ReportedDevice> reportedOn(BusId bus, const std::vector<ReportedDevice> &devices)
+{
+    std::vector<ReportedDevice> own;
+    std::ranges::copy_if(devices, std::back_inserter(own),
+                         [bus](const ReportedDevice &device) { return device.place().bus == bus; });
+    return own;
+}
+
+ReportTable ringTable(const Project &project, BusId ring, const std::vector<ReportedDevice> &devices)
+{
+    const Wanted wanted = columnsOf(devicesOn(project, ring));
+    const AddressRules::Unit unit = ringPlan(project, ring).addresses.unit;
+    const std::vector<DeviceAddresses> addresses = processAddresses(project, ring);
+    ReportTable table = emptyTable(wanted, unit);
+    for (std::size_t i = 0; i < devices.size(); ++i)
+        table.rows.push_back({cellsOf(devices[i], addresses[i], unit, wanted)});
+    return table;
+}
+
+// "Line: /dev/ttyUSB0, 19200 Bd, 8N2"
+QString lineText(const QString &name, const LinePlan &line)
+{
+    const LineSettings &settings = line.wish.line;
+    const QLatin1Char parity(QLatin1String("NEO").at(static_cast<qsizetype>(settings.parity)));
+    const QString form = QStringLiteral("%1%2%3").arg(settings.dataBits).arg(parity).arg(settings.stopBits);
+    QStringList parts{sentence(ReportTexts::tr("%1 Bd"), {QString::number(settings.baudRate)}), form};
+    if (!line.wish.port.isEmpty())
+        parts.prepend(line.wish.port);
+    return QStringLiteral("%1: %2").arg(name, parts.join(QStringLiteral(", ")));
+}
+
+ReportTable lineTable(const std::vector<ReportedDevice> &devices)
+{
+    ReportTable table{{ReportTexts::tr("Address"), ReportTexts::tr("Station"), ReportTexts::tr("Group"),
+                       ReportTexts::tr("Device")},
+                      {Column::text, Column::text, Column::text, Column::text},
+                      {}};
+    for (const ReportedDevice &device : devices)
+        table.rows.push_back({{device.place().toString(), device.planned->station, device.planned->group,
+                               report_words::device(device)}});
+    return table;
+}
+
 } // namespace
 
 ReportSection structure(const ReportInput &input, const std::vector<ReportedDevice> &devices)
 {
     ReportSection section{.heading = ReportTexts::tr("Bus structure"), .blocks = {}};
-    if (devices.empty()) {
-        section.blocks.emplace_back(ReportTexts::tr("The project has no devices."));
-        return section;
+    const auto isPlanned = [&](const PlannedBus &bus) { return !devicesOn(input.project, bus.id).empty(); };
+    const auto planned = std::ranges::count_if(input.project.buses, isPlanned);
+    for (const PlannedBus &bus : input.project.buses) {
+        if (!isPlanned(bus))
+            continue;
+        const std::vector<ReportedDevice> own = reportedOn(bus.id, devices);
+        const auto *line = bus.settings.as<LinePlan>();
+        if (planned > 1)
+            section.blocks.emplace_back(line ? lineText(bus.name, *line) : bus.name);
+        section.blocks.emplace_back(line ? lineTable(own) : ringTable(input.project, bus.id, own));
     }
-    const Wanted wanted = columnsOf(input.project.devices);
-    const AddressRules::Unit unit = input.project.addresses.unit;
-    const std::vector<DeviceAddresses> addresses = processAddresses(input.project);
-    ReportTable table = emptyTable(wanted, unit);
-    for (std::size_t i = 0; i < devices.size(); ++i)
-        table.rows.push_back({cellsOf(devices[i], addresses[i], unit, wanted)});
-    section.blocks.emplace_back(std::move(table));
+    if (section.blocks.empty())
+        section.blocks.emplace_back(ReportTexts::tr("The project has no devices."));
     return section;
 }
 
-ReportSection cycleTime(const ReportInput &input)
+ReportSection cycleTime(const Project &project, BusId ring)
 {
-    const RingLoad load = ringLoad(structureOf(input.project), input.project.cableKilometres);
+    const RingLoad load = ringLoad(structureOf(project, ring), ringPlan(project, ring).cableKilometres);
 
     ReportTable table{{ReportTexts::tr("Transmission speed"), ReportTexts::tr("Formula of G3 masters"),
                        ReportTexts::tr("Formula of G4 masters")},

@@ -4,6 +4,7 @@
 #include "app/window/serial_line.h"
 #include "tests/app/planned_encoder.h"
 #include "tests/app/window_test.h"
+#include "tests/support/plans.h"
 #include "widgets/line/line_settings_form.h"
 #include "widgets/look/inline_message.h"
 
@@ -38,18 +39,18 @@ protected:
     }
 
     // The project has this line, as it was opened from a file.
-    void plan(const ProjectLine &line)
+    void plan(const LinePlan &line, const std::vector<ProjectDevice> &encoders = {})
     {
         Project planned = project();
-        planned.line = line;
+        setLinePlan(planned, firstLine, line);
+        setEncodersOnLine(planned, encoders);
         shown->project().setProject(planned, {});
     }
     void plan(const std::vector<ProjectDevice> &encoders)
     {
-        ProjectLine line;
+        LinePlan line;
         line.wish.pollInterval = std::chrono::milliseconds(100);
-        line.encoders = encoders;
-        plan(line);
+        plan(line, encoders);
     }
     Project project() { return shown->project().project(); }
 

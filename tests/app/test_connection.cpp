@@ -54,7 +54,7 @@ protected:
     {
         const Catalog catalog = Catalog::builtIn();
         ProjectDocument &document = shown->project();
-        ASSERT_TRUE(PlanEdits(document, catalog).remove({document.ids()[1]}));
+        ASSERT_TRUE(PlanEdits(document, catalog).remove({document.ids(firstRing)[1]}));
     }
 };
 

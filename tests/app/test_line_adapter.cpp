@@ -2,6 +2,7 @@
 // Which adapter is opened and kept, with a list of ports that the test gives: pseudo terminals that stand for
 // adapters.
 #include "tests/app/line_at_port_test.h"
+#include "tests/support/plans.h"
 #include "tests/support/pty_pair.h"
 #include "widgets/look/inline_message.h"
 
@@ -46,7 +47,7 @@ protected:
     // The project was connected by adapter A, which was at this port.
     void planAt(const PtyPair &port)
     {
-        ProjectLine kept;
+        LinePlan kept;
         kept.wish.port = port.path();
         kept.adapter = {0x0403, 0x6001, QStringLiteral("A"), QStringLiteral("1-2:1.0")};
         plan(kept);
@@ -62,7 +63,7 @@ protected:
         QTest::keyClick(list.view(), Qt::Key_Return);
         advance(5);
     }
-    QString keptSerialNumber() { return project().line->adapter.serialNumber; }
+    QString keptSerialNumber() { return linePlan(project(), firstLine)->adapter.serialNumber; }
 
     PtyPair first;
     PtyPair second;
@@ -80,7 +81,7 @@ TEST_F(LineAdapterTest, TheOneThatWasOpenedIsKept)
     connectNow();
     EXPECT_EQ(line().linkName(), second.path()) << "A is there now";
     EXPECT_EQ(keptSerialNumber(), QStringLiteral("A"));
-    EXPECT_EQ(project().line->wish.port, second.path());
+    EXPECT_EQ(linePlan(project(), firstLine)->wish.port, second.path());
     EXPECT_EQ(form().wish().port, second.path());
 }
 
@@ -125,7 +126,7 @@ TEST_F(LineAdapterTest, AnotherAdapterIsUsedWhereTheUserSaysSo)
 // Without a serial number it cannot be told from another of its model elsewhere.
 TEST_F(LineAdapterTest, WhatReplacesAnUnpluggedOneIsKeptToo)
 {
-    plan(ProjectLine());
+    plan(LinePlan());
     plugIn({adapter(first, {})});
     connectPort(first.path());
     ASSERT_EQ(line().linkName(), first.path());
@@ -136,8 +137,8 @@ TEST_F(LineAdapterTest, WhatReplacesAnUnpluggedOneIsKeptToo)
     click(notice, QStringLiteral("Use this adapter"));
     ASSERT_TRUE(comes([&] { return line().latest().connected; }));
     EXPECT_EQ(line().linkName(), second.path());
-    EXPECT_EQ(project().line->adapter.usbPath, QStringLiteral("1-4:1.0"));
-    EXPECT_EQ(project().line->wish.port, second.path());
+    EXPECT_EQ(linePlan(project(), firstLine)->adapter.usbPath, QStringLiteral("1-4:1.0"));
+    EXPECT_EQ(linePlan(project(), firstLine)->wish.port, second.path());
 
     showForm();
     connectNow();
@@ -147,7 +148,7 @@ TEST_F(LineAdapterTest, WhatReplacesAnUnpluggedOneIsKeptToo)
 
 TEST_F(LineAdapterTest, ThePortThatIsOpenIsOpenedAgainByAnotherPathOfIt)
 {
-    plan(ProjectLine());
+    plan(LinePlan());
     connectPort(first.path());
     ASSERT_EQ(line().linkName(), first.path());
     const QString link = folder.filePath(QStringLiteral("encoders"));
@@ -160,7 +161,7 @@ TEST_F(LineAdapterTest, ThePortThatIsOpenIsOpenedAgainByAnotherPathOfIt)
 
 TEST_F(LineAdapterTest, AnAdapterThatCameBackElsewhereIsOpenedAgainWithOtherSettings)
 {
-    plan(ProjectLine());
+    plan(LinePlan());
     plugIn({adapter(first, QStringLiteral("A"))});
     connectPort(first.path());
     first.unplug();
@@ -173,7 +174,7 @@ TEST_F(LineAdapterTest, AnAdapterThatCameBackElsewhereIsOpenedAgainWithOtherSett
     EXPECT_EQ(said(), QString());
     ASSERT_NE(shown->line().session(), nullptr);
     EXPECT_EQ(line().linkName(), second.path());
-    EXPECT_EQ(project().line->wish.pollInterval, slower.pollInterval);
+    EXPECT_EQ(linePlan(project(), firstLine)->wish.pollInterval, slower.pollInterval);
 }
 
 } // namespace

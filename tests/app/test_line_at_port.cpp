@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/line_at_port_test.h"
+#include "tests/support/plans.h"
 #include "widgets/line/line_search.h"
 #include "widgets/line/line_terminal.h"
 #include "widgets/look/inline_message.h"
@@ -74,9 +75,9 @@ TEST_F(LineAtPort, AnEncoderOfAnotherAddressIsFoundThereByTheProject)
     ASSERT_TRUE(answers(at3));
     write(at3, Parameter::lineAddress, 7);
     ASSERT_TRUE(comes([&] { return line().encoder(at7) != nullptr && !line().encoder(at7)->runningJob(); }));
-    ASSERT_EQ(project().line->encoders.size(), 1u);
-    EXPECT_EQ(project().line->encoders[0].place(), at7);
-    EXPECT_EQ(project().line->encoders[0].station, QStringLiteral("Slide"));
+    ASSERT_EQ(encodersOnLine(project()).size(), 1u);
+    EXPECT_EQ(encodersOnLine(project())[0].place(), at7);
+    EXPECT_EQ(encodersOnLine(project())[0].station, QStringLiteral("Slide"));
     EXPECT_EQ(shown->project().undoStack().undoText(), QStringLiteral("Address of esc:03 to esc:07"));
 
     connectPort(port);
@@ -102,7 +103,7 @@ TEST_F(LineAtPort, TheTerminalExplainsFactorsInTheFormatOfTheProject)
 {
     plan({test::plannedEncoder(at3)});
     Project planned = project();
-    planned.line->wish.fractionBits = 28;
+    changeLine(planned, [](LinePlan &line) { line.wish.fractionBits = 28; });
     shown->project().setProject(planned, {});
     connectPort(startPeer(QStringLiteral("--addresses 03")));
     ask(QStringLiteral("03F"));
@@ -117,8 +118,8 @@ TEST_F(LineAtPort, SwappedWarningBytesAreKeptWithTheEncoder)
     ASSERT_TRUE(answers(at3) && answers(at5));
     window().findChild<StructureView *>()->choose(at3);
     actions().swapWarningBytes->trigger();
-    EXPECT_TRUE(project().line->encoders[0].swapsWarningBytes);
-    EXPECT_FALSE(project().line->encoders[1].swapsWarningBytes);
+    EXPECT_TRUE(encodersOnLine(project())[0].swapsWarningBytes);
+    EXPECT_FALSE(encodersOnLine(project())[1].swapsWarningBytes);
     const auto warnings = [this](Place number) { return line().encoder(number)->latest().warnings; };
     EXPECT_TRUE(comes([&] { return warnings(at3) == 0x9800 && warnings(at5) == 0x0098; }));
     ask(QStringLiteral("03E"));
@@ -160,22 +161,22 @@ TEST_F(LineAtPort, SwappedWarningBytesFollowTheEncoderThroughRemovalAndAnotherPr
     shown->project().setProject({}, {});
     EXPECT_TRUE(isSwapped()) << "the line is open as it was";
     takeOver();
-    ASSERT_TRUE(project().line);
-    EXPECT_TRUE(project().line->encoders.at(0).swapsWarningBytes);
+    ASSERT_TRUE(linePlan(project(), firstLine));
+    EXPECT_TRUE(encodersOnLine(project()).at(0).swapsWarningBytes);
 
     shown->project().setProject({}, {});
     window().findChild<StructureView *>()->choose(at3);
     actions().swapWarningBytes->trigger();
     EXPECT_FALSE(isSwapped());
-    ASSERT_TRUE(project().line) << "what is told of an encoder takes it into the project";
-    EXPECT_FALSE(project().line->encoders.at(0).swapsWarningBytes);
+    ASSERT_TRUE(linePlan(project(), firstLine)) << "what is told of an encoder takes it into the project";
+    EXPECT_FALSE(encodersOnLine(project()).at(0).swapsWarningBytes);
 }
 
 TEST_F(LineAtPort, TheFormatThatWasDeterminedIsKept)
 {
     plan({test::plannedEncoder(at3), test::plannedEncoder(at5)});
     Project planned = project();
-    planned.line->wish.fractionBits = 28;
+    changeLine(planned, [](LinePlan &line) { line.wish.fractionBits = 28; });
     shown->project().setProject(planned, {});
     connectPort(startPeer(QStringLiteral("--addresses 03,05 --silent 03")));
     ASSERT_TRUE(answers(at5));
@@ -183,7 +184,8 @@ TEST_F(LineAtPort, TheFormatThatWasDeterminedIsKept)
     window().findChild<StructureView *>()->choose(test::fraba);
     actions().lineSettings->trigger();
     click(form(), QStringLiteral("Determine"));
-    ASSERT_TRUE(comes([&] { return project().line->wish.fractionBits == 29; })) << "05 is asked: it answers";
+    ASSERT_TRUE(comes([&] { return linePlan(project(), firstLine)->wish.fractionBits == 29; }))
+        << "05 is asked: it answers";
     EXPECT_EQ(line().fractionBits(), 29);
     EXPECT_EQ(form().wish().fractionBits, 29);
     ask(QStringLiteral("05F"));
@@ -191,7 +193,8 @@ TEST_F(LineAtPort, TheFormatThatWasDeterminedIsKept)
     shown->project().undoStack().undo();
     EXPECT_EQ(project(), [&] {
         Project before = planned;
-        before.line->wish.port = project().line->wish.port;
+        changeLine(before,
+                   [this](LinePlan &line) { line.wish.port = linePlan(project(), firstLine)->wish.port; });
         return before;
     }());
 }
@@ -224,9 +227,9 @@ TEST_F(LineAtPort, AfterAnotherBaudRateTheLinesIsOffered)
     click(form(), QStringLiteral("Set the line to 9600 Bd"));
     EXPECT_EQ(said(), QString());
     EXPECT_EQ(form().wish().line.baudRate, 9'600);
-    EXPECT_EQ(project().line->wish.line.baudRate, 9'600);
+    EXPECT_EQ(linePlan(project(), firstLine)->wish.line.baudRate, 9'600);
     shown->project().undoStack().undo();
-    EXPECT_EQ(project().line->wish.line.baudRate, 19'200);
+    EXPECT_EQ(linePlan(project(), firstLine)->wish.line.baudRate, 19'200);
 }
 
 TEST_F(LineAtPort, WhereOthersStandAtTheOldBaudRateItIsSaidWhichWillBeSilent)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/planned_encoder.h"
 #include "tests/app/window_test.h"
+#include "tests/support/plans.h"
 #include "tests/support/pty_pair.h"
 #include "widgets/line/line_panel.h"
 #include "widgets/line/line_search.h"
@@ -54,8 +55,7 @@ protected:
     void plan(const std::vector<ProjectDevice> &encoders)
     {
         Project planned = project();
-        planned.line = ProjectLine();
-        planned.line->encoders = encoders;
+        setEncodersOnLine(planned, encoders);
         shown->project().setProject(planned, {});
     }
     static FoundEncoder found(LineAddress address, int baudRate)
@@ -141,7 +141,7 @@ TEST_F(LineViewsTest, WhatIsFoundIsTakenOver)
     advance(100);
     EXPECT_TRUE(model->indexOf(standingEncoder).isValid());
     EXPECT_EQ(model->rowCount(model->lineIndex()), 3);
-    EXPECT_FALSE(project().line) << "they are no more than simulated";
+    EXPECT_FALSE(linePlan(project(), firstLine)) << "they are no more than simulated";
 }
 
 TEST_F(LineViewsTest, WhatIsFoundAtAPortIsKeptInTheProject)
@@ -150,27 +150,27 @@ TEST_F(LineViewsTest, WhatIsFoundAtAPortIsKeptInTheProject)
     connectPort(pty.path());
     Q_EMIT view<LineSearch>().takeOverWanted({found({7}, 19'200)}, QStringLiteral("kuebler-esc-rs485"));
     EXPECT_EQ(line().places(), std::vector{placeOnLine({7})});
-    ASSERT_TRUE(project().line);
-    EXPECT_EQ(project().line->encoders, std::vector{test::plannedEncoder(placeOnLine({7}))});
+    ASSERT_TRUE(linePlan(project(), firstLine));
+    EXPECT_EQ(encodersOnLine(project()), std::vector{test::plannedEncoder(placeOnLine({7}))});
 }
 
 TEST_F(LineViewsTest, AnotherProjectTakesOverTheLineAsItIsOpen)
 {
     PtyPair pty;
-    ProjectLine slow;
+    LinePlan slow;
     slow.wish.line.baudRate = 9'600;
     Project slowProject = project();
-    slowProject.line = slow;
+    setLinePlan(slowProject, firstLine, slow);
     shown->project().setProject(slowProject, {});
     connectPort(pty.path());
     EXPECT_EQ(view<LineSearch>().wish().baudRates, std::vector{9'600});
     shown->project().setProject({}, {});
-    ASSERT_FALSE(project().line);
+    ASSERT_FALSE(linePlan(project(), firstLine));
     Q_EMIT view<LineSearch>().takeOverWanted({found({7}, 9'600)}, QStringLiteral("kuebler-esc-rs485"));
-    ASSERT_TRUE(project().line);
-    EXPECT_EQ(project().line->wish.line.baudRate, 9'600);
-    EXPECT_EQ(project().line->wish.port, pty.path());
-    EXPECT_EQ(project().line->encoders, std::vector{test::plannedEncoder(placeOnLine({7}))});
+    ASSERT_TRUE(linePlan(project(), firstLine));
+    EXPECT_EQ(linePlan(project(), firstLine)->wish.line.baudRate, 9'600);
+    EXPECT_EQ(linePlan(project(), firstLine)->wish.port, pty.path());
+    EXPECT_EQ(encodersOnLine(project()), std::vector{test::plannedEncoder(placeOnLine({7}))});
 }
 
 TEST_F(LineViewsTest, WhatAnswersAtAnotherBaudRateIsNotTakenOverAndThatIsSaid)
@@ -197,7 +197,7 @@ TEST_F(LineViewsTest, AnEncoderIsRemovedFromLineAndProject)
     actions().removeFromLine->trigger();
     advance(50);
     EXPECT_EQ(line().encoder(standingEncoder), nullptr);
-    EXPECT_EQ(project().line->encoders, std::vector{test::plannedEncoder(placeOnLine({7}))});
+    EXPECT_EQ(encodersOnLine(project()), std::vector{test::plannedEncoder(placeOnLine({7}))});
     view<StructureView>().choose(test::fraba);
     EXPECT_FALSE(actions().removeFromLine->isEnabled());
 }
@@ -210,7 +210,7 @@ TEST_F(LineViewsTest, RemovedFromTheTrainingLineTheProjectsOwnStays)
     actions().removeFromLine->trigger();
     advance(50);
     EXPECT_EQ(line().encoder(standingEncoder), nullptr);
-    EXPECT_EQ(project().line->encoders, std::vector{test::plannedEncoder(standingEncoder)});
+    EXPECT_EQ(encodersOnLine(project()), std::vector{test::plannedEncoder(standingEncoder)});
 }
 
 TEST_F(LineViewsTest, NoTrainingEncoderIsTakenAlongToAPort)
@@ -219,7 +219,7 @@ TEST_F(LineViewsTest, NoTrainingEncoderIsTakenAlongToAPort)
     PtyPair pty;
     connectPort(pty.path());
     EXPECT_TRUE(line().places().empty());
-    EXPECT_TRUE(project().line->encoders.empty());
+    EXPECT_TRUE(encodersOnLine(project()).empty());
 }
 
 TEST_F(LineViewsTest, ThePortOfAnEncoderIsConnectedInWatch)
@@ -233,7 +233,7 @@ TEST_F(LineViewsTest, ThePortOfAnEncoderIsConnectedInWatch)
     EXPECT_EQ(shown->line().training(), nullptr);
     EXPECT_FALSE(line().isOperating());
     EXPECT_FALSE(bus().isOperating()) << "one decision for both";
-    EXPECT_EQ(project().line->wish, view<LineSettingsForm>().wish());
+    EXPECT_EQ(linePlan(project(), firstLine)->wish, view<LineSettingsForm>().wish());
     EXPECT_EQ(line().places(), (std::vector{standingEncoder, placeOnLine({7})}))
         << "the encoders of the project";
     EXPECT_EQ(findDevice(project(), standingEncoder)->station, QStringLiteral("Slide"));

@@ -144,7 +144,7 @@ TEST_F(OfflineEditing, OfADeviceThatIsRemovedTheNextOneIsShown)
     EXPECT_EQ(shown->project().project().devices.size(), 6U);
     ASSERT_TRUE(tree().current().has_value());
     EXPECT_EQ(tree().current()->toString(), chosenInPlan());
-    ASSERT_TRUE(shown->project().placeOf(*tree().current()));
+    ASSERT_TRUE(shown->project().idAt(*tree().current()));
 }
 
 TEST_F(OfflineEditing, SeveralStaySelectedInTheStructureEditor)

@@ -13,7 +13,7 @@ PLACES = ("1.0", "2.0")
 def serial_numbers(project):
     """By place; nothing where the file is no project."""
     try:
-        devices = json.loads(project.read_bytes())["devices"]
+        devices = [device for bus in json.loads(project.read_bytes())["buses"] for device in bus["devices"]]
         return {one["place"]: one.get("label", {}).get("serialNumber") for one in devices}
     except (OSError, ValueError, KeyError, TypeError):
         return None

@@ -5,6 +5,7 @@
 #include "project/project_take_over.h"
 #include "ring/id_code.h"
 #include "tests/support/places.h"
+#include "tests/support/plans.h"
 #include "widgets/look/appearance.h"
 #include "widgets/structure_editor/plan_model.h"
 #include "widgets/structure_editor/structure_editor.h"
@@ -97,17 +98,17 @@ int main(int argc, char **argv)
     });
     measure("move first to last and back", editor, [&](int i) {
         const RingPlace place{.terminal = {}, .onLocalBus = false, .row = i % 2 == 0 ? 99U : 0U};
-        (void)edits.move({document.ids()[i % 2 == 0 ? 0 : 512 - localDevices - 1]}, place);
+        (void)edits.move({document.ids(firstRing)[i % 2 == 0 ? 0 : 512 - localDevices - 1]}, place);
     });
     measure("remove a local bus and undo", editor, [&](int i) {
         if (i % 2 == 0)
-            (void)edits.remove({document.ids().front()});
+            (void)edits.remove({document.ids(firstRing).front()});
         else
             document.undoStack().undo();
     });
     measure("insert at the front and undo", editor, [&](int i) {
         if (i == 0)
-            (void)edits.remove({document.ids()[1], document.ids()[2]});
+            (void)edits.remove({document.ids(firstRing)[1], document.ids(firstRing)[2]});
         if (i % 2 == 0)
             (void)edits.insert(deviceOf(0x0237), {.terminal = {}, .onLocalBus = false, .row = 0});
         else
@@ -115,7 +116,9 @@ int main(int argc, char **argv)
     });
     measure("addresses in words, in bytes", editor, [&](int i) {
         Project after = document.project();
-        after.addresses.unit = i % 2 == 0 ? AddressRules::Unit::word : AddressRules::Unit::byte;
+        changeRing(after, [&](RingPlan &ring) {
+            ring.addresses.unit = i % 2 == 0 ? AddressRules::Unit::word : AddressRules::Unit::byte;
+        });
         document.edit(after, {});
     });
     return 0;

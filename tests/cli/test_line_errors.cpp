@@ -2,6 +2,7 @@
 #include "catalog/catalog.h"
 #include "project/project_file.h"
 #include "tests/cli/shared_line.h"
+#include "tests/support/plans.h"
 
 #include <QJsonArray>
 #include <QTemporaryDir>
@@ -97,11 +98,11 @@ protected:
         encoder.standAt(placeOnLine({0x12}));
         encoder.participant.deviceKey = QStringLiteral("kuebler-esc-rs422");
         encoder.station = QStringLiteral("Slewing gear");
-        project.line = ProjectLine{};
-        project.line->encoders.push_back(encoder);
+        setLinePlan(project, firstLine, {});
+        project.devices.push_back(encoder);
         encoder.standAt(placeOnLine({0x03}));
         encoder.station = QStringLiteral("0A");
-        project.line->encoders.insert(project.line->encoders.begin(), encoder);
+        project.devices.insert(project.devices.end() - 1, encoder);
         EXPECT_TRUE(saveProject(project, m_file));
     }
     CliRun read(const char *place) const

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/line_link.h"
+#include "tests/support/plans.h"
 
 #include <gtest/gtest.h>
 
@@ -61,21 +62,21 @@ TEST(CliLineLink, SettingsGoAsFarAsInTheProject)
 TEST(CliLineLink, TheLineOfAProjectKeepsItsSettingsSaveThoseTyped)
 {
     Project project;
-    project.line = ProjectLine{};
-    project.line->wish.port = QStringLiteral("/dev/ttyUSB3");
-    project.line->wish.fractionBits = 28;
-    project.line->wish.line.baudRate = 4'800;
-    project.line->adapter.serialNumber = QStringLiteral("A50285BI");
-    project.line->encoders.resize(2);
-    project.line->encoders[0].standAt(placeOnLine({3}));
-    project.line->encoders[1].standAt(placeOnLine({5}));
-    project.line->encoders[1].swapsWarningBytes = true;
+    LinePlan line;
+    line.wish.port = QStringLiteral("/dev/ttyUSB3");
+    line.wish.fractionBits = 28;
+    line.wish.line.baudRate = 4'800;
+    line.adapter.serialNumber = QStringLiteral("A50285BI");
+    setLinePlan(project, firstLine, line);
+    for (const LineAddress address : {LineAddress{3}, LineAddress{5}})
+        project.devices.emplace_back().standAt(placeOnLine(address));
+    project.devices[1].swapsWarningBytes = true;
     const auto link = linkMeant(QStringLiteral("esc:project,fraction-bits=30"), &project);
     ASSERT_TRUE(link);
     EXPECT_EQ(link->line.wish.port, QStringLiteral("/dev/ttyUSB3"));
     EXPECT_EQ(link->line.wish.line.baudRate, 4'800);
     EXPECT_EQ(link->line.wish.fractionBits, 30);
-    EXPECT_EQ(link->line.adapter, project.line->adapter);
+    EXPECT_EQ(link->line.adapter, line.adapter);
     EXPECT_FALSE(link->line.explainOptions().swaps({3}));
     EXPECT_TRUE(link->line.explainOptions().swaps({5}));
     EXPECT_TRUE(linkMeant(QStringLiteral("esc:ttyUSB1"), &project)->line.explainOptions().swaps({5}))

@@ -87,7 +87,7 @@ TEST(KeptAdapter, OneThatWasKeptIsLookedForFromTheBeginning)
 
 TEST(KeptAdapter, AProjectKeepsIt)
 {
-    ProjectLine line;
+    LinePlan line;
     line.wish.port = QStringLiteral("ttyUSB0");
     KeptAdapter first = keptAdapterOf(line);
     EXPECT_FALSE(first.adapter());

@@ -4,6 +4,7 @@
 #include "cams/check_cams.h"
 #include "project/process_addresses.h"
 #include "ring/numbering.h"
+#include "tests/support/plans.h"
 
 #include <array>
 
@@ -33,7 +34,8 @@ private:
     ProjectDevice device(DeviceNumber before);
     void addValues(ProjectDevice &device);
     void addCams(ProjectDevice &device);
-    ProjectLine line();
+    LinePlan line();
+    std::vector<ProjectDevice> encodersOfLine();
 
     std::mt19937 &m_random;
 };
@@ -113,10 +115,10 @@ void Maker::addCams(ProjectDevice &device)
     }
 }
 
-ProjectLine Maker::line()
+LinePlan Maker::line()
 {
     using std::chrono::milliseconds;
-    ProjectLine line;
+    LinePlan line;
     LineWish &wish = line.wish;
     wish.port = text();
     wish.line = {static_cast<int>(1 + below(10'000'000)), maybe() ? 7 : 8,
@@ -129,6 +131,12 @@ ProjectLine Maker::line()
     wish.fractionBits = static_cast<int>(17 + below(14));
     wish.topSpeed = static_cast<double>(1 + below(20'000)) / 2 + 1;
     line.adapter = {static_cast<int>(below(0x10000)), static_cast<int>(below(0x10000)), text(), text()};
+    return line;
+}
+
+std::vector<ProjectDevice> Maker::encodersOfLine()
+{
+    std::vector<ProjectDevice> encoders;
     for (std::uint8_t address = 1; address <= LineAddress::last; ++address) {
         if (below(8) != 0)
             continue;
@@ -139,9 +147,9 @@ ProjectLine Maker::line()
         encoder.label = {0, 0, text()};
         encoder.swapsWarningBytes = maybe();
         addValues(encoder);
-        line.encoders.push_back(std::move(encoder));
+        encoders.push_back(std::move(encoder));
     }
-    return line;
+    return encoders;
 }
 
 Project Maker::project(std::size_t devices)
@@ -149,12 +157,14 @@ Project Maker::project(std::size_t devices)
     Project project;
     project.title = text();
     project.note = text();
-    project.link.kind = maybe() ? QStringLiteral("training") : QStringLiteral("modbus-tcp");
+    RingPlan ring;
+    ring.link.kind = maybe() ? QStringLiteral("training") : QStringLiteral("modbus-tcp");
     for (std::int64_t n = below(3); n > 0; --n)
-        project.link.settings[text()] = text();
-    project.addresses = {maybe() ? AddressRules::Unit::byte : AddressRules::Unit::word,
-                         static_cast<int>(below(512)), maybe()};
-    project.cableKilometres = static_cast<double>(below(12'800)) / 1000;
+        ring.link.settings[text()] = text();
+    ring.addresses = {maybe() ? AddressRules::Unit::byte : AddressRules::Unit::word,
+                      static_cast<int>(below(512)), maybe()};
+    ring.cableKilometres = static_cast<double>(below(12'800)) / 1000;
+    setRingPlan(project, firstRing, std::move(ring));
     DeviceNumber before;
     for (std::size_t n = 0; n < devices; ++n) {
         project.devices.push_back(device(before));
@@ -167,7 +177,9 @@ Project Maker::project(std::size_t devices)
         project.sequences.push_back({text(), list});
     }
     if (maybe())
-        project.line = line();
+        setLinePlan(project, firstLine, line());
+    if (linePlan(project, firstLine))
+        setDevicesOn(project, firstLine, encodersOfLine());
     return project;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/check_project.h"
+#include "tests/support/plans.h"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +43,7 @@ TEST(CheckProject, OverlapsAreToldAtBothDevices)
     project.devices[2].inAddress = 12;
     EXPECT_EQ(findings(project), (QStringList{QStringLiteral("0 fault: IN at 10 overlaps that of 3.0."),
                                               QStringLiteral("2 fault: IN at 12 overlaps that of 1.0.")}));
-    project.addresses.unit = AddressRules::Unit::word;
+    changeRing(project, [&](RingPlan &ring) { ring.addresses.unit = AddressRules::Unit::word; });
     EXPECT_EQ(findings(project).first(), QStringLiteral("0 fault: IN at 5 overlaps that of 3.0."));
     project.devices[2].inAddress = 14;
     EXPECT_EQ(findings(project), QStringList()) << "side by side";
@@ -75,7 +76,7 @@ TEST(CheckProject, Step5WantsEncodersAboveP127)
     input.participant = {NodeId("2.0"), 0x02, 0x0102, 1, 0, {}};
     project.devices.push_back(input);
     EXPECT_EQ(findings(project), QStringList()) << "it is switched off";
-    project.addresses.step5 = true;
+    changeRing(project, [&](RingPlan &ring) { ring.addresses.step5 = true; });
     EXPECT_EQ(
         findings(project),
         (QStringList{QStringLiteral(

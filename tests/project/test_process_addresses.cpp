@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/process_addresses.h"
+#include "tests/support/plans.h"
 
 #include <gtest/gtest.h>
 
@@ -36,10 +37,10 @@ TEST(ProcessAddresses, AutomaticOnesFollowTheRing)
     Project project;
     project.devices = {device(2, 2), device(1, 0), device(0, 0), device(2, 2)};
     EXPECT_EQ(shown(processAddresses(project)).toStdString(), "0..3/0..3 4..5/- -/- 6..9/4..7");
-    project.addresses.first = 128;
+    changeRing(project, [&](RingPlan &ring) { ring.addresses.first = 128; });
     EXPECT_EQ(shown(processAddresses(project)).toStdString(),
               "128..131/128..131 132..133/- -/- 134..137/132..135");
-    project.addresses.first = 7;
+    changeRing(project, [&](RingPlan &ring) { ring.addresses.first = 7; });
     EXPECT_EQ(shown(processAddresses(project)).toStdString(), "8..11/8..11 12..13/- -/- 14..17/12..15")
         << "word aligned";
 }

@@ -5,7 +5,9 @@
 #include "tests/project/made_up_project.h"
 #include "tests/support/breakage.h"
 #include "tests/support/places.h"
+#include "tests/support/plans.h"
 
+#include <QDir>
 #include <QFile>
 
 #include <algorithm>
@@ -34,8 +36,8 @@ TEST(ProjectJson, ReadsWhatThePageShows)
     const auto project = projectFromJson(example(), fileName);
     ASSERT_TRUE(project) << refusalText(project.error()).toStdString();
     EXPECT_EQ(project->title, QStringLiteral("Crane 1"));
-    EXPECT_EQ(project->cableKilometres, 0.4);
-    ASSERT_EQ(project->devices.size(), 3u);
+    EXPECT_EQ(ringPlan(*project, firstRing).cableKilometres, 0.4);
+    ASSERT_EQ(project->devices.size(), 4u);
 
     ProjectDevice first;
     first.participant = {NodeId("1.0"), 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")};
@@ -60,8 +62,8 @@ TEST(ProjectJson, ReadsWhatThePageShows)
 TEST(ProjectJson, ReadsTheSerialLineThatThePageShows)
 {
     const auto project = projectFromJson(example(), fileName);
-    ASSERT_TRUE(project && project->line);
-    ProjectLine line;
+    ASSERT_TRUE(project && linePlan(*project, firstLine));
+    LinePlan line;
     line.wish.port = QStringLiteral("/dev/ttyUSB0");
     line.adapter = {0x0403, 0x6001, QStringLiteral("A50285BI"), QStringLiteral("1-2.4:1.0")};
     ProjectDevice encoder;
@@ -70,9 +72,9 @@ TEST(ProjectJson, ReadsTheSerialLineThatThePageShows)
     encoder.station = QStringLiteral("Slide");
     encoder.wanted = {{Parameter::direction, 1}};
     encoder.swapsWarningBytes = true;
-    line.encoders = {encoder};
-    EXPECT_EQ(*project->line, line);
-    EXPECT_EQ(findDevice(*project, encoder.place()), &project->line->encoders[0]);
+    EXPECT_EQ(*linePlan(*project, firstLine), line);
+    EXPECT_EQ(encodersOnLine(*project), std::vector{encoder});
+    EXPECT_EQ(findDevice(*project, encoder.place()), &project->devices[3]);
     EXPECT_EQ(findDevice(*project, placeOnLine({0x13})), nullptr);
     EXPECT_EQ(findDevice(*project, "2.1"_ring), &project->devices[2]);
 }
@@ -82,11 +84,11 @@ TEST(ProjectJson, WhatIsLeftOutOfASerialLineIsAsDelivered)
     const auto project = projectFromJson(
         R"({"format": "codewheel-project", "version": 1, "devices": [], "serialLine": {"baudRate": 4800}})",
         fileName);
-    ASSERT_TRUE(project && project->line);
-    ProjectLine line;
+    ASSERT_TRUE(project && linePlan(*project, firstLine));
+    LinePlan line;
     line.wish.line.baudRate = 4'800;
     line.wish.timing.character = line.wish.line.timeOf(1);
-    EXPECT_EQ(*project->line, line);
+    EXPECT_EQ(*linePlan(*project, firstLine), line);
 }
 
 // The same limits as at the command line and in the form.
@@ -96,10 +98,10 @@ TEST(ProjectJson, ASerialLineMayHaveAllThatTheCommandLineGives)
         R"({"format": "codewheel-project", "version": 1, "devices": [], "serialLine": {"baudRate": 10000000,
             "timeOut": 60000, "retries": 20, "quietAfterWrite": 60000, "pollInterval": 60000}})",
         fileName);
-    ASSERT_TRUE(project && project->line);
-    EXPECT_EQ(project->line->wish.line.baudRate, 10'000'000);
-    EXPECT_EQ(project->line->wish.timing.answerTimeOut, std::chrono::seconds(60));
-    EXPECT_EQ(project->line->wish.timing.retries, 20);
+    ASSERT_TRUE(project && linePlan(*project, firstLine));
+    EXPECT_EQ(linePlan(*project, firstLine)->wish.line.baudRate, 10'000'000);
+    EXPECT_EQ(linePlan(*project, firstLine)->wish.timing.answerTimeOut, std::chrono::seconds(60));
+    EXPECT_EQ(linePlan(*project, firstLine)->wish.timing.retries, 20);
 }
 
 // Kübler manual, "Masteraddress: 00"
@@ -154,7 +156,7 @@ TEST(ProjectJson, TheOrderInTheFileIsNotSeen)
     Json::Value json;
     ASSERT_TRUE(Json::Reader().parse(projectToJson(project).toStdString(), json));
     int turned = 0;
-    for (Json::Value &device : json["devices"])
+    for (Json::Value &device : json["buses"][0]["devices"])
         for (const char *key : {"wanted", "stored", "wantedCams", "storedCams"}) {
             Json::Value &rows = device[key];
             if (rows.isNull()) {
@@ -194,87 +196,98 @@ TEST_P(BrokenProject, IsRefusedWithLineKeyAndReason)
 INSTANTIATE_TEST_SUITE_P(
     Rules, BrokenProject,
     testing::Values(
-        Breakage{"\"version\": 1,", "\"version\": 1", 4, "", "not valid JSON"},
+        Breakage{"\"version\": 2,", "\"version\": 2", 4, "", "not valid JSON"},
         Breakage{"codewheel-project", "codewheel-cams", 2, "format", "This is no project"},
-        Breakage{"\"version\": 1,", "", 1, "version", "whole number from 1"},
-        Breakage{"\"version\": 1,", "\"version\": 0,", 3, "version", "whole number from 1"},
-        Breakage{"\"version\": 1,", "\"version\": 1.0,", 3, "version", "whole number from 1"},
-        Breakage{"\"version\": 1,", "\"version\": \"1\",", 3, "version", "whole number from 1"},
+        Breakage{"\"version\": 2,", "", 1, "version", "whole number from 1"},
+        Breakage{"\"version\": 2,", "\"version\": 0,", 3, "version", "whole number from 1"},
+        Breakage{"\"version\": 2,", "\"version\": 2.0,", 3, "version", "whole number from 1"},
+        Breakage{"\"version\": 2,", "\"version\": \"1\",", 3, "version", "whole number from 1"},
         Breakage{"\"title\": \"Crane 1\"", "\"title\": 1", 4, "title", "text in quotation marks"},
         Breakage{"\"title\"", "\"titel\"", 4, "titel", "not known"},
-        Breakage{"\"title\"", "\"link\"", 5, "link", "stands here twice"},
-        Breakage{"\"kind\": \"training\"", "", 5, "link.kind", "missing"},
-        Breakage{"\"kind\": \"training\"", "\"kind\": \"training\", \"settings\": {\"port\": 1}", 6,
-                 "link.settings", "object of texts"},
-        Breakage{"\"kind\": \"training\"", "\"kind\": \"training\", \"settings\": []", 6, "link.settings",
-                 "object of texts"},
-        Breakage{"\"unit\": \"byte\"", "\"unit\": \"bit\"", 9, "addresses.unit", "byte, word"},
-        Breakage{"\"first\": 0", "\"first\": 65536", 10, "addresses.first", "not between 0 and 65535"},
-        Breakage{"\"step5\": false", "\"step5\": 0", 11, "addresses.step5", "true or false"},
-        Breakage{"0.4", "-0.4", 13, "cableKilometres", "not between 0 and 12.8"},
-        Breakage{"0.4", "12.9", 13, "cableKilometres", "not between 0 and 12.8"},
-        Breakage{"0.4", "\"0.4\"", 13, "cableKilometres", "number"},
-        Breakage{"\"place\": \"1.0\"", "\"place\": \"2.0\"", 16, "devices[0].place", "1.0 on the remote"},
-        Breakage{"\"place\": \"2.1\"", "\"place\": \"2.2\"", 66, "devices[2].place",
+        Breakage{"\"title\"", "\"buses\"", 5, "buses", "stands here twice"},
+        Breakage{"\"kind\": \"training\"", "", 10, "buses[0].link.kind", "missing"},
+        Breakage{"\"kind\": \"training\"", "\"kind\": \"training\", \"settings\": {\"port\": 1}", 11,
+                 "buses[0].link.settings", "object of texts"},
+        Breakage{"\"kind\": \"training\"", "\"kind\": \"training\", \"settings\": []", 11,
+                 "buses[0].link.settings", "object of texts"},
+        Breakage{"\"unit\": \"byte\"", "\"unit\": \"bit\"", 14, "buses[0].addresses.unit", "byte, word"},
+        Breakage{"\"first\": 0", "\"first\": 65536", 15, "buses[0].addresses.first",
+                 "not between 0 and 65535"},
+        Breakage{"\"step5\": false", "\"step5\": 0", 16, "buses[0].addresses.step5", "true or false"},
+        Breakage{"0.4", "-0.4", 18, "buses[0].cableKilometres", "not between 0 and 12.8"},
+        Breakage{"0.4", "12.9", 18, "buses[0].cableKilometres", "not between 0 and 12.8"},
+        Breakage{"0.4", "\"0.4\"", 18, "buses[0].cableKilometres", "number"},
+        Breakage{"\"place\": \"1.0\"", "\"place\": \"2.0\"", 21, "buses[0].devices[0].place",
+                 "1.0 on the remote"},
+        Breakage{"\"place\": \"2.1\"", "\"place\": \"2.2\"", 71, "buses[0].devices[2].place",
                  "3.0 on the remote bus, or 2.1 on a local bus"},
-        Breakage{"\"place\": \"2.1\"", "\"place\": \"2.x\"", 66, "devices[2].place", "cannot stand here"},
-        Breakage{"\"place\": \"2.1\"", "\"place\": \"\"", 66, "devices[2].place", "text"},
-        Breakage{"\"place\": \"2.1\",", "", 65, "devices[2].place", "missing"},
-        Breakage{"\"level\": 0", "\"level\": 16", 17, "devices[0].level", "not between 0 and 15"},
-        Breakage{"\"level\": 0", "\"level\": 0.5", 17, "devices[0].level", "whole number"},
-        Breakage{"0237h", "0237", 18, "devices[0].deviceCode", "hexadecimal"},
-        Breakage{"0237h", "10237h", 18, "devices[0].deviceCode", "four digits"},
-        Breakage{"\"inWords\": 2", "\"inWords\": 257", 19, "devices[0].inWords", "not between 0 and 256"},
-        Breakage{"\"outWords\": 2,", "", 15, "devices[0].outWords", "missing"},
-        Breakage{"\"device\": \"fraba-ocd-ib\"", "\"device\": null", 21, "devices[0].device", "text"},
-        Breakage{"\"station\": \"Hoist\"", "\"station\": []", 22, "devices[0].station", "text"},
-        Breakage{"\"turns\": 4096", "\"turns\": -1", 25, "devices[0].label.turns", "not between"},
-        Breakage{"\"stepsPerTurn\": 8192", "\"stepsPerTurn\": 9999999999", 26,
-                 "devices[0].label.stepsPerTurn", "not between"},
-        Breakage{"\"20417\"", "20417", 27, "devices[0].label.serialNumber", "text"},
-        Breakage{"\"inAddress\": 128", "\"inAddress\": -1", 29, "devices[0].inAddress", "not between"},
-        Breakage{"\"revolutions\"", "\"turns\"", 32, "devices[0].wanted[1].parameter", "no parameter"},
-        Breakage{"\"revolutions\"", "\"steps\"", 32, "devices[0].wanted[1].parameter", "above already"},
-        Breakage{"\"value\": 16", "\"value\": 16.5", 32, "devices[0].wanted[1].value", "whole number"},
-        Breakage{"\"value\": 16", "\"value\": 9223372036854775808", 32, "devices[0].wanted[1].value",
+        Breakage{"\"place\": \"2.1\"", "\"place\": \"2.x\"", 71, "buses[0].devices[2].place",
+                 "cannot stand here"},
+        Breakage{"\"place\": \"2.1\"", "\"place\": \"\"", 71, "buses[0].devices[2].place", "text"},
+        Breakage{"\"place\": \"2.1\",", "", 70, "buses[0].devices[2].place", "missing"},
+        Breakage{"\"level\": 0", "\"level\": 16", 22, "buses[0].devices[0].level", "not between 0 and 15"},
+        Breakage{"\"level\": 0", "\"level\": 0.5", 22, "buses[0].devices[0].level", "whole number"},
+        Breakage{"0237h", "0237", 23, "buses[0].devices[0].deviceCode", "hexadecimal"},
+        Breakage{"0237h", "10237h", 23, "buses[0].devices[0].deviceCode", "four digits"},
+        Breakage{"\"inWords\": 2", "\"inWords\": 257", 24, "buses[0].devices[0].inWords",
+                 "not between 0 and 256"},
+        Breakage{"\"outWords\": 2,", "", 20, "buses[0].devices[0].outWords", "missing"},
+        Breakage{"\"device\": \"fraba-ocd-ib\"", "\"device\": null", 26, "buses[0].devices[0].device",
+                 "text"},
+        Breakage{"\"station\": \"Hoist\"", "\"station\": []", 27, "buses[0].devices[0].station", "text"},
+        Breakage{"\"turns\": 4096", "\"turns\": -1", 30, "buses[0].devices[0].label.turns", "not between"},
+        Breakage{"\"stepsPerTurn\": 8192", "\"stepsPerTurn\": 9999999999", 31,
+                 "buses[0].devices[0].label.stepsPerTurn", "not between"},
+        Breakage{"\"20417\"", "20417", 32, "buses[0].devices[0].label.serialNumber", "text"},
+        Breakage{"\"inAddress\": 128", "\"inAddress\": -1", 34, "buses[0].devices[0].inAddress",
+                 "not between"},
+        Breakage{"\"revolutions\"", "\"turns\"", 37, "buses[0].devices[0].wanted[1].parameter",
+                 "no parameter"},
+        Breakage{"\"revolutions\"", "\"steps\"", 37, "buses[0].devices[0].wanted[1].parameter",
+                 "above already"},
+        Breakage{"\"value\": 16", "\"value\": 16.5", 37, "buses[0].devices[0].wanted[1].value",
                  "whole number"},
-        Breakage{"\"read\"", "\"guessed\"", 35, "devices[0].stored[0].evidence", "read, echoed, told"},
-        Breakage{"14:02:00.000Z", "14:02:00Z", 35, "devices[0].stored[0].at", "A time such as"},
-        Breakage{"2026-03-01T", "2026-02-30T", 35, "devices[0].stored[0].at", "A time such as"},
-        Breakage{"\"2026-03-01T14:02:00.000Z\"", "\"\"", 35, "devices[0].stored[0].at", "A time such as"},
-        Breakage{"\"program\": 1", "\"program\": 9", 39, "devices[0].wantedCams[0].program",
+        Breakage{"\"value\": 16", "\"value\": 9223372036854775808", 37, "buses[0].devices[0].wanted[1].value",
+                 "whole number"},
+        Breakage{"\"read\"", "\"guessed\"", 40, "buses[0].devices[0].stored[0].evidence",
+                 "read, echoed, told"},
+        Breakage{"14:02:00.000Z", "14:02:00Z", 40, "buses[0].devices[0].stored[0].at", "A time such as"},
+        Breakage{"2026-03-01T", "2026-02-30T", 40, "buses[0].devices[0].stored[0].at", "A time such as"},
+        Breakage{"\"2026-03-01T14:02:00.000Z\"", "\"\"", 40, "buses[0].devices[0].stored[0].at",
+                 "A time such as"},
+        Breakage{"\"program\": 1", "\"program\": 9", 44, "buses[0].devices[0].wantedCams[0].program",
                  "not between 1 and 8"},
-        Breakage{"\"cam\": 7", "\"cam\": 0", 49, "devices[0].wantedCams[0].cams[7].cam", "above already"},
-        Breakage{"8000", "33554432", 49, "devices[0].wantedCams[0].cams[7].start", "not between"},
-        Breakage{"\"position\": 12345", "\"position\": 1.5", 54, "devices[0].lastPosition.position",
+        Breakage{"\"cam\": 7", "\"cam\": 0", 54, "buses[0].devices[0].wantedCams[0].cams[7].cam",
+                 "above already"},
+        Breakage{"8000", "33554432", 54, "buses[0].devices[0].wantedCams[0].cams[7].start", "not between"},
+        Breakage{"\"position\": 12345", "\"position\": 1.5", 59, "buses[0].devices[0].lastPosition.position",
                  "whole number"},
-        Breakage{"\"holdCycles\": 3", "\"holdCycles\": 0", 77, "sequences[0].holdCycles", "not between"},
-        Breakage{"\"020000FF\"", "\"020000FG\"", 79, "sequences[0].words[0]", "8 hexadecimal digits"},
-        Breakage{"\"words\"", "\"word\"", 78, "sequences[0].word", "not known"},
-        Breakage{"\"port\": \"/dev/ttyUSB0\"", "\"port\": 1", 86, "serialLine.port", "text"},
-        Breakage{"0403h", "10403h", 88, "serialLine.adapter.vendor", "four digits"},
-        Breakage{"\"baudRate\": 19200", "\"baudRate\": 49", 93, "serialLine.baudRate",
+        Breakage{"\"holdCycles\": 3", "\"holdCycles\": 0", 118, "sequences[0].holdCycles", "not between"},
+        Breakage{"\"020000FF\"", "\"020000FG\"", 120, "sequences[0].words[0]", "8 hexadecimal digits"},
+        Breakage{"\"words\"", "\"word\"", 119, "sequences[0].word", "not known"},
+        Breakage{"\"port\": \"/dev/ttyUSB0\"", "\"port\": 1", 84, "buses[1].port", "text"},
+        Breakage{"0403h", "10403h", 86, "buses[1].adapter.vendor", "four digits"},
+        Breakage{"\"baudRate\": 19200", "\"baudRate\": 49", 91, "buses[1].baudRate",
                  "not between 50 and 10000000"},
-        Breakage{"\"baudRate\": 19200", "\"baudRate\": 10000001", 93, "serialLine.baudRate", "not between"},
-        Breakage{"\"timeOut\": 100", "\"timeOut\": 60001", 99, "serialLine.timeOut",
-                 "not between 1 and 60000"},
-        Breakage{"\"retries\": 2", "\"retries\": 21", 100, "serialLine.retries", "not between 0 and 20"},
-        Breakage{"\"quietAfterWrite\": 100", "\"quietAfterWrite\": 60001", 101, "serialLine.quietAfterWrite",
+        Breakage{"\"baudRate\": 19200", "\"baudRate\": 10000001", 91, "buses[1].baudRate", "not between"},
+        Breakage{"\"timeOut\": 100", "\"timeOut\": 60001", 97, "buses[1].timeOut", "not between 1 and 60000"},
+        Breakage{"\"retries\": 2", "\"retries\": 21", 98, "buses[1].retries", "not between 0 and 20"},
+        Breakage{"\"quietAfterWrite\": 100", "\"quietAfterWrite\": 60001", 99, "buses[1].quietAfterWrite",
                  "not between 0 and 60000"},
-        Breakage{"\"encoders\": [", "\"encoders\": [{\"place\": \"esc:00\", \"device\": \"x\"},", 106,
-                 "serialLine.encoders[1].place", "must be alone"},
-        Breakage{"\"dataBits\": 8", "\"dataBits\": 9", 94, "serialLine.dataBits", "not between 7 and 8"},
-        Breakage{"\"none\"", "\"mark\"", 95, "serialLine.parity", "none, even, odd"},
-        Breakage{"\"pollInterval\": 10", "\"pollInterval\": 9", 98, "serialLine.pollInterval",
+        Breakage{"\"place\": \"esc:12\"", "\"place\": \"esc:00\", \"device\": \"x\"}, {\"place\": \"esc:12\"",
+                 104, "buses[1].devices[1].place", "must be alone"},
+        Breakage{"\"dataBits\": 8", "\"dataBits\": 9", 92, "buses[1].dataBits", "not between 7 and 8"},
+        Breakage{"\"none\"", "\"mark\"", 93, "buses[1].parity", "none, even, odd"},
+        Breakage{"\"pollInterval\": 10", "\"pollInterval\": 9", 96, "buses[1].pollInterval",
                  "not between 10 and 60000"},
-        Breakage{"\"fractionBits\": 29", "\"fractionBits\": 31", 102, "serialLine.fractionBits",
+        Breakage{"\"fractionBits\": 29", "\"fractionBits\": 31", 100, "buses[1].fractionBits",
                  "not between 17 and 30"},
-        Breakage{"esc:12", "esc:20", 106, "serialLine.encoders[0].place", "esc:1F"},
-        Breakage{"esc:12", "12", 106, "serialLine.encoders[0].place", "esc:1F"},
-        Breakage{"esc:12", "1.0", 106, "serialLine.encoders[0].place", "esc:1F"},
-        Breakage{"\"encoders\": [", "\"encoders\": [{\"place\": \"esc:12\", \"device\": \"x\"},", 106,
-                 "serialLine.encoders[1].place", "above already"},
-        Breakage{"\"device\": \"kuebler-esc-rs422\",", "", 105, "serialLine.encoders[0].device", "missing"}));
+        Breakage{"esc:12", "esc:20", 104, "buses[1].devices[0].place", "esc:1F"},
+        Breakage{"esc:12", "12", 104, "buses[1].devices[0].place", "esc:1F"},
+        Breakage{"esc:12", "1.0", 104, "buses[1].devices[0].place", "esc:1F"},
+        Breakage{"\"place\": \"esc:12\"", "\"place\": \"esc:12\", \"device\": \"x\"}, {\"place\": \"esc:12\"",
+                 104, "buses[1].devices[1].place", "above already"},
+        Breakage{"\"device\": \"kuebler-esc-rs422\",", "", 103, "buses[1].devices[0].device", "missing"}));
 
 // A value of another kind is taken, or there is a sentence. A list or an object in its place is never taken.
 void breakEverywhere(Json::Value &part, const Json::Value &root, const std::vector<Json::Value> &others)
@@ -334,40 +347,69 @@ TEST(ProjectJson, CutShortAnywhereIsRefused)
 TEST(ProjectJson, ANewerVersionIsRefusedWhateverItHolds)
 {
     const auto project = projectFromJson(
-        R"({"format": "codewheel-project", "version": 2, "hyperspace": {"devices": 7}})", fileName);
+        R"({"format": "codewheel-project", "version": 3, "hyperspace": {"devices": 7}})", fileName);
     ASSERT_FALSE(project);
     EXPECT_EQ(refusalText(project.error()).toStdString(),
-              "crane.codewheel was saved by a newer Codewheel (version 2 of the file; this one reads up to "
-              "1). Open it with that one. Nothing was changed.");
+              "crane.codewheel was saved by a newer Codewheel (version 3 of the file; this one reads up to "
+              "2). Open it with that one. Nothing was changed.");
 }
 
-// As a version 2 would have it whose titles were once called names, and a version 3 that took kilometres for
-// metres.
+// As if titles had once been called names, and cables been told in metres.
 const MigrationStep nameBecomesTitle = [](Json::Value &root) { root.removeMember("name", &root["title"]); };
 const MigrationStep metresBecomeKilometres = [](Json::Value &root) {
-    if (root.isMember("metres"))
-        root["cableKilometres"] = root["metres"].asDouble() / 1000;
-    root.removeMember("metres");
+    Json::Value &ring = root["buses"][0];
+    if (ring.isMember("metres"))
+        ring["cableKilometres"] = ring["metres"].asDouble() / 1000;
+    ring.removeMember("metres");
 };
+
+QByteArray ofVersion(int version, const char *title, const char *cable)
+{
+    return QStringLiteral(R"({"format": "codewheel-project", "version": %1, %2, "buses": [
+               {"kind": "interbus", "number": 1, "name": "Ring", %3, "devices": []}]})")
+        .arg(version)
+        .arg(QLatin1String(title), QLatin1String(cable))
+        .toUtf8();
+}
 
 TEST(ProjectJson, AnOlderVersionIsMigratedStepByStep)
 {
     const MigrationStep steps[] = {nameBecomesTitle, metresBecomeKilometres};
     Project expected;
     expected.title = QStringLiteral("Crane 1");
-    expected.cableKilometres = 1.5;
-    for (
-        const char *json :
-        {R"({"format": "codewheel-project", "version": 1, "name": "Crane 1", "metres": 1500, "devices": []})",
-         R"({"format": "codewheel-project", "version": 2, "title": "Crane 1", "metres": 1500, "devices": []})",
-         R"({"format": "codewheel-project", "version": 3, "title": "Crane 1", "cableKilometres": 1.5,
-              "devices": []})"}) {
+    changeRing(expected, [](RingPlan &ring) { ring.cableKilometres = 1.5; });
+    for (const QByteArray &json : {ofVersion(1, R"("name": "Crane 1")", R"("metres": 1500)"),
+                                   ofVersion(2, R"("title": "Crane 1")", R"("metres": 1500)"),
+                                   ofVersion(3, R"("title": "Crane 1")", R"("cableKilometres": 1.5)")}) {
         const auto project = projectFromJson(json, fileName, steps);
         ASSERT_TRUE(project) << refusalText(project.error()).toStdString();
         EXPECT_EQ(*project, expected);
     }
     EXPECT_FALSE(
-        projectFromJson(R"({"format": "codewheel-project", "version": 4, "devices": []})", fileName, steps));
+        projectFromJson(ofVersion(4, R"("title": "Crane 1")", R"("cableKilometres": 1.5)"), fileName, steps));
+}
+
+QByteArray contentOf(const QString &path)
+{
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
+    return file.readAll();
+}
+
+// Files as earlier versions saved them, whatever becomes of the examples.
+TEST(ProjectJson, FilesOfVersion1AreReadAsTheyWouldBeSavedToday)
+{
+    const QString folder = QStringLiteral(CODEWHEEL_ROOT "/tests/project/versions/");
+    const QStringList files = QDir(folder).entryList({QStringLiteral("1-*.codewheel")});
+    ASSERT_EQ(files.size(), 4);
+    for (const QString &name : files) {
+        const auto project = projectFromJson(contentOf(folder + name), name);
+        ASSERT_TRUE(project) << refusalText(project.error()).toStdString();
+        const QByteArray today = contentOf(folder + QStringLiteral("today-") + name.mid(2));
+        EXPECT_EQ(projectToJson(*project).toStdString(), today.toStdString()) << name.toStdString();
+    }
+    EXPECT_EQ(*projectFromJson(contentOf(folder + QStringLiteral("1-ring-and-line.codewheel")), fileName),
+              *projectFromJson(example(), fileName));
 }
 
 TEST(ProjectJson, AMigratedFileIsComplainedAboutAtItsOwnLines)

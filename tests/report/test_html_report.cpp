@@ -2,6 +2,7 @@
 #include "report/html_report.h"
 #include "report/printable_text.h"
 #include "tests/report/report_example.h"
+#include "tests/support/plans.h"
 
 #include <QRegularExpression>
 #include <QXmlStreamReader>
@@ -106,7 +107,8 @@ TEST_P(HostileReport, StaysAPageOfTexts)
     input.project.title = text;
     input.project.note = text;
     input.file = text;
-    input.project.link = {text, {{text, text}}};
+    changeRing(input.project, [&](RingPlan &ring) { ring.link = {text, {{text, text}}}; });
+    input.project.buses.front().name = text;
     for (ProjectDevice &device : input.project.devices) {
         device.station = text;
         device.group = text;

@@ -6,6 +6,7 @@
 #include "report/kept_counts.h"
 #include "tests/report/report_example.h"
 #include "tests/support/places.h"
+#include "tests/support/plans.h"
 
 #include <QLocale>
 
@@ -70,7 +71,7 @@ TEST(CommissioningReport, StructureHasNumberStationDeviceCodeWordsAndAddresses)
 TEST(CommissioningReport, AddressesAreCountedAsTheProjectCountsThem)
 {
     ReportInput input = exampleInput();
-    input.project.addresses.unit = AddressRules::Unit::word;
+    changeRing(input.project, [](RingPlan &ring) { ring.addresses.unit = AddressRules::Unit::word; });
     const Report report = reportOf(input);
     EXPECT_THAT(rowsOf(sectionOf(report, "Bus structure")),
                 Contains("2.0 | Crane 1, trolley | Baumer GXP6W K3 | 37h | 2 / 2 | 2 | 2"));

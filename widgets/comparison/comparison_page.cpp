@@ -95,7 +95,7 @@ ComparisonPage::ComparisonPage(ProjectDocument &document, BusSession &bus, QWidg
             [this] { takeIntoProject(allOf(m_model->comparison())); });
     connect(m_lineIntoMaster, &QPushButton::clicked, this, [this] { takeIntoMaster(selectedLines()); });
     connect(m_allIntoMaster, &QPushButton::clicked, this, [this] {
-        keep({QFileInfo(m_document.file()).fileName(), structureOf(m_document.project())});
+        keep({QFileInfo(m_document.file()).fileName(), structureOf(m_document.project(), m_bus.id())});
     });
     connect(m_keptIntoProject, &QPushButton::clicked, this, &ComparisonPage::loadBack);
     connect(m_message, &InlineMessage::actionTriggered, this, [this] {
@@ -161,7 +161,7 @@ void ComparisonPage::compare()
         showWhatIsPossible();
         return;
     }
-    m_model->compare(structureOf(m_document.project()), m_bus.structure(), m_bus.catalog(),
+    m_model->compare(structureOf(m_document.project(), m_bus.id()), m_bus.structure(), m_bus.catalog(),
                      m_onlyDifferences->isChecked());
     const int differences = m_model->differences();
     m_summary->setText(differences == 0 ? tr("The ring is as it is configured.")
@@ -191,12 +191,14 @@ void ComparisonPage::plan(RingStructure ring, Comparison comparison, const std::
     ProjectDocument::Origins origins;
     for (const TakenDevice &device : takeOver(comparison, lines))
         origins.push_back(device.own);
-    m_document.edit(takenOver(m_document.project(), ring, comparison, lines), origins, what);
+    m_document.edit(takenOver(m_document.project(), ring, comparison, lines, m_bus.id()), m_bus.id(), origins,
+                    what);
 }
 
 void ComparisonPage::loadBack()
 {
-    const Comparison comparison = compareRings(structureOf(m_document.project()), m_kept->structure);
+    const Comparison comparison =
+        compareRings(structureOf(m_document.project(), m_bus.id()), m_kept->structure);
     plan(m_kept->structure, comparison, allOf(comparison), tr("Load the configuration of the master"));
     m_message->showMessage(Role::running, tr("The ring is planned as the master keeps it: %1, %n devices.",
                                              nullptr, static_cast<int>(m_kept->structure.size()))
@@ -205,7 +207,7 @@ void ComparisonPage::loadBack()
 
 void ComparisonPage::takeIntoMaster(const std::vector<std::size_t> &lines)
 {
-    const RingStructure configured = structureOf(m_document.project());
+    const RingStructure configured = structureOf(m_document.project(), m_bus.id());
     keep({QFileInfo(m_document.file()).fileName(),
           takenOver(m_bus.structure(), configured, mirrored(m_model->comparison()), lines)});
 }
@@ -239,8 +241,8 @@ void ComparisonPage::showKept(const std::optional<KeptConfiguration> &configurat
     showWhatIsPossible();
     if (!std::exchange(m_isDownloading, false) || !m_kept)
         return;
-    const int others =
-        codewheel::differences(compareRings(structureOf(m_document.project()), m_kept->structure));
+    const int others = codewheel::differences(
+        compareRings(structureOf(m_document.project(), m_bus.id()), m_kept->structure));
     const QString kept =
         tr("The master keeps %1 with %n devices.", nullptr, static_cast<int>(m_kept->structure.size()))
             .arg(keptName(*m_kept));
@@ -259,10 +261,10 @@ void ComparisonPage::showWhatIsPossible()
     m_lineIntoProject->setEnabled(isSelected);
     m_allIntoProject->setEnabled(m_isConnected && m_model->differences() > 0);
     m_lineIntoMaster->setEnabled(isSelected && hasMaster);
-    m_allIntoMaster->setEnabled(hasMaster && !m_document.project().devices.empty());
-    m_keptIntoProject->setEnabled(
-        m_isConnected && m_kept &&
-        codewheel::differences(compareRings(structureOf(m_document.project()), m_kept->structure)) > 0);
+    m_allIntoMaster->setEnabled(hasMaster && !devicesOn(m_document.project(), m_bus.id()).empty());
+    m_keptIntoProject->setEnabled(m_isConnected && m_kept &&
+                                  codewheel::differences(compareRings(
+                                      structureOf(m_document.project(), m_bus.id()), m_kept->structure)) > 0);
 }
 
 } // namespace codewheel

@@ -67,10 +67,10 @@ void DeviceNames::nameRing()
         return;
     const QScopedValueRollback naming(m_isNaming, true);
     const RingStructure ring = m_bus.structure();
-    const RingStructure plan = structureOf(m_document.project());
+    const RingStructure plan = structureOf(m_document.project(), m_bus.id());
     for (const ComparisonLine &line : certainLines(compareRings(plan, ring), plan, ring)) {
         const Participant &participant = ring[*line.connected];
-        const ProjectDevice &planned = m_document.project().devices[*line.configured];
+        const ProjectDevice &planned = devicesOn(m_document.project(), m_bus.id())[*line.configured];
         if (planned.place() != m_bus.placeOf(participant.number))
             continue;
         const Name wanted = nameInTheProject(m_bus.catalog(), planned);
@@ -84,9 +84,9 @@ void DeviceNames::takeName(Place number)
 {
     const RingStructure &ring = m_bus.structure();
     const auto participant = std::ranges::find(ring, number.node, &Participant::number);
-    const auto place = m_document.placeOf(number);
-    if (m_isNaming || !place || participant == ring.end() ||
-        m_document.project().devices[*place].participant.deviceCode != participant->deviceCode)
+    const ProjectDevice *planned = findDevice(m_document.project(), number);
+    if (m_isNaming || planned == nullptr || participant == ring.end() ||
+        planned->participant.deviceCode != participant->deviceCode)
         return;
     const QScopedValueRollback naming(m_isNaming, true);
     const Name name = nameOnTheBus(m_bus, *participant);

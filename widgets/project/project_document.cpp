@@ -19,20 +19,33 @@ ProjectDocument::~ProjectDocument()
     m_undo.disconnect(this); // it tells of its end
 }
 
-std::optional<std::size_t> ProjectDocument::placeOf(DeviceId id) const
+std::span<const ProjectDocument::DeviceId> ProjectDocument::ids(BusId bus) const
 {
-    const auto found = std::ranges::find(m_ids, id);
-    return found == m_ids.end() ? std::nullopt
-                                : std::optional(static_cast<std::size_t>(found - m_ids.begin()));
+    const std::span<const ProjectDevice> devices = devicesOn(m_project, bus);
+    return std::span(m_ids).subspan(static_cast<std::size_t>(devices.data() - m_project.devices.data()),
+                                    devices.size());
 }
 
-std::optional<std::size_t> ProjectDocument::placeOf(Place number) const
+std::optional<ProjectDocument::DeviceId> ProjectDocument::idAt(Place place) const
 {
-    const auto found = std::ranges::find_if(
-        m_project.devices, [number](const ProjectDevice &device) { return device.place() == number; });
-    return found == m_project.devices.end()
-               ? std::nullopt
-               : std::optional(static_cast<std::size_t>(found - m_project.devices.begin()));
+    const ProjectDevice *planned = findDevice(m_project, place);
+    return planned ? std::optional(m_ids[static_cast<std::size_t>(planned - m_project.devices.data())])
+                   : std::nullopt;
+}
+
+const ProjectDevice *ProjectDocument::device(DeviceId id) const
+{
+    const auto found = std::ranges::find(m_ids, id);
+    return found == m_ids.end() ? nullptr
+                                : &m_project.devices[static_cast<std::size_t>(found - m_ids.begin())];
+}
+
+std::optional<std::size_t> ProjectDocument::indexOf(DeviceId id) const
+{
+    const ProjectDevice *planned = device(id);
+    if (planned == nullptr)
+        return std::nullopt;
+    return static_cast<std::size_t>(planned - devicesOn(m_project, planned->bus).data());
 }
 
 const ProjectDevice &ProjectDocument::device(Place number) const
@@ -57,9 +70,6 @@ void ProjectDocument::forEachDevice(const std::function<void(Place, const Projec
 {
     for (const ProjectDevice &device : m_project.devices)
         visit(device.place(), device);
-    if (m_project.line)
-        for (const ProjectDevice &encoder : m_project.line->encoders)
-            visit(encoder.place(), encoder);
     for (const auto &[number, device] : m_others)
         if (!findDevice(m_project, number))
             visit(number, device);
@@ -125,12 +135,15 @@ void ProjectDocument::edit(Project after, const QString &what, Gesture gesture)
     pushPlanned(std::move(after), std::move(ids), what, gesture);
 }
 
-void ProjectDocument::edit(Project after, const Origins &origins, const QString &what)
+void ProjectDocument::edit(Project after, BusId bus, const Origins &origins, const QString &what)
 {
-    std::vector<DeviceId> ids;
+    const std::span<const DeviceId> own = ids(bus);
+    const auto behind = m_ids.begin() + (own.data() - m_ids.data()) + std::ssize(own);
+    std::vector<DeviceId> kept(m_ids.begin(), behind - std::ssize(own));
     for (const auto &from : origins)
-        ids.push_back(from ? m_ids.at(*from) : ++m_lastId);
-    pushPlanned(std::move(after), std::move(ids), what, noGesture);
+        kept.push_back(from ? own[*from] : ++m_lastId);
+    kept.insert(kept.end(), behind, m_ids.end());
+    pushPlanned(std::move(after), std::move(kept), what, noGesture);
 }
 
 // A device that is planned now takes along the values it was given before.
@@ -143,8 +156,10 @@ void ProjectDocument::pushPlanned(Project after, std::vector<DeviceId> ids, cons
         if (!planned)
             continue;
         ProjectDevice given = others.extract(number).mapped();
+        given.bus = number.bus;
         given.participant = planned->participant;
         ProjectDevice blank;
+        blank.bus = number.bus;
         blank.participant = planned->participant;
         if (*planned == blank)
             *planned = std::move(given);
@@ -168,24 +183,31 @@ void ProjectDocument::editDevice(Place number, const QString &what,
     push(m_project, m_ids, std::move(others), what, gesture);
 }
 
-// On a serial line alone: the number of a device in the ring follows from its place.
 void ProjectDocument::renumber(Place from, Place to, const QString &what)
 {
     Project after = m_project;
+    auto ids = m_ids;
     auto others = m_others;
-    if (findDevice(after, from) != nullptr && after.line) {
-        auto &encoders = after.line->encoders;
-        const auto numberOf = [](const ProjectDevice &encoder) { return encoder.place(); };
-        std::erase_if(encoders, [&](const ProjectDevice &encoder) { return numberOf(encoder) == to; });
-        if (ProjectDevice *moved = findDevice(after, from))
-            moved->standAt(to);
-        std::ranges::sort(encoders, {}, numberOf);
-    } else if (auto moved = others.extract(from)) {
+    if (ProjectDevice *moved = findDevice(after, from)) {
+        moved->standAt(to);
+        std::vector<std::size_t> order;
+        for (std::size_t i = 0; i < after.devices.size(); ++i)
+            if (&after.devices[i] == moved || after.devices[i].place() != to)
+                order.push_back(i);
+        std::ranges::stable_sort(order, {}, [&](std::size_t i) { return after.devices[i].place(); });
+        std::vector<ProjectDevice> devices;
+        ids.clear();
+        for (const std::size_t i : order) {
+            devices.push_back(std::move(after.devices[i]));
+            ids.push_back(m_ids[i]);
+        }
+        after.devices = std::move(devices);
+    } else if (auto given = others.extract(from)) {
         others.erase(to);
-        moved.key() = to;
-        others.insert(std::move(moved));
+        given.key() = to;
+        others.insert(std::move(given));
     }
-    push(std::move(after), m_ids, std::move(others), what, noGesture);
+    push(std::move(after), std::move(ids), std::move(others), what, noGesture);
 }
 
 void ProjectDocument::push(Project after, std::vector<DeviceId> ids, std::map<Place, ProjectDevice> others,

@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace codewheel {
@@ -29,16 +30,19 @@ public:
     // Changes of one gesture, such as typing in one field or a drag of the mouse, are one step of undo.
     using Gesture = int;
     static constexpr Gesture noGesture = 0;
-    // Where each device stood before an edit; nothing: it is new.
+    // Where each device of a bus stood before an edit, among those of the bus; nothing: it is new.
     using Origins = std::vector<std::optional<std::size_t>>;
 
     explicit ProjectDocument(QObject *parent = nullptr);
     ~ProjectDocument() override;
 
     const Project &project() const { return m_project; }
-    const std::vector<DeviceId> &ids() const { return m_ids; } // as the devices
-    std::optional<std::size_t> placeOf(DeviceId id) const;
-    std::optional<std::size_t> placeOf(Place number) const;
+    // Of the devices of a bus, in its order.
+    std::span<const DeviceId> ids(BusId bus) const;
+    std::optional<DeviceId> idAt(Place place) const; // nothing: it is not planned
+    const ProjectDevice *device(DeviceId id) const;  // null: there is none any more
+    // Among those of its bus.
+    std::optional<std::size_t> indexOf(DeviceId id) const;
     // What is planned for the device of this number. One that the project does not have (a connected ring may
     // have others) can be given values as well: they go with it into the project once it is planned under
     // this number. Until then they are in no file, and the project is not saved.
@@ -61,7 +65,7 @@ public:
     // A step of undo; none where nothing changes. what: its name, "Move 3.0". No origins: each device stands
     // where it stood; where there are more or less of them, those between what is the same are new.
     void edit(Project after, const QString &what, Gesture gesture = noGesture);
-    void edit(Project after, const Origins &origins, const QString &what);
+    void edit(Project after, BusId bus, const Origins &origins, const QString &what);
     void editDevice(Place number, const QString &what, const std::function<void(ProjectDevice &)> &edit,
                     Gesture gesture = noGesture);
     // The encoder has another address now: all that is planned and known of it goes along. Nothing is to be

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/project/project_page.h"
 
+#include "project/ring_plan.h"
 #include "widgets/input/text_fields.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
@@ -103,8 +104,11 @@ void ProjectPage::setLink()
 {
     const QString kind = m_link->currentData().toString();
     edit(tr("Link of the project"), [&](Project &project) {
-        if (project.link.kind != kind)
-            project.link = {.kind = kind, .settings = {}};
+        RingPlan plan = ringPlan(project, firstRing);
+        if (plan.link.kind == kind)
+            return;
+        plan.link = {.kind = kind, .settings = {}};
+        setRingPlan(project, firstRing, std::move(plan));
     });
 }
 
@@ -124,7 +128,7 @@ void ProjectPage::showProject()
 // A project of another version or program may name a link that this one does not have: it is kept.
 void ProjectPage::showLink()
 {
-    const ProjectLink &link = m_document.project().link;
+    const ProjectLink &link = ringPlan(m_document.project(), firstRing).link;
     const QString training = ProjectLink().kind;
     m_link->clear();
     m_link->addItem(tr("Training bus"), training);

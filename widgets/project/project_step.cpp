@@ -14,7 +14,7 @@ ProjectStep::ProjectStep(ProjectDocument &document, Project after, Ids ids,
     , m_gesture(gesture)
 {
     const Devices &before = document.project().devices;
-    const Ids &idsBefore = document.ids();
+    const Ids &idsBefore = document.m_ids;
     const std::size_t shorter = std::min(before.size(), after.devices.size());
     const auto isSame = [&](std::size_t here, std::size_t there) {
         return idsBefore[here] == ids[there] && before[here] == after.devices[there];

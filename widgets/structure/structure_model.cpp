@@ -98,7 +98,7 @@ RingStructure StructureModel::ring() const
 {
     if (m_bus != nullptr)
         return m_bus->structure();
-    return m_project == nullptr ? RingStructure() : structureOf(m_project->project());
+    return m_project == nullptr ? RingStructure() : structureOf(m_project->project(), firstRing);
 }
 
 void StructureModel::rebuild()

@@ -2,6 +2,7 @@
 #include "widgets/structure_editor/plan_edits.h"
 
 #include "project/project_take_over.h"
+#include "project/ring_plan.h"
 #include "ring/comparison.h"
 #include "ring/ring_tree.h"
 #include "widgets/structure_editor/plan_row.h"
@@ -23,12 +24,12 @@ struct StructureSteps
 
 RingStructure PlanEdits::structure() const
 {
-    return structureOf(m_document.project());
+    return structureOf(m_document.project(), m_ring);
 }
 
 const Participant &PlanEdits::participant(Id device) const
 {
-    return m_document.project().devices.at(*m_document.placeOf(device)).participant;
+    return m_document.device(device)->participant;
 }
 
 QString PlanEdits::nameOf(Id device) const
@@ -38,7 +39,7 @@ QString PlanEdits::nameOf(Id device) const
 
 std::optional<RingPlace> PlanEdits::placeOf(Id device) const
 {
-    const auto place = m_document.placeOf(device);
+    const auto place = m_document.indexOf(device);
     return place ? std::optional(codewheel::placeOf(structure(), *place)) : std::nullopt;
 }
 
@@ -47,15 +48,18 @@ Result<void> PlanEdits::apply(const Result<EditedRing> &edited, const QString &w
     if (!edited)
         return tl::unexpected(edited.error());
     Project after = m_document.project();
-    std::vector<ProjectDevice> before = std::move(after.devices);
-    after.devices.clear();
+    setRingPlan(after, m_ring, ringPlan(after, m_ring));
+    const std::span<ProjectDevice> before = devicesOn(after, m_ring);
+    std::vector<ProjectDevice> devices;
     for (std::size_t i = 0; i < edited->structure.size(); ++i) {
         const auto from = edited->from[i];
         ProjectDevice device = from ? std::move(before[*from]) : ProjectDevice();
+        device.bus = m_ring;
         device.participant = edited->structure[i];
-        after.devices.push_back(std::move(device));
+        devices.push_back(std::move(device));
     }
-    m_document.edit(std::move(after), edited->from, what);
+    setDevicesOn(after, m_ring, std::move(devices));
+    m_document.edit(std::move(after), m_ring, edited->from, what);
     return {};
 }
 
@@ -67,7 +71,7 @@ Result<PlanEdits::Id> PlanEdits::insert(const Participant &device, const RingPla
         return tl::unexpected(done.error());
     const auto at =
         std::ranges::find_if(edited->from, [](const auto &from) { return !from; }) - edited->from.begin();
-    return m_document.ids().at(static_cast<std::size_t>(at));
+    return m_document.ids(m_ring)[static_cast<std::size_t>(at)];
 }
 
 Result<void> PlanEdits::remove(const Ids &devices)
@@ -76,7 +80,7 @@ Result<void> PlanEdits::remove(const Ids &devices)
         return {};
     std::vector<std::size_t> places;
     for (const Id device : devices)
-        if (const auto place = m_document.placeOf(device))
+        if (const auto place = m_document.indexOf(device))
             places.push_back(*place);
     const QString what = places.size() == 1 ? StructureSteps::tr("Remove %1").arg(nameOf(devices.front()))
                                             : StructureSteps::tr("Remove %n devices", nullptr,
@@ -90,7 +94,7 @@ Result<void> PlanEdits::move(const Ids &devices, const RingPlace &place)
         return {};
     std::vector<std::size_t> places;
     for (const Id device : devices)
-        if (const auto at = m_document.placeOf(device))
+        if (const auto at = m_document.indexOf(device))
             places.push_back(*at);
     const QString what =
         places.size() == 1 ? StructureSteps::tr("Move %1").arg(nameOf(devices.front()))
@@ -100,17 +104,17 @@ Result<void> PlanEdits::move(const Ids &devices, const RingPlace &place)
 
 Result<void> PlanEdits::change(Id device, const Participant &to)
 {
-    const std::size_t place = *m_document.placeOf(device);
+    const std::size_t place = *m_document.indexOf(device);
     const QString what = StructureSteps::tr("Change %1 to %2").arg(nameOf(device), planName(to, m_catalog));
     auto edited = changeDevice(structure(), place, to);
     if (!edited)
         return tl::unexpected(edited.error());
     Project after = m_document.project();
+    const std::span<ProjectDevice> devices = devicesOn(after, m_ring);
     for (std::size_t i = 0; i < edited->structure.size(); ++i)
-        after.devices[i].participant = edited->structure[i];
-    ProjectDevice &changed = after.devices[place];
-    const bool isSame = isSameKind(m_document.project().devices[place].participant, to) &&
-                        m_document.project().devices[place].participant.deviceKey == to.deviceKey;
+        devices[i].participant = edited->structure[i];
+    ProjectDevice &changed = devices[place];
+    const bool isSame = isSameKind(participant(device), to) && participant(device).deviceKey == to.deviceKey;
     if (!isSame) {
         changed.label = {};
         changed.wanted.clear();
@@ -136,7 +140,7 @@ Result<void> PlanEdits::moveBy(Id device, int rows)
 Result<void> PlanEdits::moveIn(Id device)
 {
     const RingTree tree = ringTree(structure());
-    const std::size_t at = *m_document.placeOf(device);
+    const std::size_t at = *m_document.indexOf(device);
     const std::size_t row = tree.rowOf(at);
     if (row == 0 || tree.nodes[at].isLocal)
         return {};

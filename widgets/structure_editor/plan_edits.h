@@ -46,6 +46,7 @@ private:
 
     ProjectDocument &m_document;
     const Catalog &m_catalog;
+    const BusId m_ring = firstRing;
 };
 
 } // namespace codewheel

@@ -51,7 +51,7 @@ std::vector<PlanModel::Id> PlanModel::find(const QString &text) const
     const QString wanted = text.trimmed();
     if (wanted.isEmpty())
         return found;
-    for (const Id id : m_document.ids()) {
+    for (const Id id : m_document.ids(m_ring)) {
         const PlanRow &row = m_nodes.at(id)->shown;
         const QString number = row.participant.number.toString();
         const QStringList places{row.station,
@@ -71,7 +71,7 @@ std::vector<PlanModel::Id> PlanModel::find(const QString &text) const
 std::vector<PlanModel::Id> PlanModel::withFindings() const
 {
     std::vector<Id> found;
-    std::ranges::copy_if(m_document.ids(), std::back_inserter(found),
+    std::ranges::copy_if(m_document.ids(m_ring), std::back_inserter(found),
                          [this](Id id) { return !m_nodes.at(id)->shown.findings.empty(); });
     return found;
 }

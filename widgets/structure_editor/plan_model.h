@@ -100,6 +100,7 @@ private:
     void setAddress(Id id, bool isIn, const QString &text);
 
     ProjectDocument &m_document;
+    const BusId m_ring = firstRing;
     const Catalog &m_catalog;
     AddressRules::Unit m_unit = AddressRules::Unit::byte; // in the header
     Node m_root;

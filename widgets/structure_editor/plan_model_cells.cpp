@@ -50,7 +50,7 @@ QVariant PlanModel::headerData(int section, Qt::Orientation orientation, int rol
 {
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
         return {};
-    const bool inBytes = m_document.project().addresses.unit == AddressRules::Unit::byte;
+    const bool inBytes = ringPlan(m_document.project(), m_ring).addresses.unit == AddressRules::Unit::byte;
     switch (section) {
     case numberColumn:
         return tr("Number");

@@ -68,7 +68,7 @@ std::optional<RingPlace> PlanModel::dropPlace(const Participant &device, int row
     RingPlace place{.terminal = {}, .onLocalBus = false, .row = row < 0 ? above.children.size() : at};
     if (!parent.isValid())
         return place;
-    place.terminal = m_document.placeOf(above.id);
+    place.terminal = m_document.indexOf(above.id);
     const bool isLocal = prefersLocalBus(device);
     if (row < 0) {
         place.onLocalBus = isLocal;

@@ -2,6 +2,7 @@
 // How the rows follow the project: what stays in order stays, what stands elsewhere is moved, the rest comes
 // or goes.
 #include "project/project_take_over.h"
+#include "project/ring_plan.h"
 #include "ring/ring_tree.h"
 #include "widgets/structure_editor/plan_model.h"
 
@@ -60,10 +61,10 @@ std::vector<std::size_t> longestRising(const std::vector<int> &numbers)
 
 void PlanModel::follow()
 {
-    const RingTree tree = ringTree(structureOf(m_document.project()));
-    const std::vector<Id> &ids = m_document.ids();
+    const RingTree tree = ringTree(structureOf(m_document.project(), m_ring));
+    const std::span<const Id> ids = m_document.ids(m_ring);
     Target target;
-    target.rows = planRows(m_document.project(), m_catalog);
+    target.rows = planRows(m_document.project(), m_ring, m_catalog);
     const auto add = [&](Id parent, const std::vector<std::size_t> &bus) {
         std::vector<Id> &children = target.children[parent];
         for (const std::size_t device : bus) {
@@ -87,7 +88,8 @@ void PlanModel::follow()
             arrange(*m_nodes.at(ids[device]), target);
     removeOthers(m_root, target);
     showRows(m_root, target);
-    if (const auto unit = m_document.project().addresses.unit; unit != std::exchange(m_unit, unit))
+    if (const auto unit = ringPlan(m_document.project(), m_ring).addresses.unit;
+        unit != std::exchange(m_unit, unit))
         Q_EMIT headerDataChanged(Qt::Horizontal, inColumn, outColumn);
 }
 

@@ -29,13 +29,14 @@ bool prefersLocalBus(const Participant &participant)
     return isOnLocalBus(participant) || standsOnLocalBus(participant.idCode);
 }
 
-std::vector<PlanRow> planRows(const Project &project, const Catalog &catalog)
+std::vector<PlanRow> planRows(const Project &project, BusId ring, const Catalog &catalog)
 {
-    const std::vector<DeviceAddresses> addresses = processAddresses(project);
+    const std::vector<DeviceAddresses> addresses = processAddresses(project, ring);
     std::vector<PlanRow> rows;
-    rows.reserve(project.devices.size());
-    for (std::size_t place = 0; place < project.devices.size(); ++place) {
-        const ProjectDevice &device = project.devices[place];
+    const std::span<const ProjectDevice> devices = devicesOn(project, ring);
+    rows.reserve(devices.size());
+    for (std::size_t place = 0; place < devices.size(); ++place) {
+        const ProjectDevice &device = devices[place];
         const DeviceDescription *described = descriptionOf(device.participant, catalog);
         rows.push_back({.place = device.place(),
                         .participant = device.participant,
@@ -46,10 +47,10 @@ std::vector<PlanRow> planRows(const Project &project, const Catalog &catalog)
                         .name = planName(device.participant, catalog),
                         .profile = described ? profileName(described->profile) : QString(),
                         .addresses = addresses[place],
-                        .unit = project.addresses.unit,
+                        .unit = ringPlan(project, ring).addresses.unit,
                         .findings = {}});
     }
-    for (Finding &finding : checkProject(project, addresses))
+    for (Finding &finding : checkProject(project, addresses, ring))
         rows[finding.device].findings.push_back(std::move(finding));
     // Where it stands is told by the row: the number goes on when a device before it is inserted.
     for (PlanRow &row : rows)

@@ -28,7 +28,7 @@ struct PlanRow
 };
 
 // In ring order.
-std::vector<PlanRow> planRows(const Project &project, const Catalog &catalog);
+std::vector<PlanRow> planRows(const Project &project, BusId ring, const Catalog &catalog);
 
 // "FRABA OCD-IB K3", "analog input", "device not known"
 QString planName(const Participant &participant, const Catalog &catalog);

@@ -2,6 +2,7 @@
 #include "widgets/structure_editor/plan_summary.h"
 
 #include "project/project_take_over.h"
+#include "project/ring_plan.h"
 #include "ring/cycle_time.h"
 #include "ring/ring_rules.h"
 #include "widgets/input/number_fields.h"
@@ -58,7 +59,9 @@ PlanSummary::PlanSummary(ProjectDocument &document, QWidget *parent)
     rows->addLayout(times);
     connect(m_cable, &QDoubleSpinBox::valueChanged, this, [this](double kilometres) {
         Project after = m_document.project();
-        after.cableKilometres = kilometres;
+        RingPlan plan = ringPlan(after, m_ring);
+        plan.cableKilometres = kilometres;
+        setRingPlan(after, m_ring, std::move(plan));
         m_document.edit(std::move(after), tr("Length of cable"), m_stepping);
     });
     connect(m_cable, &QDoubleSpinBox::editingFinished, this,
@@ -78,12 +81,12 @@ void PlanSummary::show()
     m_counts->setText(countsText());
     m_times->setText(timesText());
     const QSignalBlocker blocker(m_cable);
-    m_cable->setValue(m_document.project().cableKilometres);
+    m_cable->setValue(ringPlan(m_document.project(), m_ring).cableKilometres);
 }
 
 QString PlanSummary::countsText() const
 {
-    const RingCounts counts = countRing(structureOf(m_document.project()));
+    const RingCounts counts = countRing(structureOf(m_document.project(), m_ring));
     const auto part = [](const QString &what, int count, int limit) {
         return QStringLiteral("%1 %2 / %3").arg(what, QLocale().toString(count), QLocale().toString(limit));
     };
@@ -99,7 +102,8 @@ QString PlanSummary::countsText() const
 
 QString PlanSummary::timesText() const
 {
-    const RingLoad load = ringLoad(structureOf(m_document.project()), m_document.project().cableKilometres);
+    const Project &project = m_document.project();
+    const RingLoad load = ringLoad(structureOf(project, m_ring), ringPlan(project, m_ring).cableKilometres);
     const auto both = [&](MicrosecondsOnTheWire bit) {
         return QStringLiteral("%1 / %2").arg(cycleTimeText(cycleTime(load, bit, CycleTimeForm::g3)),
                                              cycleTimeText(cycleTime(load, bit, CycleTimeForm::g4)));

@@ -27,6 +27,7 @@ private:
     void show();
 
     ProjectDocument &m_document;
+    const BusId m_ring = firstRing;
     QLabel *m_counts;
     QLabel *m_times;
     QDoubleSpinBox *m_cable;

@@ -3,6 +3,7 @@
 
 #include "encoder/refusal_text.h"
 #include "project/project_take_over.h"
+#include "project/ring_plan.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/structure_editor/insert_panel.h"
@@ -45,9 +46,9 @@ void StructureEditor::makeCurrent(PlanEdits::Id id)
 
 void StructureEditor::choose(Place number)
 {
-    const auto place = m_document.placeOf(number);
-    if (place && m_document.ids()[*place] != current()) // else what is selected with it stays so
-        makeCurrent(m_document.ids()[*place]);
+    const auto id = m_document.idAt(number);
+    if (id && number.bus == m_ring && id != current()) // else what is selected with it stays so
+        makeCurrent(*id);
 }
 
 void StructureEditor::openInsertPanel()
@@ -134,9 +135,11 @@ void StructureEditor::setAddressing()
     if (sender() != m_first)
         m_stepping = m_document.newGesture();
     Project after = m_document.project();
-    after.addresses = {.unit = static_cast<AddressRules::Unit>(m_unit->currentIndex()),
-                       .first = m_first->value(),
-                       .step5 = m_step5->isChecked()};
+    RingPlan plan = ringPlan(after, m_ring);
+    plan.addresses = {.unit = static_cast<AddressRules::Unit>(m_unit->currentIndex()),
+                      .first = m_first->value(),
+                      .step5 = m_step5->isChecked()};
+    setRingPlan(after, m_ring, std::move(plan));
     m_document.edit(std::move(after), tr("Addresses"), m_stepping);
 }
 
@@ -146,9 +149,9 @@ void StructureEditor::goToFinding()
     const std::vector<PlanEdits::Id> found = m_model->withFindings();
     if (found.empty())
         return;
-    const std::size_t here = current() ? m_document.placeOf(*current()).value_or(0) : 0;
+    const std::size_t here = current() ? m_document.indexOf(*current()).value_or(0) : 0;
     const auto next = std::ranges::find_if(
-        found, [&](PlanEdits::Id id) { return m_document.placeOf(id).value_or(0) > here; });
+        found, [&](PlanEdits::Id id) { return m_document.indexOf(id).value_or(0) > here; });
     makeCurrent(next == found.end() ? found.front() : *next);
     m_tree->setFocus();
 }
@@ -169,27 +172,28 @@ void StructureEditor::showCurrent()
     const auto id = current();
     for (QAction *action : m_deviceActions)
         action->setEnabled(id.has_value());
-    const auto place = id ? m_document.placeOf(*id) : std::nullopt;
-    m_insert->setPlace(structureOf(m_document.project()), place);
+    const auto place = id ? m_document.indexOf(*id) : std::nullopt;
+    m_insert->setPlace(structureOf(m_document.project(), m_ring), place);
     if (place) // while rows go, their numbers are not yet those of the plan
-        Q_EMIT chosen(m_document.project().devices[*place].place());
+        Q_EMIT chosen(m_document.device(*id)->place());
 }
 
 void StructureEditor::showProject()
 {
-    const AddressRules &rules = m_document.project().addresses;
+    const AddressRules rules = ringPlan(m_document.project(), m_ring).addresses;
     const QSignalBlocker first(m_first);
     m_unit->setCurrentIndex(static_cast<int>(rules.unit));
     m_first->setValue(rules.first);
     m_step5->setChecked(rules.step5);
-    const bool isEmpty = m_document.project().devices.empty();
+    const bool isEmpty = devicesOn(m_document.project(), m_ring).empty();
     m_empty->setVisible(isEmpty);
     m_empty->setAction(tr("Insert a device"));
     m_tree->setVisible(!isEmpty);
     m_message->withdraw();
     showFindings();
     const auto id = current();
-    m_insert->setPlace(structureOf(m_document.project()), id ? m_document.placeOf(*id) : std::nullopt);
+    m_insert->setPlace(structureOf(m_document.project(), m_ring),
+                       id ? m_document.indexOf(*id) : std::nullopt);
 }
 
 void StructureEditor::say(const Result<void> &done)

@@ -78,6 +78,7 @@ private:
     void makeCurrent(PlanEdits::Id id);
 
     ProjectDocument &m_document;
+    const BusId m_ring = firstRing;
     const Catalog &m_catalog;
     PlanEdits m_edits;
     PlanModel *m_model;

@@ -3,6 +3,7 @@
 #include "project/project_take_over.h"
 #include "ring/ring_edit.h"
 #include "tests/support/places.h"
+#include "tests/support/plans.h"
 #include "widgets/project/project_document.h"
 
 #include <QSignalSpy>
@@ -51,7 +52,12 @@ protected:
             device.participant = edited.structure[i];
             after.devices.push_back(device);
         }
-        document.edit(after, edited.from, QStringLiteral("ring"));
+        document.edit(after, firstRing, edited.from, QStringLiteral("ring"));
+    }
+    std::vector<ProjectDocument::DeviceId> ringIds() const
+    {
+        const auto ids = document.ids(firstRing);
+        return {ids.begin(), ids.end()};
     }
 
     ProjectDocument document;
@@ -154,14 +160,14 @@ TEST_F(Document, TypingBackToWhatItWasLeavesNoStep)
 
 TEST_F(Document, ADeviceKeepsItsIdWhereverItGoes)
 {
-    const std::vector<ProjectDocument::DeviceId> before = document.ids();
+    const std::vector<ProjectDocument::DeviceId> before = ringIds();
     apply(*moveDevices(structureOf(document.project()), std::vector<std::size_t>{0}, {{}, false, 4}));
-    EXPECT_EQ(document.ids(), (std::vector{before[1], before[2], before[3], before[0]}));
+    EXPECT_EQ(ringIds(), (std::vector{before[1], before[2], before[3], before[0]}));
     apply(*insertDevice(structureOf(document.project()), encoder(1), {{}, false, 0}));
-    EXPECT_EQ(document.placeOf(before[0]), 4u);
+    EXPECT_EQ(document.indexOf(before[0]), 4u);
     undo.undo();
     undo.undo();
-    EXPECT_EQ(document.ids(), before);
+    EXPECT_EQ(ringIds(), before);
 }
 
 TEST_F(Document, DevicesThatAreNotTheProjectsAreKeptBesideIt)
@@ -184,12 +190,12 @@ TEST_F(Document, AnEncoderOfTheSerialLineIsEditedLikeOneOfTheRing)
 {
     constexpr Place place = placeOnLine({0x12});
     Project after = document.project();
-    after.line.emplace();
-    after.line->encoders.emplace_back().standAt(place);
+    setLinePlan(after, firstLine, {});
+    after.devices.emplace_back().standAt(place);
     document.edit(after, QStringLiteral("add"));
     document.editDevice(place, QStringLiteral("station"),
                         [](ProjectDevice &device) { device.station = QStringLiteral("Slide"); });
-    EXPECT_EQ(document.project().line->encoders[0].station, QStringLiteral("Slide"));
+    EXPECT_EQ(encodersOnLine(document.project())[0].station, QStringLiteral("Slide"));
     EXPECT_EQ(document.device(place).station, QStringLiteral("Slide"));
     std::vector<Place> visited;
     document.forEachDevice([&](Place number, const ProjectDevice &) { visited.push_back(number); });
@@ -198,7 +204,7 @@ TEST_F(Document, AnEncoderOfTheSerialLineIsEditedLikeOneOfTheRing)
     document.undoStack().undo();
     EXPECT_EQ(document.project(), after);
     document.undoStack().undo();
-    EXPECT_FALSE(document.project().line);
+    EXPECT_FALSE(linePlan(document.project(), firstLine));
 }
 
 TEST_F(Document, AnEncoderOfAnotherAddressKeepsWhatIsPlannedForIt)
@@ -206,16 +212,16 @@ TEST_F(Document, AnEncoderOfAnotherAddressKeepsWhatIsPlannedForIt)
     constexpr Place from = placeOnLine({0x12});
     constexpr Place to = placeOnLine({7});
     Project before = document.project();
-    before.line.emplace();
+    setLinePlan(before, firstLine, {});
     for (const int address : {9, 0x12}) {
-        ProjectDevice &encoder = before.line->encoders.emplace_back();
+        ProjectDevice &encoder = before.devices.emplace_back();
         encoder.standAt(placeOnLine({static_cast<std::uint8_t>(address)}));
         encoder.station = QString::number(address);
     }
     document.edit(before, QStringLiteral("add"));
     document.renumber(from, to, QStringLiteral("address"));
-    ASSERT_EQ(document.project().line->encoders.size(), 2u);
-    EXPECT_EQ(document.project().line->encoders[0].place(), to) << "by address";
+    ASSERT_EQ(encodersOnLine(document.project()).size(), 2u);
+    EXPECT_EQ(encodersOnLine(document.project())[0].place(), to) << "by address";
     EXPECT_EQ(document.device(to).station, QStringLiteral("18"));
     EXPECT_TRUE(document.device(from).station.isEmpty());
     EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("address"));
@@ -247,7 +253,7 @@ TEST_F(Document, RandomEditsAreTakenBackToTheSameProject)
         return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
     };
     std::vector<Project> history{document.project()};
-    std::vector<std::vector<ProjectDocument::DeviceId>> ids{document.ids()};
+    std::vector<std::vector<ProjectDocument::DeviceId>> ids{ringIds()};
     while (history.size() < 300) {
         const RingStructure ring = structureOf(document.project());
         const RingPlace place{.terminal = {}, .onLocalBus = false, .row = below(8)};
@@ -264,15 +270,15 @@ TEST_F(Document, RandomEditsAreTakenBackToTheSameProject)
         default:
             setStation(below(ring.size()), QString::number(random()));
         }
-        if (document.project() != history.back() || document.ids() != ids.back()) {
+        if (document.project() != history.back() || ringIds() != ids.back()) {
             history.push_back(document.project());
-            ids.push_back(document.ids());
+            ids.push_back(ringIds());
         }
     }
     ASSERT_EQ(undo.count() + 1, std::ssize(history));
     for (std::size_t i = history.size(); i-- > 1;) {
         ASSERT_EQ(document.project(), history[i]) << i;
-        ASSERT_EQ(document.ids(), ids[i]) << i;
+        ASSERT_EQ(ringIds(), ids[i]) << i;
         undo.undo();
     }
     ASSERT_EQ(projectToJson(document.project()), projectToJson(history.front()));

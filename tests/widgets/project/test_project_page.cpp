@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/plans.h"
 #include "widgets/project/project_page.h"
 
 #include <QAccessible>
@@ -90,7 +91,7 @@ TEST_F(ProjectPageTest, WhatIsHalfTypedOutlivesAnEditElsewhereAndEscGivesItUp)
     title().end(false);
     QTest::keyClicks(&title(), QStringLiteral(" 1"));
     Project elsewhere = document.project();
-    elsewhere.cableKilometres = 2;
+    changeRing(elsewhere, [&](RingPlan &ring) { ring.cableKilometres = 2; });
     document.edit(elsewhere, {});
     EXPECT_EQ(title().text(), QStringLiteral("Crane 1"));
     QTest::keyClick(&title(), Qt::Key_Escape);
@@ -112,16 +113,18 @@ TEST_F(ProjectPageTest, AnotherProjectShowsItsOwn)
 TEST_F(ProjectPageTest, ALinkThisProgramDoesNotHaveIsKeptUntilAnotherIsChosen)
 {
     Project project;
-    project.link = {.kind = QStringLiteral("modbus"),
-                    .settings = {{QStringLiteral("port"), QStringLiteral("/dev/ttyUSB0")}}};
+    changeRing(project, [](RingPlan &ring) {
+        ring.link = {.kind = QStringLiteral("modbus"),
+                     .settings = {{QStringLiteral("port"), QStringLiteral("/dev/ttyUSB0")}}};
+    });
     document.setProject(project, {});
     EXPECT_TRUE(link().currentText().startsWith(QStringLiteral("modbus")));
     EXPECT_EQ(child<QLabel>("linkSettings").text(), QStringLiteral("port: /dev/ttyUSB0"));
     link().setFocus();
     QTest::keyClick(&link(), Qt::Key_Up);
-    EXPECT_EQ(document.project().link, ProjectLink());
+    EXPECT_EQ(ringPlan(document.project(), firstRing).link, ProjectLink());
     document.undoStack().undo();
-    EXPECT_EQ(document.project().link.settings.size(), 1U);
+    EXPECT_EQ(ringPlan(document.project(), firstRing).link.settings.size(), 1U);
     EXPECT_TRUE(link().currentText().startsWith(QStringLiteral("modbus")));
 }
 

@@ -21,15 +21,15 @@ protected:
     QString order() const
     {
         QStringList texts;
-        for (std::size_t i = 0; i < document.ids().size(); ++i)
+        for (std::size_t i = 0; i < document.ids(firstRing).size(); ++i)
             texts << QStringLiteral("%1=%2")
                          .arg(document.project().devices[i].place().toString())
-                         .arg(document.ids()[i]);
+                         .arg(document.ids(firstRing)[i]);
         return texts.join(u' ');
     }
     ProjectDocument::DeviceId id(const QString &number) const
     {
-        return document.ids().at(*document.placeOf(*Place::parse(number)));
+        return *document.idAt(*Place::parse(number));
     }
     const Participant &at(const QString &number) const
     {

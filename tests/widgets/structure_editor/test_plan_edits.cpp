@@ -19,7 +19,7 @@ TEST_F(PlanEditsTest, AnInsertedDeviceIsAStepThatNamesIt)
     const auto id = edits.insert(deviceOf(0x81BE), {.terminal = 1, .onLocalBus = true, .row = 0});
     ASSERT_TRUE(id);
     EXPECT_EQ(at(QStringLiteral("2.1")).deviceCode, 0x81BEU);
-    EXPECT_EQ(document.placeOf(*id), 2u);
+    EXPECT_EQ(document.indexOf(*id), 2u);
     EXPECT_EQ(document.undoStack().undoText(), QStringLiteral("Insert Inline digital input"));
     document.undoStack().undo();
     EXPECT_EQ(document.project().devices.size(), 9u);

@@ -2,6 +2,7 @@
 #include "ring/id_code.h"
 #include "tests/support/model_tester.h"
 #include "tests/support/places.h"
+#include "tests/support/plans.h"
 #include "tests/widgets/structure_editor/plan_test.h"
 #include "widgets/structure_editor/plan_edits.h"
 #include "widgets/structure_editor/plan_model.h"
@@ -131,7 +132,7 @@ TEST_F(PlanModelTest, StationGroupAndAddressesAreEditedInPlace)
 TEST_F(PlanModelTest, AddressesAreShownInWordsIfWanted)
 {
     Project after = document.project();
-    after.addresses.unit = AddressRules::Unit::word;
+    changeRing(after, [&](RingPlan &ring) { ring.addresses.unit = AddressRules::Unit::word; });
     QSignalSpy headers(&model, &QAbstractItemModel::headerDataChanged);
     document.edit(after, {});
     EXPECT_EQ(text(QStringLiteral("2.1"), PlanModel::inColumn), QStringLiteral("2"));
@@ -156,7 +157,7 @@ TEST_F(PlanModelTest, FindsByNumberNameIdCodeAndStation)
     const auto numbers = [&](const char *wanted) {
         QStringList found;
         for (const PlanModel::Id each : model.find(QString::fromLatin1(wanted)))
-            found << document.project().devices[*document.placeOf(each)].place().toString();
+            found << document.device(each)->place().toString();
         return found.join(u' ');
     };
     EXPECT_EQ(numbers("2.1"), QStringLiteral("2.1"));
@@ -202,7 +203,8 @@ TEST_F(PlanModelTest, RandomEditsAndUndoAreFollowed)
         return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
     };
     for (int step = 0; step < 400; ++step) {
-        const std::vector<PlanModel::Id> ids = document.ids();
+        const auto planned = document.ids(firstRing);
+        const std::vector<PlanModel::Id> ids(planned.begin(), planned.end());
         RingPlace place{.terminal = {}, .onLocalBus = below(2) == 0, .row = below(5)};
         if (!ids.empty() && below(2) == 0)
             place.terminal = below(ids.size());

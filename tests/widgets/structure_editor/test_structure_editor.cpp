@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/places.h"
+#include "tests/support/plans.h"
 #include "tests/widgets/structure_editor/plan_test.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/structure_editor/plan_model.h"
@@ -180,7 +181,7 @@ TEST_F(StructureEditorTest, StepsOfANumberAreOneStepOfUndo)
     cable.setFocus();
     for (int i = 0; i < 5; ++i)
         QTest::keyClick(&cable, Qt::Key_Up);
-    EXPECT_DOUBLE_EQ(document.project().cableKilometres, 0.5);
+    EXPECT_DOUBLE_EQ(ringPlan(document.project(), firstRing).cableKilometres, 0.5);
     EXPECT_EQ(document.undoStack().count(), 1);
     auto &first = child<QSpinBox>("firstAddress");
     first.setFocus();
@@ -191,7 +192,7 @@ TEST_F(StructureEditorTest, StepsOfANumberAreOneStepOfUndo)
     QTest::keyClick(&first, Qt::Key_Up);
     EXPECT_EQ(document.undoStack().count(), 3) << "another one";
     document.undoStack().undo();
-    EXPECT_EQ(document.project().addresses.first, 3);
+    EXPECT_EQ(ringPlan(document.project(), firstRing).addresses.first, 3);
 }
 
 TEST_F(StructureEditorTest, ADeviceIsDraggedOntoABusTerminalAndBetweenOthers)
@@ -278,7 +279,7 @@ TEST_F(StructureEditorTest, TheSummaryCountsAndTellsTheCycleTime)
 TEST_F(StructureEditorTest, TheStep5RuleIsSwitchedOnAndUndone)
 {
     QTest::mouseClick(&child<QCheckBox>("step5"), Qt::LeftButton, {}, QPoint(8, 8));
-    EXPECT_TRUE(document.project().addresses.step5);
+    EXPECT_TRUE(ringPlan(document.project(), firstRing).addresses.step5);
     EXPECT_TRUE(indexOf(QStringLiteral("1.0"), PlanModel::findingsColumn)
                     .data()
                     .toString()

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "project/bus_plans.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+QString freeName(const Project &project, const QString &name)
+{
+    const auto isTaken = [&](const QString &its) {
+        return std::ranges::find(project.buses, its, &PlannedBus::name) != project.buses.end();
+    };
+    QString free = name;
+    for (int number = 2; isTaken(free); ++number)
+        free = QStringLiteral("%1 %2").arg(name).arg(number);
+    return free;
+}
+
+} // namespace
+
+PlannedBus &planBus(Project &project, BusId bus, const char *kind, const char *name)
+{
+    if (PlannedBus *planned = findBus(project, bus))
+        return *planned;
+    const auto behind = std::ranges::upper_bound(project.buses, bus, {}, &PlannedBus::id);
+    return *project.buses.insert(behind, {.id = bus,
+                                          .kind = QString::fromLatin1(kind),
+                                          .name = freeName(project, QString::fromLatin1(name)),
+                                          .settings = {}});
+}
+
+} // namespace codewheel

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "project/line_plan.h"
+
+#include "project/bus_plans.h"
+
+namespace codewheel {
+
+const LinePlan *linePlan(const Project &project, BusId line)
+{
+    const PlannedBus *planned = findBus(project, line);
+    return planned ? planned->settings.as<LinePlan>() : nullptr;
+}
+
+void setLinePlan(Project &project, BusId line, LinePlan plan)
+{
+    planBus(project, line, escKind, "Line").settings = KindData(std::move(plan));
+}
+
+} // namespace codewheel

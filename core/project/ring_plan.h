@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "project/project.h"
+
+#include <map>
+
+namespace codewheel {
+
+// How addresses in the process image are counted and checked.
+struct AddressRules
+{
+    enum class Unit : std::uint8_t { byte, word };
+
+    Unit unit = Unit::byte; // shown and typed
+    int first = 0;          // of automatic addresses, bytes
+    bool step5 = false;     // encoders must stand above P127 (Step 5)
+
+    friend bool operator==(const AddressRules &, const AddressRules &) = default;
+};
+
+// The link the project is used with: its kind ("training") and settings, as its file keeps them.
+struct ProjectLink
+{
+    QString kind = QStringLiteral("training");
+    std::map<QString, QString> settings;
+
+    friend bool operator==(const ProjectLink &, const ProjectLink &) = default;
+};
+
+// A ring, as it is planned.
+struct RingPlan
+{
+    ProjectLink link;
+    AddressRules addresses;
+    double cableKilometres = 0;
+
+    friend bool operator==(const RingPlan &, const RingPlan &) = default;
+};
+inline constexpr char interbusKind[] = "interbus";
+
+// As where nothing is planned, if the project has no ring of this number.
+const RingPlan &ringPlan(const Project &project, BusId ring);
+// Plans the ring, if the project has none yet.
+void setRingPlan(Project &project, BusId ring, RingPlan plan);
+
+} // namespace codewheel

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "project/line_plan.h"
+#include "project/ring_plan.h"
+
+#include <utility>
+
+namespace codewheel {
+
+template <typename Change>
+void changeRing(Project &project, Change change)
+{
+    RingPlan plan = ringPlan(project, firstRing);
+    change(plan);
+    setRingPlan(project, firstRing, std::move(plan));
+}
+
+// Plans the line, if there is none.
+template <typename Change>
+void changeLine(Project &project, Change change)
+{
+    const LinePlan *planned = linePlan(project, firstLine);
+    LinePlan plan = planned ? *planned : LinePlan();
+    change(plan);
+    setLinePlan(project, firstLine, std::move(plan));
+}
+
+inline std::vector<ProjectDevice> encodersOnLine(const Project &project)
+{
+    const auto encoders = devicesOn(project, firstLine);
+    return {encoders.begin(), encoders.end()};
+}
+inline void setEncodersOnLine(Project &project, std::vector<ProjectDevice> encoders)
+{
+    changeLine(project, [](LinePlan &) {});
+    for (ProjectDevice &encoder : encoders)
+        encoder.bus = firstLine;
+    setDevicesOn(project, firstLine, std::move(encoders));
+}
+
+} // namespace codewheel
