@@ -3373,6 +3373,25 @@
     </message>
 </context>
 <context>
+    <name>codewheel::BusBranch</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>station, device</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::BusOutline</name>
+    <message>
+        <source>offline</source>
+        <translation>offline</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>geplant</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::CamBoard</name>
     <message>
         <source>Scroll the ruler</source>
@@ -7998,94 +8017,6 @@ wurde, zählt nicht doppelt. Braucht keinen Bus.</translation>
     </message>
 </context>
 <context>
-    <name>codewheel::LineBranch</name>
-    <message>
-        <source>%1: %2</source>
-        <comment>station, device</comment>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Serial line (%1)</source>
-        <translation>Serielle Leitung (%1)</translation>
-    </message>
-    <message>
-        <source>Serial line</source>
-        <translation>Serielle Leitung</translation>
-    </message>
-    <message>
-        <source>not connected</source>
-        <translation>nicht verbunden</translation>
-    </message>
-    <message>
-        <source>port is gone</source>
-        <translation>Anschluss ist weg</translation>
-    </message>
-    <message>
-        <source>searching</source>
-        <translation>sucht</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>angehalten</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>offen</translation>
-    </message>
-    <message>
-        <source>not reachable</source>
-        <translation>nicht erreichbar</translation>
-    </message>
-    <message>
-        <source>job running</source>
-        <translation>Auftrag läuft</translation>
-    </message>
-    <message>
-        <source>silent</source>
-        <translation>antwortet nicht</translation>
-    </message>
-    <message>
-        <source>not seen yet</source>
-        <translation>noch nicht gesehen</translation>
-    </message>
-    <message>
-        <source>alarm</source>
-        <translation>Alarm</translation>
-    </message>
-    <message>
-        <source>suspect position</source>
-        <translation>verdächtige Position</translation>
-    </message>
-    <message>
-        <source>warning</source>
-        <translation>Warnung</translation>
-    </message>
-    <message>
-        <source>ok</source>
-        <translation>ok</translation>
-    </message>
-    <message>
-        <source>%1, %2 Bd
-State: %3
-Answers: %4, time-outs: %5</source>
-        <translation>%1, %2 Bd
-Zustand: %3
-Antworten: %4, Zeitüberschreitungen: %5</translation>
-    </message>
-    <message>
-        <source>%1  %2
-Address %3
-State: %4</source>
-        <translation>%1  %2
-Adresse %3
-Zustand: %4</translation>
-    </message>
-    <message>
-        <source>Position %1</source>
-        <translation>Position %1</translation>
-    </message>
-</context>
-<context>
     <name>codewheel::LineEncoderBox</name>
     <message>
         <source>Raw position</source>
@@ -8379,6 +8310,89 @@ Zustand: %4</translation>
     <message>
         <source>Warning bytes of %1</source>
         <translation>Warnungsbytes von %1</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LineOutline</name>
+    <message>
+        <source>Serial line</source>
+        <translation>Serielle Leitung</translation>
+    </message>
+    <message>
+        <source>Serial line (%1)</source>
+        <translation>Serielle Leitung (%1)</translation>
+    </message>
+    <message>
+        <source>%1  %2
+Address %3
+State: %4</source>
+        <translation>%1  %2
+Adresse %3
+Zustand: %4</translation>
+    </message>
+    <message>
+        <source>%1, %2 Bd
+State: %3
+Answers: %4, time-outs: %5</source>
+        <translation>%1, %2 Bd
+Zustand: %3
+Antworten: %4, Zeitüberschreitungen: %5</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nicht verbunden</translation>
+    </message>
+    <message>
+        <source>port is gone</source>
+        <translation>Anschluss ist weg</translation>
+    </message>
+    <message>
+        <source>searching</source>
+        <translation>sucht</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>not reachable</source>
+        <translation>nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>job running</source>
+        <translation>Auftrag läuft</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>antwortet nicht</translation>
+    </message>
+    <message>
+        <source>not seen yet</source>
+        <translation>noch nicht gesehen</translation>
+    </message>
+    <message>
+        <source>alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>suspect position</source>
+        <translation>verdächtige Position</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>ok</translation>
+    </message>
+    <message>
+        <source>Position %1</source>
+        <translation>Position %1</translation>
     </message>
 </context>
 <context>
@@ -11736,6 +11750,87 @@ Worte: IN %5, OUT %6</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::RingOutline</name>
+    <message>
+        <source>error %1</source>
+        <translation>Fehler %1</translation>
+    </message>
+    <message>
+        <source>%1  %2
+ID code %3, device code %4
+Words: IN %5, OUT %6
+State: %7</source>
+        <translation>%1  %2
+ID-Code %3, Gerätecode %4
+Worte: IN %5, OUT %6
+Zustand: %7</translation>
+    </message>
+    <message>
+        <source>Master</source>
+        <translation>Master</translation>
+    </message>
+    <message>
+        <source>The master of the ring is in the state %1.</source>
+        <translation>Der Master des Rings ist im Zustand %1.</translation>
+    </message>
+    <message>
+        <source>not seen yet</source>
+        <translation>noch nicht gesehen</translation>
+    </message>
+    <message>
+        <source>not in the ring</source>
+        <translation>nicht im Ring</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>ok</translation>
+    </message>
+    <message>
+        <source>job running</source>
+        <translation>Auftrag läuft</translation>
+    </message>
+    <message>
+        <source>OUT not sent</source>
+        <translation>OUT wartet</translation>
+    </message>
+    <message>
+        <source>parameterization</source>
+        <translation>Parametrierung</translation>
+    </message>
+    <message>
+        <source>read-out</source>
+        <translation>Auslesen</translation>
+    </message>
+    <message>
+        <source>service mode</source>
+        <translation>Dienstbetrieb</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>antwortet nicht</translation>
+    </message>
+    <message>
+        <source>unknown state</source>
+        <translation>Zustand unbekannt</translation>
+    </message>
+    <message>
+        <source>Position: Gray code</source>
+        <translation>Position: Gray-Code</translation>
+    </message>
+    <message>
+        <source>Position: signed</source>
+        <translation>Position: mit Vorzeichen</translation>
+    </message>
+    <message>
+        <source>LEDs: %1</source>
+        <translation>LEDs: %1</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::RodConsequences</name>
     <message>
         <source>The resolution can be told once the measuring length is known or wanted.</source>
@@ -12768,42 +12863,6 @@ Worte: IN %5, OUT %6</translation>
 <context>
     <name>codewheel::StructureModel</name>
     <message>
-        <source>not seen yet</source>
-        <translation>noch nicht gesehen</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>gestoppt</translation>
-    </message>
-    <message>
-        <source>error %1</source>
-        <translation>Fehler %1</translation>
-    </message>
-    <message>
-        <source>job running</source>
-        <translation>Auftrag läuft</translation>
-    </message>
-    <message>
-        <source>OUT not sent</source>
-        <translation>OUT wartet</translation>
-    </message>
-    <message>
-        <source>parameterization</source>
-        <translation>Parametrierung</translation>
-    </message>
-    <message>
-        <source>read-out</source>
-        <translation>Auslesen</translation>
-    </message>
-    <message>
-        <source>unknown state</source>
-        <translation>Zustand unbekannt</translation>
-    </message>
-    <message>
-        <source>ok</source>
-        <translation>ok</translation>
-    </message>
-    <message>
         <source>Device</source>
         <translation>Gerät</translation>
     </message>
@@ -12824,58 +12883,8 @@ Worte: IN %5, OUT %6</translation>
         <translation>Worte IN / OUT</translation>
     </message>
     <message>
-        <source>Master</source>
-        <translation>Master</translation>
-    </message>
-    <message>
-        <source>The master of the ring is in the state %1.</source>
-        <translation>Der Master des Rings ist im Zustand %1.</translation>
-    </message>
-    <message>
-        <source>service mode</source>
-        <translation>Dienstbetrieb</translation>
-    </message>
-    <message>
-        <source>Position: Gray code</source>
-        <translation>Position: Gray-Code</translation>
-    </message>
-    <message>
-        <source>Position: signed</source>
-        <translation>Position: mit Vorzeichen</translation>
-    </message>
-    <message>
-        <source>offline</source>
-        <translation>offline</translation>
-    </message>
-    <message>
-        <source>planned</source>
-        <translation>geplant</translation>
-    </message>
-    <message>
-        <source>not in the ring</source>
-        <translation>nicht im Ring</translation>
-    </message>
-    <message>
-        <source>LEDs: %1</source>
-        <translation>LEDs: %1</translation>
-    </message>
-    <message>
-        <source>silent</source>
-        <translation>antwortet nicht</translation>
-    </message>
-    <message>
         <source>Position</source>
         <translation>Position</translation>
-    </message>
-    <message>
-        <source>%1  %2
-ID code %3, device code %4
-Words: IN %5, OUT %6
-State: %7</source>
-        <translation>%1  %2
-ID-Code %3, Gerätecode %4
-Worte: IN %5, OUT %6
-Zustand: %7</translation>
     </message>
     <message>
         <source>%1, not up to date</source>
@@ -12885,10 +12894,6 @@ Zustand: %7</translation>
 </context>
 <context>
     <name>codewheel::StructureView</name>
-    <message>
-        <source>No ring is connected.</source>
-        <translation>Kein Ring ist verbunden.</translation>
-    </message>
     <message>
         <source>Bus structure</source>
         <translation>Busaufbau</translation>
@@ -12908,6 +12913,10 @@ Zustand: %7</translation>
     <message>
         <source>The project has no devices yet.</source>
         <translation>Das Projekt hat noch keine Teilnehmer.</translation>
+    </message>
+    <message>
+        <source>No bus is connected.</source>
+        <translation>Kein Bus ist verbunden.</translation>
     </message>
 </context>
 <context>

@@ -121,7 +121,7 @@ std::vector<Picture> linePictures()
             "training-line",
             [](TrainingWindow &shown) {
                 QWidget *seen = dock(shown, "trainingDock");
-                shown.window().findChild<StructureView *>()->chooseLine();
+                shown.window().findChild<StructureView *>()->choose(firstLine);
                 shown.advance(whileMilliseconds);
                 return seen;
             },

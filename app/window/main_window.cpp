@@ -109,8 +109,8 @@ void MainWindow::attach(const Plant &plant)
     m_choice = new DeviceChoice(*m_buses, bus.catalog(), m_project, *m_structure, *m_editor, this);
     connectViews();
     connectProject();
-    connectLine();
     showOnline();
+    connectLine();
     openFirstMonitors();
     connect(m_buses, &Buses::changed, this, &MainWindow::showBusState);
     showBusState();
@@ -151,7 +151,10 @@ void MainWindow::showOnline()
     }
     m_status->setBus(online, m_link);
     const auto chosen = m_choice->place();
-    m_structure->setBus(online);
+    if (online)
+        m_structure->addBus(*online);
+    else
+        m_structure->removeBus(m_bus->id());
     if (online)
         m_choice->keep(chosen);
     else
@@ -164,7 +167,7 @@ void MainWindow::showOnline()
 void MainWindow::showOtherRing()
 {
     const auto chosen = m_choice->place();
-    m_structure->setBus(m_bus);
+    m_structure->addBus(*m_bus);
     m_choice->keep(chosen);
 }
 

@@ -74,11 +74,17 @@ void MainWindow::connectLine()
 {
     connect(m_line, &SerialLine::aboutToChange, this, &MainWindow::leaveLine);
     connect(m_line, &SerialLine::changed, this, &MainWindow::showLine);
-    connect(m_structure, &StructureView::lineOpened, m_lineViews, &LineViews::panelRequested);
-    connect(m_structure, &StructureView::lineMenuRequested, this,
-            [this](const QPoint &position) { m_actions.lineMenu->popup(position); });
-    connect(m_structure, &StructureView::lineChosen, m_trainingPanel, [this] {
-        m_trainingPanel->setDevice({firstLine, {}});
+    connect(m_structure, &StructureView::busOpened, this, [this](BusId bus) {
+        if (bus == firstLine)
+            Q_EMIT m_lineViews->panelRequested();
+    });
+    connect(m_structure, &StructureView::busMenuRequested, this, [this](BusId bus, const QPoint &position) {
+        if (bus == firstLine)
+            m_actions.lineMenu->popup(position);
+    });
+    connect(m_structure, &StructureView::busChosen, m_trainingPanel, [this](BusId bus) {
+        if (bus == firstLine)
+            m_trainingPanel->setDevice({bus, {}});
     });
     connect(m_trace, &TraceView::terminalRequested, m_actions.lineTerminal, &QAction::trigger);
     connect(m_sequence, &SequenceView::terminalRequested, m_actions.lineTerminal, &QAction::trigger);
@@ -90,7 +96,7 @@ void MainWindow::leaveLine()
 {
     const auto chosen = m_choice->place();
     m_buses->remove(m_line->session());
-    m_structure->setLine(nullptr);
+    m_structure->removeBus(firstLine);
     m_status->setLine(nullptr);
     m_trainingPanel->setLine(nullptr);
     m_lineViews->setLine(nullptr);
@@ -103,7 +109,8 @@ void MainWindow::showLine()
     LineSession *line = m_line->session();
     if (line != nullptr)
         m_buses->add(*line);
-    m_structure->setLine(line);
+    if (line != nullptr)
+        m_structure->addBus(*line);
     m_status->setLine(line);
     m_trainingPanel->setLine(m_line->training());
     m_lineViews->setLine(line);

@@ -5,11 +5,11 @@
 #include "journal/eeprom_cost.h"
 #include "line/line_session.h"
 #include "ring/bus_session.h"
+#include "ring/master_look.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/role_label.h"
-#include "widgets/master/master_look.h"
 
 #include <QEvent>
 #include <QLabel>

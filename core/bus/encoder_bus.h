@@ -9,6 +9,7 @@
 
 namespace codewheel {
 
+class BusOutline;
 class WordChannel;
 
 // A connected bus, whatever it is, as window, command line and ledger see it: its devices, its state, and
@@ -23,6 +24,8 @@ public:
 
     BusId id() const { return m_id; }
     Place placeOf(NodeId node) const { return {m_id, node}; }
+    // How it is looked at; as long as the bus.
+    virtual const BusOutline &outline() const = 0;
     virtual std::vector<Place> places() const = 0; // of all devices, encoders or not
     // Null: no driver for it, or no such device.
     EncoderSession *encoder(NodeId node) const { return encoderAt(node); }
@@ -56,6 +59,8 @@ Q_SIGNALS:
     void updated();      // a new snapshot; at most once per pump
     void stateChanged(); // connected or not, running or stopped, Watch or Operate
     void nodesChanged(); // other devices, or an encoder has another session than before
+    // An encoder has another place now: encoder() finds it by that one.
+    void moved(codewheel::Place from, codewheel::Place to);
     void messaged(const codewheel::Message &message);
 
 protected:

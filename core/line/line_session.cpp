@@ -4,6 +4,7 @@
 #include "catalog/catalog.h"
 #include "drivers/esc_fraction_bits.h"
 #include "line/line_encoder_session.h"
+#include "line/line_outline.h"
 #include "line/line_runner.h"
 #include "line/line_thread.h"
 
@@ -38,6 +39,7 @@ struct LineSession::Private
         return static_cast<std::size_t>(&encoder - encoders.data());
     }
 
+    const LineOutline outline;
     std::unique_ptr<ByteLink> link;
     const Catalog &catalog;
     DriverFactory makeDriver;
@@ -55,7 +57,8 @@ struct LineSession::Private
 LineSession::LineSession(std::unique_ptr<ByteLink> link, const Catalog &catalog, QDateTime begin,
                          DriverFactory makeDriver, QObject *parent, BusId id)
     : EncoderBus(id, std::move(begin), parent)
-    , d(std::make_unique<Private>(Private{std::move(link), catalog, std::move(makeDriver)}))
+    , d(std::make_unique<Private>(
+          Private{LineOutline(*this), std::move(link), catalog, std::move(makeDriver)}))
 {}
 
 LineSession::~LineSession()
@@ -265,6 +268,11 @@ Result<void> LineSession::remove(Place place)
     post(line_command::RemoveDevice{index});
     Q_EMIT nodesChanged();
     return {};
+}
+
+const BusOutline &LineSession::outline() const
+{
+    return d->outline;
 }
 
 std::vector<Place> LineSession::places() const

@@ -59,6 +59,7 @@ public:
     // for a device that is not on a serial line.
     Result<void> add(LineAddress address, const QString &deviceKey);
     Result<void> remove(Place place);
+    const BusOutline &outline() const override;
     std::vector<Place> places() const override;
 
     const LineSnapshot &latest() const;
@@ -100,8 +101,6 @@ Q_SIGNALS:
     void otherAdapterFound(const codewheel::Refusal &which);
     void fractionBitsDetermined(codewheel::Place place, const codewheel::Result<int> &bits);
     void alarmStopped(); // by alarmStop(): nothing is to be sent on its own any more
-    // The encoder has another address now: encoder() finds it by that one.
-    void moved(codewheel::Place from, codewheel::Place to);
     void passed(const codewheel::esc::LineRow &row); // what went over the line
     // Nothing of it has been sent yet: a write that was typed. For the ledger of EEPROM writes; its end is
     // typedAnswered(), of one that is refused too.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/bus_plans.h"
 
+#include "project/bus_kind.h"
+
 #include <algorithm>
 
 namespace codewheel {
@@ -19,15 +21,15 @@ QString freeName(const Project &project, const QString &name)
 
 } // namespace
 
-PlannedBus &planBus(Project &project, BusId bus, const char *kind, const char *name)
+PlannedBus &planBus(Project &project, BusId bus, const BusKind &kind)
 {
     if (PlannedBus *planned = findBus(project, bus))
         return *planned;
     const auto behind = std::ranges::upper_bound(project.buses, bus, {}, &PlannedBus::id);
     return *project.buses.insert(behind, {.id = bus,
-                                          .kind = QString::fromLatin1(kind),
-                                          .name = freeName(project, QString::fromLatin1(name)),
-                                          .settings = {}});
+                                          .kind = kind.key(),
+                                          .name = freeName(project, kind.usualName()),
+                                          .settings = kind.usual()});
 }
 
 } // namespace codewheel

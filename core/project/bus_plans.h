@@ -5,8 +5,9 @@
 
 namespace codewheel {
 
-// The bus of this number; if the project has none, a new one of this kind, with this name or, where another
-// has it, the next: "Ring 2".
-PlannedBus &planBus(Project &project, BusId bus, const char *kind, const char *name);
+class BusKind;
+
+// The bus of this number; without one a new bus of this kind, with a name that no other has.
+PlannedBus &planBus(Project &project, BusId bus, const BusKind &kind);
 
 } // namespace codewheel

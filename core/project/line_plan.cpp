@@ -2,6 +2,7 @@
 #include "project/line_plan.h"
 
 #include "project/bus_plans.h"
+#include "project/line_kind.h"
 
 namespace codewheel {
 
@@ -13,7 +14,7 @@ const LinePlan *linePlan(const Project &project, BusId line)
 
 void setLinePlan(Project &project, BusId line, LinePlan plan)
 {
-    planBus(project, line, escKind, "Line").settings = KindData(std::move(plan));
+    planBus(project, line, LineKind()).settings = KindData(std::move(plan));
 }
 
 } // namespace codewheel

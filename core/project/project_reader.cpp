@@ -2,13 +2,10 @@
 // docs/project-files.md
 #include "project/project_reader.h"
 
-#include "project/process_addresses.h"
+#include "project/bus_kind.h"
 #include "project/project_json.h"
 #include "project/project_keys.h"
 #include "project/word_list_json.h"
-#include "ring/cycle_time.h"
-#include "ring/numbering.h"
-#include "ring/ring_rules.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,13 +17,6 @@ using namespace project_keys;
 
 constexpr int largestNumber = std::numeric_limits<int>::max();
 constexpr std::size_t mostBuses = 100;
-constexpr int mostWords = ring_limit::points / 16; // of the whole ring in one direction
-
-std::optional<int> address(const JsonObject &json, const char *key)
-{
-    const auto number = json.optionalNumber(key, 0, largestAddress);
-    return number ? std::optional(static_cast<int>(*number)) : std::nullopt;
-}
 
 } // namespace
 
@@ -60,12 +50,10 @@ void ProjectReader::readBus(const JsonObject &json, Project &project)
     if (std::ranges::find(project.buses, bus.name, &PlannedBus::name) != project.buses.end())
         json.report("name", tr("Another bus above is called \"%1\".").arg(bus.name));
     std::vector<ProjectDevice> devices;
-    if (bus.kind == QLatin1String(interbusKind))
-        bus.settings = KindData(readRing(json, devices));
-    else if (bus.kind == QLatin1String(escKind))
-        bus.settings = KindData(readLine(json, devices));
+    if (const BusKind *kind = busKind(bus.kind))
+        bus.settings = kind->read(json, devices);
     else
-        json.reportUnknownName("kind", bus.kind, {QLatin1String(interbusKind), QLatin1String(escKind)});
+        json.reportUnknownName("kind", bus.kind, busKindKeys());
     for (ProjectDevice &device : devices) {
         device.bus = bus.id;
         project.devices.push_back(std::move(device));
@@ -73,55 +61,6 @@ void ProjectReader::readBus(const JsonObject &json, Project &project)
     project.buses.push_back(std::move(bus));
 }
 
-RingPlan ProjectReader::readRing(const JsonObject &json, std::vector<ProjectDevice> &devices)
-{
-    json.allowOnly({"kind", "number", "name", "link", "addresses", "cableKilometres", "devices"});
-    RingPlan plan;
-    if (json.has("link"))
-        plan.link = readLink(json.object("link", {"kind", "settings"}));
-    if (json.has("addresses"))
-        plan.addresses = readAddresses(json.object("addresses", {"unit", "first", "step5"}));
-    plan.cableKilometres = json.decimalOr("cableKilometres", 0, 0, longestRemoteBus);
-    DeviceNumber last;
-    for (const JsonObject &row : json.array("devices",
-                                            {"place", "level", "deviceCode", "inWords", "outWords", "device",
-                                             "station", "group", "note", "label", "inAddress", "outAddress",
-                                             "wanted", "stored", "wantedCams", "storedCams", "lastPosition"},
-                                            ring_limit::devices)) {
-        devices.push_back(readDevice(row, last));
-        last = devices.back().participant.deviceNumber();
-    }
-    return plan;
-}
-
-ProjectLink ProjectReader::readLink(const JsonObject &json)
-{
-    return {json.text("kind"), json.textsByKey("settings")};
-}
-
-AddressRules ProjectReader::readAddresses(const JsonObject &json)
-{
-    AddressRules rules;
-    if (json.has("unit"))
-        rules.unit = json.oneOf("unit", units);
-    rules.first = json.numberOr("first", 0, 0, largestAddress);
-    rules.step5 = json.flagOr("step5", false);
-    return rules;
-}
-
-ProjectDevice ProjectReader::readDevice(const JsonObject &json, DeviceNumber before)
-{
-    ProjectDevice device;
-    device.participant = readParticipant(json, before);
-    device.inAddress = address(json, "inAddress");
-    device.outAddress = address(json, "outAddress");
-    device.wantedCams = readWantedCams(json);
-    device.storedCams = readStoredCams(json);
-    readWhatIsKnown(json, device);
-    return device;
-}
-
-// What an encoder of a ring and one of a serial line have in common.
 void ProjectReader::readWhatIsKnown(const JsonObject &json, ProjectDevice &device)
 {
     device.station = json.freeText("station");
@@ -133,35 +72,6 @@ void ProjectReader::readWhatIsKnown(const JsonObject &json, ProjectDevice &devic
     device.stored = readStored(json);
     if (json.has("lastPosition"))
         device.lastPosition = readLastPosition(json.object("lastPosition", {"position", "at"}));
-}
-
-Participant ProjectReader::readParticipant(const JsonObject &json, DeviceNumber before)
-{
-    Participant participant;
-    participant.number = readPlace(json, before);
-    participant.level = json.numberOr("level", 0, 0, ring_limit::levels - 1);
-    participant.deviceCode = json.hexNumber("deviceCode");
-    if (participant.deviceCode > 0xFFFF)
-        json.report("deviceCode", tr("A device code has at most four digits, such as \"0237h\"."));
-    participant.idCode = participant.deviceCode & 0xFF;
-    participant.inWords = static_cast<int>(json.number("inWords", 0, mostWords));
-    participant.outWords = static_cast<int>(json.number("outWords", 0, mostWords));
-    participant.deviceKey = json.freeText("device");
-    return participant;
-}
-
-// The number follows from the place in the list; that it is told as well makes the file readable.
-NodeId ProjectReader::readPlace(const JsonObject &json, DeviceNumber before)
-{
-    const QString told = json.text("place");
-    const bool onLocalBus = told.contains(u'.') && !told.endsWith(QStringLiteral(".0"));
-    const DeviceNumber place = nextNumber(before, onLocalBus);
-    if (told != place.toString())
-        json.report("place", tr("\"%1\" cannot stand here: by its place in the list this device is %2 on the "
-                                "remote bus, or %3 on a local bus.")
-                                 .arg(told, nextNumber(before, false).toString(),
-                                      nextNumber(before, true).toString()));
-    return place.node();
 }
 
 DeviceLabel ProjectReader::readLabel(const JsonObject &json)

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "catalog/json_object.h"
-#include "project/line_plan.h"
-#include "project/ring_plan.h"
+#include "project/project.h"
 
 namespace codewheel {
 
@@ -16,27 +15,18 @@ class ProjectReader
 public:
     static Project read(const Json::Value &root, FaultKeeper &faults);
 
+    // What devices of all kinds of bus have in common.
+    static void readWhatIsKnown(const JsonObject &json, ProjectDevice &device);
+    static std::vector<CamProgram> readWantedCams(const JsonObject &json);
+    static std::vector<StoredCams> readStoredCams(const JsonObject &json);
+
 private:
     static void readBus(const JsonObject &json, Project &project);
-    static RingPlan readRing(const JsonObject &json, std::vector<ProjectDevice> &devices);
-    static ProjectLink readLink(const JsonObject &json);
-    static AddressRules readAddresses(const JsonObject &json);
-    static ProjectDevice readDevice(const JsonObject &json, DeviceNumber before);
-    static void readWhatIsKnown(const JsonObject &json, ProjectDevice &device);
-    static Participant readParticipant(const JsonObject &json, DeviceNumber before);
-    static NodeId readPlace(const JsonObject &json, DeviceNumber before);
     static DeviceLabel readLabel(const JsonObject &json);
     static ParameterValues readWanted(const JsonObject &json);
     static std::vector<StoredValue> readStored(const JsonObject &json);
-    static std::vector<CamProgram> readWantedCams(const JsonObject &json);
-    static std::vector<StoredCams> readStoredCams(const JsonObject &json);
     static LastPosition readLastPosition(const JsonObject &json);
     static QDateTime readTime(const JsonObject &json);
-
-    // project_reader_line.cpp
-    static LinePlan readLine(const JsonObject &json, std::vector<ProjectDevice> &encoders);
-    static void readEncoders(const JsonObject &json, std::vector<ProjectDevice> &encoders);
-    static LineAdapter readAdapter(const JsonObject &json);
 };
 
 } // namespace codewheel

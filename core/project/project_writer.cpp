@@ -4,7 +4,7 @@
 
 #include "cams/cam_program_json.h"
 #include "catalog/hex_code.h"
-#include "catalog/json_writer.h"
+#include "project/bus_kind.h"
 #include "project/project_json.h"
 #include "project/project_keys.h"
 #include "project/word_list_json.h"
@@ -44,18 +44,8 @@ void ProjectWriter::writeBus(const Project &project, const PlannedBus &bus)
     m_json.member("kind", bus.kind);
     m_json.member("number", bus.id.number);
     m_json.member("name", bus.name);
-    if (const auto *ring = bus.settings.as<RingPlan>())
-        writeRing(*ring, devicesOn(project, bus.id));
-    if (const auto *line = bus.settings.as<LinePlan>())
-        writeLine(*line, devicesOn(project, bus.id));
-}
-
-void ProjectWriter::writeRing(const RingPlan &plan, std::span<const ProjectDevice> devices)
-{
-    writeLink(plan.link);
-    writeAddresses(plan.addresses);
-    m_json.member("cableKilometres", plan.cableKilometres);
-    m_json.list("devices", devices, [&](const ProjectDevice &device) { writeDevice(device); });
+    if (const BusKind *kind = busKind(bus.kind))
+        kind->write(*this, bus.settings, devicesOn(project, bus.id));
 }
 
 // What is not there takes no line.
@@ -69,38 +59,6 @@ void ProjectWriter::writeNumber(const char *key, std::optional<std::int64_t> num
 {
     if (number)
         m_json.member(key, *number);
-}
-
-void ProjectWriter::writeLink(const ProjectLink &link)
-{
-    m_json.object("link", [&] {
-        m_json.member("kind", link.kind);
-        if (!link.settings.empty())
-            m_json.object("settings", [&] {
-                for (const auto &[key, text] : link.settings)
-                    m_json.member(key, text);
-            });
-    });
-}
-
-void ProjectWriter::writeAddresses(const AddressRules &rules)
-{
-    m_json.object("addresses", [&] {
-        m_json.member("unit", nameOf(units, rules.unit));
-        m_json.member("first", rules.first);
-        m_json.flag("step5", rules.step5);
-    });
-}
-
-void ProjectWriter::writeDevice(const ProjectDevice &device)
-{
-    writeParticipant(device.participant);
-    writeNames(device);
-    writeNumber("inAddress", device.inAddress);
-    writeNumber("outAddress", device.outAddress);
-    writeValues(device);
-    writeCams(device);
-    writeLastPosition(device);
 }
 
 void ProjectWriter::writeNames(const ProjectDevice &device)
@@ -118,16 +76,6 @@ void ProjectWriter::writeLastPosition(const ProjectDevice &device)
             m_json.member("position", device.lastPosition->position);
             m_json.member("at", device.lastPosition->at.toUTC().toString(Qt::ISODateWithMs));
         });
-}
-
-void ProjectWriter::writeParticipant(const Participant &participant)
-{
-    m_json.member("place", participant.number.toString());
-    m_json.member("level", participant.level);
-    m_json.member("deviceCode", hexCode(participant.deviceCode, 4));
-    m_json.member("inWords", participant.inWords);
-    m_json.member("outWords", participant.outWords);
-    writeText("device", participant.deviceKey);
 }
 
 void ProjectWriter::writeLabel(const DeviceLabel &label)

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "catalog/json_writer.h"
-#include "project/line_plan.h"
-#include "project/ring_plan.h"
+#include "project/project.h"
 
 namespace codewheel {
 
@@ -14,25 +13,19 @@ class ProjectWriter
 public:
     QByteArray write(const Project &project);
 
-private:
-    void writeBus(const Project &project, const PlannedBus &bus);
-    void writeRing(const RingPlan &plan, std::span<const ProjectDevice> devices);
+    // For the kinds of bus: the file, and what devices of all of them have in common.
+    JsonWriter &json() { return m_json; }
     void writeText(const char *key, const QString &text);
     void writeNumber(const char *key, std::optional<std::int64_t> number);
-    void writeLink(const ProjectLink &link);
-    void writeAddresses(const AddressRules &rules);
-    void writeDevice(const ProjectDevice &device);
     void writeNames(const ProjectDevice &device);
-    void writeLastPosition(const ProjectDevice &device);
-    void writeParticipant(const Participant &participant);
-    void writeLabel(const DeviceLabel &label);
     void writeValues(const ProjectDevice &device);
     void writeCams(const ProjectDevice &device);
-    void writeEvidence(Evidence evidence, const QDateTime &at);
+    void writeLastPosition(const ProjectDevice &device);
 
-    // project_writer_line.cpp
-    void writeLine(const LinePlan &line, std::span<const ProjectDevice> encoders);
-    void writeAdapter(const LineAdapter &adapter);
+private:
+    void writeBus(const Project &project, const PlannedBus &bus);
+    void writeLabel(const DeviceLabel &label);
+    void writeEvidence(Evidence evidence, const QDateTime &at);
 
     JsonWriter m_json;
 };

@@ -2,6 +2,7 @@
 #include "project/ring_plan.h"
 
 #include "project/bus_plans.h"
+#include "project/ring_kind.h"
 
 namespace codewheel {
 
@@ -23,7 +24,7 @@ const RingPlan &ringPlan(const Project &project, BusId ring)
 
 void setRingPlan(Project &project, BusId ring, RingPlan plan)
 {
-    planBus(project, ring, interbusKind, "Ring").settings = KindData(std::move(plan));
+    planBus(project, ring, RingKind()).settings = KindData(std::move(plan));
 }
 
 } // namespace codewheel

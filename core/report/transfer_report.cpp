@@ -13,6 +13,8 @@
 namespace codewheel {
 namespace {
 
+using Column = ReportTable::Column;
+
 // The context of these texts.
 struct TransferReport
 {
@@ -63,7 +65,6 @@ ReportFacts accountFacts(const EncoderAccount &account)
 
 ReportTable tableOf(const EncoderAccount &account, const Catalog &catalog)
 {
-    using Column = ReportTable::Column;
     const DeviceDescription *device = catalog.find(account.deviceKey);
     ReportTable table{{TransferReport::tr("Parameter"), TransferReport::tr("Before"),
                        TransferReport::tr("Wanted"), TransferReport::tr("What became of it")},

@@ -112,7 +112,7 @@ std::size_t BusSession::Private::indexOf(NodeId node) const
 BusSession::BusSession(std::unique_ptr<ProcessDataLink> link, const Catalog &catalog, QDateTime begin,
                        QObject *parent, DriverFactory makeDriver, BusId id)
     : EncoderBus(id, std::move(begin), parent)
-    , d(std::make_unique<Private>(std::move(link), catalog, std::move(makeDriver)))
+    , d(std::make_unique<Private>(*this, std::move(link), catalog, std::move(makeDriver)))
 {}
 
 BusSession::~BusSession()
@@ -368,6 +368,11 @@ void BusSession::post(Command command)
 {
     if (d->runner)
         d->runner->post(std::move(command));
+}
+
+const BusOutline &BusSession::outline() const
+{
+    return d->outline;
 }
 
 bool BusSession::isOpen() const

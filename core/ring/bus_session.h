@@ -53,6 +53,7 @@ public:
     bool isOpen() const override;
     bool isSimulated() const override;
     const RingStructure &structure() const;
+    const BusOutline &outline() const override;
     std::vector<Place> places() const override;
 
     const Snapshot &latest() const;

@@ -8,6 +8,7 @@
 #include "ring/crc_history.h"
 #include "ring/paced_thread.h"
 #include "ring/ring_encoder_session.h"
+#include "ring/ring_outline.h"
 #include "ring/ring_runner.h"
 
 #include <deque>
@@ -17,8 +18,10 @@ namespace codewheel {
 // What the files of the session share.
 struct BusSession::Private
 {
-    Private(std::unique_ptr<ProcessDataLink> usedLink, const Catalog &usedCatalog, DriverFactory factory)
-        : link(std::move(usedLink))
+    Private(const BusSession &bus, std::unique_ptr<ProcessDataLink> usedLink, const Catalog &usedCatalog,
+            DriverFactory factory)
+        : outline(bus)
+        , link(std::move(usedLink))
         , catalog(usedCatalog)
         , driverFor(factory ? std::move(factory) : DriverFactory(makeDriver))
     {}
@@ -37,6 +40,7 @@ struct BusSession::Private
     RingRunner::Drivers takeOver(BusSession &bus, RingStructure found, RingRunner::Drivers drivers);
     std::size_t indexOf(NodeId node) const; // structure.size(): no such device
 
+    const RingOutline outline;
     std::unique_ptr<ProcessDataLink> link;
     const Catalog &catalog;
     DriverFactory driverFor;

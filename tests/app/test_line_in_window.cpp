@@ -69,7 +69,7 @@ protected:
 TEST_F(LineInWindow, StandsBesideTheRingInTheTree)
 {
     ASSERT_EQ(model().rowCount(), 2);
-    const QModelIndex line = model().lineIndex();
+    const QModelIndex line = model().indexOf(firstLine);
     EXPECT_EQ(line.row(), 1);
     EXPECT_TRUE(line.data().toString().startsWith(QStringLiteral("Serial line")));
     EXPECT_EQ(line.siblingAtColumn(StructureModel::stateColumn).data().toString(), QStringLiteral("open"));
@@ -78,7 +78,7 @@ TEST_F(LineInWindow, StandsBesideTheRingInTheTree)
     EXPECT_TRUE(cell(standing, StructureModel::deviceColumn).startsWith(QStringLiteral("esc:05  Kübler")));
     EXPECT_EQ(cell(standing, StructureModel::stateColumn), QStringLiteral("ok"));
     EXPECT_EQ(cell(standing, StructureModel::positionColumn), QLocale().toString(0x1235));
-    EXPECT_EQ(cell(placeOnLine({0x12}), StructureModel::idCodeColumn), QStringLiteral("12h (18)"));
+    EXPECT_EQ(cell(placeOnLine({0x12}), StructureModel::codeColumn), QStringLiteral("12h (18)"));
     EXPECT_TRUE(isSaidInStatusLine(QStringLiteral("3 of 3 answer")));
 }
 

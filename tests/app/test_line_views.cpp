@@ -114,7 +114,7 @@ TEST_F(LineViewsTest, WhatWasTypedIsThereAfterTheNextStart)
 
 TEST_F(LineViewsTest, EnterOnTheLineOpensItsFiguresAndOnAnEncoderTheTerminal)
 {
-    view<StructureView>().chooseLine();
+    view<StructureView>().choose(firstLine);
     tree().setFocus();
     QTest::keyClick(&tree(), Qt::Key_Return);
     advance(50);
@@ -140,7 +140,7 @@ TEST_F(LineViewsTest, WhatIsFoundIsTakenOver)
     QTest::mouseClick(button(view<LineSearch>(), QStringLiteral("Take over")), Qt::LeftButton);
     advance(100);
     EXPECT_TRUE(model->indexOf(standingEncoder).isValid());
-    EXPECT_EQ(model->rowCount(model->lineIndex()), 3);
+    EXPECT_EQ(model->rowCount(model->indexOf(firstLine)), 3);
     EXPECT_FALSE(linePlan(project(), firstLine)) << "they are no more than simulated";
 }
 
@@ -268,7 +268,7 @@ TEST_F(LineViewsTest, TheTrainerDisturbsTheLine)
 {
     auto &panel = view<TrainingPanel>();
     window().findChild<QDockWidget *>(QStringLiteral("trainingDock"))->raise();
-    view<StructureView>().chooseLine();
+    view<StructureView>().choose(firstLine);
     advance(50);
     const auto box = [&](const QString &text) -> QCheckBox * {
         for (auto *found : panel.findChildren<QCheckBox *>())
@@ -298,7 +298,7 @@ TEST_F(LineViewsTest, TheTrainerDisturbsTheLine)
 TEST_F(LineViewsTest, BytesThatAreLostAreCountedAndSeen)
 {
     auto &panel = view<TrainingPanel>();
-    view<StructureView>().chooseLine();
+    view<StructureView>().choose(firstLine);
     advance(50);
     for (auto *field : panel.findChildren<QSpinBox *>())
         if (field->accessibleName().startsWith(QStringLiteral("Lost bytes")))

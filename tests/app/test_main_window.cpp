@@ -144,7 +144,7 @@ TEST_F(MainWindowTest, InALowWindowTheWholeRingTheLineAndTheParametersAreSeen)
     for (const Place number : bus().places())
         EXPECT_TRUE(tree->viewport()->rect().contains(tree->visualRect(model->indexOf(number)).center()))
             << number.toString().toStdString();
-    EXPECT_TRUE(tree->viewport()->rect().contains(tree->visualRect(model->lineIndex()).center()));
+    EXPECT_TRUE(tree->viewport()->rect().contains(tree->visualRect(model->indexOf(firstLine)).center()));
     const auto *table = dock("parametersDock")->findChild<QTableView *>();
     EXPECT_GE(table->viewport()->height(), 5 * table->rowHeight(0)) << "all that can be written is seen";
     dock("trainingDock")->raise();

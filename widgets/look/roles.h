@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/role.h"
 #include "widgets/look/icons.h"
 
 #include <QColor>
@@ -13,7 +14,6 @@ namespace codewheel {
 
 // What a colour means. A colour that means none of these is not used. Shown always with its icon and its
 // word.
-enum class Role : std::uint8_t { running, attention, fault, setBit, inactive };
 inline constexpr std::array allRoles{Role::running, Role::attention, Role::fault, Role::setBit,
                                      Role::inactive};
 

@@ -3,78 +3,32 @@
 
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
-#include "catalog/device_description.h"
-#include "catalog/hex_code.h"
-#include "encoder/device_error_name.h"
-#include "project/project_take_over.h"
-#include "ring/bus_session.h"
-#include "ring/device_leds.h"
-#include "ring/ring_tree.h"
-#include "widgets/master/master_look.h"
-#include "widgets/models/age_text.h"
-#include "widgets/models/device_traits.h"
+#include "project/bus_kind.h"
 #include "widgets/project/project_document.h"
-#include "widgets/structure/structure_ids.h"
-
-#include <QGuiApplication>
-#include <QPalette>
 
 #include <algorithm>
-#include <iterator>
 
 namespace codewheel {
-
-using namespace structure_ids;
-
 namespace {
 
-QString idCodeText(unsigned code)
+bool hangSame(const std::vector<BusBranch::Row> &rows, const std::vector<BusNode> &nodes)
 {
-    return QStringLiteral("%1 = %2").arg(hexCode(code, 2)).arg(code);
+    return std::ranges::equal(rows, nodes, [](const BusBranch::Row &row, const BusNode &node) {
+        return row.node.node == node.node && row.node.parent == node.parent &&
+               row.node.isCoupler == node.isCoupler;
+    });
 }
 
-QString profileText(const DeviceDescription *device)
+bool isFlat(const std::vector<BusNode> &nodes)
 {
-    return device ? profileName(device->profile) : QStringLiteral("-");
-}
-
-// By its number, as the manual's table has it; 0 is none of them. An LA-66 has but one error, and names it.
-QString errorText(const EncoderSession *encoder, const Reading &reading)
-{
-    const unsigned number = reading.errorNumber.value_or(0);
-    const DeviceError *error = encoder == nullptr ? nullptr : encoder->device().findError(number);
-    if (error != nullptr && isRod(encoder->device()))
-        return deviceErrorName(error->meaning);
-    if (number == 0)
-        return deviceErrorName(RefusalId::noValidPosition);
-    return StructureModel::tr("error %1").arg(number);
+    return std::ranges::none_of(nodes, [](const BusNode &node) { return node.parent.has_value(); });
 }
 
 } // namespace
 
-// Grey, and said to those who do not see it.
-QVariant StructureModel::oldPositionLook(std::optional<std::int64_t> position, int role)
-{
-    if (role == Qt::ForegroundRole)
-        return QGuiApplication::palette().brush(QPalette::PlaceholderText);
-    if (role == Qt::AccessibleTextRole && position)
-        return tr("%1, not up to date", "a position").arg(positionText(position));
-    return {};
-}
-
 StructureModel::StructureModel(QObject *parent)
     : QAbstractItemModel(parent)
 {}
-
-void StructureModel::setBus(BusSession *bus)
-{
-    if (m_bus != nullptr)
-        m_bus->disconnect(this);
-    m_bus = bus;
-    rebuild();
-    if (bus != nullptr)
-        followBus();
-}
 
 void StructureModel::setProject(const ProjectDocument &project, const Catalog &catalog)
 {
@@ -84,438 +38,343 @@ void StructureModel::setProject(const ProjectDocument &project, const Catalog &c
     rebuild();
 }
 
-void StructureModel::followBus()
+void StructureModel::addBus(EncoderBus &bus)
 {
-    connect(m_bus, &BusSession::updated, this, &StructureModel::refresh);
-    connect(m_bus, &BusSession::stateChanged, this, &StructureModel::refresh);
-    connect(m_bus, &BusSession::named, this, &StructureModel::showName);
-    for (const Place number : m_bus->places())
-        if (WordChannel *channel = m_bus->channel(number))
-            connect(channel, &WordChannel::stagedChanged, this, &StructureModel::refresh);
+    bus.disconnect(this);
+    BusBranch *branch = find(bus.id());
+    if (branch == nullptr) {
+        const auto behind = std::ranges::upper_bound(m_branches, bus.id(), {}, &BusBranch::bus);
+        branch = &*m_branches.insert(behind, BusBranch{.bus = bus.id()});
+    }
+    branch->connected = &bus;
+    rebuild();
+    followBus(bus);
 }
 
-RingStructure StructureModel::ring() const
+void StructureModel::removeBus(BusId bus)
 {
-    if (m_bus != nullptr)
-        return m_bus->structure();
-    return m_project == nullptr ? RingStructure() : structureOf(m_project->project(), firstRing);
+    BusBranch *branch = find(bus);
+    if (branch == nullptr || branch->connected == nullptr)
+        return;
+    std::exchange(branch->connected, nullptr)->disconnect(this);
+    rebuild();
+}
+
+void StructureModel::followBus(EncoderBus &bus)
+{
+    const BusId id = bus.id();
+    connect(&bus, &EncoderBus::updated, this, [this, id] { refresh(id); });
+    connect(&bus, &EncoderBus::stateChanged, this, [this, id] { refresh(id); });
+    connect(&bus, &EncoderBus::nodesChanged, this, [this, id] { takeNodes(id); });
+    connect(&bus, &EncoderBus::moved, this,
+            [this, id](Place from, Place to) { takeNodes(id, std::pair(from, to)); });
+    followWords(bus);
+}
+
+// Other devices may have other words.
+void StructureModel::followWords(EncoderBus &bus)
+{
+    const BusId id = bus.id();
+    for (const Place place : bus.places())
+        if (WordChannel *channel = bus.channel(place)) {
+            channel->disconnect(this);
+            connect(channel, &WordChannel::stagedChanged, this, [this, id] { refresh(id); });
+        }
+}
+
+std::vector<EncoderBus *> StructureModel::connected() const
+{
+    std::vector<EncoderBus *> buses;
+    for (const BusBranch &branch : m_branches)
+        if (branch.connected)
+            buses.push_back(branch.connected);
+    return buses;
+}
+
+// What nobody has planned anything of is not worth a row.
+bool StructureModel::isShown(const PlannedBus &bus) const
+{
+    const BusKind *kind = busKind(bus.kind);
+    return kind != nullptr &&
+           (!devicesOn(m_project->project(), bus.id).empty() || bus.settings != kind->usual());
+}
+
+std::vector<BusBranch> StructureModel::branches()
+{
+    std::vector<BusBranch> all;
+    for (EncoderBus *bus : connected())
+        all.push_back({.bus = bus->id(), .connected = bus});
+    if (m_project != nullptr)
+        for (const PlannedBus &bus : m_project->project().buses)
+            if (isShown(bus) && std::ranges::find(all, bus.id, &BusBranch::bus) == all.end())
+                all.push_back(
+                    {.bus = bus.id,
+                     .planned = busKind(bus.kind)->outline(m_project->project(), bus.id, *m_catalog)});
+    std::ranges::sort(all, {}, &BusBranch::bus);
+    for (BusBranch &branch : all) {
+        branch.id = ++m_lastId;
+        branch.state = branch.outline().state();
+        const std::vector<BusNode> nodes = branch.outline().nodes();
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            branch.rows.push_back(branch.make(++m_lastId, i, nodes[i], m_project));
+        branch.arrange();
+    }
+    return all;
 }
 
 void StructureModel::rebuild()
 {
     beginResetModel();
-    m_nodes.clear();
-    const RingStructure participants = ring();
-    const RingTree tree = ringTree(participants);
-    const auto indices = [](const std::vector<std::size_t> &places) {
-        return std::vector<int>(places.begin(), places.end());
-    };
-    m_remote = indices(tree.mainLine);
-    for (std::size_t place = 0; place < participants.size(); ++place) {
-        Node node = nodeOf(participants[place]);
-        const RingTree::Node &hangs = tree.nodes[place];
-        node.parent = hangs.parent ? static_cast<int>(*hangs.parent) : -1;
-        node.children = indices(hangs.localBus);
-        std::ranges::copy(indices(hangs.branch), std::back_inserter(node.children));
-        m_nodes.push_back(std::move(node));
-    }
-    m_master = shownOfMaster();
-    for (std::size_t place = 0; place < m_nodes.size(); ++place)
-        m_nodes[place].shown = shownOf(m_nodes[place], place);
-    m_lineShown = m_line.state();
-    m_lineRows = m_line.rows(m_project);
+    m_branches = branches();
+    giveTitles();
+    noteWhere();
     endResetModel();
 }
 
-// Offline the rows are the project's; connected it has but the stations. Another make or station is no other
-// row: what is chosen stays so.
+// Two that look the same are told apart by the names that the project gives them.
+void StructureModel::giveTitles()
+{
+    for (BusBranch &branch : m_branches) {
+        const QString title = branch.outline().title();
+        const auto same = std::ranges::count_if(
+            m_branches, [&](const BusBranch &other) { return other.outline().title() == title; });
+        const PlannedBus *planned =
+            m_project != nullptr ? findBus(m_project->project(), branch.bus) : nullptr;
+        branch.title = same > 1 && planned != nullptr ? calledText(planned->name, title) : title;
+    }
+}
+
+void StructureModel::noteWhere()
+{
+    m_where.clear();
+    for (std::size_t i = 0; i < m_branches.size(); ++i) {
+        m_where.insert(m_branches[i].id, {i, {}});
+        for (std::size_t row = 0; row < m_branches[i].rows.size(); ++row)
+            m_where.insert(m_branches[i].rows[row].id, {i, row});
+    }
+}
+
+// Of connected buses the project has but the stations. Another make or station is no other row: what is
+// chosen stays so.
 void StructureModel::followProject()
 {
-    const RingStructure participants = ring();
-    RingStructure shown;
-    std::ranges::transform(m_nodes, std::back_inserter(shown), &Node::participant);
-    if (!isSameRing(participants, shown)) {
+    std::vector<BusBranch> now = branches();
+    const bool isSame = std::ranges::equal(now, m_branches, [](const BusBranch &one, const BusBranch &other) {
+        return one.bus == other.bus && one.connected == other.connected &&
+               std::ranges::equal(one.rows, other.rows, [](const Row &row, const Row &before) {
+                   return row.node.node == before.node.node && row.node.parent == before.node.parent &&
+                          row.node.code == before.node.code && row.node.words == before.node.words &&
+                          row.node.deviceCode == before.node.deviceCode;
+               });
+    });
+    if (!isSame) {
         rebuild();
         return;
     }
-    for (std::size_t place = 0; place < participants.size(); ++place)
-        showNames(place, participants[place]);
-    refreshLine();
-}
-
-QString StructureModel::stationOf(const Participant &participant) const
-{
-    if (m_project == nullptr)
-        return {};
-    const ProjectDevice &planned = m_project->device(placeOf(participant));
-    return planned.participant.deviceCode == participant.deviceCode ? planned.station : QString();
-}
-
-StructureModel::Node StructureModel::nodeOf(const Participant &participant) const
-{
-    const EncoderSession *encoder = m_bus == nullptr ? nullptr : m_bus->encoder(participant.number);
-    const DeviceDescription *device = encoder == nullptr ? nullptr : &encoder->device();
-    if (m_bus == nullptr && m_catalog != nullptr) {
-        const DeviceDescription *named = m_catalog->find(participant.deviceKey);
-        device = named ? named : m_catalog->generic(participant.deviceCode);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        m_branches[i].planned = now[i].planned;
+        showNames(m_branches[i], m_branches[i].outline().nodes());
     }
-    return {.participant = participant,
-            .name = participantName(participant, device),
-            .station = stationOf(participant),
-            .profile = profileText(device),
-            .children = {},
-            .shown = {},
-            .position = {}};
+    giveTitles();
 }
 
-void StructureModel::showName(Place number)
+// Other devices, or others in their places. Rows that stay are the same rows.
+void StructureModel::takeNodes(BusId bus, std::optional<std::pair<Place, Place>> moved)
 {
-    const QModelIndex row = indexOf(number);
-    if (!row.isValid())
+    BusBranch *branch = find(bus);
+    if (branch == nullptr || branch->connected == nullptr)
         return;
-    const auto place = static_cast<std::size_t>(nodeOf(row));
-    showNames(place, m_bus->structure()[place]);
+    const std::vector<BusNode> nodes = branch->outline().nodes();
+    followWords(*branch->connected);
+    if (hangSame(branch->rows, nodes)) {
+        showNames(*branch, nodes);
+        return;
+    }
+    if (!branch->isFlat() || !isFlat(nodes)) {
+        rebuild();
+        return;
+    }
+    insertNew(*branch, nodes);
+    if (moved)
+        Q_EMIT deviceMoved(moved->first, moved->second);
+    removeGone(*branch, nodes);
+    showNames(*branch, nodes);
 }
 
-void StructureModel::showNames(std::size_t place, const Participant &participant)
+void StructureModel::insertNew(BusBranch &branch, const std::vector<BusNode> &nodes)
 {
-    Node &node = m_nodes[place];
-    const Node named = nodeOf(participant);
-    if (node.participant == named.participant && node.name == named.name && node.station == named.station &&
-        node.profile == named.profile)
-        return;
-    node.participant = named.participant;
-    node.name = named.name;
-    node.station = named.station;
-    node.profile = named.profile;
-    const QModelIndex row = indexOf(placeOf(participant));
-    Q_EMIT dataChanged(row, row.siblingAtColumn(columns - 1));
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const auto at = std::ranges::lower_bound(branch.rows, nodes[i].node, {},
+                                                 [](const Row &row) { return row.node.node; });
+        if (at != branch.rows.end() && at->node.node == nodes[i].node)
+            continue;
+        const int place = static_cast<int>(at - branch.rows.begin());
+        beginInsertRows(indexOf(branch, 0), place, place);
+        branch.rows.insert(at, branch.make(++m_lastId, i, nodes[i], m_project));
+        branch.arrange();
+        noteWhere();
+        endInsertRows();
+    }
+}
+
+void StructureModel::removeGone(BusBranch &branch, const std::vector<BusNode> &nodes)
+{
+    for (std::size_t place = branch.rows.size(); place-- > 0;) {
+        if (std::ranges::find(nodes, branch.rows[place].node.node, &BusNode::node) != nodes.end())
+            continue;
+        const int row = static_cast<int>(place);
+        beginRemoveRows(indexOf(branch, 0), row, row);
+        branch.rows.erase(branch.rows.begin() + row);
+        branch.arrange();
+        noteWhere();
+        endRemoveRows();
+    }
+}
+
+void StructureModel::showNames(BusBranch &branch, const std::vector<BusNode> &nodes)
+{
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        Row &row = branch.rows[i];
+        const QString station = branch.stationOf(nodes[i], m_project);
+        if (row.node == nodes[i] && row.station == station)
+            continue;
+        row.node = nodes[i];
+        row.station = station;
+        Q_EMIT dataChanged(indexOf(branch, i, 0), indexOf(branch, i, columns - 1));
+    }
+    refresh(branch.bus);
 }
 
 // Only what changed is told to the views: most pictures change no state at all.
-void StructureModel::refresh()
+void StructureModel::refresh(BusId bus)
 {
-    if (m_nodes.empty() && m_bus == nullptr)
+    BusBranch *branch = find(bus);
+    if (branch == nullptr)
         return;
-    const Shown master = shownOfMaster();
-    if (master != m_master) {
-        m_master = master;
-        emitState(index(0, deviceColumn));
+    if (const StateWord state = branch->outline().state(); state != branch->state) {
+        branch->state = state;
+        Q_EMIT dataChanged(indexOf(*branch, deviceColumn), indexOf(*branch, stateColumn));
     }
-    for (std::size_t place = 0; place < m_nodes.size(); ++place) {
-        Shown shown = shownOf(m_nodes[place], place);
-        if (shown == m_nodes[place].shown)
-            continue;
-        m_nodes[place].shown = std::move(shown);
-        emitState(indexOf(placeOf(m_nodes[place].participant)));
-    }
-    refreshPositions();
+    for (std::size_t i = 0; i < branch->rows.size(); ++i)
+        refreshRow(*branch, branch->rows[i], branch->outline().state(i));
 }
 
-void StructureModel::refreshPositions()
+void StructureModel::refreshRow(const BusBranch &branch, Row &row, const NodeState &state)
 {
-    if (m_bus == nullptr)
+    if (row.state == state)
         return;
-    const std::size_t count = std::min(m_nodes.size(), m_bus->latest().devices.size());
-    for (std::size_t place = 0; place < count; ++place) {
-        Node &shown = m_nodes[place];
-        const EncoderSession *encoder = m_bus->encoder(shown.participant.number);
-        const auto position = m_bus->latest().devices[place].reading.position;
-        const bool isOld = encoder != nullptr && encoder->freshness().isOld();
-        if (position == shown.position && isOld == shown.isOld)
-            continue;
-        shown.position = position;
-        shown.isOld = isOld;
-        const int node = static_cast<int>(place);
-        const QModelIndex cell = createIndex(rowOf(node), positionColumn, static_cast<quintptr>(place) + 1);
-        Q_EMIT dataChanged(cell, cell);
-    }
+    const bool isOnlyPosition = row.state.shown == state.shown;
+    row.state = state;
+    const auto place = static_cast<std::size_t>(&row - branch.rows.data());
+    const int first = isOnlyPosition ? positionColumn : deviceColumn;
+    Q_EMIT dataChanged(indexOf(branch, place, first), indexOf(branch, place, positionColumn));
 }
 
-void StructureModel::emitState(const QModelIndex &row)
+BusBranch *StructureModel::find(BusId bus)
 {
-    Q_EMIT dataChanged(row.siblingAtColumn(deviceColumn), row.siblingAtColumn(stateColumn));
+    const auto found = std::ranges::find(m_branches, bus, &BusBranch::bus);
+    return found == m_branches.end() ? nullptr : &*found;
 }
 
-StructureModel::Shown StructureModel::shownOfMaster() const
+const BusBranch *StructureModel::find(BusId bus) const
 {
-    if (m_bus == nullptr)
-        return {Role::inactive, tr("offline")};
-    return {masterRole(m_bus->latest()), masterText(m_bus->latest())};
+    const auto found = std::ranges::find(m_branches, bus, &BusBranch::bus);
+    return found == m_branches.end() ? nullptr : &*found;
 }
 
-StructureModel::Shown StructureModel::shownOf(const Node &node, std::size_t place) const
+const StructureModel::Where *StructureModel::whereIs(const QModelIndex &index) const
 {
-    if (m_bus == nullptr)
-        return {Role::inactive, tr("planned")};
-    if (place >= m_bus->latest().devices.size())
-        return {Role::inactive, tr("not seen yet")};
-    const Snapshot::Device &device = m_bus->latest().devices[place];
-    const WordChannel *channel = m_bus->channel(node.participant.number);
-    if (auto fault = faultOf(node, place))
-        return *fault;
-    if (!device.inRing)
-        return {Role::inactive, tr("not in the ring")};
-    if (!m_bus->isRunning())
-        return {Role::inactive, tr("stopped")};
-    const bool exchanged = m_bus->latest().cycle > 0;
-    if (exchanged && m_bus->encoder(node.participant.number) == nullptr) // no driver that could tell more
-        return {Role::running, tr("ok")};
-    if (device.reading.state == EncoderState::error)
-        return {Role::fault, errorText(m_bus->encoder(node.participant.number), device.reading)};
-    if (device.heldByJob)
-        return {Role::attention, tr("job running")};
-    if (channel != nullptr && channel->staged())
-        return {Role::attention, tr("OUT not sent")};
-    switch (device.reading.state) {
-    case EncoderState::parameterization:
-        return {Role::attention, tr("parameterization")};
-    case EncoderState::readOut:
-        return {Role::attention, tr("read-out")};
-    case EncoderState::service:
-        return {Role::attention, tr("service mode")};
-    case EncoderState::silent:
-        return {Role::fault, tr("silent")};
-    case EncoderState::unknown:
-        return {Role::attention, tr("unknown state")};
-    case EncoderState::notSeen:
-        return {Role::inactive, tr("not seen yet")};
-    case EncoderState::operation:
-    case EncoderState::error:
-        break;
-    }
-    return {Role::running, tr("ok")};
+    const auto where = index.isValid() ? m_where.constFind(index.internalId()) : m_where.constEnd();
+    return where == m_where.constEnd() ? nullptr : &*where;
 }
 
-// What the master says of this very device.
-std::optional<StructureModel::Shown> StructureModel::faultOf(const Node &node, std::size_t place) const
+const StructureModel::Row *StructureModel::rowAt(const QModelIndex &index) const
 {
-    const MasterStatus *master = m_bus->master();
-    if (master == nullptr)
-        return std::nullopt;
-    const auto at = master->faultPlace();
-    if (at && at->number == node.participant.number)
-        return Shown{Role::fault, master->faultText()};
-    if (place < master->devices.size() && master->devices[place].peripheralFault)
-        return Shown{Role::fault, busFaultText(bus_error::peripheralFault,
-                                               diagnosticParameterOf({.number = node.participant.number}))};
-    return std::nullopt;
+    const Where *where = whereIs(index);
+    return where != nullptr && where->row ? &m_branches[where->branch].rows[*where->row] : nullptr;
 }
 
-Place StructureModel::placeOf(const Participant &participant) const
+QModelIndex StructureModel::indexOf(const BusBranch &branch, std::size_t row, int column) const
 {
-    return {m_bus != nullptr ? m_bus->id() : firstRing, participant.number};
+    return createIndex(static_cast<int>(branch.rows[row].place), column, branch.rows[row].id);
 }
 
-std::optional<Place> StructureModel::numberAt(const QModelIndex &index) const
+QModelIndex StructureModel::indexOf(const BusBranch &branch, int column) const
 {
-    if (const LineBranch::Row *row = lineRow(index))
-        return row->number;
-    const int node = nodeOf(index);
-    return node < 0 ? std::nullopt
-                    : std::optional(placeOf(m_nodes[static_cast<std::size_t>(node)].participant));
+    return createIndex(static_cast<int>(&branch - m_branches.data()), column, branch.id);
 }
 
-QModelIndex StructureModel::indexOf(Place number) const
+std::optional<Place> StructureModel::placeAt(const QModelIndex &index) const
 {
-    if (number.isOnLine())
-        return lineRowIndex(number, deviceColumn);
-    for (std::size_t node = 0; node < m_nodes.size(); ++node)
-        if (placeOf(m_nodes[node].participant) == number)
-            return createIndex(rowOf(static_cast<int>(node)), deviceColumn, static_cast<quintptr>(node) + 1);
-    return {};
+    const Row *row = rowAt(index);
+    return row != nullptr ? std::optional(Place{m_branches[whereIs(index)->branch].bus, row->node.node})
+                          : std::nullopt;
 }
 
-int StructureModel::nodeOf(const QModelIndex &index) const
+std::optional<BusId> StructureModel::busAt(const QModelIndex &index) const
 {
-    return index.isValid() && index.internalId() < lineId ? static_cast<int>(index.internalId()) - 1 : -1;
+    const Where *where = whereIs(index);
+    return where != nullptr && !where->row ? std::optional(m_branches[where->branch].bus) : std::nullopt;
 }
 
-int StructureModel::rowOf(int node) const
+QModelIndex StructureModel::indexOf(Place place) const
 {
-    const int parent = m_nodes[static_cast<std::size_t>(node)].parent;
-    const std::vector<int> &siblings =
-        parent < 0 ? m_remote : m_nodes[static_cast<std::size_t>(parent)].children;
-    return static_cast<int>(std::ranges::find(siblings, node) - siblings.begin());
+    const BusBranch *branch = find(place.bus);
+    const auto row = branch != nullptr ? branch->find(place.node) : std::nullopt;
+    return row ? indexOf(*branch, *row, deviceColumn) : QModelIndex();
 }
 
-const std::vector<int> &StructureModel::childrenOf(const QModelIndex &index) const
+QModelIndex StructureModel::indexOf(BusId bus) const
 {
-    const int node = nodeOf(index);
-    return node < 0 ? m_remote : m_nodes[static_cast<std::size_t>(node)].children;
+    const BusBranch *branch = find(bus);
+    return branch != nullptr ? indexOf(*branch, deviceColumn) : QModelIndex();
+}
+
+bool StructureModel::makeIsOpen(Place place) const
+{
+    const BusBranch *branch = find(place.bus);
+    const auto row = branch != nullptr && branch->connected ? branch->find(place.node) : std::nullopt;
+    return row && branch->rows[*row].node.makeIsOpen;
 }
 
 QModelIndex StructureModel::index(int row, int column, const QModelIndex &parent) const
 {
     if (column < 0 || column >= columns || row < 0 || row >= rowCount(parent))
         return {};
+    const auto place = static_cast<std::size_t>(row);
     if (!parent.isValid())
-        return createIndex(row, column, row == 0 && hasRing() ? masterId : lineId);
-    if (parent.internalId() == lineId)
-        return lineRowIndex(m_lineRows[static_cast<std::size_t>(row)].number, column);
-    return createIndex(row, column,
-                       static_cast<quintptr>(childrenOf(parent)[static_cast<std::size_t>(row)]) + 1);
+        return indexOf(m_branches[place], column);
+    const Where &above = *whereIs(parent);
+    const BusBranch &branch = m_branches[above.branch];
+    return indexOf(branch, (above.row ? branch.rows[*above.row].children : branch.top)[place], column);
 }
 
 QModelIndex StructureModel::parent(const QModelIndex &index) const
 {
-    if (lineRow(index))
-        return lineIndex();
-    const int node = nodeOf(index);
-    if (node < 0)
+    const Row *row = rowAt(index);
+    if (row == nullptr)
         return {};
-    const int above = m_nodes[static_cast<std::size_t>(node)].parent;
-    return above < 0 ? createIndex(0, deviceColumn, masterId)
-                     : createIndex(rowOf(above), deviceColumn, static_cast<quintptr>(above) + 1);
+    const BusBranch &branch = m_branches[whereIs(index)->branch];
+    return row->node.parent ? indexOf(branch, *row->node.parent, deviceColumn)
+                            : indexOf(branch, deviceColumn);
 }
 
 int StructureModel::rowCount(const QModelIndex &parent) const
 {
-    if (parent.column() > 0 || lineRow(parent))
+    if (parent.column() > 0)
         return 0;
     if (!parent.isValid())
-        return (hasRing() ? 1 : 0) + (m_line.line() ? 1 : 0);
-    return static_cast<int>(isLine(parent) ? m_lineRows.size() : childrenOf(parent).size());
+        return static_cast<int>(m_branches.size());
+    const Row *row = rowAt(parent);
+    const Where *where = whereIs(parent);
+    if (row != nullptr)
+        return static_cast<int>(row->children.size());
+    return where != nullptr ? static_cast<int>(m_branches[where->branch].top.size()) : 0;
 }
 
 int StructureModel::columnCount(const QModelIndex &) const
 {
     return columns;
-}
-
-QVariant StructureModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case deviceColumn:
-        return tr("Device");
-    case stateColumn:
-        return tr("State");
-    case positionColumn:
-        return tr("Position");
-    case profileColumn:
-        return tr("Profile");
-    case idCodeColumn:
-        return tr("ID code");
-    case wordsColumn:
-        return tr("Words IN / OUT");
-    default:
-        return {};
-    }
-}
-
-QVariant StructureModel::data(const QModelIndex &index, int role) const
-{
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
-        return {};
-    if (role == Qt::TextAlignmentRole)
-        return index.column() == positionColumn ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
-    if (isLine(index))
-        return lineCell(index.column(), role);
-    if (const LineBranch::Row *row = lineRow(index))
-        return lineEncoderCell(*row, index.column(), role);
-    const int node = nodeOf(index);
-    return node < 0 ? masterCell(index.column(), role)
-                    : deviceCell(m_nodes[static_cast<std::size_t>(node)], index.column(), role);
-}
-
-QVariant StructureModel::masterCell(int column, int role) const
-{
-    if (column == deviceColumn) {
-        if (role == Qt::DisplayRole)
-            return tr("Master");
-        if (role == Qt::DecorationRole)
-            return lineIcon(Icon::master);
-    }
-    if (column == stateColumn) {
-        if (role == Qt::DisplayRole)
-            return m_master.word;
-        if (role == Qt::DecorationRole)
-            return lineIcon(roleIcon(m_master.role), m_master.role);
-    }
-    if (role == Qt::ToolTipRole)
-        return tr("The master of the ring is in the state %1.").arg(m_master.word);
-    return {};
-}
-
-QVariant StructureModel::deviceCell(const Node &node, int column, int role) const
-{
-    if (role == Qt::ToolTipRole)
-        return toolTip(node);
-    if (column == positionColumn && node.isOld)
-        if (QVariant look = oldPositionLook(node.position, role); look.isValid())
-            return look;
-    if (role == Qt::DecorationRole) {
-        if (column == deviceColumn)
-            return lineIcon(node.participant.idCode == busTerminalIdCode ? Icon::ring : Icon::encoder);
-        if (column == stateColumn)
-            return lineIcon(roleIcon(node.shown.role), node.shown.role);
-        return {};
-    }
-    if (role != Qt::DisplayRole)
-        return {};
-    switch (column) {
-    case deviceColumn:
-        return QStringLiteral("%1  %2").arg(node.participant.number.toString(),
-                                            calledText(node.station, node.name));
-    case stateColumn:
-        return node.shown.word;
-    case positionColumn:
-        return positionText(node.position);
-    case profileColumn:
-        return node.profile;
-    case idCodeColumn:
-        return idCodeText(node.participant.idCode);
-    case wordsColumn:
-        return QStringLiteral("%1 / %2").arg(node.participant.inWords).arg(node.participant.outWords);
-    default:
-        return {};
-    }
-}
-
-std::size_t StructureModel::placeOf(const Node &node) const
-{
-    return static_cast<std::size_t>(&node - m_nodes.data());
-}
-
-// How the position stands in IN, where it is not plain binary.
-QString StructureModel::codingText(const Node &node) const
-{
-    const EncoderSession *encoder = m_bus == nullptr ? nullptr : m_bus->encoder(node.participant.number);
-    const auto coding = encoder == nullptr ? std::nullopt : encoder->latest().coding;
-    if (coding == PositionCoding::gray)
-        return tr("Position: Gray code");
-    if (coding == PositionCoding::signedBinary)
-        return tr("Position: signed");
-    return {};
-}
-
-// On the housing, as they have to be.
-QString StructureModel::ledsText(const Node &node) const
-{
-    const std::size_t place = placeOf(node);
-    if (m_bus == nullptr || place >= m_bus->latest().devices.size() ||
-        !hasRemoteBusLeds(m_bus->encoder(node.participant.number)))
-        return {};
-    const Snapshot &ring = m_bus->latest();
-    return tr("LEDs: %1").arg(ledText(ledsOf(ring.state, ring.devices[place].inRing)));
-}
-
-QString StructureModel::toolTip(const Node &node) const
-{
-    const EncoderSession *encoder = m_bus == nullptr ? nullptr : m_bus->encoder(node.participant.number);
-    QStringList more{ledsText(node), codingText(node),
-                     encoder == nullptr ? QString() : ageSentence(*encoder)};
-    more.removeAll(QString());
-    const QString text =
-        tr("%1  %2\nID code %3, device code %4\nWords: IN %5, OUT %6\nState: %7")
-            .arg(node.participant.number.toString(), calledText(node.station, node.name),
-                 idCodeText(node.participant.idCode), hexCode(node.participant.deviceCode, 4))
-            .arg(node.participant.inWords)
-            .arg(node.participant.outWords)
-            .arg(node.shown.word);
-    return (QStringList{text} + more).join(u'\n');
 }
 
 } // namespace codewheel

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/structure/structure_view.h"
 
-#include "catalog/catalog.h"
-#include "ring/bus_session.h"
+#include "bus/encoder_bus.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/grid.h"
@@ -30,17 +29,6 @@ int levelsBelow(const QAbstractItemModel &model, const QModelIndex &parent = {})
     return levels;
 }
 
-// Nobody named the device, and the catalog has some that it could be.
-bool makeIsOpen(const BusSession &bus, Place number)
-{
-    const RingStructure &ring = bus.structure();
-    const auto participant = std::ranges::find(ring, number.node, &Participant::number);
-    return participant != ring.end() && participant->deviceKey.isEmpty() &&
-           std::ranges::any_of(bus.catalog().devices(), [&](const DeviceDescription &device) {
-               return !device.isGeneric() && device.deviceCode == participant->deviceCode;
-           });
-}
-
 } // namespace
 
 StructureView::StructureView(QWidget *parent)
@@ -48,8 +36,8 @@ StructureView::StructureView(QWidget *parent)
     , m_model(new StructureModel(this))
     , m_tree(describe(new StructureTree(this), "structure", tr("Bus structure"),
                       tr("Choose a device to see it in the panels. Enter opens its monitors.")))
-    , m_empty(new EmptyState(Icon::ring, tr("No ring is connected."), tr("The project has no devices yet."),
-                             this))
+    , m_empty(
+          new EmptyState(Icon::ring, tr("No bus is connected."), tr("The project has no devices yet."), this))
     , m_question(new InlineMessage(this))
 {
     auto *layout = new QVBoxLayout(this);
@@ -71,29 +59,29 @@ StructureView::StructureView(QWidget *parent)
     m_tree->header()->setStretchLastSection(false);
     m_tree->hide();
 
-    const auto numberAt = [this](const QModelIndex &index) { return m_model->numberAt(index); };
     connect(m_tree->selectionModel(), &QItemSelectionModel::currentChanged, this,
-            [=, this](const QModelIndex &index) {
+            [this](const QModelIndex &index) {
                 askForMake();
-                if (const auto number = numberAt(index))
-                    Q_EMIT chosen(*number);
-                else if (m_model->isLine(index))
-                    Q_EMIT lineChosen();
+                if (const auto place = m_model->placeAt(index))
+                    Q_EMIT chosen(*place);
+                else if (const auto bus = m_model->busAt(index))
+                    Q_EMIT busChosen(*bus);
             });
-    connect(m_tree, &QTreeView::activated, this, [=, this](const QModelIndex &index) {
-        if (const auto number = numberAt(index))
-            Q_EMIT opened(*number);
-        else if (m_model->isLine(index))
-            Q_EMIT lineOpened();
+    connect(m_tree, &QTreeView::activated, this, [this](const QModelIndex &index) {
+        if (const auto place = m_model->placeAt(index))
+            Q_EMIT opened(*place);
+        else if (const auto bus = m_model->busAt(index))
+            Q_EMIT busOpened(*bus);
     });
-    connect(m_tree, &QTreeView::customContextMenuRequested, this, [=, this](const QPoint &position) {
+    connect(m_tree, &QTreeView::customContextMenuRequested, this, [this](const QPoint &position) {
         const QModelIndex index = m_tree->indexAt(position);
-        if (const auto number = numberAt(index))
-            Q_EMIT menuRequested(*number, m_tree->viewport()->mapToGlobal(position));
-        else if (m_model->isLine(index))
-            Q_EMIT lineMenuRequested(m_tree->viewport()->mapToGlobal(position));
+        const QPoint globalPosition = m_tree->viewport()->mapToGlobal(position);
+        if (const auto place = m_model->placeAt(index))
+            Q_EMIT menuRequested(*place, globalPosition);
+        else if (const auto bus = m_model->busAt(index))
+            Q_EMIT busMenuRequested(*bus, globalPosition);
     });
-    connect(m_model, &StructureModel::encoderMoved, this, [this](Place from, Place to) {
+    connect(m_model, &StructureModel::deviceMoved, this, [this](Place from, Place to) {
         if (current() == from)
             choose(to);
     });
@@ -163,31 +151,32 @@ void StructureView::changeEvent(QEvent *event)
         m_measuring.start();
 }
 
-void StructureView::setBus(BusSession *bus)
-{
-    if (m_bus != nullptr)
-        m_bus->disconnect(this);
-    m_bus = bus;
-    m_model->setBus(bus);
-    if (bus != nullptr)
-        connect(bus, &BusSession::named, this, &StructureView::askForMake);
-    if (bus != nullptr && !bus->structure().empty())
-        choose(bus->places().front());
-    else
-        askForMake();
-}
-
-void StructureView::setLine(LineSession *line)
+void StructureView::addBus(EncoderBus &bus)
 {
     const auto before = current();
-    m_model->setLine(line);
+    m_model->addBus(bus);
+    bus.disconnect(this);
+    connect(&bus, &EncoderBus::nodesChanged, this, &StructureView::askForMake);
+    const std::vector<Place> places = bus.places();
     if (before && m_model->indexOf(*before).isValid())
         choose(*before);
+    else if (!places.empty())
+        choose(places.front());
+    askForMake();
 }
 
-void StructureView::chooseLine()
+void StructureView::removeBus(BusId bus)
 {
-    m_tree->setCurrentIndex(m_model->lineIndex());
+    const auto before = current();
+    m_model->removeBus(bus);
+    if (before && m_model->indexOf(*before).isValid())
+        choose(*before);
+    askForMake();
+}
+
+void StructureView::choose(BusId bus)
+{
+    m_tree->setCurrentIndex(m_model->indexOf(bus));
 }
 
 void StructureView::setProject(const ProjectDocument &project, const Catalog &catalog)
@@ -209,10 +198,10 @@ void StructureView::showWhetherEmpty()
 // has devices of its code.
 void StructureView::askForMake()
 {
-    const auto number = current();
-    if (m_bus && number && makeIsOpen(*m_bus, *number))
+    const auto place = current();
+    if (place && m_model->makeIsOpen(*place))
         m_question->showMessage(Role::attention,
-                                tr("The bus does not tell which make %1 is.").arg(number->toString()),
+                                tr("The bus does not tell which make %1 is.").arg(place->toString()),
                                 tr("Name it"));
     else
         m_question->withdraw();
@@ -220,12 +209,12 @@ void StructureView::askForMake()
 
 std::optional<Place> StructureView::current() const
 {
-    return m_model->numberAt(m_tree->currentIndex());
+    return m_model->placeAt(m_tree->currentIndex());
 }
 
-void StructureView::choose(Place number)
+void StructureView::choose(Place place)
 {
-    m_tree->setCurrentIndex(m_model->indexOf(number));
+    m_tree->setCurrentIndex(m_model->indexOf(place));
 }
 
 } // namespace codewheel

@@ -12,11 +12,10 @@ class QTreeView;
 
 namespace codewheel {
 
-class BusSession;
 class Catalog;
 class EmptyState;
+class EncoderBus;
 class InlineMessage;
-class LineSession;
 class ProjectDocument;
 class StructureModel;
 
@@ -29,27 +28,26 @@ class StructureView : public QWidget
 public:
     explicit StructureView(QWidget *parent = nullptr);
 
-    // Chooses the first encoder. Null: offline, the ring that the project plans.
-    void setBus(BusSession *bus);
-    // What is chosen stays so, if it is still there. Null: no serial line.
-    void setLine(codewheel::LineSession *line);
+    // Connected, or with other devices than before. What is chosen stays so, if it is still there; else its
+    // first device is chosen.
+    void addBus(EncoderBus &bus);
+    void removeBus(BusId bus); // what the project plans for it is shown instead
     // Both must outlive the view.
     void setProject(const ProjectDocument &project, const Catalog &catalog);
     std::optional<Place> current() const;
-    void choose(Place number);
-
-    void chooseLine(); // the line itself
+    void choose(Place place);
+    void choose(BusId bus); // the row of the bus itself
 
 Q_SIGNALS:
-    void chosen(codewheel::Place number);
-    void opened(codewheel::Place number);
+    void chosen(codewheel::Place place);
+    void opened(codewheel::Place place);
     // Which make the chosen device is, the bus does not tell: the user wants to.
-    void namingRequested(codewheel::Place number);
-    void menuRequested(codewheel::Place number, const QPoint &globalPosition);
-    // The row of the serial line itself.
-    void lineChosen();
-    void lineOpened();
-    void lineMenuRequested(const QPoint &globalPosition);
+    void namingRequested(codewheel::Place place);
+    void menuRequested(codewheel::Place place, const QPoint &globalPosition);
+    // The row of a bus itself.
+    void busChosen(codewheel::BusId bus);
+    void busOpened(codewheel::BusId bus);
+    void busMenuRequested(codewheel::BusId bus, const QPoint &globalPosition);
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -64,7 +62,6 @@ private:
     void showWhetherEmpty();
     void askForMake();
 
-    BusSession *m_bus = nullptr;
     StructureModel *m_model;
     QTreeView *m_tree;
     EmptyState *m_empty;

@@ -175,7 +175,7 @@ TEST_F(DevicePanelTest, ARunningJobKeepsTheName)
 TEST_F(DevicePanelTest, TheTreeAsksForTheMakeUntilItIsNamed)
 {
     StructureView tree;
-    tree.setBus(&ring.bus);
+    tree.addBus(ring.bus);
     tree.show();
     auto *question = tree.findChild<InlineMessage *>(QStringLiteral("makeQuestion"));
     tree.choose(fraba);
@@ -195,7 +195,7 @@ TEST_F(DevicePanelTest, TheTreeAsksWhatAnUnnamedRodIsAndNeverABusTerminal)
 {
     constexpr Place la66 = "5.0"_ring;
     StructureView tree;
-    tree.setBus(&ring.bus);
+    tree.addBus(ring.bus);
     tree.show();
     auto *question = tree.findChild<InlineMessage *>(QStringLiteral("makeQuestion"));
     ASSERT_TRUE(ring.bus.name(la66, {}));

@@ -87,7 +87,7 @@ TEST_F(MasterPanelTest, NamesAFaultAsTreeAndMessagesDo)
     });
     StructureModel model;
     const test::ModelTester tester(model);
-    model.setBus(&ring.bus);
+    model.addBus(ring.bus);
     befall(TrainingFault::wireBreak, fourth);
     const QString name = QStringLiteral("0D10 at outgoing remote bus of 3.0 (see IBS SYS FW G4 UM)");
     EXPECT_EQ(value("Fault"), name);
@@ -247,7 +247,7 @@ TEST(TheLedsInTheDevicePanel, AreNotShownForAnEncoderOnLoop2)
     panel.setPlace("6.1"_ring);
     EXPECT_TRUE(panel.findChild<LedRow *>()->isHidden()) << "it has a single one, of another meaning";
     StructureModel model;
-    model.setBus(&ring.bus);
+    model.addBus(ring.bus);
     const auto toolTip = [&](Place number) { return model.indexOf(number).data(Qt::ToolTipRole).toString(); };
     EXPECT_TRUE(toolTip(fourth).contains(QStringLiteral("LEDs: UL on")));
     EXPECT_FALSE(toolTip("6.1"_ring).contains(QStringLiteral("LEDs")));
@@ -258,7 +258,7 @@ TEST(TheLedsInTheDevicePanel, AreShownWhereTheDescriptionHasThem)
     test::TrainingBusSession ring;
     DevicePanel panel(ring.bus);
     StructureModel model;
-    model.setBus(&ring.bus);
+    model.addBus(ring.bus);
     for (const Place without : {test::baumer, "5.0"_ring}) {
         panel.setPlace(without);
         EXPECT_TRUE(panel.findChild<LedRow *>()->isHidden()) << without.toString().toStdString();

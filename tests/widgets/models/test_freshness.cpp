@@ -122,7 +122,7 @@ TEST_F(FreshnessTest, ARodToo)
 TEST_F(FreshnessTest, TheTreeShowsOldPositionsGreyAndSaysSo)
 {
     StructureModel model;
-    model.setBus(&ring.bus);
+    model.addBus(ring.bus);
     advance(40);
     const auto cell = [&](Place number) {
         return model.indexOf(number).siblingAtColumn(StructureModel::positionColumn);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/line_address.h"
 #include "project/project_take_over.h"
 #include "tests/support/model_tester.h"
+#include "tests/support/plans.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
@@ -43,7 +45,7 @@ protected:
 
 TEST_F(StructureTest, ShowsTheMasterAndBelowItTheDevicesOfTheRing)
 {
-    model.setBus(&ring.bus);
+    model.addBus(ring.bus);
     ASSERT_EQ(model.rowCount(), 1);
     const QModelIndex master = model.index(0, 0);
     EXPECT_EQ(master.data().toString(), QStringLiteral("Master"));
@@ -51,7 +53,7 @@ TEST_F(StructureTest, ShowsTheMasterAndBelowItTheDevicesOfTheRing)
     EXPECT_EQ(model.rowCount(master), 6);
     EXPECT_EQ(text(fraba, StructureModel::deviceColumn), QStringLiteral("1.0  FRABA OCD-IB K3"));
     EXPECT_EQ(text(fraba, StructureModel::profileColumn), QStringLiteral("K3"));
-    EXPECT_EQ(text(fraba, StructureModel::idCodeColumn), QStringLiteral("37h = 55"));
+    EXPECT_EQ(text(fraba, StructureModel::codeColumn), QStringLiteral("37h = 55"));
     EXPECT_EQ(text(baumer, StructureModel::wordsColumn), QStringLiteral("2 / 2"));
     EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("ok"));
     EXPECT_EQ(text(test::singleTurn, StructureModel::profileColumn), QStringLiteral("K1"));
@@ -60,10 +62,10 @@ TEST_F(StructureTest, ShowsTheMasterAndBelowItTheDevicesOfTheRing)
 
 TEST_F(StructureTest, ABranchHangsOnItsBusTerminal)
 {
-    model.setBus(&ring.bus);
+    model.addBus(ring.bus);
     const QModelIndex terminal = model.indexOf(test::busTerminal);
     EXPECT_EQ(terminal.data().toString(), QStringLiteral("6.0  bus terminal"));
-    EXPECT_EQ(text(test::busTerminal, StructureModel::idCodeColumn), QStringLiteral("0Ch = 12"));
+    EXPECT_EQ(text(test::busTerminal, StructureModel::codeColumn), QStringLiteral("0Ch = 12"));
     EXPECT_EQ(text(test::busTerminal, StructureModel::wordsColumn), QStringLiteral("0 / 0"));
     EXPECT_EQ(text(test::busTerminal, StructureModel::stateColumn), QStringLiteral("ok"));
     EXPECT_EQ(model.indexOf(test::onLoop).parent(), terminal);
@@ -74,7 +76,7 @@ TEST_F(StructureTest, ABranchHangsOnItsBusTerminal)
 
 TEST_F(StructureTest, TheTooltipTellsACodingThatIsNotPlain)
 {
-    model.setBus(&ring.bus);
+    model.addBus(ring.bus);
     const auto toolTip = [this] { return model.indexOf(baumer).data(Qt::ToolTipRole).toString(); };
     EXPECT_FALSE(toolTip().contains(QStringLiteral("Position:")));
     ring.encoder(baumer).tell(Parameter::coding, 5);
@@ -87,7 +89,7 @@ TEST_F(StructureTest, TheTooltipTellsACodingThatIsNotPlain)
 
 TEST_F(StructureTest, AShaftThatTurnsTooFastHasNoValidPosition)
 {
-    model.setBus(&ring.bus);
+    model.addBus(ring.bus);
     ring.controls->setSpeed(fraba.node, 6000);
     ring.bus.advance(20);
     EXPECT_EQ(ring.encoder(fraba).latest().in, Word{0x8000'0000});
@@ -96,7 +98,7 @@ TEST_F(StructureTest, AShaftThatTurnsTooFastHasNoValidPosition)
 
 TEST_F(StructureTest, StatesFollowTheBus)
 {
-    model.setBus(&ring.bus);
+    model.addBus(ring.bus);
     int changes = 0;
     QObject::connect(&model, &QAbstractItemModel::dataChanged, &model, [&](const QModelIndex &first) {
         changes += first.column() == StructureModel::positionColumn ? 0 : 1;
@@ -118,8 +120,8 @@ TEST_F(StructureTest, StatesFollowTheBus)
 
 TEST_F(StructureTest, WithoutARingThereIsNothing)
 {
-    model.setBus(&ring.bus);
-    model.setBus(nullptr);
+    model.addBus(ring.bus);
+    model.removeBus(firstRing);
     EXPECT_EQ(model.rowCount(), 0);
 }
 
@@ -137,15 +139,55 @@ TEST_F(StructureTest, OfflineItShowsWhatTheProjectPlans)
     EXPECT_FALSE(model.indexOf(test::onLoop).isValid());
     project.setProject({}, {});
     EXPECT_EQ(model.rowCount(), 0);
-    model.setBus(&ring.bus);
+    model.addBus(ring.bus);
     EXPECT_EQ(text(baumer, StructureModel::stateColumn), QStringLiteral("ok"));
+}
+
+TEST_F(StructureTest, ALineThatIsOnlyPlannedStandsBesideTheRing)
+{
+    Project plan = projectOf(ring.bus.structure());
+    changeLine(plan, [](LinePlan &line) { line.wish.port = QStringLiteral("ttyUSB0"); });
+    ProjectDevice encoder;
+    encoder.standAt(placeOnLine({5}));
+    encoder.participant.deviceKey = QStringLiteral("kuebler-esc-rs485");
+    encoder.station = QStringLiteral("slide");
+    setEncodersOnLine(plan, {encoder});
+    ProjectDocument project;
+    project.setProject(plan, {});
+    model.addBus(ring.bus);
+    model.setProject(project, ring.catalog);
+    ASSERT_EQ(model.rowCount(), 2);
+    EXPECT_EQ(model.indexOf(firstLine).data().toString(), QStringLiteral("Serial line (ttyUSB0)"));
+    EXPECT_TRUE(text(encoder.place(), StructureModel::deviceColumn)
+                    .startsWith(QStringLiteral("esc:05  slide: Kübler")));
+    EXPECT_EQ(text(encoder.place(), StructureModel::stateColumn), QStringLiteral("planned"));
+    EXPECT_EQ(text(encoder.place(), StructureModel::codeColumn), QStringLiteral("05h (5)"));
+    EXPECT_EQ(text(fraba, StructureModel::stateColumn), QStringLiteral("ok"));
+}
+
+TEST_F(StructureTest, BusesThatLookTheSameAreToldApartByTheirNames)
+{
+    constexpr BusId secondRing{3};
+    Project plan = projectOf(ring.bus.structure());
+    plan.buses.push_back(
+        {secondRing, QStringLiteral("interbus"), QStringLiteral("Crane 2"), plan.buses[0].settings});
+    ProjectDevice there = plan.devices[0];
+    there.bus = secondRing;
+    plan.devices.push_back(there);
+    ProjectDocument project;
+    project.setProject(plan, {});
+    model.setProject(project, ring.catalog);
+    EXPECT_EQ(model.indexOf(firstRing).data().toString(), QStringLiteral("Ring: Master"));
+    EXPECT_EQ(model.indexOf(secondRing).data().toString(), QStringLiteral("Crane 2: Master"));
+    EXPECT_EQ(model.placeAt(model.indexOf(there.place())), there.place());
+    EXPECT_EQ(model.indexOf(there.place()).parent(), model.indexOf(secondRing));
 }
 
 TEST_F(StructureTest, StationsOfDevicesThatFitStandBesideTheNumber)
 {
     ProjectDocument project;
     project.setProject(projectOf(ring.bus.structure()), {});
-    model.setBus(&ring.bus);
+    model.addBus(ring.bus);
     model.setProject(project, ring.catalog);
     const auto name = [](ProjectDevice &device) { device.station = QStringLiteral("hoist"); };
     project.editDevice(baumer, {}, name);
@@ -164,7 +206,7 @@ TEST_F(StructureTest, NamingADeviceKeepsItChosenAndItsMakeAskedFor)
     project.setProject(projectOf(ring.bus.structure()), {});
     StructureView view;
     view.setProject(project, ring.catalog);
-    view.setBus(&ring.bus);
+    view.addBus(ring.bus);
     view.choose(baumer);
     view.show();
     const auto *question = view.findChild<InlineMessage *>(QStringLiteral("makeQuestion"));
@@ -177,7 +219,7 @@ TEST_F(StructureTest, NamingADeviceKeepsItChosenAndItsMakeAskedFor)
         plan(key);
         EXPECT_EQ(question->isVisible(), key.isEmpty());
     }
-    view.setBus(nullptr);
+    view.removeBus(firstRing);
     view.choose(baumer);
     plan({});
 }
@@ -187,7 +229,7 @@ TEST_F(StructureTest, ArrowsChooseAndEnterOpens)
     StructureView view;
     QSignalSpy chosen(&view, &StructureView::chosen);
     QSignalSpy opened(&view, &StructureView::opened);
-    view.setBus(&ring.bus);
+    view.addBus(ring.bus);
     EXPECT_EQ(view.current(), fraba);
     view.show();
     view.setFocus();
@@ -207,7 +249,7 @@ TEST_F(StructureTest, TheStateIsSeenInANarrowPanelWhateverTheNames)
     StructureView view;
     view.resize(200, 300);
     view.show();
-    view.setBus(&ring.bus);
+    view.addBus(ring.bus);
     const auto &tree = *view.findChild<QTreeView *>();
     const QModelIndex state = tree.model()->index(0, StructureModel::stateColumn, tree.model()->index(0, 0));
     EXPECT_LE(tree.visualRect(state).right(), tree.viewport()->width());
@@ -233,7 +275,7 @@ TEST_F(StructureTest, TheNumbersAreSeenInANarrowPanelHoweverLongTheStates)
     StructureView view;
     view.resize(200, 300);
     view.show();
-    view.setBus(&ring.bus);
+    view.addBus(ring.bus);
     const auto &tree = *view.findChild<QTreeView *>();
     ring.controls->setFault(TrainingFault::wireBreak, NodeId("4.0"), 1);
     ring.bus.advance(40);

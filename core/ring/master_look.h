@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/role.h"
 #include "ring/master_text.h"
 #include "ring/snapshot.h"
-#include "widgets/look/roles.h"
 
 namespace codewheel {
 

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "project/bus_kind.h"
+
+#include "project/line_kind.h"
+#include "project/ring_kind.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+using Kinds = std::vector<std::unique_ptr<const BusKind>>;
+
+// The list of kinds.
+Kinds kindsOfTheProgram()
+{
+    Kinds kinds;
+    kinds.push_back(std::make_unique<RingKind>());
+    kinds.push_back(std::make_unique<LineKind>());
+    return kinds;
+}
+
+Kinds &kinds()
+{
+    static Kinds all = kindsOfTheProgram();
+    return all;
+}
+
+} // namespace
+
+const BusKind *busKind(QStringView key)
+{
+    const auto found = std::ranges::find(kinds(), key, [](const auto &kind) { return kind->key(); });
+    return found == kinds().end() ? nullptr : found->get();
+}
+
+QStringList busKindKeys()
+{
+    QStringList keys;
+    for (const auto &kind : kinds())
+        keys << kind->key();
+    return keys;
+}
+
+void addBusKind(std::unique_ptr<const BusKind> kind)
+{
+    kinds().push_back(std::move(kind));
+}
+
+} // namespace codewheel

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bus/bus_outline.h"
+#include "project/check_project.h"
+
+#include <memory>
+#include <span>
+
+namespace codewheel {
+
+class Catalog;
+class JsonObject;
+class ProjectWriter;
+
+// A kind of bus in a project: how its buses are looked at, checked, and kept in the file
+// (docs/project-files.md).
+class BusKind
+{
+public:
+    virtual ~BusKind() = default;
+
+    virtual QString key() const = 0;       // in files: "interbus"
+    virtual QString usualName() const = 0; // of a bus that is new in a project: "Ring"
+    virtual KindData usual() const = 0;    // what is set where nobody has set anything
+    // As it is planned. The catalog outlives it; the project need not.
+    virtual std::unique_ptr<BusOutline> outline(const Project &project, BusId bus,
+                                                const Catalog &catalog) const = 0;
+    // Without "kind", "number" and "name". What is wrong is reported to the object's keeper; the devices are
+    // given their bus by the caller.
+    virtual KindData read(const JsonObject &json, std::vector<ProjectDevice> &devices) const = 0;
+    virtual void write(ProjectWriter &writer, const KindData &settings,
+                       std::span<const ProjectDevice> devices) const = 0;
+    virtual std::vector<Finding> check(const Project &, BusId) const { return {}; }
+};
+
+// Those of the program, and what was added.
+const BusKind *busKind(QStringView key); // null: there is none
+QStringList busKindKeys();
+void addBusKind(std::unique_ptr<const BusKind> kind);
+
+} // namespace codewheel

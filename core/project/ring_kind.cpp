@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// docs/project-files.md
+#include "project/ring_kind.h"
+
+#include "catalog/hex_code.h"
+#include "project/project_keys.h"
+#include "project/project_reader.h"
+#include "project/project_take_over.h"
+#include "project/project_writer.h"
+#include "project/ring_plan.h"
+#include "ring/cycle_time.h"
+#include "ring/numbering.h"
+#include "ring/ring_outline.h"
+#include "ring/ring_rules.h"
+
+namespace codewheel {
+namespace {
+
+using namespace project_keys;
+
+constexpr int mostWords = ring_limit::points / 16; // of the whole ring in one direction
+
+std::optional<int> address(const JsonObject &json, const char *key)
+{
+    const auto number = json.optionalNumber(key, 0, largestAddress);
+    return number ? std::optional(static_cast<int>(*number)) : std::nullopt;
+}
+
+ProjectLink readLink(const JsonObject &json)
+{
+    return {json.text("kind"), json.textsByKey("settings")};
+}
+
+AddressRules readAddresses(const JsonObject &json)
+{
+    AddressRules rules;
+    if (json.has("unit"))
+        rules.unit = json.oneOf("unit", units);
+    rules.first = json.numberOr("first", 0, 0, largestAddress);
+    rules.step5 = json.flagOr("step5", false);
+    return rules;
+}
+
+// The number follows from the place in the list; that it is told as well makes the file readable.
+NodeId readPlace(const JsonObject &json, DeviceNumber before)
+{
+    const QString told = json.text("place");
+    const bool onLocalBus = told.contains(u'.') && !told.endsWith(QStringLiteral(".0"));
+    const DeviceNumber place = nextNumber(before, onLocalBus);
+    if (told != place.toString())
+        json.report(
+            "place",
+            ProjectReader::tr("\"%1\" cannot stand here: by its place in the list this device is %2 on the "
+                              "remote bus, or %3 on a local bus.")
+                .arg(told, nextNumber(before, false).toString(), nextNumber(before, true).toString()));
+    return place.node();
+}
+
+Participant readParticipant(const JsonObject &json, DeviceNumber before)
+{
+    Participant participant;
+    participant.number = readPlace(json, before);
+    participant.level = json.numberOr("level", 0, 0, ring_limit::levels - 1);
+    participant.deviceCode = json.hexNumber("deviceCode");
+    if (participant.deviceCode > 0xFFFF)
+        json.report("deviceCode",
+                    ProjectReader::tr("A device code has at most four digits, such as \"0237h\"."));
+    participant.idCode = participant.deviceCode & 0xFF;
+    participant.inWords = static_cast<int>(json.number("inWords", 0, mostWords));
+    participant.outWords = static_cast<int>(json.number("outWords", 0, mostWords));
+    participant.deviceKey = json.freeText("device");
+    return participant;
+}
+
+ProjectDevice readDevice(const JsonObject &json, DeviceNumber before)
+{
+    ProjectDevice device;
+    device.participant = readParticipant(json, before);
+    device.inAddress = address(json, "inAddress");
+    device.outAddress = address(json, "outAddress");
+    device.wantedCams = ProjectReader::readWantedCams(json);
+    device.storedCams = ProjectReader::readStoredCams(json);
+    ProjectReader::readWhatIsKnown(json, device);
+    return device;
+}
+
+void writeLink(JsonWriter &json, const ProjectLink &link)
+{
+    json.object("link", [&] {
+        json.member("kind", link.kind);
+        if (!link.settings.empty())
+            json.object("settings", [&] {
+                for (const auto &[key, text] : link.settings)
+                    json.member(key, text);
+            });
+    });
+}
+
+void writeAddresses(JsonWriter &json, const AddressRules &rules)
+{
+    json.object("addresses", [&] {
+        json.member("unit", nameOf(units, rules.unit));
+        json.member("first", rules.first);
+        json.flag("step5", rules.step5);
+    });
+}
+
+void writeParticipant(ProjectWriter &writer, const Participant &participant)
+{
+    JsonWriter &json = writer.json();
+    json.member("place", participant.number.toString());
+    json.member("level", participant.level);
+    json.member("deviceCode", hexCode(participant.deviceCode, 4));
+    json.member("inWords", participant.inWords);
+    json.member("outWords", participant.outWords);
+    writer.writeText("device", participant.deviceKey);
+}
+
+void writeDevice(ProjectWriter &writer, const ProjectDevice &device)
+{
+    writeParticipant(writer, device.participant);
+    writer.writeNames(device);
+    writer.writeNumber("inAddress", device.inAddress);
+    writer.writeNumber("outAddress", device.outAddress);
+    writer.writeValues(device);
+    writer.writeCams(device);
+    writer.writeLastPosition(device);
+}
+
+} // namespace
+
+QString RingKind::key() const
+{
+    return QString::fromLatin1(interbusKind);
+}
+
+QString RingKind::usualName() const
+{
+    return QStringLiteral("Ring");
+}
+
+KindData RingKind::usual() const
+{
+    return KindData(RingPlan());
+}
+
+std::unique_ptr<BusOutline> RingKind::outline(const Project &project, BusId bus, const Catalog &catalog) const
+{
+    return std::make_unique<PlannedRingOutline>(structureOf(project, bus), catalog);
+}
+
+KindData RingKind::read(const JsonObject &json, std::vector<ProjectDevice> &devices) const
+{
+    json.allowOnly({"kind", "number", "name", "link", "addresses", "cableKilometres", "devices"});
+    RingPlan plan;
+    if (json.has("link"))
+        plan.link = readLink(json.object("link", {"kind", "settings"}));
+    if (json.has("addresses"))
+        plan.addresses = readAddresses(json.object("addresses", {"unit", "first", "step5"}));
+    plan.cableKilometres = json.decimalOr("cableKilometres", 0, 0, longestRemoteBus);
+    DeviceNumber last;
+    for (const JsonObject &row : json.array("devices",
+                                            {"place", "level", "deviceCode", "inWords", "outWords", "device",
+                                             "station", "group", "note", "label", "inAddress", "outAddress",
+                                             "wanted", "stored", "wantedCams", "storedCams", "lastPosition"},
+                                            ring_limit::devices)) {
+        devices.push_back(readDevice(row, last));
+        last = devices.back().participant.deviceNumber();
+    }
+    return KindData(std::move(plan));
+}
+
+void RingKind::write(ProjectWriter &writer, const KindData &settings,
+                     std::span<const ProjectDevice> devices) const
+{
+    const auto *plan = settings.as<RingPlan>();
+    if (plan == nullptr)
+        return;
+    writeLink(writer.json(), plan->link);
+    writeAddresses(writer.json(), plan->addresses);
+    writer.json().member("cableKilometres", plan->cableKilometres);
+    writer.json().list("devices", devices, [&](const ProjectDevice &device) { writeDevice(writer, device); });
+}
+
+std::vector<Finding> RingKind::check(const Project &project, BusId bus) const
+{
+    return checkProject(project, bus);
+}
+
+} // namespace codewheel

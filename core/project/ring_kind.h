@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "project/bus_kind.h"
+
+namespace codewheel {
+
+// A ring as projects have it (ring_plan.h).
+class RingKind final : public BusKind
+{
+public:
+    QString key() const override;
+    QString usualName() const override;
+    KindData usual() const override;
+    std::unique_ptr<BusOutline> outline(const Project &project, BusId bus,
+                                        const Catalog &catalog) const override;
+    KindData read(const JsonObject &json, std::vector<ProjectDevice> &devices) const override;
+    void write(ProjectWriter &writer, const KindData &settings,
+               std::span<const ProjectDevice> devices) const override;
+    std::vector<Finding> check(const Project &project, BusId bus) const override;
+};
+
+} // namespace codewheel

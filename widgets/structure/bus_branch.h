@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bus/bus_outline.h"
+#include "bus/encoder_bus.h"
+
+#include <memory>
+#include <vector>
+
+namespace codewheel {
+
+class ProjectDocument;
+
+// A bus in the tree of the bus structure: its own row and those of its devices. Used by StructureModel, which
+// tells the views.
+struct BusBranch
+{
+    struct Row
+    {
+        quintptr id = 0; // by which views know it, as long as it is there
+        BusNode node;
+        QString station; // as the project has it; empty: none
+        NodeState state;
+        std::vector<std::size_t> children; // in `rows`
+        std::size_t place = 0;             // among those it hangs beside
+    };
+
+    BusId bus;
+    quintptr id = 0;
+    EncoderBus *connected = nullptr;             // null: it is only planned
+    std::shared_ptr<const BusOutline> planned{}; // null: it is not planned, or connected
+    QString title{};
+    StateWord state{};
+    std::vector<Row> rows{};        // in the order of the bus
+    std::vector<std::size_t> top{}; // those on the bus itself
+
+    const BusOutline &outline() const { return connected ? connected->outline() : *planned; }
+    bool isFlat() const { return top.size() == rows.size(); }
+    std::optional<std::size_t> find(NodeId node) const;
+    const std::vector<std::size_t> &siblings(const Row &row) const;
+    // After rows came or went: what hangs where.
+    void arrange();
+    Row make(quintptr rowId, std::size_t node, const BusNode &what, const ProjectDocument *project) const;
+    QString stationOf(const BusNode &node, const ProjectDocument *project) const;
+};
+
+// "hoist: Kübler 5882", or only the latter: its station comes first, that is how people at the plant call it.
+QString calledText(const QString &station, const QString &name);
+
+} // namespace codewheel

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands in the cells of the tree.
+#include "widgets/look/icons.h"
+#include "widgets/look/roles.h"
+#include "widgets/models/age_text.h"
+#include "widgets/structure/structure_model.h"
+
+#include <QGuiApplication>
+#include <QLocale>
+#include <QPalette>
+
+namespace codewheel {
+namespace {
+
+QString positionText(std::optional<std::int64_t> position)
+{
+    return position ? QLocale().toString(qlonglong{*position}) : QString();
+}
+
+// Grey, and said to those who do not see it.
+QVariant oldPositionLook(std::optional<std::int64_t> position, int role)
+{
+    if (role == Qt::ForegroundRole)
+        return QGuiApplication::palette().brush(QPalette::PlaceholderText);
+    if (role == Qt::AccessibleTextRole && position)
+        return StructureModel::tr("%1, not up to date", "a position").arg(positionText(position));
+    return {};
+}
+
+QVariant stateIcon(const StateWord &state)
+{
+    return lineIcon(roleIcon(state.role), state.role);
+}
+
+} // namespace
+
+QVariant StructureModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case deviceColumn:
+        return tr("Device");
+    case stateColumn:
+        return tr("State");
+    case positionColumn:
+        return tr("Position");
+    case profileColumn:
+        return tr("Profile");
+    case codeColumn:
+        return tr("ID code");
+    case wordsColumn:
+        return tr("Words IN / OUT");
+    default:
+        return {};
+    }
+}
+
+QVariant StructureModel::data(const QModelIndex &index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    if (role == Qt::TextAlignmentRole)
+        return index.column() == positionColumn ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
+    const Where *where = whereIs(index);
+    if (where == nullptr)
+        return {};
+    const BusBranch &branch = m_branches[where->branch];
+    return where->row ? deviceCell(branch, branch.rows[*where->row], index.column(), role)
+                      : busCell(branch, index.column(), role);
+}
+
+QVariant StructureModel::busCell(const BusBranch &branch, int column, int role)
+{
+    if (role == Qt::ToolTipRole)
+        return branch.outline().toolTip();
+    if (column == deviceColumn && role == Qt::DisplayRole)
+        return branch.title;
+    if (column == deviceColumn && role == Qt::DecorationRole)
+        return lineIcon(Icon::master);
+    if (column == stateColumn && role == Qt::DisplayRole)
+        return branch.state.word;
+    if (column == stateColumn && role == Qt::DecorationRole)
+        return stateIcon(branch.state);
+    return {};
+}
+
+QVariant StructureModel::deviceCell(const BusBranch &branch, const Row &row, int column, int role)
+{
+    if (role == Qt::ToolTipRole)
+        return toolTip(branch, row);
+    if (column == positionColumn && row.state.isOld)
+        if (QVariant look = oldPositionLook(row.state.position, role); look.isValid())
+            return look;
+    if (role == Qt::DecorationRole && column == deviceColumn)
+        return lineIcon(row.node.isCoupler ? Icon::ring : Icon::encoder);
+    if (role == Qt::DecorationRole && column == stateColumn)
+        return stateIcon(row.state.shown);
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (column) {
+    case deviceColumn:
+        return QStringLiteral("%1  %2").arg(row.node.node.toString(), calledText(row.station, row.node.name));
+    case stateColumn:
+        return row.state.shown.word;
+    case positionColumn:
+        return positionText(row.state.position);
+    case profileColumn:
+        return row.node.profile;
+    case codeColumn:
+        return row.node.code;
+    case wordsColumn:
+        return row.node.words;
+    default:
+        return {};
+    }
+}
+
+QString StructureModel::toolTip(const BusBranch &branch, const Row &row)
+{
+    const auto place = static_cast<std::size_t>(&row - branch.rows.data());
+    QString text = branch.outline().toolTip(place, calledText(row.station, row.node.name));
+    const EncoderSession *encoder = branch.connected ? branch.connected->encoder(row.node.node) : nullptr;
+    if (const QString age = encoder != nullptr ? ageSentence(*encoder) : QString(); !age.isEmpty())
+        text += u'\n' + age;
+    return text;
+}
+
+} // namespace codewheel
