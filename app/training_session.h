@@ -2,22 +2,27 @@
 #pragma once
 
 #include "ring/bus_session.h"
-#include "simulator/training_controls.h"
+#include "simulator/training_bus.h"
 
 #include <memory>
 
 namespace codewheel {
 
-// The training bus, connected, in RUN and in Operate, as window and command line both start it. Cycles come
-// with bus->advance() or bus->startThread().
+// A training ring and the trainer's hand on it.
 struct TrainingSession
 {
     std::shared_ptr<TrainingControls> controls;
     std::unique_ptr<BusSession> bus;
 };
 
-// The catalog must outlive the session; `begin` is the date and time that Instant 0 stands for. What the plan
-// of the training bus knows of its encoders is told to them: the FRABA K3 start up in position mode.
+// Not connected yet. The catalog must outlive the session; `begin` is the date and time that Instant 0 stands
+// for.
+TrainingSession makeTrainingSession(const Catalog &catalog, QDateTime begin, TrainingBus training,
+                                    BusId ring = firstRing);
+// What the plan of the training ring knows of its encoders is told to them: the FRABA K3 start up in position
+// mode.
+void tellTrainingPlan(BusSession &bus);
+// Connected, in RUN and in Operate. Cycles come with bus->advance() or bus->startThread().
 TrainingSession openTrainingSession(const Catalog &catalog, QDateTime begin);
 
 } // namespace codewheel

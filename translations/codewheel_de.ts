@@ -3379,6 +3379,14 @@
         <comment>station, device</comment>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>Operate</source>
+        <translation>Bedienen</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Beobachten</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::BusOutline</name>
@@ -9190,6 +9198,29 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::LineTrainingPanel</name>
+    <message>
+        <source>Device to train with</source>
+        <translation>Teilnehmer zum Üben</translation>
+    </message>
+    <message>
+        <source>The simulated line, or the encoder on it, that is moved and disturbed here</source>
+        <translation>Die simulierte Leitung oder der Geber daran, der hier bewegt und gestört wird</translation>
+    </message>
+    <message>
+        <source>Training</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Serial line</source>
+        <translation>Leitung</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::LineViews</name>
     <message>
         <source>&amp;Use this adapter</source>
@@ -9245,10 +9276,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>&lt;h3&gt;Codewheel %1&lt;/h3&gt;&lt;p&gt;Sets up, watches and diagnoses absolute encoders on INTERBUS.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. It comes without any warranty.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Codewheel %1&lt;/h3&gt;&lt;p&gt;Richtet Absolut-Geber am INTERBUS ein, beobachtet und prüft sie.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später. Ohne jede Gewährleistung.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>training bus</source>
-        <translation>Übungsbus</translation>
     </message>
     <message>
         <source>Device</source>
@@ -9781,8 +9808,8 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>%1 hat keine Worte zu zeigen: Er nimmt an den Prozessdaten nicht teil.</translation>
     </message>
     <message>
-        <source>%1 is on a serial line and has no words: its position stands in the panels, what passes on the line in the terminal.</source>
-        <translation>%1 ist an einer seriellen Leitung und hat keine Worte: Seine Position steht in den Feldern, was über die Leitung geht, im Terminal.</translation>
+        <source>%1 has no words: its position stands in the panels, what passes on its bus in the terminal.</source>
+        <translation>%1 hat keine Wörter: seine Position steht in den Feldern, was über seinen Bus geht, im Terminal.</translation>
     </message>
 </context>
 <context>
@@ -10480,13 +10507,6 @@ Worte: IN %5, OUT %6</translation>
     <message>
         <source>Sends service 6 with this position; it holds at once, and costs an EEPROM write.</source>
         <translation>Sendet Service 6 mit dieser Position; sie gilt sofort und kostet einen EEPROM-Schreibvorgang.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::Program</name>
-    <message>
-        <source>training bus</source>
-        <translation>Übungsbus</translation>
     </message>
 </context>
 <context>
@@ -11828,6 +11848,13 @@ Zustand: %7</translation>
     <message>
         <source>LEDs: %1</source>
         <translation>LEDs: %1</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RingViews</name>
+    <message>
+        <source>training bus</source>
+        <translation>Übungsbus</translation>
     </message>
 </context>
 <context>
@@ -13192,10 +13219,6 @@ Zustand: %7</translation>
     <message>
         <source>Device</source>
         <translation>Gerät</translation>
-    </message>
-    <message>
-        <source>Serial line</source>
-        <translation>Serielle Leitung</translation>
     </message>
 </context>
 <context>

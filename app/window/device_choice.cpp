@@ -34,7 +34,7 @@ void DeviceChoice::choose(std::optional<Place> number)
         return;
     const QScopedValueRollback choosing(m_isChoosing, true);
     const bool isThere = number && (m_project.idAt(*number) || m_buses.isConnected(*number));
-    m_place = isThere ? number : m_tree.current();
+    m_place = isThere ? number : otherwise();
     m_planned = m_place ? m_project.idAt(*m_place) : std::nullopt;
     if (m_place) {
         m_tree.choose(*m_place);
@@ -45,7 +45,16 @@ void DeviceChoice::choose(std::optional<Place> number)
 
 void DeviceChoice::keep(std::optional<Place> before)
 {
-    choose(before && m_buses.isConnected(*before) ? before : m_tree.current());
+    choose(before && m_buses.isConnected(*before) ? before : otherwise());
+}
+
+// What the panel of the bus structure has chosen, or the first device there is.
+std::optional<Place> DeviceChoice::otherwise() const
+{
+    if (const auto current = m_tree.current())
+        return current;
+    const std::vector<Place> places = m_buses.places();
+    return places.empty() ? std::nullopt : std::optional(places.front());
 }
 
 ShownEncoder DeviceChoice::find() const

@@ -27,7 +27,8 @@ public:
 
     std::optional<Place> place() const { return m_place; }
     const ShownEncoder &encoder() const { return m_encoder; } // none: no encoder, or nothing is known of it
-    // Neither connected nor planned: what the panel of the bus structure has chosen is taken instead.
+    // Neither connected nor planned: what the panel of the bus structure has chosen is taken instead, or the
+    // first device.
     void choose(std::optional<Place> number);
     // Another ring is connected: what the panel of the bus structure chose by itself gives way to the device
     // of before, if that is in the ring.
@@ -38,6 +39,7 @@ Q_SIGNALS:
 
 private:
     ShownEncoder find() const;
+    std::optional<Place> otherwise() const;
     void followPlan();
     void show();
 

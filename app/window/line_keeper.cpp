@@ -35,28 +35,28 @@ LineKeeper::LineKeeper(const SerialLine &line, ProjectDocument &project, QObject
 
 LinePlan LineKeeper::line() const
 {
-    const LinePlan *planned = linePlan(m_project.project(), firstLine);
+    const LinePlan *planned = linePlan(m_project.project(), m_line.id());
     return planned ? *planned : m_line.opened();
 }
 
 std::vector<ProjectDevice> LineKeeper::encoders() const
 {
-    const auto planned = devicesOn(m_project.project(), firstLine);
+    const auto planned = devicesOn(m_project.project(), m_line.id());
     return {planned.begin(), planned.end()};
 }
 
 void LineKeeper::edit(const LinePlan &after, const QString &what)
 {
     Project project = m_project.project();
-    setLinePlan(project, firstLine, after);
+    setLinePlan(project, m_line.id(), after);
     m_project.edit(std::move(project), what);
 }
 
 void LineKeeper::edit(std::vector<ProjectDevice> after, const QString &what)
 {
     Project project = m_project.project();
-    setLinePlan(project, firstLine, line());
-    setDevicesOn(project, firstLine, std::move(after));
+    setLinePlan(project, m_line.id(), line());
+    setDevicesOn(project, m_line.id(), std::move(after));
     m_project.edit(std::move(project), what);
 }
 
@@ -112,7 +112,7 @@ void LineKeeper::keepEncoders(const std::vector<Place> &numbers)
 
 void LineKeeper::removeEncoder(Place number)
 {
-    if (m_line.training() != nullptr || linePlan(m_project.project(), firstLine) == nullptr)
+    if (m_line.training() != nullptr || linePlan(m_project.project(), m_line.id()) == nullptr)
         return;
     std::vector<ProjectDevice> after = encoders();
     std::erase_if(after, [number](const ProjectDevice &encoder) { return encoder.place() == number; });

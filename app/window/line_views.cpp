@@ -6,6 +6,7 @@
 #include "app/window/line_ports.h"
 #include "app/window/line_rate.h"
 #include "app/window/serial_line.h"
+#include "app/window/status_line.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
 #include "catalog/catalog.h"
@@ -17,9 +18,11 @@
 #include "widgets/line/line_terminal.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
+#include "widgets/training/line_training_panel.h"
 
 #include <QAction>
 #include <QStackedWidget>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <utility>
@@ -48,49 +51,121 @@ Place firstThatAnswers(const LineSession &line)
 
 } // namespace
 
-LineViews::LineViews(SerialLine &line, ProjectDocument &project, WindowSettings &settings, Leaving &leaving,
-                     const WindowActions &actions, QStackedWidget &pages, InlineMessage &notice)
-    : QObject(&pages)
+LineViews::LineViews(SerialLine &line, const WindowParts &parts, QObject *parent)
+    : BusViews(parent)
     , m_line(line)
-    , m_project(project)
-    , m_leaving(leaving)
-    , m_actions(actions)
-    , m_pages(pages)
-    , m_notice(notice)
-    , m_keeper(new LineKeeper(line, project, this))
-    , m_terminal(new LineTerminal(&pages))
-    , m_panel(new LinePanel(&pages))
-    , m_form(new LineSettingsForm(&pages))
-    , m_search(new LineSearch(&pages))
+    , m_parts(parts)
+    , m_notice(new InlineMessage(&parts.pages))
+    , m_keeper(new LineKeeper(line, line.project(), this))
+    , m_terminal(new LineTerminal(&parts.pages))
+    , m_panel(new LinePanel(&parts.pages))
+    , m_form(new LineSettingsForm(&parts.pages))
+    , m_search(new LineSearch(&parts.pages))
+    , m_training(new LineTrainingPanel(line.id(), &parts.pages))
 {
+    m_notice->setObjectName(QStringLiteral("lineNotice"));
+    parts.notices.insertWidget(0, m_notice);
     m_form->setObjectName(QStringLiteral("lineSettings"));
     m_search->setObjectName(QStringLiteral("lineSearch"));
     m_search->setDevices(devicesOnLines(line.catalog()));
-    pages.addWidget(m_form);
-    pages.addWidget(m_search);
-    m_terminal->setHistory(settings.typedRequests());
+    parts.pages.addWidget(m_form);
+    parts.pages.addWidget(m_search);
+    m_terminal->setHistory(parts.settings.typedRequests());
     connect(m_terminal, &LineTerminal::historyChanged, this,
-            [this, &settings] { settings.setTypedRequests(m_terminal->history()); });
+            [this] { m_parts.settings.setTypedRequests(m_terminal->history()); });
     connect(m_form, &LineSettingsForm::refreshWanted, this, &LineViews::listPorts);
-    connect(m_form, &LineSettingsForm::fractionBitsWanted, this, &LineViews::fractionBitsRequested);
-    connect(&notice, &InlineMessage::actionTriggered, this, &LineViews::useOtherAdapter);
+    connect(m_form, &LineSettingsForm::fractionBitsWanted, this, &LineViews::determineFractionBits);
+    connect(m_notice, &InlineMessage::actionTriggered, this, &LineViews::useOtherAdapter);
     connect(m_form, &LineSettingsForm::connectWanted, this, &LineViews::connectPort);
     connect(m_form, &LineSettingsForm::otherAdapterWanted, this, &LineViews::connectOtherAdapter);
     connect(m_form, &LineSettingsForm::baudRateWanted, m_keeper, &LineKeeper::keepBaudRate);
     connect(m_search, &LineSearch::takeOverWanted, this, &LineViews::takeOver);
-    connect(&project, &ProjectDocument::replaced, this, &LineViews::showWish);
-    connect(actions.lineSettings, &QAction::triggered, this, &LineViews::showSettings);
-    connect(actions.lineSearch, &QAction::triggered, this, &LineViews::showSearch);
-    connect(actions.lineTerminal, &QAction::triggered, this, &LineViews::terminalRequested);
-    connect(actions.linePanel, &QAction::triggered, this, &LineViews::panelRequested);
-    connect(actions.lineTraining, &QAction::triggered, this, &LineViews::connectTraining);
-    connect(actions.disconnectLine, &QAction::triggered, this, &LineViews::disconnectLine);
-    connect(actions.removeFromLine, &QAction::triggered, this, &LineViews::removalRequested);
-    connect(actions.swapWarningBytes, &QAction::triggered, this, &LineViews::warningBytesRequested);
+    connect(&line.project(), &ProjectDocument::replaced, this, &LineViews::showWish);
+    connect(m_training, &LineTrainingPanel::acted, this, [this](Place place, const QString &what) {
+        Q_EMIT told({.place = place.isEmpty() ? std::nullopt : std::optional(place),
+                     .severity = Severity::information,
+                     .id = MessageId::training,
+                     .arguments = {what}});
+    });
+    connect(&line, &SerialLine::aboutToChange, this, [this] { setLine(nullptr); });
+    connect(&line, &SerialLine::changed, this, [this] { setLine(m_line.session()); });
+    const WindowActions &actions = parts.actions;
+    onAction(actions.lineSettings, &QAction::triggered, &LineViews::showSettings);
+    onAction(actions.lineSearch, &QAction::triggered, &LineViews::showSearch);
+    onAction(actions.lineTerminal, &QAction::triggered, &LineViews::showTerminal);
+    onAction(actions.linePanel, &QAction::triggered, qOverload<>(&LineViews::open));
+    onAction(actions.lineTraining, &QAction::triggered, &LineViews::connectTraining);
+    onAction(actions.disconnectLine, &QAction::triggered, &LineViews::disconnectLine);
+    onAction(actions.removeFromLine, &QAction::triggered, &LineViews::removeChosen);
+    connect(actions.swapWarningBytes, &QAction::triggered, this, &LineViews::swapWarningBytes);
+    setLine(line.session());
     showWish();
 }
 
-LineViews::~LineViews() = default;
+LineViews::~LineViews()
+{
+    for (QWidget *widget : {static_cast<QWidget *>(m_notice), static_cast<QWidget *>(m_terminal),
+                            static_cast<QWidget *>(m_panel), static_cast<QWidget *>(m_form),
+                            static_cast<QWidget *>(m_search), static_cast<QWidget *>(m_training)})
+        delete widget;
+}
+
+// Actions mean the line that is chosen, or was chosen last.
+template <typename Signal, typename What>
+void LineViews::onAction(QAction *action, Signal signal, What what)
+{
+    connect(action, signal, this, [this, what] {
+        if (m_isCurrent)
+            (this->*what)();
+    });
+}
+
+std::vector<BusViews::Panel> LineViews::panels() const
+{
+    return {{"trainingDock", m_training}, {"terminalDock", m_terminal}, {"lineDock", m_panel}};
+}
+
+QMenu *LineViews::menu() const
+{
+    return m_parts.actions.lineMenu;
+}
+
+void LineViews::setCurrent(bool isCurrent)
+{
+    m_isCurrent = isCurrent;
+    if (isCurrent)
+        m_parts.status.setLine(m_session);
+    showActions();
+}
+
+void LineViews::setChosen(std::optional<Place> place)
+{
+    m_chosen = place;
+    m_training->setDevice(place.value_or(Place{m_line.id(), {}}));
+}
+
+void LineViews::showPicture()
+{
+    m_training->refresh();
+}
+
+void LineViews::open()
+{
+    Q_EMIT panelRequested("lineDock");
+    m_panel->setFocus();
+}
+
+bool LineViews::open(Place)
+{
+    showTerminal();
+    return true;
+}
+
+void LineViews::showTerminal()
+{
+    Q_EMIT panelRequested("terminalDock");
+    m_terminal->setFocus();
+}
 
 void LineViews::setLine(LineSession *line)
 {
@@ -100,7 +175,7 @@ void LineViews::setLine(LineSession *line)
     }
     m_session = line;
     m_takesOther = false;
-    m_notice.withdraw();
+    m_notice->withdraw();
     if (line != nullptr) {
         connect(line, &LineSession::otherAdapterFound, this, &LineViews::askForOtherAdapter);
         connect(line, &LineSession::fractionBitsDetermined, this,
@@ -112,37 +187,43 @@ void LineViews::setLine(LineSession *line)
         connect(line, &LineSession::moved, m_keeper, &LineKeeper::moveEncoder);
         connect(line, &LineSession::moved, this, &LineViews::explainTerminal);
         connect(line, &LineSession::explainOptionsChanged, this, &LineViews::explainTerminal);
+        connect(line, &LineSession::explainOptionsChanged, this, &LineViews::encoderChanged);
     }
     explainTerminal();
     m_terminal->setLine(line);
     m_panel->setLine(line);
     m_search->setLine(line);
+    m_training->setLine(line != nullptr ? m_line.training() : nullptr);
+    if (m_isCurrent)
+        m_parts.status.setLine(line);
     showActions();
 }
 
 void LineViews::showActions()
 {
-    m_actions.disconnectLine->setEnabled(m_line.session() != nullptr);
-    m_actions.lineTraining->setEnabled(m_line.training() == nullptr);
+    if (m_isCurrent) {
+        m_parts.actions.disconnectLine->setEnabled(m_line.session() != nullptr);
+        m_parts.actions.lineTraining->setEnabled(m_line.training() == nullptr);
+    }
     m_form->setCanDetermine(m_session && !m_session->places().empty());
 }
 
 void LineViews::showWish()
 {
-    if (const LinePlan *planned = linePlan(m_project.project(), firstLine))
+    if (const LinePlan *planned = linePlan(m_line.project().project(), m_line.id()))
         m_form->setWish(planned->wish);
 }
 
 void LineViews::showSettings()
 {
     listPorts();
-    m_pages.setCurrentWidget(m_form);
+    m_parts.pages.setCurrentWidget(m_form);
     m_form->setFocus();
 }
 
 void LineViews::showSearch()
 {
-    m_pages.setCurrentWidget(m_search);
+    m_parts.pages.setCurrentWidget(m_search);
     m_search->setFocus();
 }
 
@@ -154,7 +235,7 @@ void LineViews::listPorts()
 
 void LineViews::connectPort(const LineWish &wish, bool isPicked)
 {
-    m_leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this, wish, isPicked] {
+    m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this, wish, isPicked] {
         LinePlan wanted = m_keeper->line();
         if (isPicked || wanted.wish.port != wish.port)
             wanted.adapter = {}; // whichever is there
@@ -165,7 +246,7 @@ void LineViews::connectPort(const LineWish &wish, bool isPicked)
 
 void LineViews::connectOtherAdapter(const LineWish &wish)
 {
-    m_leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this, wish] {
+    m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this, wish] {
         LinePlan wanted = m_keeper->line();
         wanted.wish = wish;
         showConnected(m_line.openOtherAdapter(wanted), wanted);
@@ -184,8 +265,7 @@ void LineViews::showConnected(const Result<void> &opened, const LinePlan &wanted
         return;
     m_form->tellBaudRate({});
     keepPort(wanted);
-    Q_EMIT portConnected();
-    Q_EMIT panelRequested();
+    open();
 }
 
 void LineViews::keepPort(const LinePlan &line)
@@ -196,12 +276,12 @@ void LineViews::keepPort(const LinePlan &line)
 
 void LineViews::askForOtherAdapter(const Refusal &which)
 {
-    m_notice.showMessage(Role::attention, refusalText(which), tr("&Use this adapter"));
+    m_notice->showMessage(Role::attention, refusalText(which), tr("&Use this adapter"));
 }
 
 void LineViews::useOtherAdapter()
 {
-    m_notice.withdraw();
+    m_notice->withdraw();
     if (!m_session)
         return;
     m_session->takeOtherAdapter();
@@ -212,16 +292,16 @@ void LineViews::showState()
 {
     if (!m_session->latest().connected)
         return;
-    m_notice.withdraw();
+    m_notice->withdraw();
     if (std::exchange(m_takesOther, false))
         keepPort(m_keeper->line());
 }
 
-void LineViews::determineFractionBits(std::optional<Place> chosen)
+void LineViews::determineFractionBits()
 {
     if (!m_session || m_session->places().empty())
         return;
-    const Place asked = chosen && m_session->encoder(*chosen) ? *chosen : firstThatAnswers(*m_session);
+    const Place asked = m_chosen && m_session->encoder(*m_chosen) ? *m_chosen : firstThatAnswers(*m_session);
     if (const auto started = m_session->determineFractionBits(asked); !started)
         m_form->setProblem(refusalText(started.error()));
 }
@@ -257,12 +337,12 @@ void LineViews::explainTerminal()
 
 void LineViews::connectTraining()
 {
-    m_leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this] { m_line.openTraining(); });
+    m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this] { m_line.openTraining(); });
 }
 
 void LineViews::disconnectLine()
 {
-    m_leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this] { m_line.close(); });
+    m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this] { m_line.close(); });
 }
 
 // Those of another baud rate would only fall silent: who wants them connects at theirs.
@@ -279,7 +359,7 @@ void LineViews::takeOver(const std::vector<FoundEncoder> &found, const QString &
             left.push_back(encoder);
             continue;
         }
-        const Place number = placeOnLine(encoder.address);
+        const Place number = line->placeOf(encoder.address.node());
         const auto added = line->add(encoder.address, deviceKey); // one that is there already stays
         if (!added && added.error().id == RefusalId::lineAddressNotAlone)
             refused = added.error();
@@ -292,18 +372,20 @@ void LineViews::takeOver(const std::vector<FoundEncoder> &found, const QString &
         m_search->showRefused(*refused);
 }
 
-void LineViews::remove(Place number)
+void LineViews::removeChosen()
 {
-    LineSession *line = m_line.session();
-    if (line != nullptr && line->remove(number))
-        m_keeper->removeEncoder(number);
+    const auto chosen = m_chosen; // another one is, once it is gone
+    if (chosen && m_session && m_session->remove(*chosen))
+        m_keeper->removeEncoder(*chosen);
 }
 
-void LineViews::swapWarningBytes(Place number, bool on)
+void LineViews::swapWarningBytes(bool on)
 {
-    if (LineSession *line = m_line.session())
-        line->setSwapsWarningBytes(number, on);
-    m_keeper->keepByteOrder(number, on);
+    if (!m_isCurrent || !m_chosen)
+        return;
+    if (m_session)
+        m_session->setSwapsWarningBytes(*m_chosen, on);
+    m_keeper->keepByteOrder(*m_chosen, on);
 }
 
 } // namespace codewheel

@@ -4,18 +4,16 @@
 #include "app/window/alarm_stop.h"
 #include "app/window/device_choice.h"
 #include "app/window/leaving.h"
+#include "app/window/plant.h"
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
-#include "app/window/ring_connection.h"
-#include "app/window/serial_line.h"
+#include "app/window/ring_views.h"
 #include "app/window/status_line.h"
 #include "app/window/transfer_pages.h"
 #include "bus/buses.h"
 #include "ring/bus_session.h"
-#include "simulator/training_controls.h"
 #include "transfer/last_positions.h"
 #include "widgets/cams/cam_editor.h"
-#include "widgets/comparison/comparison_page.h"
 #include "widgets/device/device_panel.h"
 #include "widgets/dial/dial_panel.h"
 #include "widgets/input/wheel_rule.h"
@@ -24,13 +22,11 @@
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/wanted_values.h"
-#include "widgets/project/device_names.h"
 #include "widgets/project/project_page.h"
 #include "widgets/sequence/sequence_view.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/structure_editor.h"
 #include "widgets/trace/trace_view.h"
-#include "widgets/training/training_panel.h"
 #include "widgets/wizard/parameter_wizard.h"
 
 #include <QApplication>
@@ -83,34 +79,27 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
         resize(firstSize.boundedTo(screen()->availableSize() - frame));
 }
 
-MainWindow::~MainWindow() = default;
-
-void MainWindow::attach(const Plant &plant)
+// Their pages and panels go with them, before the docks do.
+MainWindow::~MainWindow()
 {
-    BusSession &bus = plant.bus;
-    const LastPositions &positions = plant.positions;
-    m_bus = &bus;
-    m_line = &plant.line;
+    for (const auto &[bus, views] : m_views)
+        delete views;
+}
+
+void MainWindow::attach(Plant &plant, MessageModel &messages)
+{
+    m_plant = &plant;
+    m_messageModel = &messages;
     m_buses = new Buses(this);
-    m_buses->add(bus);
-    m_training = plant.training;
-    m_messageModel = &plant.messages;
-    m_link = plant.link;
-    m_ledger = &plant.ledger;
-    m_positions = &positions;
     m_leaving->setBuses(*m_buses);
-    m_files->setBeforeSaving([&bus, &positions](Project project) {
-        return withLastPositions(std::move(project), positions, bus);
-    });
-    new DeviceNames(m_project, bus, this);
+    m_files->setBeforeSaving([this](const Project &project) { return withPositionsOfAll(project); });
     makePages();
-    makeDocks(plant.messages);
-    m_structure->setProject(m_project, bus.catalog());
-    m_choice = new DeviceChoice(*m_buses, bus.catalog(), m_project, *m_structure, *m_editor, this);
+    makeDocks(messages);
+    m_structure->setProject(m_project, plant.catalog());
+    m_choice = new DeviceChoice(*m_buses, plant.catalog(), m_project, *m_structure, *m_editor, this);
     connectViews();
     connectProject();
-    showOnline();
-    connectLine();
+    connectBuses();
     openFirstMonitors();
     connect(m_buses, &Buses::changed, this, &MainWindow::showBusState);
     showBusState();
@@ -139,36 +128,18 @@ void MainWindow::tell(const Message &message)
     m_messageModel->addNow(message);
 }
 
-// Offline no words are looked at: which the ring will have when it is connected again is not known.
-void MainWindow::showOnline()
+Project MainWindow::withPositionsOfAll(Project project) const
 {
-    BusSession *online = m_bus->isOpen() ? m_bus : nullptr;
-    if (online == nullptr) {
-        m_openMonitors = m_monitors->state();
-        m_monitors->closeAll();
-    } else if (!m_openMonitors.isEmpty()) {
-        m_monitors->restoreState(std::exchange(m_openMonitors, {}));
-    }
-    m_status->setBus(online, m_link);
-    const auto chosen = m_choice->place();
-    if (online)
-        m_structure->addBus(*online);
-    else
-        m_structure->removeBus(m_bus->id());
-    if (online)
-        m_choice->keep(chosen);
-    else
-        m_choice->choose(chosen);
-    m_comparison->setConnected(online != nullptr);
-    showBusState();
+    for (const BusAtWork *bus : m_plant->buses())
+        if (auto *ring = qobject_cast<BusSession *>(bus->bus()); ring != nullptr && bus->positions())
+            project = withLastPositions(std::move(project), *bus->positions(), *ring);
+    return project;
 }
 
-// Devices that stayed have kept their sessions; monitors of others are closed.
-void MainWindow::showOtherRing()
+RingConnection *MainWindow::connection() const
 {
-    const auto chosen = m_choice->place();
-    m_structure->addBus(*m_bus);
-    m_choice->keep(chosen);
+    const auto *views = qobject_cast<RingViews *>(viewsOf(firstRing));
+    return views != nullptr ? &views->connection() : nullptr;
 }
 
 // Of a device that is only planned, what is wanted can be looked at and edited; all else needs it connected.
@@ -185,12 +156,14 @@ void MainWindow::showChosen()
     m_cams->setEncoder(encoder);
     m_actions.showChosen(encoder);
     m_transfer->setEncoder(encoder);
-    // of one on a serial line the ring knows nothing
-    const bool isOfRing = connected != nullptr && !connected->place().isOnLine();
-    m_device->setPlace(m_choice->place(),
-                       encoder.isThere() && !isOfRing ? std::optional(encoder.device()) : std::nullopt);
-    if (m_choice->place() && m_buses->isConnected(*m_choice->place()))
-        m_trainingPanel->setDevice(*m_choice->place());
+    const auto place = m_choice->place();
+    if (place)
+        chooseBus(place->bus);
+    for (const auto &[bus, views] : m_views)
+        views->setChosen(place && place->bus == bus ? place : std::nullopt);
+    // what its bus does not name is shown as it is described
+    const bool isNamed = connected != nullptr && m_buses->channel(connected->place()) != nullptr;
+    m_device->setPlace(place, encoder.isThere() && !isNamed ? std::optional(encoder.device()) : std::nullopt);
 }
 
 void MainWindow::openFirstMonitors()
@@ -203,10 +176,11 @@ void MainWindow::openFirstMonitors()
 
 void MainWindow::showPicture()
 {
-    if (m_bus == nullptr)
+    if (m_plant == nullptr)
         return;
     m_buses->pump();
-    m_trainingPanel->refresh();
+    for (const auto &[bus, views] : m_views)
+        views->showPicture();
 }
 
 bool MainWindow::hasJob() const
@@ -248,10 +222,7 @@ void MainWindow::showStructureEditor()
 
 void MainWindow::showComparison()
 {
-    if (m_comparison == nullptr)
-        return;
-    m_pages->setCurrentWidget(m_comparison);
-    m_comparison->setFocus();
+    m_actions.compare->trigger();
 }
 
 void MainWindow::showProjectPage()
@@ -269,7 +240,7 @@ std::optional<Place> MainWindow::currentNumber() const
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    if (m_bus != nullptr && !m_mayClose) {
+    if (m_plant != nullptr && !m_mayClose) {
         event->ignore();
         if (!m_files->mayClose())
             return;
@@ -288,7 +259,7 @@ void MainWindow::saveWindow()
     if (m_monitors == nullptr)
         return; // never filled: there is nothing worth keeping
     m_settings.setWindow(saveGeometry(), saveState(layoutVersion));
-    m_settings.setMonitors(m_openMonitors.isEmpty() ? m_monitors->state() : m_openMonitors);
+    m_settings.setMonitors(m_monitors->state());
 }
 
 bool MainWindow::event(QEvent *event)

@@ -5,11 +5,12 @@
 #include "app/window/window_settings.h"
 #include "encoder/place.h"
 
-#include <QJsonObject>
+#include <QHash>
 #include <QMainWindow>
 
-#include <memory>
+#include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 class QDockWidget;
@@ -18,25 +19,24 @@ class QStackedWidget;
 namespace codewheel {
 
 class AlarmStopEverywhere;
-class BusSession;
+class BusAtWork;
+class BusViews;
 class CamEditor;
-class ComparisonPage;
 class Buses;
 class DeviceChoice;
 class DevicePanel;
 class DialPanel;
+class EncoderBus;
 class InlineMessage;
-class LastPositions;
 class Leaving;
-class LineViews;
-class LedgerKeeper;
-class MasterPanel;
 class MessageModel;
 struct Message;
+struct Project;
 class MessagesView;
 class MonitorArea;
 class ParameterPanel;
 class ParameterWizard;
+class Plant;
 class ProjectDocument;
 class ProjectFiles;
 class ProjectPage;
@@ -44,20 +44,17 @@ class ProjectRecovery;
 class ReportExport;
 class RingConnection;
 class SequenceView;
-class SerialLine;
 class StatusLine;
 class StructureEditor;
 class StructureView;
 class TraceView;
-class TrainingControls;
-class TrainingPanel;
 class TransferPages;
 class WantedValues;
 
 // The window: menus, tool bar, panels around the page that is open (monitors, wizard, cams, structure editor,
-// comparison), status line. Wires
-// views to the bus session and to each other; does nothing of its own with a word. Made empty, so that it is
-// seen at once; attach() fills it.
+// comparison), status line. Wires views to the buses and to each other; does nothing of its own with a word.
+// What only one kind of bus has comes from its BusViews. Made empty, so that it is seen at once; attach()
+// fills it.
 class MainWindow : public QMainWindow
 {
     Q_OBJECT
@@ -67,19 +64,8 @@ public:
     MainWindow(WindowSettings &settings, ProjectDocument &project, QWidget *parent = nullptr);
     ~MainWindow() override;
 
-    // What the window looks at. All of it outlives the window: it is kept when the window is made anew in
-    // another language.
-    struct Plant
-    {
-        BusSession &bus;
-        QString link; // its name in the status line
-        std::shared_ptr<TrainingControls> training;
-        SerialLine &line;
-        MessageModel &messages;
-        const LedgerKeeper &ledger; // of the EEPROM writes of its encoders
-        const LastPositions &positions;
-    };
-    void attach(const Plant &plant);
+    // Both outlive the window: they are kept when it is made anew in another language.
+    void attach(Plant &plant, MessageModel &messages);
     // What has to be known before all else, such as that messages are not kept. Stands until it is closed.
     void warn(const QString &sentence);
 
@@ -92,11 +78,12 @@ public:
     void showMonitors();
     void showCams();
     void showStructureEditor();
-    void showComparison();
+    void showComparison(); // of the chosen ring, or the one that was chosen last
     void showProjectPage();
     ProjectFiles &files() { return *m_files; }
     void askForRecovery(ProjectRecovery &recovery);
-    RingConnection *connection() { return m_connection; } // null before attach()
+    RingConnection *connection() const; // of the first ring; null before attach()
+    BusViews *viewsOf(BusId bus) const; // null: there is no such bus
     // Size, layout and monitors, for the next start.
     void saveWindow();
 
@@ -109,38 +96,45 @@ protected:
     bool event(QEvent *event) override;
 
 private:
-    static constexpr int layoutVersion = 3; // of docks and tool bar: another one is not restored
+    static constexpr char kindPages[] = "kindPages"; // in a dock, a page for each bus of the kind
+    static constexpr int layoutVersion = 3;          // of docks and tool bar: another one is not restored
 
     void makeDocks(MessageModel &messages);
     void addDock(const char *name, const QString &title, QWidget *content, const QKeySequence &key);
+    void addKindDock(const char *name, const QString &title, const QKeySequence &key);
     void showDock(const char *name);
     void connectActions();
     void connectViewActions();
     void connectViews();
-    void makeLineViews(); // main_window_line.cpp
-    void connectLine();
-    void makeRoomForTerminal();
-    void leaveLine();
-    void showLine();
+    void connectBuses(); // main_window_buses.cpp
+    void addBus(BusAtWork *bus);
+    void removeBus(BusAtWork *bus);
+    void takeBus(BusAtWork &bus);
+    void leaveBus(BusAtWork &bus);
+    void showWhetherOpen(BusAtWork &bus);
+    void setCurrent(BusAtWork &bus);
+    void chooseBus(BusId bus);
+    EncoderBus *chosenBus() const; // null: there is none, or it has no session
+    QStackedWidget *kindDock(const char *name) const;
+    void makeRoomFor(QDockWidget &dock);
     void showChosen();
-    void showOtherRing();
     void openFirstMonitors();
     void makePages();
     void connectProject();
-    void showOnline();
+    Project withPositionsOfAll(Project project) const;
     void tell(const Message &message);
     void showBusState();
-    void setOperate(bool on);
     void alarmStop();
     std::optional<Place> currentNumber() const;
 
     WindowSettings &m_settings;
     ProjectDocument &m_project;
-    BusSession *m_bus = nullptr;
-    SerialLine *m_line = nullptr;
+    Plant *m_plant = nullptr; // null before attach()
     Buses *m_buses = nullptr;
-    LineViews *m_lineViews = nullptr;
-    std::shared_ptr<TrainingControls> m_training;
+    std::map<BusId, BusViews *> m_views;
+    std::set<BusId> m_shown;           // in the bus structure, as connected
+    QHash<QString, BusId> m_currentOf; // by kind: which one its actions and docks mean
+    BusId m_chosenBus = firstRing;
     WindowActions m_actions;
     AlarmStopEverywhere *m_alarmStop;
     Leaving *m_leaving;
@@ -149,14 +143,8 @@ private:
     InlineMessage *m_notice;
     QStackedWidget *m_pages;
     ProjectFiles *m_files;
-    RingConnection *m_connection = nullptr;
     ReportExport *m_report = nullptr;
-    QString m_link;
-    const LedgerKeeper *m_ledger = nullptr;
-    const LastPositions *m_positions = nullptr;
-    QJsonObject m_openMonitors; // while offline
     StructureEditor *m_editor = nullptr;
-    ComparisonPage *m_comparison = nullptr;
     ProjectPage *m_projectPage = nullptr;
     std::vector<QDockWidget *> m_docks;
     StructureView *m_structure = nullptr;
@@ -171,8 +159,6 @@ private:
     SequenceView *m_sequence = nullptr;
     MessageModel *m_messageModel = nullptr;
     MessagesView *m_messages = nullptr;
-    MasterPanel *m_master = nullptr;
-    TrainingPanel *m_trainingPanel = nullptr;
     TransferPages *m_transfer = nullptr;
     QByteArray m_defaultLayout;
     bool m_painted = false;

@@ -4,11 +4,10 @@
 #include "app/window/leaving.h"
 #include "app/window/main_window.h"
 #include "app/window/panels.h"
-#include "app/window/serial_line.h"
+#include "app/window/plant.h"
+#include "app/window/status_line.h"
 #include "bus/buses.h"
 #include "bus/word_channel.h"
-#include "ring/bus_session.h"
-#include "widgets/master/master_panel.h"
 #include "widgets/messages/messages_view.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/trace/trace_view.h"
@@ -17,35 +16,28 @@
 #include <QActionGroup>
 #include <QApplication>
 
-#include <algorithm>
-
 namespace codewheel {
 
 void MainWindow::connectActions()
 {
-    const auto withBus = [this](auto what) {
-        return [this, what] {
-            if (m_bus != nullptr)
-                what(*m_bus);
-        };
-    };
     connect(m_actions.quit, &QAction::triggered, this, &QWidget::close);
-    connect(m_actions.watch, &QAction::triggered, this, [this] { setOperate(false); });
-    connect(m_actions.operate, &QAction::triggered, this, [this] { setOperate(true); });
-    connect(m_actions.start, &QAction::triggered, this,
-            withBus([](BusSession &bus) { bus.setRunning(true); }));
-    connect(m_actions.alarmStop, &QAction::triggered, this, &MainWindow::alarmStop);
-    connect(m_actions.stop, &QAction::triggered, this,
-            [this] { m_leaving->ask(Leaving::Why::stop, {m_bus}, [this] { m_bus->setRunning(false); }); });
-    connect(m_actions.switchSegment, &QAction::triggered, this, [this] {
-        if (const auto number = currentNumber(); number && !number->isOnLine())
-            m_master->toggleSegment(DeviceNumber::of(number->node).segment);
+    const auto onChosen = [this](QAction *action, auto what) {
+        connect(action, &QAction::triggered, this, [this, what] {
+            if (EncoderBus *bus = chosenBus())
+                what(*bus);
+        });
+    };
+    onChosen(m_actions.watch, [](EncoderBus &bus) { bus.setOperate(false); });
+    onChosen(m_actions.operate, [](EncoderBus &bus) { bus.setOperate(true); });
+    onChosen(m_actions.start, [](EncoderBus &bus) { bus.setRunning(true); });
+    onChosen(m_actions.stop, [this](EncoderBus &bus) {
+        m_leaving->ask(Leaving::Why::stop, {&bus}, [&bus] { bus.setRunning(false); });
     });
+    connect(m_actions.alarmStop, &QAction::triggered, this, &MainWindow::alarmStop);
     connect(m_actions.wizard, &QAction::triggered, this, &MainWindow::showWizard);
     connect(m_actions.monitors, &QAction::triggered, this, &MainWindow::showMonitors);
     connect(m_actions.cams, &QAction::triggered, this, &MainWindow::showCams);
     connect(m_actions.structureEditor, &QAction::triggered, this, &MainWindow::showStructureEditor);
-    connect(m_actions.compare, &QAction::triggered, this, &MainWindow::showComparison);
     connect(m_actions.projectPage, &QAction::triggered, this, &MainWindow::showProjectPage);
     const auto open = [this](MonitorKind kind) {
         return [this, kind] {
@@ -66,13 +58,6 @@ void MainWindow::connectActions()
     });
     connect(m_actions.exportTrace, &QAction::triggered, this, [this] { m_trace->exportRows(); });
     connect(m_actions.exportMessages, &QAction::triggered, this, [this] { m_messages->exportRows(); });
-}
-
-// One decision for all buses.
-void MainWindow::setOperate(bool on)
-{
-    if (m_buses != nullptr)
-        m_buses->setOperate(on);
 }
 
 void MainWindow::alarmStop()
@@ -116,31 +101,29 @@ void MainWindow::connectViewActions()
 
 void MainWindow::showBusState()
 {
-    const bool connected = m_bus != nullptr && m_bus->isOpen();
-    for (QAction *page :
-         {m_actions.projectPage, m_actions.structureEditor, m_actions.compare, m_actions.transfer})
-        page->setEnabled(m_bus != nullptr);
-    for (QAction *action : {m_actions.connectBus, m_actions.disconnectBus, m_actions.readIn})
-        if (m_bus == nullptr)
+    const bool isAttached = m_plant != nullptr;
+    for (QAction *action :
+         {m_actions.projectPage, m_actions.structureEditor, m_actions.compare, m_actions.transfer,
+          m_actions.exportReport, m_actions.exportTrace, m_actions.exportMessages})
+        action->setEnabled(isAttached);
+    if (!isAttached)
+        for (QAction *action : {m_actions.connectBus, m_actions.disconnectBus, m_actions.readIn,
+                                m_actions.confirmDiagnostics, m_actions.switchSegment})
             action->setEnabled(false);
-    const bool running = connected && m_bus->isRunning();
-    const auto open = m_buses == nullptr ? std::vector<EncoderBus *>() : m_buses->open();
-    const bool operating = std::ranges::any_of(open, &EncoderBus::isOperating);
-    m_actions.watch->setEnabled(!open.empty());
-    m_actions.operate->setEnabled(!open.empty());
-    m_actions.watch->setChecked(!operating);
-    m_actions.operate->setChecked(operating);
-    m_actions.start->setEnabled(connected && !running);
-    m_actions.stop->setEnabled(running);
-    const bool hasMaster = connected && m_bus->master() != nullptr;
-    m_actions.confirmDiagnostics->setEnabled(hasMaster);
-    m_actions.switchSegment->setEnabled(hasMaster);
+    const EncoderBus *chosen = chosenBus();
+    const bool isOpen = chosen != nullptr && chosen->isOpen();
+    const bool isOperating = isOpen && chosen->isOperating();
+    m_actions.watch->setEnabled(isOpen);
+    m_actions.operate->setEnabled(isOpen);
+    m_actions.watch->setChecked(!isOperating);
+    m_actions.operate->setChecked(isOperating);
+    m_actions.start->setEnabled(isOpen && !chosen->isRunning());
+    m_actions.stop->setEnabled(isOpen && chosen->isRunning());
+    m_status->setMode(isOperating);
+    const auto open = isAttached ? m_buses->open() : std::vector<EncoderBus *>();
     m_actions.alarmStop->setEnabled(!open.empty());
     for (QAction *monitor : {m_actions.openIn32, m_actions.openOut32, m_actions.openIn16})
-        monitor->setEnabled(connected);
-    m_actions.exportReport->setEnabled(m_bus != nullptr);
-    m_actions.exportTrace->setEnabled(m_bus != nullptr);
-    m_actions.exportMessages->setEnabled(m_bus != nullptr);
+        monitor->setEnabled(isOpen);
 }
 
 } // namespace codewheel

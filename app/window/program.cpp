@@ -4,15 +4,13 @@
 #include "app/journal_files.h"
 #include "app/user_devices.h"
 #include "app/window/main_window.h"
-#include "app/window/project_account.h"
+#include "app/window/plant.h"
 #include "app/window/project_files.h"
 #include "app/window/project_recovery.h"
+#include "app/window/ring_at_work.h"
 #include "app/window/ring_connection.h"
-#include "app/window/serial_line.h"
 #include "app/window/start_probe.h"
-#include "journal/ledger_keeper.h"
 #include "project/project_take_over.h"
-#include "transfer/last_positions.h"
 #include "widgets/messages/message_model.h"
 
 #include <QApplication>
@@ -24,7 +22,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto busPeriod = 1ms;  // of the training bus
 constexpr auto measuredRun = 2s; // then a measured start ends
 
 } // namespace
@@ -61,7 +58,7 @@ void Program::openWindow()
     m_window = std::make_unique<MainWindow>(m_settings, m_project);
     m_pictures.setWindow(*m_window);
     connect(m_window.get(), &MainWindow::languageChosen, this, &Program::useLanguage, Qt::QueuedConnection);
-    if (m_training.bus) {
+    if (m_plant) {
         attach();
         m_window->askForRecovery(*m_recovery);
     } else
@@ -76,19 +73,15 @@ void Program::startBus()
     m_store = std::make_unique<MessageStore>(MessageStore::Settings{
         .file = messageFile(m_dataFolder), .largestSize = m_settings.largestMessageFile()});
     m_messages = std::make_unique<MessageModel>(*m_store);
-    m_training = openTrainingSession(*m_catalog, QDateTime::currentDateTime());
-    m_messages->setBus(*m_training.bus);
-    m_project.setProject(projectOf(m_training.bus->structure()), {}); // nothing differs at first
-    m_ledger = std::make_unique<LedgerKeeper>(*m_training.bus, ledgerPlace(*m_training.bus, m_dataFolder));
-    connect(m_ledger.get(), &LedgerKeeper::messaged, m_messages.get(), &MessageModel::addNow);
-    if (m_ledger->problem())
-        m_messages->addNow(*m_ledger->problem());
-    keepAccountOf(m_project, *m_ledger);
-    m_positions = std::make_unique<LastPositions>(*m_training.bus);
-    m_line = std::make_unique<SerialLine>(*m_catalog, m_project, m_dataFolder, LineSession::Drive::byThread,
-                                          [] { return QDateTime::currentDateTime(); });
-    connect(m_line.get(), &SerialLine::messaged, m_messages.get(), &MessageModel::add);
-    m_line->openTraining();
+    m_plant = std::make_unique<Plant>(BusAtWork::Surroundings{
+        .catalog = *m_catalog, .project = m_project, .dataFolder = m_dataFolder, .clock = [] {
+            return QDateTime::currentDateTime();
+        }});
+    connect(m_plant.get(), &Plant::messaged, m_messages.get(), &MessageModel::add);
+    m_plant->openTraining();
+    const RingAtWork &ring = *m_plant->ring();
+    m_messages->setClock(*ring.bus());
+    m_project.setProject(projectOf(ring.bus()->structure()), {}); // nothing differs at first
     for (const Catalog::Fault &fault : faults)
         m_messages->addNow(
             {.severity = Severity::attention,
@@ -96,7 +89,7 @@ void Program::startBus()
                  Refusal{RefusalKind::badInput, RefusalId::deviceFileBroken, {fault.place(), fault.reason}}});
     attach();
     openProject();
-    m_training.bus->startThread(busPeriod);
+    m_plant->start();
     m_pictures.start();
     if (measured)
         QTimer::singleShot(measuredRun, &m_application, [] {
@@ -109,7 +102,8 @@ void Program::openProject()
 {
     if (!m_file.isEmpty())
         m_window->files().open(m_file);
-    m_window->connection()->tellComparison();
+    if (RingConnection *connection = m_window->connection())
+        connection->tellComparison();
     m_recovery = std::make_unique<ProjectRecovery>(m_project, m_recoveryFolder);
     connect(m_recovery.get(), &ProjectRecovery::told, m_messages.get(), &MessageModel::addNow);
     m_window->askForRecovery(*m_recovery);
@@ -117,13 +111,7 @@ void Program::openProject()
 
 void Program::attach()
 {
-    m_window->attach({.bus = *m_training.bus,
-                      .link = tr("training bus"),
-                      .training = m_training.controls,
-                      .line = *m_line,
-                      .messages = *m_messages,
-                      .ledger = *m_ledger,
-                      .positions = *m_positions});
+    m_window->attach(*m_plant, *m_messages);
     if (const auto warning = nothingIsKept(); !warning.isEmpty())
         m_window->warn(warning);
 }

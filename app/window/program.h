@@ -2,7 +2,6 @@
 #pragma once
 
 #include "app/language.h"
-#include "app/training_session.h"
 #include "app/window/picture_clock.h"
 #include "app/window/window_settings.h"
 #include "catalog/catalog.h"
@@ -17,12 +16,10 @@ class QApplication;
 namespace codewheel {
 
 class MainWindow;
-class LastPositions;
-class LedgerKeeper;
 class MessageModel;
 class MessageStore;
+class Plant;
 class ProjectRecovery;
-class SerialLine;
 
 // The program with a window, from start to end: language, appearance, the window, and after its first paint
 // the training bus with a thread of its own. The language can be chosen at any time: the window is made anew,
@@ -42,7 +39,7 @@ public:
     int run();
     void openWindow();
     MainWindow *window() const { return m_window.get(); }
-    const TrainingSession &training() const { return m_training; } // empty before the first paint
+    Plant *plant() const { return m_plant.get(); } // null before the first paint
 
 private:
     void startBus();
@@ -58,14 +55,11 @@ private:
     std::unique_ptr<Catalog> m_catalog;
     std::unique_ptr<MessageStore> m_store;
     std::unique_ptr<MessageModel> m_messages;
-    TrainingSession m_training;
-    std::unique_ptr<SerialLine> m_line;
     ProjectDocument m_project;
+    std::unique_ptr<Plant> m_plant;
     std::unique_ptr<ProjectRecovery> m_recovery;
     QString m_recoveryFolder;
     QString m_file; // to be opened once the bus is there
-    std::unique_ptr<LedgerKeeper> m_ledger;
-    std::unique_ptr<LastPositions> m_positions;
     std::unique_ptr<MainWindow> m_window;
     PictureClock m_pictures;
 };

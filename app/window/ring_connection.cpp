@@ -2,6 +2,7 @@
 #include "app/window/ring_connection.h"
 
 #include "app/window/leaving.h"
+#include "app/window/ring_at_work.h"
 #include "app/window/window_actions.h"
 #include "encoder/refusal_text.h"
 #include "project/project_take_over.h"
@@ -18,37 +19,49 @@
 
 namespace codewheel {
 
-RingConnection::RingConnection(BusSession &bus, ProjectDocument &project, Leaving &leaving,
+RingConnection::RingConnection(RingAtWork &ring, ProjectDocument &project, Leaving &leaving,
                                const WindowActions &actions, InlineMessage &notice, QObject *parent)
     : QObject(parent)
-    , m_bus(bus)
+    , m_ring(ring)
+    , m_bus(*ring.bus())
     , m_project(project)
     , m_leaving(leaving)
     , m_actions(actions)
     , m_notice(notice)
 {
-    connect(actions.connectBus, &QAction::triggered, this, &RingConnection::connectRing);
-    connect(actions.disconnectBus, &QAction::triggered, this, &RingConnection::disconnectRing);
-    connect(actions.readIn, &QAction::triggered, this, &RingConnection::readIn);
-    connect(actions.confirmDiagnostics, &QAction::triggered, this, &RingConnection::confirmDiagnostics);
-    connect(&bus, &BusSession::stateChanged, this, [this] {
+    const auto onAction = [this](QAction *action, void (RingConnection::*what)()) {
+        connect(action, &QAction::triggered, this, [this, what] {
+            if (m_isCurrent)
+                (this->*what)();
+        });
+    };
+    onAction(actions.connectBus, &RingConnection::connectRing);
+    onAction(actions.disconnectBus, &RingConnection::disconnectRing);
+    onAction(actions.readIn, &RingConnection::readIn);
+    onAction(actions.confirmDiagnostics, &RingConnection::confirmDiagnostics);
+    connect(&m_bus, &BusSession::stateChanged, this, [this] {
         showActions();
         if (m_bus.isOperating() && std::exchange(m_isRefused, false))
             m_notice.withdraw();
     });
-    connect(&bus, &BusSession::readInProgressed, this, [this](int devices) {
+    connect(&m_bus, &BusSession::readInProgressed, this, [this](int devices) {
         m_notice.showMessage(Role::attention, tr("Reading in the ring: %n devices found.", nullptr, devices));
     });
-    connect(&bus, &BusSession::readInEnded, this, [this] {
+    connect(&m_bus, &BusSession::readInEnded, this, [this] {
         m_notice.withdraw();
         showActions();
         tellComparison();
     });
-    connect(&bus, &BusSession::readInFailed, this, [this](const Refusal &why) {
+    connect(&m_bus, &BusSession::readInFailed, this, [this](const Refusal &why) {
         m_notice.showMessage(Role::fault, refusalText(why));
         showActions();
     });
-    connect(&bus, &BusSession::structureChanged, this, &RingConnection::ringChanged);
+    connect(&m_bus, &BusSession::structureChanged, this, &RingConnection::ringChanged);
+}
+
+void RingConnection::setCurrent(bool isCurrent)
+{
+    m_isCurrent = isCurrent;
     showActions();
 }
 
@@ -59,6 +72,8 @@ bool RingConnection::isOnline() const
 
 void RingConnection::showActions()
 {
+    if (!m_isCurrent)
+        return;
     const bool isOnline = m_bus.isOpen();
     m_actions.connectBus->setEnabled(!isOnline);
     m_actions.disconnectBus->setEnabled(isOnline);
@@ -69,16 +84,14 @@ void RingConnection::connectRing()
 {
     if (m_bus.isOpen())
         return;
-    Q_EMIT aboutToConnect();
-    const auto opened = m_bus.open(BusSession::Start::operating); // the training bus alone begins in Operate
+    const auto opened = m_ring.open();
     if (!opened) {
         m_notice.showMessage(Role::fault, refusalText(opened.error()));
         return;
     }
     m_notice.withdraw();
     tellAgain();
-    if (m_period.count() > 0)
-        m_bus.startThread(m_period);
+    m_ring.start();
     showActions();
     Q_EMIT onlineChanged();
     tellComparison();
@@ -87,7 +100,6 @@ void RingConnection::connectRing()
 void RingConnection::disconnectRing()
 {
     m_leaving.ask(Leaving::Why::disconnect, {&m_bus}, [this] {
-        m_period = m_bus.latest().period;
         rememberTold();
         m_bus.close();
         m_notice.withdraw();
@@ -151,7 +163,8 @@ void RingConnection::tellAgain()
 void RingConnection::tellComparison()
 {
     const int devices = static_cast<int>(m_bus.structure().size());
-    const int others = differences(compareRings(structureOf(m_project.project()), m_bus.structure()));
+    const int others =
+        differences(compareRings(structureOf(m_project.project(), m_ring.id()), m_bus.structure()));
     if (others == 0)
         Q_EMIT told({.severity = Severity::information,
                      .id = MessageId::ringAsConfigured,

@@ -5,7 +5,6 @@
 
 #include <QObject>
 
-#include <chrono>
 #include <map>
 
 namespace codewheel {
@@ -14,6 +13,7 @@ class BusSession;
 class InlineMessage;
 class Leaving;
 class ProjectDocument;
+class RingAtWork;
 class WindowActions;
 
 // Offline and online: connects to the ring and leaves it, has it read in, and says whether it is as the
@@ -24,9 +24,11 @@ class RingConnection : public QObject
 
 public:
     // All must outlive it. The notice stands in the window.
-    RingConnection(BusSession &bus, ProjectDocument &project, Leaving &leaving, const WindowActions &actions,
+    RingConnection(RingAtWork &ring, ProjectDocument &project, Leaving &leaving, const WindowActions &actions,
                    InlineMessage &notice, QObject *parent = nullptr);
 
+    // The actions of the window mean this ring, or another bus.
+    void setCurrent(bool isCurrent);
     bool isOnline() const;
     void connectRing();
     void disconnectRing();     // asks first for handshakes on their way and OUT words that are not 0
@@ -36,7 +38,6 @@ public:
     void tellComparison();
 
 Q_SIGNALS:
-    void aboutToConnect(); // sessions and channels of the ring before are gone after this
     void onlineChanged();
     void ringChanged(); // another one was read in
     void told(const codewheel::Message &message);
@@ -47,13 +48,14 @@ private:
     void showActions();
     bool mayChangeRing(); // else it says why not
 
-    BusSession &m_bus;
+    RingAtWork &m_ring;
+    BusSession &m_bus; // of the ring
     ProjectDocument &m_project;
     Leaving &m_leaving;
     const WindowActions &m_actions;
     InlineMessage &m_notice;
-    bool m_isRefused = false;            // as the notice says
-    std::chrono::nanoseconds m_period{}; // of the bus thread; 0: cycles by hand
+    bool m_isCurrent = false;
+    bool m_isRefused = false; // as the notice says
     // What the user told of each device, with the make it was taken for.
     struct Told
     {

@@ -2,12 +2,12 @@
 #include "app/window/serial_line.h"
 
 #include "app/journal_files.h"
-#include "app/window/project_account.h"
 #include "drivers/esc_driver.h"
 #include "journal/ledger_keeper.h"
 #include "links/port_access.h"
 #include "links/project_adapter.h"
 #include "simulator/simulated_line_link.h"
+#include "transfer/last_positions.h"
 #include "widgets/project/project_document.h"
 
 #include <QFileInfo>
@@ -42,33 +42,33 @@ EscSettings escSettingsOf(const LineWish &wish)
 
 } // namespace
 
-SerialLine::SerialLine(const Catalog &catalog, ProjectDocument &project, const QString &dataFolder,
-                       LineSession::Drive drive, Clock clock, QObject *parent)
-    : QObject(parent)
-    , m_catalog(catalog)
-    , m_project(project)
-    , m_dataFolder(dataFolder)
-    , m_drive(drive)
-    , m_clock(std::move(clock))
+SerialLine::SerialLine(BusId id, Surroundings its, QObject *parent)
+    : BusAtWork(id, std::move(its), parent)
 {
-    connect(&project, &ProjectDocument::changed, this, &SerialLine::tellByteOrder);
+    connect(&project(), &ProjectDocument::changed, this, &SerialLine::tellByteOrder);
 }
 
-SerialLine::~SerialLine() = default;
+SerialLine::~SerialLine()
+{
+    endAccount();
+}
+
+QString SerialLine::kind() const
+{
+    return QString::fromLatin1(escKind);
+}
 
 std::unique_ptr<LineSession> SerialLine::makeSession(std::unique_ptr<ByteLink> link, const LineWish &wish)
 {
     auto session = std::make_unique<LineSession>(
-        std::move(link), m_catalog, m_clock(),
+        std::move(link), catalog(), surroundings().clock(),
         [settings = escSettingsOf(wish)](const DeviceDescription &device, LineAddress address) {
             return std::make_unique<EscDriver>(device, address, settings);
-        });
+        },
+        nullptr, id());
     session->setFractionBits(wish.fractionBits);
     connect(session.get(), &LineSession::nodesChanged, this, &SerialLine::tellByteOrder);
-    connect(session.get(), &LineSession::messaged, this,
-            [this, made = session.get()](const Message &message) {
-                Q_EMIT messaged(message, made->dateTime(message.at));
-            });
+    tellMessagesOf(*session);
     return session;
 }
 
@@ -78,34 +78,26 @@ void SerialLine::replace(std::unique_ptr<LineSession> session, std::shared_ptr<S
     Q_EMIT aboutToChange();
     if (m_session)
         m_session->close();
-    m_ledger.reset();
+    endAccount();
     m_session = std::move(session);
     m_training = std::move(training);
     m_port = port;
     if (m_session)
-        keepAccount();
+        keepAccount(*m_session, std::make_unique<LedgerKeeper>(
+                                    *m_session, ledgerPlace(*m_session, surroundings().dataFolder)));
     Q_EMIT changed();
-}
-
-void SerialLine::keepAccount()
-{
-    m_ledger = std::make_unique<LedgerKeeper>(*m_session, ledgerPlace(*m_session, m_dataFolder));
-    connect(m_ledger.get(), &LedgerKeeper::messaged, this,
-            [this](const Message &message) { Q_EMIT messaged(message, m_clock()); });
-    if (m_ledger->problem())
-        Q_EMIT messaged(*m_ledger->problem(), m_clock());
-    keepAccountOf(m_project, *m_ledger);
 }
 
 void SerialLine::openTraining()
 {
     auto line = std::make_shared<SimulatedLine>();
-    const bool isVirtual = m_drive == LineSession::Drive::byHand;
+    const bool isVirtual = !surroundings().byThread;
     auto link = std::make_unique<SimulatedLineLink>(line, isVirtual ? SimulatedLineLink::Clock()
                                                                     : SimulatedLineLink::Clock(steadyTime));
     auto session = makeSession(std::move(link), {});
     // a simulated link always opens
-    if (!session->open({}, {}, LineSession::Start::operating, m_drive))
+    if (!session->open({}, {}, LineSession::Start::operating,
+                       isVirtual ? LineSession::Drive::byHand : LineSession::Drive::byThread))
         Q_UNREACHABLE();
     for (const LineAddress address : line->addresses())
         (void)session->add(address, trainingDevice);
@@ -153,7 +145,7 @@ Result<void> SerialLine::open(const LinePlan &line)
                                 LineSession::Drive::byThread); // a port keeps real time
     if (!opened)
         return opened;
-    for (const ProjectDevice &encoder : devicesOn(m_project.project(), firstLine))
+    for (const ProjectDevice &encoder : devicesOn(project().project(), id()))
         (void)session->add(LineAddress::of(encoder.place().node), encoder.participant.deviceKey);
     replace(std::move(session), nullptr, port);
     m_openedWith = wish;
@@ -166,7 +158,7 @@ void SerialLine::tellByteOrder()
 {
     if (!m_session || m_training)
         return;
-    for (const ProjectDevice &encoder : devicesOn(m_project.project(), firstLine))
+    for (const ProjectDevice &encoder : devicesOn(project().project(), id()))
         m_session->setSwapsWarningBytes(encoder.place(), encoder.swapsWarningBytes);
 }
 

@@ -1,41 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/window/bus_at_work.h"
 #include "line/line_session.h"
 #include "line/line_wish.h"
 #include "links/serial_port_link.h"
 #include "project/line_plan.h"
 #include "simulator/simulated_line.h"
 
-#include <QObject>
-
-#include <functional>
 #include <memory>
 
 namespace codewheel {
 
-class LedgerKeeper;
-class ProjectDocument;
-
-// The serial line of the program: the simulated one of the training bus at first, later perhaps one at a
-// port. Keeps the account of the EEPROM writes of its encoders. Outlives the window, which is made anew in
-// another language.
-class SerialLine : public QObject
+// A serial line of the program: the simulated one of the training bus, or one at a port.
+class SerialLine final : public BusAtWork
 {
     Q_OBJECT
 
 public:
-    using Clock = std::function<QDateTime()>; // what Instant 0 of a line that is opened now stands for
-
-    // Catalog and project outlive it. By hand: the simulated line keeps virtual time. `dataFolder`: of the
-    // ledger.
-    SerialLine(const Catalog &catalog, ProjectDocument &project, const QString &dataFolder,
-               LineSession::Drive drive, Clock clock, QObject *parent = nullptr);
+    SerialLine(BusId id, Surroundings surroundings, QObject *parent = nullptr);
     ~SerialLine() override;
 
+    QString kind() const override;
+    EncoderBus *bus() const override { return m_session.get(); }
     LineSession *session() const { return m_session.get(); }     // null: none is open
     SimulatedLine *training() const { return m_training.get(); } // null: it is no training line
-    const Catalog &catalog() const { return m_catalog; }
 
     // Each ends the line there was. The training line begins in Operate.
     void openTraining();
@@ -56,11 +45,6 @@ public:
     std::vector<PortInfo> ports() const { return m_ports(); }
     void close();
 
-Q_SIGNALS:
-    void aboutToChange(); // session and encoders of before are gone after this
-    void changed();       // session() is another one, or none
-    void messaged(const codewheel::Message &message, const QDateTime &at);
-
 private:
     void tellByteOrder();
     std::unique_ptr<LineSession> makeSession(std::unique_ptr<ByteLink> link, const LineWish &wish);
@@ -68,20 +52,13 @@ private:
     bool holds(const QString &path) const;
     void replace(std::unique_ptr<LineSession> session, std::shared_ptr<SimulatedLine> training,
                  const SerialPortLink *port);
-    void keepAccount();
 
-    const Catalog &m_catalog;
-    ProjectDocument &m_project;
-    const QString m_dataFolder;
-    LineSession::Drive m_drive;
-    Clock m_clock;
     std::shared_ptr<SimulatedLine> m_training;
     std::unique_ptr<LineSession> m_session;
     const SerialPortLink *m_port = nullptr; // of the session; null: it is at none
     LineWish m_openedWith;                  // the port
     std::optional<KeptAdapter> m_wanted;    // when a port was to be opened last
     SerialPortLink::PortList m_ports = serialPorts;
-    std::unique_ptr<LedgerKeeper> m_ledger; // of the session
 };
 
 } // namespace codewheel

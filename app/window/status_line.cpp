@@ -115,6 +115,12 @@ void StatusLine::setLine(LineSession *line)
     refresh();
 }
 
+void StatusLine::setMode(bool isOperating)
+{
+    m_isOperating = isOperating;
+    showState();
+}
+
 void StatusLine::setEncoder(EncoderSession *encoder)
 {
     m_encoder = encoder;
@@ -219,7 +225,7 @@ void StatusLine::showState()
         m_state->setState(Role::inactive, tr("not connected"));
     else
         m_state->setState(masterRole(m_bus->latest()), masterText(m_bus->latest()));
-    if ((m_bus != nullptr && m_bus->isOperating()) || (m_line && m_line->isOpen() && m_line->isOperating()))
+    if (m_isOperating)
         m_mode->setState(Role::running, tr("Operate"));
     else
         m_mode->setState(Role::inactive, tr("Watch"));

@@ -30,6 +30,7 @@ public:
 
     void setBus(BusSession *bus, const QString &link);
     void setLine(LineSession *line); // null: none
+    void setMode(bool isOperating);  // of the chosen bus
     void setEncoder(EncoderSession *encoder);
 
 protected:
@@ -47,6 +48,7 @@ private:
     QPointer<LineSession> m_line;
     QPointer<EncoderSession> m_encoder;
     QString m_link;
+    bool m_isOperating = false;
     RoleLabel *m_state;
     RoleLabel *m_mode;
     QLabel *m_cycle;

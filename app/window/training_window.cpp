@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/training_window.h"
 
-#include "app/window/project_account.h"
 #include "project/project_take_over.h"
 #include "ring/bus_session.h"
 
@@ -19,27 +18,20 @@ constexpr int picturePeriod = 33; // ms
 
 TrainingWindow::TrainingWindow(const QString &settingsFile, QSize size)
     : m_settings(settingsFile)
-    , m_training(openTrainingSession(m_catalog, begin()))
-    , m_line(m_catalog, m_project, QFileInfo(settingsFile).absolutePath(), LineSession::Drive::byHand, begin)
-    , m_ledger(*m_training.bus, DatabasePlace::memory())
-    , m_positions(*m_training.bus)
+    , m_plant({.catalog = m_catalog,
+               .project = m_project,
+               .dataFolder = QFileInfo(settingsFile).absolutePath(),
+               .byThread = false,
+               .clock = begin})
 {
-    m_messages.setBus(*m_training.bus);
-    QObject::connect(&m_ledger, &LedgerKeeper::messaged, &m_messages, &MessageModel::addNow);
-    QObject::connect(&m_line, &SerialLine::messaged, &m_messages, &MessageModel::add);
-    keepAccountOf(m_project, m_ledger);
-    m_line.openTraining();
-    m_project.setProject(projectOf(m_training.bus->structure()), {});
+    QObject::connect(&m_plant, &Plant::messaged, &m_messages, &MessageModel::add);
+    m_plant.openTraining();
+    m_messages.setClock(bus());
+    m_project.setProject(projectOf(bus().structure()), {});
     m_window = std::make_unique<MainWindow>(m_settings, m_project);
     if (size.isValid())
         m_window->resize(size);
-    m_window->attach({.bus = *m_training.bus,
-                      .link = MainWindow::tr("training bus"),
-                      .training = m_training.controls,
-                      .line = m_line,
-                      .messages = m_messages,
-                      .ledger = m_ledger,
-                      .positions = m_positions});
+    m_window->attach(m_plant, m_messages);
     advance(picturePeriod);
 }
 
@@ -49,9 +41,9 @@ void TrainingWindow::advance(int milliseconds)
 {
     while (milliseconds > 0) {
         const int step = std::min(milliseconds, picturePeriod);
-        m_training.bus->advance(step);
-        if (LineSession *line = m_line.session())
-            line->advance(std::chrono::milliseconds(step));
+        for (const BusAtWork *bus : m_plant.buses())
+            if (EncoderBus *its = bus->bus())
+                its->advance(std::chrono::milliseconds(step));
         m_window->showPicture();
         QCoreApplication::processEvents();
         milliseconds -= step;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/training_session.h"
 #include "app/window/main_window.h"
+#include "app/window/plant.h"
+#include "app/window/ring_at_work.h"
 #include "app/window/serial_line.h"
 #include "catalog/catalog.h"
-#include "journal/ledger_keeper.h"
-#include "transfer/last_positions.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/project/project_document.h"
 
@@ -22,9 +21,10 @@ public:
     ~TrainingWindow();
 
     MainWindow &window() { return *m_window; }
-    BusSession &bus() { return *m_training.bus; }
-    SerialLine &line() { return m_line; }
-    TrainingControls &controls() { return *m_training.controls; }
+    BusSession &bus() { return *m_plant.ring()->bus(); }
+    SerialLine &line() { return *m_plant.line(); }
+    Plant &plant() { return m_plant; }
+    TrainingControls &controls() { return m_plant.ring()->controls(); }
     MessageModel &messages() { return m_messages; }
     ProjectDocument &project() { return m_project; } // of the plant, at first
     // So many milliseconds pass on the bus; a picture is taken every 33.
@@ -37,11 +37,8 @@ private:
     WindowSettings m_settings;
     MessageStore m_store{{}}; // in memory
     MessageModel m_messages{m_store};
-    TrainingSession m_training;
     ProjectDocument m_project;
-    SerialLine m_line;
-    LedgerKeeper m_ledger;
-    LastPositions m_positions;
+    Plant m_plant;
     std::unique_ptr<MainWindow> m_window;
 };
 

@@ -11,7 +11,7 @@ void Buses::add(EncoderBus &bus)
     m_buses.push_back(&bus);
     connect(&bus, &EncoderBus::stateChanged, this, &Buses::changed);
     connect(&bus, &EncoderBus::nodesChanged, this, &Buses::changed);
-    connect(&bus, &EncoderBus::updated, this, &Buses::updated);
+    connect(&bus, &EncoderBus::updated, this, [this, id = bus.id()] { Q_EMIT updated(id); });
     Q_EMIT changed();
 }
 
@@ -34,6 +34,13 @@ std::vector<EncoderBus *> Buses::open() const
     std::vector<EncoderBus *> open;
     std::ranges::copy_if(m_buses, std::back_inserter(open), &EncoderBus::isOpen);
     return open;
+}
+
+EncoderBus *Buses::open(BusId bus) const
+{
+    const auto found = std::ranges::find_if(
+        m_buses, [bus](const EncoderBus *its) { return its->id() == bus && its->isOpen(); });
+    return found == m_buses.end() ? nullptr : *found;
 }
 
 std::vector<Place> Buses::places() const

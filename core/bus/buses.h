@@ -20,6 +20,7 @@ public:
     void add(EncoderBus &bus);
     void remove(const EncoderBus *bus); // nothing, if it is not here
     std::vector<EncoderBus *> open() const;
+    EncoderBus *open(BusId bus) const; // null: it is not open
 
     std::vector<Place> places() const;
     EncoderBus *busOf(Place place) const; // null: no open bus has it
@@ -34,8 +35,8 @@ public:
     void alarmStop();
 
 Q_SIGNALS:
-    void changed(); // there may be others, or another state of a bus
-    void updated(); // a new snapshot of one of them
+    void changed();                     // there may be others, or another state of a bus
+    void updated(codewheel::BusId bus); // a new snapshot of this one
 
 private:
     bool has(const EncoderBus *bus) const;

@@ -138,7 +138,7 @@ TEST_F(LineInWindow, WhatIsOfWordsAloneIsNotForItAndTheWindowSaysWhy)
     advance(50);
     EXPECT_EQ(monitors().monitors().size(), before);
     const auto *why = monitors().findChild<InlineMessage *>();
-    EXPECT_TRUE(why->sentence().contains(QStringLiteral("serial line")));
+    EXPECT_TRUE(why->sentence().contains(QStringLiteral("esc:05 has no words")));
     EXPECT_FALSE(actions().zeroOut->isEnabled());
     EXPECT_FALSE(actions().cams->isEnabled());
     EXPECT_TRUE(actions().cams->toolTip().contains(QStringLiteral("no cams")));
@@ -308,16 +308,29 @@ TEST_F(LineInWindow, RevolutionsThatAreWantedGoAlongWithTheSteps)
     EXPECT_TRUE(plan.notes.empty());
 }
 
-TEST_F(LineInWindow, OneDecisionForWatchAndOperate)
+TEST_F(LineInWindow, WatchAndOperateAreEachBussOwn)
 {
-    EXPECT_TRUE(line().isOperating());
+    const auto modeOf = [this](BusId bus) {
+        return model().indexOf(bus).siblingAtColumn(StructureModel::positionColumn).data().toString();
+    };
+    choose(standing);
     actions().watch->trigger();
     advance(100);
     EXPECT_FALSE(line().isOperating());
+    EXPECT_TRUE(bus().isOperating());
+    EXPECT_TRUE(actions().watch->isChecked());
+    EXPECT_EQ(modeOf(firstLine), QStringLiteral("Watch"));
+    EXPECT_EQ(modeOf(firstRing), QStringLiteral("Operate"));
+    choose(test::fraba);
+    EXPECT_TRUE(actions().operate->isChecked()) << "of the chosen bus";
+    actions().watch->trigger();
+    advance(100);
     EXPECT_FALSE(bus().isOperating());
+    choose(standing);
     actions().operate->trigger();
     advance(100);
     EXPECT_TRUE(line().isOperating());
+    EXPECT_FALSE(bus().isOperating());
 }
 
 TEST_F(LineInWindow, AlarmStopEndsWhatIsOnItsWayOnTheLine)

@@ -10,7 +10,7 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
-#include "widgets/training/training_panel.h"
+#include "widgets/training/line_training_panel.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -232,7 +232,7 @@ TEST_F(LineViewsTest, ThePortOfAnEncoderIsConnectedInWatch)
     EXPECT_EQ(line().linkName(), pty.path());
     EXPECT_EQ(shown->line().training(), nullptr);
     EXPECT_FALSE(line().isOperating());
-    EXPECT_FALSE(bus().isOperating()) << "one decision for both";
+    EXPECT_TRUE(bus().isOperating()) << "the ring has its own";
     EXPECT_EQ(linePlan(project(), firstLine)->wish, view<LineSettingsForm>().wish());
     EXPECT_EQ(line().places(), (std::vector{standingEncoder, placeOnLine({7})}))
         << "the encoders of the project";
@@ -266,7 +266,7 @@ TEST_F(LineViewsTest, APortThatIsNotThereIsToldOnTheSpotAndTheLineGoesOn)
 
 TEST_F(LineViewsTest, TheTrainerDisturbsTheLine)
 {
-    auto &panel = view<TrainingPanel>();
+    auto &panel = view<LineTrainingPanel>();
     window().findChild<QDockWidget *>(QStringLiteral("trainingDock"))->raise();
     view<StructureView>().choose(firstLine);
     advance(50);
@@ -292,12 +292,12 @@ TEST_F(LineViewsTest, TheTrainerDisturbsTheLine)
     EXPECT_EQ(line().encoder(standingEncoder)->latest().alarms, 0x4000);
     view<StructureView>().choose(test::fraba);
     advance(50);
-    EXPECT_EQ(box(QStringLiteral("Adapter unplugged")), nullptr) << "the ring has none";
+    EXPECT_FALSE(panel.isVisible()) << "the ring has its own";
 }
 
 TEST_F(LineViewsTest, BytesThatAreLostAreCountedAndSeen)
 {
-    auto &panel = view<TrainingPanel>();
+    auto &panel = view<LineTrainingPanel>();
     view<StructureView>().choose(firstLine);
     advance(50);
     for (auto *field : panel.findChildren<QSpinBox *>())

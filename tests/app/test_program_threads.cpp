@@ -2,7 +2,9 @@
 // The program as it runs: bus at 1 ms in a thread of its own, four monitors, a wizard's job, starts and
 // stops. Meant for ThreadSanitizer; every wait is for something that happens.
 #include "app/window/main_window.h"
+#include "app/window/plant.h"
 #include "app/window/program.h"
+#include "app/window/ring_at_work.h"
 #include "project/project_file.h"
 #include "ring/bus_session.h"
 #include "tests/app/window_test.h"
@@ -33,10 +35,10 @@ protected:
     {
         program.openWindow();
         program.window()->show();
-        EXPECT_TRUE(QTest::qWaitFor([this] { return program.training().bus != nullptr; }, generous));
+        EXPECT_TRUE(QTest::qWaitFor([this] { return program.plant() != nullptr; }, generous));
     }
 
-    BusSession &bus() { return *program.training().bus; }
+    BusSession &bus() { return *program.plant()->ring()->bus(); }
     bool waitFor(const std::function<bool()> &what) { return QTest::qWaitFor(what, generous); }
 
     void click(const QString &button)
@@ -75,7 +77,7 @@ TEST_F(RunningProgram, FourMonitorsARunOfTheWizardAndFiftyStartsAndStops)
     for (const Place number : {fraba, baumer})
         for (const MonitorKind kind : {MonitorKind::in32, MonitorKind::out32})
             monitors->openMonitor(number, kind);
-    program.training().controls->setSpeed(fraba.node, 300);
+    program.plant()->ring()->controls().setSpeed(fraba.node, 300);
     ASSERT_TRUE(waitFor([this] { return bus().latest().cycle > 100; }));
 
     runTheWizard();
@@ -94,7 +96,7 @@ TEST_F(RunningProgram, FourMonitorsARunOfTheWizardAndFiftyStartsAndStops)
 TEST_F(RunningProgram, AnotherLanguageMakesTheWindowAnewWhileTheBusGoesOn)
 {
     const QLocale before;
-    const BusSession *session = program.training().bus.get();
+    const BusSession *session = program.plant()->ring()->bus();
     const std::uint64_t cycle = bus().latest().cycle;
     auto *wanted = program.window()->findChild<WantedValues *>();
     wanted->set(fraba, Parameter::steps, 255);
@@ -103,7 +105,7 @@ TEST_F(RunningProgram, AnotherLanguageMakesTheWindowAnewWhileTheBusGoesOn)
         return program.window()->findChild<MonitorArea *>() != nullptr &&
                QLocale().language() == QLocale::German;
     }));
-    EXPECT_EQ(program.training().bus.get(), session);
+    EXPECT_EQ(program.plant()->ring()->bus(), session);
     wanted = program.window()->findChild<WantedValues *>();
     EXPECT_EQ(wanted->value(fraba, Parameter::steps), 255);
     program.window()->actions().undo->trigger();
@@ -126,7 +128,7 @@ TEST(ProgramStart, OpensTheFileItIsGiven)
     program.openAtStart(file);
     program.openWindow();
     program.window()->show();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return program.training().bus != nullptr; }, generous));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return program.plant() != nullptr; }, generous));
     EXPECT_EQ(program.window()->windowTitle(), QStringLiteral("crane.codewheel[*]"));
 }
 

@@ -5,12 +5,11 @@
 // one core of both.
 #include "app/window/main_window.h"
 #include "app/window/picture_clock.h"
-#include "app/window/serial_line.h"
+#include "app/window/plant.h"
+#include "app/window/ring_at_work.h"
 #include "catalog/catalog.h"
-#include "journal/ledger_keeper.h"
 #include "ring/bus_session.h"
 #include "simulator/training_bus.h"
-#include "transfer/last_positions.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/monitor/word_monitor.h"
@@ -35,7 +34,6 @@ constexpr QSize windowSize(1600, 1450);
 // Bits, hexadecimal and meaning.
 constexpr MonitorDisplay display{
     .bar = false, .decimal = false, .signedDecimal = false, .gray = false, .binary = false};
-constexpr auto busPeriod = 1ms;
 constexpr auto settling = 3s;
 constexpr auto measured = 10s;
 
@@ -85,27 +83,19 @@ int main(int argc, char **argv)
     QApplication application(argc, argv);
     const QTemporaryDir folder;
     const Catalog catalog = Catalog::builtIn();
-    TrainingBus ring = makeMovingRing(movingWords);
-    BusSession bus(std::move(ring.link), catalog, QDateTime::currentDateTime());
-    if (!bus.open(BusSession::Start::operating))
-        return 1;
     WindowSettings settings(folder.filePath(QStringLiteral("bench.ini")));
     MessageStore store({});
     MessageModel messages(store);
     ProjectDocument project;
-    const LastPositions positions(bus);
-    const LedgerKeeper ledger(bus, DatabasePlace::memory());
+    Plant plant({.catalog = catalog,
+                 .project = project,
+                 .dataFolder = {},
+                 .clock = [] { return QDateTime::currentDateTime(); },
+                 .trainingRing = [](const Catalog &) { return makeMovingRing(movingWords); }});
+    plant.openTraining();
+    BusSession &bus = *plant.ring()->bus();
     MainWindow window(settings, project);
-    SerialLine line(catalog, project, {}, LineSession::Drive::byThread,
-                    [] { return QDateTime::currentDateTime(); });
-    line.openTraining();
-    window.attach({.bus = bus,
-                   .link = QStringLiteral("moving ring"),
-                   .training = ring.controls,
-                   .line = line,
-                   .messages = messages,
-                   .ledger = ledger,
-                   .positions = positions});
+    window.attach(plant, messages);
     auto *monitors = window.findChild<MonitorArea *>();
     monitors->closeAll();
     for (const Place number : bus.places()) {
@@ -116,7 +106,7 @@ int main(int argc, char **argv)
         monitor->setDisplay(display);
     window.resize(windowSize);
     window.show();
-    bus.startThread(busPeriod);
+    plant.start();
 
     PictureClock pictures;
     pictures.setWindow(window);

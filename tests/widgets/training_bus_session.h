@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/buses.h"
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "ring/bus_session.h"
@@ -28,6 +29,7 @@ public:
     {
         EXPECT_TRUE(bus.open(start));
         bus.advance(10);
+        buses.add(bus);
     }
 
     WordChannel &channel(Place number) const { return *bus.channel(number); }
@@ -37,6 +39,7 @@ public:
     TrainingBus training;
     std::shared_ptr<TrainingControls> controls = training.controls;
     BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
+    Buses buses;
 };
 
 } // namespace codewheel::test

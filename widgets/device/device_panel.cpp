@@ -19,10 +19,9 @@
 
 namespace codewheel {
 
-DevicePanel::DevicePanel(BusSession &bus, QWidget *parent)
+DevicePanel::DevicePanel(const Catalog &catalog, QWidget *parent)
     : QWidget(parent)
-    , m_bus(bus)
-    , m_naming(new NamingBar(bus, this))
+    , m_naming(new NamingBar(catalog, this))
     , m_leds(new LedRow(this))
     , m_page(describe(new QTextBrowser(this), "devicePage", tr("What the manual says of the device"),
                       tr("Pins, LEDs, limits, label key and parameters, with the chapter of the manual")))
@@ -41,21 +40,36 @@ DevicePanel::DevicePanel(BusSession &bus, QWidget *parent)
     rows->addWidget(m_empty, 1);
     setFocusProxy(m_naming);
     connect(m_naming, &NamingBar::lookedUp, this, &DevicePanel::showDevice);
-    connect(&bus, &BusSession::named, this, [this](Place number) {
-        if (m_number == number)
-            setPlace(number, m_planned);
-    });
-    connect(&bus, &BusSession::updated, this, &DevicePanel::showLeds);
-    connect(&bus, &BusSession::stateChanged, this, &DevicePanel::showLeds);
-    connect(&bus, &BusSession::structureChanged, this, [this] { setPlace(m_number, m_planned); });
     showDevice();
+}
+
+void DevicePanel::setRing(BusSession *ring)
+{
+    if (m_ring)
+        m_ring->disconnect(this);
+    m_ring = ring;
+    if (ring != nullptr) {
+        connect(ring, &BusSession::named, this, [this](Place number) {
+            if (m_number == number)
+                setPlace(number, m_planned);
+        });
+        connect(ring, &BusSession::updated, this, &DevicePanel::showLeds);
+        connect(ring, &BusSession::stateChanged, this, &DevicePanel::showLeds);
+        connect(ring, &BusSession::structureChanged, this, [this] { setPlace(m_number, m_planned); });
+    }
+    setPlace(m_number, m_planned);
+}
+
+bool DevicePanel::isConnected() const
+{
+    return m_ring && m_ring->isOpen() && m_number && m_number->bus == m_ring->id();
 }
 
 void DevicePanel::setPlace(std::optional<Place> number, std::optional<DeviceDescription> planned)
 {
     m_number = number;
     m_planned = std::move(planned);
-    m_naming->setPlace(m_planned || !m_bus.isOpen() ? std::nullopt : number);
+    m_naming->setPlace(m_ring, m_planned || !isConnected() ? std::nullopt : number);
     showDevice();
     showLeds();
 }
@@ -63,16 +77,14 @@ void DevicePanel::setPlace(std::optional<Place> number, std::optional<DeviceDesc
 // As they have to be; a look at the housing tells whether they are.
 void DevicePanel::showLeds()
 {
-    const RingStructure &ring = m_bus.structure();
-    const auto found = std::ranges::find_if(ring, [this](const Participant &other) {
-        return m_number && m_bus.placeOf(other.number) == *m_number;
-    });
-    const auto place = static_cast<std::size_t>(found - ring.begin());
-    const bool isConnected = m_bus.isOpen() && !m_planned && place < m_bus.latest().devices.size();
-    const bool isShown = isConnected && hasRemoteBusLeds(m_bus.encoder(found->number));
+    const Participant *participant = isConnected() && !m_planned ? participantAt(m_ring, m_number) : nullptr;
+    const auto place =
+        participant != nullptr ? static_cast<std::size_t>(participant - m_ring->structure().data()) : 0;
+    const bool isShown = participant != nullptr && place < m_ring->latest().devices.size() &&
+                         hasRemoteBusLeds(m_ring->encoder(participant->number));
     m_leds->setVisible(isShown);
     if (isShown)
-        m_leds->showLeds(ledsOf(m_bus.latest().state, m_bus.latest().devices[place].inRing));
+        m_leds->showLeds(ledsOf(m_ring->latest().state, m_ring->latest().devices[place].inRing));
 }
 
 void DevicePanel::focusNaming()
@@ -86,7 +98,7 @@ std::optional<DeviceDescription> DevicePanel::shown() const
         return describedDevice(*looked);
     if (m_planned)
         return m_planned;
-    const EncoderSession *encoder = m_number && m_bus.isOpen() ? m_bus.encoder(*m_number) : nullptr;
+    const EncoderSession *encoder = isConnected() ? m_ring->encoder(*m_number) : nullptr;
     return encoder ? std::optional(encoder->device()) : std::nullopt;
 }
 
@@ -100,7 +112,7 @@ void DevicePanel::showDevice()
         m_page->clear();
     else if (device)
         fillPage();
-    else if (isBusTerminal(participantAt(m_bus, m_number)))
+    else if (isBusTerminal(participantAt(m_ring, m_number)))
         m_empty->setTexts(tr("%1 is a bus terminal.").arg(m_number->toString()),
                           tr("It connects the devices behind it to the ring; there is nothing to describe."));
     else if (m_number)

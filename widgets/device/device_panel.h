@@ -2,8 +2,9 @@
 #pragma once
 
 #include "catalog/device_description.h"
-#include "encoder/place.h"
+#include "ring/bus_session.h"
 
+#include <QPointer>
 #include <QWidget>
 
 #include <optional>
@@ -12,7 +13,6 @@ class QTextBrowser;
 
 namespace codewheel {
 
-class BusSession;
 class EmptyState;
 class LedRow;
 class NamingBar;
@@ -24,8 +24,11 @@ class DevicePanel : public QWidget
     Q_OBJECT
 
 public:
-    // The bus must outlive the panel.
-    explicit DevicePanel(BusSession &bus, QWidget *parent = nullptr);
+    // The catalog must outlive the panel.
+    explicit DevicePanel(const Catalog &catalog, QWidget *parent = nullptr);
+
+    // The ring whose devices are named, and whose LEDs are told; null: none.
+    void setRing(BusSession *ring);
 
     // planned: what stands there by the project, where it is not connected; it can be looked at, not named.
     void setPlace(std::optional<Place> number, std::optional<DeviceDescription> planned = {});
@@ -41,7 +44,9 @@ private:
     void showLeds();
     std::optional<DeviceDescription> shown() const;
 
-    BusSession &m_bus;
+    bool isConnected() const;
+
+    QPointer<BusSession> m_ring;
     std::optional<Place> m_number;
     std::optional<DeviceDescription> m_planned;
     std::optional<DeviceDescription> m_toFill; // the page with, once it is seen

@@ -21,12 +21,14 @@
 
 namespace codewheel {
 
-const Participant *participantAt(const BusSession &bus, std::optional<Place> number)
+const Participant *participantAt(const BusSession *ring, std::optional<Place> number)
 {
-    const RingStructure &ring = bus.structure();
-    const auto found = std::ranges::find_if(
-        ring, [&](const Participant &participant) { return bus.placeOf(participant.number) == number; });
-    return found == ring.end() ? nullptr : &*found;
+    if (ring == nullptr)
+        return nullptr;
+    const auto found = std::ranges::find_if(ring->structure(), [&](const Participant &participant) {
+        return ring->placeOf(participant.number) == number;
+    });
+    return found == ring->structure().end() ? nullptr : &*found;
 }
 
 bool isBusTerminal(const Participant *participant)
@@ -34,9 +36,9 @@ bool isBusTerminal(const Participant *participant)
     return participant && participant->idCode == busTerminalIdCode;
 }
 
-NamingBar::NamingBar(BusSession &bus, QWidget *parent)
+NamingBar::NamingBar(const Catalog &catalog, QWidget *parent)
     : QWidget(parent)
-    , m_bus(bus)
+    , m_catalog(catalog)
     , m_question(new QLabel(this))
     , m_key(describe(new QLineEdit(this), "labelKey", tr("Key on the label"),
                      tr("Type the key on the label of the encoder. Spaces, dots and dashes do not matter.")))
@@ -78,11 +80,12 @@ NamingBar::NamingBar(BusSession &bus, QWidget *parent)
     connect(m_key, &QLineEdit::editingFinished, this, &NamingBar::tellProblem);
     connect(m_choice, &QComboBox::activated, m_message, &InlineMessage::withdraw);
     connect(m_name, &QPushButton::clicked, this, &NamingBar::name);
-    setPlace({});
+    setPlace(nullptr, {});
 }
 
-void NamingBar::setPlace(std::optional<Place> number)
+void NamingBar::setPlace(BusSession *ring, std::optional<Place> number)
 {
+    m_ring = ring;
     m_number = number;
     m_key->clear();
     m_message->withdraw();
@@ -98,7 +101,7 @@ void NamingBar::focusKey()
 
 void NamingBar::ask()
 {
-    const Participant *participant = participantAt(m_bus, m_number);
+    const Participant *participant = participantAt(m_ring, m_number);
     const bool asks = participant && !isBusTerminal(participant);
     m_question->setVisible(asks);
     if (!asks)
@@ -114,10 +117,10 @@ void NamingBar::ask()
 void NamingBar::fillChoices()
 {
     m_choice->clear();
-    const Participant *participant = participantAt(m_bus, m_number);
+    const Participant *participant = participantAt(m_ring, m_number);
     if (participant && !isBusTerminal(participant)) {
         m_choice->addItem(tr("make not known"), QString());
-        for (const DeviceDescription &device : m_bus.catalog().devices())
+        for (const DeviceDescription &device : m_catalog.devices())
             if (!device.isGeneric() && device.deviceCode == participant->deviceCode)
                 m_choice->addItem(device.fullName(), device.key);
         m_choice->setCurrentIndex(std::max(0, m_choice->findData(participant->deviceKey)));
@@ -133,7 +136,7 @@ void NamingBar::read(const QString &typed)
     m_matches.clear();
     m_problem.reset();
     if (!typed.trimmed().isEmpty()) {
-        if (auto matches = findByLabel(m_bus.catalog(), typed))
+        if (auto matches = findByLabel(m_catalog, typed))
             m_matches = std::move(*matches);
         else
             m_problem = matches.error();
@@ -162,20 +165,20 @@ void NamingBar::chooseMatch()
     m_reading->setText(tr("%1: %2 turns, %3 steps per turn")
                            .arg(names.join(tr(" or ")), QLocale().toString(first.turns),
                                 QLocale().toString(first.stepsPerTurn)));
-    if (!m_number)
+    if (!m_number || !m_ring)
         return;
     for (const LabelMatch &match : m_matches)
         if (const int row = m_choice->findData(match.device->key); row >= 0) {
             m_choice->setCurrentIndex(row);
             return;
         }
-    if (const auto can = m_bus.canBe(*m_number, *first.device); !can)
+    if (const auto can = m_ring->canBe(*m_number, *first.device); !can)
         m_message->showMessage(Role::attention, refusalText(can.error()));
 }
 
 void NamingBar::name()
 {
-    if (!m_number)
+    if (!m_number || !m_ring)
         return;
     const QString key = m_choice->currentData().toString();
     int turns = 0;
@@ -185,7 +188,7 @@ void NamingBar::name()
             turns = match.turns;
             stepsPerTurn = match.stepsPerTurn;
         }
-    const auto named = m_bus.name(*m_number, key, turns, stepsPerTurn);
+    const auto named = m_ring->name(*m_number, key, turns, stepsPerTurn);
     if (!named)
         m_message->showMessage(Role::attention, refusalText(named.error()));
 }

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "catalog/label_key.h"
-#include "encoder/place.h"
+#include "ring/bus_session.h"
 
+#include <QPointer>
 #include <QWidget>
 
 class QComboBox;
@@ -13,12 +14,12 @@ class QPushButton;
 
 namespace codewheel {
 
-class BusSession;
+class Catalog;
 class InlineMessage;
 struct Participant;
 
-// Null where there is no such device.
-const Participant *participantAt(const BusSession &bus, std::optional<Place> number);
+// Null where there is no such device, or no ring.
+const Participant *participantAt(const BusSession *ring, std::optional<Place> number);
 // A bus terminal has no make that matters and nothing to describe.
 bool isBusTerminal(const Participant *participant);
 
@@ -30,10 +31,11 @@ class NamingBar : public QWidget
     Q_OBJECT
 
 public:
-    explicit NamingBar(BusSession &bus, QWidget *parent = nullptr);
+    // The catalog outlives it.
+    explicit NamingBar(const Catalog &catalog, QWidget *parent = nullptr);
 
-    // The device to be named; nothing: keys are only looked up.
-    void setPlace(std::optional<Place> number);
+    // The device of a ring to be named; nothing: keys are only looked up.
+    void setPlace(BusSession *ring, std::optional<Place> number);
     void focusKey();
     // What the typed key stands for; null where it is empty or not understood.
     const LabelMatch *looked() const { return m_matches.empty() ? nullptr : &m_matches.front(); }
@@ -49,7 +51,8 @@ private:
     void name();
     void ask();
 
-    BusSession &m_bus;
+    const Catalog &m_catalog;
+    QPointer<BusSession> m_ring; // of the device
     std::optional<Place> m_number;
     std::vector<LabelMatch> m_matches;
     std::optional<Refusal> m_problem; // of the typed key

@@ -43,13 +43,9 @@ MessageModel::MessageModel(MessageStore &store, QObject *parent)
     m_timer.start(refreshPeriod);
 }
 
-void MessageModel::setBus(EncoderBus &bus)
+void MessageModel::setClock(EncoderBus &bus)
 {
-    if (m_bus)
-        m_bus->disconnect(this);
-    m_bus = &bus;
-    connect(&bus, &EncoderBus::messaged, this,
-            [this](const Message &message) { add(message, m_bus->dateTime(message.at)); });
+    m_clock = &bus;
 }
 
 void MessageModel::add(const Message &message, const QDateTime &at)
@@ -59,9 +55,9 @@ void MessageModel::add(const Message &message, const QDateTime &at)
 
 void MessageModel::addNow(Message message)
 {
-    if (m_bus)
-        message.at = m_bus->now();
-    add(message, m_bus ? m_bus->dateTime(message.at) : QDateTime::currentDateTime());
+    if (m_clock)
+        message.at = m_clock->now();
+    add(message, m_clock ? m_clock->dateTime(message.at) : QDateTime::currentDateTime());
 }
 
 void MessageModel::setFilter(const MessageFilter &filter)

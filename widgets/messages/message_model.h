@@ -27,8 +27,8 @@ public:
     // The store outlives the model.
     explicit MessageModel(MessageStore &store, QObject *parent = nullptr);
 
-    // Takes the messages of this ring, and its date and time, from now on.
-    void setBus(EncoderBus &bus);
+    // Takes the date and time of this bus from now on, for what is added without any.
+    void setClock(EncoderBus &bus);
     // Shown as soon as the store has it.
     void add(const Message &message, const QDateTime &at);
     // Something that happens now: stamped with the time of the bus, where there is one.
@@ -78,7 +78,7 @@ private:
     qint64 firstShown() const;
 
     MessageStore &m_store;
-    QPointer<EncoderBus> m_bus;
+    QPointer<EncoderBus> m_clock;
     DatabasePlace m_place;
     std::optional<MessageTable> m_table; // nothing until the store has one
     qint64 m_changes = 0;                // of the table, when it was looked at last

@@ -24,6 +24,7 @@ namespace {
 
 const QLatin1String monitorsKey("monitors");
 const QLatin1String placeKey("place");
+const QLatin1String busKey("bus");
 const QLatin1String kindKey("kind");
 const QLatin1String highHalfKey("highHalf");
 const QLatin1String displayKey("display");
@@ -32,9 +33,9 @@ constexpr std::array everyKind{MonitorKind::in32, MonitorKind::out32, MonitorKin
 
 } // namespace
 
-MonitorArea::MonitorArea(EncoderBus &bus, QWidget *parent)
+MonitorArea::MonitorArea(Buses &buses, QWidget *parent)
     : QWidget(parent)
-    , m_bus(bus)
+    , m_buses(buses)
     , m_add(describe(new QToolButton(this), tr("Add monitor"), tr("Open another word of a device")))
     , m_addMenu(new QMenu(this))
     , m_message(new InlineMessage(this))
@@ -66,12 +67,15 @@ MonitorArea::MonitorArea(EncoderBus &bus, QWidget *parent)
     m_scroll->setWidget(column);
     m_pages->addWidget(m_scroll);
 
-    connect(&bus, &EncoderBus::updated, this, &MonitorArea::showPicture);
-    connect(&bus, &EncoderBus::stateChanged, this, [this] {
+    connect(&buses, &Buses::updated, this, &MonitorArea::showPicture);
+    connect(&buses, &Buses::changed, this, [this] {
+        putAside();
+        followDevices();
+        bringBack();
         for (WordMonitor *monitor : m_monitors)
             monitor->busStateChanged();
+        showWhetherEmpty();
     });
-    connect(&bus, &EncoderBus::nodesChanged, this, &MonitorArea::followDevices);
     showWhetherEmpty();
 }
 
@@ -94,6 +98,25 @@ void MonitorArea::openAgain(Place number)
     }
 }
 
+void MonitorArea::putAside()
+{
+    const auto before = m_monitors;
+    for (WordMonitor *monitor : before)
+        if (m_buses.open(monitor->place().bus) == nullptr) {
+            m_aside.push_back({monitor->place(), monitor->kind(), monitor->isHighHalf()});
+            remove(monitor);
+        }
+}
+
+void MonitorArea::bringBack()
+{
+    for (const Aside &aside : std::exchange(m_aside, {}))
+        if (m_buses.open(aside.place.bus) == nullptr)
+            m_aside.push_back(aside);
+        else if (hasWord(aside.place, aside.kind) && !monitor(aside.place, aside.kind))
+            addMonitor(aside.place, aside.kind)->setHighHalf(aside.isHighHalf);
+}
+
 // Monitors of devices that are gone are closed, those of other devices in their places made anew, and of
 // those that were named.
 void MonitorArea::followDevices()
@@ -105,10 +128,10 @@ void MonitorArea::followDevices()
         const Place number = monitor->place();
         if (!hasWord(number, monitor->kind()))
             remove(monitor);
-        else if (monitor->channel() != m_bus.channel(number) || monitor->encoder() != m_bus.encoder(number))
+        else if (monitor->channel() != m_buses.channel(number) ||
+                 monitor->encoder() != m_buses.encoder(number))
             openAgain(number);
     }
-    showWhetherEmpty();
 }
 
 void MonitorArea::makeBar()
@@ -126,11 +149,11 @@ void MonitorArea::makeBar()
 void MonitorArea::fillAddMenu()
 {
     m_addMenu->clear();
-    for (const Place number : m_bus.places())
+    for (const Place number : m_buses.places())
         for (const MonitorKind kind : everyKind) {
             if (!hasWord(number, kind))
                 continue;
-            const EncoderSession *encoder = m_bus.encoder(number);
+            const EncoderSession *encoder = m_buses.encoder(number);
             const QString name = encoder ? encoder->device().fullName() : QString();
             m_addMenu->addAction(
                 QStringLiteral("%1  %2  %3").arg(number.toString(), monitorKindText(kind), name).trimmed(),
@@ -142,7 +165,7 @@ void MonitorArea::fillAddMenu()
 
 bool MonitorArea::hasWord(Place number, MonitorKind kind) const
 {
-    const WordChannel *channel = m_bus.channel(number);
+    const WordChannel *channel = m_buses.channel(number);
     if (!channel)
         return false;
     switch (kind) {
@@ -180,13 +203,12 @@ void MonitorArea::openWords(Place number)
 
 QString MonitorArea::whyNot(Place number, MonitorKind kind) const
 {
-    if (number.isOnLine())
-        return tr("%1 is on a serial line and has no words: its position stands in the panels, what passes "
-                  "on "
-                  "the line in the terminal.")
+    const WordChannel *channel = m_buses.channel(number);
+    const EncoderSession *encoder = m_buses.encoder(number);
+    if (channel == nullptr && encoder != nullptr)
+        return tr("%1 has no words: its position stands in the panels, what passes on its bus in the "
+                  "terminal.")
             .arg(number.toString());
-    const WordChannel *channel = m_bus.channel(number);
-    const EncoderSession *encoder = m_bus.encoder(number);
     if (channel && channel->inWords() == 0 && channel->outWords() == 0)
         return tr("%1 has no words to show: it takes no part in the process data.").arg(number.toString());
     if (encoder && channel && channel->outWords() == 0 && kind == MonitorKind::out32)
@@ -198,7 +220,7 @@ QString MonitorArea::whyNot(Place number, MonitorKind kind) const
 
 void MonitorArea::openFirst()
 {
-    for (const Place number : m_bus.places()) {
+    for (const Place number : m_buses.places()) {
         if (!hasWord(number, MonitorKind::in32) || !hasWord(number, MonitorKind::out32))
             continue;
         for (const MonitorKind kind : {MonitorKind::in32, MonitorKind::out32})
@@ -210,12 +232,12 @@ void MonitorArea::openFirst()
 
 WordMonitor *MonitorArea::addMonitor(Place number, MonitorKind kind)
 {
-    WordChannel *channel = m_bus.channel(number);
-    EncoderSession *encoder = m_bus.encoder(number);
+    WordChannel *channel = m_buses.channel(number);
+    EncoderSession *encoder = m_buses.encoder(number);
     auto *monitor =
         new WordMonitor(*channel, encoder, encoder ? &encoder->device() : nullptr, kind, m_scroll->widget());
     monitor->setDisplay(m_displays.value(kind));
-    monitor->showPicture(m_bus.now());
+    monitor->showPicture(m_buses.open(number.bus)->now());
     m_monitors.push_back(monitor);
     m_column->insertWidget(m_column->count() - 1, monitor);
     connect(monitor, &WordMonitor::closeRequested, this, [this, monitor] { remove(monitor); });
@@ -262,10 +284,12 @@ void MonitorArea::setDisplay(MonitorKind kind, const MonitorDisplay &display)
             monitor->setDisplay(display);
 }
 
-void MonitorArea::showPicture()
+void MonitorArea::showPicture(BusId bus)
 {
+    const EncoderBus *shown = m_buses.open(bus);
     for (WordMonitor *monitor : m_monitors)
-        monitor->showPicture(m_bus.now());
+        if (shown != nullptr && monitor->place().bus == bus)
+            monitor->showPicture(shown->now());
 }
 
 void MonitorArea::showWhetherEmpty()
@@ -276,13 +300,17 @@ void MonitorArea::showWhetherEmpty()
 QJsonObject MonitorArea::state() const
 {
     QJsonArray monitors;
-    for (const WordMonitor *monitor : m_monitors) {
-        QJsonObject json{{placeKey, monitor->place().toString()},
-                         {kindKey, monitorKindText(monitor->kind())}};
-        if (monitor->isHighHalf())
+    const auto add = [&](Place place, MonitorKind kind, bool isHighHalf) {
+        QJsonObject json{
+            {placeKey, place.toString()}, {busKey, place.bus.number}, {kindKey, monitorKindText(kind)}};
+        if (isHighHalf)
             json.insert(highHalfKey, true);
         monitors.append(json);
-    }
+    };
+    for (const WordMonitor *monitor : m_monitors)
+        add(monitor->place(), monitor->kind(), monitor->isHighHalf());
+    for (const Aside &aside : m_aside)
+        add(aside.place, aside.kind, aside.isHighHalf);
     QJsonObject displays;
     for (auto it = m_displays.begin(); it != m_displays.end(); ++it)
         displays.insert(monitorKindText(it.key()), it->toJson());
@@ -292,16 +320,18 @@ QJsonObject MonitorArea::state() const
 void MonitorArea::restoreState(const QJsonObject &state)
 {
     closeAll();
+    m_aside.clear();
     const QJsonObject displays = state.value(displayKey).toObject();
     for (const MonitorKind kind : everyKind)
         if (const QJsonValue display = displays.value(monitorKindText(kind)); display.isObject())
             setDisplay(kind, MonitorDisplay::fromJson(display.toObject()));
     for (const QJsonValue json : state.value(monitorsKey).toArray()) {
-        const auto number = Place::parse(json[placeKey].toString());
-        const auto kind = monitorKindFromText(json[kindKey].toString());
-        if (number && kind && hasWord(*number, *kind) && !monitor(*number, *kind))
-            addMonitor(*number, *kind)->setHighHalf(json[highHalfKey].toBool());
+        const Place place{{json[busKey].toInt(firstRing.number)},
+                          NodeId(json[placeKey].toString().toStdString())};
+        if (const auto kind = monitorKindFromText(json[kindKey].toString()))
+            m_aside.push_back({place, *kind, json[highHalfKey].toBool()});
     }
+    bringBack();
 }
 
 } // namespace codewheel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bus/encoder_bus.h"
+#include "bus/buses.h"
 #include "widgets/monitor/monitor_display.h"
 #include "widgets/monitor/monitor_kind.h"
 
@@ -25,7 +25,7 @@ class MonitorArea : public QWidget
     Q_OBJECT
 
 public:
-    explicit MonitorArea(EncoderBus &bus, QWidget *parent = nullptr);
+    explicit MonitorArea(Buses &buses, QWidget *parent = nullptr);
 
     // Opens it at the end, or brings it into view where it is open already; says on the spot why it cannot.
     void openMonitor(Place number, MonitorKind kind);
@@ -40,7 +40,7 @@ public:
 
     // Which monitors are open, and what each kind shows; for the window to keep.
     QJsonObject state() const;
-    // Devices that are not there any more are left out.
+    // Devices that an open bus does not have any more are left out.
     void restoreState(const QJsonObject &state);
 
 private:
@@ -53,10 +53,20 @@ private:
     QString whyNot(Place number, MonitorKind kind) const;
     bool hasWord(Place number, MonitorKind kind) const;
     void setDisplay(MonitorKind kind, const MonitorDisplay &display);
-    void showPicture();
+    void showPicture(BusId bus);
+    void putAside();
+    void bringBack();
     void showWhetherEmpty();
 
-    EncoderBus &m_bus;
+    // Of a bus that is not open: they come back with it.
+    struct Aside
+    {
+        Place place;
+        MonitorKind kind;
+        bool isHighHalf;
+    };
+
+    Buses &m_buses;
     QToolButton *m_add;
     QMenu *m_addMenu;
     InlineMessage *m_message;
@@ -64,6 +74,7 @@ private:
     QScrollArea *m_scroll;
     QVBoxLayout *m_column;
     std::vector<WordMonitor *> m_monitors; // from top to bottom
+    std::vector<Aside> m_aside;
     QMap<MonitorKind, MonitorDisplay> m_displays;
 };
 

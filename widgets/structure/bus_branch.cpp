@@ -7,6 +7,14 @@
 
 namespace codewheel {
 
+QString BusBranch::modeNow() const
+{
+    if (connected == nullptr || !connected->isOpen())
+        return {};
+    return connected->isOperating() ? QCoreApplication::translate("codewheel::BusBranch", "Operate")
+                                    : QCoreApplication::translate("codewheel::BusBranch", "Watch");
+}
+
 std::optional<std::size_t> BusBranch::find(NodeId node) const
 {
     const auto found = std::ranges::find(rows, node, [](const Row &row) { return row.node.node; });

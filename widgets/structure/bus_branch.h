@@ -31,10 +31,12 @@ struct BusBranch
     std::shared_ptr<const BusOutline> planned{}; // null: it is not planned, or connected
     QString title{};
     StateWord state{};
+    QString mode{};                 // Watch or Operate; empty: not connected
     std::vector<Row> rows{};        // in the order of the bus
     std::vector<std::size_t> top{}; // those on the bus itself
 
     const BusOutline &outline() const { return connected ? connected->outline() : *planned; }
+    QString modeNow() const;
     bool isFlat() const { return top.size() == rows.size(); }
     std::optional<std::size_t> find(NodeId node) const;
     const std::vector<std::size_t> &siblings(const Row &row) const;

@@ -114,6 +114,7 @@ std::vector<BusBranch> StructureModel::branches()
     for (BusBranch &branch : all) {
         branch.id = ++m_lastId;
         branch.state = branch.outline().state();
+        branch.mode = branch.modeNow();
         const std::vector<BusNode> nodes = branch.outline().nodes();
         for (std::size_t i = 0; i < nodes.size(); ++i)
             branch.rows.push_back(branch.make(++m_lastId, i, nodes[i], m_project));
@@ -251,9 +252,12 @@ void StructureModel::refresh(BusId bus)
     BusBranch *branch = find(bus);
     if (branch == nullptr)
         return;
-    if (const StateWord state = branch->outline().state(); state != branch->state) {
+    const StateWord state = branch->outline().state();
+    const QString mode = branch->modeNow();
+    if (state != branch->state || mode != branch->mode) {
         branch->state = state;
-        Q_EMIT dataChanged(indexOf(*branch, deviceColumn), indexOf(*branch, stateColumn));
+        branch->mode = mode;
+        Q_EMIT dataChanged(indexOf(*branch, deviceColumn), indexOf(*branch, positionColumn));
     }
     for (std::size_t i = 0; i < branch->rows.size(); ++i)
         refreshRow(*branch, branch->rows[i], branch->outline().state(i));

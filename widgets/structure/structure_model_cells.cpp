@@ -82,6 +82,8 @@ QVariant StructureModel::busCell(const BusBranch &branch, int column, int role)
         return branch.state.word;
     if (column == stateColumn && role == Qt::DecorationRole)
         return stateIcon(branch.state);
+    if (column == positionColumn && role == Qt::DisplayRole)
+        return branch.mode;
     return {};
 }
 

@@ -30,9 +30,9 @@ constexpr int remarkWidth = 25 * grid::unit;
 
 } // namespace
 
-TraceView::TraceView(EncoderBus &bus, QWidget *parent)
+TraceView::TraceView(Buses &buses, QWidget *parent)
     : QWidget(parent)
-    , m_bus(bus)
+    , m_buses(buses)
     , m_pages(new QStackedWidget(this))
     , m_empty(new EmptyState(Icon::trace, {}, {}, this))
     , m_tools(new QToolBar(this))
@@ -60,8 +60,7 @@ TraceView::TraceView(EncoderBus &bus, QWidget *parent)
     layout->setContentsMargins({});
     layout->addWidget(m_pages);
 
-    connect(&bus, &EncoderBus::stateChanged, this, &TraceView::watchEncoders);
-    connect(&bus, &EncoderBus::nodesChanged, this, &TraceView::watchEncoders);
+    connect(&buses, &Buses::changed, this, &TraceView::watchEncoders);
     watchEncoders();
 }
 
@@ -126,8 +125,8 @@ void TraceView::watchEncoders()
     const auto isWatched = [this](const EncoderSession *encoder) {
         return std::ranges::any_of(m_watched, [encoder](const auto &watched) { return watched == encoder; });
     };
-    for (const Place number : m_bus.places())
-        if (EncoderSession *encoder = m_bus.encoder(number); encoder && !isWatched(encoder))
+    for (const Place place : m_buses.places())
+        if (EncoderSession *encoder = m_buses.encoder(place); encoder && !isWatched(encoder))
             watch(*encoder);
 }
 
@@ -155,7 +154,9 @@ void TraceView::watch(EncoderSession &encoder)
                 });
     }
     connect(&encoder, &EncoderSession::exchanged, model.get(),
-            [this, into = model.get()](const Exchange &row) { into->add(row, m_bus.dateTime(row.at)); });
+            [into = model.get(), bus = m_buses.open(encoder.place().bus)](const Exchange &row) {
+                into->add(row, bus->dateTime(row.at));
+            });
 }
 
 void TraceView::setEncoder(EncoderSession *encoder)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bus/encoder_bus.h"
+#include "bus/buses.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -21,13 +21,13 @@ class InlineMessage;
 class TraceModel;
 
 // The handshake trace: one row per change of the words of the selected encoder, as the manuals print it. It
-// collects for all encoders of the bus, also those that are not selected.
+// collects for all encoders, also those that are not selected.
 class TraceView : public QWidget
 {
     Q_OBJECT
 
 public:
-    explicit TraceView(EncoderBus &bus, QWidget *parent = nullptr);
+    explicit TraceView(Buses &buses, QWidget *parent = nullptr);
     ~TraceView() override;
 
     void setEncoder(codewheel::EncoderSession *encoder);
@@ -57,7 +57,7 @@ private:
     void follow();
     void copy();
 
-    EncoderBus &m_bus;
+    Buses &m_buses;
     std::map<Place, std::unique_ptr<TraceModel>> m_models;
     TraceModel *m_shown = nullptr;
     std::vector<QPointer<EncoderSession>> m_watched;

@@ -91,7 +91,7 @@ void FaultPlanBar::refresh()
     }
     for (; m_told && m_toldSteps < progress.next; ++m_toldSteps) {
         const FaultStep &step = m_told->steps[m_toldSteps];
-        Q_EMIT carriedOut({firstRing, step.place}, trainingFaultText(step.fault, step.place, step.value));
+        Q_EMIT carriedOut(step.place, trainingFaultText(step.fault, step.place, step.value));
     }
     m_start->setEnabled(m_loaded.has_value());
     m_stop->setEnabled(progress.isRunning);

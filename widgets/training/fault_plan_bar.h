@@ -29,7 +29,7 @@ public:
     void refresh();
 
 Q_SIGNALS:
-    void carriedOut(codewheel::Place number, const QString &what);
+    void carriedOut(codewheel::NodeId node, const QString &what);
 
 private:
     QPushButton *addButton(const QString &text, const QString &toolTip);

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/training/training_panel.h"
 
-#include "simulator/simulated_line.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/training/fault_plan_bar.h"
-#include "widgets/training/line_encoder_box.h"
-#include "widgets/training/line_faults_box.h"
 #include "widgets/training/ring_faults.h"
 #include "widgets/training/rod_controls.h"
 #include "widgets/training/shaft_controls.h"
@@ -34,9 +31,10 @@ constexpr int trainingPanelHeight = 260; // the rest is scrolled to
 
 } // namespace
 
-TrainingPanel::TrainingPanel(TrainingControls &controls, QWidget *parent)
+TrainingPanel::TrainingPanel(TrainingControls &controls, BusId ring, QWidget *parent)
     : QScrollArea(parent)
     , m_controls(controls)
+    , m_ring(ring)
     , m_content(new QWidget(this))
     , m_device(describe(new QComboBox(m_content), tr("Device to train with"),
                         tr("The simulated device that is moved, switched and disturbed here")))
@@ -65,7 +63,9 @@ TrainingPanel::TrainingPanel(TrainingControls &controls, QWidget *parent)
     connect(m_shaft, &ShaftControls::acted, this, &TrainingPanel::act);
     connect(m_rod, &RodControls::acted, this, &TrainingPanel::act);
     connect(m_ringFaults, &RingFaults::acted, this, &TrainingPanel::act);
-    connect(m_plan, &FaultPlanBar::carriedOut, this, &TrainingPanel::planned);
+    connect(m_plan, &FaultPlanBar::carriedOut, this, [this](NodeId node, const QString &what) {
+        Q_EMIT planned({m_ring, node}, what);
+    });
     choose();
 }
 
@@ -130,54 +130,10 @@ void TrainingPanel::listDevices()
     m_devices.clear();
     m_device->clear();
     for (const TrainingPlace &place : m_controls.places())
-        m_devices.push_back({firstRing, place.number});
-    if (m_line != nullptr) {
-        m_devices.push_back({firstLine, {}});
-        for (const LineAddress address : m_line->addresses())
-            m_devices.push_back(placeOnLine(address));
-    }
+        m_devices.push_back({m_ring, place.number});
     for (const Place number : m_devices)
-        m_device->addItem(number.isEmpty() ? tr("Serial line") : number.toString());
+        m_device->addItem(number.toString());
     m_content->setEnabled(!m_devices.empty());
-}
-
-void TrainingPanel::setLine(SimulatedLine *line)
-{
-    const auto chosen = m_number;
-    if (line != nullptr && m_lineFaults == nullptr)
-        makeLineBoxes();
-    m_line = line;
-    listDevices();
-    m_device->setCurrentIndex(0);
-    if (chosen)
-        setDevice(*chosen);
-    choose();
-}
-
-void TrainingPanel::makeLineBoxes()
-{
-    m_lineFaults = new LineFaultsBox(m_content);
-    m_lineEncoder = new LineEncoderBox(m_content);
-    auto *column = static_cast<QVBoxLayout *>(m_content->layout());
-    column->insertWidget(column->count() - 1, m_lineFaults);
-    column->insertWidget(column->count() - 1, m_lineEncoder);
-    connect(m_lineFaults, &LineFaultsBox::acted, this, &TrainingPanel::act);
-    connect(m_lineEncoder, &LineEncoderBox::acted, this, &TrainingPanel::act);
-}
-
-bool TrainingPanel::isOnLine() const
-{
-    return m_number && m_number->bus == firstLine;
-}
-
-void TrainingPanel::refreshLine()
-{
-    if (m_line == nullptr)
-        return;
-    if (!m_number->isEmpty())
-        m_lineEncoder->showEncoder(*m_line, LineAddress::of(m_number->node));
-    else
-        m_lineFaults->showLine(*m_line);
 }
 
 void TrainingPanel::setDevice(Place number)
@@ -196,17 +152,6 @@ void TrainingPanel::choose()
     const int index = m_device->currentIndex();
     m_number = index < 0 ? std::nullopt : std::optional(m_devices[static_cast<std::size_t>(index)]);
     m_shown.reset();
-    m_plan->setVisible(!isOnLine());
-    m_ringFaults->setVisible(!isOnLine());
-    if (m_lineFaults != nullptr) {
-        m_lineFaults->setVisible(isOnLine() && m_number->isEmpty());
-        m_lineEncoder->setVisible(isOnLine() && !m_number->isEmpty());
-    }
-    if (isOnLine()) {
-        m_shaft->hide();
-        m_rod->hide();
-        hideCommon();
-    }
     refresh();
 }
 
@@ -214,10 +159,6 @@ void TrainingPanel::refresh()
 {
     if (!m_number)
         return;
-    if (isOnLine()) {
-        refreshLine();
-        return;
-    }
     const std::vector<TrainingControls::Shaft> shafts = m_controls.shafts();
     const auto shaft = std::ranges::find(shafts, m_number->node, &TrainingControls::Shaft::number);
     m_shaft->setVisible(shaft != shafts.end());

@@ -19,15 +19,12 @@ class QVBoxLayout;
 namespace codewheel {
 
 class FaultPlanBar;
-class LineEncoderBox;
-class LineFaultsBox;
 class RingFaults;
 class RodControls;
 class ShaftControls;
-class SimulatedLine;
 
-// What a trainer does to the simulated encoders: turn a shaft or move a magnet, switch the power, cause
-// faults; and to the simulated serial line. Of each device only what it has is shown. Used by the training
+// What a trainer does to the simulated encoders of a ring: turn a shaft or move a magnet, switch the power,
+// cause faults. Of each device only what it has is shown. Used by the training
 // dock.
 class TrainingPanel : public QScrollArea
 {
@@ -35,12 +32,9 @@ class TrainingPanel : public QScrollArea
 
 public:
     // The controls outlive the panel.
-    explicit TrainingPanel(TrainingControls &controls, QWidget *parent = nullptr);
+    explicit TrainingPanel(TrainingControls &controls, BusId ring = firstRing, QWidget *parent = nullptr);
 
-    // The simulated serial line, and its encoders, beside the devices of the ring. It outlives the panel, or
-    // is taken away first; null: none.
-    void setLine(SimulatedLine *line);
-    // Chooses this device, if it has anything to train with. Without a node it is the serial line itself.
+    // Chooses this device, if it has anything to train with.
     void setDevice(Place number);
     // Shows how the encoder stands; called by the window with every picture.
     void refresh();
@@ -71,9 +65,6 @@ private:
     void makeTroubles(QVBoxLayout *column);
     QPushButton *addCommand(QVBoxLayout *column, Icon icon, const QString &text, const QString &toolTip);
     void listDevices();
-    void makeLineBoxes();
-    bool isOnLine() const;
-    void refreshLine();
     void choose();
     void showCommon(const Common &common);
     void hideCommon();
@@ -85,8 +76,8 @@ private:
     void act(const QString &what);
 
     TrainingControls &m_controls;
-    SimulatedLine *m_line = nullptr;
-    std::vector<Place> m_devices; // by index of the field; without a node it is the serial line
+    const BusId m_ring;
+    std::vector<Place> m_devices; // by index of the field
     std::optional<Place> m_number;
     std::optional<Common> m_shown; // what the fields say of the encoder
 
@@ -96,8 +87,6 @@ private:
     RodControls *m_rod;
     RingFaults *m_ringFaults;
     FaultPlanBar *m_plan;
-    LineFaultsBox *m_lineFaults = nullptr; // once there was a line
-    LineEncoderBox *m_lineEncoder = nullptr;
     QLabel *m_writesCaption;
     QLabel *m_writes;
     QCheckBox *m_power = nullptr;

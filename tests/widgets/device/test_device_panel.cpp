@@ -24,6 +24,7 @@ class DevicePanelTest : public testing::Test
 protected:
     DevicePanelTest()
     {
+        panel.setRing(&ring.bus);
         panel.resize(320, 600);
         panel.show();
     }
@@ -49,7 +50,7 @@ protected:
     }
 
     test::TrainingBusSession ring;
-    DevicePanel panel{ring.bus};
+    DevicePanel panel{ring.catalog};
 };
 
 TEST_F(DevicePanelTest, WithoutADeviceSaysWhatBelongsHere)

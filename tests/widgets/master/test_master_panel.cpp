@@ -224,7 +224,8 @@ TEST(ASegmentModel, KeepsTheRulesOfModels)
 TEST(TheLedsInTheDevicePanel, HaveNamesAndFollowTheMaster)
 {
     test::TrainingBusSession ring;
-    DevicePanel panel(ring.bus);
+    DevicePanel panel(ring.catalog);
+    panel.setRing(&ring.bus);
     panel.setPlace(fourth);
     auto *leds = panel.findChild<LedRow *>();
     EXPECT_EQ(leds->accessibleName(), QStringLiteral("LEDs: UL on, RC on, BA on, RBDA off"));
@@ -241,7 +242,8 @@ TEST(TheLedsInTheDevicePanel, HaveNamesAndFollowTheMaster)
 TEST(TheLedsInTheDevicePanel, AreNotShownForAnEncoderOnLoop2)
 {
     test::TrainingBusSession ring;
-    DevicePanel panel(ring.bus);
+    DevicePanel panel(ring.catalog);
+    panel.setRing(&ring.bus);
     panel.setPlace(fourth);
     EXPECT_FALSE(panel.findChild<LedRow *>()->isHidden());
     panel.setPlace("6.1"_ring);
@@ -256,7 +258,8 @@ TEST(TheLedsInTheDevicePanel, AreNotShownForAnEncoderOnLoop2)
 TEST(TheLedsInTheDevicePanel, AreShownWhereTheDescriptionHasThem)
 {
     test::TrainingBusSession ring;
-    DevicePanel panel(ring.bus);
+    DevicePanel panel(ring.catalog);
+    panel.setRing(&ring.bus);
     StructureModel model;
     model.addBus(ring.bus);
     for (const Place without : {test::baumer, "5.0"_ring}) {

@@ -53,46 +53,16 @@ TEST(MessageModel, ShowsTimeSeverityPlaceAndText)
         messages.index(0, MessageModel::severityColumn).data(Qt::DecorationRole).value<QIcon>().isNull());
 }
 
-TEST(MessageModel, TakesTheMessagesOfTheBusWithItsTime)
-{
-    test::TrainingBusSession ring;
-    MessageStore store({});
-    MessageModel messages(store);
-    const test::ModelTester tester(messages);
-    messages.setBus(ring.bus);
-    ring.bus.setOperate(false);
-    ring.bus.advance(5);
-    messages.catchUp();
-    ASSERT_EQ(messages.rowCount(), 1);
-    EXPECT_EQ(messages.message(0).code, QStringLiteral("watchOn"));
-    EXPECT_EQ(messages.message(0).at, ring.bus.dateTime(ring.bus.latest().at).toMSecsSinceEpoch() - 4);
-    EXPECT_EQ(shown(messages, 0, MessageModel::placeColumn), QStringLiteral("Bus"));
-}
-
 TEST(MessageModel, StampsWhatHappensNowWithTheTimeOfTheBus)
 {
     test::TrainingBusSession ring;
     MessageStore store({});
     MessageModel messages(store);
-    messages.setBus(ring.bus);
+    messages.setClock(ring.bus);
     ring.bus.advance(90);
     messages.addNow(training("power off", baumer));
     messages.catchUp();
     EXPECT_EQ(messages.message(0).at, ring.bus.dateTime(ring.bus.latest().at).toMSecsSinceEpoch());
-}
-
-TEST(MessageModel, ForgetsTheBusBeforeWhenThereIsAnother)
-{
-    test::TrainingBusSession before;
-    test::TrainingBusSession now;
-    MessageStore store({});
-    MessageModel messages(store);
-    messages.setBus(before.bus);
-    messages.setBus(now.bus);
-    before.bus.setOperate(false);
-    before.bus.advance(5);
-    messages.catchUp();
-    EXPECT_EQ(messages.rowCount(), 0);
 }
 
 TEST(MessageModel, ShowsWhatIsOnDiskFromBefore)

@@ -38,7 +38,7 @@ class MessagesViewTest : public testing::Test
 protected:
     MessagesViewTest()
     {
-        messages.setBus(ring.bus);
+        messages.setClock(ring.bus);
         view.resize(900, 200);
         view.show();
         view.activateWindow();
@@ -96,8 +96,7 @@ TEST_F(MessagesViewTest, SaysWhatBelongsThereAsLongAsThereIsNothing)
 {
     EXPECT_TRUE(view.findChild<EmptyState *>()->isVisible());
     EXPECT_FALSE(table().isVisible());
-    ring.bus.setOperate(false);
-    ring.bus.advance(5);
+    messages.addNow({.severity = Severity::information, .id = MessageId::watchOn});
     messages.catchUp();
     EXPECT_FALSE(view.findChild<EmptyState *>()->isVisible());
     EXPECT_TRUE(table().isVisible());

@@ -40,7 +40,7 @@ protected:
     }
 
     test::TrainingBusSession ring;
-    MonitorArea area{ring.bus};
+    MonitorArea area{ring.buses};
 };
 
 TEST_F(MonitorAreaTest, EmptyItSaysHowToOpenAMonitor)
@@ -152,7 +152,7 @@ TEST_F(MonitorAreaTest, WhatAMonitorShowsIsKeptForItsKind)
     Q_EMIT area.monitor(fraba, MonitorKind::in32)->displayChosen({.gray = false});
     const QJsonObject state = area.state();
 
-    MonitorArea another(ring.bus);
+    MonitorArea another(ring.buses);
     another.restoreState(state);
     EXPECT_EQ(another.state(), state);
     EXPECT_TRUE(another.monitor(fraba, MonitorKind::in16)->isHighHalf());
@@ -172,12 +172,16 @@ TEST_F(MonitorAreaTest, AStateFromAnotherBusOpensWhatIsThere)
     EXPECT_EQ(open(), QStringList{QStringLiteral("2.0 IN 32")});
 }
 
-TEST_F(MonitorAreaTest, MonitorsOfAnEndedConnectionAreClosed)
+TEST_F(MonitorAreaTest, MonitorsGoAndComeBackWithTheirBus)
 {
     area.openMonitor(fraba, MonitorKind::in32);
+    ring.bus.close();
+    EXPECT_TRUE(open().isEmpty());
+    const QJsonObject kept = area.state();
     EXPECT_TRUE(ring.bus.open(BusSession::Start::watching));
     ring.bus.advance(5);
-    EXPECT_TRUE(open().isEmpty());
+    EXPECT_EQ(open(), QStringList{QStringLiteral("1.0 IN 32")});
+    EXPECT_EQ(area.state(), kept);
 }
 
 } // namespace

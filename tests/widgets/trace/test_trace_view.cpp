@@ -66,7 +66,7 @@ protected:
     }
 
     test::TrainingBusSession ring;
-    TraceView view{ring.bus};
+    TraceView view{ring.buses};
     QTableView &table = *view.findChild<QTableView *>();
 };
 

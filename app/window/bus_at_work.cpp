@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/bus_at_work.h"
+
+#include "app/window/project_account.h"
+#include "journal/ledger_keeper.h"
+#include "transfer/last_positions.h"
+
+namespace codewheel {
+
+BusAtWork::BusAtWork(BusId id, Surroundings surroundings, QObject *parent)
+    : QObject(parent)
+    , m_id(id)
+    , m_surroundings(std::move(surroundings))
+{}
+
+BusAtWork::~BusAtWork() = default;
+
+void BusAtWork::tellMessagesOf(EncoderBus &bus)
+{
+    connect(&bus, &EncoderBus::messaged, this,
+            [this, &bus](const Message &message) { Q_EMIT messaged(message, bus.dateTime(message.at)); });
+}
+
+void BusAtWork::keepAccount(EncoderBus &bus, std::unique_ptr<LedgerKeeper> ledger)
+{
+    m_ledger = std::move(ledger);
+    m_positions = std::make_unique<LastPositions>(bus);
+    const auto tell = [this](const Message &message) { Q_EMIT messaged(message, m_surroundings.clock()); };
+    connect(m_ledger.get(), &LedgerKeeper::messaged, this, tell);
+    if (m_ledger->problem())
+        tell(*m_ledger->problem());
+    keepAccountOf(m_surroundings.project, *m_ledger);
+}
+
+void BusAtWork::endAccount()
+{
+    m_ledger.reset();
+    m_positions.reset();
+}
+
+} // namespace codewheel

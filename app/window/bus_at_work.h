@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bus/encoder_bus.h"
+#include "simulator/training_bus.h"
+
+#include <functional>
+#include <memory>
+
+namespace codewheel {
+
+class Catalog;
+class LastPositions;
+class LedgerKeeper;
+class ProjectDocument;
+
+// One bus of the program, connected or not, with what is kept of it: the account of the EEPROM writes of its
+// encoders, and where they stood last. Outlives the window, which is made anew in another language.
+class BusAtWork : public QObject
+{
+    Q_OBJECT
+
+public:
+    using Clock = std::function<QDateTime()>; // what Instant 0 of a bus that is opened now stands for
+
+    // What all buses of the program share. Catalog and project outlive them.
+    struct Surroundings
+    {
+        const Catalog &catalog;
+        ProjectDocument &project;
+        QString dataFolder;   // of the ledger
+        bool byThread = true; // else by hand: simulated buses keep virtual time
+        Clock clock;
+        TrainingBus (*trainingRing)(const Catalog &) = makeTrainingBus;
+    };
+
+    BusAtWork(BusId id, Surroundings surroundings, QObject *parent = nullptr);
+    ~BusAtWork() override;
+
+    BusId id() const { return m_id; }
+    const Catalog &catalog() const { return m_surroundings.catalog; }
+    ProjectDocument &project() const { return m_surroundings.project; }
+    virtual QString kind() const = 0;    // as in projects: "interbus"
+    virtual EncoderBus *bus() const = 0; // null: there is none now
+    bool isOpen() const { return bus() != nullptr && bus()->isOpen(); }
+    const LedgerKeeper *ledger() const { return m_ledger.get(); }        // null: no bus
+    const LastPositions *positions() const { return m_positions.get(); } // null: no bus
+
+Q_SIGNALS:
+    void aboutToChange(); // bus() and its encoders are gone after this
+    void changed();       // bus() is another one, or none
+    void messaged(const codewheel::Message &message, const QDateTime &at);
+
+protected:
+    const Surroundings &surroundings() const { return m_surroundings; }
+    void tellMessagesOf(EncoderBus &bus);
+    // Keeps the account of this bus from now on.
+    void keepAccount(EncoderBus &bus, std::unique_ptr<LedgerKeeper> ledger);
+    void endAccount();
+
+private:
+    const BusId m_id;
+    const Surroundings m_surroundings;
+    std::unique_ptr<LedgerKeeper> m_ledger;
+    std::unique_ptr<LastPositions> m_positions;
+};
+
+} // namespace codewheel

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/bus_views.h"
+
+#include "app/window/line_views.h"
+#include "app/window/ring_at_work.h"
+#include "app/window/ring_views.h"
+#include "app/window/serial_line.h"
+
+namespace codewheel {
+
+BusViews *makeBusViews(BusAtWork &bus, const WindowParts &parts, QObject *parent)
+{
+    if (auto *ring = qobject_cast<RingAtWork *>(&bus))
+        return new RingViews(*ring, parts, parent);
+    if (auto *line = qobject_cast<SerialLine *>(&bus))
+        return new LineViews(*line, parts, parent);
+    return nullptr;
+}
+
+} // namespace codewheel

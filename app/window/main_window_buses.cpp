@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The buses in the window: each has views of its own kind, and one of them is the chosen one.
+#include "app/window/bus_views.h"
+#include "app/window/device_choice.h"
+#include "app/window/main_window.h"
+#include "app/window/plant.h"
+#include "app/window/status_line.h"
+#include "bus/buses.h"
+#include "widgets/structure/structure_view.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+namespace codewheel {
+
+void MainWindow::connectBuses()
+{
+    connect(m_plant, &Plant::added, this, &MainWindow::addBus);
+    connect(m_plant, &Plant::aboutToRemove, this, &MainWindow::removeBus);
+    for (BusAtWork *bus : m_plant->buses())
+        addBus(bus);
+    connect(m_structure, &StructureView::busChosen, this, &MainWindow::chooseBus);
+    connect(m_structure, &StructureView::busOpened, this, [this](BusId bus) {
+        if (BusViews *views = viewsOf(bus))
+            views->open();
+    });
+    connect(m_structure, &StructureView::busMenuRequested, this, [this](BusId bus, const QPoint &position) {
+        const BusViews *views = viewsOf(bus);
+        if (QMenu *menu = views != nullptr ? views->menu() : nullptr)
+            menu->popup(position);
+    });
+}
+
+void MainWindow::addBus(BusAtWork *bus)
+{
+    auto *rows = static_cast<QVBoxLayout *>(centralWidget()->layout());
+    BusViews *views = makeBusViews(
+        *bus, {m_settings, *m_leaving, m_actions, *m_pages, *rows, *m_notice, *m_status, *m_device}, this);
+    if (views == nullptr)
+        return;
+    m_views[bus->id()] = views;
+    for (const BusViews::Panel &panel : views->panels())
+        kindDock(panel.dock)->addWidget(panel.widget);
+    connect(views, &BusViews::told, this, &MainWindow::tell);
+    connect(views, &BusViews::panelRequested, this, [this, bus](const char *dock) {
+        chooseBus(bus->id());
+        showDock(dock);
+    });
+    connect(views, &BusViews::encoderChanged, this, [this] { m_actions.showChosen(m_choice->encoder()); });
+    connect(
+        views, &BusViews::devicesChanged, this, [this] { m_choice->keep(m_choice->place()); },
+        Qt::QueuedConnection); // when all views have the new ones
+    connect(views, &BusViews::startRequested, m_actions.start, &QAction::trigger);
+    connect(views, &BusViews::stopRequested, m_actions.stop, &QAction::trigger);
+    connect(bus, &BusAtWork::aboutToChange, this, [this, bus] { leaveBus(*bus); });
+    connect(bus, &BusAtWork::changed, this, [this, bus] { takeBus(*bus); });
+    takeBus(*bus);
+    if (!m_currentOf.contains(bus->kind()))
+        setCurrent(*bus);
+}
+
+void MainWindow::removeBus(BusAtWork *bus)
+{
+    leaveBus(*bus);
+    bus->disconnect(this);
+    const BusId id = bus->id();
+    delete m_views[id];
+    m_views.erase(id);
+    if (m_currentOf.value(bus->kind()) == id)
+        m_currentOf.remove(bus->kind());
+    for (BusAtWork *other : m_plant->buses())
+        if (other != bus && other->kind() == bus->kind() && !m_currentOf.contains(bus->kind()))
+            setCurrent(*other);
+    if (m_chosenBus == id)
+        chooseBus(firstRing);
+}
+
+// It is there, connected or not; whatever it was before has been left.
+void MainWindow::takeBus(BusAtWork &bus)
+{
+    if (EncoderBus *its = bus.bus()) {
+        m_buses->add(*its);
+        connect(its, &EncoderBus::stateChanged, this, [this, &bus] { showWhetherOpen(bus); });
+    }
+    showWhetherOpen(bus);
+    showBusState();
+}
+
+void MainWindow::leaveBus(BusAtWork &bus)
+{
+    const auto chosen = m_choice->place();
+    m_structure->removeBus(bus.id());
+    m_shown.erase(bus.id());
+    if (EncoderBus *its = bus.bus()) {
+        its->disconnect(this);
+        m_buses->remove(its);
+    }
+    if (chosen)
+        m_choice->choose(chosen);
+}
+
+void MainWindow::showWhetherOpen(BusAtWork &bus)
+{
+    if (bus.isOpen() == m_shown.contains(bus.id()))
+        return;
+    const auto chosen = m_choice->place();
+    if (bus.isOpen()) {
+        m_shown.insert(bus.id());
+        m_structure->addBus(*bus.bus());
+        m_choice->keep(chosen);
+    } else {
+        m_shown.erase(bus.id());
+        m_structure->removeBus(bus.id());
+        m_choice->choose(chosen);
+    }
+}
+
+// The actions of its kind, and the status line, mean this bus from now on.
+void MainWindow::setCurrent(BusAtWork &bus)
+{
+    if (const auto before = m_currentOf.constFind(bus.kind()); before != m_currentOf.constEnd()) {
+        if (*before == bus.id())
+            return;
+        if (BusViews *its = viewsOf(*before))
+            its->setCurrent(false);
+    }
+    m_currentOf[bus.kind()] = bus.id();
+    viewsOf(bus.id())->setCurrent(true);
+}
+
+void MainWindow::chooseBus(BusId bus)
+{
+    BusAtWork *its = m_plant->find(bus);
+    if (its == nullptr || viewsOf(bus) == nullptr)
+        return;
+    m_chosenBus = bus;
+    for (const BusViews::Panel &panel : viewsOf(bus)->panels())
+        kindDock(panel.dock)->setCurrentWidget(panel.widget);
+    setCurrent(*its);
+    showBusState();
+}
+
+EncoderBus *MainWindow::chosenBus() const
+{
+    const BusAtWork *bus = m_plant != nullptr ? m_plant->find(m_chosenBus) : nullptr;
+    return bus != nullptr ? bus->bus() : nullptr;
+}
+
+BusViews *MainWindow::viewsOf(BusId bus) const
+{
+    const auto found = m_views.find(bus);
+    return found == m_views.end() ? nullptr : found->second;
+}
+
+QStackedWidget *MainWindow::kindDock(const char *name) const
+{
+    return findChild<QDockWidget *>(QLatin1String(name))
+        ->findChild<QStackedWidget *>(QLatin1String(kindPages));
+}
+
+// So that some rows are seen; whoever has more room for it keeps that.
+void MainWindow::makeRoomFor(QDockWidget &dock)
+{
+    const int wanted = height() / 3;
+    if (!dock.isFloating() && dockWidgetArea(&dock) == Qt::BottomDockWidgetArea && dock.height() < wanted)
+        resizeDocks({&dock}, {wanted}, Qt::Vertical);
+}
+
+} // namespace codewheel

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/plant.h"
+
+#include "app/window/ring_at_work.h"
+#include "app/window/serial_line.h"
+#include "project/line_plan.h"
+#include "project/ring_plan.h"
+#include "widgets/project/project_document.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+// The list of kinds: each bus as the program works with it. Null: the program has no link for it.
+std::unique_ptr<BusAtWork> makeBus(const QString &kind, BusId id, const BusAtWork::Surroundings &surroundings)
+{
+    if (kind == QLatin1String(interbusKind))
+        return std::make_unique<RingAtWork>(id, surroundings);
+    if (kind == QLatin1String(escKind))
+        return std::make_unique<SerialLine>(id, surroundings);
+    return nullptr;
+}
+
+} // namespace
+
+Plant::Plant(BusAtWork::Surroundings surroundings, QObject *parent)
+    : QObject(parent)
+    , m_surroundings(std::move(surroundings))
+{
+    add(makeBus(QString::fromLatin1(interbusKind), firstRing, m_surroundings));
+    add(makeBus(QString::fromLatin1(escKind), firstLine, m_surroundings));
+    connect(&m_surroundings.project, &ProjectDocument::changed, this, &Plant::followProject);
+    followProject();
+}
+
+Plant::~Plant() = default;
+
+std::vector<BusAtWork *> Plant::buses() const
+{
+    std::vector<BusAtWork *> all;
+    for (const auto &bus : m_buses)
+        all.push_back(bus.get());
+    return all;
+}
+
+BusAtWork *Plant::find(BusId bus) const
+{
+    const auto found = std::ranges::find(m_buses, bus, [](const auto &its) { return its->id(); });
+    return found == m_buses.end() ? nullptr : found->get();
+}
+
+RingAtWork *Plant::ring() const
+{
+    return qobject_cast<RingAtWork *>(find(firstRing));
+}
+
+SerialLine *Plant::line() const
+{
+    return qobject_cast<SerialLine *>(find(firstLine));
+}
+
+void Plant::openTraining()
+{
+    if (RingAtWork *first = ring())
+        if (!first->open()) // a simulated link always opens
+            Q_UNREACHABLE();
+    if (SerialLine *first = line())
+        first->openTraining();
+}
+
+void Plant::start()
+{
+    for (const auto &bus : m_buses)
+        if (auto *ring = qobject_cast<RingAtWork *>(bus.get()); ring != nullptr && ring->isOpen())
+            ring->start();
+}
+
+void Plant::add(std::unique_ptr<BusAtWork> bus)
+{
+    if (!bus)
+        return;
+    connect(bus.get(), &BusAtWork::messaged, this, &Plant::messaged);
+    BusAtWork *its = bus.get();
+    const auto behind =
+        std::ranges::upper_bound(m_buses, its->id(), {}, [](const auto &other) { return other->id(); });
+    m_buses.insert(behind, std::move(bus));
+    Q_EMIT added(its);
+}
+
+// A number means one bus: the project's, where it plans another kind. The training buses are always there.
+bool Plant::isNeeded(const BusAtWork &bus) const
+{
+    if (const PlannedBus *planned = findBus(m_surroundings.project.project(), bus.id()))
+        return planned->kind == bus.kind();
+    return bus.isOpen() || bus.id() == firstRing || bus.id() == firstLine;
+}
+
+void Plant::removeUnneeded()
+{
+    for (BusAtWork *bus : buses())
+        if (!isNeeded(*bus)) {
+            Q_EMIT aboutToRemove(bus);
+            std::erase_if(m_buses, [bus](const auto &its) { return its.get() == bus; });
+        }
+}
+
+void Plant::followProject()
+{
+    removeUnneeded();
+    for (const PlannedBus &planned : m_surroundings.project.project().buses)
+        if (find(planned.id) == nullptr)
+            add(makeBus(planned.kind, planned.id, m_surroundings));
+}
+
+} // namespace codewheel

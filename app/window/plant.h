@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/window/bus_at_work.h"
+
+#include <vector>
+
+namespace codewheel {
+
+class RingAtWork;
+class SerialLine;
+
+// The buses of the program: the training ring and the training line, and those that the project plans. A bus
+// that is open stays when the project does not plan it any more, until it is closed.
+class Plant : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit Plant(BusAtWork::Surroundings surroundings, QObject *parent = nullptr);
+    ~Plant() override;
+
+    const Catalog &catalog() const { return m_surroundings.catalog; }
+    std::vector<BusAtWork *> buses() const; // by number
+    BusAtWork *find(BusId bus) const;       // null: there is none
+    // The first ones; null where the project plans another kind of bus with their number.
+    RingAtWork *ring() const;
+    SerialLine *line() const;
+
+    // Connects the training ring and the training line, which begin in Operate.
+    void openTraining();
+    // By threads of their own from now on, unless they are driven by hand.
+    void start();
+
+Q_SIGNALS:
+    void added(codewheel::BusAtWork *bus);
+    void aboutToRemove(codewheel::BusAtWork *bus);
+    void messaged(const codewheel::Message &message, const QDateTime &at);
+
+private:
+    void followProject();
+    bool isNeeded(const BusAtWork &bus) const;
+    void add(std::unique_ptr<BusAtWork> bus);
+    void removeUnneeded();
+
+    const BusAtWork::Surroundings m_surroundings;
+    std::vector<std::unique_ptr<BusAtWork>> m_buses;
+};
+
+} // namespace codewheel

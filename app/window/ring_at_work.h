@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/training_session.h"
+#include "app/window/bus_at_work.h"
+
+namespace codewheel {
+
+// A ring of the program: a training ring, which is the same at each start.
+class RingAtWork final : public BusAtWork
+{
+    Q_OBJECT
+
+public:
+    RingAtWork(BusId id, Surroundings surroundings, QObject *parent = nullptr);
+    ~RingAtWork() override;
+
+    QString kind() const override;
+    BusSession *bus() const override { return m_training.bus.get(); }
+    TrainingControls &controls() const { return *m_training.controls; }
+
+    // Connects it, in Operate: sessions and channels of a connection before are gone after this. What the
+    // plan of the training ring knows of its encoders is told to them the first time.
+    Result<void> open();
+    // Cycles by a thread of its own from now on, unless it is driven by hand.
+    void start();
+
+private:
+    TrainingSession m_training;
+    bool m_wasOpen = false;
+};
+
+} // namespace codewheel
