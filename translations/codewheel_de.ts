@@ -1909,6 +1909,10 @@
         <source>EEPROM writes cannot be entered in %1: %2 They are kept in %3, and entered when the program can open it again.</source>
         <translation>EEPROM-Schreibvorgänge können nicht in %1 eingetragen werden: %2 Sie stehen in %3 und werden nachgetragen, sobald das Programm die Datei wieder öffnen kann.</translation>
     </message>
+    <message>
+        <source>The link to the ring is back. The bus is in Watch.</source>
+        <translation>Die Verbindung zum Ring ist wieder da. Der Bus steht auf Beobachten.</translation>
+    </message>
 </context>
 <context>
     <name>Parameter</name>
@@ -3397,6 +3401,10 @@
     <message>
         <source>planned</source>
         <translation>geplant</translation>
+    </message>
+    <message>
+        <source>connecting</source>
+        <translation>wird verbunden</translation>
     </message>
 </context>
 <context>
@@ -11848,6 +11856,10 @@ Zustand: %7</translation>
     <message>
         <source>LEDs: %1</source>
         <translation>LEDs: %1</translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation>Verbindung verloren</translation>
     </message>
 </context>
 <context>

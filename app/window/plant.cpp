@@ -63,7 +63,7 @@ SerialLine *Plant::line() const
 void Plant::openTraining()
 {
     if (RingAtWork *first = ring())
-        if (!first->open()) // a simulated link always opens
+        if (!first->open({})) // a simulated link always opens
             Q_UNREACHABLE();
     if (SerialLine *first = line())
         first->openTraining();

@@ -19,6 +19,7 @@ RingAtWork::RingAtWork(BusId id, Surroundings its, QObject *parent)
           makeTrainingSession(catalog(), surroundings().clock(), surroundings().trainingRing(catalog()), id))
 {
     tellMessagesOf(*bus());
+    connect(bus(), &BusSession::nodesChanged, this, &RingAtWork::tellPlan);
     keepAccount(*bus(),
                 std::make_unique<LedgerKeeper>(*bus(), ledgerPlace(*bus(), surroundings().dataFolder)));
 }
@@ -33,12 +34,21 @@ QString RingAtWork::kind() const
     return QString::fromLatin1(interbusKind);
 }
 
-Result<void> RingAtWork::open()
+std::optional<Pacing> RingAtWork::pacing() const
 {
-    auto opened = bus()->open(BusSession::Start::operating);
-    if (opened && !std::exchange(m_wasOpen, true))
+    return surroundings().byThread ? std::optional(Pacing{.period = busPeriod}) : std::nullopt;
+}
+
+Result<void> RingAtWork::open(std::optional<Pacing> pacing)
+{
+    return bus()->open(BusSession::Start::operating, std::move(pacing));
+}
+
+// What the plan of the training ring knows of its encoders, the first time.
+void RingAtWork::tellPlan()
+{
+    if (bus()->isOpen() && !std::exchange(m_planIsTold, true))
         tellTrainingPlan(*bus());
-    return opened;
 }
 
 void RingAtWork::start()

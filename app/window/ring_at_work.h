@@ -19,15 +19,18 @@ public:
     BusSession *bus() const override { return m_training.bus.get(); }
     TrainingControls &controls() const { return *m_training.controls; }
 
-    // Connects it, in Operate: sessions and channels of a connection before are gone after this. What the
-    // plan of the training ring knows of its encoders is told to them the first time.
-    Result<void> open();
-    // Cycles by a thread of its own from now on, unless it is driven by hand.
+    // How its thread goes about it; nothing: it is driven by hand.
+    std::optional<Pacing> pacing() const;
+    // Connects it, in Operate, as BusSession::open().
+    Result<void> open(std::optional<Pacing> pacing);
+    // By a thread of its own from now on, unless it is driven by hand.
     void start();
 
 private:
+    void tellPlan();
+
     TrainingSession m_training;
-    bool m_wasOpen = false;
+    bool m_planIsTold = false;
 };
 
 } // namespace codewheel

@@ -39,6 +39,8 @@ RingConnection::RingConnection(RingAtWork &ring, ProjectDocument &project, Leavi
     onAction(actions.disconnectBus, &RingConnection::disconnectRing);
     onAction(actions.readIn, &RingConnection::readIn);
     onAction(actions.confirmDiagnostics, &RingConnection::confirmDiagnostics);
+    connect(&m_bus, &BusSession::openRefused, this,
+            [this](const Refusal &why) { m_notice.showMessage(Role::fault, refusalText(why)); });
     connect(&m_bus, &BusSession::stateChanged, this, [this] {
         showActions();
         if (m_bus.isOperating() && std::exchange(m_isRefused, false))
@@ -75,37 +77,41 @@ void RingConnection::showActions()
     if (!m_isCurrent)
         return;
     const bool isOnline = m_bus.isOpen();
-    m_actions.connectBus->setEnabled(!isOnline);
-    m_actions.disconnectBus->setEnabled(isOnline);
+    m_actions.connectBus->setEnabled(m_bus.state() == BusState::closed);
+    m_actions.disconnectBus->setEnabled(m_bus.state() != BusState::closed);
     m_actions.readIn->setEnabled(isOnline && m_bus.master() != nullptr && !m_bus.isReadingIn());
 }
 
+// The training bus alone begins in Operate.
 void RingConnection::connectRing()
 {
-    if (m_bus.isOpen())
+    if (m_bus.state() != BusState::closed)
         return;
-    const auto opened = m_ring.open();
-    if (!opened) {
-        m_notice.showMessage(Role::fault, refusalText(opened.error()));
-        return;
-    }
+    connect(&m_bus, &BusSession::nodesChanged, this, &RingConnection::ringConnected,
+            static_cast<Qt::ConnectionType>(Qt::SingleShotConnection | Qt::UniqueConnection));
+    (void)m_ring.open(m_ring.pacing()); // a refusal is told by the bus
+}
+
+void RingConnection::ringConnected()
+{
     m_notice.withdraw();
     tellAgain();
-    m_ring.start();
     showActions();
-    Q_EMIT onlineChanged();
     tellComparison();
 }
 
 void RingConnection::disconnectRing()
 {
+    if (!m_bus.isOpen()) { // it is opening
+        m_bus.close();
+        return;
+    }
     m_leaving.ask(Leaving::Why::disconnect, {&m_bus}, [this] {
         rememberTold();
         m_bus.close();
         m_notice.withdraw();
         showActions();
         Q_EMIT told({.severity = Severity::information, .id = MessageId::disconnected});
-        Q_EMIT onlineChanged();
     });
 }
 

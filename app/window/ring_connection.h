@@ -38,11 +38,11 @@ public:
     void tellComparison();
 
 Q_SIGNALS:
-    void onlineChanged();
     void ringChanged(); // another one was read in
     void told(const codewheel::Message &message);
 
 private:
+    void ringConnected();
     void rememberTold();
     void tellAgain();
     void showActions();

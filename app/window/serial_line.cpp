@@ -13,6 +13,7 @@
 #include <QFileInfo>
 
 #include <chrono>
+#include <thread>
 
 namespace codewheel {
 namespace {
@@ -38,6 +39,19 @@ EscSettings escSettingsOf(const LineWish &wish)
     settings.topSpeed = wish.topSpeed;
     settings.fractionBits = wish.fractionBits;
     return settings;
+}
+
+// A port keeps real time. Opening one of this computer is a matter of milliseconds.
+Result<void> openByThread(LineSession &session, const LineWish &wish)
+{
+    Result<void> opened;
+    QObject waiting;
+    QObject::connect(&session, &LineSession::openRefused, &waiting,
+                     [&opened](const Refusal &why) { opened = tl::unexpected(why); });
+    (void)session.open(wish.line, wish.timing, LineSession::Start::watching, LineSession::Drive::byThread);
+    for (; session.state() == BusState::opening; std::this_thread::yield())
+        session.pump();
+    return opened;
 }
 
 } // namespace
@@ -141,9 +155,7 @@ Result<void> SerialLine::open(const LinePlan &line)
     if (holds(*there))
         close();
     auto session = makeSession(std::move(link), wish);
-    auto opened = session->open(wish.line, wish.timing, LineSession::Start::watching,
-                                LineSession::Drive::byThread); // a port keeps real time
-    if (!opened)
+    if (auto opened = openByThread(*session, wish); !opened)
         return opened;
     for (const ProjectDevice &encoder : devicesOn(project().project(), id()))
         (void)session->add(LineAddress::of(encoder.place().node), encoder.participant.deviceKey);

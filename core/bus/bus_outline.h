@@ -60,6 +60,7 @@ public:
 protected:
     // Of what is planned, and not connected.
     static StateWord offline() { return {Role::inactive, tr("offline")}; }
+    static StateWord connecting() { return {Role::attention, tr("connecting")}; }
     static StateWord planned() { return {Role::inactive, tr("planned")}; }
 };
 

@@ -13,6 +13,20 @@ EncoderBus::EncoderBus(BusId id, QDateTime begin, QObject *parent)
     , m_wallTime(std::move(begin))
 {}
 
+void EncoderBus::linkRefused(const Refusal &why)
+{
+    Q_EMIT messaged({.at = now(), .severity = Severity::fault, .refusal = why});
+    tellState();
+    Q_EMIT openRefused(why);
+}
+
+void EncoderBus::tellState(bool isOther)
+{
+    const State now{state(), isRunning(), isOperating()};
+    if (std::exchange(m_told, now) != now || isOther)
+        Q_EMIT stateChanged();
+}
+
 void EncoderBus::takeSleep(const Slept &slept, Instant at)
 {
     m_wallTime.slept(slept.duration, at);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/bus_state.h"
 #include "bus/wall_time.h"
 #include "encoder/encoder_session.h"
 #include "encoder/message.h"
@@ -19,6 +20,12 @@ class EncoderBus : public QObject
     Q_OBJECT
 
 public:
+    enum class Start { watching, operating };
+    enum class Drive {
+        byThread, // of its own, which also opens and closes the link
+        byHand,   // advance()
+    };
+
     // `begin` is the date and time that Instant 0 of the bus stands for.
     EncoderBus(BusId id, QDateTime begin, QObject *parent = nullptr);
 
@@ -34,8 +41,9 @@ public:
     WordChannel *channel(NodeId node) const { return channelAt(node); }
     WordChannel *channel(Place place) const { return place.bus == m_id ? channelAt(place.node) : nullptr; }
 
-    virtual bool isOpen() const = 0;      // connected
-    virtual bool isSimulated() const = 0; // the encoders are
+    virtual BusState state() const = 0;
+    bool isOpen() const { return state() == BusState::open || state() == BusState::lost; } // connected
+    virtual bool isSimulated() const = 0;                                                  // the encoders are
     virtual bool isRunning() const = 0; // RUN; of a serial line: the port is there, and positions are polled
     virtual bool isOperating() const = 0; // writing is allowed
 
@@ -46,7 +54,7 @@ public:
     virtual void pump() = 0;
     // Driven by hand: works so long on the bus's clock, and pumps afterwards.
     virtual void advance(Instant duration) = 0;
-    // Leaves the bus. Jobs end as stopped; the sessions stay to be looked at.
+    // Leaves the bus, or ends opening it. Jobs end as stopped; the sessions stay to be looked at.
     virtual void close() = 0;
 
     virtual void setRunning(bool on) = 0; // RUN or stopped; of a serial line: polled or not
@@ -56,14 +64,17 @@ public:
     virtual void alarmStop() = 0;
 
 Q_SIGNALS:
-    void updated();      // a new snapshot; at most once per pump
-    void stateChanged(); // connected or not, running or stopped, Watch or Operate
+    void updated();                                  // a new snapshot; at most once per pump
+    void openRefused(const codewheel::Refusal &why); // told by a message too
+    void stateChanged();                             // connected or not, running or stopped, Watch or Operate
     void nodesChanged(); // other devices, or an encoder has another session than before
     // An encoder has another place now: encoder() finds it by that one.
     void moved(codewheel::Place from, codewheel::Place to);
     void messaged(const codewheel::Message &message);
 
 protected:
+    void linkRefused(const Refusal &why); // it is closed: it is told
+    void tellState(bool isOther = false); // stateChanged(), if it is another; `isOther`: for more reasons
     // The jobs have ended, and the bus is in Watch: the times are right again, and it is told.
     void takeSleep(const Slept &slept, Instant at);
 
@@ -71,7 +82,17 @@ private:
     virtual EncoderSession *encoderAt(NodeId node) const = 0;
     virtual WordChannel *channelAt(NodeId node) const;
 
+    struct State
+    {
+        BusState bus = BusState::closed;
+        bool isRunning = false;
+        bool isOperating = false;
+
+        friend bool operator==(const State &, const State &) = default;
+    };
+
     BusId m_id;
+    State m_told;
     WallTime m_wallTime;
 };
 

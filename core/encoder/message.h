@@ -78,6 +78,7 @@ enum class MessageId : std::uint8_t {
     lineClosed,         // port
     portLost,           // port
     portBack,           // port
+    linkBack,           // of a ring
     lowLatencyRefused,  // port
     encoderSilent,      // tries without an answer
     encoderAnswers,     //

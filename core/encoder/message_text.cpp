@@ -171,6 +171,8 @@ constexpr std::array messageRows{
                           "The serial port %1 is gone: the adapter was unplugged or has lost its supply.")},
     MessageRow{MessageId::portBack, "portBack",
                QT_TRANSLATE_NOOP("Message", "The adapter is back: the serial line %1 is open again.")},
+    MessageRow{MessageId::linkBack, "linkBack",
+               QT_TRANSLATE_NOOP("Message", "The link to the ring is back. The bus is in Watch.")},
     MessageRow{
         MessageId::lowLatencyRefused, "lowLatencyRefused",
         QT_TRANSLATE_NOOP(

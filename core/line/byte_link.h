@@ -53,7 +53,8 @@ public:
     virtual QString name() const = 0;
     // Whether what answers is none of this world, and new with each start.
     virtual bool isSimulated() const { return false; }
-    // Ends the read or wait under way, or else the next one, early and empty. Any thread.
+    // Ends the read or wait under way, or else the next one, early and empty; opening, where it blocks, with
+    // a refusal of kind `stopped`. Any thread.
     virtual void interrupt() = 0;
 };
 

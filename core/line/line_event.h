@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/bus_work.h"
 #include "bus/wall_time.h"
 #include "encoder/event.h"
 #include "encoder/message.h"
@@ -33,7 +34,8 @@ struct TypedAnswered
 struct LineEvent
 {
     std::size_t device = 0; // of an Event; meaningless for the rest
-    std::variant<Event, Message, esc::LineRow, ScanProgress, ScanEnded, TypedAnswered, Slept> what;
+    std::variant<Event, Message, esc::LineRow, ScanProgress, ScanEnded, TypedAnswered, Slept, LinkOpened>
+        what;
     Instant at{};
 
     bool isRow() const { return std::holds_alternative<esc::LineRow>(what); } // of the terminal

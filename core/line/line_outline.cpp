@@ -78,6 +78,8 @@ QString LineOutline::toolTip() const
 
 StateWord LineOutline::state() const
 {
+    if (m_line.state() == BusState::opening)
+        return connecting();
     if (!m_line.isOpen())
         return {Role::inactive, tr("not connected")};
     const LineSnapshot &line = m_line.latest();

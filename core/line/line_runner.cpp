@@ -12,11 +12,12 @@ constexpr Instant withoutLowLatency = std::chrono::milliseconds(18);
 } // namespace
 
 LineRunner::Private::Private(ByteLink &usedLink, const LineSettings &lineSettings,
-                             const esc::Timing &lineTiming)
+                             const esc::Timing &lineTiming, Mail &usedMail)
     : link(usedLink)
     , settings(lineSettings)
     , timing(lineTiming)
     , baudRate(lineSettings.baudRate)
+    , mail(usedMail)
 {}
 
 void LineRunner::Private::step(Instant until)
@@ -233,15 +234,22 @@ void LineRunner::Private::publish()
 }
 
 LineRunner::LineRunner(ByteLink &link, const LineSettings &settings, const esc::Timing &timing)
-    : d(std::make_unique<Private>(link, settings, timing))
+    : d(std::make_unique<Private>(link, settings, timing, m_mail))
 {}
 
 LineRunner::~LineRunner() = default;
 
-void LineRunner::run(Instant until)
+Result<void> LineRunner::open(const std::stop_token &stop)
 {
-    if (!std::exchange(d->isBegun, true))
+    auto opened = openUnlessStopped(stop, [this] { return d->link.open(d->settings); });
+    d->tellEvent(LinkOpened{opened});
+    if (opened)
         d->takeLowLatency();
+    return opened;
+}
+
+void LineRunner::turn(Instant until)
+{
     while (d->link.now() < until) {
         if (d->state.connected)
             d->step(until);
@@ -262,7 +270,7 @@ void LineRunner::slept(std::chrono::milliseconds duration)
     d->publish();
 }
 
-void LineRunner::finish()
+void LineRunner::close()
 {
     d->carryOutCommands();
     d->endScan(true);
@@ -270,22 +278,23 @@ void LineRunner::finish()
     d->tearOff();
     d->dropTyped();
     d->publish();
+    d->link.close();
+}
+
+Instant LineRunner::now() const
+{
+    return d->link.now();
+}
+
+void LineRunner::interrupt()
+{
+    d->link.interrupt();
 }
 
 void LineRunner::post(LineCommand command)
 {
-    d->mail.post(std::move(command));
-    d->link.interrupt();
-}
-
-std::vector<LineEvent> LineRunner::takeEvents()
-{
-    return d->mail.takeEvents();
-}
-
-std::shared_ptr<const LineSnapshot> LineRunner::takeLatest()
-{
-    return d->mail.takeLatest();
+    BusRunner::post(std::move(command));
+    interrupt();
 }
 
 } // namespace codewheel

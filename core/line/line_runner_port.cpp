@@ -21,6 +21,7 @@ void LineRunner::Private::portIsGone(const Refusal &why)
     else
         tell({.severity = Severity::fault, .refusal = why});
     stopJobs(why);
+    state.operate = false;
     tearOff();
     dropTyped();
     endScan(true);
@@ -68,6 +69,7 @@ void LineRunner::Private::tryToReopen()
     baudRate = settings.baudRate;
     state.connected = true;
     state.otherAdapter = false;
+    state.operate = false;
     tell({.id = MessageId::portBack, .arguments = {link.name()}});
     takeLowLatency();
     publish();
@@ -92,7 +94,6 @@ void LineRunner::Private::takeLowLatency()
         tell({.severity = Severity::attention,
               .id = MessageId::lowLatencyRefused,
               .arguments = {link.name()}});
-    publish();
 }
 
 } // namespace codewheel

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bus/bus_mail.h"
 #include "line/line_runner.h"
 
 #include <deque>
@@ -30,7 +29,7 @@ struct LineRunner::Private
         esc::Exchange exchange;
     };
 
-    Private(ByteLink &link, const LineSettings &settings, const esc::Timing &timing);
+    Private(ByteLink &link, const LineSettings &settings, const esc::Timing &timing, Mail &mail);
 
     // line_runner_commands.cpp
     void carryOutCommands();
@@ -110,9 +109,8 @@ struct LineRunner::Private
     Instant awakeSince{};
     Instant reopenAt{};
     std::optional<Refusal> notBack; // as it was told
-    bool isBegun = false;
     bool latencyTold = false;
-    BusMail<LineCommand, LineEvent, LineSnapshot> mail;
+    Mail &mail;
 };
 
 } // namespace codewheel

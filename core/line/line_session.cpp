@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line/line_session.h"
 
+#include "bus/bus_engine.h"
 #include "catalog/catalog.h"
 #include "drivers/esc_fraction_bits.h"
 #include "line/line_encoder_session.h"
 #include "line/line_outline.h"
 #include "line/line_runner.h"
-#include "line/line_thread.h"
-
-#include <QScopedValueRollback>
 
 #include <algorithm>
-#include <deque>
+#include <utility>
 
 namespace codewheel {
 
 struct LineSession::Private
 {
+    Private(LineSession &line, std::unique_ptr<ByteLink> usedLink, const Catalog &usedCatalog,
+            DriverFactory factory)
+        : outline(line)
+        , link(std::move(usedLink))
+        , catalog(usedCatalog)
+        , makeDriver(std::move(factory))
+        , engine(line)
+    {}
+
     struct Encoder
     {
         // A copy, so that a driver may keep it whatever becomes of the catalog.
@@ -24,9 +31,7 @@ struct LineSession::Private
         std::unique_ptr<LineEncoderSession> session; // null: removed
     };
 
-    Result<void> begin(Drive drive, const esc::Timing &timing, SleepWatch::Slept slept);
-    Freshness::Circumstances circumstances() const;
-    void end();
+    const LineSnapshot &latest() const { return *engine.latest(); }
     Encoder *find(NodeId node)
     {
         const auto found = std::ranges::find_if(encoders, [node](const Encoder &encoder) {
@@ -43,149 +48,88 @@ struct LineSession::Private
     std::unique_ptr<ByteLink> link;
     const Catalog &catalog;
     DriverFactory makeDriver;
-    LineSettings settings{};
+    LineSettings settings;
     int fractionBits = EscSettings{}.fractionBits;
-    std::vector<Encoder> encoders{}; // by the runner's places
-    std::unique_ptr<LineRunner> runner{};
-    std::unique_ptr<LineThread> thread{};
-    std::shared_ptr<const LineSnapshot> latest = std::make_shared<LineSnapshot>();
-    bool latestIsNew = false;
-    std::deque<LineEvent> events{};
-    bool pumping = false;
+    std::vector<Encoder> encoders; // by the runner's places
+    Start start = Start::watching;
+    LineState told;
+    BusEngine<LineRunner, LineSession> engine; // ends before what its drivers use
 };
 
 LineSession::LineSession(std::unique_ptr<ByteLink> link, const Catalog &catalog, QDateTime begin,
                          DriverFactory makeDriver, QObject *parent, BusId id)
     : EncoderBus(id, std::move(begin), parent)
-    , d(std::make_unique<Private>(
-          Private{LineOutline(*this), std::move(link), catalog, std::move(makeDriver)}))
+    , d(std::make_unique<Private>(*this, std::move(link), catalog, std::move(makeDriver)))
 {}
 
-LineSession::~LineSession()
-{
-    if (d->runner)
-        d->end();
-}
-
-// Who drives the line opens and closes the link.
-Result<void> LineSession::Private::begin(Drive drive, const esc::Timing &timing, SleepWatch::Slept slept)
-{
-    runner = std::make_unique<LineRunner>(*link, settings, timing);
-    if (drive == Drive::byThread)
-        thread = std::make_unique<LineThread>(*runner, *link, settings, std::move(slept));
-    auto opened = thread ? thread->opened() : link->open(settings);
-    if (!opened) {
-        thread.reset();
-        runner.reset();
-    }
-    return opened;
-}
-
-Freshness::Circumstances LineSession::Private::circumstances() const
-{
-    return {.isConnected = runner != nullptr,
-            .isLinkThere = latest->connected,
-            .isRunning = latest->polling,
-            .awakeSince = latest->awakeSince,
-            .now = latest->at};
-}
-
-void LineSession::Private::end()
-{
-    if (thread) {
-        thread.reset();
-        return;
-    }
-    runner->finish();
-    link->close();
-}
+LineSession::~LineSession() = default;
 
 Result<void> LineSession::open(const LineSettings &settings, const esc::Timing &timing, Start start,
                                Drive drive, SleepWatch::Slept slept)
 {
     close();
     d->settings = settings;
-    if (auto opened = d->begin(drive, timing, std::move(slept)); !opened)
-        return opened;
+    d->start = start;
     d->encoders.clear();
-    post(line_command::SetPolling{true});
+    std::optional<Pacing> pacing;
+    if (drive == Drive::byThread)
+        pacing.emplace(Pacing{.slept = std::move(slept)});
+    auto runner = std::make_unique<LineRunner>(*d->link, settings, timing);
+    runner->post(line_command::SetPolling{true});
     if (start == Start::operating)
-        post(line_command::SetOperate{true});
+        runner->post(line_command::SetOperate{true});
+    return d->engine.open(std::move(runner), std::move(pacing));
+}
 
-    // As it will be when the thread has carried this out.
+// As it will be when the thread has carried out what was posted.
+void LineSession::linkOpened()
+{
     auto expected = std::make_shared<LineSnapshot>();
     static_cast<LineState &>(*expected) = {.connected = true,
                                            .lowLatency = d->link->lowLatency(),
                                            .polling = true,
-                                           .operate = start == Start::operating};
-    d->latest = std::move(expected);
-    Q_EMIT messaged({.at = d->latest->at,
+                                           .operate = d->start == Start::operating};
+    d->engine.setLatest(std::move(expected));
+    Q_EMIT messaged({.at = now(),
                      .id = MessageId::lineOpened,
-                     .arguments = {d->link->name(), QString::number(settings.baudRate)}});
-    Q_EMIT stateChanged();
+                     .arguments = {d->link->name(), QString::number(d->settings.baudRate)}});
+    showLatest();
     Q_EMIT nodesChanged();
-    return {};
 }
 
 void LineSession::close()
 {
-    if (!d->runner)
+    const bool wasOpen = isOpen();
+    if (!d->engine.close())
         return;
-    d->end();
-    pump();
-    d->runner.reset();
-
-    auto closed = std::make_shared<LineSnapshot>(*d->latest);
+    auto closed = std::make_shared<LineSnapshot>(d->latest());
     static_cast<LineState &>(*closed) = {};
-    d->latest = std::move(closed);
+    d->engine.setLatest(std::move(closed));
+    if (wasOpen)
+        Q_EMIT messaged({.at = now(), .id = MessageId::lineClosed, .arguments = {d->link->name()}});
     showLatest();
-    Q_EMIT messaged({.at = d->latest->at, .id = MessageId::lineClosed, .arguments = {d->link->name()}});
-    Q_EMIT stateChanged();
 }
 
 void LineSession::advance(Instant duration)
 {
-    if (!d->runner || d->thread)
-        return;
-    d->runner->run(d->link->now() + duration);
-    pump();
+    d->engine.advance(duration, duration);
 }
 
-// A handler may pump again, start a job or close: what comes of it is told in turn by the outer call.
 void LineSession::pump()
 {
-    if (!d->runner)
-        return;
-    for (LineEvent &event : d->runner->takeEvents())
-        d->events.push_back(std::move(event));
-    if (auto newest = d->runner->takeLatest()) {
-        d->latestIsNew = true;
-        const auto before = std::exchange(d->latest, std::move(newest));
-        const LineState &stateBefore = *before;
-        if (stateBefore != *d->latest)
-            Q_EMIT stateChanged();
-    }
-    if (d->pumping)
-        return;
-    const QScopedValueRollback pumping(d->pumping, true);
-    while (d->latestIsNew || !d->events.empty()) {
-        const bool isNew = std::exchange(d->latestIsNew, false);
-        if (isNew)
-            showLatest();
-        while (!d->events.empty()) {
-            const LineEvent event = std::move(d->events.front());
-            d->events.pop_front();
-            dispatch(event);
-        }
-        if (isNew)
-            Q_EMIT updated();
-    }
+    d->engine.pump();
 }
 
 void LineSession::showLatest()
 {
-    const auto shown = d->latest;
-    const Freshness::Circumstances circumstances = d->circumstances();
+    const auto shown = d->engine.latest();
+    const LineState &state = *shown;
+    tellState(std::exchange(d->told, state) != state);
+    const Freshness::Circumstances circumstances{.isConnected = isOpen(),
+                                                 .isLinkThere = shown->connected,
+                                                 .isRunning = shown->polling,
+                                                 .awakeSince = shown->awakeSince,
+                                                 .now = shown->at};
     const std::size_t count = std::min(shown->devices.size(), d->encoders.size());
     for (std::size_t i = 0; i < count; ++i) {
         LineEncoderSession *session = d->encoders[i].session.get();
@@ -215,8 +159,8 @@ void LineSession::dispatch(const LineEvent &event)
         Q_EMIT scanProgressed(*progress);
     } else if (const auto *ended = std::get_if<ScanEnded>(&event.what)) {
         Q_EMIT scanEnded(*ended);
-    } else {
-        Q_EMIT typedAnswered(std::get<TypedAnswered>(event.what));
+    } else if (const auto *answered = std::get_if<TypedAnswered>(&event.what)) {
+        Q_EMIT typedAnswered(*answered);
     }
 }
 
@@ -230,7 +174,7 @@ void LineSession::dispatch(const Message &message)
 Result<void> LineSession::add(LineAddress address, const QString &deviceKey)
 {
     const Place place = placeOf(address.node());
-    if (!d->runner)
+    if (!d->engine.isBegun())
         return refuse(RefusalKind::link, RefusalId::lineClosed);
     if (!address.isDevice() && !address.isMaster())
         return refuse(RefusalKind::badInput, RefusalId::lineAddressWrong, {address.onWire()});
@@ -297,18 +241,18 @@ const LineSnapshot::Device *LineSession::shown(Place place) const
     if (!encoder)
         return nullptr;
     const std::size_t index = d->indexOf(*encoder);
-    return index < d->latest->devices.size() ? &d->latest->devices[index] : nullptr;
+    return index < d->latest().devices.size() ? &d->latest().devices[index] : nullptr;
 }
 
 void LineSession::post(LineCommand command)
 {
-    if (d->runner)
-        d->runner->post(std::move(command));
+    d->engine.post(std::move(command));
 }
 
-bool LineSession::isOpen() const
+BusState LineSession::state() const
 {
-    return d->runner != nullptr;
+    const bool isLost = d->engine.state() == BusState::open && !d->latest().connected;
+    return isLost ? BusState::lost : d->engine.state();
 }
 
 bool LineSession::isSimulated() const
@@ -328,22 +272,22 @@ const LineSettings &LineSession::settings() const
 
 const LineSnapshot &LineSession::latest() const
 {
-    return *d->latest;
+    return d->latest();
 }
 
 bool LineSession::isOperating() const
 {
-    return d->latest->operate;
+    return d->latest().operate;
 }
 
 bool LineSession::isPolling() const
 {
-    return d->latest->polling;
+    return d->latest().polling;
 }
 
 bool LineSession::isRunning() const
 {
-    return d->latest->connected && d->latest->polling;
+    return d->latest().connected && d->latest().polling;
 }
 
 void LineSession::takeOtherAdapter()
@@ -430,7 +374,7 @@ void LineSession::cancelScan()
 // A write is accounted for before it is sent. At the master address it is carried out by whoever is there.
 void LineSession::send(const esc::Request &request)
 {
-    if (d->runner && esc::shapeOf(request.command).writes)
+    if (isOpen() && esc::shapeOf(request.command).writes)
         Q_EMIT writeAboutToBeSent(request);
     post(line_command::Send{request});
 }

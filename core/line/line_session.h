@@ -26,12 +26,6 @@ class LineSession final : public EncoderBus
     Q_OBJECT
 
 public:
-    enum class Start { watching, operating };
-    enum class Drive {
-        byThread, // of its own, which also opens and closes the link
-        byHand,   // advance()
-    };
-
     // Null for a device that cannot be driven; the description outlives the driver.
     using DriverFactory =
         std::function<std::unique_ptr<RequestDriver>(const DeviceDescription &, LineAddress)>;
@@ -42,7 +36,8 @@ public:
                 DriverFactory makeDriver, QObject *parent = nullptr, BusId id = firstLine);
     ~LineSession() override;
 
-    // Opens the line; it is polled from then on. Encoders and sessions of a connection before end.
+    // Opens the line; it is polled from then on. Encoders and sessions of a connection before end; those that
+    // are added while its thread is opening it are asked once it is open.
     Result<void> open(const LineSettings &settings, const esc::Timing &timing, Start start, Drive drive,
                       SleepWatch::Slept slept = SleepWatch::ofThisComputer);
     void close() override;
@@ -50,7 +45,7 @@ public:
     void advance(Instant duration) override;
     void pump() override;
 
-    bool isOpen() const override;
+    BusState state() const override;
     bool isSimulated() const override;
     QString linkName() const;
     const LineSettings &settings() const;
@@ -111,10 +106,13 @@ Q_SIGNALS:
 
 private:
     friend class LineEncoderSession;
+    template <class Runner, class Session>
+    friend class BusEngine;
     EncoderSession *encoderAt(NodeId node) const override;
     void post(LineCommand command);
     void dispatch(const LineEvent &event);
     void dispatch(const Message &message);
+    void linkOpened();
     void showLatest();
 
     struct Private;

@@ -3,11 +3,14 @@
 #include "ring/bus_session_private.h"
 #include "ring/send_permission.h"
 
-#include <QScopedValueRollback>
-
 #include <algorithm>
 
 namespace codewheel {
+namespace {
+
+constexpr Instant cycleByHand = std::chrono::milliseconds(1);
+
+} // namespace
 
 // Without a plan, or with a key that no description has, the make is not known.
 const DeviceDescription *BusSession::Private::describe(const Participant &participant) const
@@ -16,9 +19,8 @@ const DeviceDescription *BusSession::Private::describe(const Participant &partic
     return named ? named : catalog.generic(participant.deviceCode);
 }
 
-RingRunner::Drivers BusSession::Private::makeDevices(BusSession &bus)
+command::UseRing BusSession::Private::makeDevices(BusSession &bus, const RingFound &found)
 {
-    events.clear();
     {
         // Who is told that one of them ends finds none any more.
         const auto endedSessions = std::exchange(sessions, {});
@@ -26,19 +28,17 @@ RingRunner::Drivers BusSession::Private::makeDevices(BusSession &bus)
     }
     retired.clear();
     retiredChannels.clear();
-    otherRing.reset();
-    readingIn = false;
-    crcHistory.clear();
     descriptions.clear();
-    RingRunner::Drivers drivers(structure.size());
+    structure = found.structure;
     sessions.resize(structure.size());
     renamings.assign(structure.size(), 0);
+    command::UseRing use{structure, found.out, {}};
     for (std::size_t i = 0; i < structure.size(); ++i) {
         const Participant &participant = structure[i];
         channels.push_back(makeChannel(bus, participant));
-        drivers[i] = makeSession(bus, i, describe(participant));
+        use.drivers.push_back({makeSession(bus, i, describe(participant)), {}});
     }
-    return drivers;
+    return use;
 }
 
 std::unique_ptr<WordChannel> BusSession::Private::makeChannel(BusSession &bus, const Participant &participant)
@@ -62,35 +62,6 @@ std::unique_ptr<CyclicDriver> BusSession::Private::makeSession(BusSession &bus, 
     return driver;
 }
 
-Freshness::Circumstances BusSession::Private::circumstances(std::size_t place) const
-{
-    return {.isConnected = runner != nullptr,
-            .isRunning = latest->state == MasterState::run,
-            .isInRing = latest->devices[place].inRing,
-            .awakeSince = latest->awakeSince,
-            .now = latest->at};
-}
-
-void BusSession::Private::fetch()
-{
-    for (RingEvent &event : runner->takeEvents()) {
-        if (isStale(event.device) && std::holds_alternative<Event>(event.what)) {
-            keepEepromWrites(event);
-            continue;
-        }
-        if (const auto *written = std::get_if<WordWritten>(&event.what))
-            channels[event.device]->wasWritten(written->word, event.at);
-        else if (std::holds_alternative<DriverTaken>(event.what))
-            --renamings[event.device];
-        else
-            events.push_back(std::move(event));
-    }
-    if (auto newest = runner->takeLatest()) {
-        latest = std::move(newest);
-        latestIsNew = true;
-    }
-}
-
 // Of what was told by the driver from before the device was named.
 void BusSession::Private::keepEepromWrites(const RingEvent &event)
 {
@@ -98,8 +69,8 @@ void BusSession::Private::keepEepromWrites(const RingEvent &event)
     const auto *change = told ? std::get_if<KnowledgeChanged>(told) : nullptr;
     if (change == nullptr || change->eepromWrites == 0)
         return;
-    events.push_back(event);
-    events.back().what =
+    engine.waiting().push_back(event);
+    engine.waiting().back().what =
         Event(KnowledgeChanged{.known = {}, .noLongerKnown = {}, .eepromWrites = change->eepromWrites});
 }
 
@@ -115,137 +86,104 @@ BusSession::BusSession(std::unique_ptr<ProcessDataLink> link, const Catalog &cat
     , d(std::make_unique<Private>(*this, std::move(link), catalog, std::move(makeDriver)))
 {}
 
-BusSession::~BusSession()
-{
-    d->thread.reset();
-    if (d->runner)
-        d->link->close();
-}
+BusSession::~BusSession() = default;
 
-Result<void> BusSession::open(Start start)
+Result<void> BusSession::open(Start start, std::optional<Pacing> pacing)
 {
     close();
-    auto structure = d->link->open();
-    if (!structure)
-        return tl::unexpected(structure.error());
-    auto out = d->link->readBackOut();
-    if (!out) {
-        d->link->close();
-        return tl::unexpected(out.error());
-    }
-    d->structure = std::move(*structure);
-    d->runner = std::make_unique<RingRunner>(*d->link, d->structure, d->makeDevices(*this), *out);
-    post(command::AskKeptConfiguration{.onConnecting = true});
-    post(command::StartBus{});
-    if (start == Start::operating)
-        post(command::SetOperate{true});
-
-    // As it will be when the first cycle has carried this out.
-    auto expected = std::make_shared<Snapshot>();
-    expected->at = d->latest->at;
-    expected->state = MasterState::run;
-    expected->operate = start == Start::operating;
-    for (const Word word : *out)
-        expected->devices.push_back({.out = word, .reading = {}});
-    if (const MasterLink *master = d->link->master())
-        expected->master = std::make_shared<const MasterStatus>(master->status());
-    d->latest = std::move(expected);
-    showLatest();
-    Q_EMIT nodesChanged();
-    return {};
+    d->start = start;
+    d->generation = 0;
+    d->readingIn = false;
+    d->crcHistory.clear();
+    return d->engine.open(std::make_unique<RingRunner>(*d->link), std::move(pacing));
 }
 
 void BusSession::close()
 {
-    if (!d->runner)
+    if (!d->engine.close())
         return;
-    d->thread.reset();
-    pump();
-    post(command::StopBus{});
-    d->runner->cycle(d->latest->at);
-    pump();
-    d->link->close();
-    d->runner.reset();
-
-    auto closed = std::make_shared<Snapshot>(*d->latest);
+    auto closed = std::make_shared<Snapshot>(d->latest());
     closed->state = MasterState::ready;
     closed->operate = false;
-    d->latest = std::move(closed);
+    d->engine.setLatest(std::move(closed));
     showLatest();
 }
 
 void BusSession::startThread(std::chrono::nanoseconds period, SleepWatch::Slept slept)
 {
-    if (d->runner && !d->thread)
-        d->thread =
-            std::make_unique<PacedThread>(*d->runner, *d->link, period, d->latest->at, std::move(slept));
+    d->engine.startThread({period, std::move(slept)});
 }
 
 void BusSession::advance(int cycles)
 {
-    if (!d->runner || d->thread)
-        return;
-    Instant now = d->latest->at;
-    for (int i = 0; i < cycles; ++i)
-        d->runner->cycle(now += std::chrono::milliseconds(1));
-    pump();
+    advance(cycles * cycleByHand);
 }
 
 void BusSession::advance(Instant duration)
 {
-    advance(static_cast<int>(duration / std::chrono::milliseconds(1)));
+    d->endRetired();
+    d->engine.advance(duration, cycleByHand);
 }
 
-// A handler may pump again, start a job or close: what comes of it is told in turn by the outer call.
 void BusSession::pump()
 {
-    if (!d->runner)
-        return;
-    d->fetch();
-    if (d->pumping)
-        return;
-    d->retired.clear();
-    d->retiredChannels.clear();
-    const QScopedValueRollback pumping(d->pumping, true);
-    while (d->latestIsNew || !d->events.empty()) {
-        const bool isNew = std::exchange(d->latestIsNew, false);
-        if (isNew)
-            showLatest();
-        dispatchAll();
-        if (isNew)
-            Q_EMIT updated();
-        if (d->otherRing && d->runner)
-            useOtherRing();
-    }
+    d->endRetired();
+    d->engine.pump();
 }
 
-void BusSession::dispatchAll()
+void BusSession::Private::endRetired()
 {
-    while (!d->events.empty()) {
-        const RingEvent event = std::move(d->events.front());
-        d->events.pop_front();
-        dispatch(event);
+    if (engine.isPumping())
+        return;
+    retired.clear();
+    retiredChannels.clear();
+}
+
+// What shows already in the next picture.
+bool BusSession::takeAtOnce(const RingEvent &event)
+{
+    const bool isOfRing = event.generation == d->generation;
+    if (const auto *written = std::get_if<WordWritten>(&event.what)) {
+        if (isOfRing)
+            d->channels[event.device]->wasWritten(written->word, event.at);
+        return true;
     }
+    if (std::holds_alternative<DriverTaken>(event.what)) {
+        if (isOfRing)
+            --d->renamings[event.device];
+        return true;
+    }
+    if (!isOfRing || !std::holds_alternative<Event>(event.what) || !d->isStale(event.device))
+        return false;
+    d->keepEepromWrites(event);
+    return true;
+}
+
+bool BusSession::isOfNow(const Snapshot &snapshot) const
+{
+    return snapshot.generation == d->generation && d->generation > 0;
 }
 
 void BusSession::showLatest()
 {
-    const auto shown = d->latest;
+    const auto shown = d->engine.latest();
     if (shown->master)
         d->crcHistory.note(*shown->master, shown->at);
     for (std::size_t i = 0; i < shown->devices.size(); ++i)
         showDevice(i);
-    const bool stateIsOther = std::exchange(d->toldState, shown->state) != shown->state;
-    const bool operateIsOther = std::exchange(d->toldOperate, shown->operate) != shown->operate;
-    if (stateIsOther || operateIsOther)
-        Q_EMIT stateChanged();
+    tellState(std::exchange(d->toldState, shown->state) != shown->state);
 }
 
 void BusSession::showDevice(std::size_t place)
 {
-    const auto shown = d->latest;
+    const auto shown = d->engine.latest();
     const Snapshot::Device &device = shown->devices[place];
-    const Freshness::Circumstances circumstances = d->circumstances(place);
+    const Freshness::Circumstances circumstances{.isConnected = isOpen(),
+                                                 .isLinkThere = shown->connected,
+                                                 .isRunning = isRunning(),
+                                                 .isInRing = device.inRing,
+                                                 .awakeSince = shown->awakeSince,
+                                                 .now = shown->at};
     const auto seen = shown->cycle > 0 ? std::optional(device.reading.at) : std::nullopt;
     d->channels[place]->show({device.in, device.out, device.inEdges, device.outEdges, device.heldByJob},
                              {seen, circumstances}, shown->at);
@@ -253,38 +191,44 @@ void BusSession::showDevice(std::size_t place)
         d->sessions[place]->show(device.reading, circumstances);
 }
 
+// Of a ring before, the end of each job was told already.
 void BusSession::dispatch(const RingEvent &event)
 {
-    RingEncoderSession *session = d->sessions.empty() ? nullptr : d->sessions[event.device].get();
+    const bool isOfRing = event.generation == d->generation && event.device < d->sessions.size();
+    RingEncoderSession *session = isOfRing ? d->sessions[event.device].get() : nullptr;
     if (const auto *row = std::get_if<Exchange>(&event.what)) {
         if (session)
             Q_EMIT session->exchanged(*row);
-        return;
-    }
-    if (const auto *ofDriver = std::get_if<Event>(&event.what)) {
+    } else if (const auto *ofDriver = std::get_if<Event>(&event.what)) {
         if (session)
             session->take(*ofDriver, event.at);
-        return;
-    }
-    if (const auto *ofMaster = std::get_if<MasterEvent>(&event.what)) {
+    } else if (const auto *ofMaster = std::get_if<MasterEvent>(&event.what)) {
         takeOfMaster(*ofMaster);
-        return;
-    }
-    if (const auto *slept = std::get_if<Slept>(&event.what)) {
+    } else if (const auto *slept = std::get_if<Slept>(&event.what)) {
         takeSleep(*slept, event.at);
-        return;
+    } else if (const auto *found = std::get_if<RingFound>(&event.what)) {
+        if (isOpen() && d->generation > 0)
+            useOtherRing(*found);
+        else if (isOpen())
+            useFirstRing(*found);
+    } else if (const auto *message = std::get_if<Message>(&event.what)) {
+        dispatch(*message, isOfRing ? std::optional(event.device) : std::nullopt);
     }
-    auto message = std::get<Message>(event.what);
+}
+
+void BusSession::dispatch(Message message, std::optional<std::size_t> device)
+{
     if (message.place)
         message.place->bus = id();
+    RingEncoderSession *session = device ? d->sessions[*device].get() : nullptr;
     const bool isFault = session && message.id == MessageId::deviceFault;
     if (isFault)
         message.refusal = session->nameOf(message);
     Q_EMIT messaged(message);
     if (isFault)
         session->takeFault(message);
-    else if (message.place && message.refusal)
-        Q_EMIT d->channels[event.device]->refused(*message.refusal);
+    else if (device && message.place && message.refusal)
+        Q_EMIT d->channels[*device]->refused(*message.refusal);
 }
 
 // At the place of a channel may be another by now.
@@ -298,7 +242,7 @@ Result<void> BusSession::write(const WordChannel &channel, Word word)
         return refuse(RefusalKind::notSupported, RefusalId::sendingNotSupported,
                       {participant.number.toString()});
     const auto &session = d->sessions[device];
-    if (auto allowed = maySend(*d->latest, device, participant.number, RefusalId::wordHeldByJob); !allowed)
+    if (auto allowed = maySend(d->latest(), device, participant.number, RefusalId::wordHeldByJob); !allowed)
         return allowed;
     if (session && session->runningJob()) // started, and not shown by a snapshot yet
         return refuse(RefusalKind::busy, RefusalId::wordHeldByJob, {participant.number.toString()});
@@ -322,7 +266,7 @@ Result<void> BusSession::canBe(Place place, const DeviceDescription &device) con
 Result<void> BusSession::name(Place place, const QString &deviceKey, int turns, int stepsPerTurn)
 {
     const std::size_t i = d->indexOf(place.node);
-    if (!d->runner || i >= d->structure.size())
+    if (!isOpen() || i >= d->structure.size())
         return refuse(RefusalKind::busy, RefusalId::notRunning, {place.toString()});
     Participant &participant = d->structure[i];
     const DeviceDescription *wanted = d->catalog.find(deviceKey);
@@ -346,16 +290,15 @@ Result<void> BusSession::name(Place place, const QString &deviceKey, int turns, 
     if (d->sessions[i])
         d->sessions[i]->countEepromWrites(writes);
     ++d->renamings[i];
-    for (const RingEvent &event : std::exchange(d->events, {}))
+    for (const RingEvent &event : std::exchange(d->engine.waiting(), {}))
         if (event.device == i && std::holds_alternative<Event>(event.what))
             d->keepEepromWrites(event);
         else
-            d->events.push_back(event);
+            d->engine.waiting().push_back(event);
     post(command::SetDriver{i, std::move(driver), described ? described->fullName() : place.toString()});
     Q_EMIT named(place);
     Q_EMIT nodesChanged();
-    if (!d->pumping)
-        d->retired.clear();
+    d->endRetired();
     return {};
 }
 
@@ -366,8 +309,7 @@ const Catalog &BusSession::catalog() const
 
 void BusSession::post(Command command)
 {
-    if (d->runner)
-        d->runner->post(std::move(command));
+    d->engine.post(std::move(command));
 }
 
 const BusOutline &BusSession::outline() const
@@ -375,9 +317,10 @@ const BusOutline &BusSession::outline() const
     return d->outline;
 }
 
-bool BusSession::isOpen() const
+BusState BusSession::state() const
 {
-    return d->runner != nullptr;
+    const bool isLost = d->engine.state() == BusState::open && d->generation > 0 && !d->latest().connected;
+    return isLost ? BusState::lost : d->engine.state();
 }
 
 bool BusSession::isSimulated() const
@@ -412,17 +355,17 @@ WordChannel *BusSession::channelAt(NodeId node) const
 
 const Snapshot &BusSession::latest() const
 {
-    return *d->latest;
+    return d->latest();
 }
 
 bool BusSession::isOperating() const
 {
-    return d->latest->operate;
+    return d->latest().operate;
 }
 
 bool BusSession::isRunning() const
 {
-    return d->latest->state == MasterState::run;
+    return d->latest().state == MasterState::run;
 }
 
 void BusSession::setRunning(bool on)

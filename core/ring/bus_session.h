@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/bus_thread.h"
 #include "bus/encoder_bus.h"
 #include "drivers/cyclic_driver.h"
-#include "encoder/sleep_watch.h"
 #include "ring/command.h"
 #include "ring/master_link.h"
 #include "ring/participant.h"
@@ -13,21 +13,24 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace codewheel {
 
 class Catalog;
 class CrcHistory;
+
 // A connected ring as the window and the command line see it: owns link, runner, thread, encoder sessions and
 // word channels. All of it lives in the caller's thread; the bus thread is hidden behind pump().
+//
+// A link that is lost is tried again each second. Once it is back the bus is in Watch; a ring that is another
+// by then is taken over: structureChanged.
 class BusSession final : public EncoderBus
 {
     Q_OBJECT
 
 public:
-    enum class Start { watching, operating };
-
     // Null for a device that cannot be driven; the description outlives the driver.
     using DriverFactory = std::function<std::unique_ptr<CyclicDriver>(const DeviceDescription &)>;
 
@@ -37,20 +40,21 @@ public:
                QObject *parent = nullptr, DriverFactory makeDriver = {}, BusId id = firstRing);
     ~BusSession() override;
 
-    // Connects, finds the participants, makes sessions and channels; the bus is in RUN afterwards, and its
-    // first cycle comes with startThread() or advance(). Sends nothing. Ends sessions and channels of a
-    // connection before.
-    Result<void> open(Start start);
+    // Connects, finds the participants, makes sessions and channels; the bus is in RUN afterwards. Sends
+    // nothing. Ends sessions and channels of a connection before. With a pacing a thread does it, and the
+    // bus is `opening` until pump() tells the end; without one it is done at once, and the first cycle comes
+    // with startThread() or advance().
+    Result<void> open(Start start, std::optional<Pacing> pacing = {});
     void close() override;
 
     // Cycles by a thread of its own, on absolute deadlines ...
     void startThread(std::chrono::nanoseconds period, SleepWatch::Slept slept = SleepWatch::ofThisComputer);
-    // ... or by hand in virtual time: each cycle is 1 ms later than the one before. Pumps afterwards.
+    // ... or by hand: each cycle is 1 ms later than the one before. Pumps afterwards.
     void advance(int cycles);
     void advance(Instant duration) override;
     void pump() override;
 
-    bool isOpen() const override;
+    BusState state() const override;
     bool isSimulated() const override;
     const RingStructure &structure() const;
     const BusOutline &outline() const override;
@@ -104,17 +108,24 @@ Q_SIGNALS:
 
 private:
     friend class RingEncoderSession;
+    template <class Runner, class Session>
+    friend class BusEngine;
     EncoderSession *encoderAt(NodeId node) const override;
     WordChannel *channelAt(NodeId node) const override; // null: no such device
     Result<void> write(const WordChannel &channel, Word word);
     void showDevice(std::size_t place);
     void post(Command command);
+    void linkOpened() {} // the ring is told next
+    bool takeAtOnce(const RingEvent &event);
+    bool isOfNow(const Snapshot &snapshot) const;
     void showLatest();
-    void dispatchAll();
     void dispatch(const RingEvent &event);
+    void dispatch(Message message, std::optional<std::size_t> device);
     void takeOfMaster(const MasterEvent &event);
-    void useOtherRing();
-    void showNewRing(const Snapshot &before, const std::vector<Word> &out);
+    void useFirstRing(const RingFound &found);
+    void useOtherRing(const RingFound &found);
+    void endJobsOfBefore();
+    void showNewRing(const RingFound &found, const RingState &state);
 
     struct Private;
     std::unique_ptr<Private> d;

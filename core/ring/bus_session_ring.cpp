@@ -2,6 +2,8 @@
 #include "ring/bus_session_private.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace codewheel {
 namespace {
@@ -17,27 +19,26 @@ bool isSameDevice(const Participant &before, const Participant &found)
 } // namespace
 
 // What is unchanged keeps its driver, session and channel; only its place may be another.
-RingRunner::Drivers BusSession::Private::takeOver(BusSession &bus, RingStructure found,
-                                                  RingRunner::Drivers drivers)
+command::UseRing BusSession::Private::takeOver(BusSession &bus, const RingFound &found)
 {
-    const RingStructure before = std::exchange(structure, std::move(found));
+    const RingStructure before = std::exchange(structure, found.structure);
     auto sessionsBefore = std::exchange(sessions, {});
     auto channelsBefore = std::exchange(channels, {});
-    RingRunner::Drivers taken(structure.size());
     sessions.resize(structure.size());
     renamings.assign(structure.size(), 0);
+    command::UseRing use{{}, found.out, {}};
     for (std::size_t i = 0; i < structure.size(); ++i) {
         Participant &participant = structure[i];
         const auto same = std::ranges::find_if(
             before, [&](const Participant &other) { return isSameDevice(other, participant); });
         if (same == before.end()) {
             channels.push_back(makeChannel(bus, participant));
-            taken[i] = makeSession(bus, i, describe(participant));
+            use.drivers.push_back({makeSession(bus, i, describe(participant)), {}});
             continue;
         }
         const auto j = static_cast<std::size_t>(same - before.begin());
         participant.deviceKey = same->deviceKey;
-        taken[i] = std::move(drivers[j]);
+        use.drivers.push_back({nullptr, j});
         channels.push_back(std::move(channelsBefore[j]));
         sessions[i] = std::move(sessionsBefore[j]);
         if (sessions[i])
@@ -45,7 +46,8 @@ RingRunner::Drivers BusSession::Private::takeOver(BusSession &bus, RingStructure
     }
     std::ranges::move(sessionsBefore, std::back_inserter(retired));
     std::ranges::move(channelsBefore, std::back_inserter(retiredChannels));
-    return taken;
+    use.structure = structure;
+    return use;
 }
 
 void BusSession::takeOfMaster(const MasterEvent &event)
@@ -55,72 +57,70 @@ void BusSession::takeOfMaster(const MasterEvent &event)
     } else if (const auto *kept = std::get_if<KeptConfigurationTold>(&event)) {
         Q_EMIT keptConfigurationTold(kept->configuration);
     } else {
-        const Result<RingStructure> &found = std::get<ReadInEnded>(event).found;
-        if (found && !isSameRing(*found, d->structure)) {
-            d->otherRing = *found;
-            return;
-        }
         d->readingIn = false;
-        if (found)
+        if (const auto &result = std::get<ReadInEnded>(event).result; result)
             Q_EMIT readInEnded();
         else
-            Q_EMIT readInFailed(found.error());
+            Q_EMIT readInFailed(result.error());
     }
 }
 
-// Between two runners. What comes of a handler meanwhile, ALARM STOP above all, is carried out by the old
-// one.
-void BusSession::useOtherRing()
+// As it will be when the first cycle has carried this out.
+void BusSession::useFirstRing(const RingFound &found)
 {
-    const bool hasThread = d->thread != nullptr;
-    d->thread.reset();
-    do {
-        d->runner->finish(d->latest->at);
-        d->fetch();
-        dispatchAll();
-        if (!d->runner) // closed by a handler
-            return;
-    } while (!d->events.empty());
-    const std::shared_ptr<const Snapshot> before = d->latest;
-    d->latestIsNew = false;
+    const bool operates = d->start == Start::operating;
+    post(d->makeDevices(*this, found));
+    post(command::AskKeptConfiguration{.onConnecting = true});
+    post(command::StartBus{});
+    if (operates)
+        post(command::SetOperate{true});
+    showNewRing(found, {.at = d->latest().at, .state = MasterState::run, .operate = operates});
+    Q_EMIT nodesChanged();
+}
 
-    const auto readBack = d->link->readBackOut();
-    RingStructure found = *std::exchange(d->otherRing, std::nullopt);
-    std::vector<Word> out = readBack.value_or(std::vector<Word>());
-    out.resize(found.size());
-    auto drivers = d->takeOver(*this, std::move(found), d->runner->takeDrivers());
-    d->runner = std::make_unique<RingRunner>(*d->link, d->structure, std::move(drivers), out);
-    if (before->operate)
-        d->runner->beginOperating();
-    if (d->link->master()->status().state == MasterState::active) // and not after ALARM STOP
-        post(command::StartBus{});
-    showNewRing(*before, out);
-    d->readingIn = false;
+void BusSession::useOtherRing(const RingFound &found)
+{
+    endJobsOfBefore();
+    if (!isOpen()) // closed by a handler
+        return;
+    post(d->takeOver(*this, found));
+    const Snapshot &before = d->latest();
+    showNewRing(
+        found,
+        {.at = before.at, .state = MasterState::active, .operate = before.operate, .period = before.period});
     d->crcHistory.clear();
     Q_EMIT structureChanged();
     Q_EMIT nodesChanged();
-    Q_EMIT readInEnded();
-    if (hasThread)
-        startThread(before->period);
 }
 
-void BusSession::showNewRing(const Snapshot &before, const std::vector<Word> &out)
+// Those that came too late for the ring before: the bus thread refuses them, and nobody takes its word for it
+// any more.
+void BusSession::endJobsOfBefore()
+{
+    for (std::size_t i = 0; i < d->sessions.size(); ++i)
+        if (RingEncoderSession *session = d->sessions[i].get(); session && session->runningJob())
+            session->take(
+                Event(notTaken(*session->runningJob(), {RefusalKind::stopped, RefusalId::busStopped, {}},
+                               session->latest().state)),
+                d->latest().at);
+}
+
+void BusSession::showNewRing(const RingFound &found, const RingState &state)
 {
     auto shown = std::make_shared<Snapshot>();
-    shown->at = before.at;
-    shown->state = MasterState::active;
-    shown->operate = before.operate;
-    shown->period = before.period;
-    for (const Word word : out)
+    static_cast<RingState &>(*shown) = state;
+    shown->generation = ++d->generation;
+    shown->connected = true;
+    shown->master = found.master;
+    for (const Word word : found.out)
         shown->devices.push_back({.out = word, .reading = {}});
-    shown->master = std::make_shared<const MasterStatus>(d->link->master()->status());
-    d->latest = std::move(shown);
+    d->engine.setLatest(std::move(shown));
     showLatest();
 }
 
 const MasterStatus *BusSession::master() const
 {
-    return d->latest->master.get();
+    return d->latest().master.get();
 }
 
 const CrcHistory &BusSession::crcHistory() const
@@ -130,7 +130,7 @@ const CrcHistory &BusSession::crcHistory() const
 
 void BusSession::readIn()
 {
-    if (!d->runner)
+    if (!isOpen())
         return;
     d->readingIn = true;
     post(command::ReadIn{});

@@ -4,8 +4,10 @@
 #include "drivers/cyclic_driver.h"
 #include "drivers/job_command.h"
 #include "ring/master_link.h"
+#include "ring/participant.h"
 
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -17,6 +19,19 @@ struct SetOut
 {
     std::size_t device;
     Word word;
+};
+// The ring that was found (RingFound), first or in place of another, with its drivers: those that were made
+// for it, and those that go on at another place.
+struct UseRing
+{
+    struct Driver
+    {
+        std::unique_ptr<CyclicDriver> made;
+        std::optional<std::size_t> before; // its place in the ring before; nothing: it is the one made
+    };
+    RingStructure structure;
+    std::vector<Word> out; // as read back
+    std::vector<Driver> drivers;
 };
 // The user named the device: another driver from now on, or none. No job runs.
 struct SetDriver
@@ -56,9 +71,9 @@ struct AskKeptConfiguration
 };
 } // namespace command
 using Command =
-    std::variant<command::SetOut, command::StartJob, command::Proceed, command::Cancel, command::SetKnown,
-                 command::SetDriver, command::StartBus, command::StopBus, command::SetOperate,
-                 command::AlarmStop, command::ReadIn, command::SwitchSegment, command::ConfirmDiagnostics,
-                 command::KeepConfiguration, command::AskKeptConfiguration>;
+    std::variant<command::UseRing, command::SetOut, command::StartJob, command::Proceed, command::Cancel,
+                 command::SetKnown, command::SetDriver, command::StartBus, command::StopBus,
+                 command::SetOperate, command::AlarmStop, command::ReadIn, command::SwitchSegment,
+                 command::ConfirmDiagnostics, command::KeepConfiguration, command::AskKeptConfiguration>;
 
 } // namespace codewheel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/instant.h"
 #include "encoder/refusal.h"
 #include "ring/participant.h"
 
@@ -10,21 +11,29 @@ namespace codewheel {
 
 class MasterLink;
 
-// The contract of a link to a ring: one exchange of all process data is one bus cycle. Blocking, bounded by
-// the link's time-out; used by one thread, interrupt() by any. Words stand in ring order, one 32-bit word per
-// device and direction (0 where a device has none).
+// The contract of a link to a ring: one exchange of all process data is one bus cycle, and the ring's clock.
+// Blocking, bounded by the link's time-out; used by one thread, interrupt() by any. Words stand in ring
+// order, one 32-bit word per device and direction (0 where a device has none).
 class ProcessDataLink
 {
 public:
     virtual ~ProcessDataLink() = default;
 
-    // Connects and finds the participants. Writes nothing to the peer.
+    // Connects and finds the participants. Writes nothing to the peer. A link that was lost is opened again
+    // by this, after close().
     virtual Result<RingStructure> open() = 0;
     virtual void close() = 0;
     // The OUT words as they stand on the peer now, to show them on connect.
     virtual Result<std::vector<Word>> readBackOut() = 0;
     // One cycle: out goes out, in is what came in during the same cycle (not yet the answer to out).
     virtual Result<void> exchange(std::span<const Word> out, std::span<Word> in) = 0;
+    // The time on the ring's clock, which begins at 0 with the link and never goes back, whatever is closed
+    // and opened again: real for a link to hardware, virtual for a simulated ring, where it passes in wait()
+    // alone.
+    virtual Instant now() const = 0;
+    // Lets time pass, on a closed link too: until the next cycle. No longer than a cycle takes, so there is
+    // nothing to interrupt.
+    virtual void wait(Instant until) = 0;
     // Whether each word given to exchange() goes out in that one bus cycle and in no other. A gateway that
     // runs the ring by itself repeats a word until it gets the next one.
     virtual bool boundsWordsToCycles() const = 0;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/bus_work.h"
 #include "bus/wall_time.h"
 #include "encoder/event.h"
 #include "encoder/message.h"
 #include "ring/master_link.h"
 
+#include <memory>
 #include <variant>
+#include <vector>
 
 namespace codewheel {
 
@@ -15,10 +18,19 @@ struct ReadInProgress
 {
     int devices = 0; // found so far
 };
-// It has ended: the ring the master has active now, or why not.
+// It has ended. Another ring was told before.
 struct ReadInEnded
 {
-    Result<RingStructure> found;
+    Result<void> result;
+};
+// The ring there is: the first one after the link was opened, or another than before. Nothing is exchanged
+// until UseRing.
+struct RingFound
+{
+    RingStructure structure;
+    std::vector<Word> out; // as they stand on the peer
+    // What the master says of it; null: the link reaches no master.
+    std::shared_ptr<const MasterStatus> master{};
 };
 // What the master keeps; nothing: no configuration.
 struct KeptConfigurationTold
@@ -35,12 +47,15 @@ struct DriverTaken
 {};
 using MasterEvent = std::variant<ReadInProgress, ReadInEnded, KeptConfigurationTold>;
 
-// What the bus thread tells the window; a device is given by its place in the ring.
+// What the bus thread tells the window; a device is given by its place in the ring of that generation.
 struct RingEvent
 {
     std::size_t device = 0; // meaningless for what has no place
-    std::variant<Event, Exchange, Message, MasterEvent, WordWritten, DriverTaken, Slept> what;
+    std::variant<Event, Exchange, Message, MasterEvent, RingFound, WordWritten, DriverTaken, Slept,
+                 LinkOpened>
+        what;
     Instant at{};
+    unsigned generation = 0;
 
     bool isRow() const { return std::holds_alternative<Exchange>(what); } // of the trace
 };

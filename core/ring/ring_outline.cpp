@@ -107,6 +107,10 @@ QString RingOutline::toolTip() const
 
 StateWord RingOutline::state() const
 {
+    if (m_bus.state() == BusState::opening)
+        return connecting();
+    if (m_bus.state() == BusState::lost)
+        return {Role::fault, tr("link lost")};
     if (!m_bus.isOpen())
         return offline();
     return {masterRole(m_bus.latest()), masterText(m_bus.latest())};

@@ -6,33 +6,28 @@
 
 namespace codewheel {
 
-RingRunner::Private::Private(ProcessDataLink &usedLink, RingStructure ringStructure, Drivers usedDrivers,
-                             std::vector<Word> outAsReadBack)
+RingRunner::Private::Private(ProcessDataLink &usedLink, Mail &usedMail)
     : link(usedLink)
     , master(usedLink.master())
-    , structure(std::move(ringStructure))
-    , drivers(std::move(usedDrivers))
-    , image(std::move(outAsReadBack))
-    , received(image.size())
-    , trace(image.size())
-    , faults(image.size())
+    , mail(usedMail)
 {
     ring.state = MasterState::active;
-    ring.devices.resize(image.size());
-    for (std::size_t i = 0; i < image.size(); ++i)
-        ring.devices[i].out = image[i];
-    written.reserve(image.size());
 }
 
-// What was posted after an ALARM STOP waits for the next cycle, so that the zeros go out.
 bool RingRunner::Private::carryOutCommands()
 {
-    while (auto next = mail.nextCommand()) {
+    while (!zerosAreDue || ring.state != MasterState::run)
+        if (!carryOutNext())
+            return true;
+    return false;
+}
+
+bool RingRunner::Private::carryOutNext()
+{
+    auto next = mail.nextCommand();
+    if (next)
         std::visit([this](auto &c) { carryOut(c); }, *next);
-        if (std::holds_alternative<command::AlarmStop>(*next))
-            return false;
-    }
-    return true;
+    return next.has_value();
 }
 
 void RingRunner::Private::carryOut(const command::SetOut &c)
@@ -91,20 +86,25 @@ void RingRunner::Private::carryOut(command::StartBus)
 {
     if (ring.state == MasterState::run || readingIn || ringIsOther)
         return;
+    if (!ring.connected) {
+        runsAgain = true;
+        reopenAt = ring.at;
+        return;
+    }
     if (const auto started = startTransfer(); !started) {
         refuseOfRing(started.error());
         return;
     }
     if (ringIsOther)
         return;
-    linkFailed = false;
     ring.state = MasterState::run;
     tellOfRing({.id = MessageId::busStarted});
 }
 
 void RingRunner::Private::carryOut(command::StopBus)
 {
-    if (ring.state == MasterState::active || (master && ring.state != MasterState::run))
+    runsAgain = false;
+    if (!ring.connected || ring.state == MasterState::active || (master && ring.state != MasterState::run))
         return;
     if (master)
         if (const auto stopped = master->stopDataTransfer(); !stopped)
@@ -144,17 +144,43 @@ void RingRunner::Private::takeBackWhatMustNotStand()
 
 void RingRunner::Private::carryOut(command::AlarmStop)
 {
-    if (master) {
+    zerosAreDue = !ring.connected || (!master && ring.state == MasterState::run);
+    if (master && ring.connected) {
         master->alarmStop();
         masterWatch.leftByService();
+        runsAgain = false;
     }
+    ++alarmStops;
     endJobs(RefusalId::alarmStop);
-    std::ranges::fill(image, Word{0});
-    written.clear();
+    zeroOut();
     tellOfRing({.severity = Severity::attention, .id = MessageId::alarmStop});
     if (readingIn)
         endReadIn(refuse(RefusalKind::stopped, RefusalId::alarmStop));
     lookAtMaster();
+}
+
+void RingRunner::Private::zeroOut()
+{
+    std::ranges::fill(image, Word{0});
+    written.clear();
+}
+
+void RingRunner::Private::work()
+{
+    if (!ring.connected)
+        waitForLink();
+    else if (readingIn)
+        readInStep();
+    else if (ring.state == MasterState::run)
+        exchange();
+    else
+        idle();
+}
+
+void RingRunner::Private::publish()
+{
+    ring.droppedRows = mail.droppedRows();
+    mail.publish(ring);
 }
 
 void RingRunner::Private::exchange()
@@ -165,22 +191,19 @@ void RingRunner::Private::exchange()
         return;
     }
     ++ring.cycle;
+    zerosAreDue = false;
     tellWritten();
     for (std::size_t i = 0; i < image.size(); ++i)
         step(i);
 }
 
-// `stopped` is our own interrupt(): the cycle is skipped, nothing is wrong with the link.
+// `stopped` is our own interrupt(): the cycle is skipped, nothing is wrong with the link. Nor is it where the
+// master tells why nothing can be exchanged.
 void RingRunner::Private::fail(const Refusal &why)
 {
     const bool masterTellsIt = master && master->status().state != MasterState::run;
-    if (why.kind != RefusalKind::stopped && !masterTellsIt) {
-        linkFailed = true;
-        leaveRun(MasterState::busFail);
-        Message message{.severity = Severity::fault};
-        message.refusal = why;
-        tellOfRing(std::move(message));
-    }
+    if (why.kind != RefusalKind::stopped && !masterTellsIt)
+        loseLink(why);
     lookAtMaster();
     showStandingWords();
 }
@@ -244,22 +267,24 @@ void RingRunner::Private::leaveRun(MasterState state)
     ring.state = state;
     tellOfRing(masterWatch.lookAtRest(ring.at));
     endJobs(RefusalId::busStopped);
-    if (master && !linkFailed && state != MasterState::active) {
-        std::ranges::fill(image, Word{0});
-        written.clear();
+    if (master && ring.connected && state != MasterState::active) {
+        zeroOut();
         return;
     }
     goOnWithWhatWasExchanged();
 }
 
-// But not with a word that nobody could take away in Watch.
 void RingRunner::Private::goOnWithWhatWasExchanged()
 {
-    for (std::size_t i = 0; i < image.size(); ++i) {
-        const Word last = ring.devices[i].out;
-        image[i] = drivers[i] && !drivers[i]->mayStand(last) ? Word{0} : last;
-    }
+    for (std::size_t i = 0; i < image.size(); ++i)
+        image[i] = goesOn(i, ring.devices[i].out);
     written.clear();
+}
+
+// But not a word that nobody could take away in Watch.
+Word RingRunner::Private::goesOn(std::size_t device, Word last) const
+{
+    return drivers[device] && !drivers[device]->mayStand(last) ? Word{0} : last;
 }
 
 void RingRunner::Private::endJobs(RefusalId why)
@@ -306,82 +331,76 @@ void RingRunner::Private::tellOfDevice(std::size_t device, Message message)
     tell(device, std::move(message));
 }
 
-RingRunner::RingRunner(ProcessDataLink &link, RingStructure structure, Drivers drivers,
-                       std::vector<Word> outAsReadBack)
-    : d(std::make_unique<Private>(link, std::move(structure), std::move(drivers), std::move(outAsReadBack)))
+RingRunner::RingRunner(ProcessDataLink &link)
+    : d(std::make_unique<Private>(link, m_mail))
 {}
 
 RingRunner::~RingRunner() = default;
+
+void RingRunner::turn(Instant until)
+{
+    d->link.wait(until);
+    cycle(d->link.now());
+}
 
 void RingRunner::cycle(Instant now)
 {
     d->ring.at = now;
     d->carryOutCommands();
-    if (d->readingIn)
-        d->readInStep();
-    else if (d->ring.state == MasterState::run)
-        d->exchange();
-    else
-        d->idle();
+    d->work();
     d->lookAtMaster();
     if (auto message = d->lateness.look(d->ring.lateCycles, now))
         d->tellOfRing(std::move(*message));
-    d->ring.droppedRows = d->mail.droppedRows();
-    d->mail.publish(d->ring);
+    d->publish();
 }
 
-void RingRunner::slept(std::chrono::milliseconds duration, Instant now)
+void RingRunner::slept(std::chrono::milliseconds duration)
 {
-    d->ring.at = now;
-    d->ring.awakeSince = now;
-    bool isAlarm = false;
-    while (!d->carryOutCommands()) // of before
-        isAlarm = true;
+    d->ring.at = d->link.now();
+    d->ring.awakeSince = d->ring.at;
+    const std::uint64_t alarmsBefore = d->alarmStops;
+    while (d->carryOutNext()) { // of before
+    }
     d->endJobs(RefusalId::computerSlept);
     d->goOnWithWhatWasExchanged();
-    if (isAlarm) // whatever was exchanged
-        std::ranges::fill(d->image, Word{0});
+    if (d->zerosAreDue || d->alarmStops > alarmsBefore) // whatever was exchanged
+        d->zeroOut();
     d->ring.operate = false;
     d->tell(0, Slept{duration});
 }
 
-void RingRunner::finish(Instant now)
+// The zeros of an ALARM STOP go out before.
+void RingRunner::close()
 {
-    d->ring.at = now;
-    while (!d->carryOutCommands()) {
-    }
+    d->ring.at = d->link.now();
+    m_mail.post(command::StopBus{});
+    while (!d->carryOutCommands())
+        d->exchange();
     d->endJobs(RefusalId::busStopped);
+    d->lookAtMaster();
+    d->publish();
+    d->link.close();
 }
 
-RingRunner::Drivers RingRunner::takeDrivers()
+Instant RingRunner::now() const
 {
-    return std::move(d->drivers);
+    return d->link.now();
 }
 
-void RingRunner::beginOperating()
+void RingRunner::interrupt()
 {
-    d->ring.operate = true;
-}
-
-void RingRunner::post(Command command)
-{
-    d->mail.post(std::move(command));
-}
-
-std::vector<RingEvent> RingRunner::takeEvents()
-{
-    return d->mail.takeEvents();
-}
-
-std::shared_ptr<const Snapshot> RingRunner::takeLatest()
-{
-    return d->mail.takeLatest();
+    d->link.interrupt();
 }
 
 void RingRunner::setPacing(std::chrono::nanoseconds period, std::uint64_t lateCycles)
 {
     d->ring.period = period;
     d->ring.lateCycles = lateCycles;
+}
+
+bool RingRunner::keepsPace() const
+{
+    return d->ring.connected;
 }
 
 } // namespace codewheel

@@ -33,13 +33,23 @@ Result<void> RingRunner::Private::startTransfer()
         auto active = master->activateConfiguration();
         if (!active)
             return tl::unexpected(active.error());
-        ringIsOther = !isSameRing(*active, structure);
+        takeActive(*active);
         if (ringIsOther) {
-            tell(0, MasterEvent(ReadInEnded{*std::move(active)}));
+            tell(0, MasterEvent(ReadInEnded{{}}));
             return {};
         }
     }
     return master->startDataTransfer();
+}
+
+// Another ring than ours waits for UseRing, and runs then.
+void RingRunner::Private::takeActive(const RingStructure &active)
+{
+    ringIsOther = !isSameRing(active, structure);
+    runsAgain = ringIsOther;
+    if (!ringIsOther)
+        return;
+    tell(0, found(active, link.readBackOut().value_or(std::vector<Word>())));
 }
 
 Result<void> RingRunner::Private::endActiveConfiguration()
@@ -85,25 +95,24 @@ void RingRunner::Private::readInStep()
     } else {
         tell(0, MasterEvent(ReadInProgress{static_cast<int>(cycle->found.size())}));
         if (cycle->complete)
-            endReadIn(std::move(cycle->found));
+            endReadIn(cycle->found);
     }
     showStandingWords();
 }
 
-// The same ring runs again at once; another one needs another runner.
-void RingRunner::Private::endReadIn(Result<RingStructure> found)
+// The same ring runs again at once.
+void RingRunner::Private::endReadIn(const Result<RingStructure> &read)
 {
     readingIn = false;
-    if (found) {
-        tellOfRing({.severity = found->empty() ? Severity::attention : Severity::information,
+    if (read) {
+        tellOfRing({.severity = read->empty() ? Severity::attention : Severity::information,
                     .id = MessageId::ringRead,
-                    .arguments = {static_cast<std::int64_t>(found->size())}});
-        ringIsOther = !isSameRing(*found, structure);
+                    .arguments = {static_cast<std::int64_t>(read->size())}});
         ring.state = MasterState::active;
+        takeActive(*read);
     }
-    const bool runsAgain = found && !ringIsOther;
-    tell(0, MasterEvent(ReadInEnded{std::move(found)}));
-    if (runsAgain)
+    tell(0, MasterEvent(ReadInEnded{read ? Result<void>() : tl::unexpected(read.error())}));
+    if (read && !ringIsOther)
         carryOut(command::StartBus{});
 }
 
@@ -165,14 +174,14 @@ void RingRunner::Private::carryOut(const command::AskKeptConfiguration &c)
 
 void RingRunner::Private::idle()
 {
-    if (master && !linkFailed)
+    if (master)
         master->idleCycle();
     showStandingWords();
 }
 
 void RingRunner::Private::lookAtMaster()
 {
-    if (!master)
+    if (!master || !ring.connected)
         return;
     if (master->statusChanges() != seenOfMaster)
         lookAtStatus();
@@ -190,9 +199,9 @@ void RingRunner::Private::lookAtStatus()
     for (const Participant &participant : structure)
         numbers.push_back(participant.number);
     tellOfRing(masterWatch.look(*status, numbers, ring.at));
-    if (!linkFailed && ring.state == MasterState::run && status->state != MasterState::run)
+    if (ring.state == MasterState::run && status->state != MasterState::run)
         leaveRun(status->state);
-    else if (!linkFailed)
+    else
         ring.state = status->state;
     showWhoIsInRing(*status);
 }

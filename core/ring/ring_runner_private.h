@@ -13,11 +13,15 @@ namespace codewheel {
 // What the files of the runner share.
 struct RingRunner::Private
 {
-    Private(ProcessDataLink &usedLink, RingStructure ring, Drivers usedDrivers,
-            std::vector<Word> outAsReadBack);
+    // A device without a driver (K1, unknown) has a null pointer.
+    using Drivers = std::vector<std::unique_ptr<CyclicDriver>>;
 
-    // False: an ALARM STOP was among them, and the rest waits.
+    Private(ProcessDataLink &usedLink, Mail &usedMail);
+
+    // False: the zeros of an ALARM STOP have to go out, and the rest waits.
     bool carryOutCommands();
+    bool carryOutNext(); // false: there is none
+    void carryOut(command::UseRing &c);
     void carryOut(const command::SetOut &c);
     void carryOut(const command::StartJob &c);
     void carryOut(const command::Proceed &c) { drivers[c.device]->proceed(); }
@@ -34,6 +38,8 @@ struct RingRunner::Private
     void carryOut(const command::KeepConfiguration &c);
     void carryOut(const command::AskKeptConfiguration &c);
 
+    void work();
+    void publish();
     void exchange();
     void fail(const Refusal &why);
     void step(std::size_t device);
@@ -42,17 +48,28 @@ struct RingRunner::Private
     void leaveRun(MasterState state);
     void endJobs(RefusalId why);
     void goOnWithWhatWasExchanged();
+    Word goesOn(std::size_t device, Word last) const;
     void takeBackWhatMustNotStand();
+    void zeroOut();
     void refuseWord(std::size_t device, Refusal why);
     void refuseOfRing(const Refusal &why);
+
+    // The link, and which ring there is (ring_runner_link.cpp).
+    Result<RingFound> find();
+    RingFound found(RingStructure there, std::vector<Word> out) const;
+    void loseLink(const Refusal &why);
+    void waitForLink();
+    void tryToReopen();
+    void comeBack();
 
     // With a master (ring_runner_master.cpp).
     bool reaches(MasterService service);
     bool mayUse(MasterService service); // of those that change what the ring does
     Result<void> startTransfer();
     Result<void> endActiveConfiguration();
+    void takeActive(const RingStructure &active);
     void readInStep();
-    void endReadIn(Result<RingStructure> found);
+    void endReadIn(const Result<RingStructure> &read);
     void idle();
     void lookAtMaster();
     void lookAtStatus();
@@ -62,7 +79,7 @@ struct RingRunner::Private
 
     void tell(std::size_t device, decltype(RingEvent::what) what)
     {
-        mail.tell({device, std::move(what), ring.at});
+        mail.tell({device, std::move(what), ring.at, ring.generation});
     }
     void tellOfRing(Message message);
     void tellOfRing(std::vector<Message> messages);
@@ -70,21 +87,24 @@ struct RingRunner::Private
 
     ProcessDataLink &link;
     MasterLink *master; // null: the link reaches none
-    RingStructure structure;
-    Drivers drivers;
-    std::vector<Word> image; // OUT as it goes out next
-    std::vector<Word> received;
-    std::vector<std::size_t> written; // by SetOut, and not exchanged yet
-    Snapshot ring;                    // the last cycle; its OUT words are those that went out
-    ExchangeTrace trace;
-    FaultWatch faults;
-    LatenessWatch lateness;
-    BusMail<Command, RingEvent, Snapshot> mail;
-    MasterWatch masterWatch;
+    Mail &mail;
+    RingStructure structure{};
+    Drivers drivers{};
+    std::vector<Word> image{}; // OUT as it goes out next
+    std::vector<Word> received{};
+    std::vector<std::size_t> written{}; // by SetOut, and not exchanged yet
+    Snapshot ring{};                    // the last cycle; its OUT words are those that went out
+    ExchangeTrace trace{0};
+    FaultWatch faults{0};
+    LatenessWatch lateness{};
+    MasterWatch masterWatch{};
     std::uint64_t seenOfMaster = ~std::uint64_t{0}; // MasterLink::statusChanges()
-    bool linkFailed = false;                        // whatever the master said last
     bool readingIn = false;
-    bool ringIsOther = false; // the master has another ring active than ours: nothing can be exchanged
+    bool ringIsOther = false; // there is another ring than ours: nothing can be exchanged
+    bool runsAgain = false;   // once there is a ring to run: it ran before, or was started meanwhile
+    bool zerosAreDue = false; // of an ALARM STOP, which came while the bus runs, or while its link was lost
+    std::uint64_t alarmStops = 0;
+    Instant reopenAt{}; // of a lost link
 };
 
 } // namespace codewheel

@@ -5,6 +5,10 @@ namespace codewheel {
 
 void Snapshot::giveWayTo(const Snapshot &newer)
 {
+    if (newer.generation != generation) {
+        *this = newer;
+        return;
+    }
     static_cast<RingState &>(*this) = newer;
     for (std::size_t i = 0; i < devices.size(); ++i) {
         const Word outBefore = devices[i].outEdges;

@@ -12,6 +12,8 @@ namespace codewheel {
 // What concerns the ring as a whole.
 struct RingState
 {
+    unsigned generation = 0; // which of the rings that were used since the link was opened; 0: none yet
+    bool connected = false;  // false: the link is lost
     std::uint64_t cycle = 0;
     Instant at{};
     MasterState state = MasterState::ready;
@@ -21,7 +23,7 @@ struct RingState
     std::chrono::nanoseconds period{}; // of the paced thread; 0 when cycles are driven by hand
     std::uint64_t droppedRows = 0;     // trace rows lost because nobody took them
     // What the master says, made anew when it changes; null: the link reaches no master.
-    std::shared_ptr<const MasterStatus> master;
+    std::shared_ptr<const MasterStatus> master{};
 };
 
 // The ring as it stood after one cycle, with the bits that changed in any cycle since the last snapshot was
@@ -42,7 +44,7 @@ struct Snapshot : RingState
     std::vector<Device> devices; // in ring order
 
     // Becomes the newer one, which has the edges of its own cycle alone, and keeps its own edges. Allocates
-    // nothing.
+    // nothing unless that is of another ring.
     void giveWayTo(const Snapshot &newer);
 };
 

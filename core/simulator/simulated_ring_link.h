@@ -5,12 +5,13 @@
 #include "ring/process_data_link.h"
 #include "simulator/simulated_ring.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace codewheel {
 
-// The link to a simulated ring and to its master. Never blocks, so there is nothing to interrupt. Ring and
-// master go on as they are when the link is closed.
+// The link to a simulated ring and to its master, in virtual time. Never blocks, so there is nothing to
+// interrupt. Ring and master go on as they are when the link is closed.
 class SimulatedRingLink final : public ProcessDataLink, private MasterLink
 {
 public:
@@ -21,6 +22,8 @@ public:
     Result<std::vector<Word>> readBackOut() override;
     // Refused (linkFailed) while it is not open, and for words that are not one per device.
     Result<void> exchange(std::span<const Word> out, std::span<Word> in) override;
+    Instant now() const override { return m_now; }
+    void wait(Instant until) override { m_now = std::max(m_now, until); }
     bool boundsWordsToCycles() const override { return true; }
     bool isSimulated() const override { return true; }
     void interrupt() override {}
@@ -42,6 +45,7 @@ private:
     Result<KeptConfiguration> keptConfiguration() override;
 
     std::shared_ptr<SimulatedRing> m_ring;
+    Instant m_now{};
     bool m_open = false;
 };
 

@@ -44,7 +44,7 @@ void measure(const char *what, SimulatedLineLink::Clock clock, Instant duration)
     std::vector<Instant> positions; // when they were asked for
     const Instant end = link.now() + duration;
     while (link.now() < end) {
-        runner.run(std::min(end, link.now() + std::chrono::milliseconds(50)));
+        runner.turn(std::min(end, link.now() + std::chrono::milliseconds(50)));
         for (const LineEvent &event : runner.takeEvents()) {
             const auto *row = std::get_if<esc::LineRow>(&event.what);
             if (row && row->kind == esc::LineRow::Kind::sent && row->bytes.contains('P'))

@@ -33,8 +33,10 @@ class Ring
 public:
     explicit Ring(const DeviceDescription &device)
         : m_structure(m_bus.link->open().value())
-        , m_runner(*m_bus.link, m_structure, driversFor(device), m_bus.link->readBackOut().value())
+        , m_runner(*m_bus.link)
     {
+        (void)m_runner.open({});
+        m_runner.post(command::UseRing{m_structure, m_bus.link->readBackOut().value(), driversFor(device)});
         m_runner.post(command::StartBus{});
         m_runner.post(command::SetOperate{true});
     }
@@ -65,11 +67,11 @@ public:
     }
 
 private:
-    RingRunner::Drivers driversFor(const DeviceDescription &device) const
+    std::vector<command::UseRing::Driver> driversFor(const DeviceDescription &device) const
     {
-        RingRunner::Drivers drivers;
+        std::vector<command::UseRing::Driver> drivers;
         for (std::size_t i = 0; i < m_structure.size(); ++i)
-            drivers.push_back(makeDriver(device));
+            drivers.push_back({makeDriver(device), {}});
         return drivers;
     }
 

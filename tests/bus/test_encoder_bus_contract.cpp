@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every bus keeps (bus/encoder_bus.h), on its simulator and in virtual time.
+// What every bus keeps (bus/encoder_bus.h), on its simulator: in virtual time, or by its thread.
 #include "bus/buses.h"
 #include "catalog/catalog.h"
 #include "drivers/esc_driver.h"
@@ -10,8 +10,11 @@
 #include "tests/bus/watched_links.h"
 #include "tests/support/places.h"
 
+#include <QPointer>
+
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <thread>
 
 namespace codewheel {
 namespace {
@@ -31,15 +34,17 @@ struct Ring
     static constexpr Place place = "1.0"_ring;
     static constexpr std::int64_t steps = 255;
 
-    void open(bool operating)
+    Result<void> open(EncoderBus::Start start)
     {
-        ASSERT_TRUE(bus.open(operating ? BusSession::Start::operating : BusSession::Start::watching));
-        bus.encoder(place)->tell(Parameter::startUpMode, 1); // position mode
+        return bus.open(start).map([this] {
+            bus.encoder(place)->tell(Parameter::startUpMode, 1); // position mode
+        });
     }
+    void openByThread() { ASSERT_TRUE(bus.open(EncoderBus::Start::watching, Pacing{.period = 1ms})); }
 
-    int changes = 0; // that went out
-    BusSession bus{std::make_unique<test::WatchedRingLink>(makeTrainingBus(catalog()).link, changes),
-                   catalog(), began};
+    test::LinkWatch watch;
+    BusSession bus{std::make_unique<test::WatchedRingLink>(makeTrainingBus(catalog()).link, watch), catalog(),
+                   began};
 };
 
 struct Line
@@ -47,16 +52,20 @@ struct Line
     static constexpr Place place = placeOnLine({5});
     static constexpr std::int64_t steps = 864;
 
-    void open(bool operating)
+    Result<void> open(EncoderBus::Start start)
     {
-        ASSERT_TRUE(bus.open({}, {}, operating ? LineSession::Start::operating : LineSession::Start::watching,
-                             LineSession::Drive::byHand));
-        ASSERT_TRUE(bus.add({5}, QStringLiteral("kuebler-esc-rs485")));
+        return bus.open({}, {}, start, EncoderBus::Drive::byHand).and_then([this] { return addEncoder(); });
     }
+    void openByThread()
+    {
+        ASSERT_TRUE(bus.open({}, {}, EncoderBus::Start::watching, EncoderBus::Drive::byThread));
+        ASSERT_TRUE(addEncoder());
+    }
+    Result<void> addEncoder() { return bus.add({5}, QStringLiteral("kuebler-esc-rs485")); }
 
-    int changes = 0; // that went out
+    test::LinkWatch watch;
     LineSession bus{std::make_unique<test::WatchedLineLink>(
-                        std::make_unique<SimulatedLineLink>(std::make_shared<SimulatedLine>()), changes),
+                        std::make_unique<SimulatedLineLink>(std::make_shared<SimulatedLine>()), watch),
                     catalog(), began, [](const DeviceDescription &device, LineAddress address) {
                         return std::make_unique<EscDriver>(device, address);
                     }};
@@ -68,15 +77,33 @@ class EncoderBusContract : public testing::Test
 protected:
     EncoderBus &bus() { return m_kind.bus; }
     EncoderSession &encoder() { return *bus().encoder(Kind::place); }
-    int changes() const { return m_kind.changes; }
+    test::LinkWatch &watch() { return m_kind.watch; }
+    int changes() const { return m_kind.watch.changes; }
 
     void open(bool operating)
     {
         m_outcome.reset();
-        m_kind.open(operating);
+        ASSERT_TRUE(m_kind.open(operating ? EncoderBus::Start::operating : EncoderBus::Start::watching));
         bus().advance(100ms);
         QObject::connect(&encoder(), &EncoderSession::finished, &bus(),
                          [this](const Outcome &outcome) { m_outcome = outcome; });
+    }
+    Result<void> tryToOpen() { return m_kind.open(EncoderBus::Start::operating); }
+    void openByThread() { m_kind.openByThread(); }
+    // In its thread: time passes by itself.
+    template <typename Condition>
+    void pumpUntil(Condition isSo)
+    {
+        const auto end = std::chrono::steady_clock::now() + 60s;
+        while (!isSo() && std::chrono::steady_clock::now() < end) {
+            bus().pump();
+            std::this_thread::sleep_for(1ms);
+        }
+        ASSERT_TRUE(isSo());
+    }
+    void pumpUntilState(BusState wanted)
+    {
+        pumpUntil([&] { return bus().state() == wanted; });
     }
     Result<JobId> start()
     {
@@ -190,6 +217,195 @@ TYPED_TEST(EncoderBusContract, ClosingEndsAJobAndTheSessionStays)
     EXPECT_FALSE(this->start());
 }
 
+TYPED_TEST(EncoderBusContract, ALostLinkEndsTheJobAndComesBackInWatch)
+{
+    this->open(true);
+    ASSERT_TRUE(this->start());
+    this->bus().advance(5ms);
+    const QPointer<EncoderSession> before = &this->encoder();
+    this->watch().isGone = true;
+    this->finish();
+    EXPECT_FALSE(this->m_outcome->result);
+    EXPECT_EQ(this->bus().state(), BusState::lost);
+    EXPECT_TRUE(this->bus().isOpen());
+    EXPECT_FALSE(this->bus().isRunning());
+    EXPECT_FALSE(this->encoder().freshness().isLive());
+    EXPECT_FALSE(this->start());
+
+    this->bus().advance(3s);
+    EXPECT_EQ(this->bus().state(), BusState::lost);
+    this->watch().isGone = false;
+    this->bus().advance(1100ms);
+    EXPECT_EQ(this->bus().state(), BusState::open);
+    EXPECT_TRUE(this->bus().isRunning());
+    EXPECT_FALSE(this->bus().isOperating());
+    EXPECT_EQ(&this->encoder(), before);
+    EXPECT_TRUE(this->encoder().freshness().isLive());
+    EXPECT_EQ(this->start().error().id, RefusalId::watchOnly);
+}
+
+TYPED_TEST(EncoderBusContract, ALostLinkThatIsBackSendsNothingByItself)
+{
+    this->open(true);
+    this->watch().isGone = true;
+    this->bus().advance(2s);
+    this->bus().setOperate(true);
+    this->watch().isGone = false;
+    this->bus().advance(3s);
+    EXPECT_EQ(this->bus().state(), BusState::open);
+    EXPECT_FALSE(this->bus().isOperating()) << "whatever was asked of it meanwhile";
+    EXPECT_EQ(this->changes(), 0);
+}
+
+TYPED_TEST(EncoderBusContract, ALinkThatDoesNotOpenIsTold)
+{
+    std::vector<RefusalId> refused;
+    std::vector<RefusalId> messages;
+    QObject::connect(&this->bus(), &EncoderBus::openRefused, &this->bus(),
+                     [&](const Refusal &why) { refused.push_back(why.id); });
+    QObject::connect(&this->bus(), &EncoderBus::messaged, &this->bus(), [&](const Message &message) {
+        if (message.refusal)
+            messages.push_back(message.refusal->id);
+    });
+    this->watch().isGone = true;
+    const auto opened = this->tryToOpen();
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(refused, std::vector{opened.error().id});
+    EXPECT_EQ(messages, refused);
+    EXPECT_EQ(this->bus().state(), BusState::closed);
+    EXPECT_TRUE(this->bus().places().empty());
+    this->bus().advance(3s);
+    EXPECT_EQ(this->bus().state(), BusState::closed) << "it is for the user to try again";
+
+    this->watch().isGone = false;
+    this->open(false);
+    EXPECT_TRUE(this->encoder().freshness().isLive());
+}
+
+TYPED_TEST(EncoderBusContract, AThreadOpensIt)
+{
+    int told = 0;
+    QObject::connect(&this->bus(), &EncoderBus::stateChanged, &this->bus(), [&] { ++told; });
+    this->openByThread();
+    EXPECT_EQ(this->bus().state(), BusState::opening);
+    EXPECT_FALSE(this->bus().isOpen());
+    EXPECT_EQ(told, 1);
+    this->pumpUntilState(BusState::open);
+    EXPECT_EQ(told, 2);
+    this->pumpUntil([this] { return this->encoder().freshness().isLive(); });
+    EXPECT_TRUE(this->bus().isRunning());
+    EXPECT_FALSE(this->bus().isOperating());
+    this->bus().close();
+    EXPECT_EQ(this->bus().state(), BusState::closed);
+    EXPECT_EQ(this->changes(), 0);
+}
+
+TYPED_TEST(EncoderBusContract, AThreadTellsThatTheLinkDoesNotOpen)
+{
+    std::vector<RefusalId> refused;
+    QObject::connect(&this->bus(), &EncoderBus::openRefused, &this->bus(),
+                     [&](const Refusal &why) { refused.push_back(why.id); });
+    this->watch().isGone = true;
+    this->openByThread();
+    this->pumpUntilState(BusState::closed);
+    EXPECT_EQ(refused.size(), 1U);
+    this->watch().isGone = false;
+    this->openByThread();
+    this->pumpUntilState(BusState::open);
+    EXPECT_EQ(refused.size(), 1U);
+}
+
+TYPED_TEST(EncoderBusContract, AThreadTriesALostLinkAgain)
+{
+    this->openByThread();
+    this->pumpUntilState(BusState::open);
+    this->pumpUntil([this] { return this->encoder().freshness().isLive(); });
+    this->watch().isGone = true;
+    this->pumpUntilState(BusState::lost);
+    this->watch().isGone = false;
+    this->pumpUntilState(BusState::open);
+    this->pumpUntil([this] { return this->encoder().freshness().isLive(); });
+    EXPECT_EQ(this->changes(), 0);
+}
+
+TYPED_TEST(EncoderBusContract, ClosingWhileItOpensEndsThat)
+{
+    std::vector<RefusalId> refused;
+    QObject::connect(&this->bus(), &EncoderBus::openRefused, &this->bus(),
+                     [&](const Refusal &why) { refused.push_back(why.id); });
+    this->watch().blockOpening(true);
+    for (int i = 0; i < 100; ++i) {
+        this->openByThread();
+        this->bus().pump();
+        EXPECT_EQ(this->bus().state(), BusState::opening);
+        this->bus().close();
+        EXPECT_EQ(this->bus().state(), BusState::closed);
+        this->bus().close();
+    }
+    EXPECT_TRUE(refused.empty()) << "who closes it knows";
+    this->watch().blockOpening(false);
+    this->openByThread();
+    this->pumpUntilState(BusState::open);
+}
+
+TYPED_TEST(EncoderBusContract, ClosingAtAnyTimeOfOpeningIsRight)
+{
+    for (int i = 0; i < 200; ++i) {
+        this->openByThread();
+        std::this_thread::sleep_for(i * 5us);
+        if (i % 2 == 0)
+            this->bus().pump();
+        this->bus().close();
+        EXPECT_EQ(this->bus().state(), BusState::closed);
+    }
+    this->open(false);
+    EXPECT_TRUE(this->encoder().freshness().isLive());
+}
+
+TYPED_TEST(EncoderBusContract, OpeningAgainWhileItOpensBeginsAnew)
+{
+    this->watch().blockOpening(true);
+    this->openByThread();
+    this->openByThread();
+    EXPECT_EQ(this->bus().state(), BusState::opening);
+    this->bus().close();
+    this->watch().blockOpening(false);
+    this->openByThread();
+    this->openByThread();
+    this->pumpUntilState(BusState::open);
+    this->openByThread();
+    EXPECT_EQ(this->bus().state(), BusState::opening);
+    this->pumpUntilState(BusState::open);
+}
+
+TYPED_TEST(EncoderBusContract, EndsWhileItOpens)
+{
+    for (int i = 0; i < 20; ++i) {
+        TypeParam kind;
+        kind.watch.blockOpening(i % 2 == 0);
+        kind.openByThread();
+    }
+}
+
+TYPED_TEST(EncoderBusContract, AHandlerMayOpenItAgainAsItCloses)
+{
+    this->open(true);
+    ASSERT_TRUE(this->start());
+    this->bus().advance(5ms);
+    bool isOpened = false;
+    QObject scope;
+    QObject::connect(&this->bus(), &EncoderBus::messaged, &scope, [&] {
+        if (std::exchange(isOpened, true))
+            return;
+        EXPECT_TRUE(this->tryToOpen());
+    });
+    this->bus().close();
+    EXPECT_TRUE(isOpened);
+    EXPECT_EQ(this->bus().state(), BusState::open);
+    this->bus().advance(100ms);
+    EXPECT_TRUE(this->encoder().freshness().isLive());
+}
+
 TYPED_TEST(EncoderBusContract, OpensAThousandTimes)
 {
     int told = 0;
@@ -212,6 +428,12 @@ protected:
         buses.add(line.bus);
     }
 
+    void openBoth()
+    {
+        ASSERT_TRUE(ring.open(EncoderBus::Start::watching));
+        ASSERT_TRUE(line.open(EncoderBus::Start::watching));
+    }
+
     Ring ring;
     Line line;
     Buses buses;
@@ -220,8 +442,7 @@ protected:
 TEST_F(BusesTest, AnEncoderIsFoundOnWhateverBusItIs)
 {
     EXPECT_TRUE(buses.places().empty()) << "none is open";
-    ring.open(false);
-    line.open(false);
+    openBoth();
     EXPECT_EQ(buses.busOf(Ring::place), &ring.bus);
     EXPECT_EQ(buses.busOf(Line::place), &line.bus);
     EXPECT_EQ(buses.encoder(Line::place), line.bus.encoder(Line::place));
@@ -234,8 +455,7 @@ TEST_F(BusesTest, AnEncoderIsFoundOnWhateverBusItIs)
 
 TEST_F(BusesTest, OperateAndAlarmStopGoToAll)
 {
-    ring.open(false);
-    line.open(false);
+    openBoth();
     const auto run = [&] {
         ring.bus.advance(Instant(50ms));
         line.bus.advance(50ms);
@@ -251,7 +471,7 @@ TEST_F(BusesTest, OperateAndAlarmStopGoToAll)
     run();
     EXPECT_FALSE(buses.encoder(Ring::place)->runningJob());
     EXPECT_FALSE(buses.encoder(Line::place)->runningJob());
-    EXPECT_EQ(ring.changes + line.changes, 0);
+    EXPECT_EQ(ring.watch.changes + line.watch.changes, 0);
 }
 
 } // namespace

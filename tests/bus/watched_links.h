@@ -1,71 +1,143 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Links that hand on everything, and count what could change something at the far end.
+// Links that hand on everything, count what could change something at the far end, and can be lost or block.
 #pragma once
 
 #include "line/byte_link.h"
 #include "ring/process_data_link.h"
 
 #include <algorithm>
+#include <atomic>
+#include <condition_variable>
 #include <memory>
+#include <mutex>
+#include <utility>
 
 namespace codewheel::test {
+
+// What the test sees and does of a link, in whatever thread that is used.
+class LinkWatch
+{
+public:
+    std::atomic<int> changes{0}; // that went out
+    std::atomic<bool> isGone{false};
+
+    // From now on opening blocks until it is interrupted.
+    void blockOpening(bool on) { m_blocks = on; }
+    bool waitWhileBlocked()
+    {
+        std::unique_lock lock(m_mutex);
+        m_wake.wait(lock, [this] { return !m_blocks || m_isInterrupted; });
+        return !std::exchange(m_isInterrupted, false);
+    }
+    void interrupt()
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_isInterrupted = m_blocks;
+        m_wake.notify_all();
+    }
+
+private:
+    std::atomic<bool> m_blocks{false};
+    bool m_isInterrupted = false;
+    std::mutex m_mutex;
+    std::condition_variable m_wake;
+};
 
 // Cycles in which a word that is not 00000000 went out.
 class WatchedRingLink final : public ProcessDataLink
 {
 public:
-    WatchedRingLink(std::unique_ptr<ProcessDataLink> link, int &changes)
+    WatchedRingLink(std::unique_ptr<ProcessDataLink> link, LinkWatch &watch)
         : m_link(std::move(link))
-        , m_changes(changes)
+        , m_watch(watch)
     {}
 
-    Result<RingStructure> open() override { return m_link->open(); }
+    Result<RingStructure> open() override
+    {
+        if (!m_watch.waitWhileBlocked())
+            return refuse(RefusalKind::stopped, RefusalId::cancelled);
+        return m_watch.isGone ? gone() : m_link->open();
+    }
     void close() override { m_link->close(); }
     Result<std::vector<Word>> readBackOut() override { return m_link->readBackOut(); }
     Result<void> exchange(std::span<const Word> out, std::span<Word> in) override
     {
-        m_changes += std::ranges::any_of(out, [](Word word) { return word != 0; }) ? 1 : 0;
+        if (m_watch.isGone)
+            return gone();
+        m_watch.changes += std::ranges::any_of(out, [](Word word) { return word != 0; }) ? 1 : 0;
         return m_link->exchange(out, in);
     }
+    Instant now() const override { return m_link->now(); }
+    void wait(Instant until) override { m_link->wait(until); }
     bool boundsWordsToCycles() const override { return m_link->boundsWordsToCycles(); }
     bool isSimulated() const override { return m_link->isSimulated(); }
-    void interrupt() override { m_link->interrupt(); }
+    void interrupt() override
+    {
+        m_watch.interrupt();
+        m_link->interrupt();
+    }
     MasterLink *master() override { return m_link->master(); }
 
 private:
+    static tl::unexpected<Refusal> gone()
+    {
+        return refuse(RefusalKind::link, RefusalId::linkFailed, {QStringLiteral("cable pulled")});
+    }
+
     std::unique_ptr<ProcessDataLink> m_link;
-    int &m_changes;
+    LinkWatch &m_watch;
 };
 
 // Requests with a value: ESC, address, command, eight digits, CR LF. Those that only ask have none.
 class WatchedLineLink final : public ByteLink
 {
 public:
-    WatchedLineLink(std::unique_ptr<ByteLink> link, int &changes)
+    WatchedLineLink(std::unique_ptr<ByteLink> link, LinkWatch &watch)
         : m_link(std::move(link))
-        , m_changes(changes)
+        , m_watch(watch)
     {}
 
-    Result<void> open(const LineSettings &settings) override { return m_link->open(settings); }
+    Result<void> open(const LineSettings &settings) override
+    {
+        if (!m_watch.waitWhileBlocked())
+            return refuse(RefusalKind::stopped, RefusalId::cancelled);
+        return m_watch.isGone ? gone(RefusalId::portNotFound) : m_link->open(settings);
+    }
     void close() override { m_link->close(); }
     Result<void> setBaudRate(int baudRate) override { return m_link->setBaudRate(baudRate); }
     Instant now() const override { return m_link->now(); }
     void wait(Instant until) override { m_link->wait(until); }
     Result<void> write(const QByteArray &bytes) override
     {
-        m_changes += bytes.size() > longestQuestion ? 1 : 0;
+        if (m_watch.isGone)
+            return gone(RefusalId::portLost);
+        m_watch.changes += bytes.size() > longestQuestion ? 1 : 0;
         return m_link->write(bytes);
     }
-    Result<QByteArray> read(Instant until) override { return m_link->read(until); }
+    Result<QByteArray> read(Instant until) override
+    {
+        if (m_watch.isGone)
+            return gone(RefusalId::portLost);
+        return m_link->read(until);
+    }
     QString name() const override { return m_link->name(); }
     bool isSimulated() const override { return m_link->isSimulated(); }
-    void interrupt() override { m_link->interrupt(); }
+    void interrupt() override
+    {
+        m_watch.interrupt();
+        m_link->interrupt();
+    }
 
 private:
     static constexpr qsizetype longestQuestion = 7;
 
+    tl::unexpected<Refusal> gone(RefusalId id) const
+    {
+        return refuse(RefusalKind::link, id, {m_link->name()});
+    }
+
     std::unique_ptr<ByteLink> m_link;
-    int &m_changes;
+    LinkWatch &m_watch;
 };
 
 } // namespace codewheel::test

@@ -45,7 +45,7 @@ Course run(const LineFaults &faults)
     bool asksPosition = false;
     Instant shownAt{};
     while (run.answersRight + run.answersDamaged < polls) {
-        runner.run(link.now() + 1ms);
+        runner.turn(link.now() + 1ms);
         for (const LineEvent &event : runner.takeEvents()) {
             const auto *row = std::get_if<esc::LineRow>(&event.what);
             if (row && row->kind == esc::LineRow::Kind::sent)

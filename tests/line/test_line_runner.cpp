@@ -31,7 +31,7 @@ protected:
                                             QStringLiteral("encoder")});
     }
     void poll() { runner.post(line_command::SetPolling{true}); }
-    void run(Instant duration) { runner.run(link.now() + duration); }
+    void run(Instant duration) { runner.turn(link.now() + duration); }
     std::vector<Message> messages()
     {
         std::vector<Message> found;
@@ -281,6 +281,7 @@ TEST_F(LineRunnerTest, AnotherAdapterIsNotUsedUnasked)
 TEST_F(LineRunnerTest, WithoutLowLatencyAnAnswerMayComeLater)
 {
     link.latency = LowLatency::refused;
+    ASSERT_TRUE(runner.open({}));
     link.delay = 115ms; // with the request of 6 characters
     add(5, 1s);
     poll();

@@ -190,7 +190,7 @@ TEST(LineScan, FindsTheTrainingLineThroughDamage)
         runner.post(line_command::Scan{{}});
         std::optional<ScanEnded> ended;
         while (!ended && link.now() < std::chrono::seconds(60)) {
-            runner.run(link.now() + std::chrono::milliseconds(100));
+            runner.turn(link.now() + std::chrono::milliseconds(100));
             for (const LineEvent &event : runner.takeEvents())
                 if (const auto *end = std::get_if<ScanEnded>(&event.what))
                     ended = *end;

@@ -234,9 +234,6 @@ TEST_F(LineSessionTest, APortThatCannotBeOpenedIsRefused)
     EXPECT_EQ(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand).error().id,
               RefusalId::portNotFound);
     EXPECT_FALSE(line->isOpen());
-    EXPECT_EQ(line->open({}, {}, LineSession::Start::watching, LineSession::Drive::byThread).error().id,
-              RefusalId::portNotFound);
-    EXPECT_FALSE(line->isOpen());
 }
 
 } // namespace

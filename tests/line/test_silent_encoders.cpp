@@ -32,7 +32,7 @@ protected:
         for (int i = 0; i < count; ++i)
             add({m_absent++});
     }
-    void run(Instant duration) { runner.run(link.now() + duration); }
+    void run(Instant duration) { runner.turn(link.now() + duration); }
     void setSilent(LineAddress address, bool silent)
     {
         EXPECT_TRUE(line->withEncoder(

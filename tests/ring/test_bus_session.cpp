@@ -6,8 +6,11 @@
 #include "tests/support/places.h"
 #include "tests/support/scripted_link.h"
 
+#include <QPointer>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <thread>
 
 namespace codewheel {
 namespace {
@@ -90,7 +93,7 @@ TEST_F(BusSessionTest, OpeningShowsOutAsReadBackAndSendsNothing)
 
 TEST_F(BusSessionTest, ALinkThatDoesNotOpenLeavesNothingRunning)
 {
-    m_link->refuseToOpen();
+    m_link->lose();
     const auto opened = m_bus->open(BusSession::Start::watching);
     ASSERT_FALSE(opened);
     EXPECT_EQ(opened.error().id, RefusalId::linkFailed);
@@ -262,6 +265,141 @@ TEST_F(BusSessionTest, ClosingEndsJobsAndTellsSo)
     ASSERT_TRUE(m_bus->open(BusSession::Start::operating));
     m_bus->advance(1);
     EXPECT_EQ(m_link->exchanges(), 2);
+}
+
+TEST_F(BusSessionTest, ALostLinkIsTriedEachSecondAndOutIsReadBack)
+{
+    open(BusSession::Start::operating);
+    m_bus->advance(1);
+    EncoderSession *before = encoder();
+    before->tell(Parameter::steps, 255);
+    m_link->lose();
+    m_bus->advance(3'500);
+    EXPECT_EQ(m_link->tries(), 4);
+    EXPECT_EQ(m_bus->state(), BusState::lost);
+    m_link->comeBack();
+    m_link->setPeerOut({0, wordB, 0}); // by somebody else
+    m_messages.clear();
+    m_bus->advance(1'000);
+    EXPECT_THAT(messages(), ElementsAre(MessageId::linkBack, MessageId::busStarted));
+    EXPECT_TRUE(m_bus->isRunning());
+    EXPECT_FALSE(m_bus->isOperating());
+    EXPECT_EQ(m_bus->channel(secondPlace)->out(), wordB);
+    EXPECT_THAT(m_link->peerOut(), ElementsAre(0u, wordB, 0u));
+    EXPECT_EQ(encoder(), before);
+    EXPECT_EQ(before->known(Parameter::steps)->value, 255);
+}
+
+TEST_F(BusSessionTest, AnotherRingAfterALostLinkIsTakenOver)
+{
+    open(BusSession::Start::operating);
+    m_bus->advance(1);
+    int changes = 0;
+    QObject::connect(m_bus.get(), &BusSession::structureChanged, m_bus.get(), [&] { ++changes; });
+    const QPointer<EncoderSession> gone = encoder();
+    const QPointer<EncoderSession> kept = m_bus->encoder(secondPlace);
+    m_link->lose();
+    m_bus->advance(10);
+    RingStructure other = mixedRing();
+    other.erase(other.begin());
+    m_link->comeBackAs(other);
+    m_bus->advance(1'000);
+    m_bus->advance(10);
+    EXPECT_EQ(changes, 1);
+    EXPECT_THAT(m_bus->places(), ElementsAre(secondPlace, thirdPlace));
+    EXPECT_EQ(gone, nullptr);
+    EXPECT_EQ(m_bus->encoder(secondPlace), kept);
+    EXPECT_TRUE(m_bus->isRunning());
+    EXPECT_FALSE(m_bus->isOperating());
+    EXPECT_TRUE(kept->freshness().isLive());
+    m_bus->setOperate(true);
+    m_bus->advance(1);
+    EXPECT_TRUE(kept->start(SendWords{{wordA}}));
+    m_bus->advance(2);
+    EXPECT_THAT(m_link->peerOut(), ElementsAre(wordA, 0u)) << "at its new place";
+}
+
+// The bus thread has found the other ring already when it is started with the one of before.
+TEST_F(BusSessionTest, AJobForARingThatIsNoMoreEndsOnce)
+{
+    open(BusSession::Start::operating);
+    m_bus->advance(1);
+    RingStructure other = mixedRing();
+    other.pop_back();
+    m_link->comeBackAs(other); // what is exchanged does not match it: refused
+    m_bus->startThread(std::chrono::microseconds(200));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1'300));
+    ASSERT_TRUE(encoder()->start(SendWords{{wordA}}));
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (m_bus->places().size() == 3 && std::chrono::steady_clock::now() < end)
+        m_bus->pump();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    m_bus->pump();
+    ASSERT_EQ(m_outcomes.size(), 1u);
+    EXPECT_EQ(m_outcomes[0].result.error().id, RefusalId::busStopped);
+    EXPECT_EQ(m_bus->places().size(), 2u);
+    m_bus->close();
+    EXPECT_THAT(m_link->peerOut(), ElementsAre(0u, 0u));
+}
+
+TEST_F(BusSessionTest, StopHoldsForALostLinkAndStartTriesAtOnce)
+{
+    open(BusSession::Start::operating);
+    m_bus->advance(1);
+    m_link->lose();
+    m_bus->advance(10);
+    m_bus->setRunning(false);
+    m_link->comeBack();
+    m_bus->advance(2'000);
+    EXPECT_EQ(m_bus->state(), BusState::open);
+    EXPECT_FALSE(m_bus->isRunning());
+    m_bus->setRunning(true);
+    m_bus->advance(1);
+    EXPECT_TRUE(m_bus->isRunning());
+    m_link->lose();
+    m_bus->advance(10);
+    m_link->comeBack();
+    m_bus->setRunning(true);
+    m_bus->advance(2);
+    EXPECT_TRUE(m_bus->isRunning());
+}
+
+TEST_F(BusSessionTest, AnAlarmStopOnALostLinkIsCarriedOutOnceItIsBack)
+{
+    open(BusSession::Start::operating);
+    m_bus->channel(secondPlace)->stage(wordB);
+    ASSERT_TRUE(m_bus->channel(secondPlace)->write());
+    m_bus->advance(1);
+    m_link->lose();
+    m_bus->advance(10);
+    m_bus->alarmStop();
+    m_bus->advance(10);
+    EXPECT_THAT(m_link->peerOut(), ElementsAre(0u, wordB, 0u));
+    m_link->comeBack();
+    m_bus->advance(1'010);
+    EXPECT_THAT(m_link->peerOut(), ElementsAre(0u, 0u, 0u));
+    EXPECT_FALSE(m_bus->isOperating());
+}
+
+TEST_F(BusSessionTest, ZerosOfAnAlarmStopGoOutBeforeItCloses)
+{
+    open(BusSession::Start::operating);
+    m_bus->channel(secondPlace)->stage(wordB);
+    ASSERT_TRUE(m_bus->channel(secondPlace)->write());
+    m_bus->advance(1);
+    m_bus->alarmStop();
+    m_link->interrupt(); // of the next call, as a thread that ends leaves it
+    m_bus->close();
+    EXPECT_THAT(m_link->peerOut(), ElementsAre(0u, 0u, 0u));
+}
+
+TEST_F(BusSessionTest, TimeIsThatOfTheLinksClock)
+{
+    open(BusSession::Start::watching);
+    m_link->wait(std::chrono::seconds(5)); // it goes by itself
+    m_bus->advance(std::chrono::milliseconds(10));
+    EXPECT_EQ(m_link->exchanges(), 10);
+    EXPECT_EQ(m_bus->now(), std::chrono::milliseconds(5'010));
 }
 
 TEST_F(BusSessionTest, ClosingFromAHandlerTellsTheRest)

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bus/bus_mail.h"
 #include "ring/ring_runner.h"
 #include "tests/ring/word_by_word_driver.h"
 #include "tests/support/places.h"
@@ -21,17 +20,25 @@ protected:
     void makeRing(std::size_t devices, const std::vector<Word> &peerOut = {})
     {
         m_link = std::make_unique<ScriptedLink>(devices);
-        EXPECT_TRUE(m_link->open());
         if (!peerOut.empty())
             m_link->setPeerOut(peerOut);
-        RingRunner::Drivers drivers;
+        m_runner = std::make_unique<RingRunner>(*m_link);
+        EXPECT_TRUE(m_runner->open({}));
+        useRing(devices);
+        cycle();
+        m_runner->takeLatest();
+        m_events.clear();
+        m_now = {};
+    }
+    void useRing(std::size_t devices)
+    {
+        command::UseRing ring{ScriptedLink::ringOf(devices), m_link->peerOut(), {}};
         for (std::size_t i = 0; i < devices; ++i) {
             auto driver = std::make_unique<WordByWordDriver>();
             m_drivers.push_back(driver.get());
-            drivers.push_back(std::move(driver));
+            ring.drivers.push_back({std::move(driver), {}});
         }
-        m_runner = std::make_unique<RingRunner>(*m_link, ScriptedLink::ringOf(devices), std::move(drivers),
-                                                m_link->peerOut());
+        m_runner->post(std::move(ring));
     }
     void startOperating()
     {
@@ -351,10 +358,12 @@ TEST_F(RingRunnerTest, LateCyclesAreToldAtMostOnceAMinute)
 TEST_F(RingRunnerTest, ADeviceWithoutADriverShowsAndSendsItsWords)
 {
     ScriptedLink link(1);
-    ASSERT_TRUE(link.open());
     link.answerWith([](std::size_t, Word out) { return out; });
-    RingRunner::Drivers none(1);
-    RingRunner runner(link, ScriptedLink::ringOf(1), std::move(none), {0});
+    RingRunner runner(link);
+    ASSERT_TRUE(runner.open({}));
+    command::UseRing ring{ScriptedLink::ringOf(1), {0}, {}};
+    ring.drivers.emplace_back();
+    runner.post(std::move(ring));
     runner.post(command::StartBus{});
     runner.post(command::SetOperate{true});
     runner.post(command::SetOut{0, firstWord});
@@ -377,14 +386,15 @@ TEST_F(RingRunnerTest, ASnapshotThatNobodyTookInTimeTellsOfTheSleep)
     makeRing(1);
     startOperating();
     cycle();
-    m_runner->slept(std::chrono::hours(1), m_now);
+    m_link->wait(m_now);
+    m_runner->slept(std::chrono::hours(1));
     cycle();
     const auto latest = m_runner->takeLatest();
     EXPECT_EQ(latest->awakeSince, m_now - std::chrono::milliseconds(1));
     EXPECT_FALSE(latest->operate);
 }
 
-constexpr std::size_t mostRows = BusMail<Command, RingEvent, Snapshot>::maximumRows;
+constexpr std::size_t mostRows = RingRunner::Mail::maximumRows;
 
 TEST_F(RingRunnerTest, RowsNobodyTakesAreDroppedAndCountedMessagesAreNot)
 {

@@ -3,6 +3,7 @@
 
 #include "ring/process_data_link.h"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <functional>
@@ -64,12 +65,22 @@ public:
 
     Result<RingStructure> open() override
     {
-        if (m_refusesToOpen)
+        ++m_tries;
+        if (m_isLost)
             return refuse(RefusalKind::link, RefusalId::linkFailed, {QStringLiteral("no answer")});
         m_open = true;
         return m_structure;
     }
-    void refuseToOpen() { m_refusesToOpen = true; }
+    // The peer is gone, and there again: the same ring, or another.
+    void lose() { m_isLost = true; }
+    void comeBack() { m_isLost = false; }
+    void comeBackAs(RingStructure structure)
+    {
+        m_structure = std::move(structure);
+        m_peerOut.assign(m_structure.size(), 0);
+        comeBack();
+    }
+    int tries() const { return m_tries; } // of opening
     bool isOpen() const { return m_open; }
     void close() override { m_open = false; }
     Result<std::vector<Word>> readBackOut() override
@@ -84,13 +95,15 @@ public:
             return refuse(RefusalKind::stopped, RefusalId::cancelled);
         if (!m_open || out.size() != m_peerOut.size() || in.size() != m_peerOut.size())
             return refuse(RefusalKind::link, RefusalId::linkFailed, {QStringLiteral("not connected")});
-        if (++m_exchanges == m_failAt)
+        if (m_isLost || ++m_exchanges == m_failAt)
             return refuse(RefusalKind::link, RefusalId::linkFailed, {QStringLiteral("cable pulled")});
         m_peerOut.assign(out.begin(), out.end());
         for (std::size_t i = 0; i < in.size(); ++i)
             in[i] = m_answer ? m_answer(i, out[i]) : 0;
         return {};
     }
+    Instant now() const override { return m_now; }
+    void wait(Instant until) override { m_now = std::max(m_now, until); }
     bool boundsWordsToCycles() const override { return m_boundsWordsToCycles; }
     void repeatWordsByItself() { m_boundsWordsToCycles = false; }
     void interrupt() override
@@ -119,9 +132,11 @@ private:
     Answer m_answer;
     std::vector<Word> m_peerOut;
     bool m_open = false;
-    bool m_refusesToOpen = false;
+    bool m_isLost = false;
+    int m_tries = 0;
     bool m_boundsWordsToCycles = true;
     std::chrono::milliseconds m_delay{0};
+    Instant m_now{};
     int m_exchanges = 0;
     int m_failAt = 0;
     std::mutex m_mutex;

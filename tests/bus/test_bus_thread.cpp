@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ring/paced_thread.h"
-#include "ring/pacer.h"
+#include "bus/bus_thread.h"
+#include "bus/pacer.h"
 #include "ring/ring_runner.h"
 #include "tests/ring/word_by_word_driver.h"
 #include "tests/support/scripted_link.h"
@@ -25,6 +25,14 @@ TEST(Pacer, DeadlinesStandOnAGridWhateverTheCyclesTake)
     EXPECT_EQ(pacer.lateCycles(), 0u);
 }
 
+TEST(Pacer, WhatWaitedForTheLinkIsNotLate)
+{
+    Pacer pacer(start, 1ms);
+    pacer.cycleEnded(start + 3500us, false);
+    EXPECT_EQ(pacer.lateCycles(), 0u);
+    EXPECT_EQ(pacer.deadline(), start + 4ms);
+}
+
 TEST(Pacer, LateCyclesAreCountedAndNotCaughtUp)
 {
     Pacer pacer(start, 1ms);
@@ -36,16 +44,16 @@ TEST(Pacer, LateCyclesAreCountedAndNotCaughtUp)
     EXPECT_EQ(pacer.deadline(), start + 5ms);
 }
 
-class PacedThreadTest : public testing::Test
+class BusThreadTest : public testing::Test
 {
 protected:
-    PacedThreadTest()
+    BusThreadTest()
     {
-        EXPECT_TRUE(m_link.open());
-        RingRunner::Drivers drivers;
-        drivers.push_back(std::make_unique<WordByWordDriver>());
-        m_runner = std::make_unique<RingRunner>(m_link, ScriptedLink::ringOf(1), std::move(drivers),
-                                                std::vector<Word>{0});
+        m_runner = std::make_unique<RingRunner>(m_link);
+        EXPECT_TRUE(m_runner->open({}));
+        command::UseRing ring{ScriptedLink::ringOf(1), {0}, {}};
+        ring.drivers.push_back({std::make_unique<WordByWordDriver>(), {}});
+        m_runner->post(std::move(ring));
         m_runner->post(command::StartBus{});
         m_runner->post(command::SetOperate{true});
     }
@@ -65,9 +73,9 @@ protected:
     std::unique_ptr<RingRunner> m_runner;
 };
 
-TEST_F(PacedThreadTest, CyclesTheRunnerWhileTheWindowPostsAndTakes)
+TEST_F(BusThreadTest, CyclesTheRunnerWhileTheWindowPostsAndTakes)
 {
-    const PacedThread thread(*m_runner, m_link, 1ms, Instant{0});
+    const BusThread thread(*m_runner, {.period = 1ms}, true);
     for (JobId job = 1; job <= 20; ++job) {
         m_runner->post(command::StartJob{0, job, SendWords{{0x020000FF, 0x80000000}}, Pace::byItself});
         const Outcome outcome = waitForOutcome();
@@ -80,38 +88,40 @@ TEST_F(PacedThreadTest, CyclesTheRunnerWhileTheWindowPostsAndTakes)
     }
 }
 
-TEST_F(PacedThreadTest, StartsAndStopsFiftyTimesAndItsTimeGoesOn)
+TEST_F(BusThreadTest, TheLinksClockGoesWithTheCycles)
 {
+    const BusThread thread(*m_runner, {.period = 1ms}, true);
     Instant last{};
-    for (JobId job = 1; job <= 50; ++job) {
-        const PacedThread thread(*m_runner, m_link, 100us, last);
-        m_runner->post(command::StartJob{0, job, SendWords{{0x020000FF}}, Pace::byItself});
-        EXPECT_EQ(waitForOutcome().job, job);
-        if (const auto snapshot = m_runner->takeLatest()) {
-            EXPECT_GE(snapshot->at, last);
-            last = snapshot->at;
-        }
+    for (int i = 0; i < 20; ++i) {
+        std::shared_ptr<const Snapshot> snapshot;
+        while (!(snapshot = m_runner->takeLatest()))
+            std::this_thread::yield();
+        EXPECT_EQ(snapshot->at % 1ms, Instant(0));
+        EXPECT_GE(snapshot->at, last);
+        last = snapshot->at;
     }
+    EXPECT_GT(last, 0ms);
 }
 
-TEST_F(PacedThreadTest, StopInterruptsALinkThatBlocks)
+TEST_F(BusThreadTest, StopInterruptsALinkThatBlocks)
 {
     m_link.block();
     {
-        const PacedThread thread(*m_runner, m_link, 1ms, Instant{0});
+        const BusThread thread(*m_runner, {.period = 1ms}, true);
         m_link.waitUntilBlocked();
     }
-    EXPECT_EQ(m_runner->takeLatest()->state, MasterState::run)
-        << "our own interrupt is no failure of the link";
-    m_link.unblock();
-    m_runner->cycle(Instant{1000});
-    EXPECT_EQ(m_link.exchanges(), 1);
+    EXPECT_FALSE(m_link.isOpen());
+    EXPECT_EQ(m_link.exchanges(), 0);
+    for (const RingEvent &event : m_runner->takeEvents()) {
+        const auto *message = std::get_if<Message>(&event.what);
+        EXPECT_FALSE(message && message->refusal) << "our own interrupt is no failure of the link";
+    }
 }
 
-TEST_F(PacedThreadTest, StopsPromptlyWhateverThePeriod)
+TEST_F(BusThreadTest, StopsPromptlyWhateverThePeriod)
 {
     {
-        const PacedThread thread(*m_runner, m_link, 24h, Instant{0});
+        const BusThread thread(*m_runner, {.period = 24h}, true);
         while (!m_runner->takeLatest())
             std::this_thread::yield();
     }

@@ -20,14 +20,16 @@ public:
 
     // When the next cycle begins.
     Time deadline() const { return m_deadline; }
-    // A cycle ended at `now`. Deadlines that passed meanwhile are counted as late and not caught up.
-    void cycleEnded(Time now)
+    // A cycle ended at `now`. Deadlines that passed meanwhile are not caught up, and counted as late unless
+    // it had to wait for something else.
+    void cycleEnded(Time now, bool counts = true)
     {
         m_deadline += m_period;
         if (now <= m_deadline)
             return;
         const auto missed = (now - m_deadline) / m_period + 1;
-        m_lateCycles += static_cast<std::uint64_t>(missed);
+        if (counts)
+            m_lateCycles += static_cast<std::uint64_t>(missed);
         m_deadline += missed * m_period;
     }
     std::uint64_t lateCycles() const { return m_lateCycles; }

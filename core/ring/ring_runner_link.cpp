@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A link that is opened, lost and back, and the ring that is found then.
+#include "ring/ring_runner_private.h"
+
+#include <utility>
+
+namespace codewheel {
+namespace {
+
+constexpr std::chrono::seconds betweenTries{1}; // of opening a link that is lost
+
+} // namespace
+
+Result<RingFound> RingRunner::Private::find()
+{
+    auto there = link.open();
+    if (!there)
+        return tl::unexpected(there.error());
+    auto out = link.readBackOut();
+    if (!out) {
+        link.close();
+        return tl::unexpected(out.error());
+    }
+    return found(*std::move(there), *std::move(out));
+}
+
+RingFound RingRunner::Private::found(RingStructure there, std::vector<Word> out) const
+{
+    out.resize(there.size());
+    return {std::move(there), std::move(out),
+            master ? std::make_shared<const MasterStatus>(master->status()) : nullptr};
+}
+
+void RingRunner::Private::loseLink(const Refusal &why)
+{
+    ring.connected = false;
+    leaveRun(MasterState::busFail);
+    runsAgain = true;
+    ring.operate = false;
+    refuseOfRing({RefusalKind::link, why.id, why.arguments});
+    link.close();
+    reopenAt = ring.at + betweenTries;
+}
+
+void RingRunner::Private::waitForLink()
+{
+    if (ring.at >= reopenAt)
+        tryToReopen();
+    showStandingWords();
+}
+
+// That it does not open was told when it was lost. A master that was stopped meanwhile is not started.
+void RingRunner::Private::tryToReopen()
+{
+    reopenAt = ring.at + betweenTries;
+    auto there = find();
+    if (!there)
+        return;
+    ring.connected = true;
+    ring.operate = false;
+    ring.state = MasterState::active;
+    runsAgain = runsAgain && (!master || master->status().state == MasterState::run);
+    tellOfRing({.id = MessageId::linkBack});
+    ringIsOther = ringIsOther || !isSameRing(there->structure, structure);
+    if (ringIsOther) {
+        tell(0, *std::move(there));
+        return;
+    }
+    for (std::size_t i = 0; i < image.size(); ++i)
+        image[i] = goesOn(i, there->out[i]);
+    comeBack();
+}
+
+// There is a ring that can run. An ALARM STOP that its link was too late for goes first.
+void RingRunner::Private::comeBack()
+{
+    seenOfMaster = ~std::uint64_t{0};
+    if (zerosAreDue && master)
+        carryOut(command::AlarmStop{});
+    else if (zerosAreDue)
+        zeroOut();
+    const bool canRun = !master || master->status().state == MasterState::active ||
+                        master->status().state == MasterState::run;
+    if (std::exchange(runsAgain, false) && canRun)
+        carryOut(command::StartBus{});
+}
+
+// It is told whatever the master has said of the ring before.
+void RingRunner::Private::carryOut(command::UseRing &c)
+{
+    endJobs(RefusalId::busStopped);
+    Drivers before = std::exchange(drivers, {});
+    structure = std::move(c.structure);
+    image = std::move(c.out);
+    for (command::UseRing::Driver &driver : c.drivers) {
+        const std::size_t i = drivers.size();
+        drivers.push_back(driver.before ? std::move(before[*driver.before]) : std::move(driver.made));
+        if (driver.before)
+            image[i] = goesOn(i, image[i]);
+    }
+    received.assign(image.size(), 0);
+    written.clear();
+    trace = ExchangeTrace(image.size());
+    faults = FaultWatch(image.size());
+    masterWatch = {};
+    ring.devices.assign(image.size(), {});
+    for (std::size_t i = 0; i < image.size(); ++i)
+        ring.devices[i].out = image[i];
+    ring.cycle = 0;
+    ++ring.generation;
+    ringIsOther = false;
+    comeBack();
+}
+
+Result<void> RingRunner::open(const std::stop_token &stop)
+{
+    auto found = openUnlessStopped(stop, [this] { return d->find(); });
+    d->ring.at = d->link.now();
+    d->ring.connected = found.has_value();
+    const Result<void> opened = found ? Result<void>() : tl::unexpected(found.error());
+    d->tell(0, LinkOpened{opened});
+    if (found) {
+        d->ringIsOther = true;
+        d->tell(0, *std::move(found));
+    }
+    return opened;
+}
+
+} // namespace codewheel
