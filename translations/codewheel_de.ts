@@ -2757,6 +2757,22 @@
         <source>Another program has changed %1 since it was read here. It was left as it is; nothing was saved. Read it again.</source>
         <translation>Ein anderes Programm hat %1 geändert, seit die Datei hier gelesen wurde. Sie blieb, wie sie ist; nichts wurde gespeichert. Lesen Sie sie neu.</translation>
     </message>
+    <message>
+        <source>%1 does not answer. Check address, baud rate, wiring and supply.</source>
+        <translation>%1 antwortet nicht. Adresse, Baudrate, Verdrahtung und Versorgung prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 is not connected. Connect its bus, and look which devices are there.</source>
+        <translation>%1 ist nicht verbunden. Den Bus verbinden und nachsehen, welche Teilnehmer da sind.</translation>
+    </message>
+    <message>
+        <source>%1: planned is %2, connected is %3. Connect what is planned, or plan what is connected.</source>
+        <translation>%1: geplant ist %2, verbunden ist %3. Das Geplante anschließen oder das Verbundene planen.</translation>
+    </message>
+    <message>
+        <source>%1: the label in the project has the serial number %2, the encoder tells %3. Replace the encoder in the project, or correct the label.</source>
+        <translation>%1: Das Typenschild im Projekt hat die Seriennummer %2, der Geber meldet %3. Den Geber im Projekt ersetzen oder das Typenschild berichtigen.</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>
@@ -5821,10 +5837,6 @@ erste Anfrage, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehn
         <translation>serielle Leitung: die letzte gefragte Adresse (1F)</translation>
     </message>
     <message>
-        <source>This works with encoders on INTERBUS only. Use codewheel-cli read and write for an encoder on a serial line.</source>
-        <translation>Das geht nur mit Gebern am INTERBUS. Für einen Geber an einer seriellen Leitung codewheel-cli read und write verwenden.</translation>
-    </message>
-    <message>
         <source>command</source>
         <translation>Befehl</translation>
     </message>
@@ -5839,21 +5851,6 @@ erste Anfrage, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehn
     <message>
         <source>%1: nothing was stored.</source>
         <translation>%1: Nichts wurde gespeichert.</translation>
-    </message>
-    <message>
-        <source>Reads all that can be read of the encoders named, or of all, and keeps it in the project, with its
-evidence and time. While an encoder is read, it shows no position. Of an encoder that cannot be
-read what is known is kept; what nobody knows stays unknown. With --cams each cam program is read
-in the cam mode of its own; leaving one that was changed before costs an EEPROM write.
-Nothing is stored of a place where another encoder may stand than the project has (see
-&quot;compare&quot;): exit code 1. The file that was there is kept as PROJECT~.</source>
-        <translation>Liest alles, was sich von den genannten oder von allen Gebern lesen lässt, und legt es mit Herkunft
-und Zeit im Projekt ab. Solange ein Geber gelesen wird, zeigt er keine Position. Von einem Geber, der
-sich nicht auslesen lässt, wird abgelegt, was bekannt ist; was niemand weiß, bleibt unbekannt. Mit
---cams wird jedes Nockenprogramm in seinem eigenen Nockenbetrieb gelesen; ein vorher geändertes zu
-verlassen kostet einen EEPROM-Schreibvorgang. Von einem Platz, an dem ein anderer Geber stehen kann
-als im Projekt, wird nichts abgelegt (siehe &quot;compare&quot;): Exit-Code 1. Die Datei, die da war, bleibt
-als PROJECT~ erhalten.</translation>
     </message>
     <message>
         <source>Shows what the encoders named, or all, are known to have beside what the project wants, with the
@@ -6044,6 +6041,25 @@ wurde, zählt nicht doppelt. Braucht keinen Bus.</translation>
     <message>
         <source>The EEPROM writes of this call are not entered in the ledger.</source>
         <translation>Die EEPROM-Schreibvorgänge dieses Aufrufs sind nicht im Verzeichnis eingetragen.</translation>
+    </message>
+    <message>
+        <source>What is found on a serial line is not saved as a project. Leave --save out.</source>
+        <translation>Was auf einer seriellen Leitung gefunden wird, wird nicht als Projekt gespeichert. --save weglassen.</translation>
+    </message>
+    <message>
+        <source>Reads all that can be read of the encoders named, or of all, and keeps it in the project, with its
+evidence and time. While one on INTERBUS is read, it shows no position. Of an encoder that cannot be
+read what is known is kept; what nobody knows stays unknown. With --cams each cam program is read
+in the cam mode of its own; leaving one that was changed before costs an EEPROM write.
+Nothing is stored of a place where another encoder may stand than the project has (see
+&quot;compare&quot;): exit code 1. The file that was there is kept as PROJECT~.</source>
+        <translation>Liest alles, was sich von den genannten oder von allen Gebern lesen lässt, und legt es mit Herkunft
+und Zeit im Projekt ab. Solange einer am INTERBUS gelesen wird, zeigt er keine Position. Von einem, der
+sich nicht auslesen lässt, wird abgelegt, was bekannt ist; was niemand weiß, bleibt unbekannt. Mit
+--cams wird jedes Nockenprogramm in seinem eigenen Nockenbetrieb gelesen; ein vorher geändertes zu
+verlassen kostet einen EEPROM-Schreibvorgang. Von einem Platz, an dem ein anderer Geber stehen kann
+als im Projekt, wird nichts abgelegt (siehe &quot;compare&quot;): Exit-Code 1. Die Datei, die da war, bleibt
+als PROJECT~ erhalten.</translation>
     </message>
 </context>
 <context>
@@ -10685,25 +10701,6 @@ Worte: IN %5, OUT %6</translation>
     </message>
 </context>
 <context>
-    <name>codewheel::ProjectPlaces</name>
-    <message>
-        <source>%1 (missing now)</source>
-        <translation>%1 (fehlt jetzt)</translation>
-    </message>
-    <message>
-        <source>%1 (moved to %2)</source>
-        <translation>%1 (versetzt nach %2)</translation>
-    </message>
-    <message>
-        <source>%1 (its number is %2 now)</source>
-        <translation>%1 (hat jetzt die Nummer %2)</translation>
-    </message>
-    <message>
-        <source>perhaps another one: beside it, one of the same kind is missing or additional</source>
-        <translation>vielleicht ein anderer: daneben fehlt einer derselben Art oder ist einer zusätzlich da</translation>
-    </message>
-</context>
-<context>
     <name>codewheel::ProjectReader</name>
     <message>
         <source>This is no project: the format is not &quot;%1&quot;.</source>
@@ -10846,10 +10843,6 @@ Worte: IN %5, OUT %6</translation>
         <translation>Den Schlüssel vom Typenschild eintippen. Leerzeichen, Punkte und Striche sind gleichgültig.</translation>
     </message>
     <message>
-        <source>The encoders of the catalog with the device code of this place</source>
-        <translation>Die Geber des Katalogs mit dem Gerätecode dieses Platzes</translation>
-    </message>
-    <message>
         <source>Serial number of the new encoder</source>
         <translation>Seriennummer des neuen Gebers</translation>
     </message>
@@ -10889,6 +10882,10 @@ Worte: IN %5, OUT %6</translation>
         <source>The key is not that of the chosen encoder. Choose the encoder of the label, or clear the key.</source>
         <translation>Der Schlüssel gehört nicht zum gewählten Geber. Den Geber vom Typenschild wählen oder den Schlüssel löschen.</translation>
     </message>
+    <message>
+        <source>The encoders of the catalog that can stand at this place</source>
+        <translation>Die Geber des Katalogs, die auf diesem Platz stehen können</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ReplacePage</name>
@@ -10921,16 +10918,16 @@ Worte: IN %5, OUT %6</translation>
         <translation>Geber %1 ersetzen</translation>
     </message>
     <message>
-        <source>Sends the words above to the new encoder</source>
-        <translation>Sendet die Worte oben an den neuen Geber</translation>
-    </message>
-    <message>
         <source>Back to the monitors</source>
         <translation>Zurück zu den Monitoren</translation>
     </message>
     <message>
         <source>To the next step</source>
         <translation>Zum nächsten Schritt</translation>
+    </message>
+    <message>
+        <source>Sends what is shown above to the new encoder</source>
+        <translation>Sendet das oben Gezeigte an den neuen Geber</translation>
     </message>
 </context>
 <context>
@@ -11860,6 +11857,25 @@ Zustand: %7</translation>
     <message>
         <source>link lost</source>
         <translation>Verbindung verloren</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RingStrangers</name>
+    <message>
+        <source>%1 (missing now)</source>
+        <translation>%1 (fehlt jetzt)</translation>
+    </message>
+    <message>
+        <source>%1 (moved to %2)</source>
+        <translation>%1 (versetzt nach %2)</translation>
+    </message>
+    <message>
+        <source>%1 (its number is %2 now)</source>
+        <translation>%1 (hat jetzt die Nummer %2)</translation>
+    </message>
+    <message>
+        <source>perhaps another one: beside it, one of the same kind is missing or additional</source>
+        <translation>vielleicht ein anderer: daneben fehlt einer derselben Art oder ist einer zusätzlich da</translation>
     </message>
 </context>
 <context>
@@ -13354,10 +13370,6 @@ Zustand: %7</translation>
         <translation>Der Geber hat es: Es wird ausgelassen.</translation>
     </message>
     <message>
-        <source>The word that will stand in OUT</source>
-        <translation>Das Wort, das in OUT stehen wird</translation>
-    </message>
-    <message>
         <source>Cam program %1</source>
         <translation>Nockenprogramm %1</translation>
     </message>
@@ -13393,6 +13405,18 @@ Zustand: %7</translation>
         <source>Known now, beside what the project has stored</source>
         <translation>Jetzt bekannt, neben dem, was im Projekt abgelegt ist</translation>
     </message>
+    <message>
+        <source>Computed from the other values, which act once it is sent</source>
+        <translation>Aus den anderen Werten berechnet, die wirken, sobald er gesendet ist</translation>
+    </message>
+    <message>
+        <source>What will be sent for it</source>
+        <translation>Was dafür gesendet wird</translation>
+    </message>
+    <message>
+        <source>Values to read: %1. It goes on showing its position.</source>
+        <translation>Zu lesende Werte: %1. Dabei zeigt er weiter seine Position.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TransferModel</name>
@@ -13417,16 +13441,16 @@ Zustand: %7</translation>
         <translation>Gewünscht</translation>
     </message>
     <message>
-        <source>Word</source>
-        <translation>Wort</translation>
-    </message>
-    <message>
         <source>EEPROM</source>
         <translation>EEPROM</translation>
     </message>
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>Gesendet wird</translation>
     </message>
 </context>
 <context>
@@ -13488,14 +13512,6 @@ Zustand: %7</translation>
         <translation>&amp;Schreiben</translation>
     </message>
     <message>
-        <source>Reads the chosen encoders, which show no position meanwhile, and keeps what they have in the project</source>
-        <translation>Liest die gewählten Geber, die so lange keine Position zeigen, und legt im Projekt ab, was sie haben</translation>
-    </message>
-    <message>
-        <source>Sends the words above to the chosen encoders, one after the other</source>
-        <translation>Sendet die Worte oben an die gewählten Geber, an einen nach dem anderen</translation>
-    </message>
-    <message>
         <source>There is nothing to restore.</source>
         <translation>Es gibt nichts wiederherzustellen.</translation>
     </message>
@@ -13518,6 +13534,14 @@ Zustand: %7</translation>
     <message>
         <source>Values of %1</source>
         <translation>Werte von %1</translation>
+    </message>
+    <message>
+        <source>Reads the chosen encoders, and keeps what they have in the project. Those of a ring show no position meanwhile</source>
+        <translation>Liest die gewählten Geber und legt im Projekt ab, was sie haben. Die eines Rings zeigen so lange keine Position</translation>
+    </message>
+    <message>
+        <source>Sends what is shown above to the chosen encoders, one after the other</source>
+        <translation>Sendet das oben Gezeigte an die gewählten Geber, an einen nach dem anderen</translation>
     </message>
 </context>
 <context>
@@ -13545,10 +13569,6 @@ Zustand: %7</translation>
     <message>
         <source>Not connected: nothing can be sent.</source>
         <translation>Nicht verbunden: Nichts lässt sich senden.</translation>
-    </message>
-    <message>
-        <source>%1 is on a serial line, and this is for the ring. Write its values with the parameter panel or the wizard.</source>
-        <translation>%1 ist an einer seriellen Leitung, und dies ist für den Ring. Seine Werte mit dem Parameterfeld oder dem Assistenten schreiben.</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/bus_access.h"
 
+#include "bus/buses.h"
 #include "bus/word_channel.h"
 #include "catalog/label_key.h"
 #include "cli/device_text.h"
@@ -51,8 +52,10 @@ Checked<NamedDevice> deviceMeant(const Call &call, Place place, const QString &t
     const auto matches = findByLabel(call.catalog, typed);
     if (!matches)
         return tl::unexpected(deviceNamed(call.catalog, typed).error());
-    const auto found = std::ranges::find_if(
-        *matches, [&](const LabelMatch &match) { return call.bus->canBe(place, *match.device).has_value(); });
+    const EncoderBus *bus = call.buses.busOf(place);
+    const auto found = std::ranges::find_if(*matches, [&](const LabelMatch &match) {
+        return bus && bus->canBe(place, *match.device).has_value();
+    });
     const LabelMatch &match = found == matches->end() ? matches->front() : *found;
     return NamedDevice{match.device->key, match.turns, match.stepsPerTurn};
 }
@@ -130,9 +133,27 @@ FinishedJob runToEnd(const Call &call, const AllowedJob &allowed)
     return finished;
 }
 
-Complaint complaintAboutJob(const Call &call, const EncoderSession &encoder, const Refusal &why)
+bool isOfLine(const Call &call, Place place)
 {
-    return encoder.place().isOnLine() ? call.line->complaint(why) : complaintAbout(why);
+    return call.line != nullptr && call.line->bus().id() == place.bus;
+}
+
+Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why)
+{
+    return isOfLine(call, place) ? call.line->complaint(why) : complaintAbout(why);
+}
+
+void passTime(const Call &call, Place place)
+{
+    if (isOfLine(call, place))
+        call.line->advance(LineAccess::lookInterval);
+    else
+        call.bus->advance(1);
+}
+
+LedgerKeeper *ledgerOf(const Call &call, Place place)
+{
+    return isOfLine(call, place) ? call.line->ledger() : call.ledger;
 }
 
 QString traceText(const Call &call, const EncoderSession &encoder, const FinishedJob &job)

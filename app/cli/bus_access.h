@@ -13,6 +13,7 @@
 namespace codewheel {
 
 class BusSession;
+class LedgerKeeper;
 
 struct Call;
 
@@ -57,8 +58,17 @@ struct FinishedJob
 // where Ctrl+C cancels it.
 FinishedJob runToEnd(const Call &call, const AllowedJob &allowed);
 
+// Whether that is on the serial line of the call.
+bool isOfLine(const Call &call, Place place);
+
 // About a job that was refused; of an encoder on a serial line about the port too, where it is gone.
-Complaint complaintAboutJob(const Call &call, const EncoderSession &encoder, const Refusal &why);
+Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why);
+
+// Lets some time pass on the bus at the place: a cycle of a ring, so much of a line as it is looked at.
+void passTime(const Call &call, Place place);
+
+// That counts EEPROM writes on the bus at the place; null: none does.
+LedgerKeeper *ledgerOf(const Call &call, Place place);
 
 // Of a job, for --trace.
 QString traceText(const Call &call, const EncoderSession &encoder, const FinishedJob &job);

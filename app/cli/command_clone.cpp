@@ -37,9 +37,9 @@ Checked<void> readFirst(const Call &call, const EncoderSession &from)
     const auto allowed = eepromConsent(call, {jobs}, AsksAnyway::no);
     if (!allowed)
         return tl::unexpected(allowed.error());
-    const FinishedRound round = runToEnd(*call.bus, *allowed, JobRound::AfterRefusal::stop);
+    const FinishedRound round = runToEnd(call, *allowed, JobRound::AfterRefusal::stop);
     if (round.results.front().why)
-        return tl::unexpected(complaintAbout(*round.results.front().why));
+        return tl::unexpected(complaintAboutJob(call, from.place(), *round.results.front().why));
     return {};
 }
 
@@ -71,7 +71,9 @@ Checked<Answer> runClone(const Call &call)
                         CommandLine::tr("Nothing is known of %1: it cannot be read, and nothing was written "
                                         "to it from here."),
                         {call.arguments.rest.front()});
-    return transfer(call, TransferKind::clone, (*from)->place().toString(), planTransfer(*call.bus, wishes));
+    return plan(call, wishes).map([&](const TransferPlan &planned) {
+        return transfer(call, TransferKind::clone, (*from)->place().toString(), planned);
+    });
 }
 
 } // namespace
@@ -91,7 +93,6 @@ const Subcommand cloneCommand{
     .minimumArguments = 2,
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
-    .whyNotOnLine = valuesOfBusOnly,
     .textIsAccount = true,
     .run = runClone,
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command_line.h"
 
+#include "bus/buses.h"
 #include "catalog/catalog.h"
 #include "cli/commands.h"
 #include "cli/help.h"
@@ -13,6 +14,8 @@
 #include "encoder/sentence.h"
 #include "journal/ledger_keeper.h"
 #include "journal_files.h"
+#include "project/project_file.h"
+#include "ring/bus_session.h"
 #include "simulator/fault_plan_file.h"
 #include "training_session.h"
 #include "user_devices.h"
@@ -125,12 +128,23 @@ bool needsBus(const Subcommand &command, const Arguments &arguments)
     return command.needsBus || (command.busOption != nullptr && arguments.has(command.busOption));
 }
 
+// Of --project, else that of its first argument.
+Checked<std::optional<Project>> projectOf(const Subcommand &command, const Arguments &arguments)
+{
+    if (!command.namesProject || arguments.has("--project") || arguments.rest.isEmpty())
+        return projectNamed(arguments);
+    auto project = loadProject(arguments.rest.front());
+    if (!project)
+        return tl::unexpected(complaintAbout(project.error()));
+    return *std::move(project);
+}
+
 // What makes no sense with the link is refused before anything is opened.
 Checked<LinkWish> checkLink(const Subcommand &command, const Arguments &arguments)
 {
     const QString typed = arguments.value("--link").value_or(QStringLiteral("training"));
-    const auto project =
-        isLineOfProject(typed) ? projectNamed(arguments) : Checked<std::optional<Project>>(std::nullopt);
+    const auto project = isLineOfProject(typed) ? projectOf(command, arguments)
+                                                : Checked<std::optional<Project>>(std::nullopt);
     if (!project)
         return tl::unexpected(project.error());
     auto link = linkMeant(typed, *project ? &**project : nullptr);
@@ -224,7 +238,12 @@ int runCommand(const Subcommand &command, const Arguments &arguments, const Cata
     const auto project = projectNamed(arguments);
     if (!project)
         return fail(project.error(), name, asJson, {}, terminal);
-    const Call call{connection,          arguments, catalog, terminal, *project ? &**project : nullptr,
+    Buses buses;
+    if (connection.bus != nullptr)
+        buses.add(*connection.bus);
+    if (connection.line != nullptr)
+        buses.add(connection.line->bus());
+    const Call call{connection,          buses, arguments, catalog, terminal, *project ? &**project : nullptr,
                     command.whyNotOnLine};
     if (call.project != nullptr)
         useProject(call, *call.project, *arguments.value("--project"));

@@ -87,7 +87,7 @@ Checked<Answer> runPreset(const Call &call)
         answer.json.insert(QStringLiteral("trace"), traceJson(call, **encoder, job));
     }
     if (!job.outcome.result) {
-        answer.complaint = complaintAboutJob(call, **encoder, job.outcome.result.error());
+        answer.complaint = complaintAboutJob(call, (*encoder)->place(), job.outcome.result.error());
         return answer;
     }
     answer.text +=

@@ -120,7 +120,7 @@ Answer readFrom(const Call &call, EncoderSession &encoder, NamedValues named)
     }
     answer.text += valueLines(encoder, job.outcome.read, version);
     if (!job.outcome.result)
-        answer.complaint = complaintAboutJob(call, encoder, job.outcome.result.error());
+        answer.complaint = complaintAboutJob(call, encoder.place(), job.outcome.result.error());
     return answer;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/buses.h"
 #include "catalog/catalog.h"
 #include "cli/bus_access.h"
 #include "cli/commands.h"
@@ -11,7 +12,6 @@
 #include "encoder/sentence.h"
 #include "journal/ledger_keeper.h"
 #include "project/project_file.h"
-#include "ring/bus_session.h"
 #include "transfer/project_places.h"
 #include "transfer/replacement.h"
 #include "transfer/transfer_words.h"
@@ -50,7 +50,7 @@ Checked<ProjectDevice> plannedAt(const Call &call, Place place)
     if (const ProjectDevice *planned = findDevice(*call.project, place))
         return *planned;
     QStringList places;
-    for (const ProjectDevice &device : devicesOn(*call.project, call.bus->id()))
+    for (const ProjectDevice &device : devicesOfLink(call, *call.project))
         places << device.place().toString();
     return tl::unexpected(complaintAbout({RefusalKind::badInput,
                                           RefusalId::noSuchProjectDevice,
@@ -83,7 +83,7 @@ Checked<Replacement> replacementMeant(const Call &call, const ProjectDevice &pla
     const DeviceDescription *device = call.catalog.find(meant->key);
     if (device == nullptr)
         return tl::unexpected(deviceMeant(call, planned.place(), meant->key).error());
-    if (const auto can = call.bus->canBe(planned.place(), *device); !can)
+    if (const auto can = call.buses.busOf(planned.place())->canBe(planned.place(), *device); !can)
         return tl::unexpected(complaintAbout(can.error()));
     if (!device->capabilities.writes)
         return tl::unexpected(complaintAbout(
@@ -121,8 +121,8 @@ Checked<void> putIntoProject(const Call &call, const ProjectDevice &planned, con
     const QString file = *call.arguments.value("--project");
     if (auto saved = saveUnlessChanged(project, file, projectMark(*call.project)); !saved)
         return saved;
-    if (call.ledger != nullptr)
-        call.ledger->setLabel(planned.place(), now.serialNumber);
+    if (LedgerKeeper *ledger = ledgerOf(call, planned.place()))
+        ledger->setLabel(planned.place(), now.serialNumber);
     return {};
 }
 
@@ -156,8 +156,8 @@ Checked<Answer> runReplace(const Call &call)
     const auto planned = plannedAt(call, place);
     if (!planned)
         return tl::unexpected(planned.error());
-    const ProjectPlaces places(*call.project, *call.bus);
-    if (const auto why = places.hindrance(place))
+    const ProjectPlaces places(*call.project, call.buses);
+    if (const auto why = places.hindranceToReplace(place))
         return tl::unexpected(complaintAbout(*why));
     const auto now = replacementMeant(call, *planned);
     if (!now)
@@ -167,15 +167,20 @@ Checked<Answer> runReplace(const Call &call)
         return tl::unexpected(position.error());
 
     // Nothing that was known of the encoder before may be taken for the new one's.
-    if (const auto named = call.bus->name(place, now->device->key, now->turns, now->stepsPerTurn); !named)
+    EncoderBus &bus = *call.buses.busOf(place);
+    if (const auto named = bus.name(place, now->device->key, now->turns, now->stepsPerTurn); !named)
         return tl::unexpected(complaintAbout(named.error()));
-    call.bus->advance(1);
+    if (const auto there = contact(call, {*planned}); !there)
+        return tl::unexpected(there.error());
     showDifferences(call, *planned, *now);
-    const TransferPlan plan = planTransfer(*call.bus, {wishToReplace(*planned, *now, *position, places)});
+    const auto toWrite = plan(call, {wishToReplace(*planned, *now, *position, places)});
+    if (!toWrite)
+        return tl::unexpected(toWrite.error());
     const auto agreed = [&] {
-        return plan.front().hindrance ? Checked<void>() : putIntoProject(call, *planned, *now, *position);
+        return toWrite->front().hindrance ? Checked<void>() : putIntoProject(call, *planned, *now, *position);
     };
-    Answer answer = transfer(call, TransferKind::replace, *call.arguments.value("--project"), plan, agreed);
+    Answer answer =
+        transfer(call, TransferKind::replace, *call.arguments.value("--project"), *toWrite, agreed);
     answer.json.insert(QStringLiteral("device"), now->device->key);
     answer.json.insert(QStringLiteral("deviceBefore"), planned->participant.deviceKey);
     answer.json.insert(
@@ -211,7 +216,6 @@ const Subcommand replaceCommand{
     .minimumArguments = 1,
     .maximumArguments = 1,
     .needsBus = true,
-    .whyNotOnLine = valuesOfBusOnly,
     .textIsAccount = true,
     .run = runReplace,
 };

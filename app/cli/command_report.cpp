@@ -15,7 +15,6 @@
 #include "report/kept_counts.h"
 #include "report/live_encoders.h"
 #include "report/make_report.h"
-#include "ring/bus_session.h"
 #include "transfer/value_store.h"
 
 #include <QFileInfo>
@@ -87,16 +86,17 @@ EncoderJobs jobsToRead(const ProjectDevice &planned, const EncoderSession &encod
 Checked<AllowedRound> roundToRead(const Call &call, const Project &project)
 {
     std::vector<EncoderJobs> jobs;
-    call.bus->advance(1);
-    for (const auto &[planned, encoder] : connectedEncoders(project, *call.bus))
+    if (const auto there = contact(call, devicesOfLink(call, project)); !there)
+        return tl::unexpected(there.error());
+    for (const auto &[planned, encoder] : connectedEncoders(project, call.buses))
         jobs.push_back(jobsToRead(*planned, *encoder));
     return eepromConsent(call, std::move(jobs), AsksAnyway::no);
 }
 
 // Reads what the encoders of the project have; why one could not be read, or nothing.
-std::optional<Complaint> readEncoders(BusSession &bus, const AllowedRound &round)
+std::optional<Complaint> readEncoders(const Call &call, const AllowedRound &round)
 {
-    for (const EncoderResult &result : runToEnd(bus, round, JobRound::AfterRefusal::goOn).results)
+    for (const EncoderResult &result : runToEnd(call, round, JobRound::AfterRefusal::goOn).results)
         if (result.why)
             return Complaint{ExitCode::refused, refusalKey(result.why->id),
                              sentence(CommandLine::tr("%1 could not be read: %2"),
@@ -174,8 +174,8 @@ Checked<Answer> runReport(const Call &call)
         const auto round = roundToRead(call, input.project);
         if (!round)
             return tl::unexpected(round.error());
-        notRead = readEncoders(*call.bus, *round);
-        addConnected(input, *call.bus);
+        notRead = readEncoders(call, *round);
+        addConnected(input, call.buses);
     }
     if (const auto added = addLedger(call, name, input); !added)
         return tl::unexpected(added.error());
@@ -209,7 +209,7 @@ const Subcommand reportCommand{
     .maximumArguments = 1,
     .needsBus = false,
     .busOption = "--read",
-    .whyNotOnLine = valuesOfBusOnly,
+    .namesProject = true,
     .textIsAccount = true,
     .run = runReport,
 };

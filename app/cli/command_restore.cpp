@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/buses.h"
 #include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/eeprom_consent.h"
@@ -9,7 +10,6 @@
 #include "cli/value_lines.h"
 #include "encoder/sentence.h"
 #include "journal/ledger_keeper.h"
-#include "ring/bus_session.h"
 #include "transfer/project_places.h"
 #include "transfer/values_before.h"
 
@@ -42,16 +42,17 @@ constexpr std::array restoreOptions{
 // Of an encoder that can tell its serial number the ledger keeps the values by that.
 Checked<std::vector<ValuesBefore>> valuesBefore(const Call &call, EncoderSession &encoder)
 {
-    if (call.ledger == nullptr)
+    const LedgerKeeper *ledger = ledgerOf(call, encoder.place());
+    if (ledger == nullptr)
         return std::vector<ValuesBefore>();
-    const FindValuesBefore find = valuesBeforeOf(*call.ledger);
+    const FindValuesBefore find = valuesBeforeOf(*ledger);
     auto all = find(encoder.place());
     if (!all.empty() || !encoder.can().serialNumber || encoder.known(Parameter::serialNumber))
         return all;
     const FinishedJob read =
         runToEnd(call, {encoder, ReadParameters{.parameters = {Parameter::serialNumber}}});
     if (!read.outcome.result)
-        return tl::unexpected(complaintAbout(read.outcome.result.error()));
+        return tl::unexpected(complaintAboutJob(call, encoder.place(), read.outcome.result.error()));
     return find(encoder.place());
 }
 
@@ -82,7 +83,8 @@ Checked<std::optional<TimeSpan>> timeMeant(const Call &call)
     const auto typed = call.arguments.value("--at");
     if (!typed)
         return std::nullopt;
-    return timeMeant(*typed, call.bus->dateTime(call.bus->latest().at));
+    const QDateTime now = call.buses.now({});
+    return timeMeant(*typed, now.isValid() ? now : QDateTime::currentDateTime()); // a line is not open yet
 }
 
 Checked<ValuesBefore> valuesMeant(const Call &call, const std::vector<ValuesBefore> &all,
@@ -118,7 +120,7 @@ QString assignments(const DeviceDescription &device, const ParameterValues &valu
 
 Answer listedValues(const Call &call, const EncoderSession &encoder, const std::vector<ValuesBefore> &all)
 {
-    const QDateTime now = call.bus->dateTime(call.bus->latest().at);
+    const QDateTime now = call.buses.now(encoder.place());
     TextTable table;
     QJsonArray json;
     for (const ValuesBefore &before : all) {
@@ -140,7 +142,7 @@ Checked<Answer> runRestore(const Call &call)
     const auto encoder = encoderMeant(call);
     if (!encoder)
         return tl::unexpected(encoder.error());
-    const ProjectPlaces places(call.project ? *call.project : Project(), *call.bus);
+    const ProjectPlaces places(call.project ? *call.project : Project(), call.buses);
     if (const auto why = places.hindrance((*encoder)->place()))
         return tl::unexpected(complaintAbout(*why));
     const auto all = valuesBefore(call, **encoder);
@@ -154,8 +156,9 @@ Checked<Answer> runRestore(const Call &call)
     const auto before = valuesMeant(call, *all, *span);
     if (!before)
         return tl::unexpected(before.error());
-    return transfer(call, TransferKind::restore, timeOf(*before, call.bus->dateTime(call.bus->latest().at)),
-                    planTransfer(*call.bus, {wishToRestore(*before, places)}));
+    return plan(call, {wishToRestore(*before, places)}).map([&](const TransferPlan &planned) {
+        return transfer(call, TransferKind::restore, timeOf(*before, call.buses.now(before->place)), planned);
+    });
 }
 
 } // namespace
@@ -179,7 +182,6 @@ const Subcommand restoreCommand{
     .minimumArguments = 1,
     .maximumArguments = 1,
     .needsBus = true,
-    .whyNotOnLine = valuesOfBusOnly,
     .textIsAccount = true,
     .run = runRestore,
 };

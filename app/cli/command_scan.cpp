@@ -127,7 +127,9 @@ Checked<void> addLine(const Call &call, Answer &answer)
 Checked<Answer> runScan(const Call &call)
 {
     if (call.bus == nullptr && call.arguments.has("--save"))
-        return badInput(QStringLiteral("notOnSerialLine"), CommandLine::tr(valuesOfBusOnly));
+        return badInput(
+            QStringLiteral("notOnSerialLine"),
+            CommandLine::tr("What is found on a serial line is not saved as a project. Leave --save out."));
     if (call.bus == nullptr)
         return scanLine(call);
     if (const auto isFree = checkProjectIsFree(call.arguments); !isFree)

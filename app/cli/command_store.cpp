@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/buses.h"
 #include "catalog/catalog.h"
+#include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/eeprom_consent.h"
 #include "cli/json.h"
@@ -12,7 +14,6 @@
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "project/project_file.h"
-#include "ring/bus_session.h"
 #include "transfer/project_places.h"
 #include "transfer/value_store.h"
 
@@ -42,14 +43,14 @@ struct Meant
 Meant sorted(const Call &call, const Project &project, const std::vector<ProjectDevice> &devices)
 {
     Meant meant;
-    const ProjectPlaces places(project, *call.bus);
+    const ProjectPlaces places(project, call.buses);
     for (const ProjectDevice &device : devices) {
         const Place place = device.place();
         const bool isEncoder = call.catalog.find(device.participant.deviceKey) ||
                                call.catalog.generic(device.participant.deviceCode);
         if (const auto why = places.hindrance(place); why && isEncoder)
             meant.others.emplace_back(device, *why);
-        else if (!why && call.bus->encoder(place) != nullptr)
+        else if (!why && call.buses.encoder(place) != nullptr)
             meant.encoders.push_back(device);
     }
     return meant;
@@ -59,7 +60,7 @@ std::vector<EncoderJobs> jobsFor(const Call &call, const std::vector<ProjectDevi
 {
     std::vector<EncoderJobs> all;
     for (const ProjectDevice &device : devices) {
-        EncoderJobs jobs = jobsToStore(*call.bus->encoder(device.place()), call.arguments.has("--cams"));
+        EncoderJobs jobs = jobsToStore(*call.buses.encoder(device.place()), call.arguments.has("--cams"));
         if (!jobs.jobs.empty())
             all.push_back(std::move(jobs));
     }
@@ -107,12 +108,12 @@ void showOthers(const Meant &meant, Answer &answer)
 }
 
 // What could not be read keeps what was known of it.
-void complain(const std::vector<EncoderResult> &results, const Meant &meant, Answer &answer)
+void complain(const Call &call, const std::vector<EncoderResult> &results, const Meant &meant, Answer &answer)
 {
     const auto failed =
         std::ranges::find_if(results, [](const EncoderResult &result) { return result.why.has_value(); });
     if (failed != results.end()) {
-        answer.complaint = complaintAbout(*failed->why);
+        answer.complaint = complaintAboutJob(call, failed->place, *failed->why);
         answer.complaint->text.prepend(failed->place.toString() + QStringLiteral(": "));
     } else if (!meant.others.empty()) {
         answer.complaint = complaintAbout(meant.others.front().second);
@@ -133,13 +134,13 @@ Checked<Answer> runStore(const Call &call)
     const auto allowed = eepromConsent(call, jobsFor(call, meant.encoders), AsksAnyway::no);
     if (!allowed)
         return tl::unexpected(allowed.error());
-    const FinishedRound round = runToEnd(*call.bus, *allowed, JobRound::AfterRefusal::goOn);
+    const FinishedRound round = runToEnd(call, *allowed, JobRound::AfterRefusal::goOn);
     Answer answer;
     QJsonArray encoders;
     addTrace(call, round, answer);
     for (const ProjectDevice &device : meant.encoders) {
         const Place place = device.place();
-        const EncoderSession &encoder = *call.bus->encoder(place);
+        const EncoderSession &encoder = *call.buses.encoder(place);
         const auto kept = std::ranges::find_if(
             project->devices, [&](const ProjectDevice &each) { return each.place() == place; });
         *kept = withStored(*kept, encoder);
@@ -147,7 +148,7 @@ Checked<Answer> runStore(const Call &call)
     }
     answer.json.insert(QStringLiteral("encoders"), encoders);
     showOthers(meant, answer);
-    complain(round.results, meant, answer);
+    complain(call, round.results, meant, answer);
     if (meant.encoders.empty())
         return answer;
     if (const auto saved = saveUnlessChanged(*project, file, mark); !saved)
@@ -166,7 +167,8 @@ const Subcommand storeCommand{
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
         "Reads all that can be read of the encoders named, or of all, and keeps it in the project, with its\n"
-        "evidence and time. While an encoder is read, it shows no position. Of an encoder that cannot be\n"
+        "evidence and time. While one on INTERBUS is read, it shows no position. Of an encoder that cannot "
+        "be\n"
         "read what is known is kept; what nobody knows stays unknown. With --cams each cam program is read\n"
         "in the cam mode of its own; leaving one that was changed before costs an EEPROM write.\n"
         "Nothing is stored of a place where another encoder may stand than the project has (see\n"
@@ -176,7 +178,7 @@ const Subcommand storeCommand{
     .minimumArguments = 1,
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
-    .whyNotOnLine = valuesOfBusOnly,
+    .namesProject = true,
     .textIsAccount = true,
     .run = runStore,
 };

@@ -3,7 +3,6 @@
 #include "cli/eeprom_consent.h"
 #include "cli/transfer_call.h"
 #include "project/project_file.h"
-#include "ring/bus_session.h"
 #include "transfer/project_places.h"
 
 #include <array>
@@ -39,16 +38,19 @@ Checked<Answer> runTransfer(const Call &call)
     if (!devices)
         return tl::unexpected(devices.error());
     const bool all = call.arguments.rest.size() == 1;
-    const ProjectPlaces places(*project, *call.bus);
+    const ProjectPlaces places(*project, call.buses);
     std::vector<TransferWish> wishes;
     for (const ProjectDevice &device : *devices) {
-        TransferWish wish = wishOf(
-            device, call.arguments.has("--stored") ? TransferSource::stored : TransferSource::wanted, places);
+        TransferWish wish =
+            wishOf(device, call.arguments.has("--stored") ? TransferSource::stored : TransferSource::wanted,
+                   places, call.catalog);
         const bool isEmpty = wish.values.empty() && wish.cams.empty();
         if (!all || !isEmpty)
             wishes.push_back(std::move(wish));
     }
-    return transfer(call, TransferKind::write, file, planTransfer(*call.bus, wishes));
+    return plan(call, wishes).map([&](const TransferPlan &planned) {
+        return transfer(call, TransferKind::write, file, planned);
+    });
 }
 
 } // namespace
@@ -69,7 +71,7 @@ const Subcommand transferCommand{
     .minimumArguments = 1,
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
-    .whyNotOnLine = valuesOfBusOnly,
+    .namesProject = true,
     .textIsAccount = true,
     .run = runTransfer,
 };

@@ -163,7 +163,7 @@ void carryOutWrite(const Call &call, const AllowedJob &write, const WritePlan &p
         answer.text += messageText({.id = MessageId::onlyZeroSinceRun}) + u'\n';
     addAccount(answer.json, encoder, job.outcome, before, after);
     if (!job.outcome.result) {
-        answer.complaint = complaintAboutJob(call, encoder, job.outcome.result.error());
+        answer.complaint = complaintAboutJob(call, encoder.place(), job.outcome.result.error());
         answer.complaint->text +=
             u' ' + (isOnLine ? onLine.whereItWasLeft() : whereItWasLeft(encoder.latest()));
     }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/eeprom_consent.h"
 
+#include "bus/buses.h"
 #include "cli/subcommand.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
 #include "journal/eeprom_cost.h"
-#include "ring/bus_session.h"
 
 #include <algorithm>
 #include <numeric>
@@ -75,7 +75,7 @@ Checked<AllowedRequest> eepromConsent(const Call &call, const EncoderSession *en
 Checked<AllowedRound> eepromConsent(const Call &call, std::vector<EncoderJobs> encoders, AsksAnyway asks)
 {
     for (const EncoderJobs &one : encoders) {
-        const EncoderSession &encoder = *call.bus->encoder(one.place);
+        const EncoderSession &encoder = *call.buses.encoder(one.place);
         const int planned =
             std::accumulate(one.jobs.begin(), one.jobs.end(), 0,
                             [&](int sum, const Job &job) { return sum + mostEepromWrites(encoder, job); });

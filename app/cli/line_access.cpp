@@ -124,12 +124,19 @@ Checked<EncoderSession *> LineAccess::encoder(LineAddress address, const QString
     if (!line)
         return tl::unexpected(line.error());
     const Place number = placeOnLine(address);
-    if (EncoderSession *there = (*line)->encoder(number))
-        return there;
-    if (const auto added = (*line)->add(address, deviceKey); !added)
-        return tl::unexpected(complaintAbout(added.error()));
-    (*line)->setSwapsWarningBytes(number, explainOptions().swaps(address));
-    EncoderSession *encoder = (*line)->encoder(number);
+    if ((*line)->encoder(number) == nullptr) {
+        if (const auto added = (*line)->add(address, deviceKey); !added)
+            return tl::unexpected(complaintAbout(added.error()));
+        (*line)->setSwapsWarningBytes(number, explainOptions().swaps(address));
+    }
+    return contact((*line)->encoder(number));
+}
+
+// Of one that shows where it stands already, no time passes.
+Checked<EncoderSession *> LineAccess::contact(EncoderSession *encoder)
+{
+    const Place number = encoder->place();
+    const LineAddress address = LineAddress::of(number.node);
     const auto state = [&] { return encoder->latest().state; };
     if (!waitUntil([&] { return state() == EncoderState::operation || state() == EncoderState::silent; },
                    longestContact))
@@ -140,7 +147,7 @@ Checked<EncoderSession *> LineAccess::encoder(LineAddress address, const QString
         return tl::unexpected(portLost());
     if (address.isMaster() && !encoder->known(Parameter::serialNumber))
         return tl::unexpected(aboutSeveral(address));
-    if (m_link.asksForFractionBits)
+    if (std::exchange(m_link.asksForFractionBits, false))
         if (const auto determined = determineFractionBits(number); !determined)
             return tl::unexpected(determined.error());
     return encoder;

@@ -25,6 +25,7 @@ public:
     // To the port that is named, or to a new simulated line.
     static LineAccess to(const LineLink &link, const Catalog &catalog);
 
+    LineSession &bus() const { return *m_session; } // opened or not
     Checked<LineSession *> session();
     // Counts EEPROM writes, in a file or where the link's are counted.
     void keepLedger(const std::optional<QString> &file);
@@ -51,6 +52,7 @@ public:
     Complaint complaint(const Refusal &why) const;
 
 private:
+    Checked<EncoderSession *> contact(EncoderSession *encoder);
     Complaint noAnswerFrom(LineAddress address) const;
     Checked<void> determineFractionBits(Place number);
     bool waitUntil(const std::function<bool()> &isDone, Instant atMost);

@@ -7,7 +7,6 @@
 #include "cli/stop_signals.h"
 #include "cli/texts.h"
 #include "encoder/hex.h"
-#include "project/project.h"
 
 #include <algorithm>
 
@@ -30,10 +29,8 @@ bool isForLines(const DeviceDescription *device)
     return device != nullptr && device->profile == Profile::esc;
 }
 
-QString plannedDevice(const Call &call, LineAddress address)
+QString deviceOf(const Call &call, const ProjectDevice *planned)
 {
-    const ProjectDevice *planned =
-        call.project != nullptr ? findDevice(*call.project, placeOnLine(address)) : nullptr;
     const bool isUsable = planned != nullptr && isForLines(call.catalog.find(planned->participant.deviceKey));
     return isUsable ? planned->participant.deviceKey : usualDevice;
 }
@@ -76,7 +73,8 @@ Checked<QString> deviceOnLine(const Call &call, LineAddress address)
 {
     const auto typed = call.arguments.value("--device");
     if (!typed)
-        return plannedDevice(call, address);
+        return deviceOf(call,
+                        call.project != nullptr ? findDevice(*call.project, placeOnLine(address)) : nullptr);
     if (isForLines(call.catalog.find(*typed)))
         return *typed;
     if (const auto matches = findByLabel(call.catalog, *typed)) {
@@ -111,6 +109,18 @@ Checked<EncoderSession *> encoderOnLine(const Call &call, const QString &place)
     if (!device)
         return tl::unexpected(device.error());
     return call.line->encoder(address, *device);
+}
+
+Checked<void> contactOnLine(const Call &call, const ProjectDevice &planned)
+{
+    const Place place = planned.place();
+    const auto there = call.line->encoder(LineAddress::of(place.node), deviceOf(call, &planned));
+    LineSession &line = call.line->bus();
+    if (planned.swapsWarningBytes)
+        line.setSwapsWarningBytes(place, true);
+    const EncoderSession *encoder = line.encoder(place);
+    const bool isSilent = encoder != nullptr && encoder->latest().state == EncoderState::silent;
+    return there || isSilent ? Checked<void>() : tl::unexpected(there.error());
 }
 
 FinishedJob runOnLine(LineAccess &access, const AllowedJob &allowed)

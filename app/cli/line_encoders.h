@@ -4,6 +4,7 @@
 #include "cli/bus_access.h"
 #include "cli/line_access.h"
 #include "cli/subcommand.h"
+#include "project/project.h"
 
 namespace codewheel {
 
@@ -16,6 +17,10 @@ Checked<EncoderSession *> encoderOnLine(const Call &call, const QString &place);
 
 // The device that --device names, an encoder for serial lines; else what the project has at that address.
 Checked<QString> deviceOnLine(const Call &call, LineAddress address);
+
+// Takes the encoder of the project into the polling, and waits until it shows where it stands. One that does
+// not answer is no error: what is to be done with it will say so.
+Checked<void> contactOnLine(const Call &call, const ProjectDevice &planned);
 
 // Runs a job to its end, by the line's clock. Ctrl+C cancels it: what was sent is waited for, and read.
 FinishedJob runOnLine(LineAccess &line, const AllowedJob &allowed);

@@ -18,14 +18,14 @@ Checked<void> readBefore(const Call &call, EncoderSession &encoder, const Parame
 {
     ReadParameters read;
     for (const ParameterValue &value : wanted)
-        if (encoder.device().find(value.parameter)->canBeRead())
+        if (const ParameterDescription *its = encoder.device().find(value.parameter); its && its->canBeRead())
             read.parameters.push_back(value.parameter);
     for (const Parameter range : {Parameter::revolutions, Parameter::measuringRange})
         if (std::ranges::count(read.parameters, range) == 0)
             read.parameters.push_back(range);
     const FinishedJob job = runToEnd(call, {encoder, std::move(read)});
     if (!job.outcome.result)
-        return tl::unexpected(complaintAboutJob(call, encoder, job.outcome.result.error()));
+        return tl::unexpected(complaintAboutJob(call, encoder.place(), job.outcome.result.error()));
     return {};
 }
 

@@ -8,7 +8,7 @@ namespace codewheel {
 
 class EncoderSession;
 
-// What `write` does besides for an encoder on a serial line.
+// What `write` does besides for an encoder on a serial line, and `transfer` before it shows its plan.
 
 // Reads what is about to be written. Reading a serial encoder disturbs nothing, so that the plan can show
 // what it has, and the commands in full.

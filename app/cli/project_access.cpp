@@ -128,7 +128,7 @@ void useProject(const Call &call, const Project &project, const QString &file)
     if (call.bus == nullptr)
         return;
     const RingStructure connected = call.bus->structure();
-    const ProjectPlaces places(project, *call.bus);
+    const ProjectPlaces places(project, call.buses);
     for (const ProjectDevice &planned : devicesOn(project, call.bus->id())) {
         const auto found = std::ranges::find(connected, planned.place().node, &Participant::number);
         if (places.isAtItsPlace(planned.place()) && !planned.participant.deviceKey.isEmpty())

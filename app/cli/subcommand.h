@@ -11,6 +11,7 @@
 
 namespace codewheel {
 
+class Buses;
 class BusSession;
 class Catalog;
 class LedgerKeeper;
@@ -28,17 +29,13 @@ struct Connection
 // What a command works with.
 struct Call : Connection
 {
+    const Buses &buses; // of them, as far as they are open: a serial line is opened when it is needed
     const Arguments &arguments;
     const Catalog &catalog;
     const Terminal &terminal;
     const Project *project;   // of --project; null without it
     const char *whyNotOnLine; // as of the command
 };
-
-// Why commands about values of several encoders do not work on a serial line.
-inline constexpr const char *valuesOfBusOnly = QT_TRANSLATE_NOOP(
-    "codewheel::CommandLine", "This works with encoders on INTERBUS only. Use codewheel-cli "
-                              "read and write for an encoder on a serial line.");
 
 // One command of the command line: how it is called, how it is explained, and what it does. Texts are
 // untranslated, in the context codewheel::CommandLine.
@@ -56,6 +53,7 @@ struct Subcommand
     const char *busOption = nullptr; // needs it with this option only
     // Why it does not work with encoders on a serial line; null: it does.
     const char *whyNotOnLine = nullptr;
+    bool namesProject = false;   // its first argument is a project
     bool answersInLines = false; // with --json: a line for each object, the last one as of every command
     bool textIsAccount = false;  // the text of its answer tells what was done to encoders or files
     Checked<Answer> (*run)(const Call &call);

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/transfer_call.h"
 
+#include "bus/buses.h"
 #include "catalog/catalog.h"
 #include "cli/bus_access.h"
 #include "cli/consent.h"
 #include "cli/eeprom_consent.h"
+#include "cli/line_encoders.h"
+#include "cli/line_write.h"
 #include "cli/project_access.h"
+#include "cli/stop_signals.h"
 #include "cli/target_file.h"
 #include "cli/texts.h"
 #include "cli/trace.h"
@@ -23,10 +27,10 @@
 namespace codewheel {
 namespace {
 
-QString placesOf(const Project &project, BusId bus)
+QString placesOf(const std::vector<ProjectDevice> &devices)
 {
     QStringList places;
-    for (const ProjectDevice &device : devicesOn(project, bus))
+    for (const ProjectDevice &device : devices)
         places << device.place().toString();
     return places.join(QStringLiteral(", "));
 }
@@ -69,7 +73,7 @@ void addReport(const Call &call, const TransferAccount &account, Answer &answer)
 }
 
 // The first encoder that has not got all of it says why.
-std::optional<Complaint> complaintAboutAccount(const TransferAccount &account)
+std::optional<Complaint> complaintAboutAccount(const Call &call, const TransferAccount &account)
 {
     const auto failed = std::ranges::find_if_not(account.encoders, &EncoderAccount::isDone);
     if (failed == account.encoders.end())
@@ -78,7 +82,7 @@ std::optional<Complaint> complaintAboutAccount(const TransferAccount &account)
                         sentence(CommandLine::tr("Not all of it was written, first of all to %1."),
                                  {failed->place.toString()})};
     if (failed->why) {
-        const Complaint why = complaintAbout(*failed->why);
+        const Complaint why = complaintAboutJob(call, failed->place, *failed->why);
         complaint.key = why.key;
         complaint.text += u' ' + why.text;
         complaint.arguments = why.arguments;
@@ -89,7 +93,7 @@ std::optional<Complaint> complaintAboutAccount(const TransferAccount &account)
 // By its number or its station.
 Checked<ProjectDevice> deviceNamed(const Call &call, const Project &project, const QString &typed)
 {
-    const auto devices = devicesOn(project, call.bus->id());
+    const auto devices = devicesOfLink(call, project);
     const bool isStation = std::ranges::find(devices, typed, &ProjectDevice::station) != devices.end();
     auto number = Place::parse(typed);
     if (isStation) {
@@ -100,48 +104,102 @@ Checked<ProjectDevice> deviceNamed(const Call &call, const Project &project, con
     }
     const auto found = std::ranges::find(devices, number, &ProjectDevice::place);
     if (found == devices.end())
-        return tl::unexpected(complaintAbout({RefusalKind::badInput,
-                                              RefusalId::noSuchProjectDevice,
-                                              {typed, placesOf(project, call.bus->id())}}));
+        return tl::unexpected(complaintAbout(
+            {RefusalKind::badInput, RefusalId::noSuchProjectDevice, {typed, placesOf(devices)}}));
     return *found;
+}
+
+// Those of one encoder.
+std::vector<PassedRow> rowsOf(const LineTrace &trace, LineAddress address)
+{
+    std::vector<PassedRow> rows;
+    std::ranges::copy_if(trace.rows(), std::back_inserter(rows), [address](const PassedRow &row) {
+        return row.request && row.request->to == address;
+    });
+    return rows;
 }
 
 } // namespace
 
+std::vector<ProjectDevice> devicesOfLink(const Call &call, const Project &project)
+{
+    std::vector<ProjectDevice> devices;
+    for (const ProjectDevice &device : project.devices)
+        if (isOfLine(call, device.place()) || (call.bus && call.bus->id() == device.bus))
+            devices.push_back(device);
+    return devices;
+}
+
+Checked<void> contact(const Call &call, const std::vector<ProjectDevice> &devices)
+{
+    if (call.bus != nullptr)
+        call.bus->advance(1);
+    for (const ProjectDevice &device : devices)
+        if (isOfLine(call, device.place()))
+            if (auto there = contactOnLine(call, device); !there)
+                return there;
+    return {};
+}
+
 Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project &project,
                                                  const QString &file)
 {
-    const auto all = devicesOn(project, call.bus->id());
+    const std::vector<ProjectDevice> all = devicesOfLink(call, project);
     if (all.empty())
         return tl::unexpected(complaintAbout({RefusalKind::badInput, RefusalId::projectEmpty, {}}));
     useProject(call, project, file);
-    call.bus->advance(1); // so that each encoder shows where it stands
-    if (call.arguments.rest.size() == 1)
-        return std::vector(all.begin(), all.end());
-    std::vector<ProjectDevice> devices;
-    for (const QString &place : call.arguments.rest.sliced(1)) {
+    const QStringList named = call.arguments.rest.sliced(1);
+    std::vector<ProjectDevice> devices = named.isEmpty() ? all : std::vector<ProjectDevice>();
+    for (const QString &place : named) {
         const auto device = deviceNamed(call, project, place);
         if (!device)
             return tl::unexpected(device.error());
         addOnce(devices, *device);
     }
-    return devices;
+    return contact(call, devices).map([&] { return devices; });
 }
 
-FinishedRound runToEnd(BusSession &bus, const AllowedRound &allowed, JobRound::AfterRefusal afterRefusal)
+Checked<TransferPlan> plan(const Call &call, const std::vector<TransferWish> &wishes)
+{
+    for (const TransferWish &wish : wishes) {
+        EncoderBus *bus = call.buses.busOf(wish.place);
+        EncoderSession *encoder = bus ? bus->encoder(wish.place) : nullptr;
+        if (encoder == nullptr || wish.hindrance)
+            continue;
+        if (!bus->isOperating()) {
+            bus->setOperate(true);
+            passTime(call, wish.place);
+        }
+        const bool readsAlong = encoder->can().reads && !encoder->can().readingHidesPosition;
+        if (readsAlong && encoder->latest().state == EncoderState::operation)
+            if (const auto read = readBefore(call, *encoder, wish.values); !read && !bus->isRunning())
+                return tl::unexpected(read.error());
+    }
+    return planTransfer(call.buses, wishes);
+}
+
+FinishedRound runToEnd(const Call &call, const AllowedRound &allowed, JobRound::AfterRefusal afterRefusal)
 {
     FinishedRound finished;
-    JobRound round(bus);
+    JobRound round(call.buses);
     QObject scope;
     for (const EncoderJobs &one : allowed.encoders())
-        if (EncoderSession *encoder = bus.encoder(one.place))
+        if (EncoderSession *encoder = call.buses.encoder(one.place); encoder && !isOfLine(call, one.place))
             QObject::connect(
                 encoder, &EncoderSession::exchanged, &scope,
                 [&rows = finished.rows[one.place]](const Exchange &row) { rows.push_back(row); });
+    const auto trace = call.line ? std::make_unique<LineTrace>(call.line->bus()) : nullptr;
+    StopSignals stop;
     round.start(allowed.encoders(), afterRefusal);
-    while (round.isRunning())
-        bus.advance(1);
+    while (round.isRunning()) {
+        if (stop.came())
+            round.cancel(OnCancel::leaveAsIs);
+        passTime(call, round.progress().place);
+    }
     finished.results = round.results();
+    for (const EncoderResult &result : finished.results)
+        if (trace && isOfLine(call, result.place))
+            finished.passed[result.place] = rowsOf(*trace, LineAddress::of(result.place.node));
     return finished;
 }
 
@@ -151,9 +209,13 @@ void addTrace(const Call &call, const FinishedRound &round, Answer &answer)
         return;
     QJsonObject json;
     for (const auto &[place, rows] : round.rows) {
-        const DeviceDescription &device = call.bus->encoder(place)->device();
+        const DeviceDescription &device = call.buses.encoder(place)->device();
         answer.text += u'\n' + place.toString() + u'\n' + traceText(device, rows);
         json.insert(place.toString(), traceJson(device, rows));
+    }
+    for (const auto &[place, rows] : round.passed) {
+        answer.text += u'\n' + place.toString() + u'\n' + lineTraceText(rows, call.line->explainOptions());
+        json.insert(place.toString(), lineTraceJson(rows, call.line->explainOptions()));
     }
     answer.text += u'\n';
     answer.json.insert(QStringLiteral("trace"), json);
@@ -167,9 +229,9 @@ Answer transfer(const Call &call, TransferKind kind, const QString &source, cons
         answer.complaint = can.error();
         return answer;
     }
-    answer.json.insert(QStringLiteral("plan"), planJson(*call.bus, plan));
+    answer.json.insert(QStringLiteral("plan"), planJson(call.buses, plan));
     if (!call.arguments.has("--json"))
-        call.terminal.print(planText(*call.bus, plan));
+        call.terminal.print(planText(call.buses, plan));
     const std::vector<EncoderJobs> jobs = jobsOf(plan);
     if (call.arguments.has("--dry-run"))
         return answer;
@@ -196,15 +258,15 @@ Answer transfer(const Call &call, TransferKind kind, const QString &source, cons
         return answer;
     }
     const FinishedRound round =
-        runToEnd(*call.bus, *allowed,
+        runToEnd(call, *allowed,
                  call.arguments.has("--stop") ? JobRound::AfterRefusal::stop : JobRound::AfterRefusal::goOn);
     addTrace(call, round, answer);
-    TransferAccount account = accountOf(*call.bus, kind, plan, round.results);
+    TransferAccount account = accountOf(call.buses, kind, plan, round.results);
     account.source = source;
-    answer.text += u'\n' + accountText(*call.bus, account);
-    answer.json.insert(QStringLiteral("encoders"), accountJson(*call.bus, account));
+    answer.text += u'\n' + accountText(call.buses, account);
+    answer.json.insert(QStringLiteral("encoders"), accountJson(call.buses, account));
     answer.json.insert(QStringLiteral("eepromWrites"), account.eepromWrites());
-    answer.complaint = complaintAboutAccount(account);
+    answer.complaint = complaintAboutAccount(call, account);
     addReport(call, account, answer);
     return answer;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/allowed_jobs.h"
+#include "cli/line_trace.h"
 #include "cli/subcommand.h"
 #include "encoder/exchange.h"
 #include "project/project.h"
@@ -24,20 +25,30 @@ void addOnce(std::vector<T> &all, const T &one)
         all.push_back(one);
 }
 
+// The devices of the project on the buses that the link leads to.
+std::vector<ProjectDevice> devicesOfLink(const Call &call, const Project &project);
+// So that each encoder shows where it stands.
+Checked<void> contact(const Call &call, const std::vector<ProjectDevice> &devices);
+
 // The devices of the project named in the call by place or station, from its second argument on; without any,
-// all; each once. Refuses a place that the project does not have. Takes the encoders of the bus for those of
-// the project.
+// all that the link leads to; each once, and so that it shows where it stands. Refuses a place that the
+// project does not have. Takes the encoders of the buses for those of the project.
 Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project &project,
                                                  const QString &file);
 
-// A round of jobs in virtual time.
+// A round of jobs, by the time of the buses. Ctrl+C ends it: what was sent is waited for.
 struct FinishedRound
 {
     std::vector<EncoderResult> results;
-    std::map<Place, std::vector<Exchange>> rows; // the words that went over the bus
+    std::map<Place, std::vector<Exchange>> rows{};    // the words that went over the bus
+    std::map<Place, std::vector<PassedRow>> passed{}; // on a serial line
 };
-FinishedRound runToEnd(BusSession &bus, const AllowedRound &allowed, JobRound::AfterRefusal afterRefusal);
+FinishedRound runToEnd(const Call &call, const AllowedRound &allowed, JobRound::AfterRefusal afterRefusal);
 void addTrace(const Call &call, const FinishedRound &round, Answer &answer); // with --trace
+
+// What is to be written, with Operate where the link does not begin in it. An encoder that shows its position
+// while it is read is read before: what is shown is what is sent.
+Checked<TransferPlan> plan(const Call &call, const std::vector<TransferWish> &wishes);
 
 // Shows the plan, asks, writes, accounts. With --dry-run the plan only; with --stop the rest is not begun
 // after a refusal; with --report FILE the account is saved. `agreed` is called before anything is written;

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/transfer_text.h"
 
+#include "bus/buses.h"
 #include "cli/cam_text.h"
 #include "cli/json.h"
 #include "cli/parameter_text.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
-#include "encoder/hex.h"
+#include "drivers/write_plan.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
-#include "ring/bus_session.h"
 #include "transfer/transfer_words.h"
 
 namespace codewheel {
 namespace {
 
-const DeviceDescription *deviceAt(const BusSession &bus, Place place)
+const DeviceDescription *deviceAt(const Buses &buses, Place place)
 {
-    const EncoderSession *encoder = bus.encoder(place);
+    const EncoderSession *encoder = buses.encoder(place);
     return encoder ? &encoder->device() : nullptr;
 }
 
@@ -50,16 +50,16 @@ QString heading(const Encoder &encoder)
     return parts.join(QStringLiteral("  ")) + u'\n';
 }
 
-QString tableOf(const BusSession &bus, const EncoderPlan &plan)
+QString tableOf(const Buses &buses, const EncoderPlan &plan)
 {
-    const DeviceDescription *device = deviceAt(bus, plan.place);
+    const DeviceDescription *device = deviceAt(buses, plan.place);
     TextTable table;
     for (const TransferRow &row : plan.rows)
         table.add({parameterKey(row.wanted.parameter), known(device, row.wanted.parameter, row.known),
                    typed(device, row.wanted),
-                   row.isThere     ? CommandLine::tr("left out: already there")
-                   : row.word != 0 ? hexWord(row.word)
-                                   : QString()});
+                   row.isThere ? CommandLine::tr("left out: already there")
+                   : row.step  ? sentText(*row.step)
+                               : QString()});
     for (const TransferCamRow &row : plan.cams)
         table.add({programName(row.wanted.number),
                    {},
@@ -81,6 +81,15 @@ void addKnown(QJsonObject &json, const std::optional<Known> &known)
 {
     json.insert(QStringLiteral("known"), known ? numberJson(known->value) : QJsonValue());
     json.insert(QStringLiteral("evidence"), known ? QJsonValue(evidenceKey(known->evidence)) : QJsonValue());
+}
+
+// A word, or the command of a serial encoder.
+void addSent(QJsonObject &json, const std::optional<Step> &step)
+{
+    const bool isRequest = step && step->kind == StepKind::request;
+    json.insert(QStringLiteral("word"), step && !isRequest ? wordJson(step->out) : QJsonValue());
+    if (isRequest)
+        json.insert(QStringLiteral("command"), sentText(*step));
 }
 
 QString becameKey(Became became)
@@ -120,11 +129,11 @@ QJsonValue refusalJson(const std::optional<Refusal> &refusal)
                    : QJsonValue();
 }
 
-QString planText(const BusSession &bus, const TransferPlan &plan)
+QString planText(const Buses &buses, const TransferPlan &plan)
 {
     QString text;
     for (const EncoderPlan &encoder : plan) {
-        text += heading(encoder) + tableOf(bus, encoder);
+        text += heading(encoder) + tableOf(buses, encoder);
         for (const QString &note : transfer_words::notes(encoder))
             text += QStringLiteral("  ") + note + u'\n';
         text += QStringLiteral("  ") + transfer_words::summary(encoder) + u'\n';
@@ -132,16 +141,16 @@ QString planText(const BusSession &bus, const TransferPlan &plan)
     return text;
 }
 
-QJsonArray planJson(const BusSession &bus, const TransferPlan &plan)
+QJsonArray planJson(const Buses &buses, const TransferPlan &plan)
 {
     QJsonArray encoders;
     for (const EncoderPlan &encoder : plan) {
-        const DeviceDescription *device = deviceAt(bus, encoder.place);
+        const DeviceDescription *device = deviceAt(buses, encoder.place);
         QJsonArray rows;
         for (const TransferRow &row : encoder.rows) {
             QJsonObject json = valueJsonOf(device, row.wanted);
             addKnown(json, row.known);
-            json.insert(QStringLiteral("word"), row.word != 0 ? wordJson(row.word) : QJsonValue());
+            addSent(json, row.step);
             json.insert(QStringLiteral("leftOut"), row.isThere);
             rows.append(json);
         }
@@ -160,11 +169,11 @@ QJsonArray planJson(const BusSession &bus, const TransferPlan &plan)
     return encoders;
 }
 
-QString accountText(const BusSession &bus, const TransferAccount &account)
+QString accountText(const Buses &buses, const TransferAccount &account)
 {
     QString text;
     for (const EncoderAccount &encoder : account.encoders) {
-        const DeviceDescription *device = deviceAt(bus, encoder.place);
+        const DeviceDescription *device = deviceAt(buses, encoder.place);
         TextTable table;
         for (const AccountRow &row : encoder.rows)
             table.add({parameterKey(row.wanted.parameter),
@@ -188,11 +197,11 @@ QString accountText(const BusSession &bus, const TransferAccount &account)
            u'\n';
 }
 
-QJsonArray accountJson(const BusSession &bus, const TransferAccount &account)
+QJsonArray accountJson(const Buses &buses, const TransferAccount &account)
 {
     QJsonArray encoders;
     for (const EncoderAccount &encoder : account.encoders) {
-        const DeviceDescription *device = deviceAt(bus, encoder.place);
+        const DeviceDescription *device = deviceAt(buses, encoder.place);
         QJsonArray rows;
         for (const AccountRow &row : encoder.rows) {
             QJsonObject json = valueJsonOf(device, row.wanted);

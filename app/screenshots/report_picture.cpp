@@ -27,7 +27,7 @@ Report reportOf(TrainingWindow &shown)
                       .version = QCoreApplication::applicationVersion(),
                       .now = shown.bus().dateTime(shown.bus().latest().at)};
     input.project.title = QStringLiteral("Crane 1");
-    addConnected(input, shown.bus());
+    addConnected(input, shown.buses());
     return makeReport(input, shown.bus().catalog());
 }
 

@@ -3,7 +3,6 @@
 
 #include "app/window/project_account.h"
 #include "journal/ledger_keeper.h"
-#include "transfer/last_positions.h"
 
 namespace codewheel {
 
@@ -21,10 +20,9 @@ void BusAtWork::tellMessagesOf(EncoderBus &bus)
             [this, &bus](const Message &message) { Q_EMIT messaged(message, bus.dateTime(message.at)); });
 }
 
-void BusAtWork::keepAccount(EncoderBus &bus, std::unique_ptr<LedgerKeeper> ledger)
+void BusAtWork::keepAccount(std::unique_ptr<LedgerKeeper> ledger)
 {
     m_ledger = std::move(ledger);
-    m_positions = std::make_unique<LastPositions>(bus);
     const auto tell = [this](const Message &message) { Q_EMIT messaged(message, m_surroundings.clock()); };
     connect(m_ledger.get(), &LedgerKeeper::messaged, this, tell);
     if (m_ledger->problem())
@@ -35,7 +33,6 @@ void BusAtWork::keepAccount(EncoderBus &bus, std::unique_ptr<LedgerKeeper> ledge
 void BusAtWork::endAccount()
 {
     m_ledger.reset();
-    m_positions.reset();
 }
 
 } // namespace codewheel

@@ -10,12 +10,11 @@
 namespace codewheel {
 
 class Catalog;
-class LastPositions;
 class LedgerKeeper;
 class ProjectDocument;
 
-// One bus of the program, connected or not, with what is kept of it: the account of the EEPROM writes of its
-// encoders, and where they stood last. Outlives the window, which is made anew in another language.
+// One bus of the program, connected or not, with the account of the EEPROM writes of its encoders. Outlives
+// the window, which is made anew in another language.
 class BusAtWork : public QObject
 {
     Q_OBJECT
@@ -43,8 +42,7 @@ public:
     virtual QString kind() const = 0;    // as in projects: "interbus"
     virtual EncoderBus *bus() const = 0; // null: there is none now
     bool isOpen() const { return bus() != nullptr && bus()->isOpen(); }
-    const LedgerKeeper *ledger() const { return m_ledger.get(); }        // null: no bus
-    const LastPositions *positions() const { return m_positions.get(); } // null: no bus
+    const LedgerKeeper *ledger() const { return m_ledger.get(); } // null: no bus
 
 Q_SIGNALS:
     void aboutToChange(); // bus() and its encoders are gone after this
@@ -54,15 +52,13 @@ Q_SIGNALS:
 protected:
     const Surroundings &surroundings() const { return m_surroundings; }
     void tellMessagesOf(EncoderBus &bus);
-    // Keeps the account of this bus from now on.
-    void keepAccount(EncoderBus &bus, std::unique_ptr<LedgerKeeper> ledger);
+    void keepAccount(std::unique_ptr<LedgerKeeper> ledger); // from now on
     void endAccount();
 
 private:
     const BusId m_id;
     const Surroundings m_surroundings;
     std::unique_ptr<LedgerKeeper> m_ledger;
-    std::unique_ptr<LastPositions> m_positions;
 };
 
 } // namespace codewheel

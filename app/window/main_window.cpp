@@ -90,9 +90,11 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
 {
     m_plant = &plant;
     m_messageModel = &messages;
-    m_buses = new Buses(this);
+    m_buses = &plant.buses();
     m_leaving->setBuses(*m_buses);
-    m_files->setBeforeSaving([this](const Project &project) { return withPositionsOfAll(project); });
+    m_files->setBeforeSaving([&plant](Project project) {
+        return withLastPositions(std::move(project), plant.positions(), plant.buses());
+    });
     makePages();
     makeDocks(messages);
     m_structure->setProject(m_project, plant.catalog());
@@ -126,14 +128,6 @@ void MainWindow::warn(const QString &sentence)
 void MainWindow::tell(const Message &message)
 {
     m_messageModel->addNow(message);
-}
-
-Project MainWindow::withPositionsOfAll(Project project) const
-{
-    for (const BusAtWork *bus : m_plant->buses())
-        if (auto *ring = qobject_cast<BusSession *>(bus->bus()); ring != nullptr && bus->positions())
-            project = withLastPositions(std::move(project), *bus->positions(), *ring);
-    return project;
 }
 
 RingConnection *MainWindow::connection() const

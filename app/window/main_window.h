@@ -31,7 +31,6 @@ class InlineMessage;
 class Leaving;
 class MessageModel;
 struct Message;
-struct Project;
 class MessagesView;
 class MonitorArea;
 class ParameterPanel;
@@ -121,7 +120,6 @@ private:
     void openFirstMonitors();
     void makePages();
     void connectProject();
-    Project withPositionsOfAll(Project project) const;
     void tell(const Message &message);
     void showBusState();
     void alarmStop();

@@ -20,7 +20,7 @@ void MainWindow::connectBuses()
 {
     connect(m_plant, &Plant::added, this, &MainWindow::addBus);
     connect(m_plant, &Plant::aboutToRemove, this, &MainWindow::removeBus);
-    for (BusAtWork *bus : m_plant->buses())
+    for (BusAtWork *bus : m_plant->all())
         addBus(bus);
     connect(m_structure, &StructureView::busChosen, this, &MainWindow::chooseBus);
     connect(m_structure, &StructureView::busOpened, this, [this](BusId bus) {
@@ -71,7 +71,7 @@ void MainWindow::removeBus(BusAtWork *bus)
     m_views.erase(id);
     if (m_currentOf.value(bus->kind()) == id)
         m_currentOf.remove(bus->kind());
-    for (BusAtWork *other : m_plant->buses())
+    for (BusAtWork *other : m_plant->all())
         if (other != bus && other->kind() == bus->kind() && !m_currentOf.contains(bus->kind()))
             setCurrent(*other);
     if (m_chosenBus == id)
@@ -81,10 +81,8 @@ void MainWindow::removeBus(BusAtWork *bus)
 // It is there, connected or not; whatever it was before has been left.
 void MainWindow::takeBus(BusAtWork &bus)
 {
-    if (EncoderBus *its = bus.bus()) {
-        m_buses->add(*its);
+    if (EncoderBus *its = bus.bus())
         connect(its, &EncoderBus::stateChanged, this, [this, &bus] { showWhetherOpen(bus); });
-    }
     showWhetherOpen(bus);
     showBusState();
 }
@@ -94,10 +92,8 @@ void MainWindow::leaveBus(BusAtWork &bus)
     const auto chosen = m_choice->place();
     m_structure->removeBus(bus.id());
     m_shown.erase(bus.id());
-    if (EncoderBus *its = bus.bus()) {
+    if (EncoderBus *its = bus.bus())
         its->disconnect(this);
-        m_buses->remove(its);
-    }
     if (chosen)
         m_choice->choose(chosen);
 }

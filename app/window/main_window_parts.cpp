@@ -7,7 +7,6 @@
 #include "app/window/plant.h"
 #include "app/window/project_files.h"
 #include "app/window/report_export.h"
-#include "app/window/ring_at_work.h"
 #include "app/window/transfer_pages.h"
 #include "transfer/values_before.h"
 #include "widgets/cams/cam_editor.h"
@@ -44,9 +43,9 @@ void MainWindow::makePages()
                           static_cast<QWidget *>(m_cams), static_cast<QWidget *>(m_editor),
                           static_cast<QWidget *>(m_projectPage)})
         m_pages->addWidget(page);
-    const RingAtWork &ring = *m_plant->ring();
-    m_transfer = new TransferPages(*ring.bus(), m_project, valuesBeforeOf(*ring.ledger()), *ring.positions(),
-                                   m_actions, *m_pages, this);
+    m_transfer = new TransferPages(*m_buses, m_plant->catalog(), m_project,
+                                   valuesBeforeOf([this] { return m_plant->ledgers(); }),
+                                   m_plant->positions(), m_actions, *m_pages, this);
 }
 
 void MainWindow::makeDocks(MessageModel &messages)
@@ -114,8 +113,8 @@ void MainWindow::showDock(const char *name)
 void MainWindow::connectProject()
 {
     connect(m_files, &ProjectFiles::told, this, &MainWindow::tell);
-    m_report =
-        new ReportExport(*this, m_project, *m_plant->ring()->bus(), *m_plant->ring()->ledger(), *m_notice);
+    m_report = new ReportExport(
+        *this, m_project, *m_buses, m_plant->catalog(), [this] { return m_plant->ledgers(); }, *m_notice);
     connect(m_report, &ReportExport::told, this, &MainWindow::tell);
     connect(m_actions.exportReport, &QAction::triggered, m_report, &ReportExport::askWhere);
     connect(m_transfer, &TransferPages::told, this, &MainWindow::tell);

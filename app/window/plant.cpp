@@ -36,7 +36,7 @@ Plant::Plant(BusAtWork::Surroundings surroundings, QObject *parent)
 
 Plant::~Plant() = default;
 
-std::vector<BusAtWork *> Plant::buses() const
+std::vector<BusAtWork *> Plant::all() const
 {
     std::vector<BusAtWork *> all;
     for (const auto &bus : m_buses)
@@ -48,6 +48,15 @@ BusAtWork *Plant::find(BusId bus) const
 {
     const auto found = std::ranges::find(m_buses, bus, [](const auto &its) { return its->id(); });
     return found == m_buses.end() ? nullptr : found->get();
+}
+
+std::vector<const LedgerKeeper *> Plant::ledgers() const
+{
+    std::vector<const LedgerKeeper *> ledgers;
+    for (const auto &bus : m_buses)
+        if (bus->ledger() != nullptr)
+            ledgers.push_back(bus->ledger());
+    return ledgers;
 }
 
 RingAtWork *Plant::ring() const
@@ -82,6 +91,13 @@ void Plant::add(std::unique_ptr<BusAtWork> bus)
         return;
     connect(bus.get(), &BusAtWork::messaged, this, &Plant::messaged);
     BusAtWork *its = bus.get();
+    const auto takeSession = [this, its] {
+        if (EncoderBus *session = its->bus())
+            m_sessions.add(*session);
+    };
+    connect(its, &BusAtWork::aboutToChange, this, [this, its] { m_sessions.remove(its->bus()); });
+    connect(its, &BusAtWork::changed, this, takeSession);
+    takeSession();
     const auto behind =
         std::ranges::upper_bound(m_buses, its->id(), {}, [](const auto &other) { return other->id(); });
     m_buses.insert(behind, std::move(bus));
@@ -98,8 +114,9 @@ bool Plant::isNeeded(const BusAtWork &bus) const
 
 void Plant::removeUnneeded()
 {
-    for (BusAtWork *bus : buses())
+    for (BusAtWork *bus : all())
         if (!isNeeded(*bus)) {
+            m_sessions.remove(bus->bus());
             Q_EMIT aboutToRemove(bus);
             std::erase_if(m_buses, [bus](const auto &its) { return its.get() == bus; });
         }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "app/window/bus_at_work.h"
+#include "bus/buses.h"
+#include "transfer/last_positions.h"
 
 #include <vector>
 
@@ -21,8 +23,12 @@ public:
     ~Plant() override;
 
     const Catalog &catalog() const { return m_surroundings.catalog; }
-    std::vector<BusAtWork *> buses() const; // by number
-    BusAtWork *find(BusId bus) const;       // null: there is none
+    std::vector<BusAtWork *> all() const; // by number
+    BusAtWork *find(BusId bus) const;     // null: there is none
+    // Their sessions, whichever they have.
+    Buses &buses() { return m_sessions; }
+    const LastPositions &positions() const { return m_positions; }
+    std::vector<const LedgerKeeper *> ledgers() const;
     // The first ones; null where the project plans another kind of bus with their number.
     RingAtWork *ring() const;
     SerialLine *line() const;
@@ -44,6 +50,8 @@ private:
     void removeUnneeded();
 
     const BusAtWork::Surroundings m_surroundings;
+    Buses m_sessions;
+    const LastPositions m_positions{m_sessions};
     std::vector<std::unique_ptr<BusAtWork>> m_buses;
 };
 

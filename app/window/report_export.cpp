@@ -3,11 +3,9 @@
 
 #include "app/report/save_report.h"
 #include "encoder/refusal_text.h"
-#include "journal/ledger_keeper.h"
 #include "report/kept_counts.h"
 #include "report/live_encoders.h"
 #include "report/make_report.h"
-#include "ring/bus_session.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/save_file.h"
 #include "widgets/project/project_document.h"
@@ -18,13 +16,14 @@
 
 namespace codewheel {
 
-ReportExport::ReportExport(QWidget &window, const ProjectDocument &document, const BusSession &bus,
-                           const LedgerKeeper &ledger, InlineMessage &notice)
+ReportExport::ReportExport(QWidget &window, const ProjectDocument &document, const Buses &buses,
+                           const Catalog &catalog, FindLedgers ledgers, InlineMessage &notice)
     : QObject(&window)
     , m_window(window)
     , m_document(document)
-    , m_bus(bus)
-    , m_ledger(ledger)
+    , m_buses(buses)
+    , m_catalog(catalog)
+    , m_ledgers(std::move(ledgers))
     , m_notice(notice)
 {}
 
@@ -55,11 +54,11 @@ bool ReportExport::saveTo(const QString &path)
                       .file = QFileInfo(m_document.file()).fileName(),
                       .version = QCoreApplication::applicationVersion(),
                       .now = QDateTime::currentDateTime()};
-    if (m_bus.isOpen())
-        addConnected(input, m_bus);
-    if (m_ledger.ledger() != nullptr)
-        addKept(input, *m_ledger.ledger(), m_bus.catalog(), m_document.file());
-    const auto saved = saveReport(makeReport(input, m_bus.catalog()), path, *format);
+    addConnected(input, m_buses);
+    for (const LedgerKeeper *keeper : m_ledgers())
+        if (keeper->ledger() != nullptr)
+            addKept(input, *keeper->ledger(), m_catalog, m_document.file());
+    const auto saved = saveReport(makeReport(input, m_catalog), path, *format);
     if (!saved) {
         m_notice.showMessage(Role::fault, refusalText(saved.error()));
         return false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "encoder/message.h"
+#include "journal/ledger_keeper.h"
 
 #include <QObject>
 
@@ -9,9 +10,9 @@ class QWidget;
 
 namespace codewheel {
 
-class BusSession;
+class Buses;
+class Catalog;
 class InlineMessage;
-class LedgerKeeper;
 class ProjectDocument;
 
 // File > Commissioning report: saves the report of the open project, with what is known of the connected
@@ -22,8 +23,8 @@ class ReportExport : public QObject
 
 public:
     // All must outlive it; notice stands in the window.
-    ReportExport(QWidget &window, const ProjectDocument &document, const BusSession &bus,
-                 const LedgerKeeper &ledger, InlineMessage &notice);
+    ReportExport(QWidget &window, const ProjectDocument &document, const Buses &buses, const Catalog &catalog,
+                 FindLedgers ledgers, InlineMessage &notice);
 
     void askWhere();
     // In place of a file that may be there. False: it was not saved, and says why.
@@ -37,8 +38,9 @@ private:
 
     QWidget &m_window;
     const ProjectDocument &m_document;
-    const BusSession &m_bus;
-    const LedgerKeeper &m_ledger;
+    const Buses &m_buses;
+    const Catalog &m_catalog;
+    const FindLedgers m_ledgers;
     InlineMessage &m_notice;
 };
 

@@ -4,7 +4,6 @@
 #include "app/journal_files.h"
 #include "journal/ledger_keeper.h"
 #include "project/ring_plan.h"
-#include "transfer/last_positions.h"
 
 namespace codewheel {
 namespace {
@@ -20,8 +19,7 @@ RingAtWork::RingAtWork(BusId id, Surroundings its, QObject *parent)
 {
     tellMessagesOf(*bus());
     connect(bus(), &BusSession::nodesChanged, this, &RingAtWork::tellPlan);
-    keepAccount(*bus(),
-                std::make_unique<LedgerKeeper>(*bus(), ledgerPlace(*bus(), surroundings().dataFolder)));
+    keepAccount(std::make_unique<LedgerKeeper>(*bus(), ledgerPlace(*bus(), surroundings().dataFolder)));
 }
 
 RingAtWork::~RingAtWork()

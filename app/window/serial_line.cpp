@@ -7,7 +7,6 @@
 #include "links/port_access.h"
 #include "links/project_adapter.h"
 #include "simulator/simulated_line_link.h"
-#include "transfer/last_positions.h"
 #include "widgets/project/project_document.h"
 
 #include <QFileInfo>
@@ -97,8 +96,8 @@ void SerialLine::replace(std::unique_ptr<LineSession> session, std::shared_ptr<S
     m_training = std::move(training);
     m_port = port;
     if (m_session)
-        keepAccount(*m_session, std::make_unique<LedgerKeeper>(
-                                    *m_session, ledgerPlace(*m_session, surroundings().dataFolder)));
+        keepAccount(
+            std::make_unique<LedgerKeeper>(*m_session, ledgerPlace(*m_session, surroundings().dataFolder)));
     Q_EMIT changed();
 }
 

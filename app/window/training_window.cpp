@@ -41,7 +41,7 @@ void TrainingWindow::advance(int milliseconds)
 {
     while (milliseconds > 0) {
         const int step = std::min(milliseconds, picturePeriod);
-        for (const BusAtWork *bus : m_plant.buses())
+        for (const BusAtWork *bus : m_plant.all())
             if (EncoderBus *its = bus->bus())
                 its->advance(std::chrono::milliseconds(step));
         m_window->showPicture();

@@ -24,6 +24,7 @@ public:
     BusSession &bus() { return *m_plant.ring()->bus(); }
     SerialLine &line() { return *m_plant.line(); }
     Plant &plant() { return m_plant; }
+    Buses &buses() { return m_plant.buses(); }
     TrainingControls &controls() { return m_plant.ring()->controls(); }
     MessageModel &messages() { return m_messages; }
     ProjectDocument &project() { return m_project; } // of the plant, at first

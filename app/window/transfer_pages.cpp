@@ -2,9 +2,9 @@
 #include "app/window/transfer_pages.h"
 
 #include "app/window/window_actions.h"
+#include "bus/buses.h"
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
-#include "ring/bus_session.h"
 #include "widgets/models/shown_encoder.h"
 #include "widgets/transfer/replace_page.h"
 #include "widgets/transfer/transfer_page.h"
@@ -24,16 +24,16 @@ void describe(QAction &action, const QString &what)
 
 } // namespace
 
-TransferPages::TransferPages(BusSession &bus, ProjectDocument &project, FindValuesBefore findBefore,
-                             const LastPositions &positions, const WindowActions &actions,
-                             QStackedWidget &pages, QObject *parent)
+TransferPages::TransferPages(const Buses &buses, const Catalog &catalog, ProjectDocument &project,
+                             FindValuesBefore findBefore, const LastPositions &positions,
+                             const WindowActions &actions, QStackedWidget &pages, QObject *parent)
     : QObject(parent)
-    , m_bus(bus)
+    , m_buses(buses)
     , m_findBefore(std::move(findBefore))
     , m_actions(actions)
     , m_pages(pages)
-    , m_transfer(new TransferPage(bus, project, m_findBefore, &pages))
-    , m_replace(new ReplacePage(bus, project, positions, &pages))
+    , m_transfer(new TransferPage(buses, catalog, project, m_findBefore, &pages))
+    , m_replace(new ReplacePage(buses, catalog, project, positions, &pages))
 {
     pages.addWidget(m_transfer);
     pages.addWidget(m_replace);
@@ -50,7 +50,7 @@ TransferPages::TransferPages(BusSession &bus, ProjectDocument &project, FindValu
 void TransferPages::setEncoder(const ShownEncoder &shown)
 {
     if (m_number)
-        if (EncoderSession *before = m_bus.encoder(*m_number))
+        if (EncoderSession *before = m_buses.encoder(*m_number))
             before->disconnect(this);
     EncoderSession *encoder = shown.session();
     m_number = encoder ? std::optional(encoder->place()) : std::nullopt;
@@ -62,18 +62,13 @@ void TransferPages::setEncoder(const ShownEncoder &shown)
 
 void TransferPages::showActions()
 {
-    const EncoderSession *encoder = m_number ? m_bus.encoder(*m_number) : nullptr;
+    const EncoderSession *encoder = m_number ? m_buses.encoder(*m_number) : nullptr;
     const bool canBeWritten = encoder && encoder->can().writes;
-    const bool onLine = m_number && m_number->isOnLine();
-    const QString why =
-        m_isOnlyPlanned ? tr("Not connected: nothing can be sent.")
-        : onLine        ? tr("%1 is on a serial line, and this is for the ring. Write its values with the "
-                                    "parameter panel or the wizard.")
-                       .arg(m_number->toString())
-        : !encoder ? tr("No encoder is chosen.")
-                   : refusalText({RefusalKind::notSupported,
-                                  RefusalId::writingNotSupported,
-                                  {encoder->device().fullName()}});
+    const QString why = m_isOnlyPlanned ? tr("Not connected: nothing can be sent.")
+                        : !encoder      ? tr("No encoder is chosen.")
+                                        : refusalText({RefusalKind::notSupported,
+                                                       RefusalId::writingNotSupported,
+                                                       {encoder->device().fullName()}});
     m_actions.replaceEncoder->setEnabled(canBeWritten);
     describe(*m_actions.replaceEncoder,
              canBeWritten
@@ -82,9 +77,8 @@ void TransferPages::showActions()
     const auto before = canBeWritten ? m_findBefore(*m_number) : std::vector<ValuesBefore>();
     m_actions.restoreValues->setEnabled(!before.empty());
     m_actions.restoreValues->setText(
-        before.empty()
-            ? tr("Restore &values from before...")
-            : tr("Restore &values of %1...").arg(timeOf(before.front(), m_bus.dateTime(m_bus.latest().at))));
+        before.empty() ? tr("Restore &values from before...")
+                       : tr("Restore &values of %1...").arg(timeOf(before.front(), m_buses.now(*m_number))));
     describe(
         *m_actions.restoreValues,
         !canBeWritten ? why

@@ -10,7 +10,8 @@ class QStackedWidget;
 
 namespace codewheel {
 
-class BusSession;
+class Buses;
+class Catalog;
 class LastPositions;
 class ProjectDocument;
 class ReplacePage;
@@ -26,9 +27,9 @@ class TransferPages : public QObject
 
 public:
     // All must outlive it; the pages are put into `pages`.
-    TransferPages(BusSession &bus, ProjectDocument &project, FindValuesBefore findBefore,
-                  const LastPositions &positions, const WindowActions &actions, QStackedWidget &pages,
-                  QObject *parent = nullptr);
+    TransferPages(const Buses &buses, const Catalog &catalog, ProjectDocument &project,
+                  FindValuesBefore findBefore, const LastPositions &positions, const WindowActions &actions,
+                  QStackedWidget &pages, QObject *parent = nullptr);
 
     // The encoder that is chosen in the window.
     void setEncoder(const ShownEncoder &shown);
@@ -43,7 +44,7 @@ private:
     void showReplace();
     void showActions();
 
-    BusSession &m_bus;
+    const Buses &m_buses;
     FindValuesBefore m_findBefore;
     const WindowActions &m_actions;
     QStackedWidget &m_pages;

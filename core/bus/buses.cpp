@@ -12,6 +12,7 @@ void Buses::add(EncoderBus &bus)
     connect(&bus, &EncoderBus::stateChanged, this, &Buses::changed);
     connect(&bus, &EncoderBus::nodesChanged, this, &Buses::changed);
     connect(&bus, &EncoderBus::updated, this, [this, id = bus.id()] { Q_EMIT updated(id); });
+    connect(&bus, &QObject::destroyed, this, [this, gone = &bus] { std::erase(m_buses, gone); });
     Q_EMIT changed();
 }
 
@@ -76,6 +77,21 @@ WordChannel *Buses::channel(Place place) const
         if (WordChannel *its = bus->channel(place))
             return its;
     return nullptr;
+}
+
+Refusal Buses::whyNotThere(Place place) const
+{
+    const EncoderBus *bus = open(place.bus);
+    return bus ? bus->whyNotThere(place) : notConnected(place);
+}
+
+QDateTime Buses::now(Place place) const
+{
+    const std::vector<EncoderBus *> buses = open();
+    const EncoderBus *bus = open(place.bus);
+    if (bus == nullptr && !buses.empty())
+        bus = buses.front();
+    return bus ? bus->dateTime(bus->now()) : QDateTime();
 }
 
 bool Buses::hasJob() const

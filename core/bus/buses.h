@@ -16,7 +16,7 @@ class Buses : public QObject
 public:
     using QObject::QObject;
 
-    // In the order in which their devices are listed. It is here until it is removed.
+    // In the order in which their devices are listed. It is here until it is removed, or ends.
     void add(EncoderBus &bus);
     void remove(const EncoderBus *bus); // nothing, if it is not here
     std::vector<EncoderBus *> open() const;
@@ -27,7 +27,10 @@ public:
     bool isConnected(Place place) const { return busOf(place) != nullptr; }
     EncoderSession *encoder(Place place) const; // null: none, or a device without a driver
     WordChannel *channel(Place place) const;    // null: none, or it has no words
-    bool hasJob() const;                        // any of them
+    Refusal whyNotThere(Place place) const;     // where nothing stands
+    // Of the newest snapshot of the bus at the place, else of the first bus that is open; null: none is.
+    QDateTime now(Place place) const;
+    bool hasJob() const; // any of them
 
     // To all that are open.
     void pump();

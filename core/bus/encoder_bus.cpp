@@ -37,9 +37,24 @@ void EncoderBus::takeSleep(const Slept &slept, Instant at)
                      .arguments = {std::int64_t{seconds}}});
 }
 
+Refusal EncoderBus::whyNotThere(Place place) const
+{
+    return notConnected(place);
+}
+
+std::optional<Refusal> EncoderBus::isOther(Place, const QString &, const QString &) const
+{
+    return std::nullopt;
+}
+
 WordChannel *EncoderBus::channelAt(NodeId) const
 {
     return nullptr;
+}
+
+Refusal notConnected(Place place)
+{
+    return {RefusalKind::link, RefusalId::notConnected, {place.toString()}};
 }
 
 std::vector<Place> devicesWithOut(const EncoderBus &bus)

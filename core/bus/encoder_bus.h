@@ -2,15 +2,18 @@
 #pragma once
 
 #include "bus/bus_state.h"
+#include "bus/participant.h"
 #include "bus/wall_time.h"
 #include "encoder/encoder_session.h"
 #include "encoder/message.h"
 
+#include <map>
 #include <vector>
 
 namespace codewheel {
 
 class BusOutline;
+class Catalog;
 class WordChannel;
 
 // A connected bus, whatever it is, as window, command line and ledger see it: its devices, its state, and
@@ -40,6 +43,26 @@ public:
     // Null: it has no words, or there is no such device.
     WordChannel *channel(NodeId node) const { return channelAt(node); }
     WordChannel *channel(Place place) const { return place.bus == m_id ? channelAt(place.node) : nullptr; }
+
+    virtual const Catalog &catalog() const = 0;
+    // What stands there, as it was found or as the bus was told; nothing: no device.
+    virtual std::optional<Participant> found(Place place) const = 0;
+    virtual Refusal whyNotThere(Place place) const; // where nothing stands
+    // Of the devices planned for this bus those that are not for certain the connected ones at their places,
+    // and why.
+    virtual std::map<NodeId, Refusal> strangers(const std::vector<Participant> &planned) const = 0;
+    // Why the encoder at its place is another one than planned, by what it is taken for and the serial number
+    // it tells; what is not known of either is not compared. Nothing: nothing speaks against it, or this kind
+    // of bus tells devices from each other by strangers() alone.
+    virtual std::optional<Refusal> isOther(Place place, const QString &deviceKey,
+                                           const QString &serialNumber) const;
+    // Whether the device at `place` can be this one.
+    virtual Result<void> canBe(Place place, const DeviceDescription &device) const = 0;
+    // The user names the device: the key of a description that it can be. What the label tells of its
+    // resolution goes before the description; 0: it does not. The device gets a new session (or none):
+    // encoder() gives that one from now on, and nothing that was known is kept but the count of EEPROM
+    // writes; the old one ends. Refused while a job runs. Sends nothing.
+    virtual Result<void> name(Place place, const QString &deviceKey, int turns = 0, int stepsPerTurn = 0) = 0;
 
     virtual BusState state() const = 0;
     bool isOpen() const { return state() == BusState::open || state() == BusState::lost; } // connected
@@ -95,6 +118,8 @@ private:
     State m_told;
     WallTime m_wallTime;
 };
+
+Refusal notConnected(Place place);
 
 // Those whose OUT is not 00000000, to be named on stop, disconnect and quit.
 std::vector<Place> devicesWithOut(const EncoderBus &bus);

@@ -32,6 +32,15 @@ public:
     virtual const Capabilities &can() const = 0;
 
     virtual const Reading &latest() const = 0;
+    // Whether the position it shows can be taken for the encoder's.
+    virtual bool showsPosition() const
+    {
+        const Reading &reading = latest();
+        return reading.state == EncoderState::operation && reading.position && !reading.suspect;
+    }
+    // Whether the outcomes of its jobs tell the positions before and after, which several reads agreed on: a
+    // single one may be damaged.
+    virtual bool agreesOnPositions() const { return false; }
     // Whether that is how the encoder stands now.
     const Freshness &freshness() const { return m_freshness; }
     virtual std::optional<Known> known(Parameter parameter) const = 0;

@@ -120,6 +120,7 @@ enum class RefusalId : std::uint8_t {
     escPresetUnproven,      // command, preset: accepted, and neither S nor the position shows it
     escNotFoundAgain,       // where it was looked for
     escFactorFitsNothing,   // factor, steps, measuring range, as the encoder told them
+    encoderSilent,          // place
     // link
     linkFailed,     // text of the link
     ringDiffers,    // place, configured, found
@@ -132,6 +133,9 @@ enum class RefusalId : std::uint8_t {
     portLost,       // port: the adapter was unplugged
     portOfOther,    // port, the adapter that was expected
     lineClosed,     //
+    notConnected,   // place
+    deviceDiffers,  // place, planned, connected
+    serialDiffers,  // place, serial number on the label, serial number the encoder tells
     // stopped
     cancelled,      //
     alarmStop,      //

@@ -366,6 +366,9 @@ constexpr std::array refusalRows{
                           "The scaling factor %1 fits %2 steps per turn and a measuring range of %3 in no "
                           "format, or in more than one. Leave the number of fraction bits as it is, or "
                           "write the scaling anew.")},
+    RefusalRow{
+        RefusalId::encoderSilent, "encoderSilent",
+        QT_TRANSLATE_NOOP("Refusal", "%1 does not answer. Check address, baud rate, wiring and supply.")},
     // link
     RefusalRow{RefusalId::linkFailed, "linkFailed", QT_TRANSLATE_NOOP("Refusal", "The link failed: %1")},
     RefusalRow{RefusalId::ringDiffers, "ringDiffers",
@@ -399,6 +402,18 @@ constexpr std::array refusalRows{
                    "Refusal", "%1 is another adapter than %2. Choose the port again if you mean this one.")},
     RefusalRow{RefusalId::lineClosed, "lineClosed",
                QT_TRANSLATE_NOOP("Refusal", "The serial line is not open. Connect it first.")},
+    RefusalRow{RefusalId::notConnected, "notConnected",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "%1 is not connected. Connect its bus, and look which devices are "
+                                 "there.")},
+    RefusalRow{RefusalId::deviceDiffers, "deviceDiffers",
+               QT_TRANSLATE_NOOP("Refusal", "%1: planned is %2, connected is %3. Connect what is planned, or "
+                                            "plan what is connected.")},
+    RefusalRow{RefusalId::serialDiffers, "serialDiffers",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "%1: the label in the project has the serial number %2, the encoder "
+                                 "tells %3. Replace the encoder in the project, or correct the "
+                                 "label.")},
     // stopped
     RefusalRow{RefusalId::cancelled, "cancelled", QT_TRANSLATE_NOOP("Refusal", "The job was cancelled.")},
     RefusalRow{

@@ -8,7 +8,9 @@
 #include <QObject>
 #include <QPointer>
 
+#include <functional>
 #include <map>
+#include <vector>
 
 namespace codewheel {
 
@@ -56,6 +58,7 @@ public:
     // Something was written that is not counted in the file.
     bool hasUncounted() const { return m_book->hasUncounted(); }
 
+    const EncoderBus &bus() const { return m_bus; }
     // Null where Qt's driver for SQLite is missing.
     const Ledger *ledger() const { return m_book->ledger(); }
     EncoderIdentity identity(Place place) const;
@@ -128,5 +131,8 @@ private:
     std::map<Place, Watched> m_watched;
     std::map<Place, std::vector<ToStranger>> m_strangers;
 };
+
+// Of the buses there are now.
+using FindLedgers = std::function<std::vector<const LedgerKeeper *>()>;
 
 } // namespace codewheel

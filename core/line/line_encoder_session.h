@@ -20,6 +20,7 @@ public:
     LineEncoderSession(LineSession &line, std::size_t device, LineAddress address,
                        const DeviceDescription &description);
 
+    bool agreesOnPositions() const override { return true; }
     QDateTime dateTime(Instant at) const override;
     Result<std::vector<Step>> planned(const std::vector<Job> &jobs) const override;
     int fractionBits() const; // of its scaling factor, as its line is set

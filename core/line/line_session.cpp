@@ -3,7 +3,9 @@
 
 #include "bus/bus_engine.h"
 #include "catalog/catalog.h"
+#include "catalog/hex_code.h"
 #include "drivers/esc_fraction_bits.h"
+#include "encoder/hex.h"
 #include "line/line_encoder_session.h"
 #include "line/line_outline.h"
 #include "line/line_runner.h"
@@ -12,6 +14,21 @@
 #include <utility>
 
 namespace codewheel {
+
+namespace {
+
+// Whether this may stand on the label of an encoder that tells `told`, which is printed in decimal or in
+// hexadecimal digits. What is no number, and nothing, may always.
+bool mayBeSerialNumber(const QString &text, std::int64_t told)
+{
+    bool isDecimal = false;
+    bool isHexadecimal = false;
+    const auto decimal = text.toLongLong(&isDecimal);
+    const auto hexadecimal = text.toLongLong(&isHexadecimal, 16);
+    return !isHexadecimal || (isDecimal && decimal == told) || hexadecimal == told;
+}
+
+} // namespace
 
 struct LineSession::Private
 {
@@ -190,14 +207,20 @@ Result<void> LineSession::add(LineAddress address, const QString &deviceKey)
     if (!described || described->profile != Profile::esc)
         return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {deviceKey, QStringLiteral("ESC")});
 
-    auto description = std::make_unique<const DeviceDescription>(*described);
+    take(address, *described);
+    Q_EMIT nodesChanged();
+    return {};
+}
+
+LineEncoderSession &LineSession::take(LineAddress address, const DeviceDescription &device)
+{
+    auto description = std::make_unique<const DeviceDescription>(device);
     auto driver = d->makeDriver(*description, address);
     driver->setFractionBits(d->fractionBits);
     auto session = std::make_unique<LineEncoderSession>(*this, d->encoders.size(), address, *description);
     d->encoders.push_back({std::move(description), std::move(session)});
-    post(line_command::AddDevice{std::move(driver), described->fullName()});
-    Q_EMIT nodesChanged();
-    return {};
+    post(line_command::AddDevice{std::move(driver), device.fullName()});
+    return *d->encoders.back().session;
 }
 
 Result<void> LineSession::remove(Place place)
@@ -207,9 +230,7 @@ Result<void> LineSession::remove(Place place)
         return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {place.toString(), QString()});
     if (encoder->session->runningJob())
         return refuse(RefusalKind::busy, RefusalId::jobRunning, {place.toString()});
-    const std::size_t index = d->indexOf(*encoder);
-    const auto ended = std::move(encoder->session); // who is told finds it no more
-    post(line_command::RemoveDevice{index});
+    const auto ended = leave(d->indexOf(*encoder)); // who is told finds it no more
     Q_EMIT nodesChanged();
     return {};
 }
@@ -217,6 +238,81 @@ Result<void> LineSession::remove(Place place)
 const BusOutline &LineSession::outline() const
 {
     return d->outline;
+}
+
+std::unique_ptr<LineEncoderSession> LineSession::leave(std::size_t index)
+{
+    post(line_command::RemoveDevice{index});
+    return std::move(d->encoders[index].session);
+}
+
+Result<void> LineSession::canBe(Place place, const DeviceDescription &device) const
+{
+    if (device.profile == Profile::esc)
+        return {};
+    return refuse(RefusalKind::badInput, RefusalId::deviceCodeDiffers,
+                  {place.toString(), QStringLiteral("-"), device.fullName(), hexCode(device.deviceCode, 4)});
+}
+
+Result<void> LineSession::name(Place place, const QString &deviceKey, int turns, int stepsPerTurn)
+{
+    Private::Encoder *before = d->find(place.node);
+    const DeviceDescription *described = d->catalog.find(deviceKey);
+    if (!before || !described)
+        return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {place.toString(), QString()});
+    if (auto can = canBe(place, *described); !can)
+        return can;
+    if (before->session->runningJob())
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {place.toString()});
+    DeviceDescription device = *described;
+    device.physicalTurns = turns > 0 ? turns : device.physicalTurns;
+    device.physicalStepsPerTurn = stepsPerTurn > 0 ? stepsPerTurn : device.physicalStepsPerTurn;
+    const auto ended = leave(d->indexOf(*before));
+    LineEncoderSession &now = take(LineAddress::of(place.node), device);
+    now.countEepromWrites(ended->eepromWrites());
+    setSwapsWarningBytes(place, ended->swapsWarningBytes());
+    Q_EMIT nodesChanged();
+    return {};
+}
+
+const Catalog &LineSession::catalog() const
+{
+    return d->catalog;
+}
+
+std::optional<Participant> LineSession::found(Place place) const
+{
+    const EncoderSession *there = encoder(place);
+    return there ? std::optional(Participant{.number = place.node, .deviceKey = there->device().key})
+                 : std::nullopt;
+}
+
+std::map<NodeId, Refusal> LineSession::strangers(const std::vector<Participant> &planned) const
+{
+    std::map<NodeId, Refusal> strangers;
+    for (const Participant &device : planned)
+        if (encoder(device.number) == nullptr)
+            strangers.emplace(device.number, whyNotThere(placeOf(device.number)));
+    return strangers;
+}
+
+std::optional<Refusal> LineSession::isOther(Place place, const QString &deviceKey,
+                                            const QString &serialNumber) const
+{
+    const EncoderSession *there = encoder(place);
+    if (there == nullptr)
+        return std::nullopt;
+    const DeviceDescription *planned = d->catalog.find(deviceKey);
+    if (planned != nullptr && planned->key != there->device().key)
+        return Refusal{RefusalKind::link,
+                       RefusalId::deviceDiffers,
+                       {place.toString(), planned->fullName(), there->device().fullName()}};
+    const auto told = there->known(Parameter::serialNumber);
+    if (!told || told->evidence != Evidence::read || mayBeSerialNumber(serialNumber, told->value))
+        return std::nullopt;
+    return Refusal{RefusalKind::link,
+                   RefusalId::serialDiffers,
+                   {place.toString(), serialNumber, hexWord(static_cast<Word>(told->value))}};
 }
 
 std::vector<Place> LineSession::places() const

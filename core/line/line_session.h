@@ -15,7 +15,7 @@
 
 namespace codewheel {
 
-class Catalog;
+class LineEncoderSession;
 
 // A connected serial line as the window and the command line see it: owns link, runner, thread and encoder
 // sessions. All of it lives in the caller's thread; the line thread is hidden behind pump().
@@ -56,6 +56,16 @@ public:
     Result<void> remove(Place place);
     const BusOutline &outline() const override;
     std::vector<Place> places() const override;
+
+    const Catalog &catalog() const override;
+    std::optional<Participant> found(Place place) const override;
+    // No address of a line depends on another: those where nothing is polled.
+    std::map<NodeId, Refusal> strangers(const std::vector<Participant> &planned) const override;
+    std::optional<Refusal> isOther(Place place, const QString &deviceKey,
+                                   const QString &serialNumber) const override;
+    // An encoder for serial lines.
+    Result<void> canBe(Place place, const DeviceDescription &device) const override;
+    Result<void> name(Place place, const QString &deviceKey, int turns = 0, int stepsPerTurn = 0) override;
 
     const LineSnapshot &latest() const;
     const LineSnapshot::Device *shown(Place place) const; // null: no such device
@@ -109,6 +119,8 @@ private:
     template <class Runner, class Session>
     friend class BusEngine;
     EncoderSession *encoderAt(NodeId node) const override;
+    LineEncoderSession &take(LineAddress address, const DeviceDescription &device); // into the polling
+    std::unique_ptr<LineEncoderSession> leave(std::size_t index);                   // out of it
     void post(LineCommand command);
     void dispatch(const LineEvent &event);
     void dispatch(const Message &message);

@@ -3,7 +3,7 @@
 
 #include "encoder/refusal_text.h"
 #include "project/project_take_over.h"
-#include "transfer/project_places.h"
+#include "ring/ring_strangers.h"
 
 namespace codewheel {
 namespace {
@@ -15,6 +15,28 @@ void addDifferences(Deviations &found, const CamProgram &wanted, const StoredCam
         if (differ[i])
             found.cams.push_back({wanted.number, camField(i), valueOf(wanted, camField(i)),
                                   valueOf(known.program, camField(i)), known.evidence});
+}
+
+QStringList ringDifferences(const RingStructure &configured, const RingStructure &connected,
+                            const Catalog &catalog)
+{
+    const Comparison comparison = compareRings(configured, connected);
+    QStringList lines;
+    if (areSame(comparison))
+        return lines;
+    const auto strangers = strangersInRing(configured, connected, catalog);
+    for (const ComparisonLine &line : comparison) {
+        const bool isSame = line.kind == ComparisonKind::same;
+        const auto why = isSame ? strangers.find(configured[*line.configured].number) : strangers.end();
+        const bool isStranger = why != strangers.end();
+        const bool hasItsNumber =
+            isSame && configured[*line.configured].number == connected[*line.connected].number;
+        if (isStranger && hasItsNumber)
+            lines << refusalText(why->second); // nothing known of it is reported
+        else if (isStranger || !isSame)
+            lines << comparisonText(line, configured, connected, catalog);
+    }
+    return lines;
 }
 
 } // namespace
@@ -51,26 +73,13 @@ DeviationCounts countDeviations(const std::vector<ReportedDevice> &devices)
 
 std::optional<QStringList> busDifferences(const ReportInput &input, const Catalog &catalog)
 {
-    if (!input.connected)
+    if (!input.connected && !input.strangers)
         return std::nullopt;
-    const RingStructure configured = structureOf(input.project);
-    const RingStructure &connected = *input.connected;
-    const Comparison comparison = compareRings(configured, connected);
     QStringList lines;
-    if (areSame(comparison))
-        return lines;
-    const ProjectPlaces places(input.project, connected, catalog);
-    for (const ComparisonLine &line : comparison) {
-        const bool isSame = line.kind == ComparisonKind::same;
-        const auto why =
-            isSame ? places.hindrance({firstRing, configured[*line.configured].number}) : std::nullopt;
-        const bool hasItsNumber =
-            isSame && configured[*line.configured].number == connected[*line.connected].number;
-        if (why && hasItsNumber)
-            lines << refusalText(*why); // nothing known of it is reported
-        else if (why || !isSame)
-            lines << comparisonText(line, configured, connected, catalog);
-    }
+    if (input.connected)
+        lines = ringDifferences(structureOf(input.project), *input.connected, catalog);
+    for (const Refusal &why : input.strangers.value_or(std::vector<Refusal>()))
+        lines << refusalText(why);
     return lines;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/live_encoders.h"
 
-#include "ring/bus_session.h"
+#include "bus/buses.h"
+#include "project/ring_plan.h"
 #include "transfer/project_places.h"
 #include "transfer/value_store.h"
 
@@ -15,23 +16,44 @@ bool isTold(const StoredValue &value)
     return value.evidence == Evidence::told;
 }
 
+// A ring as a whole, of any other kind what is not connected as planned.
+void addBus(ReportInput &input, const EncoderBus &bus, const ProjectPlaces &places)
+{
+    const PlannedBus *planned = findBus(input.project, bus.id());
+    if (planned == nullptr)
+        return;
+    if (planned->settings.as<RingPlan>()) {
+        input.connected.emplace();
+        for (const Place place : bus.places())
+            input.connected->push_back(*bus.found(place));
+        return;
+    }
+    for (const ProjectDevice &device : devicesOn(input.project, bus.id())) {
+        if (!input.strangers)
+            input.strangers.emplace();
+        if (auto why = places.hindrance(device.place()))
+            input.strangers->push_back(std::move(*why));
+    }
+}
+
 } // namespace
 
-std::vector<ConnectedEncoder> connectedEncoders(const Project &project, const BusSession &bus)
+std::vector<ConnectedEncoder> connectedEncoders(const Project &project, const Buses &buses)
 {
     std::vector<ConnectedEncoder> encoders;
-    const ProjectPlaces places(project, bus);
+    const ProjectPlaces places(project, buses);
     for (const ProjectDevice &planned : project.devices)
         if (places.isAtItsPlace(planned.place()))
-            if (EncoderSession *encoder = bus.encoder(planned.place()))
+            if (EncoderSession *encoder = buses.encoder(planned.place()))
                 encoders.emplace_back(&planned, encoder);
     return encoders;
 }
 
-void addConnected(ReportInput &input, const BusSession &bus)
+void addConnected(ReportInput &input, const Buses &buses)
 {
-    input.connected = bus.structure();
-    for (const auto &[planned, encoder] : connectedEncoders(input.project, bus)) {
+    for (const EncoderBus *bus : buses.open())
+        addBus(input, *bus, ProjectPlaces(input.project, buses));
+    for (const auto &[planned, encoder] : connectedEncoders(input.project, buses)) {
         LiveEncoder known{valuesToStore(*encoder), camsToStore(*encoder)};
         if (!known.cams.empty() || !std::ranges::all_of(known.values, isTold))
             input.live[encoder->place()] = std::move(known);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "encoder/eeprom_count.h"
+#include "encoder/refusal.h"
 #include "project/project.h"
 
 #include <QDateTime>
@@ -29,6 +30,9 @@ struct ReportInput
     std::map<Place, EepromCount> writes{};
     // The connected ring, to be compared with the configured one; nothing: there is none.
     std::optional<RingStructure> connected{};
+    // Of buses that have no structure to be compared, why devices are not the planned ones; nothing: none is
+    // connected.
+    std::optional<std::vector<Refusal>> strangers{};
 };
 
 } // namespace codewheel

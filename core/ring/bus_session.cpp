@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/hex_code.h"
 #include "ring/bus_session_private.h"
+#include "ring/ring_strangers.h"
 #include "ring/send_permission.h"
 
 #include <algorithm>
@@ -331,6 +332,22 @@ bool BusSession::isSimulated() const
 const RingStructure &BusSession::structure() const
 {
     return d->structure;
+}
+
+std::optional<Participant> BusSession::found(Place place) const
+{
+    const auto there = std::ranges::find(d->structure, place.node, &Participant::number);
+    return place.bus == id() && there != d->structure.end() ? std::optional(*there) : std::nullopt;
+}
+
+Refusal BusSession::whyNotThere(Place place) const
+{
+    return {RefusalKind::link, RefusalId::notInRing, {place.toString()}};
+}
+
+std::map<NodeId, Refusal> BusSession::strangers(const std::vector<Participant> &planned) const
+{
+    return strangersInRing(planned, d->structure, d->catalog);
 }
 
 std::vector<Place> BusSession::places() const

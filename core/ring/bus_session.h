@@ -85,15 +85,14 @@ public:
     void keepConfiguration(const KeptConfiguration &configuration);
     void askKeptConfiguration(); // answered by keptConfigurationTold
 
-    // The user names the device: the key of a description with the device code of the place, or nothing to
-    // have it "make not known" again. What the label tells of its resolution goes before the description; 0:
-    // it does not. The device gets a new session (or none): encoder() gives that one from now on, and nothing
-    // that was known is kept but the count of EEPROM writes; the old one ends. Refused while a job runs.
-    // Sends nothing.
-    Result<void> name(Place place, const QString &deviceKey, int turns = 0, int stepsPerTurn = 0);
-    // Whether the device at `place` can be this one, by its device code.
-    Result<void> canBe(Place place, const DeviceDescription &device) const;
-    const Catalog &catalog() const;
+    // Where no description has the key, the device is "make not known" again.
+    Result<void> name(Place place, const QString &deviceKey, int turns = 0, int stepsPerTurn = 0) override;
+    // By its device code.
+    Result<void> canBe(Place place, const DeviceDescription &device) const override;
+    const Catalog &catalog() const override;
+    std::optional<Participant> found(Place place) const override;
+    Refusal whyNotThere(Place place) const override;
+    std::map<NodeId, Refusal> strangers(const std::vector<Participant> &planned) const override;
 
 Q_SIGNALS:
     void named(codewheel::Place place); // its session is another one now

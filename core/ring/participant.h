@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/device_number.h"
-
-#include <QString>
+#include "bus/participant.h"
 
 #include <vector>
 
@@ -13,22 +11,6 @@ struct DeviceDescription;
 
 inline constexpr unsigned busTerminalIdCode = 0x0C;
 
-// One device of the ring, as the master finds it (ID register) and as the plan names it. The vendor is not in
-// the ID code: without a plan, deviceKey is empty and the make is not known.
-struct Participant
-{
-    NodeId number;           // "6.1"
-    unsigned idCode = 0;     // 37h
-    unsigned deviceCode = 0; // length code << 8 | ID code: 0237h
-    int inWords = 0;         // 16 bit each
-    int outWords = 0;
-    QString deviceKey; // catalog key, empty where the make is not known
-    int level = 0;     // of the remote bus, 0..15: 0 is the main line, each branch one more
-
-    DeviceNumber deviceNumber() const { return DeviceNumber::of(number); }
-
-    friend bool operator==(const Participant &, const Participant &) = default;
-};
 using RingStructure = std::vector<Participant>;
 
 // Whether both are the same ring as far as a master can tell: all but the makes.

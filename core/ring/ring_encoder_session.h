@@ -18,6 +18,8 @@ public:
     RingEncoderSession(BusSession &bus, std::size_t device, Place number,
                        const DeviceDescription &description, bool linkBoundsCycles);
 
+    // 00000000 is what it shows without power.
+    bool showsPosition() const override { return EncoderSession::showsPosition() && latest().in != 0; }
     QDateTime dateTime(Instant at) const override;
     Result<std::vector<Step>> planned(const std::vector<Job> &jobs) const override;
 

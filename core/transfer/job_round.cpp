@@ -1,36 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transfer/job_round.h"
 
-#include "bus/encoder_bus.h"
+#include "bus/buses.h"
 
 namespace codewheel {
 namespace {
 
-// Who stopped this one wants no other begun; without the link there is none.
-bool stopsAll(const Refusal &why)
+// Without its link a bus has no other encoder either.
+bool losesBus(const Refusal &why)
 {
-    return why.kind == RefusalKind::stopped || why.id == RefusalId::linkFailed ||
-           why.id == RefusalId::portLost;
+    return why.id == RefusalId::linkFailed || why.id == RefusalId::portLost;
 }
 
-// On a serial line a single read may be damaged: the jobs' positions are those that reads agreed on.
-void takePositions(EncoderResult &result)
+void takePositions(EncoderResult &result, const Outcome &outcome)
 {
-    result.positionBefore.reset();
-    result.positionAfter.reset();
-    for (const Outcome &outcome : result.outcomes) {
-        if (!result.positionBefore)
-            result.positionBefore = outcome.positionBefore;
-        if (outcome.positionAfter)
-            result.positionAfter = outcome.positionAfter;
-    }
+    if (!result.positionBefore)
+        result.positionBefore = outcome.positionBefore;
+    if (outcome.positionAfter)
+        result.positionAfter = outcome.positionAfter;
 }
 
 } // namespace
 
-JobRound::JobRound(EncoderBus &bus, QObject *parent)
+JobRound::JobRound(const Buses &buses, QObject *parent)
     : QObject(parent)
-    , m_bus(bus)
+    , m_buses(buses)
 {}
 
 void JobRound::start(std::vector<EncoderJobs> encoders, AfterRefusal afterRefusal)
@@ -77,7 +71,7 @@ RoundProgress JobRound::progress() const
 
 QDateTime JobRound::now() const
 {
-    return m_bus.dateTime(m_bus.now());
+    return m_buses.now(m_encoders[m_index].place);
 }
 
 void JobRound::beginEncoder()
@@ -87,13 +81,15 @@ void JobRound::beginEncoder()
         return;
     }
     m_job = 0;
-    m_encoder = m_bus.encoder(m_encoders[m_index].place);
+    const Place place = m_encoders[m_index].place;
+    m_encoder = m_buses.encoder(place);
     current().begun = now();
     if (!m_encoder) {
-        endEncoder(Refusal{RefusalKind::link, RefusalId::notInRing, {m_encoders[m_index].place.toString()}});
+        endEncoder(m_buses.whyNotThere(place));
         return;
     }
-    current().positionBefore = m_encoder->latest().position;
+    if (!m_encoder->agreesOnPositions())
+        current().positionBefore = m_encoder->latest().position;
     connect(m_encoder, &EncoderSession::finished, this, &JobRound::takeOutcome);
     connect(m_encoder, &EncoderSession::progressed, this, [this](const Progress &progress) {
         if (progress.job != m_id)
@@ -101,9 +97,7 @@ void JobRound::beginEncoder()
         m_jobProgress = progress;
         Q_EMIT progressed();
     });
-    connect(m_encoder, &QObject::destroyed, this, [this] {
-        endEncoder(Refusal{RefusalKind::link, RefusalId::notInRing, {m_encoders[m_index].place.toString()}});
-    });
+    connect(m_encoder, &QObject::destroyed, this, [this, place] { endEncoder(m_buses.whyNotThere(place)); });
     beginJob();
 }
 
@@ -130,6 +124,8 @@ void JobRound::takeOutcome(const Outcome &outcome)
         return;
     m_id.reset();
     current().outcomes.push_back(outcome);
+    if (m_encoder->agreesOnPositions())
+        takePositions(current(), outcome);
     if (!outcome.result)
         endEncoder(outcome.result.error());
     else if (m_beginsNoJob && m_job + 1 < m_encoders[m_index].jobs.size())
@@ -147,18 +143,25 @@ void JobRound::endEncoder(std::optional<Refusal> why)
     if (m_encoder) {
         m_encoder->disconnect(this);
         result.leftIn = result.outcomes.empty() ? m_encoder->latest().state : result.outcomes.back().leftIn;
-        result.positionAfter = m_encoder->latest().position;
+        if (!m_encoder->agreesOnPositions())
+            result.positionAfter = m_encoder->latest().position;
     }
-    if (result.place.isOnLine())
-        takePositions(result);
     m_encoder = nullptr;
     result.why = std::move(why);
     result.ended = now();
     ++m_index;
-    const bool stopsHere = result.why && (stopsAll(*result.why) || m_afterRefusal == AfterRefusal::stop);
-    if (m_beginsNoOther || stopsHere)
+    const bool isStopped = result.why && result.why->kind == RefusalKind::stopped;
+    if (m_beginsNoOther || isStopped || (result.why && m_afterRefusal == AfterRefusal::stop))
         m_index = m_encoders.size();
+    else if (result.why && losesBus(*result.why))
+        skipBus(result.place.bus);
     beginEncoder();
+}
+
+void JobRound::skipBus(BusId lost)
+{
+    while (m_index < m_encoders.size() && m_encoders[m_index].place.bus == lost)
+        ++m_index;
 }
 
 void JobRound::end()

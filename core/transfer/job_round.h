@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-class EncoderBus;
+class Buses;
 
 // The jobs of one encoder, one after the other.
 struct EncoderJobs
@@ -42,7 +42,7 @@ struct RoundProgress
 };
 
 // Does the jobs of several encoders, one encoder after the other, and keeps what came of each. Transfers and
-// storing are made of it. Lives in the thread of the bus session, which must outlive it.
+// storing are made of it. Lives in the thread of the bus sessions; `buses` must outlive it.
 class JobRound : public QObject
 {
     Q_OBJECT
@@ -53,7 +53,7 @@ public:
         stop, // the rest is not begun
     };
 
-    explicit JobRound(EncoderBus &bus, QObject *parent = nullptr);
+    explicit JobRound(const Buses &buses, QObject *parent = nullptr);
 
     // Ends with finished(), which may come before start() is back.
     void start(std::vector<EncoderJobs> encoders, AfterRefusal afterRefusal);
@@ -82,11 +82,12 @@ private:
     void beginJob();
     void takeOutcome(const Outcome &outcome);
     void endEncoder(std::optional<Refusal> why);
+    void skipBus(BusId lost);
     void end();
     EncoderResult &current() { return m_results[m_index]; }
     QDateTime now() const;
 
-    EncoderBus &m_bus;
+    const Buses &m_buses;
     std::vector<EncoderJobs> m_encoders;
     std::vector<EncoderResult> m_results; // one for each
     AfterRefusal m_afterRefusal = AfterRefusal::goOn;

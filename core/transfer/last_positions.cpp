@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transfer/last_positions.h"
 
-#include "ring/bus_session.h"
+#include "bus/buses.h"
 #include "transfer/project_places.h"
-
-#include <algorithm>
 
 namespace codewheel {
 
-LastPositions::LastPositions(EncoderBus &bus, QObject *parent)
+LastPositions::LastPositions(const Buses &buses, QObject *parent)
     : QObject(parent)
-    , m_bus(bus)
+    , m_buses(buses)
 {
-    connect(&bus, &EncoderBus::updated, this, &LastPositions::look);
+    connect(&buses, &Buses::updated, this, qOverload<>(&LastPositions::look));
     look();
 }
 
@@ -21,7 +19,7 @@ std::optional<SeenPosition> LastPositions::at(Place number) const
     const auto found = m_watched.find(number);
     if (found == m_watched.end())
         return std::nullopt;
-    return dated(found->second.beforeGone ? found->second.beforeGone : found->second.last);
+    return found->second.beforeGone ? found->second.beforeGone : found->second.last;
 }
 
 std::optional<SeenPosition> LastPositions::newest(Place number) const
@@ -29,49 +27,48 @@ std::optional<SeenPosition> LastPositions::newest(Place number) const
     const auto found = m_watched.find(number);
     if (found == m_watched.end())
         return std::nullopt;
-    return dated(found->second.last ? found->second.last : found->second.beforeGone);
-}
-
-std::optional<SeenPosition> LastPositions::dated(const std::optional<Seen> &seen) const
-{
-    if (!seen)
-        return std::nullopt;
-    return SeenPosition{seen->position, m_bus.dateTime(seen->at), seen->beforeItWent};
+    return found->second.last ? found->second.last : found->second.beforeGone;
 }
 
 void LastPositions::look()
 {
-    const Instant now = m_bus.now();
-    for (const Place number : m_bus.places()) {
-        const EncoderSession *encoder = m_bus.encoder(number);
+    for (const EncoderBus *bus : m_buses.open())
+        look(*bus);
+}
+
+void LastPositions::look(const EncoderBus &bus)
+{
+    const Instant now = bus.now();
+    for (const Place number : bus.places()) {
+        const EncoderSession *encoder = bus.encoder(number);
         if (encoder == nullptr)
             continue;
         Watched &watched = m_watched[number];
-        const Reading &reading = encoder->latest();
-        const bool isSeen = m_bus.isRunning() && reading.state == EncoderState::operation && reading.in != 0;
-        if (watched.last && now - watched.lastAt >= untilGone) {
+        const bool hasGone = now < watched.lastAt || now - watched.lastAt >= untilGone;
+        if (watched.last && hasGone) {
             watched.beforeGone = watched.last;
             watched.beforeGone->beforeItWent = true;
             watched.last.reset();
         }
-        if (!isSeen || !reading.position)
+        if (!bus.isRunning() || !encoder->showsPosition())
             continue;
-        watched.last = Seen{*reading.position, reading.at};
+        const Reading &reading = encoder->latest();
+        watched.last = SeenPosition{*reading.position, bus.dateTime(reading.at)};
         watched.lastAt = now;
     }
 }
 
 std::optional<LastPosition> positionToKeep(const EncoderSession &encoder)
 {
-    const Reading &reading = encoder.latest();
-    if (reading.state != EncoderState::operation || reading.in == 0 || !reading.position)
+    if (!encoder.showsPosition())
         return std::nullopt;
+    const Reading &reading = encoder.latest();
     return LastPosition{*reading.position, encoder.dateTime(reading.at).toUTC()};
 }
 
-Project withLastPositions(Project project, const LastPositions &positions, const BusSession &bus)
+Project withLastPositions(Project project, const LastPositions &positions, const Buses &buses)
 {
-    const ProjectPlaces places(project, bus);
+    const ProjectPlaces places(project, buses);
     for (ProjectDevice &device : project.devices) {
         if (!places.isAtItsPlace(device.place()))
             continue;

@@ -8,7 +8,7 @@
 
 namespace codewheel {
 
-class BusSession;
+class Buses;
 class EncoderBus;
 
 // The position an encoder had last.
@@ -21,14 +21,13 @@ struct SeenPosition
     friend bool operator==(const SeenPosition &, const SeenPosition &) = default;
 };
 
-// What the encoder shows, to be kept in a project; nothing for one that shows no position, or 00000000, as it
-// would without power.
+// What the encoder shows, to be kept in a project; nothing for one that shows no position.
 std::optional<LastPosition> positionToKeep(const EncoderSession &encoder);
 
-// Watches where the encoders of a ring stand, so that one that is replaced can be given the position of the
-// one before, and so that they are kept with the project. Nothing is sent. An encoder without power shows
-// 00000000: after a second of that, or of a bus that stands, it is taken to have gone, and the position
-// before is kept until the next time.
+// Watches where the encoders of all buses stand, so that one that is replaced can be given the position of
+// the one before, and so that they are kept with the project. Nothing is sent. After a second without a
+// position (in a ring an encoder without power shows 00000000, on a serial line it is silent), or of a bus
+// that stands, it is taken to have gone, and the position before is kept until the next time.
 class LastPositions : public QObject
 {
     Q_OBJECT
@@ -36,7 +35,7 @@ class LastPositions : public QObject
 public:
     static constexpr std::chrono::milliseconds untilGone{1000};
 
-    explicit LastPositions(EncoderBus &bus, QObject *parent = nullptr);
+    explicit LastPositions(const Buses &buses, QObject *parent = nullptr);
 
     // The one to give to a new encoder: that before the encoder went away, if it did.
     std::optional<SeenPosition> at(Place number) const;
@@ -44,27 +43,21 @@ public:
     std::optional<SeenPosition> newest(Place number) const;
 
 private:
-    struct Seen // a date and time is made of it when somebody asks
-    {
-        std::int64_t position = 0; // steps
-        Instant at{};
-        bool beforeItWent = false;
-    };
     struct Watched
     {
-        std::optional<Seen> last;       // not 00000000
-        std::optional<Seen> beforeGone; // of the encoder that was there then
-        Instant lastAt{};
+        std::optional<SeenPosition> last;
+        std::optional<SeenPosition> beforeGone; // of the encoder that was there then
+        Instant lastAt{};                       // of its bus, which begins at 0 when it is connected again
     };
 
     void look();
-    std::optional<SeenPosition> dated(const std::optional<Seen> &seen) const;
+    void look(const EncoderBus &bus);
 
-    EncoderBus &m_bus;
+    const Buses &m_buses;
     std::map<Place, Watched> m_watched;
 };
 
 // The project as it is to be saved: with the newest position of each encoder that stands where it has one.
-Project withLastPositions(Project project, const LastPositions &positions, const BusSession &bus);
+Project withLastPositions(Project project, const LastPositions &positions, const Buses &buses);
 
 } // namespace codewheel

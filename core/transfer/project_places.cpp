@@ -1,102 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transfer/project_places.h"
 
-#include "catalog/catalog.h"
-#include "catalog/hex_code.h"
-#include "encoder/sentence.h"
-#include "project/project_take_over.h"
-#include "ring/bus_session.h"
-
-#include <QCoreApplication>
-
-#include <algorithm>
+#include "bus/buses.h"
 
 namespace codewheel {
-namespace {
 
-// The context of these texts.
-struct Texts
+ProjectPlaces::ProjectPlaces(const Project &project, const Buses &buses)
 {
-    Q_DECLARE_TR_FUNCTIONS(codewheel::ProjectPlaces)
-};
-
-// "FRABA OCD-IB K3", "bus terminal", "0237h"
-QString nameOrCode(const Participant &participant, const Catalog &catalog)
-{
-    const DeviceDescription *device = catalog.find(participant.deviceKey);
-    if (device == nullptr || device->deviceCode != participant.deviceCode)
-        device = catalog.generic(participant.deviceCode);
-    return device || participant.idCode == busTerminalIdCode ? participantName(participant, device)
-                                                             : hexCode(participant.deviceCode, 4);
-}
-
-// The project's device, and what became of it.
-QString configuredText(const ComparisonLine &line, const QString &name, const Participant *partner)
-{
-    if (line.kind == ComparisonKind::missing)
-        return sentence(Texts::tr("%1 (missing now)"), {name});
-    if (line.kind == ComparisonKind::moved && partner != nullptr)
-        return sentence(Texts::tr("%1 (moved to %2)"), {name, partner->number.toString()});
-    if (line.kind == ComparisonKind::same && partner != nullptr)
-        return sentence(Texts::tr("%1 (its number is %2 now)"), {name, partner->number.toString()});
-    return name;
-}
-
-// Of a device that does not stand at its place for certain.
-Refusal whyNot(const ComparisonLine &line, const Participant &configured, const RingStructure &connected,
-               const Catalog &catalog)
-{
-    const auto found = std::ranges::find(connected, configured.number, &Participant::number);
-    const QString place = configured.number.toString();
-    if (found == connected.end())
-        return {RefusalKind::link, RefusalId::notInRing, {place}};
-    const QString name = nameOrCode(configured, catalog);
-    const Participant *partner = line.connected ? &connected[*line.connected] : nullptr;
-    const bool isUncertain =
-        line.kind != ComparisonKind::differs && partner && partner->number == configured.number;
-    if (isUncertain)
-        return {RefusalKind::link,
-                RefusalId::ringDiffers,
-                {place, name,
-                 Texts::tr("perhaps another one: beside it, one of the same kind is missing or additional")}};
-    return {RefusalKind::link,
-            RefusalId::ringDiffers,
-            {place, configuredText(line, name, partner), nameOrCode(*found, catalog)}};
-}
-
-} // namespace
-
-ProjectPlaces::ProjectPlaces(const Project &project, const RingStructure &connected, const Catalog &catalog,
-                             BusId bus)
-{
-    const RingStructure configured = structureOf(project);
-    const Comparison comparison = compareRings(configured, connected);
-    const Comparison certain = certainLines(comparison, configured, connected);
-    for (const ComparisonLine &line : comparison) {
-        if (!line.configured)
-            continue;
-        const Participant &planned = configured[*line.configured];
-        const bool isThere = std::ranges::find(certain, line) != certain.end() &&
-                             connected[*line.connected].number == planned.number;
-        m_places.emplace(Place{bus, planned.number},
-                         isThere ? std::nullopt : std::optional(whyNot(line, planned, connected, catalog)));
+    for (const ProjectDevice &device : project.devices)
+        m_places[device.place()].asStranger = notConnected(device.place());
+    for (const EncoderBus *bus : buses.open()) {
+        std::vector<Participant> planned;
+        for (const ProjectDevice &device : devicesOn(project, bus->id()))
+            planned.push_back(device.participant);
+        const auto strangers = bus->strangers(planned);
+        for (const ProjectDevice &device : devicesOn(project, bus->id())) {
+            const auto stranger = strangers.find(device.participant.number);
+            m_places[device.place()] = {
+                stranger == strangers.end() ? std::nullopt : std::optional(stranger->second),
+                bus->isOther(device.place(), device.participant.deviceKey, device.label.serialNumber)};
+        }
     }
 }
-
-ProjectPlaces::ProjectPlaces(const Project &project, const BusSession &bus)
-    : ProjectPlaces(project, bus.structure(), bus.catalog(), bus.id())
-{}
 
 std::optional<Refusal> ProjectPlaces::hindrance(Place place) const
 {
     const auto found = m_places.find(place);
-    return found == m_places.end() ? std::nullopt : found->second;
+    if (found == m_places.end())
+        return std::nullopt;
+    return found->second.asStranger ? found->second.asStranger : found->second.asOther;
+}
+
+std::optional<Refusal> ProjectPlaces::hindranceToReplace(Place place) const
+{
+    const auto found = m_places.find(place);
+    return found == m_places.end() ? std::nullopt : found->second.asStranger;
 }
 
 bool ProjectPlaces::isAtItsPlace(Place place) const
 {
-    const auto found = m_places.find(place);
-    return found != m_places.end() && !found->second;
+    return m_places.contains(place) && !hindrance(place);
 }
 
 } // namespace codewheel

@@ -9,28 +9,34 @@
 
 namespace codewheel {
 
-class BusSession;
-class Catalog;
+class Buses;
 
-// Whether the device at a place of the bus is the one that the project has there. The number alone does not
-// tell: where a device before them is missing or additional, all behind it have another number. Everything
-// that goes from a project to an encoder or back asks here: transfers, storing, replacing, restoring, the
-// names of encoders, the report; in the window and at the command line.
+// Whether the device that is connected at a place is the one that the project has there, as its bus tells
+// (EncoderBus::strangers, isOther). Everything that goes from a project to an encoder or back asks here:
+// transfers, storing, replacing, restoring, the names of encoders, the report; in the window and at the
+// command line.
 class ProjectPlaces
 {
 public:
-    ProjectPlaces(const Project &project, const RingStructure &connected, const Catalog &catalog,
-                  BusId bus = firstRing);
-    ProjectPlaces(const Project &project, const BusSession &bus);
+    ProjectPlaces(const Project &project, const Buses &buses);
 
-    // Why it is not for certain the project's device: notInRing, or ringDiffers, which tells where the
-    // project's one stands now. Nothing where it is, and where the project has no device.
+    // Why it is not for certain the project's device. Nothing where it is, and where the project has no
+    // device.
     std::optional<Refusal> hindrance(Place place) const;
+    // The same for one that takes the place of the project's device: it may be named otherwise, and tell
+    // another serial number.
+    std::optional<Refusal> hindranceToReplace(Place place) const;
     // Whether the project has a device there, and it is the connected one.
     bool isAtItsPlace(Place place) const;
 
 private:
-    std::map<Place, std::optional<Refusal>> m_places;
+    struct Standing
+    {
+        std::optional<Refusal> asStranger; // what is connected at the place is not where the plan has it
+        std::optional<Refusal> asOther;    // it is, and is another one
+    };
+
+    std::map<Place, Standing> m_places;
 };
 
 } // namespace codewheel

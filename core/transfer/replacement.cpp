@@ -33,8 +33,8 @@ ParameterValues forDevice(const DeviceDescription &device, const ParameterValues
 
 ParameterValues valuesFor(const ProjectDevice &planned, const DeviceDescription &device)
 {
-    ParameterValues values = storedSettings(planned);
-    for (const ParameterValue &wanted : planned.wanted)
+    ParameterValues values = storedSettings(planned, &device);
+    for (const ParameterValue &wanted : withoutItsPlace(planned.wanted))
         replaceValue(values, wanted);
     return forDevice(device, values);
 }
@@ -48,14 +48,21 @@ std::vector<CamProgram> camsFor(const ProjectDevice &planned)
     return cams;
 }
 
+// Setting the position makes the zero offset anew, and where the command brings the preset along, that too.
+bool isMadeByPosition(const DeviceDescription &device, Parameter parameter)
+{
+    return parameter == Parameter::zeroOffset ||
+           (parameter == Parameter::preset && device.capabilities.presetNeedsValue);
+}
+
 ParameterValues valuesToWrite(const ProjectDevice &planned, const DeviceDescription &device,
                               std::optional<std::int64_t> position)
 {
     ParameterValues values;
     for (const ParameterValue &value : valuesFor(planned, device)) {
         const ParameterDescription *parameter = device.find(value.parameter);
-        const bool staysBehind = position && value.parameter == Parameter::zeroOffset;
-        if (parameter != nullptr && parameter->canBeWritten() && !staysBehind)
+        const bool isMade = position && isMadeByPosition(device, value.parameter);
+        if (parameter != nullptr && parameter->canBeWritten() && !isMade)
             values.push_back(value);
     }
     return values;
@@ -100,10 +107,11 @@ TransferWish wishToReplace(const ProjectDevice &planned, const Replacement &now,
                       .station = planned.station,
                       .deviceCode = now.device->deviceCode,
                       .deviceKey = now.device->key,
+                      .serialNumber = now.serialNumber,
                       .values = valuesToWrite(planned, *now.device, position),
                       .position = position,
                       .toPositionMode = true,
-                      .hindrance = places.hindrance(planned.place())};
+                      .hindrance = places.hindranceToReplace(planned.place())};
     if (now.device->capabilities.cams)
         wish.cams = camsFor(planned);
     return wish;
@@ -118,9 +126,10 @@ ProjectDevice replaced(ProjectDevice planned, const Replacement &now, std::optio
     planned.participant.deviceKey = now.device->key;
     planned.label = {now.turns, now.stepsPerTurn, now.serialNumber};
     planned.wanted = forDevice(*now.device, planned.wanted);
-    if (position) // a zero offset written later would move it
-        std::erase_if(planned.wanted,
-                      [](const ParameterValue &value) { return value.parameter == Parameter::zeroOffset; });
+    if (position) // written later it would move it
+        std::erase_if(planned.wanted, [&](const ParameterValue &value) {
+            return isMadeByPosition(*now.device, value.parameter);
+        });
     for (const ParameterValue &value : toWrite)
         replaceValue(planned.wanted, value);
     std::ranges::sort(planned.wanted, {}, &ParameterValue::parameter);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transfer/transfer_account.h"
 
-#include "bus/encoder_bus.h"
+#include "bus/buses.h"
 #include "catalog/device_description.h"
 
 #include <algorithm>
@@ -71,9 +71,9 @@ void addResult(EncoderAccount &account, const EncoderResult &result)
     }
 }
 
-EncoderAccount accountOfEncoder(const EncoderBus &bus, const EncoderPlan &plan, const EncoderResult *result)
+EncoderAccount accountOfEncoder(const Buses &buses, const EncoderPlan &plan, const EncoderResult *result)
 {
-    const EncoderSession *encoder = bus.encoder(plan.place);
+    const EncoderSession *encoder = buses.encoder(plan.place);
     EncoderAccount account{.place = plan.place,
                            .station = plan.station,
                            .device = plan.device,
@@ -84,10 +84,11 @@ EncoderAccount accountOfEncoder(const EncoderBus &bus, const EncoderPlan &plan, 
         addResult(account, *result);
     const std::vector<Outcome> outcomes = result ? result->outcomes : std::vector<Outcome>();
     for (const TransferRow &row : plan.rows)
-        account.rows.push_back({.wanted = row.wanted,
-                                .before = row.known,
-                                .after = encoder ? encoder->known(row.wanted.parameter) : std::nullopt,
-                                .became = becameOf(row, outcomes)});
+        if (!row.goesAlong)
+            account.rows.push_back({.wanted = row.wanted,
+                                    .before = row.known,
+                                    .after = encoder ? encoder->known(row.wanted.parameter) : std::nullopt,
+                                    .became = becameOf(row, outcomes)});
     for (const TransferCamRow &row : plan.cams)
         account.cams.push_back({row.wanted.number, becameOf(row, outcomes)});
     account.positionSet = wasPositionSet(plan, outcomes);
@@ -130,13 +131,14 @@ bool TransferAccount::isDone() const
     return std::ranges::all_of(encoders, &EncoderAccount::isDone);
 }
 
-TransferAccount accountOf(const EncoderBus &bus, TransferKind kind, const TransferPlan &plan,
+TransferAccount accountOf(const Buses &buses, TransferKind kind, const TransferPlan &plan,
                           const std::vector<EncoderResult> &results)
 {
-    TransferAccount account{.kind = kind, .at = bus.dateTime(bus.now())};
+    TransferAccount account{.kind = kind, .at = buses.now(plan.empty() ? Place() : plan.front().place)};
     for (const EncoderPlan &one : plan) {
         const auto result = std::ranges::find(results, one.place, &EncoderResult::place);
-        account.encoders.push_back(accountOfEncoder(bus, one, result == results.end() ? nullptr : &*result));
+        account.encoders.push_back(
+            accountOfEncoder(buses, one, result == results.end() ? nullptr : &*result));
     }
     return account;
 }

@@ -7,6 +7,8 @@
 
 namespace codewheel {
 
+class Buses;
+
 // What became of one wanted value.
 enum class Became : std::uint8_t {
     written,      // and active
@@ -70,8 +72,8 @@ struct TransferAccount
     bool isDone() const;
 };
 
-// `results` are those of the encoders of the plan that are written. What is known now is asked of the bus.
-TransferAccount accountOf(const EncoderBus &bus, TransferKind kind, const TransferPlan &plan,
+// `results` are those of the encoders of the plan that are written. What is known now is asked of the buses.
+TransferAccount accountOf(const Buses &buses, TransferKind kind, const TransferPlan &plan,
                           const std::vector<EncoderResult> &results);
 
 // "transferDone" for the message log.

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transfer/transfer_plan.h"
 
+#include "bus/buses.h"
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
 #include "drivers/parameter_check.h"
 #include "drivers/planned_words.h"
 #include "drivers/values_to_write.h"
+#include "esc/esc_request.h"
 #include "journal/eeprom_cost.h"
-#include "ring/bus_session.h"
+#include "ring/participant.h"
 
 #include <algorithm>
 #include <numeric>
@@ -24,28 +26,30 @@ QString wantedName(const Catalog &catalog, const TransferWish &wish)
 }
 
 // What stands at the place: nothing, another device, or one that cannot be driven.
-std::optional<Refusal> hindranceOfPlace(const BusSession &bus, const TransferWish &wish)
+std::optional<Refusal> hindranceOfPlace(const Buses &buses, const TransferWish &wish)
 {
-    const RingStructure &ring = bus.structure();
-    const auto found = std::ranges::find(ring, wish.place.node, &Participant::number);
-    const QString place = wish.place.toString();
-    if (found == ring.end())
-        return Refusal{RefusalKind::link, RefusalId::notInRing, {place}};
-    const EncoderSession *encoder = bus.encoder(wish.place);
-    const DeviceDescription *device = encoder ? &encoder->device() : bus.catalog().find(found->deviceKey);
+    const EncoderBus *bus = buses.busOf(wish.place);
+    const auto found = bus ? bus->found(wish.place) : std::nullopt;
+    if (!found)
+        return buses.whyNotThere(wish.place);
+    if (auto other = bus->isOther(wish.place, wish.deviceKey, wish.serialNumber))
+        return other;
+    const EncoderSession *encoder = bus->encoder(wish.place);
+    const DeviceDescription *device = encoder ? &encoder->device() : bus->catalog().find(found->deviceKey);
     const QString name = participantName(*found, device);
     const bool isOther = (wish.deviceCode != 0 && wish.deviceCode != found->deviceCode) ||
                          (!wish.deviceKey.isEmpty() && device != nullptr && wish.deviceKey != device->key);
     if (isOther)
-        return Refusal{
-            RefusalKind::link, RefusalId::ringDiffers, {place, wantedName(bus.catalog(), wish), name}};
+        return Refusal{RefusalKind::link,
+                       RefusalId::ringDiffers,
+                       {wish.place.toString(), wantedName(bus->catalog(), wish), name}};
     if (!encoder || !encoder->can().writes)
         return Refusal{RefusalKind::notSupported, RefusalId::writingNotSupported, {name}};
     return std::nullopt;
 }
 
 // What the encoder, or the program, is doing.
-std::optional<Refusal> hindranceOfState(const BusSession &bus, const EncoderSession &encoder)
+std::optional<Refusal> hindranceOfState(const EncoderBus &bus, const EncoderSession &encoder)
 {
     const QString place = encoder.place().toString();
     const Reading &reading = encoder.latest();
@@ -55,9 +59,16 @@ std::optional<Refusal> hindranceOfState(const BusSession &bus, const EncoderSess
         return Refusal{RefusalKind::busy, RefusalId::notRunning, {place}};
     if (encoder.runningJob())
         return Refusal{RefusalKind::busy, RefusalId::jobRunning, {place}};
+    if (reading.state == EncoderState::silent)
+        return Refusal{RefusalKind::device, RefusalId::encoderSilent, {place}};
     if (reading.state == EncoderState::parameterization)
         return Refusal{RefusalKind::busy, RefusalId::inParameterization, {reading.in}};
     return std::nullopt;
+}
+
+bool isFor(const Step &step, const TransferRow &row)
+{
+    return step.parameter == row.wanted.parameter;
 }
 
 std::optional<Refusal> errorOf(const Result<void> &checked)
@@ -87,6 +98,7 @@ private:
     void addCams();
     void addPosition();
     void takeSteps(const Job &job);
+    void takeStep(const Step &step);
     Word wordFor(const ParameterValue &value) const;
     void setHindrance(const std::optional<Refusal> &hindrance);
     ParameterValues valuesBefore() const;
@@ -181,6 +193,8 @@ void EncoderComparison::addValues(ParameterValues values)
     if (job.values.empty())
         return;
     job.previous = valuesBefore();
+    for (TransferRow &row : m_plan.rows) // some are sent with the others though they are there
+        row.isThere = row.isThere && !valueOf(job.values, row.wanted.parameter);
     m_plan.readsFirst = job.onlyWhatDiffers;
     m_plan.stepsMayBeLess = m_device.quirks.mayCountStepsMinusOne && valueOf(job.values, Parameter::steps) &&
                             !m_encoder.known(Parameter::multiTurnAndStepsMinusOne);
@@ -207,7 +221,7 @@ void EncoderComparison::addPosition()
         takeSteps(SetPreset{.value = *m_wish.position});
 }
 
-// The words are shown beside their values, and each value costs a write.
+// What is sent is shown beside its value, and each value costs a write.
 void EncoderComparison::takeSteps(const Job &job)
 {
     if (m_plan.hindrance)
@@ -218,11 +232,23 @@ void EncoderComparison::takeSteps(const Job &job)
         return;
     }
     for (const Step &step : *steps)
-        for (TransferRow &row : m_plan.rows)
-            if (writesValue(step) && step.parameter == row.wanted.parameter && !row.isThere)
-                row.word = step.out;
+        if (writesValue(step))
+            takeStep(step);
     m_plan.eepromWrites += eepromWritesOf(*steps, m_device);
     m_plan.jobs.push_back(job);
+}
+
+void EncoderComparison::takeStep(const Step &step)
+{
+    const auto row =
+        std::ranges::find_if(m_plan.rows, [&](const TransferRow &one) { return isFor(step, one); });
+    if (row != m_plan.rows.end())
+        row->step = row->isThere ? std::nullopt : std::optional(step);
+    else if (const auto request = esc::parseRequest(step.line)) // computed on the way
+        m_plan.rows.push_back({.wanted = {*step.parameter, request->data},
+                               .known = m_encoder.known(*step.parameter),
+                               .step = step,
+                               .goesAlong = true});
 }
 
 ParameterValues EncoderComparison::valuesBefore() const
@@ -244,11 +270,11 @@ SwitchMode EncoderComparison::modeAfterwards() const
     return {*reading.mode, reading.camProgram.value_or(0)};
 }
 
-EncoderPlan planFor(const BusSession &bus, const TransferWish &wish)
+EncoderPlan planFor(const Buses &buses, const TransferWish &wish)
 {
     EncoderPlan plan{.place = wish.place, .station = wish.station, .position = wish.position};
-    plan.hindrance = wish.hindrance ? wish.hindrance : hindranceOfPlace(bus, wish);
-    const EncoderSession *encoder = bus.encoder(wish.place);
+    plan.hindrance = wish.hindrance ? wish.hindrance : hindranceOfPlace(buses, wish);
+    const EncoderSession *encoder = buses.encoder(wish.place);
     if (encoder != nullptr)
         plan.device = encoder->device().fullName();
     if (encoder == nullptr || wish.hindrance) { // what stands there now says nothing
@@ -261,7 +287,7 @@ EncoderPlan planFor(const BusSession &bus, const TransferWish &wish)
     if (!plan.hindrance)
         comparison.plan();
     if (!plan.hindrance)
-        plan.hindrance = hindranceOfState(bus, *encoder);
+        plan.hindrance = hindranceOfState(*buses.busOf(wish.place), *encoder);
     if (plan.hindrance) {
         plan.jobs.clear();
         plan.eepromWrites = 0;
@@ -271,11 +297,11 @@ EncoderPlan planFor(const BusSession &bus, const TransferWish &wish)
 
 } // namespace
 
-TransferPlan planTransfer(const BusSession &bus, const std::vector<TransferWish> &wishes)
+TransferPlan planTransfer(const Buses &buses, const std::vector<TransferWish> &wishes)
 {
     TransferPlan plan;
     for (const TransferWish &wish : wishes)
-        plan.push_back(planFor(bus, wish));
+        plan.push_back(planFor(buses, wish));
     return plan;
 }
 

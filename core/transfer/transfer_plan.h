@@ -5,15 +5,16 @@
 
 namespace codewheel {
 
-class BusSession;
+class Buses;
 
 // One value of the difference between what is wanted and what is known.
 struct TransferRow
 {
     ParameterValue wanted;
     std::optional<Known> known{}; // of the encoder now
-    Word word = 0;                // as it will stand in OUT; 0 where the value cannot be written
+    std::optional<Step> step{};   // which carries it: its word, or its request; nothing: it is not sent
     bool isThere = false;         // known to be there: left out
+    bool goesAlong = false;       // not wanted: computed from the others, as the factor of a serial encoder
     std::optional<Refusal> hindrance{};
 };
 
@@ -46,7 +47,7 @@ using TransferPlan = std::vector<EncoderPlan>;
 
 // Compares each wish with what is known of the encoder at its place. An encoder of which one value cannot be
 // written is not written at all. Sends nothing.
-TransferPlan planTransfer(const BusSession &bus, const std::vector<TransferWish> &wishes);
+TransferPlan planTransfer(const Buses &buses, const std::vector<TransferWish> &wishes);
 
 int eepromWritesOf(const TransferPlan &plan); // at most
 

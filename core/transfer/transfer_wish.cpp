@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transfer/transfer_wish.h"
 
-#include "catalog/device_description.h"
 #include "drivers/values_to_write.h"
+#include "project/planned_device.h"
 #include "transfer/project_places.h"
 
 namespace codewheel {
@@ -18,22 +18,37 @@ bool takeTheSame(const DeviceDescription &a, const DeviceDescription &b)
 
 } // namespace
 
-// What stands on a label and what an encoder tells of itself come behind all settings.
-bool isSetting(Parameter parameter)
+ParameterValues withoutItsPlace(ParameterValues values)
 {
-    return parameter < Parameter::rodLength;
-}
-
-ParameterValues storedSettings(const ProjectDevice &device)
-{
-    ParameterValues values;
-    for (const StoredValue &stored : device.stored)
-        if (isSetting(stored.parameter))
-            values.push_back({stored.parameter, stored.value});
+    std::erase_if(values, [](const ParameterValue &value) {
+        return value.parameter == Parameter::lineAddress || value.parameter == Parameter::baudRate;
+    });
     return values;
 }
 
-TransferWish wishOf(const ProjectDevice &device, TransferSource source, const ProjectPlaces &places)
+bool isSetting(const DeviceDescription *device, const ParameterValue &value)
+{
+    const Parameter parameter = value.parameter;
+    const bool isOfAny = parameter < Parameter::rodLength ||
+                         (parameter >= Parameter::lowerLimit && parameter <= Parameter::scalingFactor);
+    const ParameterDescription *its = device ? device->find(parameter) : nullptr;
+    if (!isOfAny || its == nullptr)
+        return isOfAny;
+    const bool setsPosition = parameter == Parameter::preset && device->capabilities.presetNeedsValue;
+    return its->canBeWritten() && its->takes(value.value) && !setsPosition;
+}
+
+ParameterValues storedSettings(const ProjectDevice &device, const DeviceDescription *description)
+{
+    ParameterValues values;
+    for (const StoredValue &stored : device.stored)
+        if (const ParameterValue value{stored.parameter, stored.value}; isSetting(description, value))
+            values.push_back(value);
+    return values;
+}
+
+TransferWish wishOf(const ProjectDevice &device, TransferSource source, const ProjectPlaces &places,
+                    const Catalog &catalog)
 {
     TransferWish wish{.place = device.place(),
                       .station = device.station,
@@ -41,11 +56,12 @@ TransferWish wishOf(const ProjectDevice &device, TransferSource source, const Pr
                       .deviceKey = device.participant.deviceKey,
                       .hindrance = places.hindrance(device.place())};
     if (source == TransferSource::wanted) {
-        wish.values = device.wanted;
+        wish.values = withoutItsPlace(device.wanted);
         wish.cams = device.wantedCams;
         return wish;
     }
-    wish.values = storedSettings(device);
+    const auto description = plannedDescription(device, catalog);
+    wish.values = storedSettings(device, description ? &*description : nullptr);
     for (const StoredCams &stored : device.storedCams)
         wish.cams.push_back(stored.program);
     return wish;
@@ -60,8 +76,9 @@ TransferWish wishToClone(const EncoderSession &from, const EncoderSession &to, b
                                  {from.place().toString(), from.device().fullName(), to.place().toString(),
                                   to.device().fullName()}};
     for (const Known &known : allKnown(from))
-        if (isSetting(known.parameter) && known.parameter != Parameter::zeroOffset)
-            wish.values.push_back({known.parameter, known.value});
+        if (const ParameterValue value{known.parameter, known.value};
+            isSetting(&to.device(), value) && value.parameter != Parameter::zeroOffset)
+            wish.values.push_back(value);
     for (unsigned program = 1; withCams && program <= CamProgram::programs; ++program)
         if (const auto known = from.cams(program))
             wish.cams.push_back(known->program);

@@ -6,6 +6,7 @@
 
 namespace codewheel {
 
+class Catalog;
 class ProjectPlaces;
 
 // What the encoder at a place shall have, wherever that was taken from.
@@ -15,6 +16,7 @@ struct TransferWish
     QString station{};
     unsigned deviceCode = 0; // of the device the values are for; 0: any
     QString deviceKey{};     // of the catalog; empty: the make is not known
+    QString serialNumber{};  // on the label of the encoder the values are for; empty: not told
     ParameterValues values{};
     std::vector<CamProgram> cams{};
     // Set the position to this, in steps, after the values.
@@ -27,17 +29,23 @@ struct TransferWish
 
 enum class TransferSource : std::uint8_t { wanted, stored };
 
-// What the project wants of the device, or what was stored of it.
-TransferWish wishOf(const ProjectDevice &device, TransferSource source, const ProjectPlaces &places);
+// What the project wants of the device, or what was stored of it; not where it stands on its bus.
+TransferWish wishOf(const ProjectDevice &device, TransferSource source, const ProjectPlaces &places,
+                    const Catalog &catalog);
 
-// What was stored of the device, without what it tells of itself.
-ParameterValues storedSettings(const ProjectDevice &device);
+// What was stored of the device that an encoder of this description may be given (isSetting).
+ParameterValues storedSettings(const ProjectDevice &device, const DeviceDescription *description);
 
 // What is known of one encoder, for another of the same kind (encodersDiffer). The zero offset stays behind:
 // it belongs to the way the encoder is mounted.
 TransferWish wishToClone(const EncoderSession &from, const EncoderSession &to, bool withCams);
 
-// Whether this is something an encoder is set to, not something it tells of itself.
-bool isSetting(Parameter parameter);
+// Without address and baud rate: with another one an encoder has to be looked for.
+ParameterValues withoutItsPlace(ParameterValues values);
+
+// Whether this is something an encoder is set to, and another one, or the same one later, can be given: not
+// what it only tells, as a limit of 0 that was never set, not where it stands on its bus (address, baud
+// rate), and not a preset that sets the position at once. `device`: null where it is not known.
+bool isSetting(const DeviceDescription *device, const ParameterValue &value);
 
 } // namespace codewheel

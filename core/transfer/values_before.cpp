@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transfer/values_before.h"
 
-#include "journal/ledger_keeper.h"
+#include "catalog/catalog.h"
 #include "transfer/project_places.h"
 #include "transfer/transfer_words.h"
 
@@ -18,13 +18,25 @@ FindValuesBefore valuesBeforeOf(const LedgerKeeper &keeper)
             return all;
         for (const Ledger::Entry &entry : keeper.ledger()->valuesBefore(keeper.identity(place))) {
             ValuesBefore one{place, entry.at, entry.device, {}};
-            for (const Ledger::Value &value : entry.before)
-                if (isSetting(value.parameter) && (!entry.settled || valueOf(entry.written, value.parameter)))
-                    one.values.push_back({value.parameter, value.value});
+            const DeviceDescription *device = keeper.bus().catalog().find(entry.device);
+            for (const Ledger::Value &known : entry.before)
+                if (const ParameterValue value{known.parameter, known.value};
+                    isSetting(device, value) && (!entry.settled || valueOf(entry.written, value.parameter)))
+                    one.values.push_back(value);
             if (!one.values.empty())
                 all.push_back(std::move(one));
         }
         return all;
+    };
+}
+
+FindValuesBefore valuesBeforeOf(FindLedgers ledgers)
+{
+    return [ledgers = std::move(ledgers)](Place place) {
+        for (const LedgerKeeper *keeper : ledgers())
+            if (keeper->bus().id() == place.bus)
+                return valuesBeforeOf(*keeper)(place);
+        return std::vector<ValuesBefore>();
     };
 }
 

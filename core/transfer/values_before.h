@@ -2,13 +2,13 @@
 #pragma once
 
 #include "encoder/message.h"
+#include "journal/ledger_keeper.h"
 #include "transfer/transfer_account.h"
 
 #include <functional>
 
 namespace codewheel {
 
-class LedgerKeeper;
 class ProjectPlaces;
 
 // What an encoder had before something was written to it: of each value that was written and was known
@@ -29,6 +29,8 @@ using FindValuesBefore = std::function<std::vector<ValuesBefore>(Place)>;
 // As the ledger keeps them; of a job whose end was not seen, all that it was to write. The keeper must
 // outlive it.
 FindValuesBefore valuesBeforeOf(const LedgerKeeper &keeper);
+// Of the one that keeps the bus at the place.
+FindValuesBefore valuesBeforeOf(FindLedgers ledgers);
 
 // The place is that of the project, where there is one: another encoder there may have another past.
 TransferWish wishToRestore(const ValuesBefore &before, const ProjectPlaces &places);

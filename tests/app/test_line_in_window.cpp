@@ -142,10 +142,6 @@ TEST_F(LineInWindow, WhatIsOfWordsAloneIsNotForItAndTheWindowSaysWhy)
     EXPECT_FALSE(actions().zeroOut->isEnabled());
     EXPECT_FALSE(actions().cams->isEnabled());
     EXPECT_TRUE(actions().cams->toolTip().contains(QStringLiteral("no cams")));
-    for (const QAction *action : {actions().replaceEncoder, actions().restoreValues}) {
-        EXPECT_FALSE(action->isEnabled());
-        EXPECT_TRUE(action->toolTip().contains(QStringLiteral("serial line")));
-    }
     for (const char *dock : {"traceDock", "sequenceDock"}) {
         auto *panel = window().findChild<QDockWidget *>(QLatin1String(dock));
         panel->raise();

@@ -76,14 +76,19 @@ INSTANTIATE_TEST_SUITE_P(
         BadLineCall{"velocity 05 on", "notOnSerialLine", 2},
         BadLineCall{"reset 05 --yes", "notOnSerialLine", 2},
         BadLineCall{"cams 05 read", "notOnSerialLine", 2},
-        BadLineCall{"clone 05 12 --yes", "notOnSerialLine", 2},
-        BadLineCall{"restore 05", "notOnSerialLine", 2},
+        BadLineCall{"clone 05 07 --yes", "encoderSilent", 1},
+        BadLineCall{"restore 05", "noValuesFromBefore", 1},
         BadLineCall{"master --link esc:training", "notOnSerialLine", 2},
         BadLineCall{"compare docs/examples/crane.codewheel --link esc:training", "notOnSerialLine", 2},
-        BadLineCall{"store x.codewheel --link esc:training", "notOnSerialLine", 2},
-        BadLineCall{"transfer x.codewheel --link esc:/dev/none", "notOnSerialLine", 2},
-        BadLineCall{"replace 1.0 --project x.codewheel --link esc:training", "notOnSerialLine", 2},
-        BadLineCall{"report x.codewheel -o x.html --read --link esc:training", "notOnSerialLine", 2},
+        BadLineCall{"store " CODEWHEEL_ROOT "/docs/examples/training.codewheel --link esc:training",
+                    "projectEmpty", 2},
+        BadLineCall{"transfer " CODEWHEEL_ROOT "/docs/examples/training.codewheel --link esc:training",
+                    "projectEmpty", 2},
+        BadLineCall{"transfer " CODEWHEEL_ROOT "/docs/examples/training.codewheel --link esc:project",
+                    "noLineInProject", 2},
+        BadLineCall{"replace 1.0 --project " CODEWHEEL_ROOT
+                    "/docs/examples/training.codewheel --link esc:training",
+                    "placeOnBus", 2},
         BadLineCall{"scan --link esc:training --fault-plan x.json", "faultPlanOnLine", 2}));
 
 // A project with a device of the ring and one of the line whose stations look like addresses.

@@ -16,10 +16,10 @@ TEST_F(TransferReports, TellWhatBecameOfEachValueAndWhyNot)
 {
     encoder(baumer).tell(Parameter::coding, 6);
     const TransferPlan plan =
-        planTransfer(bus, {{.place = baumer,
-                            .station = QStringLiteral("Hoist"),
-                            .values = {{Parameter::steps, 4096}, {Parameter::coding, 6}}},
-                           {.place = singleTurn, .values = {{Parameter::steps, 100}}}});
+        planTransfer(buses, {{.place = baumer,
+                              .station = QStringLiteral("Hoist"),
+                              .values = {{Parameter::steps, 4096}, {Parameter::coding, 6}}},
+                             {.place = singleTurn, .values = {{Parameter::steps, 100}}}});
     TransferAccount account = carryOut(plan);
     account.source = QStringLiteral("crane.codewheel");
     const QString text = reportAsText(reportOf(account, catalog, QStringLiteral("1.2")));
@@ -68,7 +68,7 @@ TEST_F(TransferReports, TellWhatBecameOfEachValueAndWhyNot)
 TEST_F(TransferReports, PlansSayWhatIsWorthKnowing)
 {
     const TransferPlan plan = planTransfer(
-        bus,
+        buses,
         {{.place = test::fraba, .values = {{Parameter::steps, 255}}, .cams = {CamProgram{}}, .position = 100},
          {.place = baumer}});
     EXPECT_EQ(transfer_words::summary(plan[0]).toStdString(),

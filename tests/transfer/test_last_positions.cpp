@@ -16,7 +16,7 @@ protected:
         for (int i = 0; i < milliseconds / 33 + 1; ++i)
             bus.advance(33);
     }
-    LastPositions positions{bus};
+    LastPositions positions{buses};
 };
 
 TEST_F(LastPositionsOfTheRing, AreThoseTheEncodersShow)
@@ -64,19 +64,19 @@ TEST_F(LastPositionsOfTheRing, AreKeptWithTheProjectWhenItIsSaved)
     }
     pass(100);
     const auto before = encoder(fraba).latest().position;
-    EXPECT_EQ(withLastPositions(project, positions, bus).devices[0].lastPosition->position, before);
+    EXPECT_EQ(withLastPositions(project, positions, buses).devices[0].lastPosition->position, before);
 
     training.controls->setPower(fraba.node, false); // it dies, and later another one is there
     pass(3000);
-    EXPECT_EQ(withLastPositions(project, positions, bus).devices[0].lastPosition->position, before);
+    EXPECT_EQ(withLastPositions(project, positions, buses).devices[0].lastPosition->position, before);
     training.controls->turnBy(fraba.node, 100);
     training.controls->setPower(fraba.node, true);
     pass(3000);
-    EXPECT_EQ(withLastPositions(project, positions, bus).devices[0].lastPosition->position,
+    EXPECT_EQ(withLastPositions(project, positions, buses).devices[0].lastPosition->position,
               encoder(fraba).latest().position);
 
     project.devices[0].participant.deviceCode = 0x0236; // another kind is planned there
-    EXPECT_EQ(withLastPositions(project, positions, bus).devices[0].lastPosition->position, 1);
+    EXPECT_EQ(withLastPositions(project, positions, buses).devices[0].lastPosition->position, 1);
 }
 
 } // namespace

@@ -36,7 +36,7 @@ protected:
     }
     std::string hindrance(const Project &project, Place place) const
     {
-        const auto why = ProjectPlaces(project, bus).hindrance(place);
+        const auto why = ProjectPlaces(project, buses).hindrance(place);
         return why ? refusalText(*why).toStdString() : std::string();
     }
 };
@@ -44,7 +44,7 @@ protected:
 TEST_F(PlacesOfAProject, AllStandAtTheirPlacesWhereTheBusIsAsConfigured)
 {
     const Project project = projectOf(bus.structure());
-    const ProjectPlaces places(project, bus);
+    const ProjectPlaces places(project, buses);
     for (const ProjectDevice &device : project.devices) {
         EXPECT_FALSE(places.hindrance(device.place()));
         EXPECT_TRUE(places.isAtItsPlace(device.place()));
@@ -84,21 +84,22 @@ TEST_F(PlacesOfAProject, NothingGoesFromAProjectToAnotherEncoderNorBack)
     Project project = shiftedBy(at(singleTurn));
     project.devices[1].wanted = {{Parameter::steps, 4096}};
     project.devices[1].stored = {{Parameter::steps, 4096, Evidence::read, {}}};
-    const ProjectPlaces places(project, bus);
+    const ProjectPlaces places(project, buses);
     const ProjectDevice &hoist = project.devices[1];
     const Replacement same{&encoder(baumer).device(), 0, 0, {}};
     const ValuesBefore before{"2.0"_ring, {}, {}, {{Parameter::steps, 4096}}};
     for (const TransferWish &wish :
-         {wishOf(hoist, TransferSource::wanted, places), wishOf(hoist, TransferSource::stored, places),
+         {wishOf(hoist, TransferSource::wanted, places, catalog),
+          wishOf(hoist, TransferSource::stored, places, catalog),
           wishToReplace(hoist, same, std::nullopt, places), wishToRestore(before, places)}) {
-        const TransferPlan plan = planTransfer(bus, {wish});
+        const TransferPlan plan = planTransfer(buses, {wish});
         ASSERT_TRUE(plan[0].hindrance);
         EXPECT_EQ(plan[0].hindrance->id, RefusalId::ringDiffers);
         EXPECT_FALSE(plan[0].rows[0].known);
         EXPECT_TRUE(jobsOf(plan).empty());
     }
-    EXPECT_TRUE(connectedEncoders(project, bus).empty());
-    EXPECT_EQ(connectedEncoders(projectOf(bus.structure()), bus).size(), 6u);
+    EXPECT_TRUE(connectedEncoders(project, buses).empty());
+    EXPECT_EQ(connectedEncoders(projectOf(bus.structure()), buses).size(), 6u);
 }
 
 } // namespace

@@ -33,7 +33,7 @@ protected:
         return {catalog.find(QString::fromLatin1(key)), 0, 0, QStringLiteral("4711")};
     }
 
-    const ProjectPlaces anywhere{{}, bus}; // of a project without devices
+    const ProjectPlaces anywhere{{}, buses}; // of a project without devices
 };
 
 TEST_F(Replacing, TheNewEncoderGetsTheValuesAndThePositionOfTheOneBefore)
@@ -45,7 +45,7 @@ TEST_F(Replacing, TheNewEncoderGetsTheValuesAndThePositionOfTheOneBefore)
                      [&](const Exchange &row) { sent += hexWord(row.out) + u' '; });
     bus.advance(2);
     const TransferPlan plan =
-        planTransfer(bus, {wishToReplace(device, with("fraba-ocd-ib"), 3000, anywhere)});
+        planTransfer(buses, {wishToReplace(device, with("fraba-ocd-ib"), 3000, anywhere)});
     ASSERT_FALSE(plan[0].hindrance);
     const TransferAccount account = carryOut(plan);
     EXPECT_TRUE(account.isDone());
@@ -67,7 +67,7 @@ TEST_F(Replacing, ABaumerTakesTheDirectionOfAFrabaAsItsCoding)
     EXPECT_EQ(valueOf(wish.values, Parameter::coding), 4);
     EXPECT_EQ(valueOf(wish.values, Parameter::zeroOffset), 12);
     EXPECT_FALSE(valueOf(wish.values, Parameter::direction));
-    EXPECT_FALSE(planTransfer(bus, {wish})[0].hindrance);
+    EXPECT_FALSE(planTransfer(buses, {wish})[0].hindrance);
 }
 
 TEST_F(Replacing, TellsHowTheNewOneDiffers)
@@ -109,7 +109,7 @@ TEST_F(Replacing, OnlyTheSameDeviceCodeFits)
 {
     const TransferWish wish =
         wishToReplace(planned(fraba, "fraba-ocd-ib"), with("fraba-ocd-ib-loop2"), std::nullopt, anywhere);
-    EXPECT_EQ(planTransfer(bus, {wish})[0].hindrance->id, RefusalId::ringDiffers);
+    EXPECT_EQ(planTransfer(buses, {wish})[0].hindrance->id, RefusalId::ringDiffers);
 }
 
 TEST_F(Replacing, TheProjectKnowsTheNewOneByItsLabel)

@@ -17,9 +17,9 @@ const ParameterValues setOf255 = {
 
 TEST_F(Transfer, WritesOneEncoderAfterTheOtherAndTellsWhatBecameOfEachValue)
 {
-    const TransferPlan plan =
-        planTransfer(bus, {{.place = fraba, .values = setOf255},
-                           {.place = baumer, .values = {{Parameter::steps, 4096}, {Parameter::coding, 6}}}});
+    const TransferPlan plan = planTransfer(
+        buses, {{.place = fraba, .values = setOf255},
+                {.place = baumer, .values = {{Parameter::steps, 4096}, {Parameter::coding, 6}}}});
     EXPECT_EQ(eepromWritesOf(plan), 6);
     const TransferAccount account = carryOut(plan);
 
@@ -46,10 +46,10 @@ TEST_F(Transfer, NothingIsWrittenThatIsAlreadyThere)
     const std::vector<TransferWish> wishes = {
         {.place = fraba, .values = setOf255},
         {.place = baumer, .values = {{Parameter::steps, 4096}, {Parameter::coding, 6}}}};
-    carryOut(planTransfer(bus, wishes));
+    carryOut(planTransfer(buses, wishes));
     const QString sent = words(fraba) + words(baumer);
 
-    const TransferPlan again = planTransfer(bus, wishes);
+    const TransferPlan again = planTransfer(buses, wishes);
     EXPECT_EQ(eepromWritesOf(again), 0);
     EXPECT_TRUE(jobsOf(again).empty());
     const TransferAccount account = carryOut(again);
@@ -63,7 +63,7 @@ TEST_F(Transfer, WhatAnEncoderThatCanBeReadWasToldIsReadFirst)
 {
     encoder(rod).tell(Parameter::measuringLength, 50'000); // as it is
     const TransferPlan plan = planTransfer(
-        bus, {{.place = rod, .values = {{Parameter::measuringLength, 50'000}, {Parameter::direction, 1}}}});
+        buses, {{.place = rod, .values = {{Parameter::measuringLength, 50'000}, {Parameter::direction, 1}}}});
     EXPECT_TRUE(plan[0].readsFirst);
     EXPECT_FALSE(plan[0].rows[0].isThere);
     const TransferAccount account = carryOut(plan);
@@ -75,8 +75,8 @@ TEST_F(Transfer, WhatAnEncoderThatCanBeReadWasToldIsReadFirst)
 TEST_F(Transfer, AnEncoderThatRefusesDoesNotKeepTheOthersFromTheirs)
 {
     const ParameterValues tooMany = {{Parameter::steps, 8193}, {Parameter::revolutions, 1}};
-    const TransferPlan plan = planTransfer(
-        bus, {{.place = baumer, .values = tooMany}, {.place = onLoop, .values = {{Parameter::steps, 100}}}});
+    const TransferPlan plan = planTransfer(buses, {{.place = baumer, .values = tooMany},
+                                                   {.place = onLoop, .values = {{Parameter::steps, 100}}}});
     const TransferAccount account = carryOut(plan);
     EXPECT_EQ(account.encoders[0].why->id, RefusalId::wrongParameterData);
     EXPECT_EQ(account.encoders[0].leftIn, EncoderState::error);
@@ -88,8 +88,8 @@ TEST_F(Transfer, AnEncoderThatRefusesDoesNotKeepTheOthersFromTheirs)
 TEST_F(Transfer, AfterARefusalTheRestIsNotBegunIfSoChosen)
 {
     const TransferPlan plan = planTransfer(
-        bus, {{.place = baumer, .values = {{Parameter::steps, 8193}, {Parameter::revolutions, 1}}},
-              {.place = onLoop, .values = {{Parameter::steps, 100}}}});
+        buses, {{.place = baumer, .values = {{Parameter::steps, 8193}, {Parameter::revolutions, 1}}},
+                {.place = onLoop, .values = {{Parameter::steps, 100}}}});
     const TransferAccount account = carryOut(plan, JobRound::AfterRefusal::stop);
     EXPECT_TRUE(account.encoders[0].isBegun);
     EXPECT_FALSE(account.encoders[1].isBegun);
@@ -102,15 +102,15 @@ TEST_F(Transfer, CancelInTheMiddleRestoresAndBeginsNoOther)
     encoder(baumer).tell(Parameter::steps, 8192);
     encoder(baumer).tell(Parameter::coding, 3);
     const TransferPlan plan =
-        planTransfer(bus, {{.place = baumer, .values = {{Parameter::steps, 4096}, {Parameter::coding, 6}}},
-                           {.place = onLoop, .values = {{Parameter::steps, 100}}}});
+        planTransfer(buses, {{.place = baumer, .values = {{Parameter::steps, 4096}, {Parameter::coding, 6}}},
+                             {.place = onLoop, .values = {{Parameter::steps, 100}}}});
     round.start(jobsOf(plan), JobRound::AfterRefusal::goOn);
     for (int i = 0; i < 1000 && round.jobProgress().confirmed.empty(); ++i)
         bus.advance(1);
     ASSERT_TRUE(round.jobProgress().canRestore);
     round.cancel(OnCancel::restorePrevious);
     advance();
-    const TransferAccount account = accountOf(bus, TransferKind::write, plan, round.results());
+    const TransferAccount account = accountOf(buses, TransferKind::write, plan, round.results());
     EXPECT_EQ(words(baumer), QStringLiteral("02001000 06000006 80000000 02002000 80000000"));
     EXPECT_EQ(account.encoders[0].why->id, RefusalId::cancelled);
     EXPECT_EQ(account.encoders[0].rows[0].became, Became::restored);
@@ -122,8 +122,8 @@ TEST_F(Transfer, CancelInTheMiddleRestoresAndBeginsNoOther)
 
 TEST_F(Transfer, CancelAtTheVeryEndOfAnEncoderBeginsNoOther)
 {
-    const TransferPlan plan = planTransfer(bus, {{.place = baumer, .values = {{Parameter::steps, 4096}}},
-                                                 {.place = onLoop, .values = {{Parameter::steps, 100}}}});
+    const TransferPlan plan = planTransfer(buses, {{.place = baumer, .values = {{Parameter::steps, 4096}}},
+                                                   {.place = onLoop, .values = {{Parameter::steps, 100}}}});
     QObject::connect(&encoder(baumer), &EncoderSession::finished, &bus,
                      [this] { round.cancel(OnCancel::leaveAsIs); });
     const TransferAccount account = carryOut(plan);
@@ -135,14 +135,14 @@ TEST_F(Transfer, CancelAtTheVeryEndOfAnEncoderBeginsNoOther)
 TEST_F(Transfer, BeginningNothingElseLeavesTheRunningJobAloneAndTheRestUndone)
 {
     const TransferPlan plan =
-        planTransfer(bus, {{.place = baumer, .values = {{Parameter::steps, 4096}}, .position = 100},
-                           {.place = onLoop, .values = {{Parameter::steps, 100}}}});
+        planTransfer(buses, {{.place = baumer, .values = {{Parameter::steps, 4096}}, .position = 100},
+                             {.place = onLoop, .values = {{Parameter::steps, 100}}}});
     ASSERT_EQ(plan[0].jobs.size(), 2u);
     round.start(jobsOf(plan), JobRound::AfterRefusal::goOn);
     bus.advance(3);
     round.beginNothingElse();
     advance();
-    const TransferAccount account = accountOf(bus, TransferKind::write, plan, round.results());
+    const TransferAccount account = accountOf(buses, TransferKind::write, plan, round.results());
     EXPECT_EQ(account.encoders[0].rows[0].became, Became::written);
     EXPECT_FALSE(account.encoders[0].positionSet);
     EXPECT_EQ(account.encoders[0].why->id, RefusalId::cancelled);
@@ -152,28 +152,28 @@ TEST_F(Transfer, BeginningNothingElseLeavesTheRunningJobAloneAndTheRestUndone)
 TEST_F(Transfer, FinishingThisEncoderGivesItAllItsJobsAndTheOthersNone)
 {
     const TransferPlan plan =
-        planTransfer(bus, {{.place = baumer, .values = {{Parameter::steps, 4096}}, .position = 100},
-                           {.place = onLoop, .values = {{Parameter::steps, 100}}}});
+        planTransfer(buses, {{.place = baumer, .values = {{Parameter::steps, 4096}}, .position = 100},
+                             {.place = onLoop, .values = {{Parameter::steps, 100}}}});
     round.start(jobsOf(plan), JobRound::AfterRefusal::goOn);
     bus.advance(3);
     round.beginNothingElse();
     round.finishThisEncoder();
     advance();
-    const TransferAccount account = accountOf(bus, TransferKind::write, plan, round.results());
+    const TransferAccount account = accountOf(buses, TransferKind::write, plan, round.results());
     EXPECT_TRUE(account.encoders[0].isDone());
     EXPECT_FALSE(account.encoders[1].isBegun);
 }
 
 TEST_F(Transfer, WhatWasTakenAndNotMadeValidIsAccountedForSo)
 {
-    const TransferPlan plan =
-        planTransfer(bus, {{.place = baumer, .values = {{Parameter::steps, 4096}, {Parameter::coding, 6}}}});
+    const TransferPlan plan = planTransfer(
+        buses, {{.place = baumer, .values = {{Parameter::steps, 4096}, {Parameter::coding, 6}}}});
     round.start(jobsOf(plan), JobRound::AfterRefusal::goOn);
     for (int i = 0; i < 1000 && round.jobProgress().confirmed.empty(); ++i)
         bus.advance(1);
     round.cancel(OnCancel::leaveAsIs);
     advance();
-    const TransferAccount account = accountOf(bus, TransferKind::write, plan, round.results());
+    const TransferAccount account = accountOf(buses, TransferKind::write, plan, round.results());
     EXPECT_EQ(account.encoders[0].leftIn, EncoderState::parameterization);
     EXPECT_EQ(account.encoders[0].rows[0].became, Became::confirmed);
     EXPECT_FALSE(account.encoders[0].isDone());
@@ -182,14 +182,14 @@ TEST_F(Transfer, WhatWasTakenAndNotMadeValidIsAccountedForSo)
 TEST_F(Transfer, AnEncoderThatLosesPowerInTheMiddleIsNamedAndTheNextOneIsWritten)
 {
     const TransferPlan plan =
-        planTransfer(bus, {{.place = baumer, .values = {{Parameter::steps, 4096}, {Parameter::coding, 6}}},
-                           {.place = onLoop, .values = {{Parameter::steps, 100}}}});
+        planTransfer(buses, {{.place = baumer, .values = {{Parameter::steps, 4096}, {Parameter::coding, 6}}},
+                             {.place = onLoop, .values = {{Parameter::steps, 100}}}});
     round.start(jobsOf(plan), JobRound::AfterRefusal::goOn);
     for (int i = 0; i < 1000 && round.jobProgress().confirmed.empty(); ++i)
         bus.advance(1);
     training.controls->powerCycle(baumer.node);
     advance();
-    const TransferAccount account = accountOf(bus, TransferKind::write, plan, round.results());
+    const TransferAccount account = accountOf(buses, TransferKind::write, plan, round.results());
     EXPECT_EQ(account.encoders[0].why->id, RefusalId::restarted);
     EXPECT_EQ(account.encoders[0].rows[0].became, Became::notDone);
     EXPECT_EQ(account.encoders[0].eepromWrites, 1); // it had confirmed one
@@ -198,14 +198,14 @@ TEST_F(Transfer, AnEncoderThatLosesPowerInTheMiddleIsNamedAndTheNextOneIsWritten
 
 TEST_F(Transfer, AlarmStopEndsItAll)
 {
-    const TransferPlan plan = planTransfer(bus, {{.place = baumer, .values = {{Parameter::steps, 4096}}},
-                                                 {.place = onLoop, .values = {{Parameter::steps, 100}}}});
+    const TransferPlan plan = planTransfer(buses, {{.place = baumer, .values = {{Parameter::steps, 4096}}},
+                                                   {.place = onLoop, .values = {{Parameter::steps, 100}}}});
     round.start(jobsOf(plan), JobRound::AfterRefusal::goOn);
     bus.advance(3);
     bus.alarmStop();
     bus.advance(2);
     EXPECT_FALSE(round.isRunning());
-    const TransferAccount account = accountOf(bus, TransferKind::write, plan, round.results());
+    const TransferAccount account = accountOf(buses, TransferKind::write, plan, round.results());
     EXPECT_EQ(account.encoders[0].why->id, RefusalId::alarmStop);
     EXPECT_FALSE(account.encoders[1].isBegun);
 }
@@ -214,14 +214,14 @@ TEST_F(Transfer, CamProgramsAreWrittenAndTheModeIsAsBefore)
 {
     CamProgram program;
     program.cam[3] = {0x15, 0x213, true};
-    const TransferPlan plan = planTransfer(bus, {{.place = fraba, .cams = {program}}});
+    const TransferPlan plan = planTransfer(buses, {{.place = fraba, .cams = {program}}});
     EXPECT_EQ(plan[0].eepromWrites, 1);
     const TransferAccount account = carryOut(plan);
     EXPECT_EQ(account.encoders[0].cams[0].became, Became::written);
     EXPECT_EQ(account.eepromWrites(), 1);
     EXPECT_EQ(encoder(fraba).latest().mode, Mode::position);
 
-    const TransferPlan again = planTransfer(bus, {{.place = fraba, .cams = {program}}});
+    const TransferPlan again = planTransfer(buses, {{.place = fraba, .cams = {program}}});
     EXPECT_TRUE(again[0].cams[0].isThere);
     EXPECT_TRUE(jobsOf(again).empty());
 }
@@ -233,12 +233,12 @@ TEST_F(Transfer, ACamProgramThatIsFoundThereAndOneThatIsNotFinishedAreToldApart)
     CamProgram second;
     second.number = 2;
     second.cam[0] = {0x10, 0x20, true};
-    ASSERT_TRUE(carryOut(planTransfer(bus, {{.place = fraba, .cams = {first}}})).isDone());
+    ASSERT_TRUE(carryOut(planTransfer(buses, {{.place = fraba, .cams = {first}}})).isDone());
     ASSERT_TRUE(bus.name(fraba, QStringLiteral("fraba-ocd-ib"))); // nothing is known of it
     encoder(fraba).tell(Parameter::startUpMode, 1);
     bus.advance(10);
 
-    const TransferPlan plan = planTransfer(bus, {{.place = fraba, .cams = {first, second}}});
+    const TransferPlan plan = planTransfer(buses, {{.place = fraba, .cams = {first, second}}});
     ASSERT_FALSE(plan[0].cams[0].isThere);
     round.start(jobsOf(plan), JobRound::AfterRefusal::goOn);
     for (int i = 0; i < 10'000 && !round.jobProgress().hasTaken; ++i)
@@ -246,7 +246,7 @@ TEST_F(Transfer, ACamProgramThatIsFoundThereAndOneThatIsNotFinishedAreToldApart)
     ASSERT_TRUE(round.jobProgress().hasTaken);
     round.cancel(OnCancel::leaveAsIs);
     advance();
-    const TransferAccount account = accountOf(bus, TransferKind::write, plan, round.results());
+    const TransferAccount account = accountOf(buses, TransferKind::write, plan, round.results());
     ASSERT_EQ(account.encoders[0].cams.size(), 2u);
     EXPECT_EQ(account.encoders[0].cams[0].became, Became::alreadyThere);
     EXPECT_EQ(account.encoders[0].cams[1].became, Became::notDone);
@@ -256,8 +256,8 @@ TEST_F(Transfer, ACamProgramThatIsFoundThereAndOneThatIsNotFinishedAreToldApart)
 TEST_F(Transfer, TellsWhichEncoderRunsAndHowFarItIs)
 {
     EXPECT_EQ(round.progress().encoders, 0);
-    const TransferPlan plan = planTransfer(bus, {{.place = baumer, .values = {{Parameter::steps, 4096}}},
-                                                 {.place = onLoop, .values = {{Parameter::steps, 100}}}});
+    const TransferPlan plan = planTransfer(buses, {{.place = baumer, .values = {{Parameter::steps, 4096}}},
+                                                   {.place = onLoop, .values = {{Parameter::steps, 100}}}});
     std::map<Place, RoundProgress> last;
     QObject::connect(&round, &JobRound::progressed, &bus, [&] {
         if (!round.isRunning())
@@ -283,8 +283,8 @@ TEST_F(Transfer, AnEncoderIsNamedAfterItsRound)
 {
     int finished = 0;
     QObject::connect(&round, &JobRound::finished, &bus, [&] { ++finished; });
-    ASSERT_TRUE(carryOut(planTransfer(bus, {{.place = fraba, .values = setOf255},
-                                            {.place = baumer, .values = {{Parameter::steps, 4096}}}}))
+    ASSERT_TRUE(carryOut(planTransfer(buses, {{.place = fraba, .values = setOf255},
+                                              {.place = baumer, .values = {{Parameter::steps, 4096}}}}))
                     .isDone());
     for (const Place place : {fraba, baumer})
         ASSERT_TRUE(bus.name(place, encoder(place).device().key));

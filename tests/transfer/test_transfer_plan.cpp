@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivers/write_plan.h"
 #include "encoder/refusal_text.h"
 #include "tests/support/places.h"
 #include "tests/transfer/transfer_bus.h"
@@ -17,7 +18,7 @@ protected:
     // Why nothing is written to the only encoder of the plan.
     std::string hindrance(const TransferWish &wish)
     {
-        const TransferPlan plan = planTransfer(bus, {wish});
+        const TransferPlan plan = planTransfer(buses, {wish});
         EXPECT_TRUE(jobsOf(plan).empty() || !plan[0].hindrance);
         return plan[0].hindrance ? refusalText(*plan[0].hindrance).toStdString() : std::string();
     }
@@ -28,12 +29,12 @@ const ParameterValues steps100 = {{Parameter::steps, 100}};
 TEST_F(TransferPlanning, ShowsEachValueWithItsWordInTheOrderOfTheDevice)
 {
     encoder(baumer).tell(Parameter::coding, 6);
-    const TransferPlan plan =
-        planTransfer(bus, {{.place = baumer, .values = {{Parameter::coding, 6}, {Parameter::steps, 4096}}}});
+    const TransferPlan plan = planTransfer(
+        buses, {{.place = baumer, .values = {{Parameter::coding, 6}, {Parameter::steps, 4096}}}});
     ASSERT_EQ(plan[0].rows.size(), 2u);
     EXPECT_EQ(plan[0].device, QStringLiteral("Baumer GXP6W K3"));
     EXPECT_EQ(plan[0].rows[0].wanted.parameter, Parameter::steps);
-    EXPECT_EQ(hexWord(plan[0].rows[0].word), QStringLiteral("02001000"));
+    EXPECT_EQ(sentText(plan[0].rows[0].step.value()), QStringLiteral("02001000"));
     EXPECT_FALSE(plan[0].rows[0].known);
     EXPECT_TRUE(plan[0].rows[1].isThere); // nobody can ask it: what is told counts
     EXPECT_EQ(plan[0].eepromWrites, 1);
@@ -86,7 +87,7 @@ TEST_F(TransferPlanning, ACloneTakesTheValuesButNotTheZeroOffset)
 TEST_F(TransferPlanning, AnEncoderThatIsBusyIsLeftAlone)
 {
     ASSERT_TRUE(encoder(fraba).start(ReadParameters{{Parameter::steps}}));
-    EXPECT_EQ(planTransfer(bus, {{.place = fraba, .values = steps100}})[0].hindrance->id,
+    EXPECT_EQ(planTransfer(buses, {{.place = fraba, .values = steps100}})[0].hindrance->id,
               RefusalId::jobRunning);
 }
 

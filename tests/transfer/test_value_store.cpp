@@ -74,7 +74,7 @@ TEST_F(ValueStore, StoredValuesComeBackToTheEncoder)
     device.standAt(baumer);
     device.stored = {{Parameter::steps, 4096, Evidence::echoed, {}},
                      {Parameter::serialNumber, 4711, Evidence::told, {}}};
-    const TransferWish wish = wishOf(device, TransferSource::stored, ProjectPlaces({}, bus));
+    const TransferWish wish = wishOf(device, TransferSource::stored, ProjectPlaces({}, buses), catalog);
     EXPECT_EQ(wish.values, (ParameterValues{{Parameter::steps, 4096}}));
 }
 

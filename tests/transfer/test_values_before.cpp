@@ -23,14 +23,14 @@ TEST_F(ValuesFromBefore, WhatWasWrittenOverCanBeRestored)
     EXPECT_TRUE(find(baumer).empty());
     encoder(baumer).tell(Parameter::steps, 8192);
     encoder(baumer).tell(Parameter::revolutions, 1); // not written, so not to be restored
-    carryOut(planTransfer(bus, {{.place = baumer, .values = {{Parameter::steps, 4096}}}}));
+    carryOut(planTransfer(buses, {{.place = baumer, .values = {{Parameter::steps, 4096}}}}));
 
     const std::vector<ValuesBefore> before = find(baumer);
     ASSERT_EQ(before.size(), 1u);
     EXPECT_EQ(before[0].values, (ParameterValues{{Parameter::steps, 8192}}));
     EXPECT_EQ(before[0].deviceKey, QStringLiteral("baumer-gxp6w"));
 
-    const TransferPlan plan = planTransfer(bus, {wishToRestore(before[0], ProjectPlaces({}, bus))});
+    const TransferPlan plan = planTransfer(buses, {wishToRestore(before[0], ProjectPlaces({}, buses))});
     const TransferAccount account = carryOut(plan);
     EXPECT_TRUE(account.isDone());
     EXPECT_EQ(encoder(baumer).known(Parameter::steps)->value, 8192);

@@ -6,6 +6,7 @@ namespace codewheel::test {
 TransferBus::TransferBus(BusSession::Start start)
 {
     EXPECT_TRUE(bus.open(start));
+    buses.add(bus);
     for (const Place number : bus.places())
         if (EncoderSession *one = bus.encoder(number))
             QObject::connect(one, &EncoderSession::exchanged, &bus, [this, number](const Exchange &row) {
@@ -29,7 +30,7 @@ TransferAccount TransferBus::carryOut(const TransferPlan &plan, JobRound::AfterR
     round.start(jobsOf(plan), afterRefusal);
     advance();
     EXPECT_FALSE(round.isRunning());
-    return accountOf(bus, TransferKind::write, plan, round.results());
+    return accountOf(buses, TransferKind::write, plan, round.results());
 }
 
 QString TransferBus::words(Place number) const

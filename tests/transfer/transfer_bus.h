@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/buses.h"
 #include "catalog/catalog.h"
 #include "encoder/hex.h"
 #include "ring/bus_session.h"
@@ -35,7 +36,8 @@ protected:
     const Catalog catalog = Catalog::builtIn();
     TrainingBus training = makeTrainingBus(catalog);
     BusSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
-    JobRound round{bus};
+    Buses buses;
+    JobRound round{buses};
 
 private:
     std::map<Place, std::vector<Word>> m_words;

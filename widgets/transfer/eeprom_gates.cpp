@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/eeprom_gates.h"
 
-#include "bus/encoder_bus.h"
+#include "bus/buses.h"
 #include "journal/eeprom_cost.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
@@ -40,9 +40,9 @@ QString placesOf(const std::vector<Place> &numbers)
 
 } // namespace
 
-EepromGates::EepromGates(EncoderBus &bus, QWidget *parent)
+EepromGates::EepromGates(const Buses &buses, QWidget *parent)
     : QWidget(parent)
-    , m_bus(bus)
+    , m_buses(buses)
     , m_text(new QLabel(this))
     , m_nevertheless(describe(new QCheckBox(tr("Write &nevertheless"), this), "writeNevertheless",
                               tr("The EEPROM was written as often as the manual speaks of")))
@@ -69,7 +69,7 @@ void EepromGates::setPlan(const TransferPlan &plan)
     std::vector<Place> asked;
     std::vector<Place> typed;
     for (const EncoderPlan &one : plan) {
-        const EncoderSession *encoder = m_bus.encoder(one.place);
+        const EncoderSession *encoder = m_buses.encoder(one.place);
         const int planned = encoder ? writesOf(*encoder, one) : 0;
         const EepromConcern concern = encoder ? eepromConcern(*encoder, planned) : EepromConcern::none;
         if (concern == EepromConcern::none)

@@ -13,7 +13,7 @@ class QLineEdit;
 
 namespace codewheel {
 
-class EncoderBus;
+class Buses;
 
 // What has to be known or agreed to of the EEPROMs that a transfer writes to: a sentence for each encoder
 // that gives cause for concern; beyond what its manual speaks of a tick, and beyond what it guarantees its
@@ -24,7 +24,7 @@ class EepromGates : public QWidget
     Q_OBJECT
 
 public:
-    explicit EepromGates(EncoderBus &bus, QWidget *parent = nullptr);
+    explicit EepromGates(const Buses &buses, QWidget *parent = nullptr);
 
     // What was agreed to holds for the encoders it was asked of.
     void setPlan(const TransferPlan &plan);
@@ -34,7 +34,7 @@ Q_SIGNALS:
     void changed(); // isOpen()
 
 private:
-    EncoderBus &m_bus;
+    const Buses &m_buses;
     std::vector<Place> m_asked; // to be ticked
     std::vector<Place> m_typed; // to be typed
     QLabel *m_text;

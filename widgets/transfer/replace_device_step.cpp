@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/replace_device_step.h"
 
+#include "bus/buses.h"
 #include "catalog/catalog.h"
 #include "encoder/refusal_text.h"
-#include "ring/bus_session.h"
+#include "ring/participant.h"
 #include "transfer/transfer_words.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
@@ -24,7 +25,7 @@ ReplaceDeviceStep::ReplaceDeviceStep(Replacing &replacing, QWidget *parent)
     , m_key(describe(new QLineEdit(this), "replaceKey", tr("Key on the label of the new encoder"),
                      tr("Type the key on the label. Spaces, dots and dashes do not matter.")))
     , m_choice(describe(new QComboBox(this), "replaceChoice", tr("New encoder"),
-                        tr("The encoders of the catalog with the device code of this place")))
+                        tr("The encoders of the catalog that can stand at this place")))
     , m_serial(describe(new QLineEdit(this), "replaceSerial", tr("Serial number of the new encoder"),
                         tr("From its label; EEPROM writes are counted by it where the encoder does not "
                            "tell")))
@@ -57,7 +58,7 @@ ReplaceDeviceStep::ReplaceDeviceStep(Replacing &replacing, QWidget *parent)
 void ReplaceDeviceStep::enter()
 {
     const ProjectDevice &before = m_replacing.before;
-    const DeviceDescription *device = m_replacing.bus.catalog().find(before.participant.deviceKey);
+    const DeviceDescription *device = m_replacing.catalog.find(before.participant.deviceKey);
     const QString serial = before.label.serialNumber;
     m_planned->setText(
         tr("At %1 the project has: %2%3. Switch the supply off, replace the encoder, and switch it on again.")
@@ -69,12 +70,18 @@ void ReplaceDeviceStep::enter()
         showDifferences();
 }
 
+Result<void> ReplaceDeviceStep::canBe(const DeviceDescription &device) const
+{
+    const Place place = m_replacing.place;
+    const EncoderBus *bus = m_replacing.buses.busOf(place);
+    return bus ? bus->canBe(place, device) : tl::unexpected(m_replacing.buses.whyNotThere(place));
+}
+
 void ReplaceDeviceStep::fillChoices()
 {
     const QSignalBlocker blocker(m_choice);
-    const BusSession &bus = m_replacing.bus;
-    for (const DeviceDescription &device : bus.catalog().devices())
-        if (!device.isGeneric() && device.capabilities.writes && bus.canBe(m_replacing.place, device))
+    for (const DeviceDescription &device : m_replacing.catalog.devices())
+        if (!device.isGeneric() && device.capabilities.writes && canBe(device))
             m_choice->addItem(device.fullName(), device.key);
     m_choice->setCurrentIndex(std::max(0, m_choice->findData(m_replacing.before.participant.deviceKey)));
     take();
@@ -86,7 +93,7 @@ void ReplaceDeviceStep::readKey(const QString &typed)
     m_matches.clear();
     m_problem.reset();
     if (!typed.trimmed().isEmpty()) {
-        if (auto matches = findByLabel(m_replacing.bus.catalog(), typed))
+        if (auto matches = findByLabel(m_replacing.catalog, typed))
             m_matches = std::move(*matches);
         else
             m_problem = matches.error();
@@ -98,7 +105,7 @@ void ReplaceDeviceStep::readKey(const QString &typed)
             return;
         }
     if (!m_matches.empty())
-        if (const auto can = m_replacing.bus.canBe(m_replacing.place, *m_matches.front().device); !can)
+        if (const auto can = canBe(*m_matches.front().device); !can)
             m_message->showMessage(Role::attention, refusalText(can.error()));
     take();
 }
@@ -114,7 +121,7 @@ void ReplaceDeviceStep::take()
 {
     Replacement &now = m_replacing.now;
     const QString key = m_choice->currentData().toString();
-    now.device = m_replacing.bus.catalog().find(key);
+    now.device = m_replacing.catalog.find(key);
     now.turns = 0;
     now.stepsPerTurn = 0;
     for (const LabelMatch &match : m_matches)
@@ -136,7 +143,7 @@ void ReplaceDeviceStep::showDifferences()
     }
     const ProjectDevice &before = m_replacing.before;
     const auto differences =
-        differencesOf(before, m_replacing.bus.catalog().find(before.participant.deviceKey), now);
+        differencesOf(before, m_replacing.catalog.find(before.participant.deviceKey), now);
     m_differences->setText(differences.areNone()
                                ? tr("It fits: as far as the project tells, it is like the one before.")
                                : transfer_words::differences(differences, now).join(u'\n'));

@@ -26,6 +26,7 @@ public:
     bool mayGoOn() const override { return m_replacing.now.device != nullptr; }
 
 private:
+    Result<void> canBe(const DeviceDescription &device) const; // at this place
     void fillChoices();
     void readKey(const QString &typed);
     void tellProblem();

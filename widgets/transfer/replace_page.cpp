@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/replace_page.h"
 
-#include "ring/bus_session.h"
 #include "widgets/job/step_list.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
@@ -25,10 +24,10 @@ constexpr int replaceStepsFrom = 560;
 
 } // namespace
 
-ReplacePage::ReplacePage(BusSession &bus, ProjectDocument &project, const LastPositions &positions,
-                         QWidget *parent)
+ReplacePage::ReplacePage(const Buses &buses, const Catalog &catalog, ProjectDocument &project,
+                         const LastPositions &positions, QWidget *parent)
     : QWidget(parent)
-    , m_replacing{.bus = bus, .project = project}
+    , m_replacing{.buses = buses, .catalog = catalog, .project = project}
     , m_positions(positions)
     , m_title(new QLabel(this))
     , m_pages(new QStackedWidget(this))
@@ -215,7 +214,7 @@ void ReplacePage::showButtons()
     const int step = m_pages->currentIndex();
     m_next->setText(current()->nextText());
     m_next->setEnabled(current()->mayGoOn());
-    m_next->setToolTip(step == write     ? tr("Sends the words above to the new encoder")
+    m_next->setToolTip(step == write     ? tr("Sends what is shown above to the new encoder")
                        : step == account ? tr("Back to the monitors")
                                          : tr("To the next step"));
     m_back->setEnabled(step > device && current()->mayGoBack());

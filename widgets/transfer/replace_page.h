@@ -26,8 +26,8 @@ class ReplacePage : public QWidget
 
 public:
     // All must outlive it.
-    ReplacePage(BusSession &bus, ProjectDocument &project, const LastPositions &positions,
-                QWidget *parent = nullptr);
+    ReplacePage(const Buses &buses, const Catalog &catalog, ProjectDocument &project,
+                const LastPositions &positions, QWidget *parent = nullptr);
 
     // Begins anew; not while something is written.
     void replace(Place number);

@@ -7,13 +7,15 @@
 
 namespace codewheel {
 
-class BusSession;
+class Buses;
+class Catalog;
 class ProjectDocument;
 
 // What the steps of ReplacePage hand on to each other.
 struct Replacing
 {
-    BusSession &bus;
+    const Buses &buses;
+    const Catalog &catalog;
     ProjectDocument &project;
     Place place{};
     ProjectDevice before{};                 // as planned until Write is begun

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/replace_write_steps.h"
 
+#include "bus/buses.h"
 #include "catalog/device_description.h"
 #include "encoder/refusal_text.h"
 #include "report/transfer_report.h"
-#include "ring/bus_session.h"
 #include "transfer/transfer_words.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -22,12 +22,12 @@ namespace codewheel {
 
 ReplaceWriteStep::ReplaceWriteStep(Replacing &replacing, QWidget *parent)
     : ReplaceStep(replacing, tr("Write"), parent)
-    , m_round(replacing.bus)
+    , m_round(replacing.buses)
     , m_model(new TransferModel(TransferModel::Choice::fixed, this))
     , m_table(new TransferTable(*m_model, tr("What will be written"), this))
     , m_note(new QLabel(this))
     , m_message(new InlineMessage(this))
-    , m_gates(new EepromGates(replacing.bus, this))
+    , m_gates(new EepromGates(replacing.buses, this))
     , m_progress(new TransferProgress(m_round, this))
 {
     m_table->setObjectName(QStringLiteral("replaceTable"));
@@ -48,7 +48,7 @@ ReplaceWriteStep::ReplaceWriteStep(Replacing &replacing, QWidget *parent)
         Q_EMIT changed();
         Q_EMIT ended();
     });
-    connect(&replacing.bus, &BusSession::stateChanged, this, [this] {
+    connect(&replacing.buses, &Buses::changed, this, [this] {
         if (isVisible() && !isBusy())
             showPlan();
     });
@@ -59,9 +59,9 @@ void ReplaceWriteStep::enter()
 {
     m_message->withdraw();
     const Replacement &now = m_replacing.now;
-    if (!places().hindrance(m_replacing.place)) { // else another encoder may stand there
-        const auto named =
-            m_replacing.bus.name(m_replacing.place, now.device->key, now.turns, now.stepsPerTurn);
+    EncoderBus *bus = m_replacing.buses.busOf(m_replacing.place);
+    if (bus && !places().hindranceToReplace(m_replacing.place)) { // else another encoder may stand there
+        const auto named = bus->name(m_replacing.place, now.device->key, now.turns, now.stepsPerTurn);
         if (!named)
             m_message->showMessage(Role::attention, refusalText(named.error()));
     }
@@ -70,15 +70,15 @@ void ReplaceWriteStep::enter()
 
 ProjectPlaces ReplaceWriteStep::places() const
 {
-    return {m_replacing.project.project(), m_replacing.bus};
+    return {m_replacing.project.project(), m_replacing.buses};
 }
 
 void ReplaceWriteStep::showPlan()
 {
     m_plan =
-        planTransfer(m_replacing.bus,
+        planTransfer(m_replacing.buses,
                      {wishToReplace(m_replacing.before, m_replacing.now, m_replacing.position, places())});
-    m_model->show(linesOf(m_replacing.bus, m_plan));
+    m_model->show(linesOf(m_replacing.buses, m_plan));
     m_gates->setPlan(m_plan);
     m_note->setText(m_plan.front().isWritten() || m_plan.front().hindrance
                         ? transfer_words::summary(m_plan.front())
@@ -109,7 +109,7 @@ void ReplaceWriteStep::cancel()
 
 TransferAccount ReplaceWriteStep::account() const
 {
-    TransferAccount account = accountOf(m_replacing.bus, TransferKind::replace, m_plan, m_round.results());
+    TransferAccount account = accountOf(m_replacing.buses, TransferKind::replace, m_plan, m_round.results());
     account.source = m_source;
     return account;
 }
@@ -132,7 +132,7 @@ void ReplaceAccountStep::show(const TransferAccount &account)
 {
     m_result->setText(transfer_words::outcome(account.encoders.front()));
     m_account->show(
-        reportOf(account, m_replacing.bus.catalog(), QCoreApplication::applicationVersion()),
+        reportOf(account, m_replacing.catalog, QCoreApplication::applicationVersion()),
         QStringLiteral("replaced-%1-%2")
             .arg(m_replacing.place.toString(), account.at.toString(QStringLiteral("yyyy-MM-dd"))));
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/transfer_choice.h"
 
+#include "bus/buses.h"
 #include "catalog/device_description.h"
-#include "ring/bus_session.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 
@@ -20,9 +20,9 @@ constexpr int shortestText = 12; // characters
 
 } // namespace
 
-TransferChoice::TransferChoice(BusSession &bus, FindValuesBefore findBefore, QWidget *parent)
+TransferChoice::TransferChoice(const Buses &buses, FindValuesBefore findBefore, QWidget *parent)
     : QWidget(parent)
-    , m_bus(bus)
+    , m_buses(buses)
     , m_findBefore(std::move(findBefore))
     , m_what(describe(new QComboBox(this), "transferWhat", tr("What is transferred"),
                       tr("What is transferred. Nothing is sent by choosing.")))
@@ -53,7 +53,7 @@ TransferChoice::TransferChoice(BusSession &bus, FindValuesBefore findBefore, QWi
     layout->addWidget(m_before, 1);
     layout->addWidget(m_cams);
     setFocusProxy(m_what);
-    showRing();
+    showEncoders();
     showParts();
     connect(m_what, &QComboBox::currentIndexChanged, this, [this] {
         showParts();
@@ -100,13 +100,13 @@ bool TransferChoice::withCams() const
     return m_cams->isChecked();
 }
 
-void TransferChoice::showRing()
+void TransferChoice::showEncoders()
 {
     const QSignalBlocker blocker(m_from);
     const QString before = m_from->currentData().toString();
     m_from->clear();
-    for (const Place number : m_bus.places())
-        if (const EncoderSession *encoder = m_bus.encoder(number); encoder && encoder->can().writes)
+    for (const Place number : m_buses.places())
+        if (const EncoderSession *encoder = m_buses.encoder(number); encoder && encoder->can().writes)
             m_from->addItem(QStringLiteral("%1 %2").arg(number.toString(), encoder->device().fullName()),
                             number.toString());
     m_from->setCurrentIndex(std::max(0, m_from->findData(before)));
@@ -117,10 +117,10 @@ void TransferChoice::fillBefore()
     const QSignalBlocker blocker(m_before);
     m_befores = m_findBefore(m_number);
     m_before->clear();
-    const EncoderSession *encoder = m_bus.encoder(m_number);
+    const EncoderSession *encoder = m_buses.encoder(m_number);
     for (const ValuesBefore &before : m_befores)
         m_before->addItem(QStringLiteral("%1  %2: %3")
-                              .arg(before.place.toString(), timeOf(before, m_bus.dateTime(m_bus.latest().at)),
+                              .arg(before.place.toString(), timeOf(before, m_buses.now(before.place)),
                                    textOf(before, encoder ? &encoder->device() : nullptr)));
     m_before->setEnabled(!m_befores.empty());
     if (m_befores.empty())

@@ -10,7 +10,7 @@ class QComboBox;
 
 namespace codewheel {
 
-class BusSession;
+class Buses;
 
 // What is to be transferred: from the project, from one encoder to others, from before, or into the project.
 class TransferChoice : public QWidget
@@ -20,11 +20,11 @@ class TransferChoice : public QWidget
 public:
     enum class What : std::uint8_t { write, writeStored, store, clone, restore };
 
-    TransferChoice(BusSession &bus, FindValuesBefore findBefore, QWidget *parent = nullptr);
+    TransferChoice(const Buses &buses, FindValuesBefore findBefore, QWidget *parent = nullptr);
 
     What what() const;
     void choose(What what);
-    void showRing(); // another one
+    void showEncoders(); // of all buses: there may be others
     // Whose values are cloned, or restored.
     void setEncoder(Place number);
     std::optional<Place> from() const;  // of a clone
@@ -38,7 +38,7 @@ private:
     void fillBefore();
     void showParts();
 
-    BusSession &m_bus;
+    const Buses &m_buses;
     FindValuesBefore m_findBefore;
     std::vector<ValuesBefore> m_befores;
     Place m_number;

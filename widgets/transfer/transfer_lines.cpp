@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/transfer_lines.h"
 
+#include "bus/buses.h"
 #include "catalog/catalog.h"
 #include "drivers/values_to_write.h"
-#include "encoder/hex.h"
+#include "drivers/write_plan.h"
 #include "encoder/refusal_text.h"
-#include "ring/bus_session.h"
 #include "transfer/project_places.h"
 #include "transfer/transfer_words.h"
 #include "transfer/value_store.h"
@@ -23,9 +23,9 @@ struct TransferLines
     Q_DECLARE_TR_FUNCTIONS(codewheel::TransferLines)
 };
 
-const DeviceDescription *deviceAt(const BusSession &bus, Place place)
+const DeviceDescription *deviceAt(const Buses &buses, Place place)
 {
-    const EncoderSession *encoder = bus.encoder(place);
+    const EncoderSession *encoder = buses.encoder(place);
     return encoder ? &encoder->device() : nullptr;
 }
 
@@ -54,13 +54,15 @@ TransferLine lineOf(const DeviceDescription *device, Place place, const Transfer
             .what = parameterName(row.wanted.parameter),
             .now = transfer_words::known(device, row.wanted.parameter, row.known),
             .wanted = transfer_words::value(device, row.wanted),
-            .word = row.isThere     ? thereAlready
-                    : row.word != 0 ? hexWord(row.word)
-                                    : QString(),
-            .eeprom = row.isThere || row.word == 0 ? QString() : QStringLiteral("1"),
+            .sent = row.isThere ? thereAlready
+                    : row.step  ? sentText(*row.step)
+                                : QString(),
+            .eeprom = row.step ? QStringLiteral("1") : QString(),
             .tip = row.hindrance ? refusalText(*row.hindrance)
                    : row.isThere ? TransferLines::tr("The encoder has it: it is left out.")
-                                 : TransferLines::tr("The word that will stand in OUT"),
+                   : row.goesAlong
+                       ? TransferLines::tr("Computed from the other values, which act once it is sent")
+                       : TransferLines::tr("What will be sent for it"),
             .isThere = row.isThere,
             .isHindered = row.hindrance.has_value()};
 }
@@ -73,7 +75,7 @@ TransferLine lineOf(Place place, const TransferCamRow &row)
             .now = row.isThere ? TransferLines::tr("the same")
                    : row.known ? TransferLines::tr("another")
                                : TransferLines::tr("unknown"),
-            .word = row.isThere ? TransferLines::tr("already there") : QString(),
+            .sent = row.isThere ? TransferLines::tr("already there") : QString(),
             .eeprom = row.isThere ? QString() : QStringLiteral("1"),
             .tip = TransferLines::tr("It is read first, and written where it differs."),
             .isThere = row.isThere};
@@ -100,7 +102,9 @@ QString readingText(const EncoderSession &encoder, const EncoderJobs &jobs)
     if (!encoder.can().reads)
         return TransferLines::tr("It cannot be read: what is known of it is stored.");
     const auto &read = std::get<ReadParameters>(jobs.jobs.front());
-    return TransferLines::tr("Values to read: %1. It shows no position meanwhile.")
+    return (encoder.can().readingHidesPosition
+                ? TransferLines::tr("Values to read: %1. It shows no position meanwhile.")
+                : TransferLines::tr("Values to read: %1. It goes on showing its position."))
         .arg(read.parameters.size());
 }
 
@@ -141,12 +145,12 @@ void addHindered(std::vector<TransferLine> &lines, const EncoderSession &encoder
 
 } // namespace
 
-std::vector<TransferLine> linesOf(const BusSession &bus, const TransferPlan &plan)
+std::vector<TransferLine> linesOf(const Buses &buses, const TransferPlan &plan)
 {
     std::vector<TransferLine> lines;
     for (const EncoderPlan &encoder : plan) {
         lines.push_back(headOf(encoder));
-        const DeviceDescription *device = deviceAt(bus, encoder.place);
+        const DeviceDescription *device = deviceAt(buses, encoder.place);
         for (const TransferRow &row : encoder.rows)
             lines.push_back(lineOf(device, encoder.place, row));
         for (const TransferCamRow &row : encoder.cams)
@@ -160,12 +164,12 @@ std::vector<TransferLine> linesOf(const BusSession &bus, const TransferPlan &pla
     return lines;
 }
 
-std::vector<TransferLine> linesToStore(const BusSession &bus, const ProjectPlaces &places,
+std::vector<TransferLine> linesToStore(const Buses &buses, const ProjectPlaces &places,
                                        const std::vector<ProjectDevice> &devices, bool withCams)
 {
     std::vector<TransferLine> lines;
     for (const ProjectDevice &device : devices)
-        if (const EncoderSession *encoder = bus.encoder(device.place())) {
+        if (const EncoderSession *encoder = buses.encoder(device.place())) {
             if (const auto why = places.hindrance(device.place()))
                 addHindered(lines, *encoder, device, *why);
             else

@@ -6,7 +6,7 @@
 
 namespace codewheel {
 
-class BusSession;
+class Buses;
 class ProjectPlaces;
 
 // One line of the table of a transfer: an encoder, or below it a value, a cam program, or a sentence.
@@ -19,7 +19,7 @@ struct TransferLine
     QString what{}; // of an encoder: its name and station
     QString now{};  // with its evidence
     QString wanted{};
-    QString word{};
+    QString sent{};   // its word, or its request
     QString eeprom{}; // writes at most
     QString tip{};    // what the line says in a sentence
     bool canBeChosen = false;
@@ -29,9 +29,9 @@ struct TransferLine
     friend bool operator==(const TransferLine &, const TransferLine &) = default;
 };
 
-std::vector<TransferLine> linesOf(const BusSession &bus, const TransferPlan &plan);
+std::vector<TransferLine> linesOf(const Buses &buses, const TransferPlan &plan);
 // What would be read, and what the project has stored so far.
-std::vector<TransferLine> linesToStore(const BusSession &bus, const ProjectPlaces &places,
+std::vector<TransferLine> linesToStore(const Buses &buses, const ProjectPlaces &places,
                                        const std::vector<ProjectDevice> &devices, bool withCams);
 
 } // namespace codewheel

@@ -31,8 +31,8 @@ QString textOf(const TransferLine &line, int column)
         return line.now;
     case TransferModel::wanted:
         return line.wanted;
-    case TransferModel::word:
-        return line.word;
+    case TransferModel::sent:
+        return line.sent;
     default:
         return line.eeprom;
     }
@@ -40,7 +40,7 @@ QString textOf(const TransferLine &line, int column)
 
 QFont fontOf(const TransferLine &line, int column)
 {
-    if (column == TransferModel::word && line.kind == LineKind::value && !line.isThere)
+    if (column == TransferModel::sent && line.kind == LineKind::value && !line.isThere)
         return numberFont();
     QFont font = textFont();
     font.setBold(line.kind == LineKind::encoder && column <= TransferModel::what);
@@ -156,8 +156,8 @@ QVariant TransferModel::headerCell(int column, int role) const
         return tr("Now");
     case wanted:
         return m_heads == Heads::store ? tr("In the project") : tr("Wanted");
-    case word:
-        return tr("Word");
+    case sent:
+        return tr("Sent");
     default:
         return tr("EEPROM");
     }

@@ -8,14 +8,14 @@
 
 namespace codewheel {
 
-// What differs between encoders and what is wanted of them: place, parameter, now, wanted, word, EEPROM
+// What differs between encoders and what is wanted of them: place, parameter, now, wanted, sent, EEPROM
 // writes. Each encoder has a check box; all that can be chosen are, unless told otherwise.
 class TransferModel final : public TableModelBase<TransferLine>
 {
     Q_OBJECT
 
 public:
-    enum Column { place, what, now, wanted, word, eeprom };
+    enum Column { place, what, now, wanted, sent, eeprom };
     enum class Heads { write, store }; // of the columns now and wanted
 
     enum class Choice { free, fixed }; // fixed: no check boxes

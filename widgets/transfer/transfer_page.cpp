@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/transfer_page.h"
 
+#include "bus/buses.h"
 #include "catalog/catalog.h"
 #include "encoder/refusal_text.h"
 #include "journal/eeprom_cost.h"
 #include "report/transfer_report.h"
-#include "ring/bus_session.h"
 #include "transfer/project_places.h"
 #include "transfer/transfer_words.h"
 #include "transfer/value_store.h"
@@ -41,8 +41,8 @@ bool isOneOf(const std::vector<Place> &numbers, Place number)
 
 void TransferPage::followEncoders()
 {
-    for (const Place number : m_bus.places())
-        if (EncoderSession *encoder = m_bus.encoder(number)) {
+    for (const Place number : m_buses.places())
+        if (EncoderSession *encoder = m_buses.encoder(number)) {
             connect(encoder, &EncoderSession::knownChanged, this, &TransferPage::planSoon,
                     Qt::UniqueConnection);
             connect(encoder, &EncoderSession::finished, this, &TransferPage::planSoon, Qt::UniqueConnection);
@@ -83,13 +83,13 @@ void TransferPage::showPlan()
         return;
     if (m_choice->what() == What::store) {
         m_plan.clear();
-        m_model->show(linesToStore(m_bus, ProjectPlaces(m_project.project(), m_bus),
-                                   plannedDevices(m_project), m_choice->withCams()),
+        m_model->show(linesToStore(m_buses, ProjectPlaces(m_project.project(), m_buses),
+                                   m_project.project().devices, m_choice->withCams()),
                       TransferModel::Heads::store);
         return;
     }
-    m_plan = planTransfer(m_bus, transferWishes(*m_choice, m_bus, m_project));
-    m_model->show(linesOf(m_bus, m_plan));
+    m_plan = planTransfer(m_buses, transferWishes(*m_choice, m_buses, m_catalog, m_project));
+    m_model->show(linesOf(m_buses, m_plan));
 }
 
 TransferPlan TransferPage::chosenPlan() const
@@ -107,9 +107,9 @@ void TransferPage::showSummary()
     const bool stores = m_choice->what() == What::store;
     m_begin->setText(stores ? tr("&Read and store") : tr("&Write"));
     m_begin->setIcon(lineIcon(stores ? Icon::read : Icon::write));
-    m_begin->setToolTip(stores ? tr("Reads the chosen encoders, which show no position meanwhile, and keeps "
-                                    "what they have in the project")
-                               : tr("Sends the words above to the chosen encoders, one after the other"));
+    m_begin->setToolTip(stores ? tr("Reads the chosen encoders, and keeps what they have in the project. "
+                                    "Those of a ring show no position meanwhile")
+                               : tr("Sends what is shown above to the chosen encoders, one after the other"));
     if (!isBusy())
         m_gates->setPlan(planOfCost());
     showBegin();
@@ -135,7 +135,7 @@ std::vector<EncoderJobs> TransferPage::jobsToDo() const
         return jobsOf(chosenPlan());
     std::vector<EncoderJobs> jobs;
     for (const Place number : m_toStore)
-        if (const EncoderSession *encoder = m_bus.encoder(number))
+        if (const EncoderSession *encoder = m_buses.encoder(number))
             if (EncoderJobs one = jobsToStore(*encoder, m_choice->withCams()); !one.jobs.empty())
                 jobs.push_back(std::move(one));
     return jobs;
@@ -148,7 +148,7 @@ TransferPlan TransferPage::planOfCost() const
         return chosenPlan();
     TransferPlan plan;
     for (const Place number : m_model->chosen())
-        if (const EncoderSession *encoder = m_bus.encoder(number)) {
+        if (const EncoderSession *encoder = m_buses.encoder(number)) {
             EncoderPlan one{.place = number, .jobs = jobsToStore(*encoder, m_choice->withCams()).jobs};
             for (const Job &job : one.jobs)
                 one.eepromWrites += mostEepromWrites(*encoder, job);
@@ -162,13 +162,22 @@ void TransferPage::showBegin()
     m_begin->setEnabled(!m_model->chosen().empty() && !isBusy() && m_gates->isOpen());
 }
 
+// Of an encoder that shows no position meanwhile in Operate alone.
+bool TransferPage::mayBeRead() const
+{
+    return std::ranges::none_of(jobsToDo(), [this](const EncoderJobs &one) {
+        const EncoderBus *bus = m_buses.busOf(one.place);
+        return bus && !bus->isOperating() && bus->encoder(one.place)->can().readingHidesPosition;
+    });
+}
+
 void TransferPage::begin()
 {
     showPlan(); // of this moment
     m_toStore = m_model->chosen();
     if (m_toStore.empty() || !m_gates->isOpen())
         return;
-    if (m_choice->what() == What::store && !m_bus.isOperating() && !jobsToDo().empty()) {
+    if (m_choice->what() == What::store && !mayBeRead()) {
         m_problem->showMessage(Role::attention, refusalText({RefusalKind::busy, RefusalId::watchOnly, {}}));
         return;
     }
@@ -205,10 +214,10 @@ void TransferPage::finish()
 void TransferPage::finishStoring()
 {
     Project project = m_project.project();
-    const ProjectPlaces places(project, m_bus); // another ring may have been read in meanwhile
+    const ProjectPlaces places(project, m_buses); // others may be connected meanwhile
     std::vector<ProjectDevice> stored;
     for (ProjectDevice &device : project.devices) {
-        const EncoderSession *encoder = m_bus.encoder(device.place());
+        const EncoderSession *encoder = m_buses.encoder(device.place());
         if (encoder == nullptr || !isOneOf(m_toStore, device.place()) || places.hindrance(device.place()))
             continue;
         device = withStored(device, *encoder);
@@ -234,7 +243,8 @@ QString TransferPage::source() const
         return tr("Values of %1").arg(m_choice->from().value_or(Place()).toString());
     case What::restore:
         return m_choice->before()
-                   ? tr("Values of %1").arg(timeOf(*m_choice->before(), m_bus.dateTime(m_bus.latest().at)))
+                   ? tr("Values of %1")
+                         .arg(timeOf(*m_choice->before(), m_buses.now(m_choice->before()->place)))
                    : QString();
     default:
         break;
@@ -246,7 +256,7 @@ QString TransferPage::source() const
 void TransferPage::finishWriting()
 {
     const What what = m_choice->what();
-    TransferAccount account = accountOf(m_bus,
+    TransferAccount account = accountOf(m_buses,
                                         what == What::clone     ? TransferKind::clone
                                         : what == What::restore ? TransferKind::restore
                                                                 : TransferKind::write,
@@ -258,7 +268,7 @@ void TransferPage::finishWriting()
         Q_EMIT messaged(valuesRestoredMessage(*m_choice->before(), account));
     m_result->setText(messageText(message));
     m_account->show(
-        reportOf(account, m_bus.catalog(), QCoreApplication::applicationVersion()),
+        reportOf(account, m_catalog, QCoreApplication::applicationVersion()),
         QStringLiteral("transfer-%1").arg(account.at.toString(QStringLiteral("yyyy-MM-dd-hhmm"))));
     m_stage->setCurrentWidget(m_done);
     m_account->setFocus();

@@ -15,6 +15,7 @@ class QStackedWidget;
 namespace codewheel {
 
 class AccountView;
+class Catalog;
 class EepromGates;
 class InlineMessage;
 class ProjectDocument;
@@ -29,8 +30,9 @@ class TransferPage : public QWidget
     Q_OBJECT
 
 public:
-    TransferPage(BusSession &bus, ProjectDocument &project, FindValuesBefore findBefore,
-                 QWidget *parent = nullptr);
+    // All must outlive it.
+    TransferPage(const Buses &buses, const Catalog &catalog, ProjectDocument &project,
+                 FindValuesBefore findBefore, QWidget *parent = nullptr);
 
     // Shows what differs now. `number`: the encoder that is chosen elsewhere.
     void choose(TransferChoice::What what, std::optional<Place> number);
@@ -51,6 +53,7 @@ private:
     void planSoon();
     void showSummary();
     void begin();
+    bool mayBeRead() const;
     void carryOut();
     void finish();
     void finishStoring();
@@ -62,7 +65,8 @@ private:
     void showBegin();
     QString source() const;
 
-    BusSession &m_bus;
+    const Buses &m_buses;
+    const Catalog &m_catalog;
     ProjectDocument &m_project;
     JobRound m_round;
     TransferPlan m_plan;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the transfer page is made of, and how its parts are connected.
-#include "ring/bus_session.h"
+#include "bus/buses.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -25,13 +25,14 @@ constexpr auto planDelay = std::chrono::milliseconds(50);
 
 } // namespace
 
-TransferPage::TransferPage(BusSession &bus, ProjectDocument &project, FindValuesBefore findBefore,
-                           QWidget *parent)
+TransferPage::TransferPage(const Buses &buses, const Catalog &catalog, ProjectDocument &project,
+                           FindValuesBefore findBefore, QWidget *parent)
     : QWidget(parent)
-    , m_bus(bus)
+    , m_buses(buses)
+    , m_catalog(catalog)
     , m_project(project)
-    , m_round(bus)
-    , m_choice(new TransferChoice(bus, std::move(findBefore), this))
+    , m_round(buses)
+    , m_choice(new TransferChoice(buses, std::move(findBefore), this))
     , m_model(new TransferModel(TransferModel::Choice::free, this))
     , m_table(new TransferTable(*m_model, tr("What differs"), this))
     , m_all(describe(new QPushButton(tr("Choose &all"), this), "chooseAll",
@@ -41,7 +42,7 @@ TransferPage::TransferPage(BusSession &bus, ProjectDocument &project, FindValues
                       tr("Begin no other encoder after one has refused")))
     , m_summary(new QLabel(this))
     , m_problem(new InlineMessage(this))
-    , m_gates(new EepromGates(bus, this))
+    , m_gates(new EepromGates(buses, this))
     , m_begin(new QPushButton(this))
     , m_close(describe(new QPushButton(tr("&Close"), this), "transferClose",
                        tr("Back to the monitors; nothing is sent")))
@@ -122,13 +123,8 @@ void TransferPage::connectAll()
     connect(&m_round, &JobRound::finished, this, &TransferPage::finish);
     connect(&m_soon, &QTimer::timeout, this, &TransferPage::showPlan);
     connect(&m_project, &ProjectDocument::changed, this, &TransferPage::planSoon);
-    connect(&m_bus, &BusSession::stateChanged, this, &TransferPage::planSoon);
-    connect(&m_bus, &BusSession::named, this, [this] {
-        followEncoders();
-        planSoon();
-    });
-    connect(&m_bus, &BusSession::structureChanged, this, [this] {
-        m_choice->showRing();
+    connect(&m_buses, &Buses::changed, this, [this] {
+        m_choice->showEncoders();
         followEncoders();
         planSoon();
     });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/transfer_wishes.h"
 
-#include "ring/bus_session.h"
+#include "bus/buses.h"
 #include "transfer/project_places.h"
 #include "transfer/values_before.h"
 #include "widgets/project/project_document.h"
@@ -10,7 +10,9 @@
 #include <algorithm>
 
 namespace codewheel {
+namespace {
 
+// All that is planned or known of devices, those that the project does not have too, by number.
 std::vector<ProjectDevice> plannedDevices(const ProjectDocument &project)
 {
     std::vector<ProjectDevice> devices;
@@ -22,11 +24,13 @@ std::vector<ProjectDevice> plannedDevices(const ProjectDocument &project)
     return devices;
 }
 
-std::vector<TransferWish> transferWishes(const TransferChoice &choice, const BusSession &bus,
-                                         const ProjectDocument &project)
+} // namespace
+
+std::vector<TransferWish> transferWishes(const TransferChoice &choice, const Buses &buses,
+                                         const Catalog &catalog, const ProjectDocument &project)
 {
     std::vector<TransferWish> wishes;
-    const ProjectPlaces places(project.project(), bus);
+    const ProjectPlaces places(project.project(), buses);
     using What = TransferChoice::What;
     const What what = choice.what();
     if (what == What::restore) {
@@ -36,16 +40,16 @@ std::vector<TransferWish> transferWishes(const TransferChoice &choice, const Bus
     }
     if (what == What::clone) {
         const auto from = choice.from();
-        const EncoderSession *model = from ? bus.encoder(*from) : nullptr;
-        for (const Place number : bus.places())
-            if (const EncoderSession *to = bus.encoder(number);
+        const EncoderSession *model = from ? buses.encoder(*from) : nullptr;
+        for (const Place number : buses.places())
+            if (const EncoderSession *to = buses.encoder(number);
                 model && to && number != *from && to->can().writes)
                 wishes.push_back(wishToClone(*model, *to, choice.withCams()));
         return wishes;
     }
     for (const ProjectDevice &device : plannedDevices(project)) {
-        TransferWish wish =
-            wishOf(device, what == What::write ? TransferSource::wanted : TransferSource::stored, places);
+        TransferWish wish = wishOf(
+            device, what == What::write ? TransferSource::wanted : TransferSource::stored, places, catalog);
         if (!wish.values.empty() || !wish.cams.empty())
             wishes.push_back(std::move(wish));
     }

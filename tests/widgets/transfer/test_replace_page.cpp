@@ -43,8 +43,8 @@ protected:
     }
 
     QStringList messages;
-    LastPositions positions{session.bus};
-    ReplacePage page{session.bus, project, positions};
+    LastPositions positions{session.buses};
+    ReplacePage page{session.buses, session.catalog, project, positions};
 };
 
 TEST_F(ReplacePageTest, TheTechniciansNight)

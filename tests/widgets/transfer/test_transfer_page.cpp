@@ -84,7 +84,7 @@ protected:
 
     std::vector<ValuesBefore> befores;
     QStringList messages;
-    TransferPage page{session.bus, project, [this](Place) { return befores; }};
+    TransferPage page{session.buses, session.catalog, project, [this](Place) { return befores; }};
 };
 
 TEST_F(TransferPageTest, ShowsWhatDiffersEncoderByEncoder)

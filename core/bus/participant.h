@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/device_number.h"
+
+#include <QString>
+
+namespace codewheel {
+
+// One device of a bus, as it is found there and as the plan names it. On INTERBUS the master finds it (ID
+// register); the vendor is not in the ID code: without a plan, deviceKey is empty and the make is not known.
+// Of a serial line there are its place and its key.
+struct Participant
+{
+    NodeId number;           // "6.1", "esc:12"
+    unsigned idCode = 0;     // 37h
+    unsigned deviceCode = 0; // length code << 8 | ID code: 0237h
+    int inWords = 0;         // 16 bit each
+    int outWords = 0;
+    QString deviceKey; // catalog key, empty where the make is not known
+    int level = 0;     // of the remote bus, 0..15: 0 is the main line, each branch one more
+
+    DeviceNumber deviceNumber() const { return DeviceNumber::of(number); }
+
+    friend bool operator==(const Participant &, const Participant &) = default;
+};
+
+} // namespace codewheel
