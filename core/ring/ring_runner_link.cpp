@@ -117,7 +117,7 @@ Result<void> RingRunner::open(const std::stop_token &stop)
     auto found = openUnlessStopped(stop, [this] { return d->find(); });
     d->ring.at = d->link.now();
     d->ring.connected = found.has_value();
-    const Result<void> opened = found ? Result<void>() : tl::unexpected(found.error());
+    Result<void> opened = found ? Result<void>() : tl::unexpected(found.error());
     d->tell(0, LinkOpened{opened});
     if (found) {
         d->ringIsOther = true;
