@@ -378,6 +378,15 @@ TYPED_TEST(EncoderBusContract, OpeningAgainWhileItOpensBeginsAnew)
     this->pumpUntilState(BusState::open);
 }
 
+TYPED_TEST(EncoderBusContract, AnInterruptionOfBeforeDoesNotKeepItFromOpening)
+{
+    this->watch().blockOpening(true);
+    this->watch().interrupt();
+    this->watch().blockOpening(false);
+    this->open(false);
+    EXPECT_TRUE(this->encoder().freshness().isLive());
+}
+
 TYPED_TEST(EncoderBusContract, EndsWhileItOpens)
 {
     for (int i = 0; i < 20; ++i) {
