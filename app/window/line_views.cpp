@@ -133,9 +133,14 @@ QMenu *LineViews::menu() const
 void LineViews::setCurrent(bool isCurrent)
 {
     m_isCurrent = isCurrent;
-    if (isCurrent)
-        m_parts.status.setLine(m_session);
-    showActions();
+    m_parts.status.setLine(isCurrent ? m_session.get() : nullptr);
+    tellActions();
+}
+
+void LineViews::tellActions()
+{
+    m_parts.actions.disconnectLine->setEnabled(m_isCurrent && m_line.session() != nullptr);
+    m_parts.actions.lineTraining->setEnabled(m_isCurrent && m_line.training() == nullptr);
 }
 
 void LineViews::setChosen(std::optional<Place> place)
@@ -201,10 +206,8 @@ void LineViews::setLine(LineSession *line)
 
 void LineViews::showActions()
 {
-    if (m_isCurrent) {
-        m_parts.actions.disconnectLine->setEnabled(m_line.session() != nullptr);
-        m_parts.actions.lineTraining->setEnabled(m_line.training() == nullptr);
-    }
+    if (m_isCurrent)
+        tellActions();
     m_form->setCanDetermine(m_session && !m_session->places().empty());
 }
 

@@ -66,6 +66,7 @@ private:
     void takeFractionBits(const Result<int> &bits);
     void tellBaudRate(const Message &message);
     void explainTerminal();
+    void tellActions();
     void showActions();
     void showWish();
 

@@ -67,6 +67,7 @@ void MainWindow::removeBus(BusAtWork *bus)
     leaveBus(*bus);
     bus->disconnect(this);
     const BusId id = bus->id();
+    m_views[id]->setCurrent(false);
     delete m_views[id];
     m_views.erase(id);
     if (m_currentOf.value(bus->kind()) == id)

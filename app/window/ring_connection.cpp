@@ -42,7 +42,7 @@ RingConnection::RingConnection(RingAtWork &ring, ProjectDocument &project, Leavi
     connect(&m_bus, &BusSession::openRefused, this,
             [this](const Refusal &why) { m_notice.showMessage(Role::fault, refusalText(why)); });
     connect(&m_bus, &BusSession::stateChanged, this, [this] {
-        showActions();
+        showIfCurrent();
         if (m_bus.isOperating() && std::exchange(m_isRefused, false))
             m_notice.withdraw();
     });
@@ -51,12 +51,12 @@ RingConnection::RingConnection(RingAtWork &ring, ProjectDocument &project, Leavi
     });
     connect(&m_bus, &BusSession::readInEnded, this, [this] {
         m_notice.withdraw();
-        showActions();
+        showIfCurrent();
         tellComparison();
     });
     connect(&m_bus, &BusSession::readInFailed, this, [this](const Refusal &why) {
         m_notice.showMessage(Role::fault, refusalText(why));
-        showActions();
+        showIfCurrent();
     });
     connect(&m_bus, &BusSession::structureChanged, this, &RingConnection::ringChanged);
 }
@@ -72,13 +72,17 @@ bool RingConnection::isOnline() const
     return m_bus.isOpen();
 }
 
+void RingConnection::showIfCurrent()
+{
+    if (m_isCurrent)
+        showActions();
+}
+
 void RingConnection::showActions()
 {
-    if (!m_isCurrent)
-        return;
-    const bool isOnline = m_bus.isOpen();
-    m_actions.connectBus->setEnabled(m_bus.state() == BusState::closed);
-    m_actions.disconnectBus->setEnabled(m_bus.state() != BusState::closed);
+    const bool isOnline = m_isCurrent && m_bus.isOpen();
+    m_actions.connectBus->setEnabled(m_isCurrent && m_bus.state() == BusState::closed);
+    m_actions.disconnectBus->setEnabled(m_isCurrent && m_bus.state() != BusState::closed);
     m_actions.readIn->setEnabled(isOnline && m_bus.master() != nullptr && !m_bus.isReadingIn());
 }
 
@@ -96,7 +100,7 @@ void RingConnection::ringConnected()
 {
     m_notice.withdraw();
     tellAgain();
-    showActions();
+    showIfCurrent();
     tellComparison();
 }
 
@@ -110,7 +114,7 @@ void RingConnection::disconnectRing()
         rememberTold();
         m_bus.close();
         m_notice.withdraw();
-        showActions();
+        showIfCurrent();
         Q_EMIT told({.severity = Severity::information, .id = MessageId::disconnected});
     });
 }
@@ -136,7 +140,7 @@ void RingConnection::readIn()
         return;
     m_leaving.ask(Leaving::Why::stop, {&m_bus}, [this] {
         m_bus.readIn();
-        showActions();
+        showIfCurrent();
     });
 }
 

@@ -45,6 +45,7 @@ private:
     void ringConnected();
     void rememberTold();
     void tellAgain();
+    void showIfCurrent();
     void showActions();
     bool mayChangeRing(); // else it says why not
 

@@ -44,12 +44,8 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
         if (m_isCurrent && m_chosen)
             m_master->toggleSegment(DeviceNumber::of(m_chosen->node).segment);
     });
-    const auto showOnline = [this] {
-        m_comparison->setConnected(m_ring.isOpen());
-        showActions();
-    };
-    connect(ring.bus(), &BusSession::stateChanged, this, showOnline);
-    showOnline();
+    connect(ring.bus(), &BusSession::stateChanged, this, &RingViews::showState);
+    m_comparison->setConnected(ring.isOpen());
 }
 
 RingViews::~RingViews()
@@ -68,10 +64,7 @@ void RingViews::setCurrent(bool isCurrent)
 {
     m_isCurrent = isCurrent;
     m_connection->setCurrent(isCurrent);
-    if (isCurrent) {
-        m_parts.status.setBus(m_ring.isOpen() ? m_ring.bus() : nullptr, tr("training bus"));
-        m_parts.device.setRing(m_ring.bus());
-    }
+    m_parts.device.setRing(isCurrent ? m_ring.bus() : nullptr);
     showActions();
 }
 
@@ -92,14 +85,19 @@ void RingViews::showPicture()
     m_training->refresh();
 }
 
+void RingViews::showState()
+{
+    m_comparison->setConnected(m_ring.isOpen());
+    if (m_isCurrent)
+        showActions();
+}
+
 void RingViews::showActions()
 {
-    if (!m_isCurrent)
-        return;
-    const bool hasMaster = m_ring.isOpen() && m_ring.bus()->master() != nullptr;
+    const bool hasMaster = m_isCurrent && m_ring.isOpen() && m_ring.bus()->master() != nullptr;
     m_parts.actions.confirmDiagnostics->setEnabled(hasMaster);
     m_parts.actions.switchSegment->setEnabled(hasMaster);
-    m_parts.status.setBus(m_ring.isOpen() ? m_ring.bus() : nullptr, tr("training bus"));
+    m_parts.status.setBus(m_isCurrent && m_ring.isOpen() ? m_ring.bus() : nullptr, tr("training bus"));
 }
 
 void RingViews::showComparison()

@@ -31,6 +31,7 @@ public:
 
 private:
     void tellTraining(Place place, MessageId what, const QString &text);
+    void showState();
     void showActions();
     void showComparison();
 

@@ -44,7 +44,7 @@ private:
     void showWrites();
 
     QStatusBar &m_bar;
-    BusSession *m_bus = nullptr;
+    QPointer<BusSession> m_bus;
     QPointer<LineSession> m_line;
     QPointer<EncoderSession> m_encoder;
     QString m_link;

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// More than one ring, more than one line: each is connected, driven and stopped by itself, in the window.
+#include "app/window/bus_views.h"
+#include "app/window/plant.h"
+#include "project/bus_kind.h"
+#include "project/bus_plans.h"
+#include "project/line_plan.h"
+#include "tests/app/window_test.h"
+#include "tests/support/pty_pair.h"
+#include "widgets/line/line_settings_form.h"
+#include "widgets/line/line_terminal.h"
+#include "widgets/structure/structure_model.h"
+#include "widgets/structure/structure_view.h"
+
+#include <QAction>
+#include <QPushButton>
+#include <QTreeView>
+
+namespace codewheel {
+namespace {
+
+constexpr BusId secondRing{3};
+constexpr BusId secondLine{4};
+constexpr Place farFraba{secondRing, NodeId("1.0")};
+
+class SeveralBuses : public test::WindowTest
+{
+protected:
+    void plan(BusId bus, const char16_t *kind)
+    {
+        Project after = shown->project().project();
+        planBus(after, bus, *busKind(kind));
+        shown->project().edit(std::move(after), {});
+    }
+    void choose(BusId bus) { window().findChild<StructureView *>()->choose(bus); }
+    void choose(Place place) { window().findChild<StructureView *>()->choose(place); }
+    QString cell(BusId bus, StructureModel::Column column)
+    {
+        const auto &model = static_cast<const StructureModel &>(
+            *window().findChild<StructureView *>()->findChild<QTreeView *>()->model());
+        return model.indexOf(bus).siblingAtColumn(column).data().toString();
+    }
+    EncoderBus &busAt(BusId bus) { return *shown->plant().find(bus)->bus(); }
+
+    void openSecondRing()
+    {
+        plan(secondRing, u"interbus");
+        Project after = shown->project().project();
+        ProjectDevice device = after.devices.front();
+        device.bus = secondRing;
+        setDevicesOn(after, secondRing, {device});
+        shown->project().edit(std::move(after), {});
+        choose(secondRing);
+        actions().connectBus->trigger();
+        advance(50);
+    }
+};
+
+TEST_F(SeveralBuses, ASecondRingIsConnectedBesideTheFirst)
+{
+    openSecondRing();
+    ASSERT_TRUE(busAt(secondRing).isOpen());
+    EXPECT_TRUE(bus().isOpen());
+    EXPECT_EQ(cell(firstRing, StructureModel::deviceColumn), QStringLiteral("Ring: Master"));
+    EXPECT_EQ(cell(secondRing, StructureModel::deviceColumn), QStringLiteral("Ring 2: Master"));
+    EXPECT_EQ(cell(secondRing, StructureModel::stateColumn), QStringLiteral("RUN"));
+
+    choose(farFraba);
+    EXPECT_FALSE(actions().connectBus->isEnabled());
+    actions().watch->trigger();
+    advance(50);
+    EXPECT_FALSE(busAt(secondRing).isOperating());
+    EXPECT_TRUE(bus().isOperating());
+    actions().stop->trigger();
+    advance(50);
+    EXPECT_FALSE(busAt(secondRing).isRunning());
+    EXPECT_TRUE(bus().isRunning());
+}
+
+TEST_F(SeveralBuses, EachMonitorShowsItsOwnBus)
+{
+    openSecondRing();
+    choose(farFraba);
+    actions().openOut32->trigger();
+    WordMonitor *far = monitors().monitor(farFraba, MonitorKind::out32);
+    ASSERT_NE(far, nullptr);
+    WordChannel &channel = *busAt(secondRing).channel(farFraba);
+    channel.stage(0x0200'00FF);
+    ASSERT_TRUE(channel.write());
+    advance(20);
+    EXPECT_EQ(channel.out(), Word{0x0200'00FF});
+    EXPECT_EQ(out(test::fraba), Word{0}) << "the encoder of the same number in the other ring";
+}
+
+TEST_F(SeveralBuses, AlarmStopMeansAllOfThem)
+{
+    openSecondRing();
+    WordChannel &channel = *busAt(secondRing).channel(farFraba);
+    channel.stage(0x0200'00FF);
+    ASSERT_TRUE(channel.write());
+    advance(20);
+    actions().alarmStop->trigger();
+    advance(50);
+    EXPECT_EQ(channel.out(), Word{0});
+    EXPECT_FALSE(bus().isRunning());
+    EXPECT_FALSE(busAt(secondRing).isRunning());
+}
+
+TEST_F(SeveralBuses, ARingThatIsNotPlannedAnyMoreStaysUntilItIsDisconnected)
+{
+    openSecondRing();
+    Project after = shown->project().project();
+    setDevicesOn(after, secondRing, {});
+    std::erase_if(after.buses, [](const PlannedBus &bus) { return bus.id == secondRing; });
+    shown->project().edit(std::move(after), {});
+    ASSERT_NE(shown->plant().find(secondRing), nullptr);
+    EXPECT_EQ(cell(secondRing, StructureModel::stateColumn), QStringLiteral("RUN"));
+    choose(secondRing);
+    actions().disconnectBus->trigger();
+    advance(50);
+    shown->project().edit(shown->project().project(), {}); // whatever changes next
+    EXPECT_TRUE(cell(secondRing, StructureModel::stateColumn).isEmpty());
+}
+
+TEST_F(SeveralBuses, TwoLinesAtTwoPorts)
+{
+    PtyPair one;
+    PtyPair two;
+    plan(secondLine, u"esc");
+    const auto connectLine = [&](BusId line, const QString &path) {
+        Project after = shown->project().project();
+        LinePlan settings;
+        settings.wish.port = path;
+        setLinePlan(after, line, settings);
+        shown->project().edit(std::move(after), {});
+        choose(line);
+        actions().lineSettings->trigger();
+        for (auto *form : window().findChildren<LineSettingsForm *>())
+            if (form->isVisible()) {
+                form->setWish(settings.wish);
+                for (auto *button : form->findChildren<QPushButton *>())
+                    if (button->text().remove(u'&') == QStringLiteral("Connect"))
+                        button->click();
+            }
+        advance(50);
+    };
+    connectLine(firstLine, one.path());
+    connectLine(secondLine, two.path());
+    ASSERT_TRUE(shown->plant().find(secondLine)->isOpen());
+    ASSERT_TRUE(shown->plant().find(firstLine)->isOpen());
+    EXPECT_TRUE(cell(firstLine, StructureModel::deviceColumn).contains(one.path()));
+    EXPECT_TRUE(cell(secondLine, StructureModel::deviceColumn).contains(two.path()));
+    choose(firstLine);
+    actions().disconnectLine->trigger();
+    advance(50);
+    EXPECT_FALSE(shown->plant().find(firstLine)->isOpen());
+    EXPECT_TRUE(shown->plant().find(secondLine)->isOpen()) << "it is another one";
+}
+
+// A number is one bus: that of the project.
+TEST_F(SeveralBuses, AProjectWhoseFirstBusIsALineTakesThePlaceOfTheRing)
+{
+    Project project;
+    project.buses = {{firstRing, QStringLiteral("esc"), QStringLiteral("Slides"), busKind(u"esc")->usual()}};
+    shown->project().setProject(project, {});
+    advance(50);
+    ASSERT_NE(shown->plant().find(firstRing), nullptr);
+    EXPECT_EQ(shown->plant().find(firstRing)->kind(), QStringLiteral("esc"));
+    shown->project().setProject({}, {});
+    advance(50);
+    EXPECT_EQ(shown->plant().find(firstRing)->kind(), QStringLiteral("interbus"));
+    choose(firstRing);
+    actions().connectBus->trigger();
+    advance(50);
+    EXPECT_TRUE(bus().isOpen());
+}
+
+} // namespace
+} // namespace codewheel
