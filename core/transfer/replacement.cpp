@@ -48,21 +48,14 @@ std::vector<CamProgram> camsFor(const ProjectDevice &planned)
     return cams;
 }
 
-// Setting the position makes the zero offset anew, and where the command brings the preset along, that too.
-bool isMadeByPosition(const DeviceDescription &device, Parameter parameter)
-{
-    return parameter == Parameter::zeroOffset ||
-           (parameter == Parameter::preset && device.capabilities.presetNeedsValue);
-}
-
 ParameterValues valuesToWrite(const ProjectDevice &planned, const DeviceDescription &device,
                               std::optional<std::int64_t> position)
 {
     ParameterValues values;
     for (const ParameterValue &value : valuesFor(planned, device)) {
         const ParameterDescription *parameter = device.find(value.parameter);
-        const bool isMade = position && isMadeByPosition(device, value.parameter);
-        if (parameter != nullptr && parameter->canBeWritten() && !isMade)
+        const bool staysBehind = position && value.parameter == Parameter::zeroOffset;
+        if (parameter != nullptr && parameter->canBeWritten() && !staysBehind)
             values.push_back(value);
     }
     return values;
@@ -126,10 +119,9 @@ ProjectDevice replaced(ProjectDevice planned, const Replacement &now, std::optio
     planned.participant.deviceKey = now.device->key;
     planned.label = {now.turns, now.stepsPerTurn, now.serialNumber};
     planned.wanted = forDevice(*now.device, planned.wanted);
-    if (position) // written later it would move it
-        std::erase_if(planned.wanted, [&](const ParameterValue &value) {
-            return isMadeByPosition(*now.device, value.parameter);
-        });
+    if (position) // a zero offset written later would move it
+        std::erase_if(planned.wanted,
+                      [](const ParameterValue &value) { return value.parameter == Parameter::zeroOffset; });
     for (const ParameterValue &value : toWrite)
         replaceValue(planned.wanted, value);
     std::ranges::sort(planned.wanted, {}, &ParameterValue::parameter);

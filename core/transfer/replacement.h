@@ -36,8 +36,7 @@ ReplacementDifferences differencesOf(const ProjectDevice &planned, const DeviceD
 
 // The values for the new encoder: what the project wants, else what was stored of the one before. A FRABA's
 // direction 3 and 4 is a Baumer's unsigned coding 3 and 4, and the other way round. With a position to be
-// set, the zero offset stays behind: it belongs to the encoder before, and setting the position makes it. So
-// does a preset that sets the position at once.
+// set, the zero offset stays behind: it belongs to the encoder before, and setting the position makes it.
 TransferWish wishToReplace(const ProjectDevice &planned, const Replacement &now,
                            std::optional<std::int64_t> position, const ProjectPlaces &places);
 

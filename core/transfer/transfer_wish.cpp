@@ -34,8 +34,7 @@ bool isSetting(const DeviceDescription *device, const ParameterValue &value)
     const ParameterDescription *its = device ? device->find(parameter) : nullptr;
     if (!isOfAny || its == nullptr)
         return isOfAny;
-    const bool setsPosition = parameter == Parameter::preset && device->capabilities.presetNeedsValue;
-    return its->canBeWritten() && its->takes(value.value) && !setsPosition;
+    return its->canBeWritten() && its->takes(value.value);
 }
 
 ParameterValues storedSettings(const ProjectDevice &device, const DeviceDescription *description)

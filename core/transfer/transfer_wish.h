@@ -44,8 +44,8 @@ TransferWish wishToClone(const EncoderSession &from, const EncoderSession &to, b
 ParameterValues withoutItsPlace(ParameterValues values);
 
 // Whether this is something an encoder is set to, and another one, or the same one later, can be given: not
-// what it only tells, as a limit of 0 that was never set, not where it stands on its bus (address, baud
-// rate), and not a preset that sets the position at once. `device`: null where it is not known.
+// what it only tells, as the preset of one whose command for it sets the position, and not where it stands on
+// its bus (address, baud rate). `device`: null where it is not known.
 bool isSetting(const DeviceDescription *device, const ParameterValue &value);
 
 } // namespace codewheel

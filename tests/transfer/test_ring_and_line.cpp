@@ -134,7 +134,7 @@ TEST_F(RingAndLine, ALineThatIsLostKeepsNoRingFromItsValues)
     simulated->setUnplugged(true);
     const TransferAccount account = carryOutAll(plan);
     EXPECT_EQ(account.encoders[0].why->id, RefusalId::portLost);
-    EXPECT_FALSE(account.encoders[1].isBegun);
+    EXPECT_FALSE(account.encoders[1].why); // nobody asked it
     EXPECT_TRUE(account.encoders[2].isDone());
 }
 
@@ -199,12 +199,13 @@ TEST_F(RingAndLine, APlaceIsGivenAnotherDeviceWithoutWhatWasKnown)
     EXPECT_EQ(line.name(standing, QStringLiteral("fraba-ocd-ib")).error().id, RefusalId::deviceCodeDiffers);
 }
 
-TEST_F(RingAndLine, AReplacedOneGetsThePositionAndNoPresetThatMovesIt)
+TEST_F(RingAndLine, AReplacedOneGetsThePositionAndWhatItCanBeTold)
 {
     Project project = projectWith({standing});
     ProjectDevice &device = *findDevice(project, standing);
-    device.wanted = {{Parameter::direction, 1}, {Parameter::preset, 5}, {Parameter::lineAddress, 9}};
-    device.stored = {{Parameter::lineAddress, 7, Evidence::read, {}},
+    device.wanted = {{Parameter::direction, 1}, {Parameter::lineAddress, 9}};
+    device.stored = {{Parameter::preset, 5, Evidence::read, {}},
+                     {Parameter::lineAddress, 7, Evidence::read, {}},
                      {Parameter::lowerLimit, 0, Evidence::read, {}}};
     const Replacement now{catalog.find(rs485), 0, 0, QStringLiteral("0012D5A4")};
     const TransferPlan plan =
