@@ -137,7 +137,7 @@ bool Leaving::askForOut(const std::vector<Place> &devices)
 {
     QStringList words;
     for (const Place number : devices)
-        words.append(tr("OUT %1 is %2").arg(number.toString(), hexWord(m_buses->channel(number)->out())));
+        words.append(tr("OUT %1 is %2").arg(number.shown(), hexWord(m_buses->channel(number)->out())));
     const QString title = m_why == Why::quit         ? tr("Quit Codewheel")
                           : m_why == Why::disconnect ? tr("Disconnect")
                                                      : tr("Stop the bus");

@@ -89,7 +89,7 @@ void LineKeeper::keepByteOrder(Place number, bool isSwapped)
         return;
     std::vector<ProjectDevice> after = encoders();
     plannedEncoder(after, *connected).swapsWarningBytes = isSwapped;
-    edit(std::move(after), tr("Warning bytes of %1").arg(number.toString()));
+    edit(std::move(after), tr("Warning bytes of %1").arg(number.shown()));
 }
 
 // Null at the training line too.
@@ -116,14 +116,14 @@ void LineKeeper::removeEncoder(Place number)
         return;
     std::vector<ProjectDevice> after = encoders();
     std::erase_if(after, [number](const ProjectDevice &encoder) { return encoder.place() == number; });
-    edit(std::move(after), tr("Remove %1").arg(number.toString()));
+    edit(std::move(after), tr("Remove %1").arg(number.shown()));
 }
 
 // What is planned for a training encoder is in no file; it goes along all the same.
 void LineKeeper::moveEncoder(Place from, Place to)
 {
     if (m_line.training() == nullptr || findDevice(m_project.project(), from) == nullptr)
-        m_project.renumber(from, to, tr("Address of %1 to %2").arg(from.toString(), to.toString()));
+        m_project.renumber(from, to, tr("Address of %1 to %2").arg(from.shown(), to.shown()));
 }
 
 } // namespace codewheel

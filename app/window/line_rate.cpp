@@ -34,8 +34,7 @@ LineRate lineRateAfter(const LineSession &line, Place changed, int baudRate)
         const int rate = number == changed ? baudRate : rateOf(line, number);
         isShared = isShared && rate == baudRate;
         if (rate != lineRate)
-            strangers << sentence(LineRateText::tr("%1 (at %2 Bd)"),
-                                  {number.toString(), QString::number(rate)});
+            strangers << sentence(LineRateText::tr("%1 (at %2 Bd)"), {number.shown(), QString::number(rate)});
     }
     if (strangers.isEmpty())
         return {};

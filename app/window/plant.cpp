@@ -3,6 +3,7 @@
 
 #include "app/window/ring_at_work.h"
 #include "app/window/serial_line.h"
+#include "project/bus_kind.h"
 #include "project/line_plan.h"
 #include "project/ring_plan.h"
 #include "widgets/project/project_document.h"
@@ -31,10 +32,14 @@ Plant::Plant(BusAtWork::Surroundings surroundings, QObject *parent)
     add(makeBus(QString::fromLatin1(interbusKind), firstRing, m_surroundings));
     add(makeBus(QString::fromLatin1(escKind), firstLine, m_surroundings));
     connect(&m_surroundings.project, &ProjectDocument::changed, this, &Plant::followProject);
+    connect(&m_sessions, &Buses::changed, this, &Plant::nameBuses);
     followProject();
 }
 
-Plant::~Plant() = default;
+Plant::~Plant()
+{
+    setBusNames({});
+}
 
 std::vector<BusAtWork *> Plant::all() const
 {
@@ -128,6 +133,25 @@ void Plant::followProject()
     for (const PlannedBus &planned : m_surroundings.project.project().buses)
         if (find(planned.id) == nullptr)
             add(makeBus(planned.kind, planned.id, m_surroundings));
+    nameBuses();
+}
+
+// Places of a kind of bus that there are several of are told with the names of their buses.
+void Plant::nameBuses()
+{
+    const Project &project = m_surroundings.project.project();
+    std::map<QString, std::map<BusId, QString>> byKind;
+    for (const auto &bus : m_buses) {
+        const PlannedBus *planned = findBus(project, bus->id());
+        if (bus->isOpen() || (planned != nullptr && !devicesOn(project, bus->id()).empty()))
+            byKind[bus->kind()][bus->id()] =
+                planned != nullptr ? planned->name : busKind(bus->kind())->usualName();
+    }
+    std::map<BusId, QString> names;
+    for (auto &[kind, its] : byKind)
+        if (its.size() > 1)
+            names.merge(its);
+    setBusNames(std::move(names));
 }
 
 } // namespace codewheel

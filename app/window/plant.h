@@ -45,6 +45,7 @@ Q_SIGNALS:
 
 private:
     void followProject();
+    void nameBuses();
     bool isNeeded(const BusAtWork &bus) const;
     void add(std::unique_ptr<BusAtWork> bus);
     void removeUnneeded();

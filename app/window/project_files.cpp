@@ -193,7 +193,7 @@ QString ProjectFiles::leftOut() const
 {
     QStringList places;
     for (const Place number : m_document.notPlanned())
-        places << number.toString();
+        places << number.shown();
     if (places.isEmpty())
         return {};
     return tr("What is planned for %1 is in no file: the project has no device there. Compare with the ring, "

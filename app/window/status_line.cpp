@@ -212,7 +212,7 @@ void StatusLine::showWrites()
     setTextOf(m_writes, m_encoder == nullptr || !m_encoder->can().writes
                             ? QString()
                             : tr("%1 %2: %3", "place, make: writes")
-                                  .arg(m_encoder->place().toString(), make(m_encoder->device()),
+                                  .arg(m_encoder->place().shown(), make(m_encoder->device()),
                                        eepromCountBrief(m_encoder->eepromCount())));
     const QString toolTip = m_encoder == nullptr ? QString() : eepromCountText(*m_encoder);
     if (m_writes->toolTip() != toolTip)

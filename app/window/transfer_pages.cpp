@@ -83,7 +83,7 @@ void TransferPages::showActions()
         *m_actions.restoreValues,
         !canBeWritten ? why
         : before.empty()
-            ? refusalText({RefusalKind::device, RefusalId::noValuesFromBefore, {encoder->place().toString()}})
+            ? refusalText({RefusalKind::device, RefusalId::noValuesFromBefore, {encoder->place().shown()}})
             : tr("Shows what the encoder had before this program wrote to it, and writes "
                  "it again"));
 }

@@ -16,6 +16,12 @@ std::string_view takePart(std::string_view &text)
     return part;
 }
 
+std::map<BusId, QString> &busNames()
+{
+    static std::map<BusId, QString> names;
+    return names;
+}
+
 } // namespace
 
 QString NodeId::toString() const
@@ -39,13 +45,37 @@ std::strong_ordering operator<=>(const NodeId &one, const NodeId &other)
     return left.size() <=> right.size();
 }
 
+QString Place::key() const
+{
+    const QString text = toString();
+    return parse(text) == *this ? text : QStringLiteral("%1/%2").arg(bus.number).arg(text);
+}
+
 std::optional<Place> Place::parse(QStringView text)
 {
+    if (const qsizetype slash = text.indexOf(u'/'); slash >= 0) {
+        bool isNumber = false;
+        const int number = text.first(slash).toInt(&isNumber);
+        const NodeId node(text.sliced(slash + 1).toLatin1().toStdString());
+        return isNumber && number > 0 && !node.isEmpty() ? std::optional(Place{{number}, node})
+                                                         : std::nullopt;
+    }
     if (const auto number = DeviceNumber::parse(text))
         return Place{firstRing, number->node()};
     if (const auto address = addressTyped(text))
         return Place{firstLine, address->node()};
     return std::nullopt;
+}
+
+QString Place::shown() const
+{
+    const auto name = busNames().find(bus);
+    return name == busNames().end() ? toString() : QStringLiteral("%1/%2").arg(name->second, toString());
+}
+
+void setBusNames(std::map<BusId, QString> names)
+{
+    busNames() = std::move(names);
 }
 
 } // namespace codewheel

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <compare>
+#include <map>
 #include <optional>
 #include <string_view>
 
@@ -63,8 +64,17 @@ struct Place
                                             const Place &) = default; // NOLINT(modernize-use-nullptr)
 
     QString toString() const { return node.toString(); }
-    // "1.0" on the first ring, "esc:12" and "12" on the first line; nothing for anything else.
+    // As files and databases keep it: "1.0" on the first ring, "esc:12" on the first line, elsewhere with the
+    // number of its bus: "4/esc:12".
+    QString key() const;
+    // Of a key; and of what is typed: "12" on the first line. Nothing for anything else.
     static std::optional<Place> parse(QStringView text);
+    // As people are told it: "1.0", or "Crane 2/1.0" where another bus may have it too (setBusNames()).
+    QString shown() const;
 };
+
+// The names of the buses that may have the same places as others. By the thread of the window or of the
+// command line, as shown().
+void setBusNames(std::map<BusId, QString> names);
 
 } // namespace codewheel

@@ -101,6 +101,11 @@ std::vector<Ledger::Value> merged(const std::vector<Ledger::Value> &known, std::
 
 constexpr QLatin1String serialPrefix("serial/");
 
+// Of the key of a place (Place::key()).
+constexpr QLatin1String busOfPlace(
+    "(CASE WHEN instr(place, '/') > 0 THEN CAST(substr(place, 1, instr(place, '/') - 1) AS INTEGER) "
+    "WHEN place LIKE 'esc:%' THEN 2 ELSE 1 END)");
+
 QString placePrefix(const QString &project)
 {
     return QStringLiteral("place/%1/").arg(project);
@@ -110,7 +115,7 @@ QString placePrefix(const QString &project)
 
 QString EncoderIdentity::key() const
 {
-    return by == CountedBy::place ? placePrefix(project) + place.toString()
+    return by == CountedBy::place ? placePrefix(project) + place.key()
                                   : serialPrefix + vendor + u'/' + serialNumber;
 }
 
@@ -159,7 +164,7 @@ Stored<qint64> Ledger::insert(const Record &record)
                                            .arg(ledgerColumns));
     for (const QVariant &value : std::initializer_list<QVariant>{
              entry.id > 0 ? QVariant(entry.id) : QVariant(), entry.at.toMSecsSinceEpoch(), entry.identity,
-             countedByKey(entry.by), entry.place.toString(),
+             countedByKey(entry.by), entry.place.key(),
              entry.device.isNull() ? QStringLiteral("") : entry.device, entry.planned, entry.writes,
              entry.settled ? 1 : 0, columnOf(entry.before), columnOf(entry.written)})
         query.addBindValue(value);
@@ -236,7 +241,7 @@ Stored<void> Ledger::attribute(const std::vector<qint64> &ids, const EncoderIden
     });
 }
 
-Stored<void> Ledger::copyPlaces(const QString &from, const QString &to, Places places,
+Stored<void> Ledger::copyPlaces(const QString &from, const QString &to, BusId bus,
                                 const std::vector<qint64> &without)
 {
     QStringList ids;
@@ -247,13 +252,13 @@ Stored<void> Ledger::copyPlaces(const QString &from, const QString &to, Places p
             "INSERT INTO entry (%1) "
             "SELECT NULL, at, :to || substr(identity, length(:from) + 1), counted_by, place, device, "
             "planned, writes, settled, before, written FROM entry AS old "
-            "WHERE substr(identity, 1, length(:from)) = :from AND (place LIKE 'esc:%') = :line "
+            "WHERE substr(identity, 1, length(:from)) = :from AND %3 = :bus "
             "AND id NOT IN (%2) AND NOT EXISTS (SELECT 1 FROM entry WHERE at = old.at AND "
             "device = old.device AND identity = :to || substr(old.identity, length(:from) + 1))")
-            .arg(ledgerColumns, ids.join(u',')));
+            .arg(ledgerColumns, ids.join(u','), busOfPlace));
     query.bindValue(QStringLiteral(":from"), placePrefix(from));
     query.bindValue(QStringLiteral(":to"), placePrefix(to));
-    query.bindValue(QStringLiteral(":line"), places == Places::ofLine ? 1 : 0);
+    query.bindValue(QStringLiteral(":bus"), bus.number);
     return m_database.inTransaction([&] {
         return m_database.run(query).and_then([&] {
             return m_database.execute(

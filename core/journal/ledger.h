@@ -84,8 +84,7 @@ public:
 
     // The places of a project are those of its copy in another file too: what was counted by them is noted
     // for both, each entry once. `from`: not empty. `without`: entries that are left out.
-    enum class Places : std::uint8_t { ofRing, ofLine };
-    Stored<void> copyPlaces(const QString &from, const QString &to, Places places,
+    Stored<void> copyPlaces(const QString &from, const QString &to, BusId bus,
                             const std::vector<qint64> &without);
 
     // `running`: what is on its way, which is no doubt of the past.

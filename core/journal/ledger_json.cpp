@@ -50,7 +50,7 @@ QJsonObject toJson(const Ledger::Record &record)
             {atMember, entry.at.toUTC().toString(Qt::ISODateWithMs)},
             {QStringLiteral("identity"), entry.identity},
             {QStringLiteral("countedBy"), countedByKey(entry.by)},
-            {QStringLiteral("place"), entry.place.toString()},
+            {QStringLiteral("place"), entry.place.key()},
             {QStringLiteral("device"), entry.device},
             {QStringLiteral("planned"), entry.planned},
             {QStringLiteral("writes"), entry.writes},

@@ -114,8 +114,7 @@ void LedgerKeeper::takeAlong(const QString &from)
         std::vector<qint64> without;
         for (const auto &[place, ids] : moved)
             without.insert(without.end(), ids.begin(), ids.end());
-        const auto places = m_ring ? Ledger::Places::ofRing : Ledger::Places::ofLine;
-        m_book->copyPlaces(from, m_project, places, without);
+        m_book->copyPlaces(from, m_project, m_bus.id(), without);
     }
     for (const auto &[place, ids] : moved)
         m_book->attribute(ids, identity(place));

@@ -31,7 +31,7 @@ QString severityName(Severity severity)
 
 QString placeName(const std::optional<Place> &place)
 {
-    return place ? place->toString() : Fields::tr("Bus");
+    return place ? place->shown() : Fields::tr("Bus");
 }
 
 QString messageTime(const QDateTime &at)

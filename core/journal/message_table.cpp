@@ -49,7 +49,7 @@ QString conditions(const MessageFilter &filter)
     if (filter.least != Severity::information)
         text += QStringLiteral(" AND severity >= %1").arg(static_cast<int>(filter.least));
     if (!filter.place.all)
-        text += filter.place.at ? QStringLiteral(" AND place = '%1'").arg(filter.place.at->toString())
+        text += filter.place.at ? QStringLiteral(" AND place = '%1'").arg(filter.place.at->key())
                                 : QStringLiteral(" AND place IS NULL");
     if (filter.from)
         text += QStringLiteral(" AND at >= %1").arg(*filter.from);
@@ -118,7 +118,7 @@ Stored<void> MessageTable::insert(const std::vector<StoredMessage> &messages, bo
         QSqlQuery place = m_database.query(QStringLiteral("INSERT OR IGNORE INTO place VALUES (?)"));
         std::optional<Place> noted;
         for (const StoredMessage &message : messages) {
-            const QString number = message.place ? message.place->toString() : QString();
+            const QString number = message.place ? message.place->key() : QString();
             const QVariant values[] = {withIds ? QVariant(message.id) : QVariant(),
                                        message.at,
                                        static_cast<int>(message.severity),

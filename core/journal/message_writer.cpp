@@ -20,9 +20,8 @@ QString csvLine(const StoredMessage &message)
 {
     const auto local = QDateTime::fromMSecsSinceEpoch(message.at);
     const QStringList fields{local.toOffsetFromUtc(local.offsetFromUtc()).toString(Qt::ISODateWithMs),
-                             severityKey(message.severity),
-                             message.place ? message.place->toString() : QString(), codeOf(message),
-                             csvText(messageText(message))};
+                             severityKey(message.severity), message.place ? message.place->key() : QString(),
+                             codeOf(message), csvText(messageText(message))};
     return fields.join(u',') + QStringLiteral("\r\n");
 }
 

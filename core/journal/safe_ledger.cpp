@@ -146,11 +146,11 @@ void SafeLedger::attribute(const std::vector<qint64> &ids, const EncoderIdentity
         remember(id);
 }
 
-void SafeLedger::copyPlaces(const QString &from, const QString &to, Ledger::Places places,
+void SafeLedger::copyPlaces(const QString &from, const QString &to, BusId bus,
                             const std::vector<qint64> &without)
 {
     if (m_ledger)
-        (void)safely([&](Ledger &ledger) { return ledger.copyPlaces(from, to, places, without); });
+        (void)safely([&](Ledger &ledger) { return ledger.copyPlaces(from, to, bus, without); });
 }
 
 } // namespace codewheel

@@ -35,8 +35,7 @@ public:
     void plan(qint64 id, int more);
     void settle(qint64 id, const ParameterValues &written, const std::vector<Ledger::Value> &readBefore = {});
     void attribute(const std::vector<qint64> &ids, const EncoderIdentity &identity);
-    void copyPlaces(const QString &from, const QString &to, Ledger::Places places,
-                    const std::vector<qint64> &without);
+    void copyPlaces(const QString &from, const QString &to, BusId bus, const std::vector<qint64> &without);
 
 private:
     template <typename What>

@@ -10,8 +10,9 @@ namespace {
 // Where those of a bus begin and end, or would stand.
 std::pair<std::size_t, std::size_t> rangeOf(const Project &project, BusId bus)
 {
-    const auto range = std::ranges::equal_range(project.devices, bus, {}, &ProjectDevice::bus);
-    return {static_cast<std::size_t>(range.begin() - project.devices.begin()), range.size()};
+    const auto first = std::ranges::lower_bound(project.devices, bus, {}, &ProjectDevice::bus);
+    const auto end = std::ranges::upper_bound(project.devices, bus, {}, &ProjectDevice::bus);
+    return {static_cast<std::size_t>(first - project.devices.begin()), static_cast<std::size_t>(end - first)};
 }
 
 } // namespace

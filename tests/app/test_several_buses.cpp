@@ -64,6 +64,9 @@ TEST_F(SeveralBuses, ASecondRingIsConnectedBesideTheFirst)
     EXPECT_EQ(cell(firstRing, StructureModel::deviceColumn), QStringLiteral("Ring: Master"));
     EXPECT_EQ(cell(secondRing, StructureModel::deviceColumn), QStringLiteral("Ring 2: Master"));
     EXPECT_EQ(cell(secondRing, StructureModel::stateColumn), QStringLiteral("RUN"));
+    EXPECT_EQ(farFraba.shown(), QStringLiteral("Ring 2/1.0"));
+    EXPECT_EQ(test::fraba.shown(), QStringLiteral("Ring/1.0"));
+    EXPECT_EQ(placeOnLine({5}).shown(), QStringLiteral("esc:05")) << "there is one line";
 
     choose(farFraba);
     EXPECT_FALSE(actions().connectBus->isEnabled());

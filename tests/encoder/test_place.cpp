@@ -44,6 +44,32 @@ TEST(Place, IsOfOneBus)
     EXPECT_TRUE((Place{firstLine, {}}.isEmpty()));
 }
 
+TEST(Place, IsKeptWithTheNumberOfItsBus)
+{
+    EXPECT_EQ((Place{firstRing, NodeId("6.1")}.key()), QStringLiteral("6.1"));
+    EXPECT_EQ((Place{firstLine, NodeId("esc:12")}.key()), QStringLiteral("esc:12"));
+    EXPECT_EQ((Place{BusId{4}, NodeId("esc:12")}.key()), QStringLiteral("4/esc:12"));
+    EXPECT_EQ((Place{firstRing, NodeId("esc:12")}.key()), QStringLiteral("1/esc:12"))
+        << "whatever the first bus of a project is";
+    for (const Place place : {Place{firstRing, NodeId("6.1")}, Place{firstLine, NodeId("esc:12")},
+                              Place{BusId{4}, NodeId("esc:12")}, Place{firstRing, NodeId("esc:12")}})
+        EXPECT_EQ(Place::parse(place.key()), place);
+    for (const char16_t *wrong : {u"/1.0", u"0/1.0", u"-3/1.0", u"x/1.0", u"3/"})
+        EXPECT_FALSE(Place::parse(wrong)) << QString::fromUtf16(wrong).toStdString();
+}
+
+TEST(Place, IsToldWithTheNameOfItsBusWhereAnotherMayHaveItToo)
+{
+    const Place place{BusId{3}, NodeId("1.0")};
+    EXPECT_EQ(place.shown(), QStringLiteral("1.0"));
+    setBusNames({{firstRing, QStringLiteral("Ring")}, {BusId{3}, QStringLiteral("Crane 2")}});
+    EXPECT_EQ(place.shown(), QStringLiteral("Crane 2/1.0"));
+    EXPECT_EQ(place.toString(), QStringLiteral("1.0"));
+    EXPECT_EQ((Place{firstLine, NodeId("esc:12")}.shown()), QStringLiteral("esc:12"));
+    setBusNames({});
+    EXPECT_EQ(place.shown(), QStringLiteral("1.0"));
+}
+
 TEST(Place, IsReadAsItIsTyped)
 {
     EXPECT_EQ(Place::parse(u"6.1"), (Place{firstRing, NodeId("6.1")}));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/line_address.h"
 #include "journal/ledger.h"
 #include "tests/journal/journal_file.h"
 #include "tests/support/places.h"
@@ -78,6 +79,31 @@ TEST_F(LedgerTest, TellsEncodersApart)
     EXPECT_EQ(ledger.writes(atPlace("1.0"_ring)).writes, 1);
     EXPECT_EQ(ledger.writes(atPlace("1.0"_ring, QStringLiteral("/a.codewheel"))).writes, 1);
     EXPECT_EQ(ledger.accounts().size(), 5U);
+}
+
+// The same address on two lines of a project, and the same number in two rings.
+TEST_F(LedgerTest, TellsTheBusesOfAProjectApart)
+{
+    const QString from = QStringLiteral("/a.codewheel");
+    const QString to = QStringLiteral("/copy.codewheel");
+    const std::vector<Place> places{
+        "1.0"_ring, placeOnLine({5}), {BusId{3}, NodeId("1.0")}, {BusId{4}, NodeId("esc:05")}};
+    int writes = 0;
+    for (const Place place : places)
+        EXPECT_TRUE(ledger.count(*ledger.begin(entryOf(atPlace(place, from), 1)), ++writes));
+    writes = 0;
+    for (const Place place : places) {
+        EXPECT_EQ(ledger.writes(atPlace(place, from)).writes, ++writes) << place.key().toStdString();
+        EXPECT_TRUE(ledger.copyPlaces(from, to, place.bus, {}));
+        for (const Place other : places)
+            EXPECT_EQ(ledger.writes(atPlace(other, to)).writes > 0, other <= place)
+                << other.key().toStdString() << " with " << place.key().toStdString();
+    }
+    std::vector<Place> told;
+    for (const Ledger::Account &account : ledger.accounts())
+        told.push_back(account.place);
+    for (const Place place : places)
+        EXPECT_NE(std::ranges::find(told, place), told.end()) << place.key().toStdString();
 }
 
 TEST_F(LedgerTest, ANumberThatIsTypedIsTheSameAsOneThatIsRead)

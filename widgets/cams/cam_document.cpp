@@ -43,7 +43,7 @@ void CamDocument::setProgram(const CamProgram &program, const QString &what, Ges
 
 void CamDocument::setPrograms(const std::vector<CamProgram> &programs, const QString &what, Gesture gesture)
 {
-    const QString step = tr("%1, %2", "what was done, at which encoder").arg(what, m_number.toString());
+    const QString step = tr("%1, %2", "what was done, at which encoder").arg(what, m_number.shown());
     m_project.editDevice(
         m_number, step,
         [&](ProjectDevice &device) {

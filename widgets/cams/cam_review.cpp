@@ -175,10 +175,10 @@ void CamReview::review(EncoderSession &encoder, const std::vector<CamProgram> &p
     offerAfterwards(before);
     m_title->setText(programs.size() == 1 ? tr("Write cam program %1 to the encoder at %2")
                                                 .arg(programs.front().number)
-                                                .arg(encoder.place().toString())
+                                                .arg(encoder.place().shown())
                                           : tr("Write %1 cam programs to the encoder at %2")
                                                 .arg(programs.size())
-                                                .arg(encoder.place().toString()));
+                                                .arg(encoder.place().shown()));
     m_writeAll->setChecked(false);
     showPlan();
     (m_write->isEnabled() ? m_write : m_cancel)->setFocus();

@@ -64,7 +64,7 @@ void RodDial::setEncoder(EncoderSession *encoder)
         m_encoder->disconnect(this);
     m_encoder = encoder;
     if (encoder != nullptr) {
-        m_rod->setPlace(encoder->place().toString());
+        m_rod->setPlace(encoder->place().shown());
         connect(encoder, &EncoderSession::latestChanged, this, &RodDial::draw);
         connect(encoder, &EncoderSession::freshnessChanged, this, &RodDial::draw);
         showTellRow();

@@ -63,7 +63,7 @@ void ShaftDial::setEncoder(EncoderSession *encoder)
         m_encoder->disconnect(this);
     m_encoder = encoder;
     if (encoder != nullptr) {
-        m_disc->setPlace(encoder->place().toString());
+        m_disc->setPlace(encoder->place().shown());
         connect(encoder, &EncoderSession::latestChanged, this, &ShaftDial::draw);
         connect(encoder, &EncoderSession::freshnessChanged, this, &ShaftDial::draw);
     }

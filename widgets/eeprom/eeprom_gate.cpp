@@ -69,7 +69,7 @@ void EepromGate::showConcern()
         m_nevertheless->setChecked(false);
         m_place->clear();
     }
-    const QString place = m_encoder->place().toString();
+    const QString place = m_encoder->place().shown();
     const QString ask = tr("Type %1 to write nevertheless").arg(place);
     m_place->setPlaceholderText(ask);
     m_place->setAccessibleName(ask);
@@ -90,7 +90,7 @@ bool EepromGate::isOpen() const
     case EepromConcern::question:
         return m_nevertheless->isChecked();
     case EepromConcern::typed:
-        return m_encoder && m_place->text().trimmed() == m_encoder->place().toString();
+        return m_encoder && m_place->text().trimmed() == m_encoder->place().shown();
     default:
         return true;
     }

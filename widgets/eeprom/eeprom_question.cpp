@@ -37,7 +37,7 @@ bool askForEeprom(QWidget *window, EncoderSession &encoder, int planned)
     QDialog dialog(window);
     dialog.setWindowTitle(QGuiApplication::applicationDisplayName());
     auto *question =
-        new QLabel(Question::tr("Write to the EEPROM of %1?").arg(encoder.place().toString()), &dialog);
+        new QLabel(Question::tr("Write to the EEPROM of %1?").arg(encoder.place().shown()), &dialog);
     QFont strong = question->font();
     strong.setBold(true);
     question->setFont(strong);

@@ -74,7 +74,7 @@ QString modeName(std::optional<Mode> mode)
 ModeAnswer askForMode(QWidget *window, const EncoderSession &encoder, Word out)
 {
     QMessageBox box(QMessageBox::Question, QGuiApplication::applicationDisplayName(),
-                    Functions::tr("In which mode is the encoder %1?").arg(encoder.place().toString()),
+                    Functions::tr("In which mode is the encoder %1?").arg(encoder.place().shown()),
                     QMessageBox::NoButton, window);
     box.setInformativeText(
         refusalText({RefusalKind::notSupported, RefusalId::modeNotKnown, {out}}) + QStringLiteral("\n\n") +
@@ -94,7 +94,7 @@ ModeAnswer askForMode(QWidget *window, const EncoderSession &encoder, Word out)
 
 bool askToLeaveCamMode(QWidget *window, const EncoderSession &encoder)
 {
-    return confirm(window, Functions::tr("Leave cam mode at %1?").arg(encoder.place().toString()),
+    return confirm(window, Functions::tr("Leave cam mode at %1?").arg(encoder.place().shown()),
                    {Functions::tr("The cams switch no more. A cam program that was changed is stored when it "
                                   "is left: one EEPROM write.")},
                    Functions::tr("&Leave cam mode"), Functions::tr("Sends 20800000, then goes on"));
@@ -106,7 +106,7 @@ bool askForFrabaPreset(QWidget *window, const EncoderSession &encoder)
     const QString value = preset ? valueWithUnit(encoder.device(), {Parameter::preset, preset->value})
                                  : Functions::tr("not known: read it, or write one, under Parameters");
     return confirm(
-        window, Functions::tr("Set the position of %1 to its preset?").arg(encoder.place().toString()),
+        window, Functions::tr("Set the position of %1 to its preset?").arg(encoder.place().shown()),
         {Functions::tr("FRABA preset: where the shaft stands now, the encoder will show its preset (%1). "
                        "60000000 is sent for one bus cycle. It works as often as you want.")
              .arg(value),
@@ -122,7 +122,7 @@ bool askForReset(QWidget *window, const EncoderSession &encoder)
             : Functions::tr("It cannot be read: afterwards it is taken to have the factory settings of its "
                             "manual.");
     return confirm(
-        window, Functions::tr("Reset %1 to factory settings?").arg(encoder.place().toString()),
+        window, Functions::tr("Reset %1 to factory settings?").arg(encoder.place().shown()),
         {Functions::tr("Sends 0E000000, then run. %1").arg(whatIsLost(encoder)), costText(encoder), after},
         Functions::tr("&Reset"), Functions::tr("Sends 0E000000, then run. This cannot be taken back."));
 }

@@ -77,7 +77,7 @@ std::optional<OnCancel> askHowToCancel(QWidget *parent, EncoderSession &encoder,
     box.setObjectName(QStringLiteral("cancelQuestion"));
     box.setIcon(QMessageBox::Question);
     box.setWindowTitle(CancelQuestion::tr("Cancel the handshake"));
-    box.setText(CancelQuestion::tr("How shall the encoder %1 be left?").arg(encoder.place().toString()));
+    box.setText(CancelQuestion::tr("How shall the encoder %1 be left?").arg(encoder.place().shown()));
     box.setInformativeText(explanation(encoder, situation));
     QPushButton *restore =
         box.addButton(CancelQuestion::tr("&Restore values from before"), QMessageBox::AcceptRole);

@@ -166,8 +166,8 @@ void MessageFilterBar::setPlaces(const std::vector<Place> &places)
         int index = firstPlace;
         while (index < m_place->count() && before(index))
             ++index;
-        if (m_place->itemText(index) != place.toString())
-            m_place->insertItem(index, place.toString(),
+        if (m_place->itemText(index) != place.shown())
+            m_place->insertItem(index, place.shown(),
                                 QVariant::fromValue(MessageFilter::Where{.all = false, .at = place}));
     }
 }

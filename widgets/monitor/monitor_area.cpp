@@ -24,7 +24,6 @@ namespace {
 
 const QLatin1String monitorsKey("monitors");
 const QLatin1String placeKey("place");
-const QLatin1String busKey("bus");
 const QLatin1String kindKey("kind");
 const QLatin1String highHalfKey("highHalf");
 const QLatin1String displayKey("display");
@@ -156,8 +155,8 @@ void MonitorArea::fillAddMenu()
             const EncoderSession *encoder = m_buses.encoder(number);
             const QString name = encoder ? encoder->device().fullName() : QString();
             m_addMenu->addAction(
-                QStringLiteral("%1  %2  %3").arg(number.toString(), monitorKindText(kind), name).trimmed(),
-                this, [this, number, kind] { openMonitor(number, kind); });
+                QStringLiteral("%1  %2  %3").arg(number.shown(), monitorKindText(kind), name).trimmed(), this,
+                [this, number, kind] { openMonitor(number, kind); });
         }
     if (m_addMenu->isEmpty())
         m_addMenu->addAction(tr("There is no device on the bus"))->setEnabled(false);
@@ -208,14 +207,14 @@ QString MonitorArea::whyNot(Place number, MonitorKind kind) const
     if (channel == nullptr && encoder != nullptr)
         return tr("%1 has no words: its position stands in the panels, what passes on its bus in the "
                   "terminal.")
-            .arg(number.toString());
+            .arg(number.shown());
     if (channel && channel->inWords() == 0 && channel->outWords() == 0)
-        return tr("%1 has no words to show: it takes no part in the process data.").arg(number.toString());
+        return tr("%1 has no words to show: it takes no part in the process data.").arg(number.shown());
     if (encoder && channel && channel->outWords() == 0 && kind == MonitorKind::out32)
         return refusalText(
             {RefusalKind::notSupported, RefusalId::sendingNotSupported, {encoder->device().fullName()}});
     return tr("%1 has no word %2 to show. Choose another device or word.")
-        .arg(number.toString(), monitorKindText(kind));
+        .arg(number.shown(), monitorKindText(kind));
 }
 
 void MonitorArea::openFirst()
@@ -301,8 +300,7 @@ QJsonObject MonitorArea::state() const
 {
     QJsonArray monitors;
     const auto add = [&](Place place, MonitorKind kind, bool isHighHalf) {
-        QJsonObject json{
-            {placeKey, place.toString()}, {busKey, place.bus.number}, {kindKey, monitorKindText(kind)}};
+        QJsonObject json{{placeKey, place.key()}, {kindKey, monitorKindText(kind)}};
         if (isHighHalf)
             json.insert(highHalfKey, true);
         monitors.append(json);
@@ -326,10 +324,9 @@ void MonitorArea::restoreState(const QJsonObject &state)
         if (const QJsonValue display = displays.value(monitorKindText(kind)); display.isObject())
             setDisplay(kind, MonitorDisplay::fromJson(display.toObject()));
     for (const QJsonValue json : state.value(monitorsKey).toArray()) {
-        const Place place{{json[busKey].toInt(firstRing.number)},
-                          NodeId(json[placeKey].toString().toStdString())};
-        if (const auto kind = monitorKindFromText(json[kindKey].toString()))
-            m_aside.push_back({place, *kind, json[highHalfKey].toBool()});
+        const auto place = Place::parse(json[placeKey].toString());
+        if (const auto kind = monitorKindFromText(json[kindKey].toString()); place && kind)
+            m_aside.push_back({*place, *kind, json[highHalfKey].toBool()});
     }
     bringBack();
 }

@@ -46,7 +46,7 @@ QString wordPlace(MonitorKind kind, Place number)
 {
     const QString direction =
         directionOf(kind) == WordDirection::out ? QStringLiteral("OUT") : QStringLiteral("IN");
-    return direction + QLatin1Char(' ') + number.toString();
+    return direction + QLatin1Char(' ') + number.shown();
 }
 
 } // namespace codewheel

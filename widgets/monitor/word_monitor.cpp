@@ -144,7 +144,7 @@ void WordMonitor::makeBody(QHBoxLayout *title)
 QLabel *WordMonitor::makeNoOutNote()
 {
     auto *note =
-        new QLabel(tr("%1 has no OUT word: nothing can be sent to it.", "1.0").arg(m_place.toString()), this);
+        new QLabel(tr("%1 has no OUT word: nothing can be sent to it.", "1.0").arg(m_place.shown()), this);
     note->setObjectName(QStringLiteral("noOut"));
     note->setWordWrap(true);
     note->setFont(textFont(TextSize::small));

@@ -189,7 +189,7 @@ void ParameterPanel::showWhyEmpty()
         return;
     }
     const DeviceDescription &device = m_encoder.device();
-    const QString what = tr("%1 has no parameters here").arg(m_encoder.place().toString());
+    const QString what = tr("%1 has no parameters here").arg(m_encoder.place().shown());
     m_empty->setTexts(what, device.outWords == 0
                                 ? tr("The %1 has no OUT word. It only tells its position: nothing can be "
                                      "read from it or written to it.")
@@ -321,7 +321,7 @@ void ParameterPanel::takeKnownAsWanted()
         if (row.known && !row.isReadOnly())
             replaceValue(values, {row.parameter.parameter, row.known->value});
     m_wanted.replace(m_encoder.place(), std::move(values),
-                     tr("Known values wanted for %1").arg(m_encoder.place().toString()));
+                     tr("Known values wanted for %1").arg(m_encoder.place().shown()));
 }
 
 void ParameterPanel::leaveAllAsTheyAre()

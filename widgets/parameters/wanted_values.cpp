@@ -38,7 +38,7 @@ void WantedValues::set(Place number, Parameter parameter, std::optional<std::int
 {
     if (this->value(number, parameter) == value)
         return;
-    const QString what = tr("%1 wanted for %2").arg(parameterName(parameter), number.toString());
+    const QString what = tr("%1 wanted for %2").arg(parameterName(parameter), number.shown());
     ParameterValues all = values(number);
     putWanted(all, parameter, value);
     replace(number, std::move(all), what);
@@ -54,7 +54,7 @@ void WantedValues::replace(Place number, ParameterValues values, const QString &
 void WantedValues::clear(Place number)
 {
     if (!values(number).empty())
-        m_project.editDevice(number, tr("Nothing wanted for %1").arg(number.toString()),
+        m_project.editDevice(number, tr("Nothing wanted for %1").arg(number.shown()),
                              [](ProjectDevice &device) { device.wanted.clear(); });
 }
 

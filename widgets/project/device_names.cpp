@@ -90,7 +90,7 @@ void DeviceNames::takeName(Place number)
         return;
     const QScopedValueRollback naming(m_isNaming, true);
     const Name name = nameOnTheBus(m_bus, *participant);
-    m_document.editDevice(number, tr("Name %1").arg(number.toString()), [&](ProjectDevice &device) {
+    m_document.editDevice(number, tr("Name %1").arg(number.shown()), [&](ProjectDevice &device) {
         device.participant.deviceKey = name.key;
         device.label.turns = name.turns;
         device.label.stepsPerTurn = name.stepsPerTurn;

@@ -203,7 +203,7 @@ void SequenceView::showWhyEmpty(const EncoderSession *encoder)
 {
     const bool onLine = encoder && isOnLine(encoder->device());
     if (onLine)
-        m_empty->setTexts(tr("%1 is on a serial line").arg(encoder->place().toString()),
+        m_empty->setTexts(tr("%1 is on a serial line").arg(encoder->place().shown()),
                           tr("It takes requests instead of words. Type them in the terminal."));
     else
         m_empty->setTexts(tr("No encoder is selected"),
@@ -373,7 +373,7 @@ void SequenceView::showWhatIsPossible()
     m_hold->setEnabled(!runs);
     m_send->setEnabled(!runs && m_encoder && m_model->rowCount() > 0);
     m_stop->setEnabled(runs);
-    const QString place = m_encoder ? m_encoder->place().toString() : QString();
+    const QString place = m_encoder ? m_encoder->place().shown() : QString();
     m_summary->setText(m_model->rowCount() == 0
                            ? tr("Add or paste words to send.")
                            : tr("%n words to %1", nullptr, m_model->rowCount()).arg(place));

@@ -174,7 +174,7 @@ void TraceView::showWhyEmpty(const EncoderSession *encoder)
 {
     const bool onLine = encoder && isOnLine(encoder->device());
     if (onLine)
-        m_empty->setTexts(tr("%1 is on a serial line").arg(encoder->place().toString()),
+        m_empty->setTexts(tr("%1 is on a serial line").arg(encoder->place().shown()),
                           tr("It has no words. What passes on its line stands in the terminal."));
     else
         m_empty->setTexts(

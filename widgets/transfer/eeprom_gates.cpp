@@ -34,7 +34,7 @@ QString placesOf(const std::vector<Place> &numbers)
 {
     QStringList places;
     for (const Place number : numbers)
-        places << number.toString();
+        places << number.shown();
     return places.join(u' ');
 }
 
@@ -74,7 +74,7 @@ void EepromGates::setPlan(const TransferPlan &plan)
         const EepromConcern concern = encoder ? eepromConcern(*encoder, planned) : EepromConcern::none;
         if (concern == EepromConcern::none)
             continue;
-        texts << QStringLiteral("%1: %2").arg(one.place.toString(), eepromConcernText(*encoder, planned));
+        texts << QStringLiteral("%1: %2").arg(one.place.shown(), eepromConcernText(*encoder, planned));
         if (concern == EepromConcern::question)
             asked.push_back(one.place);
         if (concern == EepromConcern::typed)
@@ -100,7 +100,7 @@ bool EepromGates::isOpen() const
     static const QRegularExpression between(QStringLiteral("[\\s,;]+"));
     const QStringList places = m_places->text().split(between, Qt::SkipEmptyParts);
     const bool allTyped =
-        std::ranges::all_of(m_typed, [&](Place number) { return places.contains(number.toString()); });
+        std::ranges::all_of(m_typed, [&](Place number) { return places.contains(number.shown()); });
     return allTyped && (m_asked.empty() || m_nevertheless->isChecked());
 }
 

@@ -152,7 +152,7 @@ void ReplacePage::showStep(int step)
     m_pages->setCurrentIndex(step);
     m_list->setCurrent(step);
     m_title->setText(tr("Replace encoder %1: %2 of %3  %4")
-                         .arg(m_replacing.place.toString())
+                         .arg(m_replacing.place.shown())
                          .arg(step + 1)
                          .arg(stepCount)
                          .arg(current()->title()));
@@ -193,8 +193,7 @@ void ReplacePage::cancel()
 // It stands there, whatever becomes of the writing.
 void ReplacePage::putIntoProject()
 {
-    m_replacing.project.editDevice(m_replacing.place,
-                                   tr("Replace encoder %1").arg(m_replacing.place.toString()),
+    m_replacing.project.editDevice(m_replacing.place, tr("Replace encoder %1").arg(m_replacing.place.shown()),
                                    [this](ProjectDevice &planned) {
                                        planned = replaced(planned, m_replacing.now, m_replacing.position);
                                    });

@@ -131,10 +131,9 @@ ReplaceAccountStep::ReplaceAccountStep(Replacing &replacing, QWidget *parent)
 void ReplaceAccountStep::show(const TransferAccount &account)
 {
     m_result->setText(transfer_words::outcome(account.encoders.front()));
-    m_account->show(
-        reportOf(account, m_replacing.catalog, QCoreApplication::applicationVersion()),
-        QStringLiteral("replaced-%1-%2")
-            .arg(m_replacing.place.toString(), account.at.toString(QStringLiteral("yyyy-MM-dd"))));
+    m_account->show(reportOf(account, m_replacing.catalog, QCoreApplication::applicationVersion()),
+                    QStringLiteral("replaced-%1-%2")
+                        .arg(m_replacing.place.shown(), account.at.toString(QStringLiteral("yyyy-MM-dd"))));
 }
 
 } // namespace codewheel

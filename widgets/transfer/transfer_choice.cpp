@@ -78,7 +78,7 @@ void TransferChoice::choose(What what)
 void TransferChoice::setEncoder(Place number)
 {
     m_number = number;
-    if (const int row = m_from->findText(number.toString() + u' ', Qt::MatchStartsWith); row >= 0)
+    if (const int row = m_from->findData(number.key()); row >= 0)
         m_from->setCurrentIndex(row);
     if (what() == What::restore)
         fillBefore();
@@ -107,8 +107,8 @@ void TransferChoice::showEncoders()
     m_from->clear();
     for (const Place number : m_buses.places())
         if (const EncoderSession *encoder = m_buses.encoder(number); encoder && encoder->can().writes)
-            m_from->addItem(QStringLiteral("%1 %2").arg(number.toString(), encoder->device().fullName()),
-                            number.toString());
+            m_from->addItem(QStringLiteral("%1 %2").arg(number.shown(), encoder->device().fullName()),
+                            number.key());
     m_from->setCurrentIndex(std::max(0, m_from->findData(before)));
 }
 
@@ -120,11 +120,11 @@ void TransferChoice::fillBefore()
     const EncoderSession *encoder = m_buses.encoder(m_number);
     for (const ValuesBefore &before : m_befores)
         m_before->addItem(QStringLiteral("%1  %2: %3")
-                              .arg(before.place.toString(), timeOf(before, m_buses.now(before.place)),
+                              .arg(before.place.shown(), timeOf(before, m_buses.now(before.place)),
                                    textOf(before, encoder ? &encoder->device() : nullptr)));
     m_before->setEnabled(!m_befores.empty());
     if (m_befores.empty())
-        m_before->addItem(tr("Nothing is kept of %1.").arg(m_number.toString()));
+        m_before->addItem(tr("Nothing is kept of %1.").arg(m_number.shown()));
 }
 
 void TransferChoice::showParts()

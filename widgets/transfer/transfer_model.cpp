@@ -24,7 +24,7 @@ QString textOf(const TransferLine &line, int column)
 {
     switch (column) {
     case TransferModel::place:
-        return line.kind == LineKind::encoder ? line.place.toString() : QString();
+        return line.kind == LineKind::encoder ? line.place.shown() : QString();
     case TransferModel::what:
         return line.what;
     case TransferModel::now:
@@ -177,7 +177,7 @@ QVariant TransferModel::cell(const TransferLine &line, int column, int role) con
         return line.tip;
     case Qt::AccessibleTextRole:
         return column == place && line.kind == LineKind::encoder
-                   ? tr("%1 %2").arg(line.place.toString(), line.tip)
+                   ? tr("%1 %2").arg(line.place.shown(), line.tip)
                    : textOf(line, column);
     case Qt::TextAlignmentRole:
         return int((isNumber(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);

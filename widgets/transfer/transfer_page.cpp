@@ -230,8 +230,8 @@ void TransferPage::finishStoring()
     if (failed == m_round.results().end())
         m_problem->showMessage(Role::running, messageText(valuesStoredMessage(stored)));
     else
-        m_problem->showMessage(Role::attention, QStringLiteral("%1: %2").arg(failed->place.toString(),
-                                                                             refusalText(*failed->why)));
+        m_problem->showMessage(
+            Role::attention, QStringLiteral("%1: %2").arg(failed->place.shown(), refusalText(*failed->why)));
     showPlan();
     m_begin->setFocus();
 }

@@ -48,7 +48,7 @@ void TransferProgress::showProgress()
     QString text = tr("Encoder %1 of %2: %3, step %4 of %5")
                        .arg(progress.encoder + 1)
                        .arg(progress.encoders)
-                       .arg(progress.place.toString())
+                       .arg(progress.place.shown())
                        .arg(std::min(progress.step + 1, progress.steps))
                        .arg(progress.steps);
     if (m_round.beginsNoOther() && progress.encoder + 1 < progress.encoders)

@@ -49,7 +49,7 @@ void DevicePage::enter()
                 m_encoders.push_back(encoder);
                 m_list->addItem(new QListWidgetItem(
                     lineIcon(Icon::encoder),
-                    QStringLiteral("%1  %2").arg(number.toString(), encoder->device().fullName())));
+                    QStringLiteral("%1  %2").arg(number.shown(), encoder->device().fullName())));
             }
     const auto current = std::ranges::find(m_encoders, m_setup.encoder.data());
     if (current != m_encoders.end())

@@ -119,7 +119,7 @@ void HandshakePage::start()
     EncoderSession &encoder = *m_setup.encoder;
     HandshakeRecord &record = m_setup.record;
     record = {};
-    record.place = encoder.place().toString();
+    record.place = encoder.place().shown();
     record.device = encoder.device().fullName();
     record.serialNumber = m_setup.valueNow(Parameter::serialNumber);
     record.job = jobForWish(encoder, m_setup.wish);

@@ -24,7 +24,7 @@ void Setup::want(const Wishes &wishes)
         given.try_emplace(parameter, Given{before, value}).first->second.now = value;
     }
     wanted.replace(encoder->place(), std::move(values),
-                   SetupTexts::tr("Values wanted for %1").arg(encoder->place().toString()));
+                   SetupTexts::tr("Values wanted for %1").arg(encoder->place().shown()));
     takeWanted();
 }
 
@@ -38,7 +38,7 @@ void Setup::takeBack()
         if (valueOf(wish.wanted, parameter) == change.now)
             putWanted(values, parameter, change.before);
     wanted.replace(encoder->place(), std::move(values),
-                   SetupTexts::tr("Wizard for %1 cancelled").arg(encoder->place().toString()));
+                   SetupTexts::tr("Wizard for %1 cancelled").arg(encoder->place().shown()));
     keep();
     takeWanted();
 }
