@@ -14021,10 +14021,6 @@ Zustand: %7</translation>
         <translation>Stoppt den Bus: keine Datenzyklen mehr</translation>
     </message>
     <message>
-        <source>&amp;ALARM STOP whole ring</source>
-        <translation>&amp;ALARM-STOPP ganzer Ring</translation>
-    </message>
-    <message>
         <source>&amp;Device</source>
         <translation>&amp;Gerät</translation>
     </message>
@@ -14337,10 +14333,6 @@ Zustand: %7</translation>
         <translation>Nimmt das Segment des gewählten Geräts mit allem dahinter nach einer Rückfrage aus den Datenzyklen oder setzt es wieder ein. Braucht Bedienen.</translation>
     </message>
     <message>
-        <source>Sets all OUT words of the whole ring to 0, and ends what is on its way on the serial line, at once</source>
-        <translation>Setzt alle OUT-Worte des ganzen Rings auf 0 und beendet, was auf der seriellen Leitung unterwegs ist, sofort</translation>
-    </message>
-    <message>
         <source>Serial &amp;line</source>
         <translation>Serielle &amp;Leitung</translation>
     </message>
@@ -14411,6 +14403,26 @@ Zustand: %7</translation>
     <message>
         <source>&amp;Swap warning bytes</source>
         <translation>Warnungs&amp;bytes tauschen</translation>
+    </message>
+    <message>
+        <source>&amp;ALARM STOP</source>
+        <translation>&amp;ALARM-STOPP</translation>
+    </message>
+    <message>
+        <source>&amp;ALARM STOP %1</source>
+        <comment>name of a bus</comment>
+        <translation>&amp;ALARM-STOPP %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;ALARM STOP %n buses</source>
+        <translation>
+            <numerusform>&amp;ALARM-STOPP %n Bus</numerusform>
+            <numerusform>&amp;ALARM-STOPP %n Busse</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Sets all OUT words of a ring to 0 and ends what is on its way on a line, at once: %1</source>
+        <translation>Setzt alle OUT-Worte eines Rings auf 0 und beendet, was auf einer Leitung unterwegs ist, sofort: %1</translation>
     </message>
 </context>
 <context>

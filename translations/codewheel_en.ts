@@ -228,4 +228,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>codewheel::WindowActions</name>
+    <message numerus="yes">
+        <source>&amp;ALARM STOP %n buses</source>
+        <translation>
+            <numerusform>&amp;ALARM STOP %n bus</numerusform>
+            <numerusform>&amp;ALARM STOP %n buses</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

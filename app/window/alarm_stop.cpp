@@ -24,7 +24,9 @@ public:
         setDefaultAction(action);
         setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         setFocusPolicy(Qt::TabFocus);
-        setAccessibleName(action->text().remove(u'&'));
+        const auto showName = [this, action] { setAccessibleName(action->text().remove(u'&')); };
+        QObject::connect(action, &QAction::changed, this, showName);
+        showName();
         color();
     }
 

@@ -121,7 +121,11 @@ void MainWindow::showBusState()
     m_actions.stop->setEnabled(isOpen && chosen->isRunning());
     m_status->setMode(isOperating);
     const auto open = isAttached ? m_buses->open() : std::vector<EncoderBus *>();
+    QStringList names;
+    for (const EncoderBus *bus : open)
+        names << m_plant->nameOf(bus->id());
     m_actions.alarmStop->setEnabled(!open.empty());
+    m_actions.showAlarmStop(names);
     for (QAction *monitor : {m_actions.openIn32, m_actions.openOut32, m_actions.openIn16})
         monitor->setEnabled(isOpen);
 }

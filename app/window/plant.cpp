@@ -49,6 +49,14 @@ std::vector<BusAtWork *> Plant::all() const
     return all;
 }
 
+QString Plant::nameOf(BusId bus) const
+{
+    if (const PlannedBus *planned = findBus(m_surroundings.project.project(), bus))
+        return planned->name;
+    const BusAtWork *its = find(bus);
+    return its != nullptr ? busKind(its->kind())->usualName() : QString();
+}
+
 BusAtWork *Plant::find(BusId bus) const
 {
     const auto found = std::ranges::find(m_buses, bus, [](const auto &its) { return its->id(); });
@@ -141,17 +149,17 @@ void Plant::nameBuses()
 {
     const Project &project = m_surroundings.project.project();
     std::map<QString, std::map<BusId, QString>> byKind;
-    for (const auto &bus : m_buses) {
-        const PlannedBus *planned = findBus(project, bus->id());
-        if (bus->isOpen() || (planned != nullptr && !devicesOn(project, bus->id()).empty()))
-            byKind[bus->kind()][bus->id()] =
-                planned != nullptr ? planned->name : busKind(bus->kind())->usualName();
-    }
+    for (const auto &bus : m_buses)
+        if (bus->isOpen() || !devicesOn(project, bus->id()).empty())
+            byKind[bus->kind()][bus->id()] = nameOf(bus->id());
     std::map<BusId, QString> names;
     for (auto &[kind, its] : byKind)
         if (its.size() > 1)
             names.merge(its);
+    if (std::exchange(m_names, names) == names)
+        return;
     setBusNames(std::move(names));
+    Q_EMIT m_sessions.changed();
 }
 
 } // namespace codewheel

@@ -24,6 +24,7 @@ public:
 
     const Catalog &catalog() const { return m_surroundings.catalog; }
     std::vector<BusAtWork *> all() const; // by number
+    QString nameOf(BusId bus) const;      // as the project calls it, or as its kind is called
     BusAtWork *find(BusId bus) const;     // null: there is none
     // Their sessions, whichever they have.
     Buses &buses() { return m_sessions; }
@@ -51,6 +52,7 @@ private:
     void removeUnneeded();
 
     const BusAtWork::Surroundings m_surroundings;
+    std::map<BusId, QString> m_names; // of those whose places others may have as well
     Buses m_sessions;
     const LastPositions m_positions{m_sessions};
     std::vector<std::unique_ptr<BusAtWork>> m_buses;

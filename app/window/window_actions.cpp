@@ -141,9 +141,21 @@ void WindowActions::makeBusMenu()
     makeLineMenu(*menu);
     menu->addSeparator();
     alarmStop =
-        described(menu->addAction(lineIcon(Icon::alarmStop), tr("&ALARM STOP whole ring")), alarmStopKey(),
-                  tr("Sets all OUT words of the whole ring to 0, and ends what is on its way "
-                     "on the serial line, at once"));
+        described(menu->addAction(lineIcon(Icon::alarmStop), tr("&ALARM STOP")), alarmStopKey(), QString());
+    showAlarmStop({});
+}
+
+void WindowActions::showAlarmStop(const QStringList &buses)
+{
+    const auto count = static_cast<int>(buses.size());
+    const QString text = count == 0   ? tr("&ALARM STOP")
+                         : count == 1 ? tr("&ALARM STOP %1", "name of a bus").arg(buses.front())
+                                      : tr("&ALARM STOP %n buses", nullptr, count);
+    if (alarmStop->text() != text)
+        alarmStop->setText(text);
+    described(alarmStop, alarmStopKey(),
+              tr("Sets all OUT words of a ring to 0 and ends what is on its way on a line, at once: %1")
+                  .arg(buses.join(QStringLiteral(", "))));
 }
 
 void WindowActions::makeLineMenu(QMenu &busMenu)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QStringList>
 
 #include <vector>
 
@@ -28,6 +29,8 @@ public:
     // Says of the device that is chosen why it cannot be set up, has no cams, or cannot be sent
     // anything.
     void showChosen(const ShownEncoder &encoder);
+    // On which buses it acts, by their names.
+    void showAlarmStop(const QStringList &buses);
 
     // File
     QAction *newProject;

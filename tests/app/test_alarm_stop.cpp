@@ -38,7 +38,8 @@ TEST_F(AlarmStopTest, ItsButtonZeroesTheWholeRing)
 {
     auto *button = window().findChild<QToolButton *>(QStringLiteral("alarmStop"));
     ASSERT_NE(button, nullptr);
-    EXPECT_EQ(button->accessibleName(), QStringLiteral("ALARM STOP whole ring"));
+    EXPECT_EQ(button->accessibleName(), QStringLiteral("ALARM STOP 2 buses"));
+    EXPECT_TRUE(button->toolTip().contains(QStringLiteral("Ring, Line")));
     QTest::mouseClick(button, Qt::LeftButton);
     expectZero();
 }

@@ -65,6 +65,7 @@ TEST_F(SeveralBuses, ASecondRingIsConnectedBesideTheFirst)
     EXPECT_EQ(cell(secondRing, StructureModel::deviceColumn), QStringLiteral("Ring 2: Master"));
     EXPECT_EQ(cell(secondRing, StructureModel::stateColumn), QStringLiteral("RUN"));
     EXPECT_EQ(farFraba.shown(), QStringLiteral("Ring 2/1.0"));
+    EXPECT_TRUE(monitors().monitors().front()->accessibleName().contains(QStringLiteral("Ring/1.0")));
     EXPECT_EQ(test::fraba.shown(), QStringLiteral("Ring/1.0"));
     EXPECT_EQ(placeOnLine({5}).shown(), QStringLiteral("esc:05")) << "there is one line";
 

@@ -128,7 +128,7 @@ void MonitorArea::followDevices()
         if (!hasWord(number, monitor->kind()))
             remove(monitor);
         else if (monitor->channel() != m_buses.channel(number) ||
-                 monitor->encoder() != m_buses.encoder(number))
+                 monitor->encoder() != m_buses.encoder(number) || monitor->isNamedAnew())
             openAgain(number);
     }
 }

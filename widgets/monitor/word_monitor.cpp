@@ -123,6 +123,11 @@ QHBoxLayout *WordMonitor::makeTitle()
     return row;
 }
 
+bool WordMonitor::isNamedAnew() const
+{
+    return wordPlace(m_kind, m_place) != m_wordName;
+}
+
 void WordMonitor::makeBody(QHBoxLayout *title)
 {
     auto *rows = new QVBoxLayout(this);

@@ -38,6 +38,8 @@ public:
     WordMonitor(WordChannel &channel, EncoderSession *encoder, const DeviceDescription *device,
                 MonitorKind kind, QWidget *parent = nullptr);
 
+    // Its place has another name now: it is to be made anew.
+    bool isNamedAnew() const;
     Place place() const { return m_place; }
     MonitorKind kind() const { return m_kind; }
     const WordChannel *channel() const { return m_channel; } // null: it has ended
