@@ -3409,6 +3409,102 @@
     </message>
 </context>
 <context>
+    <name>codewheel::BusList</name>
+    <message>
+        <source>Buses of the project</source>
+        <translation>Busse des Projekts</translation>
+    </message>
+    <message>
+        <source>The buses that are planned, each with its devices. Insert adds one, Delete removes one, F2 renames one.</source>
+        <translation>Die geplanten Busse, jeder mit seinen Teilnehmern. Einfg plant einen weiteren, Entf entfernt einen, F2 benennt einen um.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Plan another bus</source>
+        <translation>Einen weiteren Bus planen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the bus from the project with its devices; what is connected is not touched</source>
+        <translation>Den Bus mit seinen Teilnehmern aus dem Projekt entfernen; was verbunden ist, bleibt unberührt</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Give the bus another name</source>
+        <translation>Dem Bus einen anderen Namen geben</translation>
+    </message>
+    <message>
+        <source>Kinds of buses</source>
+        <translation>Arten von Bussen</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message numerus="yes">
+        <source>All that is planned and known of the %n devices of &quot;%1&quot; leaves the project with it. What is connected is not touched.</source>
+        <translation>
+            <numerusform>Mit &quot;%1&quot; verlässt alles das Projekt, was von seinem Teilnehmer geplant und bekannt ist. Was verbunden ist, bleibt unberührt.</numerusform>
+            <numerusform>Mit &quot;%1&quot; verlässt alles das Projekt, was von seinen %n Teilnehmern geplant und bekannt ist. Was verbunden ist, bleibt unberührt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Remove &quot;%1&quot; and its %n devices</source>
+        <translation>
+            <numerusform>&quot;%1&quot; und seinen Teilnehmer ent&amp;fernen</numerusform>
+            <numerusform>&quot;%1&quot; und seine %n Teilnehmer ent&amp;fernen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::BusModel</name>
+    <message>
+        <source>A bus has a name: type one. Esc gives the name before.</source>
+        <translation>Ein Bus hat einen Namen: einen eingeben. Esc gibt den vorigen Namen zurück.</translation>
+    </message>
+    <message>
+        <source>The name of a bus has no &quot;/&quot;, which stands between it and the place of a device.</source>
+        <translation>Der Name eines Busses enthält kein &quot;/&quot;: Es steht zwischen ihm und dem Platz eines Teilnehmers.</translation>
+    </message>
+    <message>
+        <source>Another bus is called &quot;%1&quot;: each name stands once in a project.</source>
+        <translation>Ein anderer Bus heißt &quot;%1&quot;: Jeder Name steht einmal in einem Projekt.</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>%1 umbenennen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Teilnehmer</translation>
+    </message>
+    <message>
+        <source>%1: F2 or a double click renames it</source>
+        <translation>%1: F2 oder ein Doppelklick benennt ihn um</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::BusOutline</name>
     <message>
         <source>offline</source>
@@ -8345,6 +8441,13 @@ als PROJECT~ erhalten.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::LineKind</name>
+    <message>
+        <source>Serial line (ESC)</source>
+        <translation>Serielle Leitung (ESC)</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::LineOutline</name>
     <message>
         <source>Serial line</source>
@@ -10699,6 +10802,10 @@ Worte: IN %5, OUT %6</translation>
         <source>It has no settings.</source>
         <translation>Sie hat keine Einstellungen.</translation>
     </message>
+    <message>
+        <source>B&amp;uses</source>
+        <translation>B&amp;usse</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ProjectReader</name>
@@ -11772,6 +11879,13 @@ Worte: IN %5, OUT %6</translation>
     <message>
         <source>Faulty data cycles of 1000 in the segment of the device</source>
         <translation>Fehlerhafte Datenzyklen von 1000 im Segment des Teilnehmers</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::RingKind</name>
+    <message>
+        <source>INTERBUS ring</source>
+        <translation>INTERBUS-Ring</translation>
     </message>
 </context>
 <context>

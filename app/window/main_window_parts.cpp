@@ -16,6 +16,7 @@
 #include "widgets/messages/messages_view.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/parameters/parameter_panel.h"
+#include "widgets/project/bus_list.h"
 #include "widgets/project/project_page.h"
 #include "widgets/sequence/project_sequences.h"
 #include "widgets/sequence/sequence_view.h"
@@ -39,6 +40,11 @@ void MainWindow::makePages()
     m_cams = new CamEditor(m_plant->catalog(), m_project, this);
     m_editor = new StructureEditor(m_project, m_plant->catalog(), this);
     m_projectPage = new ProjectPage(m_project, this);
+    m_projectPage->buses().setIsFree([this](BusId bus, const QString &kind) {
+        const BusAtWork *its = m_plant->find(bus);
+        const bool isTraining = bus == firstRing || bus == firstLine;
+        return its == nullptr || !its->isOpen() || (isTraining && its->kind() == kind);
+    });
     for (QWidget *page : {static_cast<QWidget *>(m_monitors), static_cast<QWidget *>(m_wizard),
                           static_cast<QWidget *>(m_cams), static_cast<QWidget *>(m_editor),
                           static_cast<QWidget *>(m_projectPage)})

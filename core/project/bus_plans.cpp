@@ -2,8 +2,12 @@
 #include "project/bus_plans.h"
 
 #include "project/bus_kind.h"
+#include "project/line_plan.h"
+#include "project/ring_plan.h"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 namespace codewheel {
 namespace {
@@ -19,6 +23,26 @@ QString freeName(const Project &project, const QString &name)
     return free;
 }
 
+// Of the training bus of this kind.
+std::optional<BusId> trainingNumber(const BusKind &kind)
+{
+    if (kind.key() == QLatin1String(interbusKind))
+        return firstRing;
+    if (kind.key() == QLatin1String(escKind))
+        return firstLine;
+    return std::nullopt;
+}
+
+// Behind all others; a file may have used up the largest one.
+int firstToTry(const Project &project)
+{
+    int first = firstLine.number + 1;
+    for (const PlannedBus &bus : project.buses)
+        if (bus.id.number < std::numeric_limits<int>::max())
+            first = std::max(first, bus.id.number + 1);
+    return first;
+}
+
 } // namespace
 
 PlannedBus &planBus(Project &project, BusId bus, const BusKind &kind)
@@ -30,6 +54,23 @@ PlannedBus &planBus(Project &project, BusId bus, const BusKind &kind)
                                           .kind = kind.key(),
                                           .name = freeName(project, kind.usualName()),
                                           .settings = kind.usual()});
+}
+
+BusId freeNumber(const Project &project, const BusKind &kind, const std::function<bool(BusId)> &isFree)
+{
+    const auto canBe = [&](BusId bus) { return findBus(project, bus) == nullptr && isFree(bus); };
+    if (const auto training = trainingNumber(kind); training && canBe(*training))
+        return *training;
+    BusId free{firstToTry(project)};
+    while (!canBe(free))
+        free = {free.number == std::numeric_limits<int>::max() ? firstLine.number + 1 : free.number + 1};
+    return free;
+}
+
+void removeBus(Project &project, BusId bus)
+{
+    setDevicesOn(project, bus, {});
+    std::erase_if(project.buses, [bus](const PlannedBus &its) { return its.id == bus; });
 }
 
 } // namespace codewheel

@@ -114,6 +114,11 @@ QString LineKind::key() const
     return QString::fromLatin1(escKind);
 }
 
+QString LineKind::title() const
+{
+    return tr("Serial line (ESC)");
+}
+
 QString LineKind::usualName() const
 {
     return QStringLiteral("Line");

@@ -3,13 +3,18 @@
 
 #include "project/bus_kind.h"
 
+#include <QCoreApplication>
+
 namespace codewheel {
 
 // A serial line as projects have it (line_plan.h).
 class LineKind final : public BusKind
 {
+    Q_DECLARE_TR_FUNCTIONS(codewheel::LineKind)
+
 public:
     QString key() const override;
+    QString title() const override;
     QString usualName() const override;
     KindData usual() const override;
     std::unique_ptr<BusOutline> outline(const Project &project, BusId bus,

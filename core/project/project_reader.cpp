@@ -3,6 +3,7 @@
 #include "project/project_reader.h"
 
 #include "project/bus_kind.h"
+#include "project/bus_plans.h"
 #include "project/project_json.h"
 #include "project/project_keys.h"
 #include "project/word_list_json.h"
@@ -16,7 +17,6 @@ namespace {
 using namespace project_keys;
 
 constexpr int largestNumber = std::numeric_limits<int>::max();
-constexpr std::size_t mostBuses = 100;
 
 } // namespace
 

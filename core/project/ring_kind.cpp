@@ -134,6 +134,11 @@ QString RingKind::key() const
     return QString::fromLatin1(interbusKind);
 }
 
+QString RingKind::title() const
+{
+    return tr("INTERBUS ring");
+}
+
 QString RingKind::usualName() const
 {
     return QStringLiteral("Ring");

@@ -3,13 +3,18 @@
 
 #include "project/bus_kind.h"
 
+#include <QCoreApplication>
+
 namespace codewheel {
 
 // A ring as projects have it (ring_plan.h).
 class RingKind final : public BusKind
 {
+    Q_DECLARE_TR_FUNCTIONS(codewheel::RingKind)
+
 public:
     QString key() const override;
+    QString title() const override;
     QString usualName() const override;
     KindData usual() const override;
     std::unique_ptr<BusOutline> outline(const Project &project, BusId bus,

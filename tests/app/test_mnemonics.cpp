@@ -66,9 +66,10 @@ private:
 
 TEST_P(Mnemonics, AreUniqueOnEveryPage)
 {
-    for (QAction *page : {actions().monitors, actions().wizard, actions().cams, actions().structureEditor,
-                          actions().compare, actions().transfer, actions().replaceEncoder,
-                          actions().lineSettings, actions().lineSearch, actions().lineTerminal}) {
+    for (QAction *page :
+         {actions().monitors, actions().wizard, actions().cams, actions().structureEditor, actions().compare,
+          actions().transfer, actions().replaceEncoder, actions().lineSettings, actions().lineSearch,
+          actions().lineTerminal, actions().projectPage}) {
         page->trigger();
         EXPECT_GT(check(*window().centralWidget(), page->text()), 0U) << page->text().toStdString();
     }

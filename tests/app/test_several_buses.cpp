@@ -13,7 +13,10 @@
 #include "widgets/structure/structure_view.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QTableView>
 #include <QTreeView>
 
 namespace codewheel {
@@ -159,6 +162,55 @@ TEST_F(SeveralBuses, TwoLinesAtTwoPorts)
     advance(50);
     EXPECT_FALSE(shown->plant().find(firstLine)->isOpen());
     EXPECT_TRUE(shown->plant().find(secondLine)->isOpen()) << "it is another one";
+}
+
+TEST_F(SeveralBuses, ARingAddedOnThePageOfTheProjectIsSeenInTheTree)
+{
+    actions().projectPage->trigger();
+    auto *buses = window().findChild<QTableView *>(QStringLiteral("projectBuses"));
+    ASSERT_TRUE(buses->isVisible());
+    buses->setFocus();
+    QTest::keyClick(buses, Qt::Key_Insert);
+    QWidget *kinds = QApplication::activePopupWidget();
+    ASSERT_NE(kinds, nullptr);
+    QTest::keyClick(kinds, Qt::Key_Return);
+    window().activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window()));
+    EXPECT_EQ(cell(secondRing, StructureModel::deviceColumn), QStringLiteral("Ring 2: Master"));
+    EXPECT_EQ(cell(secondRing, StructureModel::stateColumn), QStringLiteral("offline"));
+    ASSERT_NE(shown->plant().find(secondRing), nullptr);
+
+    QTest::keyClick(buses, Qt::Key_F2);
+    auto *name = buses->viewport()->findChild<QLineEdit *>();
+    ASSERT_NE(name, nullptr);
+    QTest::keyClicks(name, QStringLiteral("Crane"));
+    QTest::keyClick(name, Qt::Key_Return);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(cell(secondRing, StructureModel::deviceColumn), QStringLiteral("Crane: Master"));
+    QTest::keyClick(buses, Qt::Key_Delete);
+    EXPECT_TRUE(cell(secondRing, StructureModel::deviceColumn).isEmpty());
+    EXPECT_TRUE(bus().isOpen());
+}
+
+TEST_F(SeveralBuses, ABusIsNotAddedWithTheNumberOfOneThatIsStillConnected)
+{
+    openSecondRing();
+    Project after = shown->project().project();
+    removeBus(after, secondRing);
+    shown->project().edit(std::move(after), {});
+    actions().projectPage->trigger();
+    auto *buses = window().findChild<QTableView *>(QStringLiteral("projectBuses"));
+    buses->setFocus();
+    for (const int kind : {1, 1}) {
+        QTest::keyClick(buses, Qt::Key_Insert);
+        QWidget *kinds = QApplication::activePopupWidget();
+        ASSERT_NE(kinds, nullptr);
+        for (int i = 0; i < kind; ++i)
+            QTest::keyClick(kinds, Qt::Key_Down);
+        QTest::keyClick(kinds, Qt::Key_Return);
+    }
+    EXPECT_TRUE(busAt(secondRing).isOpen());
+    EXPECT_NE(shown->plant().find(secondLine), nullptr);
 }
 
 // A number is one bus: that of the project.

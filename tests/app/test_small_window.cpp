@@ -71,8 +71,9 @@ private:
 
 TEST_P(SmallWindow, HoldsEveryPage)
 {
-    for (QAction *page : {actions().monitors, actions().wizard, actions().cams, actions().structureEditor,
-                          actions().compare, actions().transfer, actions().replaceEncoder}) {
+    for (QAction *page :
+         {actions().monitors, actions().wizard, actions().cams, actions().structureEditor, actions().compare,
+          actions().transfer, actions().replaceEncoder, actions().projectPage}) {
         page->trigger();
         expectSmall(page->text());
     }

@@ -43,6 +43,7 @@ class LampKind final : public BusKind
 {
 public:
     QString key() const override { return QStringLiteral("lamps"); }
+    QString title() const override { return QStringLiteral("Lamps in a row"); }
     QString usualName() const override { return QStringLiteral("Lamps"); }
     KindData usual() const override { return KindData(LampPlan()); }
     std::unique_ptr<BusOutline> outline(const Project &project, BusId bus, const Catalog &) const override
@@ -103,6 +104,14 @@ TEST_F(AddedKind, IsKeptInTheFileOfTheProject)
     ASSERT_TRUE(read) << refusalText(read.error()).toStdString();
     EXPECT_EQ(*read, project());
     EXPECT_EQ(findBus(*read, lamps)->name, QStringLiteral("Lamps"));
+}
+
+TEST_F(AddedKind, IsOfferedWithTheOthers)
+{
+    ASSERT_TRUE(busKindKeys().contains(QStringLiteral("lamps")));
+    EXPECT_EQ(busKind(u"lamps")->title(), QStringLiteral("Lamps in a row"));
+    EXPECT_EQ(freeNumber(project(), *busKind(u"lamps")), BusId{8});
+    EXPECT_EQ(freeNumber({}, *busKind(u"lamps")), BusId{3}) << "1 and 2 are those of the training";
 }
 
 TEST_F(AddedKind, SaysItselfWhatIsWrong)

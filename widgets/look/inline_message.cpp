@@ -32,6 +32,7 @@ InlineMessage::InlineMessage(QWidget *parent)
     , m_close(describe(new QToolButton(this), tr("Close this message"), tr("Close this message")))
 {
     m_sentence->setWordWrap(true);
+    m_sentence->setTextFormat(Qt::PlainText); // names stand in it
     m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_close->setAutoRaise(true);
     m_close->setIcon(lineIcon(Icon::cancel));

@@ -5,11 +5,14 @@
 #include "widgets/input/text_fields.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
+#include "widgets/project/bus_list.h"
 
 #include <QComboBox>
 #include <QDir>
 #include <QFormLayout>
 #include <QLabel>
+#include <QScrollArea>
+#include <QVBoxLayout>
 
 namespace codewheel {
 namespace {
@@ -26,6 +29,7 @@ ProjectPage::ProjectPage(ProjectDocument &document, QWidget *parent)
     , m_link(describe(new QComboBox(this), "projectLink", tr("Link of the project"),
                       tr("The link the project is used with. Choosing one connects nothing.")))
     , m_settings(new QLabel(this))
+    , m_buses(new BusList(document, this))
     , m_note(describe(new NoteField(this), "projectNote", tr("Note on the project"),
                       tr("What whoever opens the project next should know")))
     , m_file(new QLabel(this))
@@ -69,7 +73,8 @@ void ProjectPage::makeFields()
 
 void ProjectPage::arrange()
 {
-    auto *form = new QFormLayout(this);
+    auto *fields = new QWidget;
+    auto *form = new QFormLayout(fields);
     form->setContentsMargins(grid::margin, grid::margin, grid::margin, grid::margin);
     form->setHorizontalSpacing(2 * grid::groupGap);
     form->setVerticalSpacing(grid::margin);
@@ -78,8 +83,18 @@ void ProjectPage::arrange()
     form->addRow(tr("File"), m_file);
     form->addRow(tr("Lin&k"), m_link);
     form->addRow(QString(), m_settings);
+    form->addRow(tr("B&uses"), m_buses);
     form->addRow(tr("&Note"), m_note);
-    m_note->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    for (QWidget *field : {static_cast<QWidget *>(m_buses), static_cast<QWidget *>(m_note)})
+        field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    auto *area = new QScrollArea(this); // for low windows
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidgetResizable(true);
+    area->setWidget(fields);
+    auto *page = new QVBoxLayout(this);
+    page->setContentsMargins({});
+    page->addWidget(area);
 }
 
 void ProjectPage::edit(const QString &what, const std::function<void(Project &)> &change)

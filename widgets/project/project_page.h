@@ -10,10 +10,11 @@ class QLabel;
 
 namespace codewheel {
 
+class BusList;
 class NoteField;
 class TextField;
 
-// What the project says of itself: title, link and note. A field that was left is one step of undo.
+// What the project says of itself: title, link, buses and note. A field that was left is one step of undo.
 class ProjectPage : public QWidget
 {
     Q_OBJECT
@@ -22,6 +23,8 @@ public:
     // The document outlives the page.
     explicit ProjectPage(ProjectDocument &document, QWidget *parent = nullptr);
     ~ProjectPage() override;
+
+    BusList &buses() { return *m_buses; }
 
 private:
     void makeFields();
@@ -37,6 +40,7 @@ private:
     TextField *m_title;
     QComboBox *m_link;
     QLabel *m_settings;
+    BusList *m_buses;
     NoteField *m_note;
     QLabel *m_file;
 };

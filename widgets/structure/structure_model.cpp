@@ -91,12 +91,12 @@ std::vector<EncoderBus *> StructureModel::connected() const
     return buses;
 }
 
-// What nobody has planned anything of is not worth a row.
+// In a new project nobody has planned anything yet: its ring is not worth a row.
 bool StructureModel::isShown(const PlannedBus &bus) const
 {
-    const BusKind *kind = busKind(bus.kind);
-    return kind != nullptr &&
-           (!devicesOn(m_project->project(), bus.id).empty() || bus.settings != kind->usual());
+    const Project &project = m_project->project();
+    const bool isNew = project.buses == usualBuses() && project.devices.empty();
+    return busKind(bus.kind) != nullptr && !isNew;
 }
 
 std::vector<BusBranch> StructureModel::branches()
@@ -174,9 +174,13 @@ void StructureModel::followProject()
     }
     for (std::size_t i = 0; i < now.size(); ++i) {
         m_branches[i].planned = now[i].planned;
+        now[i].title = m_branches[i].title; // before
         showNames(m_branches[i], m_branches[i].outline().nodes());
     }
     giveTitles();
+    for (std::size_t i = 0; i < now.size(); ++i)
+        if (const BusBranch &branch = m_branches[i]; branch.title != now[i].title)
+            Q_EMIT dataChanged(indexOf(branch, deviceColumn), indexOf(branch, deviceColumn));
 }
 
 // Other devices, or others in their places. Rows that stay are the same rows.

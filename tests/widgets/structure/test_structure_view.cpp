@@ -183,6 +183,28 @@ TEST_F(StructureTest, BusesThatLookTheSameAreToldApartByTheirNames)
     EXPECT_EQ(model.indexOf(there.place()).parent(), model.indexOf(secondRing));
 }
 
+TEST_F(StructureTest, EveryPlannedBusIsShownButTheRingOfANewProject)
+{
+    constexpr BusId secondRing{3};
+    ProjectDocument project;
+    model.setProject(project, ring.catalog);
+    EXPECT_EQ(model.rowCount(), 0);
+    Project two;
+    two.buses.push_back(
+        {secondRing, QStringLiteral("interbus"), QStringLiteral("Crane"), two.buses[0].settings});
+    project.edit(two, {});
+    ASSERT_EQ(model.rowCount(), 2);
+    const QSignalSpy told(&model, &QAbstractItemModel::dataChanged);
+    two.buses[1].name = QStringLiteral("Hoist");
+    project.edit(two, {});
+    EXPECT_EQ(model.indexOf(secondRing).data().toString(), QStringLiteral("Hoist: Master"));
+    EXPECT_EQ(told.count(), 1) << "views show it at once";
+    std::erase_if(two.buses, [](const PlannedBus &bus) { return bus.id == firstRing; });
+    project.edit(two, {});
+    ASSERT_EQ(model.rowCount(), 1);
+    EXPECT_TRUE(model.indexOf(secondRing).isValid());
+}
+
 TEST_F(StructureTest, StationsOfDevicesThatFitStandBesideTheNumber)
 {
     ProjectDocument project;
