@@ -3453,14 +3453,14 @@
     <message numerus="yes">
         <source>All that is planned and known of the %n devices of &quot;%1&quot; leaves the project with it. What is connected is not touched.</source>
         <translation>
-            <numerusform>Mit &quot;%1&quot; verlässt alles das Projekt, was von seinem Teilnehmer geplant und bekannt ist. Was verbunden ist, bleibt unberührt.</numerusform>
+            <numerusform>Mit &quot;%1&quot; verlässt alles das Projekt, was von seinem %n Teilnehmer geplant und bekannt ist. Was verbunden ist, bleibt unberührt.</numerusform>
             <numerusform>Mit &quot;%1&quot; verlässt alles das Projekt, was von seinen %n Teilnehmern geplant und bekannt ist. Was verbunden ist, bleibt unberührt.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>&amp;Remove &quot;%1&quot; and its %n devices</source>
         <translation>
-            <numerusform>&quot;%1&quot; und seinen Teilnehmer ent&amp;fernen</numerusform>
+            <numerusform>&quot;%1&quot; und seinen %n Teilnehmer ent&amp;fernen</numerusform>
             <numerusform>&quot;%1&quot; und seine %n Teilnehmer ent&amp;fernen</numerusform>
         </translation>
     </message>

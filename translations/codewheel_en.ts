@@ -23,14 +23,14 @@
     <message numerus="yes">
         <source>All that is planned and known of the %n devices of &quot;%1&quot; leaves the project with it. What is connected is not touched.</source>
         <translation>
-            <numerusform>All that is planned and known of the device of &quot;%1&quot; leaves the project with it. What is connected is not touched.</numerusform>
+            <numerusform>All that is planned and known of the %n device of &quot;%1&quot; leaves the project with it. What is connected is not touched.</numerusform>
             <numerusform>All that is planned and known of the %n devices of &quot;%1&quot; leaves the project with it. What is connected is not touched.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>&amp;Remove &quot;%1&quot; and its %n devices</source>
         <translation>
-            <numerusform>&amp;Remove &quot;%1&quot; and its device</numerusform>
+            <numerusform>&amp;Remove &quot;%1&quot; and its %n device</numerusform>
             <numerusform>&amp;Remove &quot;%1&quot; and its %n devices</numerusform>
         </translation>
     </message>

@@ -103,16 +103,22 @@ void MainWindow::showWhetherOpen(BusAtWork &bus)
 {
     if (bus.isOpen() == m_shown.contains(bus.id()))
         return;
-    const auto chosen = m_choice->place();
+    // The row of a bus may be chosen; the panels show a device of another one then.
+    const auto place = m_choice->place();
+    const bool isPlaceChosen = place && place->bus == m_chosenBus;
+    const BusId chosen = m_chosenBus;
     if (bus.isOpen()) {
         m_shown.insert(bus.id());
         m_structure->addBus(*bus.bus());
-        m_choice->keep(chosen);
+        if (isPlaceChosen || chosen != bus.id())
+            m_choice->keep(place);
     } else {
         m_shown.erase(bus.id());
         m_structure->removeBus(bus.id());
-        m_choice->choose(chosen);
+        m_choice->choose(place);
     }
+    if (!isPlaceChosen && m_chosenBus != chosen)
+        m_structure->choose(chosen);
 }
 
 // The actions of its kind, and the status line, mean this bus from now on.

@@ -106,8 +106,9 @@ bool Buses::hasJob() const
 template <typename Call>
 void Buses::callEach(Call call)
 {
-    for (EncoderBus *bus : open())
-        if (has(bus))
+    const std::vector<EncoderBus *> buses = m_buses;
+    for (EncoderBus *bus : buses)
+        if (has(bus) && bus->state() != BusState::closed)
             call(*bus);
 }
 

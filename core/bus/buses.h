@@ -32,7 +32,7 @@ public:
     QDateTime now(Place place) const;
     bool hasJob() const; // any of them
 
-    // To all that are open.
+    // To all that are open, or opening.
     void pump();
     void setOperate(bool on);
     void alarmStop();

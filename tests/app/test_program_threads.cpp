@@ -5,11 +5,14 @@
 #include "app/window/plant.h"
 #include "app/window/program.h"
 #include "app/window/ring_at_work.h"
+#include "project/bus_kind.h"
+#include "project/bus_plans.h"
 #include "project/project_file.h"
 #include "ring/bus_session.h"
 #include "tests/app/window_test.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/parameters/wanted_values.h"
+#include "widgets/structure/structure_view.h"
 #include "widgets/wizard/parameter_wizard.h"
 
 #include <QAbstractButton>
@@ -115,6 +118,26 @@ TEST_F(RunningProgram, AnotherLanguageMakesTheWindowAnewWhileTheBusGoesOn)
     Q_EMIT program.window()->languageChosen(QStringLiteral("en"));
     ASSERT_TRUE(waitFor([] { return QLocale().language() == QLocale::English; }));
     QLocale::setDefault(before);
+}
+
+TEST_F(RunningProgram, EveryBusIsOpenedByItsThread)
+{
+    const auto isOpen = [this](BusId bus) { return program.plant()->find(bus)->isOpen(); };
+    EXPECT_TRUE(waitFor([&] { return isOpen(firstRing) && isOpen(firstLine); }));
+    constexpr BusId secondRing{3};
+    ProjectDocument &project = program.plant()->find(firstRing)->project();
+    Project plan = project.project();
+    planBus(plan, secondRing, *busKind(u"interbus"));
+    ProjectDevice device = plan.devices.front();
+    device.bus = secondRing;
+    setDevicesOn(plan, secondRing, {device});
+    project.edit(std::move(plan), {});
+    program.window()->findChild<StructureView *>()->choose(secondRing);
+    program.window()->actions().connectBus->trigger();
+    EXPECT_TRUE(waitFor([&] { return isOpen(secondRing); }));
+    program.window()->actions().disconnectBus->trigger();
+    EXPECT_TRUE(waitFor([&] { return !isOpen(secondRing); }));
+    EXPECT_TRUE(isOpen(firstRing));
 }
 
 TEST(ProgramStart, OpensTheFileItIsGiven)
