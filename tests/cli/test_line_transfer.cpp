@@ -16,7 +16,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-using testing::StartsWith;
 
 // A project with the encoders 05 and 12 of the training line.
 class CliLineTransfer : public testing::Test
