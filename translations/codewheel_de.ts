@@ -13028,6 +13028,14 @@ Zustand: %7</translation>
         <source>Drag devices to move them. F2 or a double click edits station, group, serial number, note and addresses.</source>
         <translation>Geräte ziehen, um sie zu verschieben. F2 oder ein Doppelklick ändert Station, Gruppe, Seriennummer, Notiz und Adressen.</translation>
     </message>
+    <message>
+        <source>Name of the ring</source>
+        <translation>Name des Rings</translation>
+    </message>
+    <message>
+        <source>The ring that is planned here: that of the chosen bus</source>
+        <translation>Der Ring, der hier geplant wird: der des gewählten Busses</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::StructureModel</name>

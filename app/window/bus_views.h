@@ -18,6 +18,7 @@ class DevicePanel;
 class InlineMessage;
 class Leaving;
 class StatusLine;
+class StructureEditor;
 class WindowActions;
 class WindowSettings;
 
@@ -32,6 +33,7 @@ struct WindowParts
     InlineMessage &notice;
     StatusLine &status;
     DevicePanel &device;
+    StructureEditor &editor;
 };
 
 // What one bus adds to the window, each kind its own: panels, pages, and what the actions of its kind do.

@@ -38,7 +38,9 @@ void MainWindow::addBus(BusAtWork *bus)
 {
     auto *rows = static_cast<QVBoxLayout *>(centralWidget()->layout());
     BusViews *views = makeBusViews(
-        *bus, {m_settings, *m_leaving, m_actions, *m_pages, *rows, *m_notice, *m_status, *m_device}, this);
+        *bus,
+        {m_settings, *m_leaving, m_actions, *m_pages, *rows, *m_notice, *m_status, *m_device, *m_editor},
+        this);
     if (views == nullptr)
         return;
     m_views[bus->id()] = views;

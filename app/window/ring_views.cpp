@@ -10,6 +10,7 @@
 #include "widgets/device/device_panel.h"
 #include "widgets/master/master_panel.h"
 #include "widgets/project/device_names.h"
+#include "widgets/structure_editor/structure_editor.h"
 #include "widgets/training/training_panel.h"
 
 #include <QAction>
@@ -65,14 +66,18 @@ void RingViews::setCurrent(bool isCurrent)
     m_isCurrent = isCurrent;
     m_connection->setCurrent(isCurrent);
     m_parts.device.setRing(isCurrent ? m_ring.bus() : nullptr);
+    if (isCurrent)
+        m_parts.editor.setRing(m_ring.id());
     showActions();
 }
 
 void RingViews::setChosen(std::optional<Place> place)
 {
     m_chosen = place;
-    if (place)
+    if (place) {
         m_training->setDevice(*place);
+        m_parts.editor.choose(*place);
+    }
 }
 
 void RingViews::open()

@@ -11,9 +11,12 @@
 #include "widgets/line/line_terminal.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
+#include "widgets/structure_editor/insert_panel.h"
+#include "widgets/structure_editor/structure_editor.h"
 
 #include <QAction>
 #include <QApplication>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTableView>
@@ -211,6 +214,31 @@ TEST_F(SeveralBuses, ABusIsNotAddedWithTheNumberOfOneThatIsStillConnected)
     }
     EXPECT_TRUE(busAt(secondRing).isOpen());
     EXPECT_NE(shown->plant().find(secondLine), nullptr);
+}
+
+TEST_F(SeveralBuses, TheStructureEditorPlansTheChosenRing)
+{
+    plan(secondRing, u"interbus");
+    window().showStructureEditor();
+    auto &editor = *window().findChild<StructureEditor *>();
+    const auto *rows = editor.findChild<QTreeView *>(QStringLiteral("plan"))->model();
+    const std::size_t before = shown->project().project().devices.size();
+    choose(secondRing);
+    EXPECT_EQ(editor.findChild<QLabel *>(QStringLiteral("ringName"))->text(), QStringLiteral("Ring 2"));
+    EXPECT_EQ(rows->rowCount(), 0);
+    editor.openInsertPanel();
+    auto &panel = *editor.findChild<InsertPanel *>();
+    QTest::keyClicks(panel.findChild<QLineEdit *>(), QStringLiteral("OCD"));
+    QTest::keyClick(panel.findChild<QLineEdit *>(), Qt::Key_Return);
+    ASSERT_EQ(devicesOn(shown->project().project(), secondRing).size(), 1U);
+    EXPECT_EQ(shown->project().project().devices.size(), before + 1);
+    EXPECT_EQ(rows->rowCount(), 1);
+    choose(test::baumer);
+    EXPECT_EQ(editor.findChild<QLabel *>(QStringLiteral("ringName"))->text(), QStringLiteral("Ring"));
+    EXPECT_EQ(rows->rowCount(), 6);
+    choose(farFraba);
+    EXPECT_EQ(rows->rowCount(), 1);
+    EXPECT_EQ(window().findChild<StructureView *>()->current(), farFraba) << "it stays chosen";
 }
 
 // A number is one bus: that of the project.

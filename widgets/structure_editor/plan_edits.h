@@ -23,6 +23,7 @@ public:
         , m_catalog(catalog)
     {}
 
+    void setRing(BusId ring) { m_ring = ring; } // the first one at first
     Result<Id> insert(const Participant &device, const RingPlace &place);
     Result<void> remove(const Ids &devices); // with all that hangs below
     Result<void> move(const Ids &devices, const RingPlace &place);
@@ -46,7 +47,7 @@ private:
 
     ProjectDocument &m_document;
     const Catalog &m_catalog;
-    const BusId m_ring = firstRing;
+    BusId m_ring = firstRing;
 };
 
 } // namespace codewheel

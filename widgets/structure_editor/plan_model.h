@@ -42,6 +42,7 @@ public:
     PlanModel(ProjectDocument &document, const Catalog &catalog, QObject *parent = nullptr);
     ~PlanModel() override;
 
+    void setRing(BusId ring); // the first one at first
     std::optional<Id> idAt(const QModelIndex &index) const;
     QModelIndex indexOf(Id id, int column = numberColumn) const;
     const PlanRow &rowAt(const QModelIndex &index) const;
@@ -100,7 +101,7 @@ private:
     void setAddress(Id id, bool isIn, const QString &text);
 
     ProjectDocument &m_document;
-    const BusId m_ring = firstRing;
+    BusId m_ring = firstRing;
     const Catalog &m_catalog;
     AddressRules::Unit m_unit = AddressRules::Unit::byte; // in the header
     Node m_root;

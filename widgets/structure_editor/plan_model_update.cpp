@@ -59,6 +59,12 @@ std::vector<std::size_t> longestRising(const std::vector<int> &numbers)
 
 } // namespace
 
+void PlanModel::setRing(BusId ring)
+{
+    m_ring = ring;
+    follow();
+}
+
 void PlanModel::follow()
 {
     const RingTree tree = ringTree(structureOf(m_document.project(), m_ring));

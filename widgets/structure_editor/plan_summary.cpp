@@ -76,6 +76,12 @@ PlanSummary::~PlanSummary()
     m_cable->disconnect(this);
 }
 
+void PlanSummary::setRing(BusId ring)
+{
+    m_ring = ring;
+    show();
+}
+
 void PlanSummary::show()
 {
     m_counts->setText(countsText());

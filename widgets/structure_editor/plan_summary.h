@@ -20,6 +20,7 @@ public:
     explicit PlanSummary(ProjectDocument &document, QWidget *parent = nullptr);
     ~PlanSummary() override;
 
+    void setRing(BusId ring); // the first one at first
     QString countsText() const;
     QString timesText() const;
 
@@ -27,7 +28,7 @@ private:
     void show();
 
     ProjectDocument &m_document;
-    const BusId m_ring = firstRing;
+    BusId m_ring = firstRing;
     QLabel *m_counts;
     QLabel *m_times;
     QDoubleSpinBox *m_cable;

@@ -44,6 +44,19 @@ void StructureEditor::makeCurrent(PlanEdits::Id id)
     m_tree->scrollTo(index);
 }
 
+// What is chosen in the ring before is not chosen anew while its rows go.
+void StructureEditor::setRing(BusId ring)
+{
+    if (ring == m_ring)
+        return;
+    const QSignalBlocker silent(this);
+    m_ring = ring;
+    m_edits.setRing(ring);
+    m_model->setRing(ring);
+    m_summary->setRing(ring);
+    showProject();
+}
+
 void StructureEditor::choose(Place number)
 {
     const auto id = m_document.idAt(number);
@@ -190,10 +203,22 @@ void StructureEditor::showProject()
     m_empty->setAction(tr("Insert a device"));
     m_tree->setVisible(!isEmpty);
     m_message->withdraw();
+    showName();
     showFindings();
     const auto id = current();
     m_insert->setPlace(structureOf(m_document.project(), m_ring),
                        id ? m_document.indexOf(*id) : std::nullopt);
+}
+
+void StructureEditor::showName()
+{
+    const Project &project = m_document.project();
+    const PlannedBus *planned = findBus(project, m_ring);
+    const bool isOneOfSeveral =
+        planned != nullptr && std::ranges::count(project.buses, planned->kind, &PlannedBus::kind) > 1;
+    m_name->setVisible(isOneOfSeveral);
+    if (isOneOfSeveral)
+        m_name->setText(planned->name);
 }
 
 void StructureEditor::say(const Result<void> &done)

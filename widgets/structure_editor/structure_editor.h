@@ -36,6 +36,8 @@ public:
     StructureEditor(ProjectDocument &document, const Catalog &catalog, QWidget *parent = nullptr);
     ~StructureEditor() override;
 
+    // The ring that is planned here; the first one at first.
+    void setRing(BusId ring);
     void choose(Place number);
     void openInsertPanel();
 
@@ -72,16 +74,18 @@ private:
 
     void showCurrent();
     void showProject();
+    void showName();
     void say(const Result<void> &done);
     std::optional<PlanEdits::Id> current() const;
     PlanEdits::Ids selected() const;
     void makeCurrent(PlanEdits::Id id);
 
     ProjectDocument &m_document;
-    const BusId m_ring = firstRing;
+    BusId m_ring = firstRing;
     const Catalog &m_catalog;
     PlanEdits m_edits;
     PlanModel *m_model;
+    QLabel *m_name; // of the ring, where the project has several
     QToolBar *m_tools;
     QList<QAction *> m_deviceActions; // need a chosen device
     QLineEdit *m_search;

@@ -44,6 +44,8 @@ StructureEditor::StructureEditor(ProjectDocument &document, const Catalog &catal
     , m_catalog(catalog)
     , m_edits(document, catalog)
     , m_model(new PlanModel(document, catalog, this))
+    , m_name(describe(new QLabel(this), tr("Name of the ring"),
+                      tr("The ring that is planned here: that of the chosen bus")))
     , m_tools(new QToolBar(this))
     , m_search(describe(new QLineEdit(this), "structureSearch", tr("Search the structure"),
                         tr("Goes to the devices with this text; Enter and Shift+Enter to the next and to the "
@@ -226,6 +228,11 @@ void StructureEditor::arrange()
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
     layout->setSpacing(grid::unit);
+    m_name->setObjectName(QStringLiteral("ringName"));
+    m_name->setTextFormat(Qt::PlainText);
+    m_name->setContentsMargins(grid::margin, grid::unit, grid::margin, 0);
+    m_name->hide();
+    layout->addWidget(m_name);
     layout->addWidget(m_tools);
     layout->addLayout(column);
 }
