@@ -11,6 +11,7 @@
 #include "line/line_runner.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace codewheel {
@@ -56,6 +57,16 @@ struct LineSession::Private
         });
         return found == encoders.end() ? nullptr : &*found;
     }
+    void retireAll()
+    {
+        std::ranges::move(std::exchange(encoders, {}), std::back_inserter(retired));
+        endRetired();
+    }
+    void endRetired() // unless handlers may still look at them
+    {
+        if (!engine.isPumping())
+            retired.clear();
+    }
     std::size_t indexOf(const Encoder &encoder) const
     {
         return static_cast<std::size_t>(&encoder - encoders.data());
@@ -68,6 +79,7 @@ struct LineSession::Private
     LineSettings settings;
     int fractionBits = EscSettings{}.fractionBits;
     std::vector<Encoder> encoders; // by the runner's places
+    std::vector<Encoder> retired;  // of a connection before, one of which may be telling right now
     Start start = Start::watching;
     LineState told;
     BusEngine<LineRunner, LineSession> engine; // ends before what its drivers use
@@ -87,7 +99,7 @@ Result<void> LineSession::open(const LineSettings &settings, const esc::Timing &
     close();
     d->settings = settings;
     d->start = start;
-    d->encoders.clear();
+    d->retireAll();
     std::optional<Pacing> pacing;
     if (drive == Drive::byThread)
         pacing.emplace(Pacing{.slept = std::move(slept)});
@@ -129,11 +141,13 @@ void LineSession::close()
 
 void LineSession::advance(Instant duration)
 {
+    d->endRetired();
     d->engine.advance(duration, duration);
 }
 
 void LineSession::pump()
 {
+    d->endRetired();
     d->engine.pump();
 }
 

@@ -5,6 +5,7 @@
 #include "ring/send_permission.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace codewheel {
 namespace {
@@ -22,14 +23,8 @@ const DeviceDescription *BusSession::Private::describe(const Participant &partic
 
 command::UseRing BusSession::Private::makeDevices(BusSession &bus, const RingFound &found)
 {
-    {
-        // Who is told that one of them ends finds none any more.
-        const auto endedSessions = std::exchange(sessions, {});
-        const auto endedChannels = std::exchange(channels, {});
-    }
-    retired.clear();
-    retiredChannels.clear();
-    descriptions.clear();
+    retireAll();
+    endRetired();
     structure = found.structure;
     sessions.resize(structure.size());
     renamings.assign(structure.size(), 0);
@@ -132,12 +127,21 @@ void BusSession::pump()
     d->engine.pump();
 }
 
+// Who is told that one of them ends finds none any more. One of them may be telling right now.
+void BusSession::Private::retireAll()
+{
+    std::ranges::move(std::exchange(sessions, {}), std::back_inserter(retired));
+    std::ranges::move(std::exchange(channels, {}), std::back_inserter(retiredChannels));
+    retiredDescriptions.push_back(std::exchange(descriptions, {}));
+}
+
 void BusSession::Private::endRetired()
 {
     if (engine.isPumping())
         return;
     retired.clear();
     retiredChannels.clear();
+    retiredDescriptions.clear();
 }
 
 // What shows already in the next picture.

@@ -37,6 +37,7 @@ struct BusSession::Private
                                               const DeviceDescription *description);
     const Snapshot &latest() const { return *engine.latest(); }
     bool isStale(std::size_t place) const { return renamings[place] > 0; }
+    void retireAll();
     void endRetired(); // unless handlers may still look at them
     void keepEepromWrites(const RingEvent &event);
     // Another ring takes the place of this one (bus_session_ring.cpp).
@@ -56,6 +57,7 @@ struct BusSession::Private
     // Of devices named, or of a ring read in, in the midst of pump().
     std::vector<std::unique_ptr<RingEncoderSession>> retired;
     std::vector<std::unique_ptr<WordChannel>> retiredChannels;
+    std::vector<std::deque<DeviceDescription>> retiredDescriptions; // of these sessions
     std::vector<int> renamings; // on their way to the bus thread: what comes is of the driver before
 
     Start start = Start::watching;
