@@ -54,10 +54,10 @@ struct BusSession::Private
     std::deque<DeviceDescription> descriptions;                // of those that have a session
     std::vector<std::unique_ptr<RingEncoderSession>> sessions; // null: no driver
     std::vector<std::unique_ptr<WordChannel>> channels;
+    std::vector<std::deque<DeviceDescription>> retiredDescriptions;
     // Of devices named, or of a ring read in, in the midst of pump().
     std::vector<std::unique_ptr<RingEncoderSession>> retired;
     std::vector<std::unique_ptr<WordChannel>> retiredChannels;
-    std::vector<std::deque<DeviceDescription>> retiredDescriptions; // of these sessions
     std::vector<int> renamings; // on their way to the bus thread: what comes is of the driver before
 
     Start start = Start::watching;
