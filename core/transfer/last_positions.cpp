@@ -10,8 +10,12 @@ LastPositions::LastPositions(const Buses &buses, QObject *parent)
     : QObject(parent)
     , m_buses(buses)
 {
-    connect(&buses, &Buses::updated, this, qOverload<>(&LastPositions::look));
-    look();
+    connect(&buses, &Buses::updated, this, [this](BusId updated) {
+        if (const EncoderBus *bus = m_buses.open(updated))
+            look(*bus);
+    });
+    for (const EncoderBus *bus : m_buses.open())
+        look(*bus);
 }
 
 std::optional<SeenPosition> LastPositions::at(Place number) const
@@ -28,12 +32,6 @@ std::optional<SeenPosition> LastPositions::newest(Place number) const
     if (found == m_watched.end())
         return std::nullopt;
     return found->second.last ? found->second.last : found->second.beforeGone;
-}
-
-void LastPositions::look()
-{
-    for (const EncoderBus *bus : m_buses.open())
-        look(*bus);
 }
 
 void LastPositions::look(const EncoderBus &bus)

@@ -50,7 +50,6 @@ private:
         Instant lastAt{};                       // of its bus, which begins at 0 when it is connected again
     };
 
-    void look();
     void look(const EncoderBus &bus);
 
     const Buses &m_buses;
