@@ -18,9 +18,9 @@ void tellTrainingPlan(BusSession &bus)
                 encoder->tell(value.parameter, value.value);
 }
 
-TrainingSession openTrainingSession(const Catalog &catalog, QDateTime begin)
+TrainingSession openTrainingSession(const Catalog &catalog, QDateTime begin, BusId ring)
 {
-    TrainingSession training = makeTrainingSession(catalog, std::move(begin), makeTrainingBus(catalog));
+    TrainingSession training = makeTrainingSession(catalog, std::move(begin), makeTrainingBus(catalog), ring);
     if (!training.bus->open(BusSession::Start::operating)) // a simulated link always opens
         Q_UNREACHABLE();
     tellTrainingPlan(*training.bus);

@@ -23,6 +23,6 @@ TrainingSession makeTrainingSession(const Catalog &catalog, QDateTime begin, Tra
 // mode.
 void tellTrainingPlan(BusSession &bus);
 // Connected, in RUN and in Operate. Cycles come with bus->advance() or bus->startThread().
-TrainingSession openTrainingSession(const Catalog &catalog, QDateTime begin);
+TrainingSession openTrainingSession(const Catalog &catalog, QDateTime begin, BusId ring = firstRing);
 
 } // namespace codewheel

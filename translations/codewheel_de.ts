@@ -2773,6 +2773,10 @@
         <source>%1: the label in the project has the serial number %2, the encoder tells %3. Replace the encoder in the project, or correct the label.</source>
         <translation>%1: Das Typenschild im Projekt hat die Seriennummer %2, der Geber meldet %3. Den Geber im Projekt ersetzen oder das Typenschild berichtigen.</translation>
     </message>
+    <message>
+        <source>The %2 belongs to another kind of bus: it cannot be the device at %1.</source>
+        <translation>Der %2 gehört an eine andere Art von Bus: Er kann nicht das Gerät an %1 sein.</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>
@@ -5004,10 +5008,6 @@ Beschreibungen kommen aus ~/.local/share/codewheel/devices/*.json; --check prüf
         <translation>Versorgung</translation>
     </message>
     <message>
-        <source>The %1 is on a serial line, not on INTERBUS: it cannot be the device at %2.</source>
-        <translation>%1 ist an einer seriellen Leitung, nicht am INTERBUS: Er kann nicht das Gerät bei %2 sein.</translation>
-    </message>
-    <message>
         <source>%1 stands on the label of the %2 only: it is neither read nor written over the bus. There are: %3.</source>
         <translation>%1 steht nur auf dem Typenschild (%2): wird über den Bus weder gelesen noch geschrieben. Es gibt: %3.</translation>
     </message>
@@ -5669,10 +5669,6 @@ abgefragt werden, und sagt am Ende, wie es der Leitung ging. Nichts wird geschri
         <translation>Geber an einer seriellen Leitung haben keinen Befehl, der sie auf Werkseinstellungen zurücksetzt. Die Werte mit codewheel-cli write schreiben.</translation>
     </message>
     <message>
-        <source>On the serial line:</source>
-        <translation>An der seriellen Leitung:</translation>
-    </message>
-    <message>
         <source>list the participants of the bus, and look for encoders on a serial line</source>
         <translation>die Teilnehmer des Busses auflisten, und Geber an einer seriellen Leitung suchen</translation>
     </message>
@@ -5741,10 +5737,6 @@ erste Anfrage, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehn
         <translation>Geber an einer seriellen Leitung haben keine Worte in Prozessdaten. Befehle mit codewheel-cli terminal senden.</translation>
     </message>
     <message>
-        <source>the way to the encoders: training (the default), the simulated bus; or esc:PORT, a serial line, with settings behind the port as in esc:ttyUSB0,baud=9600</source>
-        <translation>der Weg zu den Gebern: training (Vorgabe), der simulierte Bus; oder esc:ANSCHLUSS, eine serielle Leitung, mit Einstellungen hinter dem Anschluss wie in esc:ttyUSB0,baud=9600</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is no answer to %2. A read is answered with its digits, a write with a bare line end (type CRLF), either with 03 or 05 where it is refused.</source>
         <translation>&quot;%1&quot; ist keine Antwort auf %2. Ein Lesen wird mit seinen Ziffern beantwortet, ein Schreiben mit einem bloßen Zeilenende (CRLF eintippen), beides mit 03 oder 05, wo es abgelehnt wird.</translation>
     </message>
@@ -5797,14 +5789,6 @@ erste Anfrage, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehn
         <translation>Der Geber antwortet auf %1.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is a device on INTERBUS: it cannot be one on a serial line.</source>
-        <translation>&quot;%1&quot; ist ein Gerät am INTERBUS: Es kann keines an einer seriellen Leitung sein.</translation>
-    </message>
-    <message>
-        <source>%1 is a place on INTERBUS, and the link is a serial line. Give the address of an encoder as two hexadecimal digits, as 05.</source>
-        <translation>%1 ist ein Platz am INTERBUS, und die Verbindung ist eine serielle Leitung. Die Adresse eines Gebers als zwei Hexziffern angeben, wie 05.</translation>
-    </message>
-    <message>
         <source>Requests: %1. Answers: %2. Time-outs: %3. Retries: %4. Not answered: %5. Garbage bytes: %6. Late bytes: %7.</source>
         <translation>Anfragen: %1. Antworten: %2. Zeitüberschreitungen: %3. Wiederholungen: %4. Unbeantwortet: %5. Störbytes: %6. Verspätete Bytes: %7.</translation>
     </message>
@@ -5831,10 +5815,6 @@ erste Anfrage, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehn
     <message>
         <source>There is no project with the port of a serial line. Name one that has it with --project FILE, or the port, as --link esc:ttyUSB0.</source>
         <translation>Es gibt kein Projekt mit dem Anschluss einer seriellen Leitung. Eines mit --project DATEI nennen, das ihn hat, oder den Anschluss, wie --link esc:ttyUSB0.</translation>
-    </message>
-    <message>
-        <source>There is no link &quot;%1&quot;. The links are: training, the simulated bus, and esc:PORT, a serial line with Kübler encoders, as esc:ttyUSB0.</source>
-        <translation>Es gibt keine Verbindung &quot;%1&quot;. Die Verbindungen sind: training, der simulierte Bus, und esc:ANSCHLUSS, eine serielle Leitung mit Kübler-Gebern, wie esc:ttyUSB0.</translation>
     </message>
     <message>
         <source>The ports there are: %1.</source>
@@ -5879,10 +5859,6 @@ erste Anfrage, die falsch ist, keine Antwort bekommt oder mangels --yes abgelehn
     <message>
         <source>alarms and warnings</source>
         <translation>Alarme und Warnungen</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is a station on INTERBUS, and the link is a serial line. Give the address of an encoder as two hexadecimal digits, as 05.</source>
-        <translation>&quot;%1&quot; ist eine Station am INTERBUS, und die Verbindung ist eine serielle Leitung. Die Adresse eines Gebers als zwei Hexziffern angeben, wie 05.</translation>
     </message>
     <message>
         <source>The last address, %1, lies before the first, %2.</source>
@@ -6072,30 +6048,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Nichts wurde gesendet: Was gesendet würde, konnte nicht gezeigt werden.</translation>
     </message>
     <message>
-        <source>PLACE is the device number of an encoder, segment.position: 1.0; on a serial line its address,
-two hexadecimal digits: 12, or esc:12. Numbers are decimal unless they are written 0x.. or ..h;
-a WORD is always hexadecimal, as the manuals print it.
-
-Each call has a new training bus, which always starts the same: 1.0 FRABA K3 that stands
-still, 2.0 Baumer K3 that turns at 10 rpm, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 on a rod,
-6.0 bus terminal and, behind it, 6.1 FRABA K3 on Loop 2; and a serial line with the Kübler
-encoders 03, 05 and 12. What one call wrote, the next one does not find.
-
-Exit code: 0 done; 1 not done, not known, or done and not told; 2 bad input.
-codewheel-cli COMMAND --help explains a command.</source>
-        <translation>PLATZ ist die Gerätenummer eines Gebers, Segment.Position: 1.0; auf einer seriellen Leitung seine Adresse,
-zwei Hexziffern: 12, oder esc:12. Zahlen sind dezimal, außer sie sind 0x.. oder ..h geschrieben;
-ein WORT ist immer hexadezimal, wie die Handbücher es drucken.
-
-Jeder Aufruf hat einen neuen Übungsbus, der immer gleich beginnt: 1.0 FRABA K3, der stillsteht,
-2.0 Baumer K3, der mit 10 U/min dreht, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 an einem Stab,
-6.0 Busklemme und dahinter 6.1 FRABA K3 an Loop 2; und eine serielle Leitung mit den Kübler-
-Gebern 03, 05 und 12. Was ein Aufruf schrieb, findet der nächste nicht vor.
-
-Rückgabewert: 0 erledigt; 1 nicht erledigt, unbekannt, oder erledigt und nicht gesagt; 2 falsche Eingabe.
-codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
-    </message>
-    <message>
         <source>No answer comes from %1 at %2 Bd, but bytes that are no answers: %3 until now. Either another baud rate or format is needed (codewheel-cli scan --all-rates tries the rates), or the wiring is wrong or disturbed (A and B exchanged, no termination), or a device on the line speaks another protocol.</source>
         <translation>Von %1 kommt mit %2 Bd keine Antwort, aber es kommen Bytes, die keine Antworten sind: bisher %3. Entweder ist eine andere Baudrate oder ein anderes Format nötig (codewheel-cli scan --all-rates probiert die Raten), oder die Verdrahtung ist falsch oder gestört (A und B vertauscht, kein Abschluss), oder ein Gerät an der Leitung spricht ein anderes Protokoll.</translation>
     </message>
@@ -6139,10 +6091,6 @@ wurde, zählt nicht doppelt. Braucht keinen Bus.</translation>
         <translation>Die EEPROM-Schreibvorgänge dieses Aufrufs sind nicht im Verzeichnis eingetragen.</translation>
     </message>
     <message>
-        <source>What is found on a serial line is not saved as a project. Leave --save out.</source>
-        <translation>Was auf einer seriellen Leitung gefunden wird, wird nicht als Projekt gespeichert. --save weglassen.</translation>
-    </message>
-    <message>
         <source>Reads all that can be read of the encoders named, or of all, and keeps it in the project, with its
 evidence and time. While one on INTERBUS is read, it shows no position. Of an encoder that cannot be
 read what is known is kept; what nobody knows stays unknown. With --cams each cam program is read
@@ -6156,6 +6104,108 @@ sich nicht auslesen lässt, wird abgelegt, was bekannt ist; was niemand weiß, b
 verlassen kostet einen EEPROM-Schreibvorgang. Von einem Platz, an dem ein anderer Geber stehen kann
 als im Projekt, wird nichts abgelegt (siehe &quot;compare&quot;): Exit-Code 1. Die Datei, die da war, bleibt
 als PROJECT~ erhalten.</translation>
+    </message>
+    <message>
+        <source>code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>the way to the encoders: training (the default), the simulated buses; project, all buses of the project; or SCHEME:WHERE, with settings behind it, as in esc:ttyUSB0,baud=9600</source>
+        <translation>der Weg zu den Gebern: training (ohne Angabe), die simulierten Busse; project, alle Busse des Projekts; oder SCHEMA:WO mit Einstellungen dahinter, wie in esc:ttyUSB0,baud=9600</translation>
+    </message>
+    <message>
+        <source>PLACE is the device number of an encoder, segment.position: 1.0; on a serial line its address,
+two hexadecimal digits: 12, or esc:12; or its station in the project. Where several buses have it,
+BUS/PLACE names one, BUS being its name in the project, else Ring or Line. Numbers are decimal
+unless they are written 0x.. or ..h; a WORD is always hexadecimal, as the manuals print it.
+
+Each call has a new training bus, which always starts the same: 1.0 FRABA K3 that stands
+still, 2.0 Baumer K3 that turns at 10 rpm, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 on a rod,
+6.0 bus terminal and, behind it, 6.1 FRABA K3 on Loop 2; and a serial line with the Kübler
+encoders 03, 05 and 12. What one call wrote, the next one does not find.
+
+Exit code: 0 done; 1 not done, not known, or done and not told; 2 bad input.
+codewheel-cli COMMAND --help explains a command.</source>
+        <translation>PLATZ ist die Gerätenummer eines Gebers, Segment.Position: 1.0; auf einer seriellen Leitung seine Adresse,
+zwei Hexziffern: 12, oder esc:12; oder seine Station im Projekt. Wo mehrere Busse ihn haben, nennt
+BUS/PLATZ einen davon; BUS ist sein Name im Projekt, sonst Ring oder Line. Zahlen sind dezimal,
+außer sie sind 0x.. oder ..h geschrieben; ein WORT ist immer hexadezimal, wie die Handbücher es drucken.
+
+Jeder Aufruf hat einen neuen Übungsbus, der immer gleich beginnt: 1.0 FRABA K3, der stillsteht,
+2.0 Baumer K3, der mit 10 U/min dreht, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 an einem Stab,
+6.0 Busklemme und dahinter 6.1 FRABA K3 an Loop 2; und eine serielle Leitung mit den Kübler-
+Gebern 03, 05 und 12. Was ein Aufruf schrieb, findet der nächste nicht vor.
+
+Rückgabewert: 0 erledigt; 1 nicht erledigt, unbekannt, oder erledigt und nicht gesagt; 2 falsche Eingabe.
+codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
+    </message>
+    <message>
+        <source>the addresses of encoders as two hexadecimal digits, as 05</source>
+        <translation>die Adressen von Gebern als zwei Hexziffern, etwa 05</translation>
+    </message>
+    <message>
+        <source>esc:PORT, a serial line with Kübler encoders, as esc:ttyUSB0,baud=9600</source>
+        <translation>esc:ANSCHLUSS, eine serielle Leitung mit Kübler-Gebern, wie esc:ttyUSB0,baud=9600</translation>
+    </message>
+    <message>
+        <source>training, the simulated buses</source>
+        <translation>training, die simulierten Busse</translation>
+    </message>
+    <message>
+        <source>project, all buses of the project</source>
+        <translation>project, alle Busse des Projekts</translation>
+    </message>
+    <message>
+        <source>There is no link &quot;%1&quot;. The links are: %2.</source>
+        <translation>Es gibt keine Verbindung &quot;%1&quot;. Die Verbindungen sind: %2.</translation>
+    </message>
+    <message>
+        <source>Say with protocol= what is spoken at %1. There is: %2.</source>
+        <translation>Mit protocol= angeben, was an %1 gesprochen wird. Es gibt: %2.</translation>
+    </message>
+    <message>
+        <source>The link &quot;project&quot; needs a project. Name it with --project FILE.</source>
+        <translation>Die Verbindung &quot;project&quot; braucht ein Projekt. Es mit --project DATEI nennen.</translation>
+    </message>
+    <message>
+        <source>Several buses may have %1. Give one of these: %2.</source>
+        <translation>Mehrere Busse können %1 haben. Einen davon angeben: %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a station on a bus that the link does not lead to.</source>
+        <translation>&quot;%1&quot; ist eine Station an einem Bus, zu dem die Verbindung nicht führt.</translation>
+    </message>
+    <message>
+        <source>%1 is a place on a bus that the link does not lead to (%2). Places there are: %3.</source>
+        <translation>%1 ist ein Platz an einem Bus, zu dem die Verbindung nicht führt (%2). Plätze gibt es: %3.</translation>
+    </message>
+    <message>
+        <source>The link leads to no bus &quot;%1&quot;. The buses are: %2.</source>
+        <translation>Die Verbindung führt zu keinem Bus &quot;%1&quot;. Die Busse sind: %2.</translation>
+    </message>
+    <message>
+        <source>The link leads to no bus of this kind: %1.</source>
+        <translation>Die Verbindung führt zu keinem Bus dieser Art: %1.</translation>
+    </message>
+    <message>
+        <source>The link leads to several buses. Name one with --bus: %1.</source>
+        <translation>Die Verbindung führt zu mehreren Bussen. Einen mit --bus nennen: %1.</translation>
+    </message>
+    <message>
+        <source>on this bus, as the project calls it, where there are several</source>
+        <translation>an diesem Bus, wie das Projekt ihn nennt, wo es mehrere gibt</translation>
+    </message>
+    <message>
+        <source>interbus:training, the simulated ring alone</source>
+        <translation>interbus:training, der simulierte Ring allein</translation>
+    </message>
+    <message>
+        <source>The project links &quot;%1&quot; by &quot;%2&quot;: this program has no such link.</source>
+        <translation>Das Projekt verbindet &quot;%1&quot; über &quot;%2&quot;: Diese Verbindung hat das Programm nicht.</translation>
     </message>
 </context>
 <context>

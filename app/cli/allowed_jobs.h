@@ -2,7 +2,6 @@
 #pragma once
 
 #include "cli/complaint.h"
-#include "esc/esc_request.h"
 #include "transfer/job_round.h"
 
 namespace codewheel {
@@ -34,30 +33,6 @@ private:
 
     EncoderSession &m_encoder;
     Job m_job;
-};
-
-// The same of a request that was typed for an encoder on a serial line.
-class AllowedRequest
-{
-public:
-    // Nothing where it writes: that is asked for.
-    static std::optional<AllowedRequest> reading(const esc::Request &request)
-    {
-        if (esc::shapeOf(request.command).writes)
-            return std::nullopt;
-        return AllowedRequest(request);
-    }
-
-    const esc::Request &request() const { return m_request; }
-
-private:
-    friend Checked<AllowedRequest> eepromConsent(const Call &call, const EncoderSession *encoder,
-                                                 const esc::Request &request);
-    explicit AllowedRequest(const esc::Request &request)
-        : m_request(request)
-    {}
-
-    esc::Request m_request;
 };
 
 // The same of the jobs of several encoders.

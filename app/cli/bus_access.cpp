@@ -1,173 +1,168 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/bus_access.h"
 
-#include "bus/buses.h"
-#include "bus/word_channel.h"
-#include "catalog/label_key.h"
-#include "cli/device_text.h"
-#include "cli/line_encoders.h"
-#include "cli/project_access.h"
+#include "bus/bus_outline.h"
+#include "bus/encoder_bus.h"
+#include "cli/jobs.h"
+#include "cli/json.h"
+#include "cli/places.h"
 #include "cli/subcommand.h"
+#include "cli/text_table.h"
 #include "cli/texts.h"
-#include "cli/trace.h"
-#include "ring/bus_session.h"
+#include "encoder/sentence.h"
+#include "journal/ledger_keeper.h"
+#include "project/bus_kind.h"
+#include "project/bus_plans.h"
+
+#include <QJsonArray>
 
 #include <algorithm>
 
 namespace codewheel {
 namespace {
 
-QString placesOf(const BusSession &bus)
-{
-    QStringList places;
-    for (const Place number : bus.places())
-        places << number.toString();
-    return places.join(QStringLiteral(", "));
-}
+using namespace std::chrono_literals;
 
-Checked<void> nameDevice(const Call &call, Place number, const QString &typed)
+QJsonValue textOrNull(const QString &text)
 {
-    if (call.bus->channel(number) == nullptr)
-        return {};
-    const auto meant = deviceMeant(call, number, typed);
-    if (!meant)
-        return tl::unexpected(meant.error());
-    const DeviceDescription *device = call.catalog.find(meant->key);
-    if (device != nullptr && device->profile == Profile::esc)
-        return badInput(QStringLiteral("deviceOnSerialLine"),
-                        CommandLine::tr("The %1 is on a serial line, not on INTERBUS: it cannot be the "
-                                        "device at %2."),
-                        {device->fullName(), number.toString()});
-    if (const auto named = call.bus->name(number, meant->key, meant->turns, meant->stepsPerTurn); !named)
-        return tl::unexpected(complaintAbout(named.error()));
-    return {};
+    return text.isEmpty() ? QJsonValue() : QJsonValue(text);
 }
 
 } // namespace
 
-Checked<NamedDevice> deviceMeant(const Call &call, Place place, const QString &typed)
+BusAccess::BusAccess(EncoderBus &bus, QString kind)
+    : m_bus(bus)
+    , m_kind(std::move(kind))
+{}
+
+BusAccess::~BusAccess() = default;
+
+QString BusAccess::name() const
 {
-    if (call.catalog.find(typed))
-        return NamedDevice{typed};
-    const auto matches = findByLabel(call.catalog, typed);
-    if (!matches)
-        return tl::unexpected(deviceNamed(call.catalog, typed).error());
-    const EncoderBus *bus = call.buses.busOf(place);
-    const auto found = std::ranges::find_if(*matches, [&](const LabelMatch &match) {
-        return bus && bus->canBe(place, *match.device).has_value();
-    });
-    const LabelMatch &match = found == matches->end() ? matches->front() : *found;
-    return NamedDevice{match.device->key, match.turns, match.stepsPerTurn};
+    if (!m_name.isEmpty())
+        return m_name;
+    const BusKind *kind = busKind(m_kind);
+    return kind != nullptr ? kind->usualName() : QStringLiteral("%1").arg(m_bus.id().number);
 }
 
-Checked<EncoderSession *> encoderMeant(const Call &call)
+void BusAccess::setLedger(std::unique_ptr<LedgerKeeper> ledger)
 {
-    return placeMeant(call, call.arguments.rest.front()).and_then([&](const QString &place) {
-        return isOnLine(call, place) ? encoderOnLine(call, place) : encoderAt(*call.bus, place);
-    });
+    m_ledger = std::move(ledger);
 }
 
-Checked<EncoderSession *> encoderAt(const Call &call)
+std::optional<NodeId> BusAccess::placeTyped(const QString &text) const
 {
-    const auto place = placeMeant(call, call.arguments.rest.front());
-    if (!place)
-        return tl::unexpected(place.error());
-    if (isOnLine(call, *place))
-        return encoderOnLine(call, *place);
-    const auto number = Place::parse(*place);
-    const auto device = call.arguments.value("--device");
-    if (number && device)
-        if (const auto named = nameDevice(call, *number, *device); !named)
+    const auto places = m_bus.places();
+    const auto found = std::ranges::find(places, text, [](Place place) { return place.toString(); });
+    return found == places.end() ? std::nullopt : std::optional(found->node);
+}
+
+bool BusAccess::mayHave(NodeId node) const
+{
+    return std::ranges::count(m_bus.places(), m_bus.placeOf(node)) > 0;
+}
+
+Complaint BusAccess::notAPlace(const QString &typed) const
+{
+    return complaintAbout({RefusalKind::badInput, RefusalId::unknownDevice, {typed, somePlaces()}});
+}
+
+QString BusAccess::somePlaces() const
+{
+    QStringList places;
+    for (const Place place : m_bus.places())
+        places << place.toString();
+    return places.join(QStringLiteral(", "));
+}
+
+Checked<EncoderSession *> BusAccess::encoder(const Call &call, NodeId node, bool namesIt)
+{
+    const Place place = m_bus.placeOf(node);
+    if (!mayHave(node))
+        return tl::unexpected(notAPlace(place.toString()));
+    if (namesIt)
+        if (const auto named = nameDevice(call, place); !named)
             return tl::unexpected(named.error());
-    return encoderAt(*call.bus, *place);
-}
-
-Checked<EncoderSession *> encoderAt(BusSession &bus, const QString &place)
-{
-    const auto number = Place::parse(place);
-    if (!number || !bus.channel(*number))
-        return tl::unexpected(
-            complaintAbout({RefusalKind::badInput, RefusalId::unknownDevice, {place, placesOf(bus)}}));
-    EncoderSession *encoder = bus.encoder(*number);
-    if (!encoder)
+    EncoderSession *encoder = m_bus.encoder(node);
+    if (encoder == nullptr)
         return badInput(QStringLiteral("noEncoder"),
                         CommandLine::tr("The device at %1 is no encoder this program can drive. See "
                                         "codewheel-cli scan."),
-                        {place});
+                        {place.toString()});
     if (encoder->latest().state == EncoderState::notSeen)
-        bus.advance(1);
+        advance(lookInterval());
     return encoder;
 }
 
-Exchange currentRow(const BusSession &bus, const EncoderSession &encoder)
+Checked<void> BusAccess::contact(const Call &, const ProjectDevice &)
 {
-    const WordChannel &channel = *bus.channel(encoder.place());
-    const Reading &reading = encoder.latest();
-    return {bus.latest().cycle, bus.latest().at, channel.out(), channel.in(), reading.mode, reading.coding};
+    advance(lookInterval());
+    return {};
 }
 
-FinishedJob runToEnd(const Call &call, const AllowedJob &allowed)
+Instant BusAccess::lookInterval() const
 {
-    EncoderSession &encoder = allowed.encoder();
-    if (encoder.place().isOnLine())
-        return runOnLine(*call.line, allowed);
-    BusSession &bus = *call.bus;
-    FinishedJob finished;
-    finished.rows.push_back(currentRow(bus, encoder));
-    const auto started = encoder.start(allowed.job());
-    if (!started) {
-        finished.outcome.result = tl::unexpected(started.error());
-        return finished;
+    return 10ms;
+}
+
+bool BusAccess::advance(Instant duration)
+{
+    m_bus.advance(duration);
+    return m_bus.isOpen();
+}
+
+Complaint BusAccess::complaint(const Refusal &why) const
+{
+    return complaintAbout(why);
+}
+
+std::unique_ptr<JobTrace> BusAccess::trace(const std::vector<const EncoderSession *> &)
+{
+    return std::make_unique<JobTrace>();
+}
+
+std::unique_ptr<WriteAccount> BusAccess::account(const EncoderSession &encoder, const ParameterValues &wanted,
+                                                 const FinishedJob &job) const
+{
+    return std::make_unique<WriteAccount>(encoder, wanted, job.outcome);
+}
+
+QStringList BusAccess::remarks(const Reading &reading) const
+{
+    QStringList texts;
+    if (reading.state == EncoderState::silent)
+        texts << CommandLine::tr("does not answer");
+    if (reading.suspect)
+        texts << CommandLine::tr("suspect: asked for again");
+    return texts;
+}
+
+Checked<Answer> BusAccess::scan(const Call &)
+{
+    TextTable table;
+    table.add({CommandLine::tr("place"), CommandLine::tr("code"), CommandLine::tr("profile"),
+               CommandLine::tr("device")});
+    QJsonArray devices;
+    for (const BusNode &node : m_bus.outline().nodes()) {
+        table.add({node.node.toString(), node.code, node.profile, node.name});
+        devices.append(QJsonObject{{QStringLiteral("place"), node.node.toString()},
+                                   {QStringLiteral("code"), textOrNull(node.code)},
+                                   {QStringLiteral("device"), textOrNull(node.name)}});
     }
-
-    bool running = true;
-    QObject scope;
-    QObject::connect(&encoder, &EncoderSession::exchanged, &scope,
-                     [&](const Exchange &row) { finished.rows.push_back(row); });
-    QObject::connect(&encoder, &EncoderSession::finished, &scope, [&](const Outcome &outcome) {
-        running = outcome.job != *started;
-        finished.outcome = outcome;
-    });
-    while (running)
-        bus.advance(1);
-    return finished;
+    return Answer{table.toString(), {{QStringLiteral("devices"), devices}}};
 }
 
-bool isOfLine(const Call &call, Place place)
+void BusAccess::keepFound(const Call &, Project &project) const
 {
-    return call.line != nullptr && call.line->bus().id() == place.bus;
-}
-
-Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why)
-{
-    return isOfLine(call, place) ? call.line->complaint(why) : complaintAbout(why);
-}
-
-void passTime(const Call &call, Place place)
-{
-    if (isOfLine(call, place))
-        call.line->advance(LineAccess::lookInterval);
-    else
-        call.bus->advance(1);
-}
-
-LedgerKeeper *ledgerOf(const Call &call, Place place)
-{
-    return isOfLine(call, place) ? call.line->ledger() : call.ledger;
-}
-
-QString traceText(const Call &call, const EncoderSession &encoder, const FinishedJob &job)
-{
-    if (encoder.place().isOnLine())
-        return lineTraceText(job.passed, call.line->explainOptions());
-    return traceText(encoder.device(), job.rows);
-}
-
-QJsonArray traceJson(const Call &call, const EncoderSession &encoder, const FinishedJob &job)
-{
-    if (encoder.place().isOnLine())
-        return lineTraceJson(job.passed, call.line->explainOptions());
-    return traceJson(encoder.device(), job.rows);
+    std::vector<ProjectDevice> devices;
+    for (const Place place : m_bus.places()) {
+        const ProjectDevice *before = findDevice(project, place);
+        ProjectDevice device = before != nullptr ? *before : ProjectDevice();
+        device.participant = m_bus.found(place).value_or(device.participant);
+        device.standAt(place);
+        devices.push_back(std::move(device));
+    }
+    setDevicesOn(project, m_bus.id(), std::move(devices));
 }
 
 } // namespace codewheel

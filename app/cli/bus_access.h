@@ -1,77 +1,113 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/allowed_jobs.h"
-#include "cli/arguments.h"
+#include "cli/answer.h"
 #include "cli/complaint.h"
-#include "cli/line_trace.h"
+#include "cli/job_trace.h"
+#include "cli/write_account.h"
+#include "encoder/exchange.h"
+#include "encoder/parameter.h"
 
-#include <QtGlobal>
+#include <QJsonObject>
+#include <QString>
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace codewheel {
 
-class BusSession;
+class EncoderBus;
 class LedgerKeeper;
-
 struct Call;
+struct DeviceDescription;
+struct FinishedJob;
+struct Project;
+struct ProjectDevice;
+struct Reading;
+struct Subcommand;
 
-// The encoder at the PLACE the call names, on the bus or on the serial line, so far that it shows where it
-// stands. With --device it is named first, for this call.
-Checked<EncoderSession *> encoderAt(const Call &call);
-
-// The same on the bus, whatever --device says.
-Checked<EncoderSession *> encoderMeant(const Call &call);
-
-// --device of the commands that work on a PLACE.
-inline constexpr Option deviceOption{
-    "--device", "NAME",
-    QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                      "take the encoder for this one: a name of \"devices\", or the key on its label")};
-
-// What a name of the catalog, or the key on a label, means at a place of the bus. 0: the key does not tell.
-struct NamedDevice
+// One bus of a call, as the commands use it. What is here serves any EncoderBus that stands open; a kind of
+// bus adds how its places are typed, how it is opened, and what only it can tell.
+class BusAccess
 {
-    QString key;
-    int turns = 0;
-    int stepsPerTurn = 0;
+public:
+    explicit BusAccess(EncoderBus &bus, QString kind = {}); // the bus outlives it
+    virtual ~BusAccess();
+    Q_DISABLE_COPY_MOVE(BusAccess)
+
+    EncoderBus &bus() const { return m_bus; } // opened or not
+    QString kind() const { return m_kind; }   // as in projects: "interbus"
+    // BUS of BUS/PLACE: of the project, else as a new bus of its kind is called.
+    QString name() const;
+    void setName(const QString &name) { m_name = name; }
+
+    // Counts EEPROM writes from now on: in the file, else where those of this bus are counted.
+    virtual void keepLedger(const std::optional<QString> &) {}
+    void setLedger(std::unique_ptr<LedgerKeeper> ledger);
+    LedgerKeeper *ledger() const { return m_ledger.get(); } // null: none is kept
+
+    // It is opened when it is first needed.
+    virtual Checked<void> open() { return {}; }
+    // Why the command does not work on this kind of bus at all; nothing: it does.
+    virtual std::optional<Complaint> whyNot(const Subcommand &) const { return std::nullopt; }
+
+    virtual bool followsFaultPlan() const { return false; }
+
+    // The place that is typed so, whether a device stands there or not; nothing: no place is written so.
+    virtual std::optional<NodeId> placeTyped(const QString &text) const;
+    virtual bool mayHave(NodeId node) const; // a device; as far as it is known without asking the bus
+    virtual bool isMeant(const QString &) const { return false; } // by its form, though it is no place
+    virtual Complaint notAPlace(const QString &typed) const;
+    virtual QString somePlaces() const; // that there are, or how they are written
+    // Whether the device that the project has at a station can be reached by that name.
+    virtual Checked<void> checkStation(const Project &, const QString &) const { return {}; }
+    // The encoder at the place, so far that it shows where it stands; named by --device first.
+    virtual Checked<EncoderSession *> encoder(const Call &call, NodeId node, bool namesIt);
+    // So that the encoder of the project shows where it stands. That one is silent is no error.
+    virtual Checked<void> contact(const Call &call, const ProjectDevice &planned);
+    // Its encoders are called as the project has them.
+    virtual void useProject(const Call &, const Project &) {}
+
+    // How much time passes between two looks at it.
+    virtual Instant lookInterval() const;
+    virtual bool advance(Instant duration); // false: its link is gone
+    // About a job that was refused, and about the link where that is gone.
+    virtual Complaint complaint(const Refusal &why) const;
+
+    virtual void prepare(const Job &) {}              // before it is started
+    virtual void lookAgain(const EncoderSession &) {} // after it: the position is one of then
+    virtual std::unique_ptr<JobTrace> trace(const std::vector<const EncoderSession *> &encoders);
+    // The words of the last cycle; nothing: it has no words.
+    virtual std::optional<Exchange> currentRow(const EncoderSession &) const { return std::nullopt; }
+
+    virtual bool tellsVersion() const { return false; }              // whether its encoders tell one
+    virtual QString versionOf(const EncoderSession &) { return {}; } // as text; empty: it tells none
+    // What is about to be written, where reading disturbs nothing: what is shown is what is sent.
+    virtual Checked<void> readBefore(const Call &, EncoderSession &, const ParameterValues &) { return {}; }
+    // The same, and whether something is in the way of writing.
+    virtual Checked<void> prepareWrite(const Call &, EncoderSession &, const ParameterValues &) { return {}; }
+    virtual std::unique_ptr<WriteAccount>
+    account(const EncoderSession &encoder, const ParameterValues &wanted, const FinishedJob &job) const;
+    // What has to be typed from now on to reach an encoder that has these values.
+    virtual QString whereItIsNow(const EncoderSession &, const ParameterValues &) const { return {}; }
+
+    // What a reading says besides its position, as text and for programs.
+    virtual QStringList remarks(const Reading &reading) const;
+    virtual QJsonObject remarksJson(const Reading &) const { return {}; }
+    // Of a watch that ended, how the bus has done.
+    virtual void addFigures(const Call &, const EncoderSession &, Answer &) const {}
+
+    // What stands on the bus, as it is found now.
+    virtual Checked<Answer> scan(const Call &call);
+    // Puts what was found into the plan, which has this bus already.
+    virtual void keepFound(const Call &call, Project &project) const;
+
+private:
+    EncoderBus &m_bus;
+    QString m_kind;
+    QString m_name;
+    std::unique_ptr<LedgerKeeper> m_ledger;
 };
-Checked<NamedDevice> deviceMeant(const Call &call, Place place, const QString &typed);
-
-// The encoder at PLACE, with at least one bus cycle behind it, so that it shows where it stands.
-Checked<EncoderSession *> encoderAt(BusSession &bus, const QString &place);
-
-// The words of the last cycle, as a row of a trace.
-Exchange currentRow(const BusSession &bus, const EncoderSession &encoder);
-
-// How a job ended, and the trace of it, oldest row first.
-struct FinishedJob
-{
-    Outcome outcome;
-    std::vector<Exchange> rows;    // on the bus; begins with how the encoder stood before
-    std::vector<PassedRow> passed; // on a serial line
-    Progress lastStep;             // that was begun; on a serial line
-};
-
-// Runs a job to its end: cycle by cycle in virtual time on the bus, by the line's clock on a serial line,
-// where Ctrl+C cancels it.
-FinishedJob runToEnd(const Call &call, const AllowedJob &allowed);
-
-// Whether that is on the serial line of the call.
-bool isOfLine(const Call &call, Place place);
-
-// About a job that was refused; of an encoder on a serial line about the port too, where it is gone.
-Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why);
-
-// Lets some time pass on the bus at the place: a cycle of a ring, so much of a line as it is looked at.
-void passTime(const Call &call, Place place);
-
-// That counts EEPROM writes on the bus at the place; null: none does.
-LedgerKeeper *ledgerOf(const Call &call, Place place);
-
-// Of a job, for --trace.
-QString traceText(const Call &call, const EncoderSession &encoder, const FinishedJob &job);
-QJsonArray traceJson(const Call &call, const EncoderSession &encoder, const FinishedJob &job);
 
 } // namespace codewheel

@@ -8,7 +8,9 @@
 #include "cli/commands.h"
 #include "cli/consent.h"
 #include "cli/eeprom_consent.h"
+#include "cli/jobs.h"
 #include "cli/json.h"
+#include "cli/places.h"
 #include "cli/texts.h"
 #include "cli/trace.h"
 #include "drivers/value_notes.h"
@@ -50,15 +52,14 @@ struct CamCall
     const Call &call;
     EncoderSession &encoder;
     Answer answer{};
-    std::vector<Exchange> rows{};
+    std::unique_ptr<JobTrace> trace{};
 
     Checked<Outcome> carryOut(const AllowedJob &job)
     {
-        const FinishedJob finished = runToEnd(call, job);
-        rows.insert(rows.end(), finished.rows.begin(), finished.rows.end());
-        if (!finished.outcome.result)
-            return tl::unexpected(complaintAbout(finished.outcome.result.error()));
-        return finished.outcome;
+        Outcome outcome = runToEnd(call, job, *trace);
+        if (!outcome.result)
+            return tl::unexpected(complaintAbout(outcome.result.error()));
+        return outcome;
     }
     // Where it was before, as far as that is known; else it stays in the last program, which is saved.
     SwitchMode afterwards(const std::vector<unsigned> &programs) const
@@ -280,7 +281,7 @@ void write(CamCall &cams, const std::vector<CamProgram> &wanted)
         return;
     }
     const auto agreed = consent(
-        cams.call, sentence(CommandLine::tr("Write this to %1?"), {cams.encoder.place().toString()}),
+        cams.call, sentence(CommandLine::tr("Write this to %1?"), {cams.encoder.place().shown()}),
         CommandLine::tr("Nothing was written: there is nobody to ask. Add --yes to write, or use compare "
                         "to look only."));
     if (agreed)
@@ -316,7 +317,7 @@ Checked<Answer> runCams(const Call &call)
     if (const auto fits = reads ? Checked<void>() : checkMadeFor(call, *wanted, (*encoder)->device()); !fits)
         return tl::unexpected(fits.error());
 
-    CamCall cams{call, **encoder};
+    CamCall cams{call, **encoder, {}, call.busOf((*encoder)->place()).trace({*encoder})};
     if (reads)
         read(cams, *program);
     else if (compares)
@@ -324,12 +325,11 @@ Checked<Answer> runCams(const Call &call)
     else
         write(cams, wanted->programs);
     Answer answer = std::move(cams.answer);
-    answer.json.insert(QStringLiteral("place"), (*encoder)->place().toString());
+    addPlace(answer.json, call, (*encoder)->place());
     answer.json.insert(QStringLiteral("device"), (*encoder)->device().key);
-    if (call.arguments.has("--trace")) {
-        answer.text = traceText((*encoder)->device(), cams.rows) + u'\n' + answer.text;
-        answer.json.insert(QStringLiteral("trace"), traceJson((*encoder)->device(), cams.rows));
-    }
+    const QString text = std::exchange(answer.text, {});
+    addTrace(call, (*encoder)->place(), *cams.trace, answer);
+    answer.text += text;
     return answer;
 }
 
@@ -357,7 +357,6 @@ const Subcommand camsCommand{
     .minimumArguments = 2,
     .maximumArguments = 3,
     .needsBus = true,
-    .whyNotOnLine = QT_TRANSLATE_NOOP("codewheel::CommandLine", "Encoders on a serial line have no cams."),
     .textIsAccount = true,
     .run = runCams,
 };

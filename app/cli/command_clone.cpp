@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/eeprom_consent.h"
-#include "cli/line_encoders.h"
+#include "cli/jobs.h"
+#include "cli/places.h"
 #include "cli/texts.h"
 #include "cli/transfer_call.h"
 #include "encoder/sentence.h"
-#include "ring/bus_session.h"
 #include "transfer/value_store.h"
 
 #include <array>
@@ -43,19 +42,14 @@ Checked<void> readFirst(const Call &call, const EncoderSession &from)
     return {};
 }
 
-Checked<EncoderSession *> encoderNamed(const Call &call, const QString &place)
-{
-    return isOnLine(call, place) ? encoderOnLine(call, place) : encoderAt(*call.bus, place);
-}
-
 Checked<Answer> runClone(const Call &call)
 {
-    const auto from = encoderNamed(call, call.arguments.rest.front());
+    const auto from = encoderAt(call, call.arguments.rest.front());
     if (!from)
         return tl::unexpected(from.error());
     std::vector<EncoderSession *> targets;
     for (const QString &place : call.arguments.rest.sliced(1)) {
-        const auto to = encoderNamed(call, place);
+        const auto to = encoderAt(call, place);
         if (!to)
             return tl::unexpected(to.error());
         addOnce(targets, *to);
@@ -72,7 +66,7 @@ Checked<Answer> runClone(const Call &call)
                                         "to it from here."),
                         {call.arguments.rest.front()});
     return plan(call, wishes).map([&](const TransferPlan &planned) {
-        return transfer(call, TransferKind::clone, (*from)->place().toString(), planned);
+        return transfer(call, TransferKind::clone, (*from)->place().shown(), planned);
     });
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
 #include "cli/json.h"
+#include "cli/places.h"
+#include "cli/ring/ring_access.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
 #include "project/project_file.h"
 #include "project/project_take_over.h"
-#include "ring/bus_session.h"
+#include "project/ring_plan.h"
 
 #include <algorithm>
 
@@ -42,8 +44,11 @@ Checked<Answer> runCompare(const Call &call)
     const auto project = loadProject(name);
     if (!project)
         return tl::unexpected(complaintAbout(project.error()));
-    const RingStructure configured = structureOf(*project);
-    const RingStructure &connected = call.bus->structure();
+    const auto bus = busMeant(call, QString::fromLatin1(interbusKind));
+    if (!bus)
+        return tl::unexpected(bus.error());
+    const RingStructure configured = structureOf(*project, (*bus)->bus().id());
+    const RingStructure &connected = static_cast<RingAccess &>(**bus).ring().structure();
     const Comparison comparison = compareRings(configured, connected);
     Answer answer = answerOf(comparison, configured, connected, call.catalog);
     const auto differences = std::ranges::count_if(
@@ -74,9 +79,6 @@ const Subcommand compareCommand{
     .minimumArguments = 1,
     .maximumArguments = 1,
     .needsBus = true,
-    .whyNotOnLine =
-        QT_TRANSLATE_NOOP("codewheel::CommandLine", "A serial line has no structure to compare with. See "
-                                                    "codewheel-cli scan."),
     .run = runCompare,
 };
 

@@ -7,7 +7,7 @@
 #include "cli/device_tables_text.h"
 #include "cli/device_text.h"
 #include "cli/json.h"
-#include "cli/line_link.h"
+#include "cli/link_kind.h"
 #include "cli/parameter_text.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
@@ -159,16 +159,13 @@ Answer detailsOf(const DeviceDescription &device)
              {QStringLiteral("tables"), deviceTablesJson(device)}}};
 }
 
-// With the limits of a scaling factor in the format of the line.
 Checked<DeviceDescription> asOnLink(const Call &call, DeviceDescription device)
 {
-    const auto link =
-        linkMeant(call.arguments.value("--link").value_or(QStringLiteral("training")), call.project);
-    if (!link)
-        return tl::unexpected(link.error());
-    for (ParameterDescription &parameter : device.parameters)
-        parameter = atFractionBits(parameter, link->line.wish.fractionBits);
-    return device;
+    Checked<DeviceDescription> described = std::move(device);
+    for (const LinkKind *kind : linkKinds())
+        if (described)
+            described = kind->asOnLink(call, *std::move(described));
+    return described;
 }
 
 Checked<Answer> runDevices(const Call &call)

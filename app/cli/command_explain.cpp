@@ -3,8 +3,8 @@
 #include "catalog/label_key.h"
 #include "cli/commands.h"
 #include "cli/device_text.h"
-#include "cli/explain_line.h"
 #include "cli/json.h"
+#include "cli/link_kind.h"
 #include "cli/parameter_arguments.h"
 #include "cli/texts.h"
 #include "drivers/k3_knowledge.h"
@@ -200,8 +200,9 @@ QString whatMayHelp(const DeviceDescription &device, const k3::ExplainContext &c
 Checked<Answer> runExplain(const Call &call)
 {
     const DeviceDescription *named = call.catalog.find(call.arguments.value("--device").value_or(QString()));
-    if (named != nullptr && named->profile == Profile::esc)
-        return explainLine(call, *named);
+    for (const LinkKind *kind : linkKinds())
+        if (auto explained = named != nullptr ? kind->explain(call, *named) : std::nullopt)
+            return *std::move(explained);
     const auto word = wordFrom(call.arguments.rest.front());
     if (!word)
         return tl::unexpected(word.error());

@@ -7,17 +7,14 @@
 #include "cli/help.h"
 #include "cli/json.h"
 #include "cli/ledger_account.h"
-#include "cli/line_access.h"
-#include "cli/project_access.h"
+#include "cli/link_kind.h"
+#include "cli/project_of_call.h"
 #include "cli/texts.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
 #include "journal/ledger_keeper.h"
 #include "journal_files.h"
 #include "project/project_file.h"
-#include "ring/bus_session.h"
-#include "simulator/fault_plan_file.h"
-#include "training_session.h"
 #include "user_devices.h"
 
 #include <QJsonDocument>
@@ -139,49 +136,49 @@ Checked<std::optional<Project>> projectOf(const Subcommand &command, const Argum
     return *std::move(project);
 }
 
-// What makes no sense with the link is refused before anything is opened.
-Checked<LinkWish> checkLink(const Subcommand &command, const Arguments &arguments)
+// Before anything is opened.
+Checked<std::vector<MakeLink>> checkLink(const Subcommand &command, const Arguments &arguments)
 {
     const QString typed = arguments.value("--link").value_or(QStringLiteral("training"));
-    const auto project = isLineOfProject(typed) ? projectOf(command, arguments)
-                                                : Checked<std::optional<Project>>(std::nullopt);
+    const auto project =
+        needsProject(typed) ? projectOf(command, arguments) : Checked<std::optional<Project>>(std::nullopt);
     if (!project)
         return tl::unexpected(project.error());
-    auto link = linkMeant(typed, *project ? &**project : nullptr);
-    if (!link || link->hasRing || !needsBus(command, arguments))
-        return link;
-    if (command.whyNotOnLine != nullptr)
-        return badInput(QStringLiteral("notOnSerialLine"), CommandLine::tr(command.whyNotOnLine));
-    if (arguments.has("--fault-plan"))
+    return linksMeant(typed, *project ? &**project : nullptr);
+}
+
+using Links = std::vector<std::unique_ptr<BusAccess>>;
+
+Checked<Links> makeLinks(const std::vector<MakeLink> &make, const Catalog &catalog,
+                         const Arguments &arguments)
+{
+    Links links;
+    for (const MakeLink &one : make) {
+        auto link = one(catalog, arguments);
+        if (!link)
+            return tl::unexpected(link.error());
+        links.push_back(*std::move(link));
+    }
+    return links;
+}
+
+// What makes no sense with the link.
+Checked<void> checkCommand(const Subcommand &command, const Arguments &arguments, const Links &links)
+{
+    const auto whyNot = [&](const auto &link) { return link->whyNot(command); };
+    if (std::ranges::all_of(links, [&](const auto &link) { return whyNot(link).has_value(); }))
+        return tl::unexpected(*whyNot(links.front()));
+    if (arguments.has("--fault-plan") &&
+        std::ranges::none_of(links, [](const auto &link) { return link->followsFaultPlan(); }))
         return badInput(
             QStringLiteral("faultPlanOnLine"),
             CommandLine::tr("A fault plan is for the ring of the training bus. Leave --fault-plan "
                             "out."));
-    return link;
+    return {};
 }
 
-int runOnTrainingBus(const Subcommand &command, const Arguments &arguments, const Catalog &catalog,
-                     const Terminal &terminal)
-{
-    const TrainingSession training = openTrainingSession(catalog, QDateTime::currentDateTime());
-    if (const auto path = arguments.value("--fault-plan")) {
-        auto plan = loadFaultPlan(*path, training.controls->places());
-        if (!plan)
-            return fail(complaintAbout(plan.error()), QString::fromLatin1(command.name),
-                        arguments.has("--json"), {}, terminal);
-        training.controls->startFaultPlan(*std::move(plan));
-    }
-    const auto file = arguments.value("--ledger");
-    LedgerKeeper ledger(*training.bus,
-                        file ? DatabasePlace::file(*file) : ledgerPlace(*training.bus, userJournalFolder()));
-    complainAboutLedger(ledger, terminal);
-    LineAccess line = LineAccess::to({}, catalog);
-    line.keepLedger(file);
-    return runCommand(command, arguments, catalog, {training.bus.get(), &line, &ledger}, terminal);
-}
-
-int runOnLink(const Subcommand &command, const Arguments &arguments, const LinkWish &link,
-              const Terminal &terminal)
+int runOnLinks(const Subcommand &command, const Arguments &arguments, const std::vector<MakeLink> &make,
+               const Terminal &terminal)
 {
     Catalog catalog = Catalog::builtIn();
     for (const Catalog::Fault &fault : addUserDevices(catalog, userDeviceFolder()))
@@ -189,12 +186,18 @@ int runOnLink(const Subcommand &command, const Arguments &arguments, const LinkW
             refusalText({RefusalKind::badInput, RefusalId::deviceFileBroken, {fault.place(), fault.reason}}));
     if (!needsBus(command, arguments))
         return runCommand(command, arguments, catalog, {}, terminal);
-    if (link.hasRing)
-        return runOnTrainingBus(command, arguments, catalog, terminal);
-    LineAccess line = LineAccess::to(link.line, catalog);
-    line.keepLedger(arguments.value("--ledger"));
-    complainAboutLedger(*line.ledger(), terminal);
-    return runCommand(command, arguments, catalog, {.line = &line}, terminal);
+    auto links = makeLinks(make, catalog, arguments);
+    if (const auto checked = links ? checkCommand(command, arguments, *links) : Checked<void>(); !checked)
+        links = tl::unexpected(checked.error());
+    if (!links)
+        return fail(links.error(), QString::fromLatin1(command.name), arguments.has("--json"), {}, terminal);
+    std::vector<BusAccess *> accesses;
+    for (const auto &link : *links) {
+        link->keepLedger(arguments.value("--ledger"));
+        accesses.push_back(link.get());
+    }
+    complainAboutLedger(*accesses.front()->ledger(), terminal);
+    return runCommand(command, arguments, catalog, accesses, terminal);
 }
 
 // What is told without a bus: help and version. `command`: whose; empty of the program itself.
@@ -231,7 +234,7 @@ int withoutCommand(const QStringList &words, const Terminal &terminal)
 } // namespace
 
 int runCommand(const Subcommand &command, const Arguments &arguments, const Catalog &catalog,
-               const Connection &connection, const Terminal &terminal)
+               const std::vector<BusAccess *> &links, const Terminal &terminal)
 {
     const QString name = QString::fromLatin1(command.name);
     const bool asJson = arguments.has("--json");
@@ -239,15 +242,13 @@ int runCommand(const Subcommand &command, const Arguments &arguments, const Cata
     if (!project)
         return fail(project.error(), name, asJson, {}, terminal);
     Buses buses;
-    if (connection.bus != nullptr)
-        buses.add(*connection.bus);
-    if (connection.line != nullptr)
-        buses.add(connection.line->bus());
-    const Call call{connection,          buses, arguments, catalog, terminal, *project ? &**project : nullptr,
-                    command.whyNotOnLine};
+    for (const BusAccess *link : links)
+        buses.add(link->bus());
+    const Call call{command, arguments, catalog, terminal, links, buses, *project ? &**project : nullptr};
+    const BusNames names(call);
     if (call.project != nullptr)
         useProject(call, *call.project, *arguments.value("--project"));
-    const LedgerAccount account(connection, terminal);
+    const LedgerAccount account(links, terminal);
     auto answer = command.run(call);
     if (!answer)
         return fail(answer.error(), name, asJson, {}, terminal);
@@ -296,12 +297,12 @@ int runCommandLine(const QStringList &words, const Terminal &terminal)
         return printed(versionAnswer(), *arguments, name, terminal);
     if (asksForHelp(*arguments))
         return printed({helpOf(*command), helpJsonOf(*command)}, *arguments, name, terminal);
-    const auto link = checkLink(*command, *arguments);
-    if (!link)
-        return fail(link.error(), name, words, terminal);
+    const auto links = checkLink(*command, *arguments);
+    if (!links)
+        return fail(links.error(), name, words, terminal);
     if (const auto checked = checkCount(*command, *arguments); !checked)
         return fail(checked.error(), name, words, terminal);
-    return runOnLink(*command, *arguments, *link, terminal);
+    return runOnLinks(*command, *arguments, *links, terminal);
 }
 
 } // namespace codewheel

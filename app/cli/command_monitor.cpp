@@ -2,10 +2,10 @@
 #include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/json.h"
-#include "cli/monitor_line.h"
+#include "cli/places.h"
 #include "cli/texts.h"
 #include "cli/trace.h"
-#include "ring/bus_session.h"
+#include "cli/watch_readings.h"
 
 #include <array>
 
@@ -27,21 +27,16 @@ constexpr std::array monitorOptions{
 };
 
 // One row for each sample that differs from the one before.
-std::vector<Exchange> watch(BusSession &bus, const EncoderSession &encoder, int milliseconds, int interval)
+Answer watchWords(const Call &call, const EncoderSession &encoder, Instant duration, Instant interval)
 {
-    std::vector<Exchange> rows{currentRow(bus, encoder)};
-    for (int passed = interval; passed <= milliseconds; passed += interval) {
+    BusAccess &bus = call.busOf(encoder.place());
+    std::vector<Exchange> rows{*bus.currentRow(encoder)};
+    for (Instant passed = interval; passed <= duration; passed += interval) {
         bus.advance(interval);
-        const Exchange row = currentRow(bus, encoder);
+        const Exchange row = *bus.currentRow(encoder);
         if (row.in != rows.back().in || row.out != rows.back().out)
             rows.push_back(row);
     }
-    return rows;
-}
-
-Answer monitorBus(const Call &call, const EncoderSession &encoder, int milliseconds, int interval)
-{
-    const std::vector<Exchange> rows = watch(*call.bus, encoder, milliseconds, interval);
     return {traceText(encoder.device(), rows, rodScale(encoder)),
             {{QStringLiteral("samples"), traceJson(encoder.device(), rows, rodScale(encoder))}}};
 }
@@ -58,11 +53,10 @@ Checked<Answer> runMonitor(const Call &call)
     if (!interval)
         return tl::unexpected(interval.error());
 
-    Answer answer = (*encoder)->place().isOnLine()
-                        ? monitorLine(call, **encoder, std::chrono::seconds(*seconds),
-                                      std::chrono::milliseconds(*interval))
-                        : monitorBus(call, **encoder, *seconds * 1000, *interval);
-    answer.json.insert(QStringLiteral("place"), (*encoder)->place().toString());
+    const auto watch = call.busOf((*encoder)->place()).currentRow(**encoder) ? watchWords : watchReadings;
+    Answer answer =
+        watch(call, **encoder, std::chrono::seconds(*seconds), std::chrono::milliseconds(*interval));
+    addPlace(answer.json, call, (*encoder)->place());
     answer.json.insert(QStringLiteral("device"), (*encoder)->device().key);
     return answer;
 }

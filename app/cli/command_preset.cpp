@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/eeprom_consent.h"
+#include "cli/jobs.h"
 #include "cli/json.h"
 #include "cli/parameter_arguments.h"
+#include "cli/places.h"
 #include "cli/position_text.h"
 #include "cli/texts.h"
 #include "cli/told_mode.h"
@@ -77,15 +78,12 @@ Checked<Answer> runPreset(const Call &call)
     const Reading before = (*encoder)->latest();
     const FinishedJob job = runToEnd(call, *allowed);
     Answer answer;
-    answer.json = {{QStringLiteral("place"), (*encoder)->place().toString()},
-                   {QStringLiteral("device"), device.key},
+    answer.json = {{QStringLiteral("device"), device.key},
                    {QStringLiteral("positionBefore"), numberJson(job.outcome.positionBefore)},
                    {QStringLiteral("positionAfter"), numberJson(job.outcome.positionAfter)},
                    {QStringLiteral("eepromWrites"), job.outcome.eepromWrites}};
-    if (call.arguments.has("--trace")) {
-        answer.text = traceText(call, **encoder, job) + u'\n';
-        answer.json.insert(QStringLiteral("trace"), traceJson(call, **encoder, job));
-    }
+    addPlace(answer.json, call, (*encoder)->place());
+    addTrace(call, (*encoder)->place(), *job.trace, answer);
     if (!job.outcome.result) {
         answer.complaint = complaintAboutJob(call, (*encoder)->place(), job.outcome.result.error());
         return answer;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/bus_access.h"
 #include "cli/commands.h"
+#include "cli/jobs.h"
 #include "cli/json.h"
-#include "cli/line_access.h"
 #include "cli/parameter_arguments.h"
 #include "cli/parameter_text.h"
+#include "cli/places.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
-#include "cli/trace.h"
 #include "cli/value_lines.h"
 #include "encoder/sentence.h"
 
@@ -66,12 +66,11 @@ struct NamedValues
     bool hasVersion = false;
 };
 
-Checked<NamedValues> namedValues(const DeviceDescription &device, QStringList names)
+Checked<NamedValues> namedValues(const DeviceDescription &device, bool tellsVersion, QStringList names)
 {
     NamedValues named;
-    const bool isOnLine = device.profile == Profile::esc;
     const bool isAll = names.isEmpty();
-    const auto versions = isOnLine ? names.removeAll(versionName) : 0;
+    const auto versions = tellsVersion ? names.removeAll(versionName) : 0;
     if (versions > 1)
         return badInput(QStringLiteral("parameterGivenTwice"),
                         CommandLine::tr("\"%1\" stands there twice. Give it once."), {versionName});
@@ -79,7 +78,7 @@ Checked<NamedValues> namedValues(const DeviceDescription &device, QStringList na
     if (!parameters)
         return tl::unexpected(parameters.error());
     named.parameters = isAll ? device.readableValues() : *std::move(parameters);
-    named.hasVersion = versions == 1 || (isAll && isOnLine);
+    named.hasVersion = versions == 1 || (isAll && tellsVersion);
     return named;
 }
 
@@ -90,10 +89,15 @@ QJsonObject versionJson(const QString &version)
             {QStringLiteral("unit"), unitKey(Unit::none)}};
 }
 
+QString versionTold(const Call &call, const EncoderSession &encoder)
+{
+    return call.busOf(encoder.place()).versionOf(encoder);
+}
+
 // What no job reads.
 Answer versionOf(const Call &call, EncoderSession &encoder)
 {
-    const QString version = call.line->versionOf(encoder);
+    const QString version = versionTold(call, encoder);
     Answer answer;
     answer.text = valueLines(encoder, {}, version);
     answer.json = {{QStringLiteral("values"), QJsonArray{versionJson(version)}}};
@@ -101,23 +105,20 @@ Answer versionOf(const Call &call, EncoderSession &encoder)
         answer.complaint =
             complaintAbout({RefusalKind::device,
                             RefusalId::escNoAnswer,
-                            {LineAddress::of(encoder.place().node).onWire() + u'V', std::int64_t{1}}});
+                            {encoder.place().shown() + QStringLiteral(" V"), std::int64_t{1}}});
     return answer;
 }
 
 Answer readFrom(const Call &call, EncoderSession &encoder, NamedValues named)
 {
-    const QString version = named.hasVersion ? call.line->versionOf(encoder) : QString();
+    const QString version = named.hasVersion ? versionTold(call, encoder) : QString();
     const FinishedJob job = runToEnd(call, {encoder, ReadParameters{std::move(named.parameters)}});
     Answer answer;
     QJsonArray values = valuesJson(encoder, job.outcome.read);
     if (named.hasVersion)
         values.append(versionJson(version));
     answer.json = {{QStringLiteral("values"), values}};
-    if (call.arguments.has("--trace")) {
-        answer.text = traceText(call, encoder, job) + u'\n';
-        answer.json.insert(QStringLiteral("trace"), traceJson(call, encoder, job));
-    }
+    addTrace(call, encoder.place(), *job.trace, answer);
     answer.text += valueLines(encoder, job.outcome.read, version);
     if (!job.outcome.result)
         answer.complaint = complaintAboutJob(call, encoder.place(), job.outcome.result.error());
@@ -134,13 +135,14 @@ Checked<Answer> runRead(const Call &call)
     if (!device.capabilities.reads) {
         answer = whatIsKnown(**encoder);
     } else {
-        auto named = namedValues(device, call.arguments.rest.sliced(1));
+        auto named = namedValues(device, call.busOf((*encoder)->place()).tellsVersion(),
+                                 call.arguments.rest.sliced(1));
         if (!named)
             return tl::unexpected(named.error());
         answer = named->parameters.empty() ? versionOf(call, **encoder)
                                            : readFrom(call, **encoder, *std::move(named));
     }
-    answer.json.insert(QStringLiteral("place"), (*encoder)->place().toString());
+    addPlace(answer.json, call, (*encoder)->place());
     answer.json.insert(QStringLiteral("device"), device.key);
     return answer;
 }

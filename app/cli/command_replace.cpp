@@ -4,7 +4,8 @@
 #include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/eeprom_consent.h"
-#include "cli/project_access.h"
+#include "cli/places.h"
+#include "cli/project_of_call.h"
 #include "cli/texts.h"
 #include "cli/transfer_call.h"
 #include "cli/transfer_text.h"
@@ -51,10 +52,10 @@ Checked<ProjectDevice> plannedAt(const Call &call, Place place)
         return *planned;
     QStringList places;
     for (const ProjectDevice &device : devicesOfLink(call, *call.project))
-        places << device.place().toString();
+        places << device.place().shown();
     return tl::unexpected(complaintAbout({RefusalKind::badInput,
                                           RefusalId::noSuchProjectDevice,
-                                          {place.toString(), places.join(QStringLiteral(", "))}}));
+                                          {place.shown(), places.join(QStringLiteral(", "))}}));
 }
 
 Checked<NamedDevice> newDevice(const Call &call, const ProjectDevice &planned)
@@ -71,7 +72,7 @@ Checked<NamedDevice> newDevice(const Call &call, const ProjectDevice &planned)
         return badInput(QStringLiteral("deviceNotNamed"),
                         CommandLine::tr("The project does not name the encoder at %1. Name the new one with "
                                         "--device or --label."),
-                        {place.toString()});
+                        {place.shown()});
     return NamedDevice{planned.participant.deviceKey, planned.label.turns, planned.label.stepsPerTurn};
 }
 
@@ -102,7 +103,7 @@ Checked<std::optional<std::int64_t>> positionMeant(const Call &call, const Proje
             return planned.lastPosition->position;
         return badInput(QStringLiteral("noLastPosition"),
                         CommandLine::tr("The project knows no last position of %1. Give it as a number."),
-                        {planned.place().toString()});
+                        {planned.place().shown()});
     }
     const auto position = parseNumber(*typed);
     if (!position)
@@ -121,7 +122,7 @@ Checked<void> putIntoProject(const Call &call, const ProjectDevice &planned, con
     const QString file = *call.arguments.value("--project");
     if (auto saved = saveUnlessChanged(project, file, projectMark(*call.project)); !saved)
         return saved;
-    if (LedgerKeeper *ledger = ledgerOf(call, planned.place()))
+    if (LedgerKeeper *ledger = call.busOf(planned.place()).ledger())
         ledger->setLabel(planned.place(), now.serialNumber);
     return {};
 }
@@ -149,7 +150,7 @@ Checked<Answer> runReplace(const Call &call)
         return badInput(QStringLiteral("missingProject"),
                         CommandLine::tr("Name the project with --project FILE: the values are taken from it, "
                                         "and the new encoder is put into it."));
-    const auto encoder = encoderMeant(call);
+    const auto encoder = encoderAt(call, call.arguments.rest.front());
     if (!encoder)
         return tl::unexpected(encoder.error());
     const Place place = (*encoder)->place();
@@ -170,7 +171,7 @@ Checked<Answer> runReplace(const Call &call)
     EncoderBus &bus = *call.buses.busOf(place);
     if (const auto named = bus.name(place, now->device->key, now->turns, now->stepsPerTurn); !named)
         return tl::unexpected(complaintAbout(named.error()));
-    if (const auto there = contact(call, {*planned}); !there)
+    if (const auto there = contactAll(call, {*planned}); !there)
         return tl::unexpected(there.error());
     showDifferences(call, *planned, *now);
     const auto toWrite = plan(call, {wishToReplace(*planned, *now, *position, places)});

@@ -2,7 +2,8 @@
 #include "app/report/save_report.h"
 #include "cli/commands.h"
 #include "cli/eeprom_consent.h"
-#include "cli/project_access.h"
+#include "cli/jobs.h"
+#include "cli/project_of_call.h"
 #include "cli/target_file.h"
 #include "cli/texts.h"
 #include "cli/transfer_call.h"
@@ -86,7 +87,7 @@ EncoderJobs jobsToRead(const ProjectDevice &planned, const EncoderSession &encod
 Checked<AllowedRound> roundToRead(const Call &call, const Project &project)
 {
     std::vector<EncoderJobs> jobs;
-    if (const auto there = contact(call, devicesOfLink(call, project)); !there)
+    if (const auto there = contactAll(call, devicesOfLink(call, project)); !there)
         return tl::unexpected(there.error());
     for (const auto &[planned, encoder] : connectedEncoders(project, call.buses))
         jobs.push_back(jobsToRead(*planned, *encoder));
@@ -100,7 +101,7 @@ std::optional<Complaint> readEncoders(const Call &call, const AllowedRound &roun
         if (result.why)
             return Complaint{ExitCode::refused, refusalKey(result.why->id),
                              sentence(CommandLine::tr("%1 could not be read: %2"),
-                                      {result.place.toString(), refusalText(*result.why)}),
+                                      {result.place.shown(), refusalText(*result.why)}),
                              result.why->arguments};
     return std::nullopt;
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/consent.h"
 #include "cli/eeprom_consent.h"
+#include "cli/jobs.h"
 #include "cli/json.h"
+#include "cli/places.h"
 #include "cli/position_text.h"
 #include "cli/texts.h"
 #include "cli/trace.h"
@@ -36,7 +37,7 @@ QString warningText(const EncoderSession &encoder)
             lost << parameterKey(parameter.parameter);
     QString text =
         sentence(CommandLine::tr("%1, %2, will be reset to factory settings (0E000000, then run)."),
-                 {encoder.place().toString(), encoder.device().fullName()}) +
+                 {encoder.place().shown(), encoder.device().fullName()}) +
         u'\n' + sentence(CommandLine::tr("Lost are: %1."), {lost.join(QStringLiteral(", "))}) + u'\n';
     if (encoder.can().cams)
         text += CommandLine::tr("All cam programs are lost, too, and the encoder is in position mode "
@@ -64,10 +65,8 @@ void carryOutReset(const Call &call, const AllowedJob &reset, Answer &answer)
     const EncoderSession &encoder = reset.encoder();
     const FinishedJob job = runToEnd(call, reset);
     const DeviceDescription &device = encoder.device();
-    if (call.arguments.has("--trace")) {
-        answer.text += u'\n' + traceText(call, encoder, job);
-        answer.json.insert(QStringLiteral("trace"), traceJson(call, encoder, job));
-    }
+    answer.text += u'\n';
+    addTrace(call, encoder.place(), *job.trace, answer);
     answer.json.insert(QStringLiteral("eepromWrites"), job.outcome.eepromWrites);
     answer.json.insert(QStringLiteral("leftIn"), stateKey(job.outcome.leftIn));
     if (!job.outcome.result) {
@@ -81,7 +80,6 @@ void carryOutReset(const Call &call, const AllowedJob &reset, Answer &answer)
     answer.json.insert(QStringLiteral("position"), numberJson(encoder.latest().position));
     answer.json.insert(QStringLiteral("onlyZeroSinceRun"), job.outcome.onlyZeroSinceRun);
     answer.text +=
-        u'\n' +
         (device.capabilities.reads ? CommandLine::tr("Read back:")
                                    : CommandLine::tr("Factory settings, confirmed by the handshake:")) +
         u'\n' + valueLines(encoder, values) +
@@ -107,15 +105,15 @@ Checked<Answer> runReset(const Call &call)
     if (!call.arguments.has("--json"))
         call.terminal.print(warningText(**encoder));
     Answer answer;
-    answer.json = {{QStringLiteral("place"), (*encoder)->place().toString()},
-                   {QStringLiteral("device"), device.key}};
+    answer.json = {{QStringLiteral("device"), device.key}};
+    addPlace(answer.json, call, (*encoder)->place());
     const auto allowed = eepromConsent(call, **encoder, ResetToDefault{}, AsksAnyway::yes);
     if (!allowed) {
         answer.complaint = allowed.error();
         return answer;
     }
     const auto agreed =
-        consent(call, sentence(CommandLine::tr("Reset %1?"), {(*encoder)->place().toString()}),
+        consent(call, sentence(CommandLine::tr("Reset %1?"), {(*encoder)->place().shown()}),
                 CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to reset."));
     if (agreed)
         carryOutReset(call, *allowed, answer);
@@ -143,9 +141,6 @@ const Subcommand resetCommand{
     .minimumArguments = 1,
     .maximumArguments = 1,
     .needsBus = true,
-    .whyNotOnLine = QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                                      "Encoders on a serial line have no command that resets them to factory "
-                                      "settings. Write the values with codewheel-cli write."),
     .textIsAccount = true,
     .run = runReset,
 };

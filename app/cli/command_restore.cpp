@@ -3,7 +3,9 @@
 #include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/eeprom_consent.h"
+#include "cli/jobs.h"
 #include "cli/parameter_text.h"
+#include "cli/places.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "cli/transfer_call.h"
@@ -42,7 +44,7 @@ constexpr std::array restoreOptions{
 // Of an encoder that can tell its serial number the ledger keeps the values by that.
 Checked<std::vector<ValuesBefore>> valuesBefore(const Call &call, EncoderSession &encoder)
 {
-    const LedgerKeeper *ledger = ledgerOf(call, encoder.place());
+    const LedgerKeeper *ledger = call.busOf(encoder.place()).ledger();
     if (ledger == nullptr)
         return std::vector<ValuesBefore>();
     const FindValuesBefore find = valuesBeforeOf(*ledger);
@@ -98,7 +100,7 @@ Checked<ValuesBefore> valuesMeant(const Call &call, const std::vector<ValuesBefo
         return badInput(QStringLiteral("noWriteThen"),
                         CommandLine::tr("Nothing was written to %1 at %2 of which the values from before are "
                                         "kept. See codewheel-cli restore %1 --list."),
-                        {all.front().place.toString(), *call.arguments.value("--at")});
+                        {all.front().place.shown(), *call.arguments.value("--at")});
     return *found;
 }
 
@@ -129,9 +131,9 @@ Answer listedValues(const Call &call, const EncoderSession &encoder, const std::
                                 {QStringLiteral("device"), before.deviceKey},
                                 {QStringLiteral("values"), valuesJson(encoder, before.values)}});
     }
-    return {.text = table.toString(),
-            .json = {{QStringLiteral("place"), encoder.place().toString()},
-                     {QStringLiteral("valuesBefore"), json}}};
+    Answer answer{.text = table.toString(), .json = {{QStringLiteral("valuesBefore"), json}}};
+    addPlace(answer.json, call, encoder.place());
+    return answer;
 }
 
 Checked<Answer> runRestore(const Call &call)
@@ -139,7 +141,7 @@ Checked<Answer> runRestore(const Call &call)
     const auto span = timeMeant(call);
     if (!span)
         return tl::unexpected(span.error());
-    const auto encoder = encoderMeant(call);
+    const auto encoder = encoderAt(call, call.arguments.rest.front());
     if (!encoder)
         return tl::unexpected(encoder.error());
     const ProjectPlaces places(call.project ? *call.project : Project(), call.buses);
@@ -150,7 +152,7 @@ Checked<Answer> runRestore(const Call &call)
         return tl::unexpected(all.error());
     if (all->empty())
         return tl::unexpected(complaintAbout(
-            {RefusalKind::device, RefusalId::noValuesFromBefore, {(*encoder)->place().toString()}}));
+            {RefusalKind::device, RefusalId::noValuesFromBefore, {(*encoder)->place().shown()}}));
     if (call.arguments.has("--list"))
         return listedValues(call, **encoder, *all);
     const auto before = valuesMeant(call, *all, *span);

@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalog/catalog.h"
-#include "catalog/hex_code.h"
+#include "bus/encoder_bus.h"
+#include "cli/bus_access.h"
 #include "cli/commands.h"
-#include "cli/device_text.h"
-#include "cli/json.h"
-#include "cli/line_access.h"
-#include "cli/master_text.h"
-#include "cli/scan_line.h"
-#include "cli/text_table.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
+#include "project/bus_kind.h"
+#include "project/bus_plans.h"
 #include "project/file_access.h"
 #include "project/project_file.h"
-#include "project/project_take_over.h"
-#include "ring/bus_session.h"
 
 #include <QFileInfo>
+#include <QJsonArray>
 
 #include <array>
-#include <numeric>
 
 namespace codewheel {
 namespace {
@@ -28,18 +22,7 @@ constexpr const char *scanExamples[] = {"scan", "scan --json", "scan --link esc:
 constexpr std::array scanOptions{
     Option{"--save", "FILE", QT_TRANSLATE_NOOP("codewheel::CommandLine", "save what was found as a project")},
     Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "replace FILE if it is there")},
-    scanLineOptions[0],
-    scanLineOptions[1],
-    scanLineOptions[2],
-    scanLineOptions[3],
 };
-
-// The ID code tells the profile, never the make of an encoder; that is the plan's to name.
-QString makeOf(const Participant &participant, const DeviceDescription *named)
-{
-    return named || participant.idCode == busTerminalIdCode ? participantName(participant, named)
-                                                            : CommandLine::tr("make not known");
-}
 
 // What is in a file is not lost by a scan.
 Checked<void> checkProjectIsFree(const Arguments &arguments)
@@ -53,15 +36,18 @@ Checked<void> checkProjectIsFree(const Arguments &arguments)
                     {*file, backupPath(*file)});
 }
 
-// What the project of the call knows stays with the devices that are the same or moved.
-Project foundProject(const Call &call)
+// What the project of the call knows stays with the devices that are the same or moved. Its other buses stay.
+Project foundProject(const Call &call, const std::vector<BusAccess *> &buses)
 {
-    const RingStructure &found = call.bus->structure();
-    const Project before = call.project ? *call.project : Project();
-    const Comparison comparison = compareRings(structureOf(before), found);
-    std::vector<std::size_t> lines(comparison.size());
-    std::iota(lines.begin(), lines.end(), std::size_t{0});
-    return takenOver(before, found, comparison, lines);
+    Project found;
+    found.buses.clear();
+    if (call.project != nullptr)
+        found = *call.project;
+    for (const BusAccess *bus : buses) {
+        planBus(found, bus->bus().id(), *busKind(bus->kind()));
+        bus->keepFound(call, found);
+    }
+    return found;
 }
 
 bool areSameFile(const QString &one, const QString &other)
@@ -70,13 +56,13 @@ bool areSameFile(const QString &one, const QString &other)
     return !path.isEmpty() && path == QFileInfo(other).canonicalFilePath();
 }
 
-void saveFound(const Call &call, Answer &answer)
+void saveFound(const Call &call, const std::vector<BusAccess *> &buses, Answer &answer)
 {
     const auto file = call.arguments.value("--save");
     if (!file)
         return;
     const bool isProject = call.project != nullptr && areSameFile(*file, *call.arguments.value("--project"));
-    const Project found = foundProject(call);
+    const Project found = foundProject(call, buses);
     const auto saved =
         isProject ? saveProjectOver(projectMark(*call.project), found, *file) : saveProject(found, *file);
     if (!saved) {
@@ -88,57 +74,45 @@ void saveFound(const Call &call, Answer &answer)
     answer.json.insert(QStringLiteral("saved"), *file);
 }
 
-Answer scanRing(const Call &call)
+// Of several buses each has its heading. "buses" has what each of them tells, and what only one of them tells
+// stands by itself as well.
+void addBus(const Call &call, const BusAccess &bus, const Answer &found, QJsonArray &buses, Answer &answer)
 {
-    using enum TextTable::Align;
-    TextTable table({left, left, left, right, right});
-    table.add({CommandLine::tr("place"), CommandLine::tr("ID code"), CommandLine::tr("device code"),
-               CommandLine::tr("IN words"), CommandLine::tr("OUT words"), CommandLine::tr("profile"),
-               CommandLine::tr("device")});
-    QJsonArray devices;
-    for (const Participant &participant : call.bus->structure()) {
-        const DeviceDescription *named = call.catalog.find(participant.deviceKey);
-        const DeviceDescription *known = named ? named : call.catalog.generic(participant.deviceCode);
-        const QString profile = known ? profileName(known->profile) : QStringLiteral("-");
-        table.add({participant.number.toString(),
-                   QStringLiteral("%1 (%2)").arg(hexCode(participant.idCode, 2)).arg(participant.idCode),
-                   hexCode(participant.deviceCode, 4), QString::number(participant.inWords),
-                   QString::number(participant.outWords), profile, makeOf(participant, named)});
-        QJsonObject json = participantJson(&participant).toObject();
-        json.insert(QStringLiteral("profile"), known ? QJsonValue(profile) : QJsonValue());
-        devices.append(json);
-    }
-    return Answer{
-        table.toString() + u'\n' + masterLines(*call.bus),
-        {{QStringLiteral("participants"), devices}, {QStringLiteral("master"), masterJson(*call.bus)}}};
+    QJsonObject json = found.json;
+    json.insert(QStringLiteral("bus"), bus.name());
+    json.insert(QStringLiteral("kind"), bus.kind());
+    buses.append(json);
+    for (auto one = found.json.begin(); one != found.json.end(); ++one)
+        if (!answer.json.contains(one.key()))
+            answer.json.insert(one.key(), one.value());
+    if (call.links.size() > 1)
+        answer.text += (answer.text.isEmpty() ? QString() : QStringLiteral("\n")) +
+                       sentence(CommandLine::tr("%1: %2"), {bus.name(), busKind(bus.kind())->title()}) +
+                       u'\n';
+    answer.text += found.complaint && found.text.isEmpty() ? found.complaint->text + u'\n' : found.text;
+    if (!answer.complaint)
+        answer.complaint = found.complaint;
 }
 
-// What is found on the line stands beside what is in the ring.
-Checked<void> addLine(const Call &call, Answer &answer)
-{
-    const auto line = scanLine(call);
-    if (!line)
-        return tl::unexpected(line.error());
-    answer.text += u'\n' + CommandLine::tr("On the serial line:") + u'\n' + line->text;
-    answer.json.insert(QStringLiteral("encoders"), line->json[QStringLiteral("encoders")]);
-    return {};
-}
-
+// What one bus refuses does not keep the others from being looked at.
 Checked<Answer> runScan(const Call &call)
 {
-    if (call.bus == nullptr && call.arguments.has("--save"))
-        return badInput(
-            QStringLiteral("notOnSerialLine"),
-            CommandLine::tr("What is found on a serial line is not saved as a project. Leave --save out."));
-    if (call.bus == nullptr)
-        return scanLine(call);
     if (const auto isFree = checkProjectIsFree(call.arguments); !isFree)
         return tl::unexpected(isFree.error());
-    Answer answer = scanRing(call);
-    if (call.line != nullptr)
-        if (const auto added = addLine(call, answer); !added)
-            return tl::unexpected(added.error());
-    saveFound(call, answer);
+    Answer answer;
+    QJsonArray buses;
+    std::vector<BusAccess *> found;
+    for (BusAccess *bus : call.links) {
+        const auto its = bus->scan(call);
+        if (!its && call.links.size() == 1)
+            return tl::unexpected(its.error());
+        if (its)
+            found.push_back(bus);
+        addBus(call, *bus, its.value_or(Answer{.complaint = its ? std::nullopt : std::optional(its.error())}),
+               buses, answer);
+    }
+    answer.json.insert(QStringLiteral("buses"), buses);
+    saveFound(call, found, answer);
     return answer;
 }
 

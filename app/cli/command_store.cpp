@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus/buses.h"
 #include "catalog/catalog.h"
-#include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/eeprom_consent.h"
+#include "cli/jobs.h"
 #include "cli/json.h"
 #include "cli/parameter_text.h"
-#include "cli/project_access.h"
+#include "cli/places.h"
+#include "cli/project_of_call.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "cli/transfer_call.h"
@@ -73,7 +74,8 @@ QString valueLine(const DeviceDescription &device, const StoredValue &stored)
     return parameter ? typedValue(*parameter, stored.value) : QString::number(stored.value);
 }
 
-void showStored(const EncoderSession &encoder, const ProjectDevice &device, Answer &answer, QJsonArray &json)
+void showStored(const Call &call, const EncoderSession &encoder, const ProjectDevice &device, Answer &answer,
+                QJsonArray &json)
 {
     TextTable table;
     QJsonArray values;
@@ -87,22 +89,21 @@ void showStored(const EncoderSession &encoder, const ProjectDevice &device, Answ
                                   {QStringLiteral("at"), stored.at.toString(Qt::ISODate)}});
     }
     answer.text +=
-        device.place().toString() + QStringLiteral("  ") + encoder.device().fullName() + u'\n' +
+        device.place().shown() + QStringLiteral("  ") + encoder.device().fullName() + u'\n' +
         (device.stored.empty() ? QStringLiteral("  ") + CommandLine::tr("Nothing is known of it.") + u'\n'
                                : table.toString(2));
-    json.append(QJsonObject{{QStringLiteral("place"), device.place().toString()},
-                            {QStringLiteral("stored"), values},
-                            {QStringLiteral("camPrograms"), static_cast<int>(device.storedCams.size())}});
+    json.append(placeJson(call, device.place(),
+                          {{QStringLiteral("stored"), values},
+                           {QStringLiteral("camPrograms"), static_cast<int>(device.storedCams.size())}}));
 }
 
 // Nothing is stored of them: what stands there now may be another.
-void showOthers(const Meant &meant, Answer &answer)
+void showOthers(const Call &call, const Meant &meant, Answer &answer)
 {
     QJsonArray json;
     for (const auto &[device, why] : meant.others) {
-        const QString place = device.place().toString();
-        answer.text += sentence(CommandLine::tr("%1: nothing was stored."), {place}) + u'\n';
-        json.append(QJsonObject{{QStringLiteral("place"), place}, {QStringLiteral("why"), refusalJson(why)}});
+        answer.text += sentence(CommandLine::tr("%1: nothing was stored."), {device.place().shown()}) + u'\n';
+        json.append(placeJson(call, device.place(), {{QStringLiteral("why"), refusalJson(why)}}));
     }
     answer.json.insert(QStringLiteral("notStored"), json);
 }
@@ -114,7 +115,7 @@ void complain(const Call &call, const std::vector<EncoderResult> &results, const
         std::ranges::find_if(results, [](const EncoderResult &result) { return result.why.has_value(); });
     if (failed != results.end()) {
         answer.complaint = complaintAboutJob(call, failed->place, *failed->why);
-        answer.complaint->text.prepend(failed->place.toString() + QStringLiteral(": "));
+        answer.complaint->text.prepend(failed->place.shown() + QStringLiteral(": "));
     } else if (!meant.others.empty()) {
         answer.complaint = complaintAbout(meant.others.front().second);
     }
@@ -144,10 +145,10 @@ Checked<Answer> runStore(const Call &call)
         const auto kept = std::ranges::find_if(
             project->devices, [&](const ProjectDevice &each) { return each.place() == place; });
         *kept = withStored(*kept, encoder);
-        showStored(encoder, *kept, answer, encoders);
+        showStored(call, encoder, *kept, answer, encoders);
     }
     answer.json.insert(QStringLiteral("encoders"), encoders);
-    showOthers(meant, answer);
+    showOthers(call, meant, answer);
     complain(call, round.results, meant, answer);
     if (meant.encoders.empty())
         return answer;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/eeprom_consent.h"
+#include "cli/jobs.h"
 #include "cli/json.h"
+#include "cli/places.h"
 #include "cli/position_text.h"
 #include "cli/texts.h"
 #include "cli/told_mode.h"
@@ -60,16 +61,13 @@ Checked<Answer> runVelocity(const Call &call)
     const DeviceDescription &device = (*encoder)->device();
     const Reading &reading = (*encoder)->latest();
     Answer answer;
-    answer.json = {{QStringLiteral("place"), (*encoder)->place().toString()},
-                   {QStringLiteral("device"), device.key},
+    answer.json = {{QStringLiteral("device"), device.key},
                    {QStringLiteral("eepromWrites"), job.outcome.eepromWrites},
                    {QStringLiteral("mode"), modeJson(reading.mode)},
                    {QStringLiteral("velocity"), numberJson(reading.velocity)},
                    {QStringLiteral("position"), numberJson(reading.position)}};
-    if (call.arguments.has("--trace")) {
-        answer.text = traceText(call, **encoder, job) + u'\n';
-        answer.json.insert(QStringLiteral("trace"), traceJson(call, **encoder, job));
-    }
+    addPlace(answer.json, call, (*encoder)->place());
+    addTrace(call, (*encoder)->place(), *job.trace, answer);
     if (job.outcome.result)
         answer.text += readingText(reading);
     else
@@ -96,8 +94,6 @@ const Subcommand velocityCommand{
     .minimumArguments = 2,
     .maximumArguments = 2,
     .needsBus = true,
-    .whyNotOnLine =
-        QT_TRANSLATE_NOOP("codewheel::CommandLine", "Encoders on a serial line have no velocity mode."),
     .textIsAccount = true,
     .run = runVelocity,
 };

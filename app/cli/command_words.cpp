@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/bus_access.h"
 #include "cli/commands.h"
 #include "cli/eeprom_consent.h"
+#include "cli/jobs.h"
 #include "cli/json.h"
 #include "cli/parameter_arguments.h"
+#include "cli/places.h"
 #include "cli/texts.h"
 #include "cli/trace.h"
 #include "encoder/sentence.h"
@@ -83,15 +84,15 @@ Checked<Answer> runWords(const Call &call)
         return tl::unexpected(allowed.error());
     const FinishedJob job = runToEnd(call, *allowed);
     Answer answer;
-    answer.text = traceText(call, **encoder, job) + u'\n' +
+    answer.text = job.trace->text((*encoder)->place()) + u'\n' +
                   sentence(CommandLine::tr("EEPROM writes:   %1"),
                            argumentTexts({std::int64_t{job.outcome.eepromWrites}})) +
                   u'\n';
-    answer.json = {{QStringLiteral("place"), (*encoder)->place().toString()},
-                   {QStringLiteral("device"), (*encoder)->device().key},
-                   {QStringLiteral("trace"), traceJson(call, **encoder, job)},
+    answer.json = {{QStringLiteral("device"), (*encoder)->device().key},
+                   {QStringLiteral("trace"), job.trace->json((*encoder)->place())},
                    {QStringLiteral("eepromWrites"), job.outcome.eepromWrites},
                    {QStringLiteral("leftIn"), stateKey(job.outcome.leftIn)}};
+    addPlace(answer.json, call, (*encoder)->place());
     if (!job.outcome.result)
         answer.complaint = complaintAbout(job.outcome.result.error());
     return answer;
@@ -121,9 +122,6 @@ const Subcommand wordsCommand{
     .minimumArguments = 2,
     .maximumArguments = std::numeric_limits<int>::max(),
     .needsBus = true,
-    .whyNotOnLine = QT_TRANSLATE_NOOP(
-        "codewheel::CommandLine", "Encoders on a serial line have no words of process data. Send commands "
-                                  "with codewheel-cli terminal."),
     .textIsAccount = true,
     .run = runWords,
 };

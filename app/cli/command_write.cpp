@@ -3,16 +3,13 @@
 #include "cli/commands.h"
 #include "cli/consent.h"
 #include "cli/eeprom_consent.h"
+#include "cli/jobs.h"
 #include "cli/json.h"
-#include "cli/line_access.h"
-#include "cli/line_account.h"
-#include "cli/line_write.h"
 #include "cli/parameter_arguments.h"
 #include "cli/parameter_text.h"
+#include "cli/places.h"
 #include "cli/position_text.h"
-#include "cli/text_table.h"
 #include "cli/texts.h"
-#include "cli/trace.h"
 #include "cli/write_plan_text.h"
 #include "encoder/refusal_text.h"
 #include "encoder/sentence.h"
@@ -44,19 +41,6 @@ constexpr std::array writeOptions{
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")},
 };
 
-// What became of a value, by the best evidence the encoder has.
-QString whatBecameOf(const ParameterValue &value, const EncoderSession &encoder, const Outcome &outcome)
-{
-    if (valueOf(outcome.written, value.parameter)) {
-        const auto known = encoder.known(value.parameter);
-        return known && known->evidence == Evidence::read
-                   ? CommandLine::tr("written, and read back")
-                   : CommandLine::tr("written, confirmed by the handshake");
-    }
-    return valueOf(outcome.alreadyThere, value.parameter) ? CommandLine::tr("was there already")
-                                                          : CommandLine::tr("did not become active");
-}
-
 // How the encoder stood before the job and after it: a rod may have another scale afterwards.
 struct Stand
 {
@@ -69,7 +53,6 @@ Stand standOf(const EncoderSession &encoder)
     return {encoder.latest(), rodScale(encoder)};
 }
 
-// On a serial line a single read may be damaged: the job's positions are those that reads agreed on.
 void takePositions(const Outcome &outcome, Stand &before, Stand &after)
 {
     before.reading.position = outcome.positionBefore;
@@ -80,18 +63,6 @@ void takePositions(const Outcome &outcome, Stand &before, Stand &after)
 bool showsPosition(const Reading &reading)
 {
     return reading.state == EncoderState::operation || reading.position;
-}
-
-QString valuesText(const EncoderSession &encoder, const ParameterValues &wanted, const Outcome &outcome)
-{
-    TextTable values;
-    for (const ParameterValue &value : wanted) {
-        const ParameterDescription &parameter = *encoder.device().find(value.parameter);
-        values.add({parameterKey(value.parameter),
-                    QStringLiteral("= %1").arg(typedValue(parameter, value.value)),
-                    whatBecameOf(value, encoder, outcome)});
-    }
-    return values.toString();
 }
 
 QString accountText(const Outcome &outcome, const Stand &before, const Stand &after)
@@ -140,32 +111,26 @@ void addAccount(QJsonObject &json, const EncoderSession &encoder, const Outcome 
 void carryOutWrite(const Call &call, const AllowedJob &write, const WritePlan &plan, Answer &answer)
 {
     const EncoderSession &encoder = write.encoder();
-    const bool isOnLine = encoder.place().isOnLine();
+    const BusAccess &bus = call.busOf(encoder.place());
     Stand before = standOf(encoder);
     const FinishedJob job = runToEnd(call, write);
     Stand after = standOf(encoder);
-    if (isOnLine)
+    if (encoder.agreesOnPositions())
         takePositions(job.outcome, before, after);
-    if (call.arguments.has("--trace")) {
-        answer.text += u'\n' + traceText(call, encoder, job);
-        answer.json.insert(QStringLiteral("trace"), traceJson(call, encoder, job));
-    }
-    const ParameterValues wanted = plan.job.values;
-    const LineAccount onLine(encoder, wanted, job);
-    answer.text += u'\n' + (isOnLine ? onLine.toText() : valuesText(encoder, wanted, job.outcome)) +
-                   accountText(job.outcome, before, after);
-    if (isOnLine) {
-        answer.json.insert(QStringLiteral("values"), onLine.toJson());
-        answer.json.insert(QStringLiteral("placeNow"), encoder.place().toString());
-        answer.text += whereItIsNow(call, encoder, wanted);
-    }
+    const auto account = bus.account(encoder, plan.job.values, job);
+    answer.text += u'\n';
+    addTrace(call, encoder.place(), *job.trace, answer);
+    answer.text += account->toText() + accountText(job.outcome, before, after) +
+                   bus.whereItIsNow(encoder, plan.job.values);
     if (job.outcome.onlyZeroSinceRun)
         answer.text += messageText({.id = MessageId::onlyZeroSinceRun}) + u'\n';
     addAccount(answer.json, encoder, job.outcome, before, after);
+    const QJsonObject more = account->toJson();
+    for (auto one = more.begin(); one != more.end(); ++one)
+        answer.json.insert(one.key(), one.value());
     if (!job.outcome.result) {
         answer.complaint = complaintAboutJob(call, encoder.place(), job.outcome.result.error());
-        answer.complaint->text +=
-            u' ' + (isOnLine ? onLine.whereItWasLeft() : whereItWasLeft(encoder.latest()));
+        answer.complaint->text += u' ' + account->whereItWasLeft();
     }
 }
 
@@ -181,13 +146,8 @@ Checked<Answer> runWrite(const Call &call)
     const auto values = valuesToWrite(device, call.arguments.rest.sliced(1));
     if (!values)
         return tl::unexpected(values.error());
-    if ((*encoder)->place().isOnLine()) {
-        auto ready = readBefore(call, **encoder, *values);
-        if (ready)
-            ready = checkAddressIsFree(call, **encoder, *values);
-        if (!ready)
-            return tl::unexpected(ready.error());
-    }
+    if (const auto ready = call.busOf((*encoder)->place()).prepareWrite(call, **encoder, *values); !ready)
+        return tl::unexpected(ready.error());
     const WritePlan plan = planWrite(
         **encoder, {.wanted = *values, .writeAll = call.arguments.has("--all"), .inOrderGiven = true});
     if (plan.refusal)
@@ -196,10 +156,10 @@ Checked<Answer> runWrite(const Call &call)
     if (!call.arguments.has("--json"))
         call.terminal.print(writePlanText(**encoder, plan));
     Answer answer;
-    answer.json = {{QStringLiteral("place"), (*encoder)->place().toString()},
-                   {QStringLiteral("device"), device.key},
+    answer.json = {{QStringLiteral("device"), device.key},
                    {QStringLiteral("plan"), writePlanJson(**encoder, plan)},
                    {QStringLiteral("notes"), valueNotesJson(plan.notes)}};
+    addPlace(answer.json, call, (*encoder)->place());
     if (call.arguments.has("--dry-run") || plan.rows.empty())
         return answer;
     const auto allowed = eepromConsent(call, **encoder, plan.job, AsksAnyway::yes);
@@ -207,7 +167,7 @@ Checked<Answer> runWrite(const Call &call)
         answer.complaint = allowed.error();
         return answer;
     }
-    const QString question = sentence(CommandLine::tr("Write this to %1?"), {(*encoder)->place().toString()});
+    const QString question = sentence(CommandLine::tr("Write this to %1?"), {(*encoder)->place().shown()});
     const auto agreed = consent(call, question,
                                 CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to "
                                                 "write, or --dry-run to look only."));

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
 
+#include "cli/link_kind.h"
+
 #include <algorithm>
 #include <array>
 
 namespace codewheel {
 namespace {
 
-constexpr std::array commands{
-    &devicesCommand,  &scanCommand,     &compareCommand,  &explainCommand,  &wordsCommand,  &readCommand,
-    &writeCommand,    &presetCommand,   &velocityCommand, &resetCommand,    &camsCommand,   &storeCommand,
-    &transferCommand, &cloneCommand,    &replaceCommand,  &restoreCommand,  &reportCommand, &monitorCommand,
-    &masterCommand,   &terminalCommand, &serveCommand,    &messagesCommand, &ledgerCommand};
+// In the order of the help; those of the kinds of buses come between.
+constexpr std::array first{
+    &devicesCommand,  &scanCommand,   &compareCommand,  &explainCommand, &wordsCommand,  &readCommand,
+    &writeCommand,    &presetCommand, &velocityCommand, &resetCommand,   &camsCommand,   &storeCommand,
+    &transferCommand, &cloneCommand,  &replaceCommand,  &restoreCommand, &reportCommand, &monitorCommand};
+constexpr std::array last{&messagesCommand, &ledgerCommand};
 
 constexpr std::array common{
     Option{"--json", nullptr,
@@ -19,8 +22,8 @@ constexpr std::array common{
     Option{"--link", "LINK",
            QT_TRANSLATE_NOOP(
                "codewheel::CommandLine",
-               "the way to the encoders: training (the default), the simulated bus; or esc:PORT, a "
-               "serial line, with settings behind the port as in esc:ttyUSB0,baud=9600")},
+               "the way to the encoders: training (the default), the simulated buses; project, all buses of "
+               "the project; or SCHEME:WHERE, with settings behind it, as in esc:ttyUSB0,baud=9600")},
     Option{"--project", "FILE",
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
                              "name encoders as this project does; PLACE may be the name of a station")},
@@ -34,16 +37,21 @@ constexpr std::array common{
 
 } // namespace
 
-std::span<const Subcommand *const> allCommands()
+std::vector<const Subcommand *> allCommands()
 {
-    return commands;
+    std::vector<const Subcommand *> all(first.begin(), first.end());
+    for (const LinkKind *kind : linkKinds())
+        all.insert(all.end(), kind->commands().begin(), kind->commands().end());
+    all.insert(all.end(), last.begin(), last.end());
+    return all;
 }
 
 const Subcommand *findCommand(const QString &name)
 {
+    const auto all = allCommands();
     const auto found = std::ranges::find_if(
-        commands, [&](const Subcommand *command) { return name == QLatin1String(command->name); });
-    return found == commands.end() ? nullptr : *found;
+        all, [&](const Subcommand *command) { return name == QLatin1String(command->name); });
+    return found == all.end() ? nullptr : *found;
 }
 
 std::span<const Option> commonOptions()
@@ -51,9 +59,18 @@ std::span<const Option> commonOptions()
     return common;
 }
 
-std::vector<Option> optionsOf(const Subcommand &command)
+std::vector<Option> ownOptionsOf(const Subcommand &command)
 {
     std::vector<Option> options(command.options.begin(), command.options.end());
+    if (&command == &scanCommand)
+        for (const LinkKind *kind : linkKinds())
+            options.insert(options.end(), kind->scanOptions().begin(), kind->scanOptions().end());
+    return options;
+}
+
+std::vector<Option> optionsOf(const Subcommand &command)
+{
+    std::vector<Option> options = ownOptionsOf(command);
     options.insert(options.end(), common.begin(), common.end());
     return options;
 }

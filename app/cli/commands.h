@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// One file each: command_devices.cpp, ...
+// One file each: command_devices.cpp, ... Kinds of buses bring more (link_kind.h).
 extern const Subcommand devicesCommand;
 extern const Subcommand scanCommand;
 extern const Subcommand compareCommand;
@@ -24,18 +24,16 @@ extern const Subcommand replaceCommand;
 extern const Subcommand restoreCommand;
 extern const Subcommand reportCommand;
 extern const Subcommand monitorCommand;
-extern const Subcommand masterCommand;
-extern const Subcommand terminalCommand;
-extern const Subcommand serveCommand;
 extern const Subcommand messagesCommand;
 extern const Subcommand ledgerCommand;
 
 // In the order of the help.
-std::span<const Subcommand *const> allCommands();
+std::vector<const Subcommand *> allCommands();
 const Subcommand *findCommand(const QString &name);
 // Those that each command has, --json first.
 std::span<const Option> commonOptions();
-// The command's own and the common ones.
+std::vector<Option> ownOptionsOf(const Subcommand &command);
+// Its own and the common ones.
 std::vector<Option> optionsOf(const Subcommand &command);
 
 } // namespace codewheel

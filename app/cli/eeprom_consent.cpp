@@ -2,7 +2,7 @@
 #include "cli/eeprom_consent.h"
 
 #include "bus/buses.h"
-#include "cli/subcommand.h"
+#include "cli/places.h"
 #include "cli/texts.h"
 #include "encoder/sentence.h"
 #include "journal/eeprom_cost.h"
@@ -23,14 +23,17 @@ Checked<void> refused(const EncoderSession &encoder, RefusalId id, std::optional
     return tl::unexpected(
         complaintAbout({RefusalKind::busy,
                         id,
-                        {encoder.place().toString(), std::int64_t{encoder.eepromCount().atMost()},
+                        {encoder.place().shown(), std::int64_t{encoder.eepromCount().atMost()},
                          std::int64_t{mark.value_or(0)}}}));
 }
 
 Checked<void> askForPlace(const Call &call, const EncoderSession &encoder)
 {
-    const QString place = encoder.place().toString();
-    const auto isMeant = [&](const QString &typed) { return Place::parse(typed) == encoder.place(); };
+    const QString place = encoder.place().shown();
+    const auto isMeant = [&](const QString &typed) {
+        const auto meant = placeMeant(call, nullptr, typed);
+        return meant && *meant == encoder.place();
+    };
     const QString named = call.arguments.value("--beyond-eeprom-limit").value_or(QString());
     if (std::ranges::any_of(named.split(u','), isMeant)) // of commands for several encoders more than one
         return {};
@@ -40,12 +43,14 @@ Checked<void> askForPlace(const Call &call, const EncoderSession &encoder)
     return refused(encoder, RefusalId::eepromLimitPassed, encoder.can().eepromLimit);
 }
 
-Checked<void> askFor(const Call &call, const EncoderSession &encoder, int planned, AsksAnyway asks)
+} // namespace
+
+Checked<void> eepromConsent(const Call &call, const EncoderSession &encoder, int writes, AsksAnyway asks)
 {
-    const EepromConcern concern = eepromConcern(encoder, planned);
+    const EepromConcern concern = eepromConcern(encoder, writes);
     if (concern == EepromConcern::none)
         return {};
-    call.terminal.complain(eepromConcernText(encoder, planned));
+    call.terminal.complain(eepromConcernText(encoder, writes));
     if (concern == EepromConcern::typed)
         return askForPlace(call, encoder);
     if (asks == AsksAnyway::yes || call.arguments.has("--yes"))
@@ -55,21 +60,11 @@ Checked<void> askFor(const Call &call, const EncoderSession &encoder, int planne
     return refused(encoder, RefusalId::eepromBudgetUsed, encoder.can().eepromBudget);
 }
 
-} // namespace
-
 Checked<AllowedJob> eepromConsent(const Call &call, EncoderSession &encoder, const Job &job, AsksAnyway asks)
 {
-    return askFor(call, encoder, mostEepromWrites(encoder, job), asks).map([&] {
+    return eepromConsent(call, encoder, mostEepromWrites(encoder, job), asks).map([&] {
         return AllowedJob(encoder, job);
     });
-}
-
-Checked<AllowedRequest> eepromConsent(const Call &call, const EncoderSession *encoder,
-                                      const esc::Request &request)
-{
-    constexpr int oneWrite = 1;
-    const auto may = encoder != nullptr ? askFor(call, *encoder, oneWrite, AsksAnyway::yes) : Checked<void>();
-    return may.map([&] { return AllowedRequest(request); });
 }
 
 Checked<AllowedRound> eepromConsent(const Call &call, std::vector<EncoderJobs> encoders, AsksAnyway asks)
@@ -79,7 +74,7 @@ Checked<AllowedRound> eepromConsent(const Call &call, std::vector<EncoderJobs> e
         const int planned =
             std::accumulate(one.jobs.begin(), one.jobs.end(), 0,
                             [&](int sum, const Job &job) { return sum + mostEepromWrites(encoder, job); });
-        if (const auto may = askFor(call, encoder, planned, asks); !may)
+        if (const auto may = eepromConsent(call, encoder, planned, asks); !may)
             return tl::unexpected(may.error());
     }
     return AllowedRound(std::move(encoders));

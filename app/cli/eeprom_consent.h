@@ -28,10 +28,8 @@ enum class AsksAnyway { yes, no };
 // What has to be said and agreed to before a job, by how often this program has written to the EEPROM
 // (journal/eeprom_cost.h). `asks`: the command asks before it writes; --yes answers.
 Checked<AllowedJob> eepromConsent(const Call &call, EncoderSession &encoder, const Job &job, AsksAnyway asks);
-// Of a typed request that writes, which has been agreed to; each counts as one write. `encoder`: null where
-// it is not known whose EEPROM it is.
-Checked<AllowedRequest> eepromConsent(const Call &call, const EncoderSession *encoder,
-                                      const esc::Request &request);
+// Of what else writes, as often as told.
+Checked<void> eepromConsent(const Call &call, const EncoderSession &encoder, int writes, AsksAnyway asks);
 // Of each encoder, for all of its jobs together.
 Checked<AllowedRound> eepromConsent(const Call &call, std::vector<EncoderJobs> encoders, AsksAnyway asks);
 

@@ -85,9 +85,11 @@ QString overallHelp()
            CommandLine::tr(
                "PLACE is the device number of an encoder, segment.position: 1.0; on a serial line its "
                "address,\n"
-               "two hexadecimal digits: 12, or esc:12. Numbers are decimal unless they are written 0x.. or "
-               "..h;\n"
-               "a WORD is always hexadecimal, as the manuals print it.\n"
+               "two hexadecimal digits: 12, or esc:12; or its station in the project. Where several buses "
+               "have it,\n"
+               "BUS/PLACE names one, BUS being its name in the project, else Ring or Line. Numbers are "
+               "decimal\n"
+               "unless they are written 0x.. or ..h; a WORD is always hexadecimal, as the manuals print it.\n"
                "\n"
                "Each call has a new training bus, which always starts the same: 1.0 FRABA K3 that stands\n"
                "still, 2.0 Baumer K3 that turns at 10 rpm, 3.0 FRABA K1, 4.0 FRABA K2, 5.0 TR LA-66 on a "
@@ -106,8 +108,8 @@ QString helpOf(const Subcommand &command)
                             {QStringLiteral("%1 %2").arg(QString::fromLatin1(command.name),
                                                          QString::fromLatin1(command.usage))}) +
                    QStringLiteral("\n\n") + CommandLine::tr(command.details) + QStringLiteral("\n\n");
-    if (!command.options.empty())
-        text += CommandLine::tr("Options:") + u'\n' + optionLines(command.options) + u'\n';
+    if (const auto own = ownOptionsOf(command); !own.empty())
+        text += CommandLine::tr("Options:") + u'\n' + optionLines(own) + u'\n';
     return text + CommandLine::tr("Options of every command:") + u'\n' + optionLines(commonOptions()) +
            u'\n' + CommandLine::tr("Examples:") + u'\n' + exampleLines(command.examples);
 }

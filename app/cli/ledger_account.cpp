@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/ledger_account.h"
 
-#include "cli/line_access.h"
+#include "cli/bus_access.h"
 #include "cli/texts.h"
 #include "encoder/refusal_text.h"
 #include "journal/ledger_keeper.h"
@@ -11,10 +11,10 @@
 
 namespace codewheel {
 
-LedgerAccount::LedgerAccount(const Connection &connection, const Terminal &terminal)
+LedgerAccount::LedgerAccount(const std::vector<BusAccess *> &links, const Terminal &terminal)
 {
-    listenTo(connection.ledger, terminal);
-    listenTo(connection.line != nullptr ? connection.line->ledger() : nullptr, terminal);
+    for (const BusAccess *link : links)
+        listenTo(link->ledger(), terminal);
 }
 
 void LedgerAccount::listenTo(LedgerKeeper *keeper, const Terminal &terminal)

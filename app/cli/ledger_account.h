@@ -7,12 +7,14 @@
 
 namespace codewheel {
 
+class LedgerKeeper;
+
 // Whether the EEPROM writes of a call come into the ledger. What goes wrong with the file is told at once,
 // and at the end of the call for its exit code.
 class LedgerAccount
 {
 public:
-    explicit LedgerAccount(const Connection &connection, const Terminal &terminal);
+    LedgerAccount(const std::vector<BusAccess *> &links, const Terminal &terminal);
 
     // Nothing: all is entered.
     std::optional<Complaint> complaint() const;

@@ -55,4 +55,10 @@ QString TextTable::toString(int indent) const
     return text;
 }
 
+QString rowTime(Instant at)
+{
+    constexpr double microseconds = 1'000; // a millisecond
+    return QString::number(static_cast<double>(at.count()) / microseconds, 'f', 1);
+}
+
 } // namespace codewheel

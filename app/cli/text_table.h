@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/instant.h"
+
 #include <QStringList>
 
 #include <vector>
@@ -27,5 +29,8 @@ private:
     std::vector<Align> m_columns;
     std::vector<QStringList> m_lines;
 };
+
+// "1204.5": milliseconds of the time of a bus.
+QString rowTime(Instant at);
 
 } // namespace codewheel

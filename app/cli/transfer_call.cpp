@@ -6,19 +6,17 @@
 #include "cli/bus_access.h"
 #include "cli/consent.h"
 #include "cli/eeprom_consent.h"
-#include "cli/line_encoders.h"
-#include "cli/line_write.h"
-#include "cli/project_access.h"
+#include "cli/jobs.h"
+#include "cli/places.h"
+#include "cli/project_of_call.h"
 #include "cli/stop_signals.h"
 #include "cli/target_file.h"
 #include "cli/texts.h"
-#include "cli/trace.h"
 #include "cli/transfer_text.h"
 #include "encoder/sentence.h"
 #include "project/file_access.h"
 #include "report/html_report.h"
 #include "report/transfer_report.h"
-#include "ring/bus_session.h"
 
 #include <QCoreApplication>
 
@@ -27,11 +25,17 @@
 namespace codewheel {
 namespace {
 
+void passTime(const Call &call, Place place)
+{
+    if (BusAccess *bus = call.findBus(place.bus))
+        bus->advance(bus->lookInterval());
+}
+
 QString placesOf(const std::vector<ProjectDevice> &devices)
 {
     QStringList places;
     for (const ProjectDevice &device : devices)
-        places << device.place().toString();
+        places << device.place().shown();
     return places.join(QStringLiteral(", "));
 }
 
@@ -78,9 +82,9 @@ std::optional<Complaint> complaintAboutAccount(const Call &call, const TransferA
     const auto failed = std::ranges::find_if_not(account.encoders, &EncoderAccount::isDone);
     if (failed == account.encoders.end())
         return std::nullopt;
-    Complaint complaint{ExitCode::refused, QStringLiteral("notAllDone"),
-                        sentence(CommandLine::tr("Not all of it was written, first of all to %1."),
-                                 {failed->place.toString()})};
+    Complaint complaint{
+        ExitCode::refused, QStringLiteral("notAllDone"),
+        sentence(CommandLine::tr("Not all of it was written, first of all to %1."), {failed->place.shown()})};
     if (failed->why) {
         const Complaint why = complaintAboutJob(call, failed->place, *failed->why);
         complaint.key = why.key;
@@ -90,33 +94,19 @@ std::optional<Complaint> complaintAboutAccount(const Call &call, const TransferA
     return complaint;
 }
 
-// By its number or its station.
+// By its place or its station.
 Checked<ProjectDevice> deviceNamed(const Call &call, const Project &project, const QString &typed)
 {
+    const auto place = placeMeant(call, &project, typed);
     const auto devices = devicesOfLink(call, project);
-    const bool isStation = std::ranges::find(devices, typed, &ProjectDevice::station) != devices.end();
-    auto number = Place::parse(typed);
-    if (isStation) {
-        const auto station = placeOfStation(call, project, typed);
-        if (!station)
-            return tl::unexpected(station.error());
-        number = *station;
-    }
-    const auto found = std::ranges::find(devices, number, &ProjectDevice::place);
+    const bool isUnknown = !place && place.error().key == QStringLiteral("unknownStation");
+    if (!place && !isUnknown)
+        return tl::unexpected(place.error());
+    const auto found = isUnknown ? devices.end() : std::ranges::find(devices, *place, &ProjectDevice::place);
     if (found == devices.end())
         return tl::unexpected(complaintAbout(
             {RefusalKind::badInput, RefusalId::noSuchProjectDevice, {typed, placesOf(devices)}}));
     return *found;
-}
-
-// Those of one encoder.
-std::vector<PassedRow> rowsOf(const LineTrace &trace, LineAddress address)
-{
-    std::vector<PassedRow> rows;
-    std::ranges::copy_if(trace.rows(), std::back_inserter(rows), [address](const PassedRow &row) {
-        return row.request && row.request->to == address;
-    });
-    return rows;
 }
 
 } // namespace
@@ -124,20 +114,16 @@ std::vector<PassedRow> rowsOf(const LineTrace &trace, LineAddress address)
 std::vector<ProjectDevice> devicesOfLink(const Call &call, const Project &project)
 {
     std::vector<ProjectDevice> devices;
-    for (const ProjectDevice &device : project.devices)
-        if (isOfLine(call, device.place()) || (call.bus && call.bus->id() == device.bus))
-            devices.push_back(device);
+    std::ranges::copy_if(project.devices, std::back_inserter(devices),
+                         [&](const ProjectDevice &device) { return call.findBus(device.bus) != nullptr; });
     return devices;
 }
 
-Checked<void> contact(const Call &call, const std::vector<ProjectDevice> &devices)
+Checked<void> contactAll(const Call &call, const std::vector<ProjectDevice> &devices)
 {
-    if (call.bus != nullptr)
-        call.bus->advance(1);
     for (const ProjectDevice &device : devices)
-        if (isOfLine(call, device.place()))
-            if (auto there = contactOnLine(call, device); !there)
-                return there;
+        if (auto there = call.busOf(device.place()).contact(call, device); !there)
+            return there;
     return {};
 }
 
@@ -156,7 +142,7 @@ Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project
             return tl::unexpected(device.error());
         addOnce(devices, *device);
     }
-    return contact(call, devices).map([&] { return devices; });
+    return contactAll(call, devices).map([&] { return devices; });
 }
 
 Checked<TransferPlan> plan(const Call &call, const std::vector<TransferWish> &wishes)
@@ -170,10 +156,9 @@ Checked<TransferPlan> plan(const Call &call, const std::vector<TransferWish> &wi
             bus->setOperate(true);
             passTime(call, wish.place);
         }
-        const bool readsAlong = encoder->can().reads && !encoder->can().readingHidesPosition;
-        if (readsAlong && encoder->latest().state == EncoderState::operation)
-            if (const auto read = readBefore(call, *encoder, wish.values); !read && !bus->isRunning())
-                return tl::unexpected(read.error());
+        if (const auto read = call.busOf(wish.place).readBefore(call, *encoder, wish.values);
+            !read && !bus->isRunning())
+            return tl::unexpected(read.error());
     }
     return planTransfer(call.buses, wishes);
 }
@@ -181,14 +166,14 @@ Checked<TransferPlan> plan(const Call &call, const std::vector<TransferWish> &wi
 FinishedRound runToEnd(const Call &call, const AllowedRound &allowed, JobRound::AfterRefusal afterRefusal)
 {
     FinishedRound finished;
-    JobRound round(call.buses);
-    QObject scope;
+    std::map<BusAccess *, std::vector<const EncoderSession *>> encoders;
     for (const EncoderJobs &one : allowed.encoders())
-        if (EncoderSession *encoder = call.buses.encoder(one.place); encoder && !isOfLine(call, one.place))
-            QObject::connect(
-                encoder, &EncoderSession::exchanged, &scope,
-                [&rows = finished.rows[one.place]](const Exchange &row) { rows.push_back(row); });
-    const auto trace = call.line ? std::make_unique<LineTrace>(call.line->bus()) : nullptr;
+        if (const EncoderSession *encoder = call.buses.encoder(one.place))
+            encoders[&call.busOf(one.place)].push_back(encoder);
+    std::map<BusAccess *, std::unique_ptr<JobTrace>> traces;
+    for (const auto &[bus, its] : encoders)
+        traces[bus] = bus->trace(its);
+    JobRound round(call.buses);
     StopSignals stop;
     round.start(allowed.encoders(), afterRefusal);
     while (round.isRunning()) {
@@ -197,9 +182,11 @@ FinishedRound runToEnd(const Call &call, const AllowedRound &allowed, JobRound::
         passTime(call, round.progress().place);
     }
     finished.results = round.results();
-    for (const EncoderResult &result : finished.results)
-        if (trace && isOfLine(call, result.place))
-            finished.passed[result.place] = rowsOf(*trace, LineAddress::of(result.place.node));
+    if (call.arguments.has("--trace"))
+        for (const EncoderResult &result : finished.results)
+            if (const auto trace = traces.find(call.findBus(result.place.bus)); trace != traces.end())
+                finished.traces.push_back(
+                    {result.place, trace->second->text(result.place), trace->second->json(result.place)});
     return finished;
 }
 
@@ -208,14 +195,9 @@ void addTrace(const Call &call, const FinishedRound &round, Answer &answer)
     if (!call.arguments.has("--trace"))
         return;
     QJsonObject json;
-    for (const auto &[place, rows] : round.rows) {
-        const DeviceDescription &device = call.buses.encoder(place)->device();
-        answer.text += u'\n' + place.toString() + u'\n' + traceText(device, rows);
-        json.insert(place.toString(), traceJson(device, rows));
-    }
-    for (const auto &[place, rows] : round.passed) {
-        answer.text += u'\n' + place.toString() + u'\n' + lineTraceText(rows, call.line->explainOptions());
-        json.insert(place.toString(), lineTraceJson(rows, call.line->explainOptions()));
+    for (const TracedEncoder &one : round.traces) {
+        answer.text += u'\n' + one.place.shown() + u'\n' + one.text;
+        json.insert(one.place.shown(), one.json);
     }
     answer.text += u'\n';
     answer.json.insert(QStringLiteral("trace"), json);
@@ -229,9 +211,9 @@ Answer transfer(const Call &call, TransferKind kind, const QString &source, cons
         answer.complaint = can.error();
         return answer;
     }
-    answer.json.insert(QStringLiteral("plan"), planJson(call.buses, plan));
+    answer.json.insert(QStringLiteral("plan"), planJson(call, plan));
     if (!call.arguments.has("--json"))
-        call.terminal.print(planText(call.buses, plan));
+        call.terminal.print(planText(call, plan));
     const std::vector<EncoderJobs> jobs = jobsOf(plan);
     if (call.arguments.has("--dry-run"))
         return answer;
@@ -263,8 +245,8 @@ Answer transfer(const Call &call, TransferKind kind, const QString &source, cons
     addTrace(call, round, answer);
     TransferAccount account = accountOf(call.buses, kind, plan, round.results);
     account.source = source;
-    answer.text += u'\n' + accountText(call.buses, account);
-    answer.json.insert(QStringLiteral("encoders"), accountJson(call.buses, account));
+    answer.text += u'\n' + accountText(call, account);
+    answer.json.insert(QStringLiteral("encoders"), accountJson(call, account));
     answer.json.insert(QStringLiteral("eepromWrites"), account.eepromWrites());
     answer.complaint = complaintAboutAccount(call, account);
     addReport(call, account, answer);

@@ -2,15 +2,12 @@
 #pragma once
 
 #include "cli/allowed_jobs.h"
-#include "cli/line_trace.h"
 #include "cli/subcommand.h"
-#include "encoder/exchange.h"
 #include "project/project.h"
 #include "transfer/transfer_account.h"
 
 #include <algorithm>
 #include <functional>
-#include <map>
 #include <vector>
 
 namespace codewheel {
@@ -28,7 +25,7 @@ void addOnce(std::vector<T> &all, const T &one)
 // The devices of the project on the buses that the link leads to.
 std::vector<ProjectDevice> devicesOfLink(const Call &call, const Project &project);
 // So that each encoder shows where it stands.
-Checked<void> contact(const Call &call, const std::vector<ProjectDevice> &devices);
+Checked<void> contactAll(const Call &call, const std::vector<ProjectDevice> &devices);
 
 // The devices of the project named in the call by place or station, from its second argument on; without any,
 // all that the link leads to; each once, and so that it shows where it stands. Refuses a place that the
@@ -36,12 +33,19 @@ Checked<void> contact(const Call &call, const std::vector<ProjectDevice> &device
 Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project &project,
                                                  const QString &file);
 
+// What went over its bus for an encoder.
+struct TracedEncoder
+{
+    Place place;
+    QString text;
+    QJsonArray json;
+};
+
 // A round of jobs, by the time of the buses. Ctrl+C ends it: what was sent is waited for.
 struct FinishedRound
 {
     std::vector<EncoderResult> results;
-    std::map<Place, std::vector<Exchange>> rows{};    // the words that went over the bus
-    std::map<Place, std::vector<PassedRow>> passed{}; // on a serial line
+    std::vector<TracedEncoder> traces{}; // with --trace
 };
 FinishedRound runToEnd(const Call &call, const AllowedRound &allowed, JobRound::AfterRefusal afterRefusal);
 void addTrace(const Call &call, const FinishedRound &round, Answer &answer); // with --trace

@@ -5,6 +5,7 @@
 #include "cli/cam_text.h"
 #include "cli/json.h"
 #include "cli/parameter_text.h"
+#include "cli/places.h"
 #include "cli/text_table.h"
 #include "cli/texts.h"
 #include "drivers/write_plan.h"
@@ -43,16 +44,16 @@ QString programName(unsigned program)
 template <typename Encoder>
 QString heading(const Encoder &encoder)
 {
-    QStringList parts{encoder.place.toString()};
+    QStringList parts{encoder.place.shown()};
     for (const QString &part : {encoder.device, encoder.station})
         if (!part.isEmpty())
             parts << part;
     return parts.join(QStringLiteral("  ")) + u'\n';
 }
 
-QString tableOf(const Buses &buses, const EncoderPlan &plan)
+QString tableOf(const Call &call, const EncoderPlan &plan)
 {
-    const DeviceDescription *device = deviceAt(buses, plan.place);
+    const DeviceDescription *device = deviceAt(call.buses, plan.place);
     TextTable table;
     for (const TransferRow &row : plan.rows)
         table.add({parameterKey(row.wanted.parameter), known(device, row.wanted.parameter, row.known),
@@ -129,11 +130,11 @@ QJsonValue refusalJson(const std::optional<Refusal> &refusal)
                    : QJsonValue();
 }
 
-QString planText(const Buses &buses, const TransferPlan &plan)
+QString planText(const Call &call, const TransferPlan &plan)
 {
     QString text;
     for (const EncoderPlan &encoder : plan) {
-        text += heading(encoder) + tableOf(buses, encoder);
+        text += heading(encoder) + tableOf(call, encoder);
         for (const QString &note : transfer_words::notes(encoder))
             text += QStringLiteral("  ") + note + u'\n';
         text += QStringLiteral("  ") + transfer_words::summary(encoder) + u'\n';
@@ -141,11 +142,11 @@ QString planText(const Buses &buses, const TransferPlan &plan)
     return text;
 }
 
-QJsonArray planJson(const Buses &buses, const TransferPlan &plan)
+QJsonArray planJson(const Call &call, const TransferPlan &plan)
 {
     QJsonArray encoders;
     for (const EncoderPlan &encoder : plan) {
-        const DeviceDescription *device = deviceAt(buses, encoder.place);
+        const DeviceDescription *device = deviceAt(call.buses, encoder.place);
         QJsonArray rows;
         for (const TransferRow &row : encoder.rows) {
             QJsonObject json = valueJsonOf(device, row.wanted);
@@ -159,21 +160,21 @@ QJsonArray planJson(const Buses &buses, const TransferPlan &plan)
             cams.append(QJsonObject{{QStringLiteral("program"), static_cast<int>(row.wanted.number)},
                                     {QStringLiteral("leftOut"), row.isThere}});
         encoders.append(
-            QJsonObject{{QStringLiteral("place"), encoder.place.toString()},
-                        {QStringLiteral("device"), device ? QJsonValue(device->key) : QJsonValue()},
-                        {QStringLiteral("hindrance"), refusalJson(encoder.hindrance)},
-                        {QStringLiteral("values"), rows},
-                        {QStringLiteral("cams"), cams},
-                        {QStringLiteral("eepromWritesAtMost"), encoder.eepromWrites}});
+            placeJson(call, encoder.place,
+                      {{QStringLiteral("device"), device ? QJsonValue(device->key) : QJsonValue()},
+                       {QStringLiteral("hindrance"), refusalJson(encoder.hindrance)},
+                       {QStringLiteral("values"), rows},
+                       {QStringLiteral("cams"), cams},
+                       {QStringLiteral("eepromWritesAtMost"), encoder.eepromWrites}}));
     }
     return encoders;
 }
 
-QString accountText(const Buses &buses, const TransferAccount &account)
+QString accountText(const Call &call, const TransferAccount &account)
 {
     QString text;
     for (const EncoderAccount &encoder : account.encoders) {
-        const DeviceDescription *device = deviceAt(buses, encoder.place);
+        const DeviceDescription *device = deviceAt(call.buses, encoder.place);
         TextTable table;
         for (const AccountRow &row : encoder.rows)
             table.add({parameterKey(row.wanted.parameter),
@@ -197,11 +198,11 @@ QString accountText(const Buses &buses, const TransferAccount &account)
            u'\n';
 }
 
-QJsonArray accountJson(const Buses &buses, const TransferAccount &account)
+QJsonArray accountJson(const Call &call, const TransferAccount &account)
 {
     QJsonArray encoders;
     for (const EncoderAccount &encoder : account.encoders) {
-        const DeviceDescription *device = deviceAt(buses, encoder.place);
+        const DeviceDescription *device = deviceAt(call.buses, encoder.place);
         QJsonArray rows;
         for (const AccountRow &row : encoder.rows) {
             QJsonObject json = valueJsonOf(device, row.wanted);
@@ -213,17 +214,17 @@ QJsonArray accountJson(const Buses &buses, const TransferAccount &account)
         for (const AccountCamRow &row : encoder.cams)
             cams.append(QJsonObject{{QStringLiteral("program"), static_cast<int>(row.program)},
                                     {QStringLiteral("became"), becameKey(row.became)}});
-        encoders.append(QJsonObject{{QStringLiteral("place"), encoder.place.toString()},
-                                    {QStringLiteral("begun"), encoder.isBegun},
-                                    {QStringLiteral("why"), refusalJson(encoder.why)},
-                                    {QStringLiteral("values"), rows},
-                                    {QStringLiteral("cams"), cams},
-                                    {QStringLiteral("eepromWrites"), encoder.eepromWrites},
-                                    {QStringLiteral("positionWanted"), numberJson(encoder.positionWanted)},
-                                    {QStringLiteral("positionSet"), encoder.positionSet},
-                                    {QStringLiteral("positionBefore"), numberJson(encoder.positionBefore)},
-                                    {QStringLiteral("positionAfter"), numberJson(encoder.positionAfter)},
-                                    {QStringLiteral("leftIn"), stateKey(encoder.leftIn)}});
+        encoders.append(placeJson(call, encoder.place,
+                                  {{QStringLiteral("begun"), encoder.isBegun},
+                                   {QStringLiteral("why"), refusalJson(encoder.why)},
+                                   {QStringLiteral("values"), rows},
+                                   {QStringLiteral("cams"), cams},
+                                   {QStringLiteral("eepromWrites"), encoder.eepromWrites},
+                                   {QStringLiteral("positionWanted"), numberJson(encoder.positionWanted)},
+                                   {QStringLiteral("positionSet"), encoder.positionSet},
+                                   {QStringLiteral("positionBefore"), numberJson(encoder.positionBefore)},
+                                   {QStringLiteral("positionAfter"), numberJson(encoder.positionAfter)},
+                                   {QStringLiteral("leftIn"), stateKey(encoder.leftIn)}}));
     }
     return encoders;
 }

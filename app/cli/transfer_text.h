@@ -9,14 +9,14 @@
 
 namespace codewheel {
 
-class Buses;
+struct Call;
 
 // What `transfer` and `clone` are about to do, and what became of it: encoder by encoder, for people and for
 // programs (docs/command-line.md).
-QString planText(const Buses &buses, const TransferPlan &plan);
-QJsonArray planJson(const Buses &buses, const TransferPlan &plan);
-QString accountText(const Buses &buses, const TransferAccount &account);
-QJsonArray accountJson(const Buses &buses, const TransferAccount &account);
+QString planText(const Call &call, const TransferPlan &plan);
+QJsonArray planJson(const Call &call, const TransferPlan &plan);
+QString accountText(const Call &call, const TransferAccount &account);
+QJsonArray accountJson(const Call &call, const TransferAccount &account);
 // null, or {"key", "text"}
 QJsonValue refusalJson(const std::optional<Refusal> &refusal);
 // Of `replace`.

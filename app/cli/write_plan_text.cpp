@@ -25,7 +25,7 @@ QString notesText(const EncoderSession &encoder, const WritePlan &plan)
         lines << CommandLine::tr("The scaling factor is computed from them: they act once it is sent.");
     for (const ValueNote &note : plan.notes)
         lines << noteText(note);
-    if (encoder.place().isOnLine())
+    if (encoder.device().outWords == 0)
         lines << CommandLine::tr("Each command is sent once, and what was written is read back.");
     if (encoder.device().profile == Profile::la66)
         lines << CommandLine::tr("Each word goes out for two bus cycles with its first bit, the service bit, "
@@ -41,10 +41,10 @@ QString notesText(const EncoderSession &encoder, const WritePlan &plan)
 QString writePlanText(const EncoderSession &encoder, const WritePlan &plan)
 {
     const DeviceDescription &device = encoder.device();
-    const bool isOnLine = encoder.place().isOnLine();
+    const bool hasWords = device.outWords > 0;
     TextTable table;
     table.add({CommandLine::tr("parameter"), CommandLine::tr("known"), CommandLine::tr("wanted"),
-               isOnLine ? CommandLine::tr("command") : QStringLiteral("OUT")});
+               hasWords ? QStringLiteral("OUT") : CommandLine::tr("command")});
     const auto add = [&](const ParameterValue &value, const std::optional<Known> &known,
                          const QString &sent) {
         const ParameterDescription &parameter = *device.find(value.parameter);
@@ -56,17 +56,18 @@ QString writePlanText(const EncoderSession &encoder, const WritePlan &plan)
         add(row.value, row.known, sentText(row.step));
     for (const ParameterValue &value : plan.leftOut)
         add(value, encoder.known(value.parameter), CommandLine::tr("left out: already there"));
-    const bool endsWithRun = !isOnLine && device.profile != Profile::la66; // services need none
+    const bool endsWithRun = hasWords && device.profile != Profile::la66; // services need none
     if (!plan.rows.empty() && endsWithRun)
         table.add({CommandLine::tr("run"), {}, {}, hexWord(k3::run)});
     return sentence(CommandLine::tr("To be written to %1, %2:"),
-                    {encoder.place().toString(), device.fullName()}) +
+                    {encoder.place().shown(), device.fullName()}) +
            u'\n' + table.toString(2) + notesText(encoder, plan);
 }
 
 QJsonArray writePlanJson(const EncoderSession &encoder, const WritePlan &plan)
 {
-    const QString carrier = encoder.place().isOnLine() ? QStringLiteral("command") : QStringLiteral("word");
+    const QString carrier =
+        encoder.device().outWords > 0 ? QStringLiteral("word") : QStringLiteral("command");
     QJsonArray json;
     const auto add = [&](const ParameterValue &value, const std::optional<Known> &known,
                          const QJsonValue &sent) {

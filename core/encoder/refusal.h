@@ -48,6 +48,7 @@ enum class RefusalId : std::uint8_t {
                            // nothing)
     deviceFileBroken,      // file with line and key, reason
     deviceCodeDiffers,     // place, its device code, device name, that one's
+    deviceOfOtherBus,      // place, device name
     fileNotReadable,       // file, reason of the system
     fileNotWritten,        // file, reason of the system
     fileChanged,           // file

@@ -80,6 +80,9 @@ constexpr std::array refusalRows{
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 has the device code %2: it cannot be the %3, which has %4. Choose an encoder "
                           "of the same device code.")},
+    RefusalRow{RefusalId::deviceOfOtherBus, "deviceOfOtherBus",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "The %2 belongs to another kind of bus: it cannot be the device at %1.")},
     RefusalRow{RefusalId::fileNotReadable, "fileNotReadable",
                QT_TRANSLATE_NOOP("Refusal", "%1 cannot be read: %2")},
     RefusalRow{RefusalId::fileNotWritten, "fileNotWritten",

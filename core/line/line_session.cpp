@@ -264,8 +264,7 @@ Result<void> LineSession::canBe(Place place, const DeviceDescription &device) co
 {
     if (device.profile == Profile::esc)
         return {};
-    return refuse(RefusalKind::badInput, RefusalId::deviceCodeDiffers,
-                  {place.toString(), QStringLiteral("-"), device.fullName(), hexCode(device.deviceCode, 4)});
+    return refuse(RefusalKind::badInput, RefusalId::deviceOfOtherBus, {place.shown(), device.fullName()});
 }
 
 Result<void> LineSession::name(Place place, const QString &deviceKey, int turns, int stepsPerTurn)

@@ -261,11 +261,13 @@ Result<void> BusSession::canBe(Place place, const DeviceDescription &device) con
 {
     const std::size_t i = d->indexOf(place.node);
     const unsigned there = i < d->structure.size() ? d->structure[i].deviceCode : 0;
+    if (device.deviceCode == 0)
+        return refuse(RefusalKind::badInput, RefusalId::deviceOfOtherBus,
+                      {place.shown(), device.fullName()});
     if (device.deviceCode == there)
         return {};
-    const QString its = device.profile == Profile::esc ? QStringLiteral("-") : hexCode(device.deviceCode, 4);
     return refuse(RefusalKind::badInput, RefusalId::deviceCodeDiffers,
-                  {place.toString(), hexCode(there, 4), device.fullName(), its});
+                  {place.shown(), hexCode(there, 4), device.fullName(), hexCode(device.deviceCode, 4)});
 }
 
 Result<void> BusSession::name(Place place, const QString &deviceKey, int turns, int stepsPerTurn)

@@ -3,6 +3,7 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/ring/ring_access.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -49,7 +50,8 @@ CliRun SharedBus::runLine(const QString &line, const Person &person)
     if (!arguments)
         return {};
     return runWith(person, [&](const Terminal &terminal) {
-        return runCommand(*command, *arguments, m_catalog, {.bus = m_training.bus.get()}, terminal);
+        RingAccess ring(*m_training.bus);
+        return runCommand(*command, *arguments, m_catalog, {&ring}, terminal);
     });
 }
 

@@ -3,7 +3,7 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/line_access.h"
+#include "cli/line/line_access.h"
 #include "cli/stop_signals.h"
 #include "simulator/simulated_line_link.h"
 
@@ -57,13 +57,14 @@ CliRun SharedLine::runLine(const QString &line, const Person &person)
         ADD_FAILURE() << line.toStdString();
         return {};
     }
-    const auto link = linkMeant(arguments->value("--link").value_or(QStringLiteral("esc:training")));
+    const auto link =
+        lineMeant(*LinkText::parse(arguments->value("--link").value_or(QStringLiteral("esc:training"))));
     EXPECT_TRUE(link) << line.toStdString();
     StopSignals held; // so that Ctrl+C is for the command alone
     CliRun run = runWith(person, [&](const Terminal &terminal) {
-        LineAccess access(std::make_unique<CutLink>(m_line, m_cut), link->line, m_catalog);
+        LineAccess access(std::make_unique<CutLink>(m_line, m_cut), *link, m_catalog);
         access.keepLedger(arguments->value("--ledger"));
-        return runCommand(*command, *arguments, m_catalog, {.line = &access}, terminal);
+        return runCommand(*command, *arguments, m_catalog, {&access}, terminal);
     });
     while (held.came()) {
     }

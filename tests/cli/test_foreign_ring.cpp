@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
-#include "cli/bus_access.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/ring/ring_access.h"
 #include "ring/bus_session.h"
 #include "tests/cli/cli_run.h"
 #include "tests/support/scripted_link.h"
@@ -34,8 +34,9 @@ protected:
         std::istringstream in;
         std::ostringstream out;
         std::ostringstream err;
-        const int exit = runCommand(command, {.rest = rest, .options = {}}, m_catalog, {.bus = &m_bus},
-                                    Terminal{in, out, err});
+        RingAccess ring(m_bus);
+        const int exit =
+            runCommand(command, {.rest = rest, .options = {}}, m_catalog, {&ring}, Terminal{in, out, err});
         return {exit, out.str(), err.str()};
     }
 
@@ -56,11 +57,10 @@ TEST_F(CliForeignRing, ScanDoesNotGuessTheMake)
 
 TEST_F(CliForeignRing, ADeviceThatIsNoEncoderIsNotDriven)
 {
-    EXPECT_TRUE(encoderAt(m_bus, QStringLiteral("1.0")));
-    const auto input = encoderAt(m_bus, QStringLiteral("2.0"));
-    ASSERT_FALSE(input);
-    EXPECT_EQ(input.error().key, QStringLiteral("noEncoder"));
-    EXPECT_EQ(input.error().exit, ExitCode::badInput);
+    EXPECT_EQ(run(monitorCommand, {QStringLiteral("1.0")}).exit, 0);
+    const CliRun input = run(monitorCommand, {QStringLiteral("2.0")});
+    EXPECT_EQ(input.exit, 2);
+    EXPECT_THAT(input.err, HasSubstr("2.0 is no encoder this program can drive"));
 }
 
 TEST_F(CliForeignRing, AnEncoderThatDoesNotAnswerIsExit1)
@@ -72,7 +72,7 @@ TEST_F(CliForeignRing, AnEncoderThatDoesNotAnswerIsExit1)
 
 TEST_F(CliForeignRing, ALinkThatFailsIsExit1)
 {
-    ASSERT_TRUE(encoderAt(m_bus, QStringLiteral("1.0")));
+    ASSERT_EQ(run(monitorCommand, {QStringLiteral("1.0")}).exit, 0);
     m_link->failAt(5);
     const CliRun words = run(wordsCommand, {QStringLiteral("1.0"), QStringLiteral("020000FF")});
     EXPECT_EQ(words.exit, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/line_link.h"
+#include "cli/line/line_link.h"
 #include "tests/support/plans.h"
 
 #include <gtest/gtest.h>
@@ -11,21 +11,25 @@ using namespace std::chrono_literals;
 
 LineLink lineLink(const char *text)
 {
-    const auto link = linkMeant(QString::fromLatin1(text));
+    const auto link = lineMeant(*LinkText::parse(QString::fromLatin1(text)));
     EXPECT_TRUE(link) << text;
-    EXPECT_FALSE(link->hasRing);
-    return link->line;
+    return *link;
+}
+
+Checked<LineLink> lineOnLink(const QString &text, const Project *project)
+{
+    return lineMeant(*LinkText::parse(text), project);
 }
 
 std::string refusal(const char *text)
 {
-    const auto link = linkMeant(QString::fromLatin1(text));
+    const auto link = linksMeant(QString::fromLatin1(text), nullptr);
     return link ? std::string() : link.error().key.toStdString();
 }
 
 TEST(CliLineLink, APortStandsByItselfOrWithSettings)
 {
-    EXPECT_TRUE(linkMeant(QStringLiteral("training"))->hasRing);
+    EXPECT_EQ(linksMeant(QStringLiteral("training"), nullptr)->size(), 2U);
     EXPECT_TRUE(lineLink("esc:training").isSimulated());
     EXPECT_EQ(lineLink("esc:ttyUSB0").wish.port, QStringLiteral("ttyUSB0"));
     EXPECT_EQ(lineLink("esc:ttyUSB0").wish.line, LineSettings());
@@ -71,23 +75,23 @@ TEST(CliLineLink, TheLineOfAProjectKeepsItsSettingsSaveThoseTyped)
     for (const LineAddress address : {LineAddress{3}, LineAddress{5}})
         project.devices.emplace_back().standAt(placeOnLine(address));
     project.devices[1].swapsWarningBytes = true;
-    const auto link = linkMeant(QStringLiteral("esc:project,fraction-bits=30"), &project);
+    const auto link = lineOnLink(QStringLiteral("esc:project,fraction-bits=30"), &project);
     ASSERT_TRUE(link);
-    EXPECT_EQ(link->line.wish.port, QStringLiteral("/dev/ttyUSB3"));
-    EXPECT_EQ(link->line.wish.line.baudRate, 4'800);
-    EXPECT_EQ(link->line.wish.fractionBits, 30);
-    EXPECT_EQ(link->line.adapter, line.adapter);
-    EXPECT_FALSE(link->line.explainOptions().swaps({3}));
-    EXPECT_TRUE(link->line.explainOptions().swaps({5}));
-    EXPECT_TRUE(linkMeant(QStringLiteral("esc:ttyUSB1"), &project)->line.explainOptions().swaps({5}))
+    EXPECT_EQ(link->wish.port, QStringLiteral("/dev/ttyUSB3"));
+    EXPECT_EQ(link->wish.line.baudRate, 4'800);
+    EXPECT_EQ(link->wish.fractionBits, 30);
+    EXPECT_EQ(link->adapter, line.adapter);
+    EXPECT_FALSE(link->explainOptions().swaps({3}));
+    EXPECT_TRUE(link->explainOptions().swaps({5}));
+    EXPECT_TRUE(lineOnLink(QStringLiteral("esc:ttyUSB1"), &project)->explainOptions().swaps({5}))
         << "whatever the port";
-    const auto none = linkMeant(QStringLiteral("esc:project,swap-warnings=0"), &project);
-    EXPECT_FALSE(none->line.explainOptions().swaps({5}));
-    EXPECT_TRUE(isLineOfProject(QStringLiteral("esc:project")));
-    EXPECT_FALSE(isLineOfProject(QStringLiteral("esc:projector")));
+    const auto none = lineOnLink(QStringLiteral("esc:project,swap-warnings=0"), &project);
+    EXPECT_FALSE(none->explainOptions().swaps({5}));
+    EXPECT_TRUE(needsProject(QStringLiteral("esc:project")));
+    EXPECT_FALSE(needsProject(QStringLiteral("esc:projector")));
 
     const Project without;
-    EXPECT_EQ(linkMeant(QStringLiteral("esc:project"), &without).error().key,
+    EXPECT_EQ(lineOnLink(QStringLiteral("esc:project"), &without).error().key,
               QStringLiteral("noLineInProject"));
     EXPECT_EQ(refusal("esc:project"), "noLineInProject");
 }

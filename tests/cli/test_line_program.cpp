@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The real program on real pseudo terminals: against `serve esc`, and against tests/line/esc_peer.py, which
 // knows nothing of this program.
+#include "project/line_plan.h"
+#include "project/project_file.h"
 #include "tests/cli/cli_run.h"
 #include "tests/support/pty_pair.h"
 
@@ -119,6 +121,37 @@ TEST(CliLineProgram, ScansReadsWritesAndPresetsAtAServedLine)
     EXPECT_THAT(written.out, HasSubstr("steps  = 864  written, and read back"));
     EXPECT_THAT(call("preset 05 1000", port).out, HasSubstr("Position after:  1000\n"));
     EXPECT_EQ(call("read 05 steps", port).out, "steps  = 864\n"); // the port keeps its encoders
+}
+
+// Two lines at two ports, with the same addresses on them, from the search to the words of a call.
+TEST(CliLineProgram, AProjectLeadsToAllItsLines)
+{
+    const Port left = served();
+    const Port right = served({QStringLiteral("--silent"), QStringLiteral("03")});
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("gate.codewheel"));
+    ASSERT_EQ(Call(QStringLiteral("scan --last 05 --save ") + file, left).end().exit, 0);
+    Project project = *loadProject(file);
+    ASSERT_EQ(project.buses.size(), 1U);
+    LinePlan other = *linePlan(project, firstLine);
+    EXPECT_EQ(QStringLiteral("esc:") + other.wish.port, left.link());
+    other.wish.port = right.link().sliced(4);
+    project.buses.push_back({{4}, QStringLiteral("esc"), QStringLiteral("Right"), KindData(other)});
+    project.devices.push_back(project.devices.back());
+    project.devices.back().bus = {4};
+    ASSERT_TRUE(saveProject(project, file));
+
+    const auto call = [&](const char *what) {
+        return Call(QString::fromLatin1(what) + QStringLiteral(" --project ") + file,
+                    QStringLiteral("project"))
+            .end();
+    };
+    EXPECT_EQ(call("read 03 serial-number").out, "serial-number  = 0012D591\n") << "planned on one of them";
+    EXPECT_THAT(call("read 05 serial-number").err,
+                HasSubstr("Give one of these: Line/esc:05, Right/esc:05."));
+    EXPECT_EQ(call("write Right/05 steps=864 --yes").exit, 0);
+    EXPECT_EQ(call("read Right/05 steps").out, "steps  = 864\n");
+    EXPECT_EQ(call("read Line/05 steps").out, "steps  = 8192\n");
 }
 
 TEST(CliLineProgram, UnderstandsAPeerThatSharesNoCodeWithIt)

@@ -91,7 +91,7 @@ TEST(CliLineRead, BothMakesCanBeNamed)
               QStringLiteral("kuebler-esc-rs422"));
     EXPECT_EQ(runLine(QStringLiteral("read 05 steps --device 8.5882.xx1x.1001 --json")).json()[u"device"],
               QStringLiteral("kuebler-esc-rs422"));
-    EXPECT_EQ(errorKey(runLine(QStringLiteral("read 05 --device fraba-ocd-ib --json"))), "deviceOnBus");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("read 05 --device fraba-ocd-ib --json"))), "deviceOfOtherBus");
     EXPECT_EQ(errorKey(runLine(QStringLiteral("read 05 --device nonsense --json"))), "unknownDeviceName");
 }
 

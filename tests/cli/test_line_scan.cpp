@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "encoder/line_address.h"
+#include "project/project_file.h"
 #include "tests/cli/shared_line.h"
 
 #include <QJsonArray>
+#include <QTemporaryDir>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -113,10 +116,39 @@ TEST(CliLineScan, CtrlCEndsItWithWhatWasFound)
     EXPECT_THAT(addressesIn(run), ElementsAre("03", "05"));
 }
 
-TEST(CliLineScan, SavesNoProject)
+TEST(CliLineScan, SavesWhatAnswersAsAProject)
 {
     SharedLine line;
-    EXPECT_EQ(errorKey(line.runLine(QStringLiteral("scan --save x.codewheel --json"))), "notOnSerialLine");
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("line.codewheel"));
+    ASSERT_EQ(line.runLine(QStringLiteral("scan --last 10 --json --save ") + file).exit, 0);
+    const auto project = loadProject(file);
+    ASSERT_TRUE(project);
+    ASSERT_EQ(project->buses.size(), 1U) << "the link has no ring";
+    EXPECT_EQ(project->buses[0].kind, QStringLiteral("esc"));
+    ASSERT_EQ(project->devices.size(), 2U);
+    EXPECT_EQ(project->devices[0].place(), placeOnLine({3}));
+    EXPECT_EQ(project->devices[1].place(), placeOnLine({5}));
+    EXPECT_EQ(project->devices[1].participant.deviceKey, QStringLiteral("kuebler-esc-rs485"));
+    EXPECT_EQ(project->devices[1].label.serialNumber, QStringLiteral("0012D5A4"));
+}
+
+// Its wishes and names stay with an encoder that answers again.
+TEST(CliLineScan, WhatIsPlannedStaysWithTheEncoder)
+{
+    SharedLine line;
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("line.codewheel"));
+    ASSERT_EQ(line.runLine(QStringLiteral("scan --last 10 --save ") + file).exit, 0);
+    Project project = *loadProject(file);
+    project.devices[1].station = QStringLiteral("Hoist");
+    project.devices[1].wanted = {{Parameter::steps, 864}};
+    ASSERT_TRUE(saveProject(project, file));
+    ASSERT_EQ(line.runLine(QStringLiteral("scan --yes --project %1 --save %1").arg(file)).exit, 0);
+    const Project after = *loadProject(file);
+    ASSERT_EQ(after.devices.size(), 3U);
+    EXPECT_EQ(after.devices[1], project.devices[1]);
+    EXPECT_EQ(after.devices[2].place(), placeOnLine({0x12}));
 }
 
 } // namespace

@@ -238,7 +238,7 @@ TEST_F(CliLineTransfer, ReplaceTakesNoEncoderForAnother)
     EXPECT_EQ(errorKey(other), "serialDiffers");
     EXPECT_EQ(saved(), project);
     EXPECT_EQ(errorKey(run("replace 12 --project @ --label OCD-IBA1B-1213-C100-PRI --yes --json")),
-              "deviceCodeDiffers");
+              "deviceOfOtherBus");
     EXPECT_EQ(run("replace 12 --project @ --label 8.5882.xx3x.3001 --dry-run").exit, 0);
 }
 

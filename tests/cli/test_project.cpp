@@ -3,6 +3,7 @@
 #include "catalog/catalog.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/ring/ring_access.h"
 #include "project/file_access.h"
 #include "project/project_file.h"
 #include "ring/bus_session.h"
@@ -57,7 +58,8 @@ protected:
         std::ostringstream err;
         const auto arguments = parseArguments(words, optionsOf(command), {});
         EXPECT_TRUE(arguments);
-        const int exit = runCommand(command, *arguments, m_catalog, {.bus = &m_bus}, Terminal{in, out, err});
+        RingAccess ring(m_bus);
+        const int exit = runCommand(command, *arguments, m_catalog, {&ring}, Terminal{in, out, err});
         return {exit, out.str(), err.str()};
     }
     QString nameAt(Place number) const { return m_bus.encoder(number)->device().key; }

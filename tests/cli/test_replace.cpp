@@ -2,6 +2,7 @@
 // `replace` and `restore`: a new encoder gets what the one before had, and values from before come back.
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/ring/ring_access.h"
 #include "journal/ledger_keeper.h"
 #include "project/project_file.h"
 #include "ring/bus_session.h"
@@ -27,6 +28,7 @@ class CliReplace : public testing::Test
 protected:
     CliReplace()
     {
+        ring.setLedger(std::make_unique<LedgerKeeper>(shared.bus(), DatabasePlace::memory()));
         for (const Participant &participant : shared.bus().structure())
             project.devices.emplace_back().participant = participant;
         ProjectDevice &planned = project.devices[0];
@@ -48,15 +50,15 @@ protected:
         std::istringstream in(person.types);
         std::ostringstream out;
         std::ostringstream err;
-        const int exit = runCommand(command, *arguments, catalog, {.bus = &shared.bus(), .ledger = &ledger},
-                                    Terminal{in, out, err, person.isThere});
+        const int exit =
+            runCommand(command, *arguments, catalog, {&ring}, Terminal{in, out, err, person.isThere});
         return {exit, out.str(), err.str()};
     }
     EncoderSession &fraba() { return *shared.bus().encoder("1.0"_ring); }
 
     const Catalog catalog = Catalog::builtIn();
     SharedBus shared;
-    LedgerKeeper ledger{shared.bus(), DatabasePlace::memory()};
+    RingAccess ring{shared.bus()};
     QTemporaryDir folder;
     QString file = folder.filePath(QStringLiteral("crane.codewheel"));
     Project project;

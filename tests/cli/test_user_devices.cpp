@@ -156,10 +156,9 @@ TEST(CliDeviceOption, NamesTheEncoderForTheCall)
     EXPECT_EQ(errorKey(wrong), "deviceCodeDiffers");
     const CliRun serial = bus.runLine(QStringLiteral("read 1.0 --device kuebler-esc-rs485 --json"));
     EXPECT_EQ(serial.exit, 2);
-    EXPECT_EQ(errorKey(serial), "deviceOnSerialLine");
+    EXPECT_EQ(errorKey(serial), "deviceOfOtherBus");
     EXPECT_THAT(serial.err,
-                HasSubstr("RS-485 is on a serial line, not on INTERBUS: it cannot be the device at "
-                          "1.0."));
+                HasSubstr("RS-485 belongs to another kind of bus: it cannot be the device at 1.0."));
     EXPECT_EQ(errorKey(bus.runLine(QStringLiteral("read 1.0 --device nobody --json"))), "unknownDeviceName");
 }
 

@@ -196,7 +196,7 @@ TEST_F(RingAndLine, APlaceIsGivenAnotherDeviceWithoutWhatWasKnown)
     pass(1s);
     EXPECT_EQ(onLine(standing).latest().state, EncoderState::operation);
     EXPECT_TRUE(onLine(standing).known(Parameter::serialNumber));
-    EXPECT_EQ(line.name(standing, QStringLiteral("fraba-ocd-ib")).error().id, RefusalId::deviceCodeDiffers);
+    EXPECT_EQ(line.name(standing, QStringLiteral("fraba-ocd-ib")).error().id, RefusalId::deviceOfOtherBus);
 }
 
 TEST_F(RingAndLine, AReplacedOneGetsThePositionAndWhatItCanBeTold)

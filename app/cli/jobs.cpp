@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/jobs.h"
+
+#include "cli/bus_access.h"
+#include "cli/stop_signals.h"
+#include "cli/subcommand.h"
+
+namespace codewheel {
+namespace {
+
+// Until it has ended; the step that was begun last.
+Progress carryOut(BusAccess &bus, const AllowedJob &allowed, Outcome &outcome)
+{
+    EncoderSession &encoder = allowed.encoder();
+    Progress lastStep;
+    const auto started = encoder.start(allowed.job());
+    if (!started) {
+        outcome.result = tl::unexpected(started.error());
+        return lastStep;
+    }
+    bool running = true;
+    QObject scope;
+    QObject::connect(&encoder, &EncoderSession::progressed, &scope,
+                     [&](const Progress &progress) { lastStep = progress; });
+    QObject::connect(&encoder, &EncoderSession::finished, &scope, [&](const Outcome &ended) {
+        running = ended.job != *started;
+        outcome = ended;
+    });
+    StopSignals stop;
+    while (running) {
+        if (stop.came())
+            encoder.cancel(OnCancel::leaveAsIs);
+        bus.advance(bus.lookInterval());
+    }
+    return lastStep;
+}
+
+FinishedJob run(const Call &call, const AllowedJob &allowed, JobTrace &trace)
+{
+    const EncoderSession &encoder = allowed.encoder();
+    BusAccess &bus = call.busOf(encoder.place());
+    bus.prepare(allowed.job());
+    trace.begin(encoder);
+    FinishedJob finished;
+    finished.lastStep = carryOut(bus, allowed, finished.outcome);
+    bus.lookAgain(encoder);
+    return finished;
+}
+
+} // namespace
+
+FinishedJob runToEnd(const Call &call, const AllowedJob &allowed)
+{
+    const EncoderSession &encoder = allowed.encoder();
+    const std::shared_ptr<JobTrace> trace = call.busOf(encoder.place()).trace({&encoder});
+    FinishedJob finished = run(call, allowed, *trace);
+    finished.trace = trace;
+    return finished;
+}
+
+Outcome runToEnd(const Call &call, const AllowedJob &allowed, JobTrace &trace)
+{
+    return run(call, allowed, trace).outcome;
+}
+
+void addTrace(const Call &call, Place place, const JobTrace &trace, Answer &answer)
+{
+    if (!call.arguments.has("--trace"))
+        return;
+    answer.text += trace.text(place) + u'\n';
+    answer.json.insert(QStringLiteral("trace"), trace.json(place));
+}
+
+Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why)
+{
+    return call.busOf(place).complaint(why);
+}
+
+} // namespace codewheel

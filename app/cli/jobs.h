@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/allowed_jobs.h"
+#include "cli/arguments.h"
+#include "cli/complaint.h"
+#include "cli/job_trace.h"
+
+#include <QtGlobal>
+
+#include <memory>
+
+namespace codewheel {
+
+struct Answer;
+struct Call;
+
+// How a job ended.
+struct FinishedJob
+{
+    Outcome outcome;
+    Progress lastStep; // that was begun
+    std::shared_ptr<const JobTrace> trace;
+};
+
+// Runs a job to its end, by the clock of its bus. Ctrl+C cancels it: what was sent is waited for, and read.
+FinishedJob runToEnd(const Call &call, const AllowedJob &allowed);
+// The same, and what goes over the bus is added to a trace.
+Outcome runToEnd(const Call &call, const AllowedJob &allowed, JobTrace &trace);
+
+// With --trace: the words or requests that went over the bus, before what the answer says already.
+void addTrace(const Call &call, Place place, const JobTrace &trace, Answer &answer);
+
+// About a job that was refused, and about its link, where that is gone.
+Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why);
+
+} // namespace codewheel

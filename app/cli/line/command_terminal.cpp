@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/consent.h"
+#include "cli/eeprom_consent.h"
+#include "cli/json.h"
+#include "cli/line/allowed_request.h"
+#include "cli/line/device_on_line.h"
+#include "cli/line/line_access.h"
+#include "cli/line/line_figures_text.h"
+#include "cli/line/line_link_kind.h"
+#include "cli/line/line_trace.h"
+#include "cli/places.h"
+#include "cli/text_table.h"
+#include "cli/texts.h"
+#include "cli/typed_lines.h"
+#include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
+#include "line/typed_request.h"
+#include "line/write_question.h"
+
+#include <QJsonDocument>
+#include <QScopedValueRollback>
+
+#include <array>
+#include <limits>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char *terminalExamples[] = {"terminal 05P 05N", "terminal 03GP00005200 03P --yes",
+                                            "terminal 05P --json"};
+
+constexpr std::array terminalOptions{
+    deviceOption,
+    busOption,
+    beyondLimitOption,
+    ledgerOption,
+    Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "send what writes without asking")},
+};
+
+// A row with its own widths, since the rows to come are not known.
+QString terminalRow(const PassedRow &passed, const esc::ExplainOptions &explain)
+{
+    constexpr int timeWidth = 9;
+    constexpr int kindWidth = 8;
+    constexpr int textWidth = 24; // <1B>03GP00005200<0D><0A>
+    constexpr int bytesWidth = 44;
+    const QString gap = QStringLiteral("  ");
+    return rowTime(passed.row.at).rightJustified(timeWidth) + gap +
+           rowKindWord(passed.row.kind).leftJustified(kindWidth) + gap +
+           controlText(passed.row.bytes, ControlCharacters::numbers).leftJustified(textWidth) + gap +
+           byteText(passed.row.bytes).leftJustified(bytesWidth) + gap +
+           rowMeaning(passed.row, passed.request, explain) + u'\n';
+}
+
+// One call on its way.
+class TypedCall
+{
+public:
+    TypedCall(const Call &call, LineAccess &access);
+
+    // Sends what was typed and waits for its answer. False: nothing else is to be sent.
+    bool take(const QString &typed);
+    bool listen() { return m_access.advance(m_access.lookInterval()) && goesOn(); }
+    TypedLines &lines() { return m_lines; }
+    Answer answer() const;
+
+private:
+    struct Written
+    {
+        QString request;
+        bool isAnswered = false;
+    };
+
+    bool isAnswered() const { return m_call.terminal.isInteractive && !m_call.arguments.has("--json"); }
+    void show(const esc::LineRow &row);
+    Checked<AllowedRequest> allowed(const esc::Request &request);
+    Checked<void> askToWrite(const esc::Request &request);
+    QString whatWasDone() const;
+    bool goesOn() const { return m_call.terminal.canPrint(); } // else nobody sees what comes
+    EncoderSession *identified(LineAddress address);
+    void send(const AllowedRequest &request);
+    bool fail(const Complaint &complaint);
+
+    const Call &m_call;
+    LineAccess &m_access;
+    LineSession &m_line;
+    TypedLines m_lines;
+    QObject m_scope;
+    std::optional<esc::Request> m_lastRequest;
+    std::vector<Written> m_written;
+    std::optional<TypedAnswered> m_answered;
+    std::optional<Refusal> m_refusal;
+    std::optional<Complaint> m_complaint; // the first
+    bool m_isPolling = false;             // to know an encoder
+};
+
+TypedCall::TypedCall(const Call &call, LineAccess &access)
+    : m_call(call)
+    , m_access(access)
+    , m_line(access.line())
+    , m_lines(call.terminal)
+{
+    m_line.setRunning(false);
+    QObject::connect(&m_line, &LineSession::passed, &m_scope, [this](const esc::LineRow &row) { show(row); });
+    QObject::connect(&m_line, &LineSession::typedAnswered, &m_scope,
+                     [this](const TypedAnswered &answer) { m_answered = answer; });
+    QObject::connect(&m_line, &LineSession::messaged, &m_scope, [this](const Message &message) {
+        if (message.refusal)
+            m_refusal = message.refusal;
+    });
+}
+
+void TypedCall::show(const esc::LineRow &row)
+{
+    const PassedRow passed = passedRow(row, m_lastRequest);
+    if (m_isPolling && passed.isPoll())
+        return;
+    const esc::ExplainOptions explain = m_access.explainOptions();
+    if (m_call.arguments.has("--json"))
+        m_call.terminal.print(
+            QString::fromUtf8(QJsonDocument(rowJson(passed, explain)).toJson(QJsonDocument::Compact)) +
+            u'\n');
+    else
+        m_call.terminal.print(terminalRow(passed, explain));
+}
+
+// Who sits there may go on; a script ends with the first that is wrong.
+bool TypedCall::fail(const Complaint &complaint)
+{
+    if (isAnswered()) {
+        m_call.terminal.complain(complaint.text);
+        return m_access.isConnected();
+    }
+    m_complaint = complaint;
+    return false;
+}
+
+bool TypedCall::take(const QString &typed)
+{
+    if (typed.trimmed().isEmpty())
+        return true;
+    const auto request = typedRequest(typed, m_access.explainOptions().fractionBits);
+    if (!request)
+        return fail({ExitCode::badInput, QStringLiteral("notARequest"), request.error(), {typed}});
+    const auto sendable = allowed(*request);
+    if (!sendable)
+        return fail(sendable.error());
+    send(*sendable);
+    if (m_answered && m_answered->result.answer)
+        return goesOn();
+    if (!m_answered)
+        return fail(m_access.isConnected() && m_refusal ? complaintAbout(*m_refusal) : m_access.portLost());
+    Complaint complaint = m_access.complaint({RefusalKind::device,
+                                              RefusalId::escNoAnswer,
+                                              {QString::fromLatin1(request->text()), std::int64_t{1}}});
+    if (esc::shapeOf(request->command).writes)
+        complaint.text += u' ' + CommandLine::tr("Whether it was carried out is not known: read the value.");
+    return fail(complaint);
+}
+
+Checked<AllowedRequest> TypedCall::allowed(const esc::Request &request)
+{
+    if (const auto reading = AllowedRequest::reading(request))
+        return *reading;
+    if (const auto agreed = askToWrite(request); !agreed)
+        return tl::unexpected(agreed.error());
+    return requestConsent(m_call, identified(request.to), request);
+}
+
+Checked<void> TypedCall::askToWrite(const esc::Request &request)
+{
+    if (auto shown = checkWasShown(m_call); !shown)
+        return shown;
+    if (m_call.arguments.has("--yes"))
+        return {};
+    if (!isAnswered())
+        return badInput(QStringLiteral("noConsent"),
+                        CommandLine::tr("%1 writes, and was not sent: there is nobody to ask. Add --yes."),
+                        {QString::fromLatin1(request.text())});
+    m_call.terminal.print(writeQuestion(request, m_access.explainOptions()) + u' ' +
+                          CommandLine::tr("Send it?") +
+                          QStringLiteral(" [%1] ").arg(CommandLine::tr("y/N", "answers to a question")));
+    const QString typed = m_lines.next().value_or(QString()).trimmed();
+    if (Terminal::isYes(typed))
+        return {};
+    return badInput(QStringLiteral("declined"), CommandLine::tr("Nothing was sent."));
+}
+
+// By its serial number, which is what its EEPROM writes are counted by. At the master address nobody knows
+// whose EEPROM it is.
+EncoderSession *TypedCall::identified(LineAddress address)
+{
+    constexpr Instant longestPoll = 50ms; // that is under way
+    const auto device = deviceOnLine(m_call, m_line.placeOf(address.node()));
+    if (!address.isDevice() || !device)
+        return nullptr;
+    const QScopedValueRollback polling(m_isPolling, true);
+    m_line.setRunning(true);
+    static_cast<void>(m_access.encoder(address, *device)); // it may be silent
+    m_line.setRunning(false);
+    m_access.advance(longestPoll);
+    return m_line.encoder(address.node());
+}
+
+void TypedCall::send(const AllowedRequest &request)
+{
+    m_answered.reset();
+    m_refusal.reset();
+    const bool writes = esc::shapeOf(request.request().command).writes;
+    if (writes)
+        m_line.setOperate(true);
+    m_line.send(request.request());
+    bool isConnected = true;
+    while (!m_answered && !m_refusal && isConnected)
+        isConnected = m_access.advance(m_access.lookInterval());
+    if (!writes)
+        return;
+    m_line.setOperate(false);
+    if (m_answered || !m_access.isConnected()) // else it was refused before
+        m_written.push_back({QString::fromLatin1(request.request().text()),
+                             m_answered.has_value() && m_answered->result.answer.has_value()});
+}
+
+QString TypedCall::whatWasDone() const
+{
+    QString text;
+    for (const Written &one : m_written)
+        text += sentence(one.isAnswered ? CommandLine::tr("%1 was sent, and answered.")
+                                        : CommandLine::tr("%1 was sent: whether it was carried out is not "
+                                                          "known."),
+                         {one.request}) +
+                u'\n';
+    return text;
+}
+
+Answer TypedCall::answer() const
+{
+    const LineFigures &figures = m_line.latest().figures;
+    return {.text = {},
+            .json = {{QStringLiteral("port"), m_access.portKey()},
+                     {QStringLiteral("figures"), figuresJson(figures)}},
+            .done = whatWasDone(),
+            .complaint = m_complaint};
+}
+
+void takeAll(TypedCall &typed, const QStringList &requests)
+{
+    for (const QString &request : requests)
+        if (!typed.take(request))
+            return;
+}
+
+// A simulated line lets no time pass while nobody types.
+void takeTyped(const LineAccess &access, TypedCall &typed)
+{
+    const auto meanwhile =
+        access.link().isSimulated() ? std::function<bool()>() : [&typed] { return typed.listen(); };
+    while (const auto line = typed.lines().next(meanwhile))
+        if (!typed.take(*line))
+            return;
+}
+
+Checked<Answer> runTerminal(const Call &call)
+{
+    const auto bus = busMeant(call, QString::fromLatin1(escKind));
+    if (!bus)
+        return tl::unexpected(bus.error());
+    auto &line = static_cast<LineAccess &>(**bus); // of its kind
+    if (const auto device = deviceOnLine(call, line.line().placeOf(LineAddress::master().node())); !device)
+        return tl::unexpected(device.error());
+    if (const auto opened = line.open(); !opened)
+        return tl::unexpected(opened.error());
+    TypedCall typed(call, line);
+    if (!call.arguments.rest.isEmpty())
+        takeAll(typed, call.arguments.rest);
+    else
+        takeTyped(line, typed);
+    Answer answer = typed.answer();
+    if (!answer.complaint && !line.isConnected())
+        answer.complaint = line.portLost();
+    return answer;
+}
+
+} // namespace
+
+const Subcommand terminalCommand{
+    .name = "terminal",
+    .usage = "[REQUEST...] [--bus BUS] [--yes]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "send typed requests over a serial line"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Sends each REQUEST once: the address as two hexadecimal digits, the command, and the data of a\n"
+        "write, as 05P or 03GP5200. Without one, requests are read from standard input, a line each, until\n"
+        "its end (Ctrl+D). What passes both ways is printed with its time, as text, as bytes, and in words;\n"
+        "with --json as one object in each line. No position is polled.\n"
+        "\n"
+        "What writes is asked for first; where nobody can be asked, --yes is needed. In a pipe the first\n"
+        "request that is wrong, not answered, or refused for want of --yes is the last."),
+    .examples = terminalExamples,
+    .options = terminalOptions,
+    .minimumArguments = 0,
+    .maximumArguments = std::numeric_limits<int>::max(),
+    .needsBus = true,
+    .answersInLines = true,
+    .textIsAccount = true,
+    .run = runTerminal,
+};
+
+} // namespace codewheel

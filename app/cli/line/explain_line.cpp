@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/line/explain_line.h"
+
+#include "catalog/device_description.h"
+#include "cli/line/line_link.h"
+#include "cli/line/line_trace.h"
+#include "cli/texts.h"
+#include "encoder/sentence.h"
+#include "esc/esc_frame.h"
+#include "esc/esc_scaling.h"
+#include "line/typed_request.h"
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+const QString out = QStringLiteral("out");
+const QString in = QStringLiteral("in");
+const QString acceptedWord = QStringLiteral("CRLF");
+const QString outOfRangeKey = QStringLiteral("outOfRange");
+
+bool isOutOfRange(const esc::Request &request, std::uint32_t value, const esc::ExplainOptions &options)
+{
+    return !esc::valueRange(request.command, options.fractionBits).holds(value);
+}
+
+Checked<esc::Request> requestFrom(const QString &typed)
+{
+    const auto request = readRequest(typed);
+    if (!request)
+        return tl::unexpected(
+            Complaint{ExitCode::badInput, QStringLiteral("notARequest"), request.error(), {typed}});
+    return *request;
+}
+
+// What stands between its line ends, as it comes over the line.
+QByteArray answerBytes(const QString &typed, const esc::Request &request)
+{
+    if (typed == acceptedWord)
+        return esc::lineEnd;
+    const QByteArray text = typed.toLatin1();
+    const bool isRefusal = text == "03" || text == "05";
+    const bool isBareRefusal = isRefusal && (esc::shapeOf(request.command).writes ||
+                                             esc::shapeOf(request.command).digits != text.size());
+    return (isBareRefusal ? QByteArray() : QByteArray(esc::lineEnd)) + text + esc::lineEnd;
+}
+
+Answer explained(const QString &line, const QString &meaning, const DeviceDescription &device,
+                 QJsonObject json)
+{
+    json.insert(QStringLiteral("device"), device.key);
+    return {QStringLiteral("%1, %2\n  %3\n").arg(line, device.fullName(), meaning), json};
+}
+
+Checked<Answer> explainRequest(const QString &typed, const DeviceDescription &device,
+                               const esc::ExplainOptions &options)
+{
+    const auto request = requestFrom(typed);
+    if (!request)
+        return tl::unexpected(request.error());
+    QJsonObject json = requestJson(*request);
+    json.insert(QStringLiteral("direction"), out);
+    json.insert(QStringLiteral("bytes"), byteText(request->bytes()));
+    if (esc::shapeOf(request->command).writes)
+        json.insert(outOfRangeKey, isOutOfRange(*request, request->data, options));
+    return explained(QString::fromLatin1(request->text()) +
+                         QStringLiteral(" (%1)").arg(byteText(request->bytes())),
+                     esc::requestText(*request, options), device, json);
+}
+
+Checked<Answer> explainAnswer(const QString &typed, const QString &asked, const DeviceDescription &device,
+                              const esc::ExplainOptions &options)
+{
+    const auto request = requestFrom(asked);
+    if (!request)
+        return tl::unexpected(request.error());
+    const auto answer = answerIn(answerBytes(typed, *request), request->command);
+    if (!answer)
+        return badInput(
+            QStringLiteral("notAnAnswer"),
+            CommandLine::tr("\"%1\" is no answer to %2. A read is answered with its digits, a write "
+                            "with a bare line end (type CRLF), either with 03 or 05 where it is "
+                            "refused."),
+            {typed, QString::fromLatin1(request->text())});
+    QJsonObject json = answerJson(*request, *answer, options);
+    json.insert(QStringLiteral("direction"), in);
+    if (answer->kind == esc::Answer::Kind::value)
+        json.insert(outOfRangeKey, isOutOfRange(*request, answer->value, options));
+    json.insert(QStringLiteral("request"), requestJson(*request));
+    return explained(typed, esc::exchangeText(*request, *answer, options), device, json);
+}
+
+// Words have a mode and a coding, and what a label tells is about them.
+Checked<void> checkOptions(const Arguments &arguments)
+{
+    for (const char *option : {"--mode", "--coding", "--label"})
+        if (arguments.has(option))
+            return badInput(
+                QStringLiteral("optionOfWords"),
+                CommandLine::tr("%1 is for words of process data; an encoder on a serial line has "
+                                "none. Leave it out."),
+                {QString::fromLatin1(option)});
+    return {};
+}
+
+Checked<bool> isAnswer(const Arguments &arguments)
+{
+    const bool hasRequest = arguments.has("--other");
+    const QString direction = arguments.value("--direction").value_or(hasRequest ? in : out);
+    if (direction != in && direction != out)
+        return badInput(QStringLiteral("optionNotAllowed"),
+                        CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
+                        {QStringLiteral("--direction"), direction, QStringLiteral("in, out")});
+    if (direction == in && !hasRequest)
+        return badInput(
+            QStringLiteral("requestMissing"),
+            CommandLine::tr("An answer means nothing without its request. Give it with --other, as "
+                            "--other 05P."));
+    if (direction == out && hasRequest)
+        return badInput(QStringLiteral("requestTooMuch"),
+                        CommandLine::tr("A request needs no --other. Leave it out, or give --direction in to "
+                                        "explain an answer."));
+    return direction == in;
+}
+
+} // namespace
+
+Checked<Answer> explainLine(const Call &call, const DeviceDescription &device)
+{
+    if (const auto checked = checkOptions(call.arguments); !checked)
+        return tl::unexpected(checked.error());
+    const auto answer = isAnswer(call.arguments);
+    if (!answer)
+        return tl::unexpected(answer.error());
+    const auto line = lineOfCall(call);
+    if (!line)
+        return tl::unexpected(line.error());
+    const esc::ExplainOptions options = line->explainOptions();
+    const QString &typed = call.arguments.rest.front();
+    return *answer ? explainAnswer(typed, *call.arguments.value("--other"), device, options)
+                   : explainRequest(typed, device, options);
+}
+
+} // namespace codewheel

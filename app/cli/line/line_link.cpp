@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/line/line_link.h"
+
+#include "cli/texts.h"
+#include "encoder/hex.h"
+#include "encoder/sentence.h"
+#include "line/line_limits.h"
+#include "links/serial_ports.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+const QString trainingLink = QStringLiteral("training");
+const QString projectPort = QStringLiteral("project");
+
+using std::chrono::milliseconds;
+
+// A setting that is a whole number.
+struct NumberSetting
+{
+    const char *key;
+    line_limits::Limits limits;
+    void (*apply)(LineLink &link, int value);
+};
+
+constexpr auto fractionBitsKey = "fraction-bits";
+
+constexpr std::array numberSettings{
+    NumberSetting{"baud", line_limits::baudRate, [](LineLink &link, int v) { link.wish.line.baudRate = v; }},
+    NumberSetting{"time-out", line_limits::timeOut,
+                  [](LineLink &link, int v) { link.wish.timing.answerTimeOut = milliseconds(v); }},
+    NumberSetting{"retries", line_limits::retries,
+                  [](LineLink &link, int v) { link.wish.timing.retries = v; }},
+    NumberSetting{"quiet", line_limits::quietAfterWrite,
+                  [](LineLink &link, int v) { link.wish.timing.quietAfterWrite = milliseconds(v); }},
+    NumberSetting{"poll", line_limits::pollInterval,
+                  [](LineLink &link, int v) { link.wish.pollInterval = milliseconds(v); }},
+    NumberSetting{"top-speed", line_limits::topSpeed, [](LineLink &link, int v) { link.wish.topSpeed = v; }},
+    NumberSetting{fractionBitsKey, line_limits::fractionBits,
+                  [](LineLink &link, int v) { link.wish.fractionBits = v; }},
+    NumberSetting{"low-latency", {0, 1}, [](LineLink &link, int v) { link.wish.line.lowLatency = v == 1; }},
+    NumberSetting{"swap-warnings",
+                  {0, 1},
+                  [](LineLink &link, int v) {
+                      link.swapWarningBytes = v == 1;
+                      link.swapping.clear();
+                  }},
+};
+
+const QString fromDevice = QStringLiteral("device");
+const QString formatKey = QStringLiteral("format");
+
+// The settings of a line, for the refusal: "baud, format, ...".
+QString lineSettingKeys()
+{
+    QStringList keys;
+    for (const NumberSetting &setting : numberSettings)
+        keys << QString::fromLatin1(setting.key);
+    keys.insert(1, formatKey);
+    return keys.join(QStringLiteral(", "));
+}
+
+// "8N2": data bits, parity, stop bits.
+Checked<void> takeFormat(LineLink &link, const QString &text)
+{
+    using Parity = LineSettings::Parity;
+    const QString letters = QStringLiteral("NEO");
+    constexpr std::array parities{Parity::none, Parity::even, Parity::odd};
+    const bool isFormat = text.size() == 3 && (text[0] == u'7' || text[0] == u'8') &&
+                          letters.contains(text[1], Qt::CaseInsensitive) &&
+                          (text[2] == u'1' || text[2] == u'2');
+    if (!isFormat)
+        return badInput(QStringLiteral("lineFormatWrong"),
+                        CommandLine::tr("\"%1\" is no format of a serial line. Give data bits (7, 8), parity "
+                                        "(N, E, O) and stop bits (1, 2), as 8N2."),
+                        {text});
+    link.wish.line.dataBits = text[0].digitValue();
+    link.wish.line.parity = parities.at(static_cast<std::size_t>(letters.indexOf(text[1].toUpper())));
+    link.wish.line.stopBits = text[2].digitValue();
+    return {};
+}
+
+Checked<void> takeSetting(LineLink &link, const QString &setting)
+{
+    const QString key = setting.section(u'=', 0, 0);
+    const QString text = setting.section(u'=', 1);
+    if (key == formatKey)
+        return takeFormat(link, text);
+    if (key == QLatin1String(fractionBitsKey) && text == fromDevice) {
+        link.asksForFractionBits = true;
+        return {};
+    }
+    const auto known = std::ranges::find_if(
+        numberSettings, [&](const NumberSetting &one) { return key == QLatin1String(one.key); });
+    if (known == numberSettings.end())
+        return badInput(
+            QStringLiteral("unknownLineSetting"),
+            CommandLine::tr("A serial line has no setting \"%1\". Its settings are: %2. Write them "
+                            "behind the port, as esc:ttyUSB0,baud=9600."),
+            {key, lineSettingKeys()});
+    const auto number = parseNumber(text);
+    if (!number || *number < known->limits.least || *number > known->limits.most)
+        return badInput(
+            QStringLiteral("lineSettingOutOfRange"),
+            CommandLine::tr("The setting %1 of the line cannot be \"%2\". Give a whole number from "
+                            "%3 to %4."),
+            {key, text, std::int64_t{known->limits.least}, std::int64_t{known->limits.most}});
+    known->apply(link, static_cast<int>(*number));
+    return {};
+}
+
+// What a project says of an encoder holds at whatever port.
+std::set<LineAddress> swappingOf(const Project *project, BusId line)
+{
+    std::set<LineAddress> swapping;
+    if (project != nullptr)
+        for (const ProjectDevice &encoder : devicesOn(*project, line))
+            if (encoder.swapsWarningBytes)
+                swapping.insert(LineAddress::of(encoder.place().node));
+    return swapping;
+}
+
+Checked<LineLink> lineAt(const QString &port, const Project *project, BusId line)
+{
+    if (port.isEmpty())
+        return badInput(QStringLiteral("portMissing"),
+                        CommandLine::tr("Name the port of the serial line, as --link esc:ttyUSB0. %1"),
+                        {presentPortsText()});
+    LineLink link;
+    if (port == trainingLink)
+        return link;
+    if (port == projectPort)
+        return lineOf(project, line);
+    link.swapping = swappingOf(project, line);
+    link.wish.port = port;
+    return link;
+}
+
+} // namespace
+
+EscSettings LineLink::driver() const
+{
+    return {
+        .positionInterval = wish.pollInterval, .topSpeed = wish.topSpeed, .fractionBits = wish.fractionBits};
+}
+
+esc::ExplainOptions LineLink::explainOptions() const
+{
+    return {.swapWarningBytes = swapWarningBytes, .fractionBits = wish.fractionBits, .swapping = swapping};
+}
+
+Checked<LineLink> lineOf(const Project *project, BusId line)
+{
+    const LinePlan *planned = project != nullptr ? linePlan(*project, line) : nullptr;
+    if (planned == nullptr)
+        return badInput(
+            QStringLiteral("noLineInProject"),
+            CommandLine::tr("There is no project with the port of a serial line. Name one that has it "
+                            "with --project FILE, or the port, as --link esc:ttyUSB0."));
+    if (planned->wish.port.isEmpty())
+        return badInput(
+            QStringLiteral("noPortInProject"),
+            CommandLine::tr("The project has no port for \"%1\" yet. Choose one in the window, or "
+                            "name it, as --link esc:ttyUSB0."),
+            {findBus(*project, line)->name});
+    LineLink link;
+    link.wish = planned->wish;
+    link.adapter = planned->adapter;
+    link.swapping = swappingOf(project, line);
+    return link;
+}
+
+Checked<LineLink> lineMeant(const LinkText &text, const Project *project, BusId line)
+{
+    auto link = lineAt(text.where, project, line);
+    if (link)
+        for (const QString &setting : text.settings)
+            if (const auto taken = takeSetting(*link, setting); !taken)
+                return tl::unexpected(taken.error());
+    return link;
+}
+
+Checked<LineLink> lineOfCall(const Call &call)
+{
+    const auto text = LinkText::parse(call.arguments.value("--link").value_or(QString()));
+    return text && text->scheme == QLatin1String(escKind) ? lineMeant(*text, call.project) : LineLink();
+}
+
+QString presentPortsText()
+{
+    QStringList ports;
+    for (const PortInfo &port : serialPorts())
+        ports << port.label();
+    return ports.isEmpty()
+               ? noSerialPortsText()
+               : sentence(CommandLine::tr("The ports there are: %1."), {ports.join(QStringLiteral("; "))});
+}
+
+} // namespace codewheel

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/link_kind.h"
+#include "drivers/esc_settings.h"
+#include "esc/esc_explain.h"
+#include "project/line_plan.h"
+
+#include <QString>
+
+namespace codewheel {
+
+// The serial line that --link names.
+struct LineLink
+{
+    LineWish wish{};                   // its port: a name or a path; empty: the simulated line
+    bool swapWarningBytes = false;     // of all its encoders
+    std::set<LineAddress> swapping{};  // of these, as the project says
+    bool asksForFractionBits = false;  // of the scaling factor, from the encoder
+    LineAdapter adapter{};             // that the port belongs to; nothing: whichever is there
+    std::optional<Complaint> whyNot{}; // it cannot be opened
+
+    bool isSimulated() const { return wish.port.isEmpty(); }
+    EscSettings driver() const;
+    esc::ExplainOptions explainOptions() const;
+};
+
+// "esc:ttyUSB0,baud=9600", "esc:/dev/pts/5", "esc:training"; "esc:project" is this line of the project, null
+// where there is none.
+Checked<LineLink> lineMeant(const LinkText &text, const Project *project = nullptr, BusId line = firstLine);
+// Of the project. Refused where it has no port.
+Checked<LineLink> lineOf(const Project *project, BusId line);
+// Of a call that opens nothing: with the settings of its --link.
+Checked<LineLink> lineOfCall(const Call &call);
+
+// The serial ports of this computer in a sentence, or that it has none.
+QString presentPortsText();
+
+} // namespace codewheel

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "line/row_text.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QObject>
+
+#include <vector>
+
+namespace codewheel {
+
+class LineSession;
+
+// What passed on a line, with the request it belongs to.
+struct PassedRow
+{
+    esc::LineRow row;
+    std::optional<esc::Request> request; // that was sent, or that was sent before what came in
+
+    // Of a position request, and nothing is wrong with it: the polling.
+    bool isPoll() const;
+};
+
+// Collects what passes on a line as long as it lives, but the polling of positions.
+class LineTrace : public QObject
+{
+public:
+    explicit LineTrace(LineSession &line);
+
+    const std::vector<PassedRow> &rows() const { return m_rows; }
+
+private:
+    std::optional<esc::Request> m_request;
+    std::vector<PassedRow> m_rows;
+};
+
+// The request of each row, as rows come one after the other.
+PassedRow passedRow(const esc::LineRow &row, std::optional<esc::Request> &lastRequest);
+
+// A row each: time, direction, bytes as text, what it means.
+QString lineTraceText(const std::vector<PassedRow> &rows, const esc::ExplainOptions &options);
+QJsonObject rowJson(const PassedRow &row, const esc::ExplainOptions &options);
+QJsonArray lineTraceJson(const std::vector<PassedRow> &rows, const esc::ExplainOptions &options);
+
+// The keys of the bits that are set in an answer to O, A or E.
+QJsonArray bitsJson(esc::Command command, std::uint16_t word);
+// {"address", "letters", "data"}; data null for a read.
+QJsonObject requestJson(const esc::Request &request);
+// {"answer", "value" or "version", "bits"}; bits only where the answer has some.
+QJsonObject answerJson(const esc::Request &request, const esc::Answer &answer,
+                       const esc::ExplainOptions &options);
+
+} // namespace codewheel

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/link_kind.h"
+
+#include "catalog/device_description.h"
+#include "cli/line/line_link_kind.h"
+#include "cli/ring/ring_link_kind.h"
+#include "cli/texts.h"
+#include "project/project.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+const QString trainingLink = QStringLiteral("training");
+const QString projectLink = QStringLiteral("project");
+const QString protocolSetting = QStringLiteral("protocol");
+
+// The list of kinds.
+std::vector<std::unique_ptr<const LinkKind>> kindsOfTheProgram()
+{
+    std::vector<std::unique_ptr<const LinkKind>> kinds;
+    kinds.push_back(std::make_unique<RingLinkKind>());
+    kinds.push_back(std::make_unique<LineLinkKind>());
+    return kinds;
+}
+
+std::vector<std::unique_ptr<const LinkKind>> &kinds()
+{
+    static auto all = kindsOfTheProgram();
+    return all;
+}
+
+QString linksThereAre()
+{
+    QStringList texts{CommandLine::tr("training, the simulated buses"),
+                      CommandLine::tr("project, all buses of the project")};
+    for (const LinkKind *kind : linkKinds())
+        if (const QString help = kind->help(); !help.isEmpty())
+            texts << help;
+    return texts.join(QStringLiteral("; "));
+}
+
+tl::unexpected<Complaint> unknownLink(const QString &typed)
+{
+    return badInput(QStringLiteral("unknownLink"),
+                    CommandLine::tr("There is no link \"%1\". The links are: %2."), {typed, linksThereAre()});
+}
+
+QString keysOf(const std::vector<const LinkKind *> &those)
+{
+    QStringList keys;
+    for (const LinkKind *kind : those)
+        keys << kind->bus();
+    return keys.join(QStringLiteral(", "));
+}
+
+Checked<const LinkKind *> kindMeant(LinkText &text, const QString &typed)
+{
+    std::vector<const LinkKind *> those;
+    for (const LinkKind *kind : linkKinds())
+        if (kind->schemes().contains(text.scheme))
+            those.push_back(kind);
+    if (those.empty())
+        return unknownLink(typed);
+    const auto protocol = text.take(protocolSetting);
+    if (those.size() == 1 && !protocol)
+        return those.front();
+    const auto found = std::ranges::find(those, protocol.value_or(QString()), &LinkKind::bus);
+    if (found != those.end())
+        return *found;
+    return badInput(QStringLiteral("protocolMissing"),
+                    CommandLine::tr("Say with protocol= what is spoken at %1. There is: %2."),
+                    {text.scheme + u':' + text.where, keysOf(those)});
+}
+
+std::vector<MakeLink> trainingLinks()
+{
+    std::vector<MakeLink> links;
+    for (const LinkKind *kind : linkKinds())
+        if (MakeLink training = kind->training())
+            links.push_back(std::move(training));
+    return links;
+}
+
+Checked<std::vector<MakeLink>> linksOf(const Project *project)
+{
+    if (project == nullptr)
+        return badInput(
+            QStringLiteral("noProject"),
+            CommandLine::tr("The link \"project\" needs a project. Name it with --project FILE."));
+    std::vector<MakeLink> links;
+    for (const PlannedBus &bus : project->buses)
+        for (const LinkKind *kind : linkKinds())
+            if (kind->bus() == bus.kind)
+                links.push_back(kind->planned(*project, bus.id));
+    return links;
+}
+
+} // namespace
+
+std::optional<LinkText> LinkText::parse(const QString &typed)
+{
+    const qsizetype colon = typed.indexOf(u':');
+    if (colon <= 0)
+        return std::nullopt;
+    QStringList parts = typed.sliced(colon + 1).split(u',');
+    const QString where = parts.takeFirst();
+    return LinkText{typed.first(colon), where, parts};
+}
+
+std::optional<QString> LinkText::take(const QString &setting)
+{
+    const auto found = std::ranges::find_if(
+        settings, [&](const QString &one) { return one.section(u'=', 0, 0) == setting; });
+    if (found == settings.end())
+        return std::nullopt;
+    const QString value = found->section(u'=', 1);
+    settings.erase(found);
+    return value;
+}
+
+Checked<DeviceDescription> LinkKind::asOnLink(const Call &, DeviceDescription device) const
+{
+    return device;
+}
+
+std::vector<const LinkKind *> linkKinds()
+{
+    std::vector<const LinkKind *> all;
+    for (const auto &kind : kinds())
+        all.push_back(kind.get());
+    return all;
+}
+
+std::shared_ptr<const LinkKind> addLinkKind(std::unique_ptr<const LinkKind> kind)
+{
+    const LinkKind *added = kind.get();
+    kinds().push_back(std::move(kind));
+    return {added, [](const LinkKind *ended) {
+                std::erase_if(kinds(), [ended](const auto &one) { return one.get() == ended; });
+            }};
+}
+
+bool needsProject(const QString &link)
+{
+    const auto text = LinkText::parse(link);
+    return link == projectLink || (text && text->where == projectLink);
+}
+
+Checked<std::vector<MakeLink>> linksMeant(const QString &typed, const Project *project)
+{
+    if (typed == trainingLink)
+        return trainingLinks();
+    if (typed == projectLink)
+        return linksOf(project);
+    auto text = LinkText::parse(typed);
+    if (!text)
+        return unknownLink(typed);
+    const auto kind = kindMeant(*text, typed);
+    if (!kind)
+        return tl::unexpected(kind.error());
+    return (*kind)->links(*text, project);
+}
+
+} // namespace codewheel

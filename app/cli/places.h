@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/arguments.h"
+#include "cli/subcommand.h"
+#include "project/project.h"
+
+#include <QtGlobal>
+
+namespace codewheel {
+
+class EncoderSession;
+
+// --device of the commands that work on a PLACE.
+inline constexpr Option deviceOption{
+    "--device", "NAME",
+    QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                      "take the encoder for this one: a name of \"devices\", or the key on its label")};
+
+// The place that is typed so: a place as its kind of bus writes it, on the one bus of the call that has it;
+// the station of a device of the project; or either of them behind the name of a bus, "Crane 2/1.0". Refused
+// where several are meant, with the choices. The place as it is written in full goes before a station of the
+// same text, and that before a short form ("05").
+Checked<Place> placeMeant(const Call &call, const Project *project, const QString &typed);
+
+// "bus" and "place" of what is told to programs.
+QJsonObject placeJson(const Call &call, Place place, QJsonObject more = {});
+void addPlace(QJsonObject &json, const Call &call, Place place);
+
+// The encoder at the PLACE the call names, so far that it shows where it stands. With --device it is named
+// first, for this call.
+Checked<EncoderSession *> encoderAt(const Call &call);
+// The same at what is typed, whatever --device says.
+Checked<EncoderSession *> encoderAt(const Call &call, const QString &typed);
+
+// What a name of the catalog, or the key on a label, means at a place of the bus. 0: the key does not tell.
+struct NamedDevice
+{
+    QString key;
+    int turns = 0;
+    int stepsPerTurn = 0;
+};
+Checked<NamedDevice> deviceMeant(const Call &call, Place place, const QString &typed);
+// The device at the place is the one that --device names, if it is given.
+Checked<void> nameDevice(const Call &call, Place place);
+
+// The bus of this kind that --bus names; without it the only one of the link. Refused where it leads to none,
+// or to several.
+Checked<BusAccess *> busMeant(const Call &call, const QString &kind);
+inline constexpr Option busOption{
+    "--bus", "BUS",
+    QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                      "on this bus, as the project calls it, where there are several")};
+
+} // namespace codewheel

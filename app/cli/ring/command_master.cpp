@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/word_channel.h"
+#include "cli/consent.h"
+#include "cli/json.h"
+#include "cli/places.h"
+#include "cli/ring/master_text.h"
+#include "cli/ring/ring_access.h"
+#include "cli/ring/ring_link_kind.h"
+#include "cli/text_table.h"
+#include "cli/texts.h"
+#include "encoder/hex.h"
+#include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
+#include "project/ring_plan.h"
+#include "ring/segment_reach.h"
+
+#include <QJsonArray>
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *masterExamples[] = {"master", "master segment 6 off --yes",
+                                          "master --after 31000 --fault-plan resources/examples/faults.json"};
+
+constexpr int longestTrial = 86'400'000; // ms
+constexpr int afterwards = 10;           // cycles, for what comes back at once
+
+constexpr std::array masterOptions{
+    busOption,
+    Option{"--after", "MS",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "let so many milliseconds pass on the bus first")},
+    Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "do it without asking")},
+};
+
+constexpr const char *actions = "status, start, stop, alarm-stop, read-in, confirm, segment N on|off";
+
+// What is asked of the master; and the question before it, where it changes what the ring does: made when the
+// bus has come as far.
+struct Action
+{
+    std::function<void(BusSession &)> carryOut;
+    std::function<QString(const BusSession &)> question{}; // none: nothing has to be asked
+};
+
+tl::unexpected<Complaint> unknownAction(const QString &text)
+{
+    return badInput(QStringLiteral("unknownAction"),
+                    CommandLine::tr("\"%1\" is no action of the master. There are: %2."),
+                    {text, QString::fromLatin1(actions)});
+}
+
+// The devices that go with the segment, and the words they have now.
+QString segmentQuestion(const BusSession &bus, int segment, bool on)
+{
+    if (on)
+        return sentence(CommandLine::tr("Put segment %1 back into the data cycles?"),
+                        {QString::number(segment)});
+    QStringList devices;
+    for (const std::size_t place : placesBehindSegment(bus.structure(), segment)) {
+        const NodeId number = bus.structure()[place].number;
+        const WordChannel *channel = bus.channel(number);
+        devices << (channel && channel->out() != 0 ? sentence(CommandLine::tr("%1 (OUT %2)"),
+                                                              {number.toString(), hexWord(channel->out())})
+                                                   : number.toString());
+    }
+    return sentence(
+        CommandLine::tr("Switch segment %1 off? Out of the data cycles go, with outputs at 0: %2."),
+        {QString::number(segment), devices.join(QStringLiteral(", "))});
+}
+
+Checked<Action> segmentAction(const QStringList &words)
+{
+    bool isNumber = false;
+    const int segment = words.value(1).toInt(&isNumber);
+    const QString how = words.value(2);
+    if (words.size() != 3 || !isNumber || (how != QStringLiteral("on") && how != QStringLiteral("off")))
+        return unknownAction(words.join(u' '));
+    const bool on = how == QStringLiteral("on");
+    return Action{[segment, on](BusSession &bus) { bus.switchSegment(segment, on); },
+                  [segment, on](const BusSession &bus) { return segmentQuestion(bus, segment, on); }};
+}
+
+Action asking(void (BusSession::*service)(), const QString &question)
+{
+    return {[service](BusSession &bus) { (bus.*service)(); },
+            [question](const BusSession &) { return question; }};
+}
+
+Checked<Action> actionOf(const QStringList &words)
+{
+    const QString name = words.value(0, QStringLiteral("status"));
+    if (name == QStringLiteral("segment"))
+        return segmentAction(words);
+    if (words.size() > 1)
+        return unknownAction(words.join(u' '));
+    if (name == QStringLiteral("status"))
+        return Action{[](BusSession &) {}};
+    if (name == QStringLiteral("start"))
+        return Action{[](BusSession &bus) { bus.setRunning(true); }};
+    if (name == QStringLiteral("stop"))
+        return Action{[](BusSession &bus) { bus.setRunning(false); }};
+    if (name == QStringLiteral("alarm-stop"))
+        return Action{&BusSession::alarmStop};
+    if (name == QStringLiteral("read-in"))
+        return asking(&BusSession::readIn, CommandLine::tr("Read in the ring? Data cycles stop meanwhile."));
+    if (name == QStringLiteral("confirm"))
+        return asking(&BusSession::confirmDiagnostics, CommandLine::tr("Confirm diagnostics?"));
+    return unknownAction(name);
+}
+
+// What the bus told since, with its time in ms.
+struct Told
+{
+    std::vector<Message> messages;
+    std::optional<Refusal> refusal; // of the action
+};
+
+std::int64_t milliseconds(const Message &message)
+{
+    return std::chrono::duration_cast<std::chrono::milliseconds>(message.at).count();
+}
+
+QString messageLines(const std::vector<Message> &messages)
+{
+    using enum TextTable::Align;
+    TextTable table({right, left, left});
+    for (const Message &message : messages)
+        table.add({CommandLine::tr("%1 ms").arg(milliseconds(message)),
+                   message.place ? message.place->toString() : QStringLiteral("-"), messageText(message)});
+    return table.toString();
+}
+
+QJsonArray messagesJson(const std::vector<Message> &messages)
+{
+    QJsonArray rows;
+    for (const Message &message : messages) {
+        const QJsonObject what =
+            errorJson({.key = messageKey(message.id), .text = {}, .arguments = message.arguments});
+        rows.append(QJsonObject{
+            {QStringLiteral("milliseconds"), static_cast<qint64>(milliseconds(message))},
+            {QStringLiteral("place"), message.place ? QJsonValue(message.place->toString()) : QJsonValue()},
+            {QStringLiteral("key"), what[QStringLiteral("key")]},
+            {QStringLiteral("arguments"), what[QStringLiteral("arguments")]}});
+    }
+    return rows;
+}
+
+Checked<void> agreed(const Call &call, const BusSession &bus, const Action &action)
+{
+    if (!action.question)
+        return {};
+    return consent(call, action.question(bus),
+                   CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to do it."));
+}
+
+Checked<Told> carryOutAction(const Call &call, BusSession &bus, int after, const Action &action)
+{
+    Told told;
+    QObject scope;
+    QObject::connect(&bus, &BusSession::messaged, &scope,
+                     [&](const Message &message) { told.messages.push_back(message); });
+    bus.advance(std::max(after, 1));
+    if (const auto may = agreed(call, bus, action); !may)
+        return tl::unexpected(may.error());
+    const std::size_t before = told.messages.size();
+    action.carryOut(bus);
+    do
+        bus.advance(afterwards);
+    while (bus.isReadingIn());
+    bus.advance(afterwards); // of the ring that was read in
+    for (std::size_t i = before; i < told.messages.size() && !told.refusal; ++i)
+        if (told.messages[i].id == MessageId::refused)
+            told.refusal = told.messages[i].refusal;
+    return told;
+}
+
+Checked<Answer> runMaster(const Call &call)
+{
+    const auto action = actionOf(call.arguments.rest);
+    if (!action)
+        return tl::unexpected(action.error());
+    const auto after = call.arguments.number("--after", 0, 0, longestTrial);
+    if (!after)
+        return tl::unexpected(after.error());
+    const auto access = busMeant(call, QString::fromLatin1(interbusKind));
+    if (!access)
+        return tl::unexpected(access.error());
+    BusSession &ring = static_cast<RingAccess &>(**access).ring(); // of its kind
+    const auto told = carryOutAction(call, ring, *after, *action);
+    if (!told)
+        return tl::unexpected(told.error());
+    Answer answer{messageLines(told->messages) + u'\n' + masterLines(ring),
+                  {{QStringLiteral("master"), masterJson(ring)},
+                   {QStringLiteral("messages"), messagesJson(told->messages)}}};
+    if (told->refusal)
+        answer.complaint = complaintAbout(*told->refusal);
+    return answer;
+}
+
+} // namespace
+
+const Subcommand masterCommand{
+    .name = "master",
+    .usage =
+        "[status|start|stop|alarm-stop|read-in|confirm|segment N on|off] [--bus BUS] [--after MS] [--yes]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "what the master says, and its services"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Lets time pass, does what is asked for, and prints what the bus told meanwhile and how the "
+        "master stands\nthen. What changes what the ring does (read-in, confirm, segment) is asked for "
+        "first; "
+        "where nobody can\nbe asked, --yes is needed. As each call has a new training bus, this makes most "
+        "sense with a fault plan."),
+    .examples = masterExamples,
+    .options = masterOptions,
+    .minimumArguments = 0,
+    .maximumArguments = 3,
+    .needsBus = true,
+    .textIsAccount = true,
+    .run = runMaster,
+};
+
+} // namespace codewheel

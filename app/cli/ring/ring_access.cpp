@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/ring/ring_access.h"
+
+#include "bus/word_channel.h"
+#include "catalog/catalog.h"
+#include "catalog/hex_code.h"
+#include "cli/json.h"
+#include "cli/places.h"
+#include "cli/ring/master_text.h"
+#include "cli/text_table.h"
+#include "cli/texts.h"
+#include "cli/trace.h"
+#include "encoder/device_number.h"
+#include "encoder/sentence.h"
+#include "journal/ledger_keeper.h"
+#include "journal_files.h"
+#include "project/project_take_over.h"
+#include "project/ring_plan.h"
+#include "transfer/project_places.h"
+
+#include <QJsonArray>
+
+#include <algorithm>
+#include <numeric>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+// The words of each encoder.
+class WordTrace final : public JobTrace
+{
+public:
+    WordTrace(const RingAccess &ring, const std::vector<const EncoderSession *> &encoders)
+        : m_ring(ring)
+    {
+        for (const EncoderSession *encoder : encoders) {
+            std::vector<Exchange> &rows = m_rows[encoder->place()];
+            QObject::connect(encoder, &EncoderSession::exchanged, &m_scope,
+                             [&rows](const Exchange &row) { rows.push_back(row); });
+        }
+    }
+
+    void begin(const EncoderSession &encoder) override
+    {
+        if (const auto row = m_ring.currentRow(encoder))
+            m_rows[encoder.place()].push_back(*row);
+    }
+    QString text(Place place) const override { return traceText(deviceAt(place), m_rows.at(place)); }
+    QJsonArray json(Place place) const override { return traceJson(deviceAt(place), m_rows.at(place)); }
+
+private:
+    const DeviceDescription &deviceAt(Place place) const { return m_ring.bus().encoder(place)->device(); }
+
+    const RingAccess &m_ring;
+    std::map<Place, std::vector<Exchange>> m_rows;
+    QObject m_scope;
+};
+
+// A name given anew would forget what is known of the encoder.
+bool isNamedSo(const Participant &connected, const DeviceDescription &device, const DeviceLabel &label)
+{
+    return connected.deviceKey == device.key && (label.turns == 0 || label.turns == device.physicalTurns) &&
+           (label.stepsPerTurn == 0 || label.stepsPerTurn == device.physicalStepsPerTurn);
+}
+
+void nameAs(const Call &call, EncoderBus &ring, const ProjectDevice &planned, const Participant &connected)
+{
+    const QString &key = planned.participant.deviceKey;
+    const DeviceDescription *device = call.catalog.find(key);
+    if (device != nullptr && isNamedSo(connected, *device, planned.label))
+        return;
+    if (device != nullptr && device->deviceCode == connected.deviceCode &&
+        ring.name(planned.place(), key, planned.label.turns, planned.label.stepsPerTurn))
+        return;
+    call.terminal.complain(
+        sentence(CommandLine::tr("%1 is not taken for \"%2\" of the project: there is no such description, "
+                                 "or it is of another device code."),
+                 {planned.place().shown(), key}));
+}
+
+// The ID code tells the profile, never the make of an encoder; that is the plan's to name.
+QString makeOf(const Participant &participant, const DeviceDescription *named)
+{
+    return named || participant.idCode == busTerminalIdCode ? participantName(participant, named)
+                                                            : CommandLine::tr("make not known");
+}
+
+} // namespace
+
+RingAccess::RingAccess(BusSession &ring)
+    : BusAccess(ring, QString::fromLatin1(interbusKind))
+    , m_ring(ring)
+{}
+
+RingAccess::RingAccess(std::unique_ptr<BusSession> ring, std::shared_ptr<void> world)
+    : BusAccess(*ring, QString::fromLatin1(interbusKind))
+    , m_owned(std::move(ring))
+    , m_world(std::move(world))
+    , m_ring(*m_owned)
+{}
+
+void RingAccess::keepLedger(const std::optional<QString> &file)
+{
+    setLedger(std::make_unique<LedgerKeeper>(m_ring, file ? DatabasePlace::file(*file)
+                                                          : ledgerPlace(m_ring, userJournalFolder())));
+}
+
+std::optional<NodeId> RingAccess::placeTyped(const QString &text) const
+{
+    const auto number = DeviceNumber::parse(text);
+    return number ? std::optional(number->node()) : std::nullopt;
+}
+
+Checked<void> RingAccess::checkStation(const Project &project, const QString &station) const
+{
+    if (areSame(compareRings(structureOf(project, m_ring.id()), m_ring.structure())))
+        return {};
+    return tl::unexpected(Complaint{
+        ExitCode::refused,
+        QStringLiteral("busDiffers"),
+        sentence(CommandLine::tr("The bus differs from the project, so \"%1\" may stand elsewhere. See "
+                                 "codewheel-cli compare, or give the device number."),
+                 {station}),
+        {station}});
+}
+
+Checked<EncoderSession *> RingAccess::encoder(const Call &call, NodeId node, bool namesIt)
+{
+    const Place place = m_ring.placeOf(node);
+    const ProjectDevice *planned = call.project != nullptr ? findDevice(*call.project, place) : nullptr;
+    const auto connected = m_ring.found(place);
+    if (planned != nullptr && connected && !isSameKind(planned->participant, *connected))
+        return tl::unexpected(complaintAbout({RefusalKind::link,
+                                              RefusalId::ringDiffers,
+                                              {place.shown(), hexCode(planned->participant.deviceCode, 4),
+                                               hexCode(connected->deviceCode, 4)}}));
+    return BusAccess::encoder(call, node, namesIt);
+}
+
+void RingAccess::useProject(const Call &call, const Project &project)
+{
+    const RingStructure connected = m_ring.structure();
+    const ProjectPlaces places(project, call.buses);
+    for (const ProjectDevice &planned : devicesOn(project, m_ring.id())) {
+        const auto found = std::ranges::find(connected, planned.place().node, &Participant::number);
+        if (places.isAtItsPlace(planned.place()) && !planned.participant.deviceKey.isEmpty())
+            nameAs(call, m_ring, planned, *found);
+    }
+    if (!areSame(compareRings(structureOf(project, m_ring.id()), connected)))
+        call.terminal.complain(
+            CommandLine::tr("The bus differs from the project. See codewheel-cli compare."));
+}
+
+Instant RingAccess::lookInterval() const
+{
+    return 1ms;
+}
+
+std::unique_ptr<JobTrace> RingAccess::trace(const std::vector<const EncoderSession *> &encoders)
+{
+    return std::make_unique<WordTrace>(*this, encoders);
+}
+
+std::optional<Exchange> RingAccess::currentRow(const EncoderSession &encoder) const
+{
+    const WordChannel &channel = *m_ring.channel(encoder.place());
+    const Reading &reading = encoder.latest();
+    return Exchange{m_ring.latest().cycle, m_ring.latest().at, channel.out(),
+                    channel.in(),          reading.mode,       reading.coding};
+}
+
+Checked<Answer> RingAccess::scan(const Call &call)
+{
+    using enum TextTable::Align;
+    TextTable table({left, left, left, right, right});
+    table.add({CommandLine::tr("place"), CommandLine::tr("ID code"), CommandLine::tr("device code"),
+               CommandLine::tr("IN words"), CommandLine::tr("OUT words"), CommandLine::tr("profile"),
+               CommandLine::tr("device")});
+    QJsonArray devices;
+    for (const Participant &participant : m_ring.structure()) {
+        const DeviceDescription *named = call.catalog.find(participant.deviceKey);
+        const DeviceDescription *known = named ? named : call.catalog.generic(participant.deviceCode);
+        const QString profile = known ? profileName(known->profile) : QStringLiteral("-");
+        table.add({participant.number.toString(),
+                   QStringLiteral("%1 (%2)").arg(hexCode(participant.idCode, 2)).arg(participant.idCode),
+                   hexCode(participant.deviceCode, 4), QString::number(participant.inWords),
+                   QString::number(participant.outWords), profile, makeOf(participant, named)});
+        QJsonObject json = participantJson(&participant).toObject();
+        json.insert(QStringLiteral("profile"), known ? QJsonValue(profile) : QJsonValue());
+        devices.append(json);
+    }
+    return Answer{
+        table.toString() + u'\n' + masterLines(m_ring),
+        {{QStringLiteral("participants"), devices}, {QStringLiteral("master"), masterJson(m_ring)}}};
+}
+
+void RingAccess::keepFound(const Call &, Project &project) const
+{
+    const Comparison comparison = compareRings(structureOf(project, m_ring.id()), m_ring.structure());
+    std::vector<std::size_t> lines(comparison.size());
+    std::iota(lines.begin(), lines.end(), std::size_t{0});
+    project = takenOver(std::move(project), m_ring.structure(), comparison, lines, m_ring.id());
+}
+
+} // namespace codewheel

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/bus_access.h"
+#include "ring/bus_session.h"
+
+namespace codewheel {
+
+// A ring of a call. A cycle is 1 ms, and as the training ring runs without waiting, what it does is there at
+// once.
+class RingAccess final : public BusAccess
+{
+public:
+    explicit RingAccess(BusSession &ring); // open; it outlives this
+    // `world`: what the session needs as long as it lives.
+    RingAccess(std::unique_ptr<BusSession> ring, std::shared_ptr<void> world);
+
+    BusSession &ring() const { return m_ring; }
+
+    void keepLedger(const std::optional<QString> &file) override;
+    bool followsFaultPlan() const override { return m_world != nullptr; }
+    std::optional<NodeId> placeTyped(const QString &text) const override;
+    // A device may stand elsewhere where the ring differs from the project at all.
+    Checked<void> checkStation(const Project &project, const QString &station) const override;
+    // Refused where the project has another device there.
+    Checked<EncoderSession *> encoder(const Call &call, NodeId node, bool namesIt) override;
+    void useProject(const Call &call, const Project &project) override;
+    Instant lookInterval() const override;
+    std::unique_ptr<JobTrace> trace(const std::vector<const EncoderSession *> &encoders) override;
+    std::optional<Exchange> currentRow(const EncoderSession &encoder) const override;
+    Checked<Answer> scan(const Call &call) override;
+    // What the project knows stays with the devices that are the same or moved.
+    void keepFound(const Call &call, Project &project) const override;
+
+private:
+    std::unique_ptr<BusSession> m_owned;
+    std::shared_ptr<void> m_world;
+    BusSession &m_ring;
+};
+
+} // namespace codewheel

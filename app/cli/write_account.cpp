@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/write_account.h"
+
+#include "catalog/device_description.h"
+#include "cli/parameter_text.h"
+#include "cli/position_text.h"
+#include "cli/text_table.h"
+#include "cli/texts.h"
+
+namespace codewheel {
+
+WriteAccount::WriteAccount(const EncoderSession &encoder, const ParameterValues &wanted,
+                           const Outcome &outcome)
+    : m_encoder(encoder)
+    , m_wanted(wanted)
+    , m_outcome(outcome)
+{}
+
+QString WriteAccount::fateOf(const ParameterValue &value) const
+{
+    if (valueOf(m_outcome.written, value.parameter)) {
+        const auto known = m_encoder.known(value.parameter);
+        return known && known->evidence == Evidence::read
+                   ? CommandLine::tr("written, and read back")
+                   : CommandLine::tr("written, confirmed by the handshake");
+    }
+    return valueOf(m_outcome.alreadyThere, value.parameter) ? CommandLine::tr("was there already")
+                                                            : CommandLine::tr("did not become active");
+}
+
+QString WriteAccount::toText() const
+{
+    TextTable table;
+    const auto add = [&](const ParameterValue &value, const QString &fate) {
+        const ParameterDescription &parameter = *m_encoder.device().find(value.parameter);
+        table.add({parameterKey(value.parameter),
+                   QStringLiteral("= %1").arg(typedValue(parameter, value.value)), fate});
+    };
+    for (const ParameterValue &value : m_wanted)
+        add(value, fateOf(value));
+    for (const ParameterValue &value : m_outcome.setAlong)
+        add(value, CommandLine::tr("set by the encoder itself, with the steps"));
+    return table.toString();
+}
+
+QString WriteAccount::whereItWasLeft() const
+{
+    return codewheel::whereItWasLeft(m_encoder.latest());
+}
+
+} // namespace codewheel

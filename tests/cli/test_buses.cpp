@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Calls on several buses of a kind: which one PLACE means, and how it is told.
+#include "catalog/catalog.h"
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/line/line_access.h"
+#include "cli/link_kind.h"
+#include "cli/ring/ring_access.h"
+#include "project/bus_kind.h"
+#include "project/line_plan.h"
+#include "project/project_file.h"
+#include "simulator/simulated_line_link.h"
+#include "tests/cli/cli_run.h"
+
+#include <QJsonArray>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr BusId secondRing{3};
+constexpr BusId secondLine{4};
+
+// Two training rings and two lines with the encoders 03, 05 and 12, as a project plans them.
+class CliBuses : public testing::Test
+{
+protected:
+    CliBuses()
+    {
+        project.buses = {planned(firstRing, "interbus", "Crane 1"), planned(firstLine, "esc", "Gate 1"),
+                         planned(secondRing, "interbus", "Crane 2"), planned(secondLine, "esc", "Gate 2")};
+        plan({firstLine, LineAddress{5}.node()}, "Left");
+        plan({secondLine, LineAddress{5}.node()}, "Right");
+        plan({secondLine, LineAddress{0x12}.node()}, "Top");
+    }
+
+    static PlannedBus planned(BusId id, const char *kind, const char *name)
+    {
+        const QString key = QString::fromLatin1(kind);
+        return {id, key, QString::fromLatin1(name), busKind(key)->usual()};
+    }
+    void plan(Place place, const char *station)
+    {
+        ProjectDevice device;
+        device.standAt(place);
+        device.participant.deviceKey = QStringLiteral("kuebler-esc-rs485");
+        device.station = QString::fromLatin1(station);
+        project.devices.push_back(device);
+    }
+
+    CliRun run(QStringList words)
+    {
+        EXPECT_TRUE(saveProject(project, file));
+        words << QStringLiteral("--project") << file;
+        const Subcommand &command = *findCommand(words.takeFirst());
+        const auto arguments = parseArguments(words, optionsOf(command), {});
+        EXPECT_TRUE(arguments);
+        return runWith({}, [&](const Terminal &terminal) {
+            RingAccess one(*rings[0].bus);
+            RingAccess two(*rings[1].bus);
+            const auto left = line(firstLine);
+            const auto right = line(secondLine);
+            return runCommand(command, *arguments, catalog, {&one, left.get(), &two, right.get()}, terminal);
+        });
+    }
+    CliRun run(const char *words) { return run(QString::fromLatin1(words).split(u' ')); }
+    // What is asked of one place with blanks in its name, and told to programs.
+    QJsonObject told(const char *command, const char *place)
+    {
+        return run({QString::fromLatin1(command), QString::fromLatin1(place), QStringLiteral("--for"),
+                    QStringLiteral("1"), QStringLiteral("--json")})
+            .json();
+    }
+
+    std::unique_ptr<LineAccess> line(BusId id)
+    {
+        return std::make_unique<LineAccess>(
+            std::make_unique<SimulatedLineLink>(std::make_shared<SimulatedLine>()), LineLink(), catalog, id);
+    }
+
+    const Catalog catalog = Catalog::builtIn();
+    TrainingSession rings[2] = {
+        openTrainingSession(catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))),
+        openTrainingSession(catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2)), secondRing)};
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("cranes.codewheel"));
+    Project project;
+};
+
+TEST_F(CliBuses, APlaceThatSeveralBusesHaveIsRefusedWithTheChoices)
+{
+    const CliRun ring = run("monitor 2.0");
+    EXPECT_EQ(ring.exit, 2);
+    EXPECT_THAT(ring.err,
+                HasSubstr("Several buses may have 2.0. Give one of these: Crane 1/2.0, Crane 2/2.0."));
+    EXPECT_THAT(run("monitor 05").err, HasSubstr("Gate 1/esc:05, Gate 2/esc:05."));
+    EXPECT_THAT(run("monitor 07").err, HasSubstr("Gate 1/esc:07, Gate 2/esc:07."))
+        << "planned on none, and may be on both";
+    EXPECT_EQ(errorKey(run("monitor 2.0 --json")), "placeNotUnique");
+}
+
+TEST_F(CliBuses, APlaceThatOneBusHasNeedsNoName)
+{
+    const QJsonObject json = told("monitor", "12");
+    EXPECT_EQ(json[u"exit"], 0);
+    EXPECT_EQ(json[u"bus"], QStringLiteral("Gate 2"));
+    EXPECT_EQ(json[u"place"], QStringLiteral("esc:12"));
+}
+
+TEST_F(CliBuses, TheNameOfTheBusTellsWhichOne)
+{
+    for (const auto &[typed, bus, place] :
+         {std::tuple{"Crane 2/2.0", "Crane 2", "2.0"}, std::tuple{"Gate 1/05", "Gate 1", "esc:05"},
+          std::tuple{"Gate 2/esc:05", "Gate 2", "esc:05"}, std::tuple{"Gate 2/Right", "Gate 2", "esc:05"},
+          std::tuple{"Left", "Gate 1", "esc:05"}}) {
+        const QJsonObject json = told("monitor", typed);
+        EXPECT_EQ(json[u"exit"], 0) << typed;
+        EXPECT_EQ(json[u"bus"].toString().toStdString(), bus) << typed;
+        EXPECT_EQ(json[u"place"].toString().toStdString(), place) << typed;
+    }
+}
+
+TEST_F(CliBuses, WhatIsNoBusOrNotOnItIsRefused)
+{
+    EXPECT_EQ(told("monitor", "Crane 3/2.0")[u"error"][u"key"], QStringLiteral("unknownBus"));
+    EXPECT_EQ(told("monitor", "Crane 2/9.0")[u"error"][u"key"], QStringLiteral("unknownDevice"));
+    EXPECT_EQ(told("monitor", "Gate 1/Right")[u"error"][u"key"], QStringLiteral("unknownStation"));
+    EXPECT_EQ(told("monitor", "Crane 2/05")[u"error"][u"key"], QStringLiteral("placeOnBus"));
+    EXPECT_EQ(told("monitor", "/2.0")[u"error"][u"key"], QStringLiteral("unknownBus"));
+}
+
+// In sentences and as one types it.
+TEST_F(CliBuses, PlacesAreToldWithTheirBus)
+{
+    const CliRun asked =
+        run({QStringLiteral("write"), QStringLiteral("Crane 2/1.0"), QStringLiteral("steps=255")});
+    EXPECT_EQ(asked.exit, 2);
+    EXPECT_THAT(asked.out, HasSubstr("To be written to Crane 2/1.0, FRABA OCD-IB K3:"));
+    EXPECT_EQ(Place({firstRing, NodeId("1.0")}).shown(), QStringLiteral("1.0")) << "when the call is over";
+}
+
+TEST_F(CliBuses, WritingGoesToTheBusThatIsNamed)
+{
+    const auto writes = [&](int i) { return rings[i].controls->shafts()[0].eepromWrites; };
+    EXPECT_EQ(run({QStringLiteral("write"), QStringLiteral("Crane 2/1.0"), QStringLiteral("steps=255"),
+                   QStringLiteral("--yes")})
+                  .exit,
+              0);
+    EXPECT_EQ(writes(0), 0);
+    EXPECT_EQ(writes(1), 1);
+}
+
+TEST_F(CliBuses, ACommandOfOneKindAsksWhichBus)
+{
+    EXPECT_EQ(errorKey(run("master --json")), "busNotUnique");
+    EXPECT_EQ(errorKey(run("master --bus Gate --json")), "unknownBus");
+    EXPECT_EQ(run({QStringLiteral("master"), QStringLiteral("stop"), QStringLiteral("--bus"),
+                   QStringLiteral("Crane 2")})
+                  .exit,
+              0);
+    EXPECT_TRUE(rings[0].bus->isRunning());
+    EXPECT_FALSE(rings[1].bus->isRunning());
+    const CliRun wrong = run({QStringLiteral("master"), QStringLiteral("--bus"), QStringLiteral("Gate 1")});
+    EXPECT_EQ(wrong.exit, 2) << "a line has no master";
+}
+
+TEST_F(CliBuses, ScanTellsAndKeepsEveryBus)
+{
+    const QString saved = folder.filePath(QStringLiteral("found.codewheel"));
+    const CliRun scan =
+        run({QStringLiteral("scan"), QStringLiteral("--json"), QStringLiteral("--save"), saved});
+    EXPECT_EQ(scan.exit, 0);
+    QStringList names;
+    for (const QJsonValue bus : scan.json()[u"buses"].toArray())
+        names << bus[u"bus"].toString();
+    EXPECT_EQ(names, (QStringList{QStringLiteral("Crane 1"), QStringLiteral("Gate 1"),
+                                  QStringLiteral("Crane 2"), QStringLiteral("Gate 2")}));
+    const Project found = *loadProject(saved);
+    ASSERT_EQ(found.buses.size(), 4U);
+    for (const BusId ring : {firstRing, secondRing})
+        EXPECT_EQ(devicesOn(found, ring).size(), 7U);
+    for (const BusId line : {firstLine, secondLine})
+        EXPECT_EQ(devicesOn(found, line).size(), 3U);
+    EXPECT_EQ(findDevice(found, {secondLine, LineAddress{0x12}.node()})->station, QStringLiteral("Top"));
+}
+
+// From the words of the call on.
+TEST_F(CliBuses, TheLinkProjectLeadsToAllBusesOfTheProject)
+{
+    project.buses.erase(project.buses.begin() + 1);
+    project.buses.pop_back();
+    project.devices.clear();
+    ASSERT_TRUE(saveProject(project, file));
+    const QString call = QStringLiteral(" --link project --json --project ") + file;
+    const QJsonArray buses = runLine(QStringLiteral("scan") + call).json()[u"buses"].toArray();
+    ASSERT_EQ(buses.size(), 2);
+    EXPECT_EQ(buses[1][u"bus"], QStringLiteral("Crane 2"));
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("monitor 1.0") + call)), "placeNotUnique");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("scan --link project --json"))), "noProject");
+
+    project.buses.push_back(planned(secondLine, "esc", "Gate"));
+    ASSERT_TRUE(saveProject(project, file));
+    const CliRun portless = runLine(QStringLiteral("scan") + call);
+    EXPECT_EQ(errorKey(portless), "noPortInProject");
+    EXPECT_THAT(portless.err, HasSubstr("The project has no port for \"Gate\" yet."));
+    EXPECT_EQ(portless.json()[u"buses"].toArray().size(), 3) << "the others are told";
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("monitor 05") + call)), "noPortInProject");
+}
+
+// A kind of bus that is reached by a scheme of another one too.
+class OtherKind final : public LinkKind
+{
+public:
+    QString bus() const override { return QStringLiteral("other"); }
+    QStringList schemes() const override { return {QStringLiteral("esc")}; }
+    QString help() const override { return {}; }
+    bool isPlace(const QString &) const override { return false; }
+    Checked<std::vector<MakeLink>> links(const LinkText &text, const Project *) const override
+    {
+        return badInput(QStringLiteral("reached"), text.where + text.settings.join(u','));
+    }
+    MakeLink planned(const Project &, BusId) const override { return {}; }
+    MakeLink training() const override { return {}; }
+};
+
+TEST(CliLinks, OfSeveralKindsWithASchemeTheProtocolChooses)
+{
+    const auto other = addLinkKind(std::make_unique<OtherKind>());
+    const auto keyOf = [](const char *link) {
+        const auto links = linksMeant(QString::fromLatin1(link), nullptr);
+        return links ? "esc" : links.error().key.toStdString();
+    };
+    EXPECT_EQ(keyOf("esc:ttyUSB0,protocol=esc,baud=9600"), "esc");
+    EXPECT_EQ(keyOf("esc:ttyUSB0,protocol=other,rate=1"), "reached");
+    EXPECT_EQ(keyOf("esc:ttyUSB0"), "protocolMissing");
+    EXPECT_EQ(keyOf("esc:ttyUSB0,protocol=modbus"), "protocolMissing");
+}
+
+TEST(CliLinks, WhereOneKindHasTheSchemeNoProtocolIsNeeded)
+{
+    EXPECT_TRUE(linksMeant(QStringLiteral("esc:ttyUSB0,protocol=esc"), nullptr));
+    EXPECT_EQ(linksMeant(QStringLiteral("esc:ttyUSB0,protocol=modbus"), nullptr).error().key,
+              QStringLiteral("protocolMissing"));
+    EXPECT_EQ(linksMeant(QStringLiteral("interbus:training"), nullptr)->size(), 1U);
+    EXPECT_EQ(linksMeant(QStringLiteral("interbus:com1"), nullptr).error().key,
+              QStringLiteral("unknownLink"));
+}
+
+} // namespace
+} // namespace codewheel
