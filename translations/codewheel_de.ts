@@ -6207,6 +6207,10 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         <source>The project links &quot;%1&quot; by &quot;%2&quot;: this program has no such link.</source>
         <translation>Das Projekt verbindet &quot;%1&quot; über &quot;%2&quot;: Diese Verbindung hat das Programm nicht.</translation>
     </message>
+    <message>
+        <source>The project has no port for &quot;%1&quot; yet. Choose one in the window, or name it, as --link esc:ttyUSB0.</source>
+        <translation>Das Projekt hat für &quot;%1&quot; noch keinen Anschluss. Im Fenster einen wählen, oder ihn nennen, etwa --link esc:ttyUSB0.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>

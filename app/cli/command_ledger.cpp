@@ -57,6 +57,7 @@ QJsonObject toJson(const Ledger::Account &account)
 {
     return {{QStringLiteral("identity"), account.identity},
             {QStringLiteral("countedBy"), shownCountedBy(account.count.by)},
+            {QStringLiteral("bus"), account.place.bus.number},
             {QStringLiteral("place"), account.place.toString()},
             {QStringLiteral("device"), account.device},
             {QStringLiteral("writes"), account.count.writes},
@@ -99,7 +100,7 @@ Checked<Answer> listAccounts(const Call &call)
     QJsonArray json;
     for (const Ledger::Account &account : accounts) {
         const QDateTime since = account.count.since.toLocalTime();
-        table.add({QLocale().toString(since.date(), QLocale::ShortFormat), account.place.toString(),
+        table.add({QLocale().toString(since.date(), QLocale::ShortFormat), account.place.shown(),
                    QString::number(account.count.writes), QString::number(account.count.perhaps),
                    countedByName(account.count.by), account.identity});
         json.append(toJson(account));

@@ -127,6 +127,7 @@ QJsonObject toJson(const StoredMessage &message)
     return {{QStringLiteral("time"),
              QDateTime::fromMSecsSinceEpoch(message.at, Qt::UTC).toString(Qt::ISODateWithMs)},
             {QStringLiteral("severity"), severityKey(message.severity)},
+            {QStringLiteral("bus"), message.place ? QJsonValue(message.place->bus.number) : QJsonValue()},
             {QStringLiteral("place"), message.place ? QJsonValue(message.place->toString()) : QJsonValue()},
             {QStringLiteral("code"), message.code},
             {QStringLiteral("arguments"), parsed(message.arguments).array()},

@@ -79,7 +79,8 @@ void saveFound(const Call &call, const std::vector<BusAccess *> &buses, Answer &
 void addBus(const Call &call, const BusAccess &bus, const Answer &found, QJsonArray &buses, Answer &answer)
 {
     QJsonObject json = found.json;
-    json.insert(QStringLiteral("bus"), bus.name());
+    json.insert(QStringLiteral("bus"), bus.bus().id().number);
+    json.insert(QStringLiteral("busName"), bus.name());
     json.insert(QStringLiteral("kind"), bus.kind());
     buses.append(json);
     for (auto one = found.json.begin(); one != found.json.end(); ++one)

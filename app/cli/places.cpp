@@ -133,10 +133,11 @@ Checked<Place> placeOn(const Call &call, const std::vector<BusAccess *> &buses, 
     return notThere(buses, project != nullptr, typed);
 }
 
+// By its name, else by its number.
 BusAccess *findBus(const Call &call, const QString &name)
 {
     const auto found = std::ranges::find(call.links, name, &BusAccess::name);
-    return found == call.links.end() ? nullptr : *found;
+    return found == call.links.end() ? call.findBus({name.toInt()}) : *found;
 }
 
 tl::unexpected<Complaint> noSuchBus(const Call &call, const QString &name)
@@ -236,8 +237,9 @@ QJsonObject placeJson(const Call &call, Place place, QJsonObject more)
 
 void addPlace(QJsonObject &json, const Call &call, Place place)
 {
-    const BusAccess *bus = call.findBus(place.bus);
-    json.insert(QStringLiteral("bus"), bus != nullptr ? QJsonValue(bus->name()) : QJsonValue());
+    if (const BusAccess *bus = call.findBus(place.bus))
+        json.insert(QStringLiteral("busName"), bus->name());
+    json.insert(QStringLiteral("bus"), place.bus.number);
     json.insert(QStringLiteral("place"), place.toString());
 }
 

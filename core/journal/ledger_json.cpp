@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace codewheel {
 namespace {
@@ -50,7 +51,8 @@ QJsonObject toJson(const Ledger::Record &record)
             {atMember, entry.at.toUTC().toString(Qt::ISODateWithMs)},
             {QStringLiteral("identity"), entry.identity},
             {QStringLiteral("countedBy"), countedByKey(entry.by)},
-            {QStringLiteral("place"), entry.place.key()},
+            {QStringLiteral("bus"), entry.place.bus.number},
+            {QStringLiteral("place"), entry.place.toString()},
             {QStringLiteral("device"), entry.device},
             {QStringLiteral("planned"), entry.planned},
             {QStringLiteral("writes"), entry.writes},
@@ -71,6 +73,15 @@ std::vector<Ledger::Value> valuesOf(const JsonObject &json, const char *key,
     return values;
 }
 
+// Files from before buses were told apart have the place alone.
+Place placeOf(const JsonObject &json)
+{
+    const auto place = Place::parse(json.freeText("place"));
+    if (!place || !json.has("bus"))
+        return place.value_or(Place());
+    return {{static_cast<int>(json.number("bus", 1, std::numeric_limits<int>::max()))}, place->node};
+}
+
 Ledger::Record recordOf(const JsonObject &json)
 {
     Ledger::Record record{.origin = json.text("id")};
@@ -85,7 +96,7 @@ Ledger::Record recordOf(const JsonObject &json)
                                {countedByKey(CountedBy::serialNumber),
                                 countedByKey(CountedBy::labelSerialNumber), countedByKey(CountedBy::place)});
     entry.by = by.value_or(CountedBy::place);
-    entry.place = Place::parse(json.freeText("place")).value_or(Place());
+    entry.place = placeOf(json);
     entry.device = json.freeText("device");
     entry.planned = static_cast<int>(json.number("planned", 0, mostWrites));
     entry.writes = static_cast<int>(json.number("writes", 0, mostWrites));
@@ -175,7 +186,7 @@ tl::expected<std::vector<Ledger::Record>, QString> recordsFromJson(const QByteAr
             file.report("version",
                         Journal::tr("Only version %1 of the format can be read.").arg(recordsVersion));
         for (const JsonObject &entry :
-             file.array("entries", {"id", "at", "identity", "countedBy", "place", "device", "planned",
+             file.array("entries", {"id", "at", "identity", "countedBy", "bus", "place", "device", "planned",
                                     "writes", "settled", "before", "written"}))
             records.push_back(recordOf(entry));
     }

@@ -109,7 +109,7 @@ TEST_F(CliBuses, APlaceThatOneBusHasNeedsNoName)
 {
     const QJsonObject json = told("monitor", "12");
     EXPECT_EQ(json[u"exit"], 0);
-    EXPECT_EQ(json[u"bus"], QStringLiteral("Gate 2"));
+    EXPECT_EQ(json[u"busName"], QStringLiteral("Gate 2"));
     EXPECT_EQ(json[u"place"], QStringLiteral("esc:12"));
 }
 
@@ -117,11 +117,11 @@ TEST_F(CliBuses, TheNameOfTheBusTellsWhichOne)
 {
     for (const auto &[typed, bus, place] :
          {std::tuple{"Crane 2/2.0", "Crane 2", "2.0"}, std::tuple{"Gate 1/05", "Gate 1", "esc:05"},
-          std::tuple{"Gate 2/esc:05", "Gate 2", "esc:05"}, std::tuple{"Gate 2/Right", "Gate 2", "esc:05"},
-          std::tuple{"Left", "Gate 1", "esc:05"}}) {
+          std::tuple{"4/05", "Gate 2", "esc:05"}, std::tuple{"Gate 2/esc:05", "Gate 2", "esc:05"},
+          std::tuple{"Gate 2/Right", "Gate 2", "esc:05"}, std::tuple{"Left", "Gate 1", "esc:05"}}) {
         const QJsonObject json = told("monitor", typed);
         EXPECT_EQ(json[u"exit"], 0) << typed;
-        EXPECT_EQ(json[u"bus"].toString().toStdString(), bus) << typed;
+        EXPECT_EQ(json[u"busName"].toString().toStdString(), bus) << typed;
         EXPECT_EQ(json[u"place"].toString().toStdString(), place) << typed;
     }
 }
@@ -178,7 +178,7 @@ TEST_F(CliBuses, ScanTellsAndKeepsEveryBus)
     EXPECT_EQ(scan.exit, 0);
     QStringList names;
     for (const QJsonValue bus : scan.json()[u"buses"].toArray())
-        names << bus[u"bus"].toString();
+        names << bus[u"busName"].toString();
     EXPECT_EQ(names, (QStringList{QStringLiteral("Crane 1"), QStringLiteral("Gate 1"),
                                   QStringLiteral("Crane 2"), QStringLiteral("Gate 2")}));
     const Project found = *loadProject(saved);
@@ -200,7 +200,7 @@ TEST_F(CliBuses, TheLinkProjectLeadsToAllBusesOfTheProject)
     const QString call = QStringLiteral(" --link project --json --project ") + file;
     const QJsonArray buses = runLine(QStringLiteral("scan") + call).json()[u"buses"].toArray();
     ASSERT_EQ(buses.size(), 2);
-    EXPECT_EQ(buses[1][u"bus"], QStringLiteral("Crane 2"));
+    EXPECT_EQ(buses[1][u"busName"], QStringLiteral("Crane 2"));
     EXPECT_EQ(errorKey(runLine(QStringLiteral("monitor 1.0") + call)), "placeNotUnique");
     EXPECT_EQ(errorKey(runLine(QStringLiteral("scan --link project --json"))), "noProject");
 

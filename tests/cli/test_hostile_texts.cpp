@@ -132,7 +132,7 @@ TEST_F(CliHostileTexts, ArgumentsOfMessagesAndJsonKeepsItsValue)
     QFile csv(path("all.csv"));
     ASSERT_TRUE(csv.open(QIODevice::ReadOnly));
     const std::string table = csv.readAll().toStdString();
-    EXPECT_THAT(table, HasSubstr(",\"'=1+1\"\r\n"));
+    EXPECT_THAT(table, HasSubstr(",\"'=1+1\",\r\n"));
     EXPECT_THAT(table, HasSubstr(shown));
 }
 

@@ -80,6 +80,26 @@ TEST_F(LedgerMerge, LearnsWhatBecameOfAnEntry)
     EXPECT_EQ(here.writes(seven).perhaps, 0);
 }
 
+TEST_F(LedgerMerge, TheSamePlaceOnTwoBusesIsTwoPlaces)
+{
+    Ledger::Record record{.origin = QStringLiteral("a")};
+    record.entry = {.at = QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC),
+                    .identity = QStringLiteral("place/4/esc:05"),
+                    .by = CountedBy::place,
+                    .place = {{4}, NodeId("esc:05")}};
+    const QByteArray json = recordsToJson({record}, false).replace(": ", ":");
+    EXPECT_TRUE(json.contains(R"("bus":4)")) << json.toStdString();
+    EXPECT_TRUE(json.contains(R"("place":"esc:05")")) << json.toStdString();
+    EXPECT_EQ(recordsFromJson(json)->front().entry.place, record.entry.place);
+
+    const QByteArray before = R"({"format":"codewheel-ledger","version":1,"entries":[{"id":"a",)"
+                              R"("at":"2026-03-01T13:00:00.000Z","identity":"x","countedBy":"place",)"
+                              R"("place":"4/esc:05","device":"","planned":1,"writes":1,"settled":true,)"
+                              R"("before":[],"written":[]}]})";
+    EXPECT_EQ(recordsFromJson(before)->front().entry.place, record.entry.place)
+        << "of a file that has the bus in the place";
+}
+
 TEST_F(LedgerMerge, WhatIsWrongWithAFileIsTold)
 {
     const QByteArray good = recordsToJson({}, false);

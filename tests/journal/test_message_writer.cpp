@@ -39,17 +39,24 @@ TEST(MessageWriter, WritesCsv)
                                      .severity = Severity::fault,
                                      .id = MessageId::deviceFault,
                                      .arguments = {std::int64_t{3}, Word{0x86000000}}}}),
-              QStringLiteral("time,severity,place,code,text\r\n"
-                             "%1,information,,busStarted,\"The bus runs.\"\r\n"
-                             "%1,fault,1.0,deviceFault,\"The encoder reports error 3 (IN 86000000).\"\r\n")
+              QStringLiteral("time,severity,place,code,text,bus\r\n"
+                             "%1,information,,busStarted,\"The bus runs.\",\r\n"
+                             "%1,fault,1.0,deviceFault,\"The encoder reports error 3 (IN 86000000).\",1\r\n")
                   .arg(time));
     EXPECT_NE(twoOClock.toOffsetFromUtc(7200).toString(Qt::ISODateWithMs), twoOClock.toString(Qt::ISODate));
+}
+
+TEST(MessageWriter, TheBusStandsByItself)
+{
+    const QString csv = written(Format::csv, {{.place = Place{{4}, NodeId("esc:05")}}});
+    EXPECT_TRUE(csv.contains(QStringLiteral(",esc:05,"))) << csv.toStdString();
+    EXPECT_TRUE(csv.endsWith(QStringLiteral(",4\r\n"))) << csv.toStdString();
 }
 
 TEST(MessageWriter, DoublesQuotesAndKeepsUtf8)
 {
     EXPECT_TRUE(written(Format::csv, {trainingText("say \"¼, turn\"")})
-                    .endsWith(QStringLiteral("training,\"say \"\"¼, turn\"\"\"\r\n")));
+                    .endsWith(QStringLiteral("training,\"say \"\"¼, turn\"\"\",\r\n")));
 }
 
 TEST(MessageWriter, NamesWhatWasRefused)

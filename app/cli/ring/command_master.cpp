@@ -140,6 +140,7 @@ QJsonArray messagesJson(const std::vector<Message> &messages)
             errorJson({.key = messageKey(message.id), .text = {}, .arguments = message.arguments});
         rows.append(QJsonObject{
             {QStringLiteral("milliseconds"), static_cast<qint64>(milliseconds(message))},
+            {QStringLiteral("bus"), message.place ? QJsonValue(message.place->bus.number) : QJsonValue()},
             {QStringLiteral("place"), message.place ? QJsonValue(message.place->toString()) : QJsonValue()},
             {QStringLiteral("key"), what[QStringLiteral("key")]},
             {QStringLiteral("arguments"), what[QStringLiteral("arguments")]}});
