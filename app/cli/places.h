@@ -18,9 +18,9 @@ inline constexpr Option deviceOption{
                       "take the encoder for this one: a name of \"devices\", or the key on its label")};
 
 // The place that is typed so: a place as its kind of bus writes it, on the one bus of the call that has it;
-// the station of a device of the project; or either of them behind the name of a bus or its number, "Crane 2/1.0". Refused
-// where several are meant, with the choices. The place as it is written in full goes before a station of the
-// same text, and that before a short form ("05").
+// the station of a device of the project; or either of them behind the name of a bus or its number, "Crane
+// 2/1.0". Refused where several are meant, with the choices. The place as it is written in full goes before a
+// station of the same text, and that before a short form ("05").
 Checked<Place> placeMeant(const Call &call, const Project *project, const QString &typed);
 
 // "bus", its number, "busName" and "place", of what is told to programs.
