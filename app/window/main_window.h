@@ -82,7 +82,7 @@ public:
     ProjectFiles &files() { return *m_files; }
     void askForRecovery(ProjectRecovery &recovery);
     RingConnection *connection() const; // of the first ring; null before attach()
-    BusViews *viewsOf(BusId bus) const; // null: there is no such bus
+    BusViews *viewsOf(BusId bus) const; // null: there is no such bus, or its kind has none
     // Size, layout and monitors, for the next start.
     void saveWindow();
 
@@ -106,6 +106,7 @@ private:
     void connectViewActions();
     void connectViews();
     void connectBuses(); // main_window_buses.cpp
+    void addViews(const BusAtWork &bus, BusViews &views);
     void addBus(BusAtWork *bus);
     void removeBus(BusAtWork *bus);
     void takeBus(BusAtWork &bus);

@@ -34,29 +34,15 @@ void MainWindow::connectBuses()
     });
 }
 
+// A kind without views of its own is looked at, in the bus structure and the panels of a device.
 void MainWindow::addBus(BusAtWork *bus)
 {
     auto *rows = static_cast<QVBoxLayout *>(centralWidget()->layout());
-    BusViews *views = makeBusViews(
-        *bus,
-        {m_settings, *m_leaving, m_actions, *m_pages, *rows, *m_notice, *m_status, *m_device, *m_editor},
-        this);
-    if (views == nullptr)
-        return;
-    m_views[bus->id()] = views;
-    for (const BusViews::Panel &panel : views->panels())
-        kindDock(panel.dock)->addWidget(panel.widget);
-    connect(views, &BusViews::told, this, &MainWindow::tell);
-    connect(views, &BusViews::panelRequested, this, [this, bus](const char *dock) {
-        chooseBus(bus->id());
-        showDock(dock);
-    });
-    connect(views, &BusViews::encoderChanged, this, [this] { m_actions.showChosen(m_choice->encoder()); });
-    connect(
-        views, &BusViews::devicesChanged, this, [this] { m_choice->keep(m_choice->place()); },
-        Qt::QueuedConnection); // when all views have the new ones
-    connect(views, &BusViews::startRequested, m_actions.start, &QAction::trigger);
-    connect(views, &BusViews::stopRequested, m_actions.stop, &QAction::trigger);
+    if (BusViews *views = makeBusViews(
+            *bus,
+            {m_settings, *m_leaving, m_actions, *m_pages, *rows, *m_notice, *m_status, *m_device, *m_editor},
+            this))
+        addViews(*bus, *views);
     connect(bus, &BusAtWork::aboutToChange, this, [this, bus] { leaveBus(*bus); });
     connect(bus, &BusAtWork::changed, this, [this, bus] { takeBus(*bus); });
     takeBus(*bus);
@@ -64,14 +50,35 @@ void MainWindow::addBus(BusAtWork *bus)
         setCurrent(*bus);
 }
 
+void MainWindow::addViews(const BusAtWork &bus, BusViews &views)
+{
+    const BusId id = bus.id();
+    m_views[id] = &views;
+    for (const BusViews::Panel &panel : views.panels())
+        kindDock(panel.dock)->addWidget(panel.widget);
+    connect(&views, &BusViews::told, this, &MainWindow::tell);
+    connect(&views, &BusViews::panelRequested, this, [this, id](const char *dock) {
+        chooseBus(id);
+        showDock(dock);
+    });
+    connect(&views, &BusViews::encoderChanged, this, [this] { m_actions.showChosen(m_choice->encoder()); });
+    connect(
+        &views, &BusViews::devicesChanged, this, [this] { m_choice->keep(m_choice->place()); },
+        Qt::QueuedConnection); // when all views have the new ones
+    connect(&views, &BusViews::startRequested, m_actions.start, &QAction::trigger);
+    connect(&views, &BusViews::stopRequested, m_actions.stop, &QAction::trigger);
+}
+
 void MainWindow::removeBus(BusAtWork *bus)
 {
     leaveBus(*bus);
     bus->disconnect(this);
     const BusId id = bus->id();
-    m_views[id]->setCurrent(false);
-    delete m_views[id];
-    m_views.erase(id);
+    if (BusViews *views = viewsOf(id)) {
+        views->setCurrent(false);
+        m_views.erase(id);
+        delete views;
+    }
     if (m_currentOf.value(bus->kind()) == id)
         m_currentOf.remove(bus->kind());
     for (BusAtWork *other : m_plant->all())
@@ -133,17 +140,19 @@ void MainWindow::setCurrent(BusAtWork &bus)
             its->setCurrent(false);
     }
     m_currentOf[bus.kind()] = bus.id();
-    viewsOf(bus.id())->setCurrent(true);
+    if (BusViews *its = viewsOf(bus.id()))
+        its->setCurrent(true);
 }
 
 void MainWindow::chooseBus(BusId bus)
 {
     BusAtWork *its = m_plant->find(bus);
-    if (its == nullptr || viewsOf(bus) == nullptr)
+    if (its == nullptr)
         return;
     m_chosenBus = bus;
-    for (const BusViews::Panel &panel : viewsOf(bus)->panels())
-        kindDock(panel.dock)->setCurrentWidget(panel.widget);
+    if (const BusViews *views = viewsOf(bus))
+        for (const BusViews::Panel &panel : views->panels())
+            kindDock(panel.dock)->setCurrentWidget(panel.widget);
     setCurrent(*its);
     showBusState();
 }

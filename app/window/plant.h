@@ -30,6 +30,8 @@ public:
     Buses &buses() { return m_sessions; }
     const LastPositions &positions() const { return m_positions; }
     std::vector<const LedgerKeeper *> ledgers() const;
+    // One of whatever kind: it is here as long as it is open, or the project plans it.
+    void add(std::unique_ptr<BusAtWork> bus);
     // The first ones; null where the project plans another kind of bus with their number.
     RingAtWork *ring() const;
     SerialLine *line() const;
@@ -48,7 +50,6 @@ private:
     void followProject();
     void nameBuses();
     bool isNeeded(const BusAtWork &bus) const;
-    void add(std::unique_ptr<BusAtWork> bus);
     void removeUnneeded();
 
     const BusAtWork::Surroundings m_surroundings;

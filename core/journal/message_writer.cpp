@@ -20,8 +20,10 @@ QString csvLine(const StoredMessage &message)
 {
     const auto local = QDateTime::fromMSecsSinceEpoch(message.at);
     const QStringList fields{local.toOffsetFromUtc(local.offsetFromUtc()).toString(Qt::ISODateWithMs),
-                             severityKey(message.severity), message.place ? message.place->toString() : QString(),
-                             codeOf(message), csvText(messageText(message)),
+                             severityKey(message.severity),
+                             message.place ? message.place->toString() : QString(),
+                             codeOf(message),
+                             csvText(messageText(message)),
                              message.place ? QString::number(message.place->bus.number) : QString()};
     return fields.join(u',') + QStringLiteral("\r\n");
 }
@@ -78,7 +80,8 @@ std::optional<MessageWriter::Format> MessageWriter::formatOf(const QString &file
 
 bool MessageWriter::begin()
 {
-    return put(m_format == Format::html ? htmlBegin() : QStringLiteral("time,severity,place,code,text,bus\r\n"));
+    return put(m_format == Format::html ? htmlBegin()
+                                        : QStringLiteral("time,severity,place,code,text,bus\r\n"));
 }
 
 bool MessageWriter::write(const std::vector<StoredMessage> &messages)
