@@ -211,6 +211,8 @@ void EscJob::complete(Outcome &outcome)
 {
     m_encoder.flushKnowledge();
     m_search.reset();
+    if (hasRestored())
+        outcome.restored = Evidence::read; // as all that is written
     if (const auto &before = m_proof.positionBefore)
         outcome.positionBefore = before->sample.position;
     if (const auto &after = m_proof.positionAfter)

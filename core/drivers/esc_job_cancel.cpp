@@ -115,6 +115,7 @@ void EscJob::dropFrom(std::size_t first, std::optional<Parameter> refused)
 // The old steps would set the revolutions as the new ones did.
 void EscJob::giveBack()
 {
+    m_restores = true;
     ParameterValues values = m_account.valuesBefore(m_account.outcome.written);
     for (const ParameterValue &along : escSetAlong(values, {}))
         if (const auto before = valueOf(m_account.before, along.parameter))

@@ -76,7 +76,25 @@ TEST(EscCancel, OldValuesGoBackWhereTheyAreKnown)
     EXPECT_EQ(bench.jobLog(), (Lines{"03GL00000200", "03L", "03L", "03GL00000100", "03L", "03L"}));
     EXPECT_EQ(bench.outcome->result.error().id, RefusalId::cancelled);
     EXPECT_EQ(bench.outcome->eepromWrites, 2);
+    EXPECT_EQ(bench.outcome->restored, Evidence::read);
     EXPECT_EQ(bench.value(Parameter::lowerLimit), 0x100);
+}
+
+TEST(EscCancel, AnOldValueThatReadsBackDifferentlyIsNotRestored)
+{
+    EscBench bench;
+    bench.settle();
+    bench.finish(ReadParameters{{Parameter::lowerLimit, Parameter::upperLimit}});
+    ASSERT_TRUE(bench.begin(limits(), Pace::byHand));
+    bench.runUntil([&] { return bench.progress.waitsForUser; });
+    bench.driver.proceed();
+    bench.runUntil([&] { return bench.progress.waitsForUser && bench.progress.index == 3; });
+    bench.driver.cancel(OnCancel::restorePrevious, bench.now);
+    bench.runUntil([&] { return bench.count("GL") == 2; });
+    bench.has["L"] = "00000200";
+    bench.runUntil([&] { return bench.outcome.has_value(); });
+    EXPECT_EQ(bench.outcome->result.error().id, RefusalId::verificationFailed);
+    EXPECT_EQ(bench.outcome->restored, std::nullopt);
 }
 
 TEST(EscCancel, OldStepsGoBackWithTheirRevolutions)
