@@ -224,6 +224,51 @@ TEST_F(K3Cancel, DuringTheReadBackTheValuesStay)
     EXPECT_EQ(table.outcome()->written.size(), 2u);
 }
 
+// Too late to be given back, it is not among what was.
+TEST_F(K3Cancel, WhatIsConfirmedWhileTheValuesGoBackIsNotRestored)
+{
+    table.play({{0x0000'0000, pos}, {0x0200'00FF, 0xC200'00FF}, {0x0600'0004, 0xC200'00FF}});
+    cancel(OnCancel::restorePrevious);
+    table.play({{0x0600'0004, 0xC200'00FF},
+                {0x0000'0000, 0xC200'00FF},
+                {0x8000'0000, 0xC600'0004},
+                {0x8000'0000, 384},
+                {0x0000'0000, 384},
+                {0x0200'2000, 0xC200'2000},
+                {0x8000'0000, pos},
+                {0x0000'0000, pos},
+                {0x2021'0001, 0xA000'2000},
+                {0x0000'0000, pos},
+                {0x0000'0000, pos}});
+    expectCancelled(EncoderState::operation);
+    EXPECT_EQ(table.outcome()->written, (ParameterValues{{Parameter::steps, 8192}}));
+}
+
+// What was read back before the cancel says nothing of the values from before.
+TEST_F(K3Cancel, RestoreEndsWellAfterAReadBackThatDiffered)
+{
+    table.play({{0x0000'0000, pos},
+                {0x0200'00FF, 0xC200'00FF},
+                {0x0600'0004, 0xC600'0004},
+                {0x8000'0000, 384},
+                {0x0000'0000, 384},
+                {0x2021'0001, 0xA000'2000}, // not 255
+                {0x0000'0000, 384},
+                {0x2021'0003, 384}});
+    cancel(OnCancel::restorePrevious);
+    table.play({{0x2021'0003, 0xA000'0004},
+                {0x0000'0000, 384},
+                {0x0600'0003, 0xC600'0003},
+                {0x8000'0000, pos},
+                {0x0000'0000, pos},
+                {0x2021'0003, 0xA000'0003},
+                {0x0000'0000, pos},
+                {0x0000'0000, pos}});
+    expectCancelled(EncoderState::operation);
+    EXPECT_EQ(table.outcome()->restored, Evidence::read);
+    EXPECT_EQ(table.outcome()->written, (ParameterValues{{Parameter::direction, 3}}));
+}
+
 TEST(K3CancelUnknown, RestoreIsNotOfferedWhereTheValuesFromBeforeAreNotKnown)
 {
     DriverTable table(u"baumer-gxp6w");
