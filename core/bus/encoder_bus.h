@@ -16,6 +16,14 @@ class BusOutline;
 class Catalog;
 class WordChannel;
 
+// A write that somebody has typed: to this encoder, or to a place where none is known to stand.
+struct TypedWrite
+{
+    Place place;
+    QByteArray text;          // as it goes out
+    ParameterValues values{}; // that it sets, by the description of the encoder
+};
+
 // A connected bus, whatever it is, as window, command line and ledger see it: its devices, its state, and
 // what they let pass to it. Implemented by BusSession (a ring) and LineSession (a serial line).
 class EncoderBus : public QObject
@@ -90,10 +98,18 @@ Q_SIGNALS:
     void updated();                                  // a new snapshot; at most once per pump
     void openRefused(const codewheel::Refusal &why); // told by a message too
     void stateChanged();                             // connected or not, running or stopped, Watch or Operate
-    void nodesChanged(); // other devices, or an encoder has another session than before
+    void nodesChanged();                // other devices, or an encoder has another session than before
+    void named(codewheel::Place place); // its session is another one now, the encoder is the same
+    // It is another bus now: what looks the same may be another device. nodesChanged() follows.
+    void structureChanged();
     // An encoder has another place now: encoder() finds it by that one.
     void moved(codewheel::Place from, codewheel::Place to);
     void messaged(const codewheel::Message &message);
+    // Nothing of it has been sent yet. For the ledger of EEPROM writes.
+    void writeAboutToBeSent(const codewheel::TypedWrite &write);
+    // Once for each that was about to be sent, for each encoder there is by now. `mayBeDone`: it went out,
+    // and was not refused.
+    void typedWriteEnded(const codewheel::TypedWrite &write, bool mayBeDone);
 
 protected:
     void linkRefused(const Refusal &why); // it is closed: it is told

@@ -3,8 +3,6 @@
 
 #include "catalog/device_description.h"
 #include "journal/eeprom_cost.h"
-#include "line/line_session.h"
-#include "ring/bus_session.h"
 
 #include <QFileInfo>
 
@@ -21,46 +19,19 @@ QString withoutLinks(const QString &file)
 
 } // namespace
 
-LedgerKeeper::LedgerKeeper(EncoderBus &bus, const BusSession *ring, const DatabasePlace &place,
-                           QObject *parent)
+LedgerKeeper::LedgerKeeper(EncoderBus &bus, const DatabasePlace &place, QObject *parent)
     : QObject(parent)
     , m_bus(bus)
-    , m_ring(ring)
 {
     open(place);
-}
-
-LedgerKeeper::LedgerKeeper(LineSession &line, const DatabasePlace &place, QObject *parent)
-    : LedgerKeeper(line, nullptr, place, parent)
-{
-    connect(&line, &LineSession::nodesChanged, this, &LedgerKeeper::watchDevices);
-    connect(&line, &LineSession::moved, this, &LedgerKeeper::move);
-    connect(&line, &LineSession::writeAboutToBeSent, this,
-            qOverload<const esc::Request &>(&LedgerKeeper::beginByHand));
-    connect(&line, &LineSession::typedAnswered, this, &LedgerKeeper::settleRequest);
+    connect(&bus, &EncoderBus::nodesChanged, this, &LedgerKeeper::watchDevices);
+    connect(&bus, &EncoderBus::structureChanged, this, &LedgerKeeper::doubtUnassigned);
+    connect(&bus, &EncoderBus::named, this, &LedgerKeeper::watchNamed);
+    connect(&bus, &EncoderBus::moved, this, &LedgerKeeper::move);
+    connect(&bus, &EncoderBus::updated, this, qOverload<>(&LedgerKeeper::settleByHand));
+    connect(&bus, &EncoderBus::writeAboutToBeSent, this, &LedgerKeeper::beginTyped);
+    connect(&bus, &EncoderBus::typedWriteEnded, this, &LedgerKeeper::settleTyped);
     watchDevices();
-}
-
-LedgerKeeper::LedgerKeeper(BusSession &ring, const DatabasePlace &place, QObject *parent)
-    : LedgerKeeper(ring, &ring, place, parent)
-{
-    connect(&ring, &BusSession::named, this, [this](Place number) {
-        const Watched before = m_watched[number]; // it is the same encoder
-        watch(number);
-        m_watched[number].unassigned = before.unassigned;
-        m_watched[number].byHand = before.byHand;
-        showCount(number);
-    });
-    connect(&ring, &BusSession::updated, this, qOverload<>(&LedgerKeeper::settleByHand));
-    connect(&ring, &BusSession::structureChanged, this, &LedgerKeeper::watchAll);
-    connect(&ring, &BusSession::stateChanged, this, [this] { // connected again, it has other sessions
-        for (const Place number : m_bus.places())
-            if (m_watched[number].encoder != m_bus.encoder(number)) {
-                watchAll();
-                return;
-            }
-    });
-    watchAll();
 }
 
 LedgerKeeper::~LedgerKeeper()
@@ -145,34 +116,38 @@ void LedgerKeeper::setLabel(Place place, const QString &serialNumber)
         identify(place);
 }
 
-void LedgerKeeper::watchAll()
-{
-    const auto before = std::exchange(m_watched, {});
-    for (const auto &[place, watched] : before)
-        if (watched.encoder)
-            watched.encoder->disconnect(this);
-    for (const Place place : m_bus.places()) {
-        watch(place);
-        const auto same = before.find(place);
-        if (same == before.end() || !same->second.encoder || same->second.encoder != m_watched[place].encoder)
-            continue;
-        m_watched[place].job = same->second.job; // the session was kept, with its job
-        m_watched[place].byHand = same->second.byHand;
-        showCount(place);
-    }
-}
-
-// Encoders were added to the line or removed from it; the others are as they were.
+// Devices were added or removed, or have other sessions; the others are as they were.
 void LedgerKeeper::watchDevices()
 {
     const std::vector<Place> there = m_bus.places();
     std::erase_if(m_watched, [&](const auto &entry) {
-        return std::ranges::find(there, entry.first) == there.end() ||
-               entry.second.encoder != m_bus.encoder(entry.first);
+        const auto &[place, watched] = entry;
+        const bool stays =
+            std::ranges::find(there, place) != there.end() && watched.encoder == m_bus.encoder(place);
+        if (!stays && watched.encoder)
+            watched.encoder->disconnect(this);
+        return !stays;
     });
     for (const Place place : there)
         if (!m_watched.contains(place))
             watch(place);
+}
+
+void LedgerKeeper::watchNamed(Place place)
+{
+    const Watched before = m_watched[place];
+    if (before.encoder)
+        before.encoder->disconnect(this);
+    watch(place);
+    m_watched[place].unassigned = before.unassigned;
+    m_watched[place].byHand = before.byHand;
+    showCount(place);
+}
+
+void LedgerKeeper::doubtUnassigned()
+{
+    for (auto &[place, watched] : m_watched)
+        watched.unassigned.clear();
 }
 
 // What was counted by its place since the connection was made goes along.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "bus/encoder_bus.h"
-#include "esc/esc_request.h"
 #include "journal/safe_ledger.h"
 
 #include <QObject>
@@ -14,23 +13,19 @@
 
 namespace codewheel {
 
-class BusSession;
-class LineSession;
-struct TypedAnswered;
-
-// Keeps the ledger of one ring or serial line: notes each job, and each word or request by hand, that may
-// write to an EEPROM before anything is sent, what was written as it is seen, and the end; and tells each
-// encoder session its count. Window and command line alike, in the thread of their sessions.
+// Keeps the ledger of one bus: notes each job, and each word or typed write by hand, that may write to an
+// EEPROM before anything is sent, what was written as it is seen, and the end; and tells each encoder session
+// its count. Window and command line alike, in the thread of their sessions.
 //
 // Words by hand have no end of their own. They are one entry until the encoder has been in operation again,
-// and no word that may write has stood in OUT, for untilSettled. Requests typed for a serial encoder are one
-// entry until the last of them has ended.
+// and no word that may write has stood in OUT, for untilSettled. Writes typed for an encoder are one entry
+// until the last of them has ended.
 //
 // Which encoder it was: by the serial number the encoder told, else by that of its label, else by place. What
 // was noted at a place before a serial number was told belongs to the encoder that tells it, as long as
-// nothing speaks against it: from the moment on at which the number was forgotten or the ring became another
-// one. An encoder of a serial line that gets another address is the same one. A request typed for an address
-// that nobody has taken over is noted by that place, for the encoder that is taken over there later.
+// nothing speaks against it: from the moment on at which the number was forgotten or the bus became another
+// one. An encoder that moves to another place is the same one. What was typed for a place where none is known
+// is noted by that place, for the encoder that is taken over there later.
 class LedgerKeeper : public QObject
 {
     Q_OBJECT
@@ -40,8 +35,7 @@ public:
 
     // The bus outlives the keeper, or is closed before. Where the file cannot be used it goes on
     // (SafeLedger), and problem() says so.
-    LedgerKeeper(BusSession &ring, const DatabasePlace &place, QObject *parent = nullptr);
-    LedgerKeeper(LineSession &line, const DatabasePlace &place, QObject *parent = nullptr);
+    LedgerKeeper(EncoderBus &bus, const DatabasePlace &place, QObject *parent = nullptr);
     ~LedgerKeeper() override;
 
     // What places count for: the file of the project; empty: none. Links to a file are that file.
@@ -73,12 +67,12 @@ private:
         qint64 id;
         Instant at{}; // of the last word
         ParameterValues sent{};
-        int awaited = 0; // requests that have not ended
+        int awaited = 0; // typed writes that have not ended
     };
-    struct ToStranger // a request typed for an address without a session
+    struct ToStranger // a write typed for a place without a session
     {
         qint64 id;
-        std::optional<esc::Request> awaited;
+        std::optional<QByteArray> awaited;
     };
     struct Watched
     {
@@ -90,11 +84,11 @@ private:
         std::vector<qint64> unassigned{}; // entries of an encoder whose serial number was not told
     };
 
-    LedgerKeeper(EncoderBus &bus, const BusSession *ring, const DatabasePlace &place, QObject *parent);
     void open(const DatabasePlace &place);
-    void watchAll();
     void watchDevices();
     void watch(Place place);
+    void watchNamed(Place place);
+    void doubtUnassigned();
     void move(Place from, Place to);
     void begin(Place place, const Job &job);
     std::optional<qint64> beginEntry(Watched &watched, int planned);
@@ -111,19 +105,17 @@ private:
 
     // ledger_keeper_by_hand.cpp
     void beginByHand(Place place, Word word);
-    void beginByHand(const esc::Request &request);
-    void beginByHand(Watched &watched, const esc::Request &request);
-    void beginToStranger(Place place, const esc::Request &request);
+    void beginTyped(const TypedWrite &write);
+    void beginToStranger(const TypedWrite &write);
     ByHand *byHand(Watched &watched, int planned);
     void settleByHand();
     void settleByHand(Place place, Watched &watched);
-    void settleRequest(const TypedAnswered &answer);
-    void settleToStranger(Place place, const TypedAnswered &answer);
+    void settleTyped(const TypedWrite &write, bool mayBeDone);
+    void settleToStranger(const TypedWrite &write, bool mayBeDone);
     void noteWhatWasToStranger(Place place);
     bool standsStill(Place place, const EncoderSession &encoder) const;
 
     EncoderBus &m_bus;
-    const BusSession *m_ring; // null: a serial line
     std::unique_ptr<SafeLedger> m_book;
     std::optional<Message> m_problem;
     QString m_project;

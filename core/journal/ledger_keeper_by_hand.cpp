@@ -1,26 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is sent by hand: words on a ring, requests on a serial line.
+// What is sent by hand: words, and writes that are typed.
 #include "bus/word_channel.h"
 #include "catalog/device_description.h"
 #include "journal/eeprom_cost.h"
 #include "journal/ledger_keeper.h"
-#include "line/line_event.h"
-#include "ring/bus_session.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace codewheel {
-namespace {
-
-bool isFor(const esc::Request &request, Place place)
-{
-    const LineAddress address = LineAddress::of(place.node);
-    return place.isOnLine() && (request.to.isMaster() || address == request.to || address.isMaster());
-}
-
-} // namespace
-
 void LedgerKeeper::beginByHand(Place place, Word word)
 {
     Watched &watched = m_watched[place];
@@ -35,27 +23,20 @@ void LedgerKeeper::beginByHand(Place place, Word word)
         replaceValue(noted->sent, {parameter->parameter, k3::data(word)});
 }
 
-void LedgerKeeper::beginByHand(const esc::Request &request)
+void LedgerKeeper::beginTyped(const TypedWrite &write)
 {
-    for (auto &[place, watched] : m_watched)
-        if (isFor(request, place))
-            beginByHand(watched, request);
-    const Place place = placeOnLine(request.to);
-    const bool isKnown =
-        std::ranges::any_of(m_watched, [&](const auto &one) { return isFor(request, one.first); });
-    if (request.to.isDevice() && !isKnown)
-        beginToStranger(place, request);
-}
-
-void LedgerKeeper::beginByHand(Watched &watched, const esc::Request &request)
-{
+    const auto found = m_watched.find(write.place);
+    if (found == m_watched.end()) {
+        beginToStranger(write);
+        return;
+    }
+    Watched &watched = found->second;
     ByHand *noted = byHand(watched, watched.encoder && ledger() ? 1 : 0);
     if (noted == nullptr)
         return;
     ++noted->awaited;
-    for (const ParameterDescription &parameter : watched.encoder->device().parameters)
-        if (parameter.writeCommand == request.command)
-            replaceValue(noted->sent, {parameter.parameter, request.data});
+    for (const ParameterValue &value : write.values)
+        replaceValue(noted->sent, value);
 }
 
 // The entry for what is sent by hand now, with so many writes more; null: there is none.
@@ -72,7 +53,7 @@ LedgerKeeper::ByHand *LedgerKeeper::byHand(Watched &watched, int planned)
 
 bool LedgerKeeper::standsStill(Place place, const EncoderSession &encoder) const
 {
-    const WordChannel *channel = m_ring ? m_ring->channel(place) : nullptr;
+    const WordChannel *channel = m_bus.channel(place);
     return channel != nullptr && !encoder.runningJob() && encoder.latest().state == EncoderState::operation &&
            mostEepromWrites(encoder, channel->out()) == 0;
 }
@@ -90,39 +71,36 @@ void LedgerKeeper::settleByHand()
     }
 }
 
-void LedgerKeeper::settleRequest(const TypedAnswered &answer)
+void LedgerKeeper::settleTyped(const TypedWrite &write, bool mayBeDone)
 {
-    if (!esc::shapeOf(answer.request.command).writes)
-        return;
-    for (auto &[place, watched] : m_watched)
-        if (isFor(answer.request, place) && watched.byHand && --watched.byHand->awaited <= 0)
-            settleByHand(place, watched);
-    settleToStranger(placeOnLine(answer.request.to), answer);
+    const auto found = m_watched.find(write.place);
+    if (found != m_watched.end() && found->second.byHand && --found->second.byHand->awaited <= 0)
+        settleByHand(write.place, found->second);
+    settleToStranger(write, mayBeDone);
 }
 
-void LedgerKeeper::beginToStranger(Place place, const esc::Request &request)
+void LedgerKeeper::beginToStranger(const TypedWrite &write)
 {
     const Ledger::Entry entry{.at = m_bus.dateTime(m_bus.now()).toUTC(),
-                              .identity = identity(place).key(),
-                              .place = place,
+                              .identity = identity(write.place).key(),
+                              .place = write.place,
                               .planned = 1};
     if (const auto id = m_book->begin(entry))
-        m_strangers[place].push_back({.id = *id, .awaited = request});
+        m_strangers[write.place].push_back({.id = *id, .awaited = write.text});
 }
 
 // Not answered, it may have been carried out.
-void LedgerKeeper::settleToStranger(Place place, const TypedAnswered &answer)
+void LedgerKeeper::settleToStranger(const TypedWrite &write, bool mayBeDone)
 {
-    std::vector<ToStranger> &requests = m_strangers[place];
-    const auto ended = std::ranges::find(requests, std::optional(answer.request), &ToStranger::awaited);
+    std::vector<ToStranger> &requests = m_strangers[write.place];
+    const auto ended = std::ranges::find(requests, std::optional(write.text), &ToStranger::awaited);
     if (ended == requests.end())
         return;
     const qint64 id = ended->id;
     ended->awaited.reset();
-    if (m_watched.contains(place)) // by now, and it is noted there
+    if (m_watched.contains(write.place)) // by now, and it is noted there
         requests.erase(ended);
-    const bool wasRefused = answer.result.answer && answer.result.answer->kind != esc::Answer::Kind::accepted;
-    if (answer.result.sent > 0 && !wasRefused)
+    if (mayBeDone)
         m_book->count(id, 1);
     m_book->settle(id, {});
 }

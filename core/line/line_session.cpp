@@ -191,7 +191,7 @@ void LineSession::dispatch(const LineEvent &event)
     } else if (const auto *ended = std::get_if<ScanEnded>(&event.what)) {
         Q_EMIT scanEnded(*ended);
     } else if (const auto *answered = std::get_if<TypedAnswered>(&event.what)) {
-        Q_EMIT typedAnswered(*answered);
+        tellEnd(*answered);
     }
 }
 
@@ -284,6 +284,7 @@ Result<void> LineSession::name(Place place, const QString &deviceKey, int turns,
     LineEncoderSession &now = take(LineAddress::of(place.node), device);
     now.countEepromWrites(ended->eepromWrites());
     setSwapsWarningBytes(place, ended->swapsWarningBytes());
+    Q_EMIT named(place);
     Q_EMIT nodesChanged();
     return {};
 }
@@ -480,12 +481,49 @@ void LineSession::cancelScan()
     post(line_command::CancelScan{});
 }
 
-// A write is accounted for before it is sent. At the master address it is carried out by whoever is there.
+// A write is accounted for before it is sent.
 void LineSession::send(const esc::Request &request)
 {
-    if (isOpen() && esc::shapeOf(request.command).writes)
-        Q_EMIT writeAboutToBeSent(request);
+    if (isOpen() && esc::shapeOf(request.command).writes) {
+        std::vector<TypedWrite> writes = writesOf(request);
+        if (writes.empty() && request.to.isDevice())
+            writes.push_back({placeOf(request.to.node()), request.text()});
+        for (const TypedWrite &write : writes)
+            Q_EMIT writeAboutToBeSent(write);
+    }
     post(line_command::Send{request});
+}
+
+// By each encoder that may carry it out: at the master address that is whoever is there.
+std::vector<TypedWrite> LineSession::writesOf(const esc::Request &request) const
+{
+    std::vector<TypedWrite> writes;
+    for (const Place place : places()) {
+        const LineAddress address = LineAddress::of(place.node);
+        if (!request.to.isMaster() && address != request.to && !address.isMaster())
+            continue;
+        TypedWrite &write = writes.emplace_back(TypedWrite{place, request.text()});
+        for (const ParameterDescription &parameter : encoder(place)->device().parameters)
+            if (parameter.writeCommand == request.command)
+                write.values.push_back({parameter.parameter, request.data});
+    }
+    return writes;
+}
+
+// One for an address where nobody stood is told of with that address, whoever stands there by now.
+void LineSession::tellEnd(const TypedAnswered &answered)
+{
+    Q_EMIT typedAnswered(answered);
+    const auto &[request, result] = answered;
+    if (!esc::shapeOf(request.command).writes)
+        return;
+    const bool wasRefused = result.answer && result.answer->kind != esc::Answer::Kind::accepted;
+    std::vector<TypedWrite> writes = writesOf(request);
+    const Place addressed = placeOf(request.to.node());
+    if (std::ranges::find(writes, addressed, &TypedWrite::place) == writes.end())
+        writes.push_back({addressed, request.text()});
+    for (const TypedWrite &write : writes)
+        Q_EMIT typedWriteEnded(write, result.sent > 0 && !wasRefused);
 }
 
 } // namespace codewheel

@@ -107,9 +107,6 @@ Q_SIGNALS:
     void fractionBitsDetermined(codewheel::Place place, const codewheel::Result<int> &bits);
     void alarmStopped(); // by alarmStop(): nothing is to be sent on its own any more
     void passed(const codewheel::esc::LineRow &row); // what went over the line
-    // Nothing of it has been sent yet: a write that was typed. For the ledger of EEPROM writes; its end is
-    // typedAnswered(), of one that is refused too.
-    void writeAboutToBeSent(const codewheel::esc::Request &request);
     void typedAnswered(const codewheel::TypedAnswered &answer);
     void scanProgressed(const codewheel::ScanProgress &progress);
     void scanEnded(const codewheel::ScanEnded &result);
@@ -121,6 +118,8 @@ private:
     EncoderSession *encoderAt(NodeId node) const override;
     LineEncoderSession &take(LineAddress address, const DeviceDescription &device); // into the polling
     std::unique_ptr<LineEncoderSession> leave(std::size_t index);                   // out of it
+    std::vector<TypedWrite> writesOf(const esc::Request &request) const;
+    void tellEnd(const TypedAnswered &answered);
     void post(LineCommand command);
     void dispatch(const LineEvent &event);
     void dispatch(const Message &message);

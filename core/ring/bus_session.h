@@ -25,7 +25,8 @@ class CrcHistory;
 // word channels. All of it lives in the caller's thread; the bus thread is hidden behind pump().
 //
 // A link that is lost is tried again each second. Once it is back the bus is in Watch; a ring that is another
-// by then is taken over: structureChanged.
+// by then is taken over: structureChanged. A device of the same number, device code and name keeps its
+// session, its channel, and what is known of it then; those of all others are gone at the next pump().
 class BusSession final : public EncoderBus
 {
     Q_OBJECT
@@ -95,14 +96,9 @@ public:
     std::map<NodeId, Refusal> strangers(const std::vector<Participant> &planned) const override;
 
 Q_SIGNALS:
-    void named(codewheel::Place place); // its session is another one now
     void readInProgressed(int devices); // found so far
     void readInEnded();                 // structure() is what was found
     void readInFailed(const codewheel::Refusal &why);
-    // structure() is another ring now, with sessions and channels of its own. A device of the same number,
-    // device code and name has kept its session, its channel, and what is known of it; those of all others
-    // are gone at the next pump().
-    void structureChanged();
     void keptConfigurationTold(const std::optional<codewheel::KeptConfiguration> &configuration);
 
 private:

@@ -177,6 +177,33 @@ TEST_F(LineLedgerTest, AWriteToAnAddressNobodyHasTakenOverIsItsEncodersOnceItIs)
     EXPECT_EQ(keeper->ledger()->accounts().size(), 1U);
 }
 
+// Whatever stands at that address on the first one.
+TEST_F(LineLedgerTest, AWriteToAnAddressOfASecondLineIsOfThatLine)
+{
+    LineSession second(
+        std::make_unique<SimulatedLineLink>(std::make_shared<SimulatedLine>()), catalog,
+        QDateTime(QDate(2026, 3, 1), QTime(14, 2)),
+        [](const DeviceDescription &device, LineAddress address) {
+            return std::make_unique<EscDriver>(device, address);
+        },
+        nullptr, BusId{4});
+    ASSERT_TRUE(second.open({}, {}, LineSession::Start::operating, LineSession::Drive::byHand));
+    const LedgerKeeper itsKeeper(second, DatabasePlace::memory());
+    second.send({.to = LineAddress::of(three.node), .command = esc::Command::writeDirection, .data = 1});
+    second.advance(1s);
+    EXPECT_EQ(itsKeeper.ledger()->writes(itsKeeper.identity(second.placeOf(three.node))).writes, 1);
+}
+
+TEST_F(LineLedgerTest, AWriteAnsweredAfterItsEncoderWasNamedIsNotLost)
+{
+    keep(file.place());
+    line.send({.to = LineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 1});
+    ASSERT_TRUE(line.name(five, rs485));
+    line.advance(1s);
+    EXPECT_EQ(onDisk(five).writes, 1);
+    EXPECT_EQ(onDisk(five).perhaps, 0);
+}
+
 TEST_F(LineLedgerTest, AWriteAnsweredAfterItsEncoderWasTakenOverIsNotLost)
 {
     keep(DatabasePlace::memory());
