@@ -180,56 +180,6 @@
     </message>
 </context>
 <context>
-    <name>CamOutcome</name>
-    <message>
-        <source>EEPROM writes: %1.</source>
-        <translation>EEPROM-Schreibvorgänge: %1.</translation>
-    </message>
-    <message>
-        <source>cam %1</source>
-        <translation>Nocken %1</translation>
-    </message>
-    <message>
-        <source>the shift (the encoder has %1)</source>
-        <translation>Verschiebung (im Geber %1)</translation>
-    </message>
-    <message>
-        <source>Program %1 differs in: %2.</source>
-        <translation>Programm %1 weicht ab in: %2.</translation>
-    </message>
-    <message>
-        <source>Program %1 was read.</source>
-        <translation>Programm %1 wurde gelesen.</translation>
-    </message>
-    <message>
-        <source>Programs %1 were read.</source>
-        <translation>Die Programme %1 wurden gelesen.</translation>
-    </message>
-    <message>
-        <source>The encoder has all of it already. Nothing was written.</source>
-        <translation>Der Geber hat das alles schon. Es wurde nichts geschrieben.</translation>
-    </message>
-    <message>
-        <source>Program %1 was written and read back.</source>
-        <translation>Programm %1 wurde geschrieben und zurückgelesen.</translation>
-    </message>
-    <message>
-        <source>Programs %1 were written and read back.</source>
-        <translation>Die Programme %1 wurden geschrieben und zurückgelesen.</translation>
-    </message>
-</context>
-<context>
-    <name>CamReviewRows</name>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
-    </message>
-</context>
-<context>
     <name>CamTexts</name>
     <message>
         <source>What the encoder has is not known.</source>
@@ -308,65 +258,6 @@
     <message>
         <source>Now: %1.</source>
         <translation>Jetzt: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>CancelQuestion</name>
-    <message>
-        <source>a value it has not confirmed yet</source>
-        <translation>einen Wert, den er noch nicht quittiert hat</translation>
-    </message>
-    <message>
-        <source>It has already taken: %1.</source>
-        <translation>Übernommen hat er schon: %1.</translation>
-    </message>
-    <message>
-        <source>Restore writes the values from before again and runs with them.</source>
-        <translation>Herstellen schreibt die vorigen Werte neu, dann Run.</translation>
-    </message>
-    <message>
-        <source>The values from before are not all known, so they cannot be restored.</source>
-        <translation>Die Werte von vorher sind nicht alle bekannt und deshalb nicht wiederherstellbar.</translation>
-    </message>
-    <message>
-        <source>Run makes what it has taken valid.</source>
-        <translation>Run macht gültig, was er übernommen hat.</translation>
-    </message>
-    <message>
-        <source>Left in parameterization, it gives no position until somebody sends run.</source>
-        <translation>In der Parametrierung liefert er keine Position, bis jemand Run sendet.</translation>
-    </message>
-    <message>
-        <source>Cancel the handshake</source>
-        <translation>Handshake abbrechen</translation>
-    </message>
-    <message>
-        <source>How shall the encoder %1 be left?</source>
-        <translation>Wie soll der Geber %1 zurückbleiben?</translation>
-    </message>
-    <message>
-        <source>&amp;Restore values from before</source>
-        <translation>&amp;Vorige Werte herstellen</translation>
-    </message>
-    <message>
-        <source>R&amp;un with what it has</source>
-        <translation>R&amp;un mit dem, was er hat</translation>
-    </message>
-    <message>
-        <source>&amp;Leave in parameterization</source>
-        <translation>In &amp;Parametrierung lassen</translation>
-    </message>
-    <message>
-        <source>&amp;Go on with the handshake</source>
-        <translation>Handshake &amp;fortsetzen</translation>
-    </message>
-    <message>
-        <source>&amp;Leave it with what it has</source>
-        <translation>Lassen, wie er &amp;ist</translation>
-    </message>
-    <message>
-        <source>What it has taken is valid already.</source>
-        <translation>Was er übernommen hat, gilt schon.</translation>
     </message>
 </context>
 <context>
@@ -1039,6 +930,26 @@
     <message>
         <source>It has confirmed the values from before and runs with them; it cannot be read.</source>
         <translation>Er hat die Werte von vorher bestätigt und läuft damit; lesen lässt er sich nicht.</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <comment>mode</comment>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <comment>mode</comment>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>cam</source>
+        <comment>mode</comment>
+        <translation>Nocken</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <comment>mode</comment>
+        <translation>Position</translation>
     </message>
 </context>
 <context>
@@ -1912,6 +1823,68 @@
     <message>
         <source>The link to the ring is back. The bus is in Watch.</source>
         <translation>Die Verbindung zum Ring ist wieder da. Der Bus steht auf Beobachten.</translation>
+    </message>
+</context>
+<context>
+    <name>OutcomeText</name>
+    <message>
+        <source>%1 written, active and read back.</source>
+        <comment>names of parameters</comment>
+        <translation>%1 geschrieben, aktiv und zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>%1 written, echoed and active.</source>
+        <comment>names of parameters</comment>
+        <translation>%1 geschrieben, quittiert und aktiv.</translation>
+    </message>
+    <message>
+        <source>Program %1 was written and read back.</source>
+        <translation>Programm %1 wurde geschrieben und zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>Programs %1 were written and read back.</source>
+        <translation>Die Programme %1 wurden geschrieben und zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>Program %1 was read.</source>
+        <translation>Programm %1 wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>Programs %1 were read.</source>
+        <translation>Die Programme %1 wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>%1: %2, set by the encoder itself with the steps.</source>
+        <comment>name of a parameter, value</comment>
+        <translation>%1: %2, vom Geber selbst mit den Schritten gesetzt.</translation>
+    </message>
+    <message>
+        <source>EEPROM writes: %1.</source>
+        <translation>EEPROM-Schreibvorgänge: %1.</translation>
+    </message>
+    <message>
+        <source>Position: %1.</source>
+        <translation>Position: %1.</translation>
+    </message>
+    <message>
+        <source>Mode: %1.</source>
+        <translation>Betriebsart: %1.</translation>
+    </message>
+    <message>
+        <source>There already: %1.</source>
+        <translation>Schon da: %1.</translation>
+    </message>
+    <message>
+        <source>Values read: %1.</source>
+        <translation>Ausgelesene Werte: %1.</translation>
+    </message>
+    <message>
+        <source>Send run</source>
+        <translation>Run senden</translation>
+    </message>
+    <message>
+        <source>End the service</source>
+        <translation>Dienst beenden</translation>
     </message>
 </context>
 <context>
@@ -3640,10 +3613,6 @@
         <translation>Aus dem Geber gelesen</translation>
     </message>
     <message>
-        <source>Send run</source>
-        <translation>Run senden</translation>
-    </message>
-    <message>
         <source>The encoder has the same program %1.</source>
         <translation>Der Geber hat dasselbe Programm %1.</translation>
     </message>
@@ -3825,6 +3794,22 @@
         <comment>a sentence</comment>
         <translation>Nicht aktuell: %1</translation>
     </message>
+    <message>
+        <source>The encoder has all of it already. Nothing was written.</source>
+        <translation>Der Geber hat das alles schon. Es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>cam %1</source>
+        <translation>Nocken %1</translation>
+    </message>
+    <message>
+        <source>the shift (the encoder has %1)</source>
+        <translation>Verschiebung (im Geber %1)</translation>
+    </message>
+    <message>
+        <source>Program %1 differs in: %2.</source>
+        <translation>Programm %1 weicht ab in: %2.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CamFileReader</name>
@@ -3964,26 +3949,6 @@
 <context>
     <name>codewheel::CamReview</name>
     <message>
-        <source>Write &amp;all, also what is there</source>
-        <translation>A&amp;lles schreiben, auch Vorhandenes</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>Abbre&amp;chen</translation>
-    </message>
-    <message>
-        <source>What will be written</source>
-        <translation>Was geschrieben wird</translation>
-    </message>
-    <message>
-        <source>Writes every cam of the program once more</source>
-        <translation>Schreibt jeden Nocken des Programms noch einmal</translation>
-    </message>
-    <message>
-        <source>Back to the editor; nothing is sent (Esc)</source>
-        <translation>Zurück zum Bearbeiten; gesendet wird nichts (Esc)</translation>
-    </message>
-    <message>
         <source>A&amp;fterwards the encoder is in</source>
         <translation>&amp;Danach ist der Geber im</translation>
     </message>
@@ -4024,24 +3989,12 @@
         <translation>Diese %1 &amp;Worte schreiben</translation>
     </message>
     <message>
-        <source>Write these words</source>
-        <translation>Diese Worte schreiben</translation>
-    </message>
-    <message>
         <source>The encoder is known to have all of it. There is nothing to write.</source>
         <translation>Der Geber hat bekanntermaßen alles davon. Es gibt nichts zu schreiben.</translation>
     </message>
     <message>
         <source>The encoder is read first; what it already has is not written again.</source>
         <translation>Der Geber wird erst ausgelesen; was er schon hat, wird nicht noch einmal geschrieben.</translation>
-    </message>
-    <message>
-        <source>A program that is changed is stored in EEPROM when it is left: one write. EEPROM writes so far by this program: %1.</source>
-        <translation>Ein geändertes Programm wird beim Verlassen im EEPROM gespeichert: ein Schreibvorgang. EEPROM-Schreibvorgänge von hier aus bisher: %1.</translation>
-    </message>
-    <message>
-        <source>The manual states about %1 writes for the encoder&apos;s life.</source>
-        <translation>Das Handbuch nennt etwa %1 Schreibvorgänge für die Lebensdauer des Gebers.</translation>
     </message>
     <message>
         <source>Sends these words in this order, and reads before and after</source>
@@ -4055,9 +4008,10 @@
         <source>Sent although it is there: %1. Outside cam mode the word behind it would mean something else.</source>
         <translation>Wird gesendet, obwohl es schon gilt: %1. Außerhalb des Nockenbetriebs hätte das Wort danach eine andere Bedeutung.</translation>
     </message>
-</context>
-<context>
-    <name>codewheel::CamReviewModel</name>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
     <message>
         <source>Program</source>
         <translation>Programm</translation>
@@ -4073,6 +4027,14 @@
     <message>
         <source>Encoder has</source>
         <translation>Geber hat</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>A program that is changed is stored in EEPROM when it is left: one write.</source>
+        <translation>Ein Programm, das geändert wurde, wird im EEPROM gespeichert, wenn es verlassen wird: ein Schreibvorgang.</translation>
     </message>
 </context>
 <context>
@@ -4239,6 +4201,85 @@
     <message>
         <source>cams</source>
         <translation>Nocken</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CancelQuestion</name>
+    <message>
+        <source>words of a cam program</source>
+        <translation>Wörter eines Nockenprogramms</translation>
+    </message>
+    <message>
+        <source>a value it has not confirmed yet</source>
+        <translation>einen Wert, den er noch nicht quittiert hat</translation>
+    </message>
+    <message>
+        <source>How shall the encoder %1 be left?</source>
+        <translation>Wie soll der Geber %1 zurückbleiben?</translation>
+    </message>
+    <message>
+        <source>It has already taken: %1.</source>
+        <translation>Übernommen hat er schon: %1.</translation>
+    </message>
+    <message>
+        <source>Restore writes the values from before again and runs with them.</source>
+        <translation>Herstellen schreibt die vorigen Werte neu, dann Run.</translation>
+    </message>
+    <message>
+        <source>The values from before are not all known, so they cannot be restored.</source>
+        <translation>Die Werte von vorher sind nicht alle bekannt und deshalb nicht wiederherstellbar.</translation>
+    </message>
+    <message>
+        <source>What it has taken is valid already.</source>
+        <translation>Was er übernommen hat, gilt schon.</translation>
+    </message>
+    <message>
+        <source>Run makes what it has taken valid.</source>
+        <translation>Run macht gültig, was er übernommen hat.</translation>
+    </message>
+    <message>
+        <source>Left in parameterization, it gives no position until somebody sends run.</source>
+        <translation>In der Parametrierung liefert er keine Position, bis jemand Run sendet.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore values from before</source>
+        <translation>&amp;Vorige Werte herstellen</translation>
+    </message>
+    <message>
+        <source>R&amp;un with what it has</source>
+        <translation>R&amp;un mit dem, was er hat</translation>
+    </message>
+    <message>
+        <source>&amp;Go on with the handshake</source>
+        <translation>Handshake &amp;fortsetzen</translation>
+    </message>
+    <message>
+        <source>Sends run: what the encoder has taken becomes valid</source>
+        <translation>Sendet Run: Was der Geber übernommen hat, wird gültig</translation>
+    </message>
+    <message>
+        <source>OUT goes back to 0, and the encoder keeps the state it is in</source>
+        <translation>OUT geht zurück auf 0, und der Geber bleibt in seinem Zustand</translation>
+    </message>
+    <message>
+        <source>The job goes on</source>
+        <translation>Der Auftrag geht weiter</translation>
+    </message>
+    <message>
+        <source>Writes the values from before again</source>
+        <translation>Schreibt die Werte von vorher wieder</translation>
+    </message>
+    <message>
+        <source>&amp;Leave it with what it has</source>
+        <translation>Lassen, wie er &amp;ist</translation>
+    </message>
+    <message>
+        <source>&amp;Leave in parameterization</source>
+        <translation>In &amp;Parametrierung lassen</translation>
+    </message>
+    <message>
+        <source>Cancel the handshake</source>
+        <translation>Handshake abbrechen</translation>
     </message>
 </context>
 <context>
@@ -7156,26 +7197,6 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
         <translation>Auch alle Nockenprogramme gehen verloren; danach ist der Geber im Positionsbetrieb.</translation>
     </message>
     <message>
-        <source>not known</source>
-        <comment>mode</comment>
-        <translation>unbekannt</translation>
-    </message>
-    <message>
-        <source>velocity</source>
-        <comment>mode</comment>
-        <translation>Drehzahl</translation>
-    </message>
-    <message>
-        <source>cam</source>
-        <comment>mode</comment>
-        <translation>Nocken</translation>
-    </message>
-    <message>
-        <source>position</source>
-        <comment>mode</comment>
-        <translation>Position</translation>
-    </message>
-    <message>
         <source>In which mode is the encoder %1?</source>
         <translation>In welcher Betriebsart ist der Geber %1?</translation>
     </message>
@@ -7803,6 +7824,41 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::JobReview</name>
+    <message>
+        <source>EEPROM writes by this program so far: %1; by this at most %2.</source>
+        <translation>EEPROM-Schreibvorgänge durch dieses Programm bisher: %1; hierdurch höchstens %2.</translation>
+    </message>
+    <message>
+        <source>The manual states about %1 writes for the encoder&apos;s life.</source>
+        <translation>Das Handbuch nennt etwa %1 Schreibvorgänge für die Lebensdauer des Gebers.</translation>
+    </message>
+    <message>
+        <source>Write &amp;all, also what is there</source>
+        <translation>A&amp;lles schreiben, auch Vorhandenes</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>What will be written</source>
+        <translation>Was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Writes everything that is wanted once more. That costs EEPROM writes.</source>
+        <translation>Schreibt alles Gewünschte noch einmal. Das kostet EEPROM-Schreibvorgänge.</translation>
+    </message>
+    <message>
+        <source>Write what is shown</source>
+        <translation>Schreiben, was hier steht</translation>
+    </message>
+    <message>
+        <source>Back; nothing is sent (Esc)</source>
+        <translation>Zurück; es wird nichts gesendet (Esc)</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::JobStrip</name>
     <message>
         <source>&amp;Cancel</source>
@@ -7811,30 +7867,6 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     <message>
         <source>Ends the job; asks how to leave the encoder</source>
         <translation>Beendet den Auftrag; fragt, wie der Geber zurückbleiben soll</translation>
-    </message>
-    <message>
-        <source>&amp;Restore previous</source>
-        <translation>&amp;Vorige Werte</translation>
-    </message>
-    <message>
-        <source>R&amp;un as it is</source>
-        <translation>R&amp;un wie er ist</translation>
-    </message>
-    <message>
-        <source>Sends run: what the encoder has taken becomes valid</source>
-        <translation>Sendet Run: Was der Geber übernommen hat, wird gültig</translation>
-    </message>
-    <message>
-        <source>&amp;Leave it so</source>
-        <translation>So &amp;lassen</translation>
-    </message>
-    <message>
-        <source>&amp;Go on</source>
-        <translation>&amp;Fortsetzen</translation>
-    </message>
-    <message>
-        <source>The job goes on</source>
-        <translation>Der Auftrag geht weiter</translation>
     </message>
     <message>
         <source>Progress of the job</source>
@@ -7847,30 +7879,6 @@ codewheel-cli BEFEHL --help erklärt einen Befehl.</translation>
     <message>
         <source>Step %1 of %2: %3</source>
         <translation>Schritt %1 von %2: %3</translation>
-    </message>
-    <message>
-        <source>The encoder has taken: %1. How is it to be left?</source>
-        <translation>Der Geber hat übernommen: %1. Wie soll er zurückbleiben?</translation>
-    </message>
-    <message>
-        <source>The values from before are not all known, so they cannot be restored</source>
-        <translation>Die Werte von vorher sind nicht alle bekannt und deshalb nicht wiederherstellbar</translation>
-    </message>
-    <message>
-        <source>The encoder has taken words of a cam program. How is it to be left?</source>
-        <translation>Der Geber hat Worte eines Nockenprogramms übernommen. Wie soll er verlassen werden?</translation>
-    </message>
-    <message>
-        <source>Writes the values from before again</source>
-        <translation>Schreibt die Werte von vorher wieder</translation>
-    </message>
-    <message>
-        <source>OUT goes back to 0, and the encoder keeps the state it is in</source>
-        <translation>OUT geht zurück auf 0, und der Geber bleibt in seinem Zustand</translation>
-    </message>
-    <message>
-        <source>The encoder has taken, or is taking, what was sent. How is it to be left?</source>
-        <translation>Der Geber hat übernommen, was gesendet wurde, oder übernimmt es gerade. Wie soll er hinterlassen werden?</translation>
     </message>
 </context>
 <context>
@@ -10345,42 +10353,8 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
         <translation>Kein Wert ist gewünscht. Erst in der Spalte &quot;Gewünscht&quot; eingeben.</translation>
     </message>
     <message>
-        <source>Send run</source>
-        <translation>Run senden</translation>
-    </message>
-    <message>
-        <source>%1 written, active and read back.</source>
-        <comment>names of parameters</comment>
-        <translation>%1 geschrieben, aktiv und zurückgelesen.</translation>
-    </message>
-    <message>
-        <source>%1 written, echoed and active.</source>
-        <comment>names of parameters</comment>
-        <translation>%1 geschrieben, quittiert und aktiv.</translation>
-    </message>
-    <message>
-        <source>EEPROM writes: %1.</source>
-        <translation>EEPROM-Schreibvorgänge: %1.</translation>
-    </message>
-    <message>
-        <source>There already: %1.</source>
-        <translation>Schon da: %1.</translation>
-    </message>
-    <message>
-        <source>Values read: %1.</source>
-        <translation>Ausgelesene Werte: %1.</translation>
-    </message>
-    <message>
         <source>Take over, clear or tell values; modes, preset and reset</source>
         <translation>Werte übernehmen, löschen oder angeben; Betriebsarten, Preset und Zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Position: %1.</source>
-        <translation>Position: %1.</translation>
-    </message>
-    <message>
-        <source>Mode: %1.</source>
-        <translation>Betriebsart: %1.</translation>
     </message>
     <message>
         <source>%1 has no parameters here</source>
@@ -10428,10 +10402,6 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
         <translation>&amp;Setzen</translation>
     </message>
     <message>
-        <source>End the service</source>
-        <translation>Dienst beenden</translation>
-    </message>
-    <message>
         <source>Not connected: nothing can be read or written. What is wanted is kept in the project.</source>
         <translation>Nicht verbunden: Nichts lässt sich lesen oder schreiben. Was gewünscht ist, bleibt im Projekt.</translation>
     </message>
@@ -10450,11 +10420,6 @@ Mitgeteilt wird er von einem verbundenen Geber.</translation>
     <message>
         <source>Known values wanted for %1</source>
         <translation>Bekannte Werte für %1 gewünscht</translation>
-    </message>
-    <message>
-        <source>%1: %2, set by the encoder itself with the steps.</source>
-        <comment>name of a parameter, value</comment>
-        <translation>%1: %2, vom Geber selbst mit den Schritten gesetzt.</translation>
     </message>
 </context>
 <context>
@@ -11283,30 +11248,6 @@ Worte: IN %5, OUT %6</translation>
         <translation>Bericht</translation>
     </message>
     <message>
-        <source>S&amp;ave the report...</source>
-        <translation>Bericht &amp;sichern...</translation>
-    </message>
-    <message>
-        <source>As plain text, or as HTML if the name ends in .html.</source>
-        <translation>Als reinen Text, oder als HTML, wenn der Name auf .html endet.</translation>
-    </message>
-    <message>
-        <source>Save the report</source>
-        <translation>Bericht sichern</translation>
-    </message>
-    <message>
-        <source>Text (*.txt);;Web page (*.html)</source>
-        <translation>Text (*.txt);;Webseite (*.html)</translation>
-    </message>
-    <message>
-        <source>The report was saved as %1.</source>
-        <translation>Der Bericht wurde als %1 gesichert.</translation>
-    </message>
-    <message>
-        <source>The report was not saved as %1: %2. Choose another place.</source>
-        <translation>Der Bericht wurde nicht als %1 gesichert: %2. Einen anderen Ort wählen.</translation>
-    </message>
-    <message>
         <source>&amp;Close</source>
         <translation>S&amp;chließen</translation>
     </message>
@@ -11842,18 +11783,6 @@ Worte: IN %5, OUT %6</translation>
         <translation>Die Position ist nicht setzbar: Die Betriebsart des Gebers ist unbekannt, und im Nockenbetrieb setzt dasselbe Wort einen Nocken. Auf der Seite &quot;Was bekannt ist&quot; den Positionsbetrieb angeben, oder die Position nicht setzen.</translation>
     </message>
     <message>
-        <source>EEPROM writes by this program so far: %1. This handshake: %2%3.</source>
-        <translation>EEPROM-Schreibvorgänge durch dieses Programm bisher: %1. Dieser Handshake: %2%3.</translation>
-    </message>
-    <message>
-        <source>at most </source>
-        <translation>höchstens </translation>
-    </message>
-    <message>
-        <source>The manual states about %1 in all.</source>
-        <translation>Das Handbuch nennt insgesamt etwa %1.</translation>
-    </message>
-    <message>
         <source>Afterwards each written value is read back.</source>
         <translation>Danach wird jeder geschriebene Wert zurückgelesen.</translation>
     </message>
@@ -11888,6 +11817,22 @@ Worte: IN %5, OUT %6</translation>
     <message>
         <source>The encoder gives no valid position now. If that stays so, the values are written, and the position is not set.</source>
         <translation>Der Geber gibt jetzt keine gültige Position aus. Bleibt das so, werden die Werte geschrieben, und die Position wird nicht gesetzt.</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Old</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>What happens</source>
+        <translation>Was geschieht</translation>
     </message>
 </context>
 <context>
@@ -14058,25 +14003,6 @@ Zustand: %7</translation>
     </message>
 </context>
 <context>
-    <name>codewheel::ValueChangeTable</name>
-    <message>
-        <source>Parameter</source>
-        <translation>Parameter</translation>
-    </message>
-    <message>
-        <source>Old</source>
-        <translation>Alt</translation>
-    </message>
-    <message>
-        <source>New</source>
-        <translation>Neu</translation>
-    </message>
-    <message>
-        <source>What happens</source>
-        <translation>Was geschieht</translation>
-    </message>
-</context>
-<context>
     <name>codewheel::ValuesPage</name>
     <message>
         <source>Values</source>
@@ -14763,28 +14689,8 @@ Zustand: %7</translation>
 <context>
     <name>codewheel::WriteReview</name>
     <message>
-        <source>Write &amp;all, also what is there</source>
-        <translation>A&amp;lles schreiben, auch Vorhandenes</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>Abbre&amp;chen</translation>
-    </message>
-    <message>
-        <source>What will be written</source>
-        <translation>Was geschrieben wird</translation>
-    </message>
-    <message>
-        <source>Writes every wanted value once more. Each costs an EEPROM write.</source>
-        <translation>Schreibt jeden gewünschten Wert noch einmal. Jeder kostet einen EEPROM-Schreibvorgang.</translation>
-    </message>
-    <message>
         <source>Sends these words, then run (80000000)</source>
         <translation>Sendet diese Worte, dann Run (80000000)</translation>
-    </message>
-    <message>
-        <source>Back to the table; nothing is sent (Esc)</source>
-        <translation>Zurück zur Tabelle; nichts wird gesendet (Esc)</translation>
     </message>
     <message>
         <source>&amp;Write this value</source>
@@ -14815,18 +14721,6 @@ Zustand: %7</translation>
         <translation>Der Preset wirkt erst, wenn er initialisiert wird (40000000).</translation>
     </message>
     <message>
-        <source>EEPROM writes: %1 so far by this program, up to %2 with this.</source>
-        <translation>EEPROM-Schreibvorgänge: bisher %1 durch dieses Programm, damit bis zu %2.</translation>
-    </message>
-    <message>
-        <source>The manual states about %1 writes for the encoder&apos;s life.</source>
-        <translation>Das Handbuch nennt etwa %1 Schreibvorgänge für die Lebensdauer des Gebers.</translation>
-    </message>
-    <message>
-        <source>Write these values</source>
-        <translation>Diese Werte schreiben</translation>
-    </message>
-    <message>
         <source>Sends these words, each with its handshake on the service bit</source>
         <translation>Sendet diese Worte, jedes mit seinem Handshake am Dienst-Bit</translation>
     </message>
@@ -14834,9 +14728,18 @@ Zustand: %7</translation>
         <source>Sends these requests, and reads back each value</source>
         <translation>Sendet diese Anfragen und liest jeden Wert zurück</translation>
     </message>
-</context>
-<context>
-    <name>codewheel::WriteReviewModel</name>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>The word that will stand in OUT</source>
+        <translation>Das Wort, das in OUT stehen wird</translation>
+    </message>
+    <message>
+        <source>What will be sent, between ESC and CR LF</source>
+        <translation>Was gesendet wird, zwischen ESC und CR LF</translation>
+    </message>
     <message>
         <source>Parameter</source>
         <translation>Parameter</translation>
@@ -14850,24 +14753,12 @@ Zustand: %7</translation>
         <translation>Neu</translation>
     </message>
     <message>
-        <source>Word</source>
-        <translation>Wort</translation>
-    </message>
-    <message>
-        <source>The word that will stand in OUT</source>
-        <translation>Das Wort, das in OUT stehen wird</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
-    </message>
-    <message>
         <source>Request</source>
         <translation>Anfrage</translation>
     </message>
     <message>
-        <source>What will be sent, between ESC and CR LF</source>
-        <translation>Was gesendet wird, zwischen ESC und CR LF</translation>
+        <source>Word</source>
+        <translation>Wort</translation>
     </message>
 </context>
 </TS>

@@ -3,6 +3,7 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QLabel>
 #include <QMessageBox>
 #include <QTest>
 #include <QTimer>
@@ -51,6 +52,9 @@ Question::Question(std::function<void(QWidget &)> answer)
         state->asked = true;
         if (const auto *box = qobject_cast<QMessageBox *>(dialog))
             state->text = box->text() + u'\n' + box->informativeText();
+        else
+            for (const auto *label : dialog->findChildren<QLabel *>())
+                state->text += label->text() + u'\n';
         answer(*dialog);
     });
     state->timer.start(1);

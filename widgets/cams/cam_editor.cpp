@@ -6,14 +6,13 @@
 #include "encoder/refusal_text.h"
 #include "widgets/cams/cam_board.h"
 #include "widgets/cams/cam_mode_bar.h"
-#include "widgets/cams/cam_outcome_text.h"
 #include "widgets/cams/cam_range.h"
 #include "widgets/cams/cam_range_bar.h"
 #include "widgets/cams/cam_review.h"
 #include "widgets/cams/cam_texts.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/job/job_strip.h"
-#include "widgets/job/known_text.h"
+#include "widgets/job/outcome_text.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/models/age_text.h"
@@ -309,37 +308,33 @@ void CamEditor::finished(Place number, CamJobs::Purpose purpose, const Outcome &
         document.setPrograms(outcome.camsRead, tr("Read from the encoder"));
     if (!session() || session()->place() != number)
         return; // the messages tell it
-    const bool isStuck =
-        outcome.leftIn == EncoderState::parameterization || outcome.leftIn == EncoderState::error;
-    const QString help = isStuck ? tr("Send run") : QString();
-    if (!outcome.result) {
-        const bool isFault = outcome.result.error().kind == RefusalKind::device;
-        say(Cause::outcome, isFault ? Role::fault : Role::attention,
-            QStringLiteral("%1 %2").arg(refusalText(outcome.result.error()), endText(outcome)), help);
-        return;
-    }
-    switch (purpose) {
-    case CamJobs::Purpose::read:
-        say(Cause::outcome, Role::running, cam_outcome::readText(outcome));
-        break;
-    case CamJobs::Purpose::write:
-        say(Cause::outcome, Role::running, cam_outcome::writtenText(outcome));
-        break;
-    case CamJobs::Purpose::compare:
-        for (const CamProgram &there : outcome.camsRead) {
-            const QString difference = cam_outcome::difference(document.program(there.number), there);
-            if (difference.isEmpty())
-                say(Cause::outcome, Role::running,
-                    tr("The encoder has the same program %1.").arg(there.number));
-            else
-                say(Cause::outcome, Role::attention,
-                    difference + QLatin1Char(' ') +
-                        tr("The lines in the ruler show what the encoder has. Nothing was changed."));
-        }
-        break;
-    default:
-        break;
-    }
+    const JobEnd end = endOf(*session(), outcome);
+    if (!outcome.result)
+        say(Cause::outcome, end.role, end.text, end.wayBack);
+    else if (purpose == CamJobs::Purpose::compare)
+        for (const CamProgram &there : outcome.camsRead)
+            sayWhatDiffers(document.program(there.number), there);
+    else if (purpose == CamJobs::Purpose::write && outcome.camsWritten.empty())
+        say(Cause::outcome, Role::running,
+            tr("The encoder has all of it already. Nothing was written.") + u' ' + end.text);
+    else if (purpose == CamJobs::Purpose::read || purpose == CamJobs::Purpose::write)
+        say(Cause::outcome, end.role, end.text);
+}
+
+void CamEditor::sayWhatDiffers(const CamProgram &wanted, const CamProgram &there)
+{
+    QStringList parts;
+    for (std::size_t cam = 0; cam < CamProgram::cams; ++cam)
+        if (wanted.cam.at(cam) != there.cam.at(cam))
+            parts << tr("cam %1").arg(cam);
+    if (wanted.shift != there.shift)
+        parts << tr("the shift (the encoder has %1)").arg(there.shift);
+    if (parts.isEmpty())
+        say(Cause::outcome, Role::running, tr("The encoder has the same program %1.").arg(there.number));
+    else
+        say(Cause::outcome, Role::attention,
+            tr("Program %1 differs in: %2.").arg(wanted.number).arg(parts.join(QStringLiteral(", "))) + u' ' +
+                tr("The lines in the ruler show what the encoder has. Nothing was changed."));
 }
 
 void CamEditor::say(Cause cause, Role role, const QString &sentence, const QString &action)

@@ -106,6 +106,7 @@ private:
     void start(CamJobs::Purpose purpose, const Job &job);
     void finished(Place number, CamJobs::Purpose purpose, const Outcome &outcome);
 
+    void sayWhatDiffers(const CamProgram &wanted, const CamProgram &there);
     void say(Cause cause, Role role, const QString &sentence, const QString &action = {});
     void withdraw(Cause cause); // its message, if that is the one which is shown
     EncoderSession *session() const { return m_encoder.session(); } // null: not connected

@@ -5,7 +5,7 @@
 #include "widgets/cams/cam_board.h"
 #include "widgets/cams/cam_editor.h"
 #include "widgets/cams/cam_file_io.h"
-#include "widgets/cams/cam_outcome_text.h"
+#include "widgets/job/outcome_text.h"
 #include "widgets/look/save_file.h"
 
 #include <QFileDialog>
@@ -66,8 +66,7 @@ bool CamEditor::load(const QString &path)
     if (file->programs.size() == 1)
         chooseProgram(file->programs.front().number);
     say(Cause::file, Role::running,
-        tr("Taken from %1: program %2.")
-            .arg(QFileInfo(path).fileName(), cam_outcome::programList(file->programs)));
+        tr("Taken from %1: program %2.").arg(QFileInfo(path).fileName(), programList(file->programs)));
     return true;
 }
 

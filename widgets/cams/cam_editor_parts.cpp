@@ -177,7 +177,7 @@ void CamEditor::connectParts()
     });
     connect(m_message, &InlineMessage::actionTriggered, this, &CamEditor::bringBack);
     connect(m_review, &CamReview::cancelled, this, [this] { m_pages->setCurrentWidget(m_scroll); });
-    connect(m_review, &CamReview::confirmed, this, [this](const WriteCams &job) {
+    connect(m_review, &CamReview::confirmed, this, [this](const Job &job) {
         m_pages->setCurrentWidget(m_scroll);
         start(CamJobs::Purpose::write, job);
     });

@@ -4,6 +4,7 @@
 #include "catalog/device_description.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/functions/function_questions.h"
+#include "widgets/job/known_text.h"
 #include "widgets/look/icons.h"
 
 #include <QWidget>

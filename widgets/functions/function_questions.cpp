@@ -56,21 +56,6 @@ QString whatIsLost(const EncoderSession &encoder)
 
 } // namespace
 
-QString modeName(std::optional<Mode> mode)
-{
-    if (!mode)
-        return Functions::tr("not known", "mode");
-    switch (*mode) {
-    case Mode::velocity:
-        return Functions::tr("velocity", "mode");
-    case Mode::cam:
-        return Functions::tr("cam", "mode");
-    case Mode::position:
-        break;
-    }
-    return Functions::tr("position", "mode");
-}
-
 ModeAnswer askForMode(QWidget *window, const EncoderSession &encoder, Word out)
 {
     QMessageBox box(QMessageBox::Question, QGuiApplication::applicationDisplayName(),

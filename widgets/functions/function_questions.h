@@ -7,9 +7,6 @@ class QWidget;
 
 namespace codewheel {
 
-// "position", "velocity", "cam", "not known".
-QString modeName(std::optional<Mode> mode);
-
 enum class ModeAnswer { isInPositionMode, switchFirst, cancel };
 
 // The mode is not known, and `out` would set a cam in cam mode.

@@ -1,36 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/job/cancel_question.h"
 
-#include "encoder/encoder_session.h"
 #include "journal/eeprom_cost.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/job/known_text.h"
 #include "widgets/models/device_traits.h"
 
-#include <QCoreApplication>
-#include <QMessageBox>
+#include <QDialog>
+#include <QLabel>
 #include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {
 
-// The context of these texts.
-struct CancelQuestion
+QString takenText(const EncoderSession &encoder, const CancelSituation &situation)
 {
-    Q_DECLARE_TR_FUNCTIONS(CancelQuestion)
-};
-
-QString takenText(const EncoderSession &encoder, const ParameterValues &taken)
-{
-    return taken.empty() ? CancelQuestion::tr("a value it has not confirmed yet")
-                         : valueList(encoder.device(), taken);
+    if (situation.tookCams)
+        return CancelQuestion::tr("words of a cam program");
+    return situation.taken.empty() ? CancelQuestion::tr("a value it has not confirmed yet")
+                                   : valueList(encoder.device(), situation.taken);
 }
 
 QString explanation(const EncoderSession &encoder, const CancelSituation &situation)
 {
-    QStringList lines;
-    if (!situation.isActive || !situation.taken.empty())
-        lines += CancelQuestion::tr("It has already taken: %1.").arg(takenText(encoder, situation.taken));
+    QStringList lines{CancelQuestion::tr("How shall the encoder %1 be left?").arg(encoder.place().shown())};
+    if (!situation.isActive || situation.tookCams || !situation.taken.empty())
+        lines += CancelQuestion::tr("It has already taken: %1.").arg(takenText(encoder, situation));
     if (situation.canRestore)
         lines += CancelQuestion::tr("Restore writes the values from before again and runs with them.");
     else
@@ -57,6 +55,13 @@ bool isTakingValue(const Progress &progress)
            (step.kind == StepKind::word && k3::isParameterWord(step.out));
 }
 
+bool tookCams(const Progress &progress)
+{
+    const auto done = std::min(std::ssize(progress.steps), std::ptrdiff_t{progress.index});
+    return std::any_of(progress.steps.begin(), progress.steps.begin() + done,
+                       [](const Step &step) { return step.kind == StepKind::camParameter; });
+}
+
 } // namespace
 
 CancelSituation situationOf(const EncoderSession &encoder, const Progress &progress)
@@ -64,48 +69,80 @@ CancelSituation situationOf(const EncoderSession &encoder, const Progress &progr
     const bool isActive = progress.confirmed.empty() && !isTakingValue(progress) &&
                           encoder.latest().state == EncoderState::operation;
     return {.taken = progress.confirmed,
+            .tookCams = tookCams(progress),
             .isActive = !activatesByRun(encoder.device()) || isActive,
             .canRestore = progress.canRestore,
             .writesToRestore = mostWritesToRestore(progress),
             .positionNote = {}};
 }
 
+CancelQuestion::CancelQuestion(QWidget *parent)
+    : QWidget(parent)
+    , m_text(new QLabel(this))
+    , m_restore(new QPushButton(tr("&Restore values from before"), this))
+    , m_run(new QPushButton(tr("R&un with what it has"), this))
+    , m_leave(new QPushButton(tr("&Leave in parameterization"), this))
+    , m_goOn(new QPushButton(tr("&Go on with the handshake"), this))
+{
+    m_text->setWordWrap(true);
+    m_restore->setToolTip(tr("Writes the values from before again"));
+    m_run->setToolTip(tr("Sends run: what the encoder has taken becomes valid"));
+    m_leave->setToolTip(tr("OUT goes back to 0, and the encoder keeps the state it is in"));
+    m_goOn->setToolTip(tr("The job goes on"));
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    for (QWidget *part : QList<QWidget *>{m_text, m_restore, m_run, m_leave, m_goOn})
+        layout->addWidget(part);
+    connect(m_restore, &QPushButton::clicked, this, [this] { answer(OnCancel::restorePrevious); });
+    connect(m_run, &QPushButton::clicked, this, [this] { answer(OnCancel::runWithWhatItHas); });
+    connect(m_leave, &QPushButton::clicked, this, [this] { answer(OnCancel::leaveAsIs); });
+    connect(m_goOn, &QPushButton::clicked, this, &CancelQuestion::goesOn);
+}
+
+void CancelQuestion::ask(EncoderSession &encoder, const CancelSituation &situation)
+{
+    m_encoder = &encoder;
+    m_situation = situation;
+    m_text->setText(explanation(encoder, situation));
+    m_restore->setEnabled(situation.canRestore);
+    m_run->setVisible(!situation.isActive);
+    m_leave->setText(situation.isActive ? tr("&Leave it with what it has")
+                                        : tr("&Leave in parameterization"));
+    if (!isHidden())
+        return;
+    show();
+    (situation.canRestore ? m_restore : m_goOn)->setFocus();
+}
+
+void CancelQuestion::answer(OnCancel how)
+{
+    const bool restores = how == OnCancel::restorePrevious;
+    if (restores && m_encoder && !askForEeprom(window(), *m_encoder, m_situation.writesToRestore))
+        Q_EMIT goesOn();
+    else
+        Q_EMIT answered(how);
+}
+
 std::optional<OnCancel> askHowToCancel(QWidget *parent, EncoderSession &encoder,
                                        const CancelSituation &situation)
 {
-    QMessageBox box(parent);
-    box.setObjectName(QStringLiteral("cancelQuestion"));
-    box.setIcon(QMessageBox::Question);
-    box.setWindowTitle(CancelQuestion::tr("Cancel the handshake"));
-    box.setText(CancelQuestion::tr("How shall the encoder %1 be left?").arg(encoder.place().shown()));
-    box.setInformativeText(explanation(encoder, situation));
-    QPushButton *restore =
-        box.addButton(CancelQuestion::tr("&Restore values from before"), QMessageBox::AcceptRole);
-    const QPushButton *run = situation.isActive ? nullptr
-                                                : box.addButton(CancelQuestion::tr("R&un with what it has"),
-                                                                QMessageBox::AcceptRole);
-    const QPushButton *leave =
-        box.addButton(situation.isActive ? CancelQuestion::tr("&Leave it with what it has")
-                                         : CancelQuestion::tr("&Leave in parameterization"),
-                      QMessageBox::AcceptRole);
-    QPushButton *goOn =
-        box.addButton(CancelQuestion::tr("&Go on with the handshake"), QMessageBox::RejectRole);
-    restore->setEnabled(situation.canRestore);
-    box.setDefaultButton(situation.canRestore ? restore : goOn);
-    box.setEscapeButton(goOn);
-    QObject::connect(&encoder, &EncoderSession::finished, &box, &QDialog::reject);
-    QObject::connect(&encoder, &QObject::destroyed, &box, &QDialog::reject);
-
-    box.exec();
-    if (box.clickedButton() == restore)
-        return askForEeprom(parent, encoder, situation.writesToRestore)
-                   ? std::optional(OnCancel::restorePrevious)
-                   : std::nullopt;
-    if (run != nullptr && box.clickedButton() == run)
-        return OnCancel::runWithWhatItHas;
-    if (box.clickedButton() == leave)
-        return OnCancel::leaveAsIs;
-    return std::nullopt;
+    QDialog dialog(parent);
+    dialog.setObjectName(QStringLiteral("cancelQuestion"));
+    dialog.setWindowTitle(CancelQuestion::tr("Cancel the handshake"));
+    auto *question = new CancelQuestion(&dialog);
+    auto *layout = new QVBoxLayout(&dialog);
+    layout->addWidget(question);
+    std::optional<OnCancel> answer;
+    QObject::connect(question, &CancelQuestion::answered, &dialog, [&](OnCancel how) {
+        answer = how;
+        dialog.accept();
+    });
+    QObject::connect(question, &CancelQuestion::goesOn, &dialog, &QDialog::reject);
+    QObject::connect(&encoder, &EncoderSession::finished, &dialog, &QDialog::reject);
+    QObject::connect(&encoder, &QObject::destroyed, &dialog, &QDialog::reject);
+    question->ask(encoder, situation);
+    dialog.exec();
+    return answer;
 }
 
 } // namespace codewheel

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/event.h"
+#include "encoder/encoder_session.h"
 
-#include <QString>
+#include <QPointer>
+#include <QWidget>
 
-#include <optional>
-
-class QWidget;
+class QLabel;
+class QPushButton;
 
 namespace codewheel {
-
-class EncoderSession;
 
 // What the encoder has taken when a job is to be cancelled.
 struct CancelSituation
 {
     ParameterValues taken;   // by the encoder so far
+    bool tookCams = false;   // which are acknowledged one by one, too
     bool isActive = false;   // what it has taken is valid already: run was sent, and nothing since
     bool canRestore = false; // the values from before are known
     int writesToRestore = 0; // to the EEPROM, at most
@@ -27,10 +26,36 @@ struct CancelSituation
 CancelSituation situationOf(const EncoderSession &encoder, const Progress &progress);
 
 // Cancel of a job after the encoder has taken something: restore the values from before, run with what it
-// has, or leave it in parameterization. Before it has taken anything (Progress::hasTaken) there is nothing to
-// ask: OnCancel::ifNothingTaken. Restoring writes to the EEPROM: where that has to be agreed to, it is
-// asked for as well. Nothing: go on with the handshake. Also closes, with nothing, when the job ends
-// meanwhile. Used by the wizard and by transfers.
+// has, leave it as it is, or go on. Before it has taken anything (Progress::hasTaken) there is nothing to
+// ask: OnCancel::ifNothingTaken. Restoring writes to the EEPROM: where that has to be agreed to, it is asked
+// for as well. Stands in the strip of a job, and in a dialog.
+class CancelQuestion : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit CancelQuestion(QWidget *parent = nullptr);
+
+    void ask(EncoderSession &encoder, const CancelSituation &situation);
+
+Q_SIGNALS:
+    void answered(codewheel::OnCancel how);
+    void goesOn();
+
+private:
+    void answer(OnCancel how);
+
+    QPointer<EncoderSession> m_encoder;
+    CancelSituation m_situation;
+    QLabel *m_text;
+    QPushButton *m_restore;
+    QPushButton *m_run;
+    QPushButton *m_leave;
+    QPushButton *m_goOn;
+};
+
+// In a dialog. Nothing: go on with the handshake; also where the job ended meanwhile. Used by the wizard and
+// by transfers.
 std::optional<OnCancel> askHowToCancel(QWidget *parent, EncoderSession &encoder,
                                        const CancelSituation &situation);
 

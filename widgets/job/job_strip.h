@@ -12,6 +12,8 @@ class QPushButton;
 
 namespace codewheel {
 
+class CancelQuestion;
+
 // Where a job of the encoder stands, with Cancel. Once the encoder has taken something, Cancel asks how to
 // leave it; the job goes on meanwhile.
 class JobStrip : public QWidget
@@ -27,9 +29,9 @@ public:
 private:
     void showProgress(const Progress &progress);
     void cancel();
-    void showChoices(bool visible);
+    void ask();
+    void goOn();
     void leave(OnCancel how);
-    QString question() const;
 
     QPointer<EncoderSession> m_encoder;
     Progress m_progress;
@@ -37,12 +39,7 @@ private:
     QLabel *m_step;
     QProgressBar *m_bar;
     QPushButton *m_cancel;
-    QWidget *m_choices;
-    QLabel *m_question;
-    QPushButton *m_restore;
-    QPushButton *m_run;
-    QPushButton *m_leave;
-    QPushButton *m_goOn;
+    CancelQuestion *m_question;
 };
 
 } // namespace codewheel

@@ -87,6 +87,21 @@ QString restoredText(const std::optional<Evidence> &restored)
                      "It has confirmed the values from before and runs with them; it cannot be read.");
 }
 
+QString modeName(std::optional<Mode> mode)
+{
+    if (!mode)
+        return KnownText::tr("not known", "mode");
+    switch (*mode) {
+    case Mode::velocity:
+        return KnownText::tr("velocity", "mode");
+    case Mode::cam:
+        return KnownText::tr("cam", "mode");
+    case Mode::position:
+        break;
+    }
+    return KnownText::tr("position", "mode");
+}
+
 QString leftInText(EncoderState state)
 {
     switch (state) {

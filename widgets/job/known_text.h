@@ -22,6 +22,9 @@ QString knownText(const DeviceDescription &device, const std::optional<Known> &k
 // That the values from before are in the encoder again, and how that is known; empty where they are not.
 QString restoredText(const std::optional<Evidence> &restored);
 
+// "position", "velocity", "cam", "not known".
+QString modeName(std::optional<Mode> mode);
+
 // The state an encoder was left in, as a sentence.
 QString leftInText(EncoderState state);
 // Both: what the encoder has again, and where it was left.

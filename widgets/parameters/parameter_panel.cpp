@@ -6,16 +6,13 @@
 #include "encoder/refusal_text.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/functions/encoder_functions.h"
-#include "widgets/functions/function_questions.h"
 #include "widgets/job/job_strip.h"
-#include "widgets/job/known_text.h"
+#include "widgets/job/outcome_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
-#include "widgets/models/device_traits.h"
-#include "widgets/parameters/outcome_text.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/parameter_table.h"
 #include "widgets/parameters/position_to_set.h"
@@ -141,7 +138,7 @@ void ParameterPanel::connectParts()
         m_pages->setCurrentWidget(m_tablePage);
         m_write->setFocus();
     });
-    connect(m_review, &WriteReview::confirmed, this, [this](const WriteParameters &job) {
+    connect(m_review, &WriteReview::confirmed, this, [this](const Job &job) {
         m_pages->setCurrentWidget(m_tablePage);
         start(job);
     });
@@ -406,22 +403,13 @@ void ParameterPanel::showRunningJob()
 void ParameterPanel::finished(const Outcome &outcome)
 {
     showRunningJob();
-    const WayBack way = wayBack(m_encoder.device(), outcome.leftIn);
-    const bool isStuck = way != WayBack::none;
-    const QString help = way == WayBack::run          ? tr("Send run")
-                         : way == WayBack::endService ? tr("End the service")
-                                                      : QString();
     const bool resetWaits =
         m_functions->isReset(outcome.job) && outcome.leftIn == EncoderState::parameterization;
-    if (resetWaits) // without the help: run would carry it out
+    const JobEnd end = endOf(*session(), outcome);
+    if (resetWaits) // without the way back: run would carry it out
         showMessage(Cause::outcome, Role::attention, messageText({.id = MessageId::resetWaitsForRun}));
-    else if (outcome.result)
-        showMessage(Cause::outcome, isStuck ? Role::attention : Role::running,
-                    outcomeText(*session(), outcome), help);
     else
-        showMessage(Cause::outcome,
-                    outcome.result.error().kind == RefusalKind::device ? Role::fault : Role::attention,
-                    QStringLiteral("%1 %2").arg(refusalText(outcome.result.error()), endText(outcome)), help);
+        showMessage(Cause::outcome, end.role, end.text, end.wayBack);
 }
 
 void ParameterPanel::showWrongInput(const QString &wrong)

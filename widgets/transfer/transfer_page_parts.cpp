@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the transfer page is made of, and how its parts are connected.
 #include "bus/buses.h"
+#include "widgets/job/account_view.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
-#include "widgets/transfer/account_view.h"
 #include "widgets/transfer/eeprom_gates.h"
 #include "widgets/transfer/transfer_page.h"
 #include "widgets/transfer/transfer_progress.h"

@@ -4,12 +4,10 @@
 #include "widgets/wizard/wizard_page.h"
 
 class QLabel;
-class QPlainTextEdit;
-class QPushButton;
 
 namespace codewheel {
 
-class InlineMessage;
+class AccountView;
 
 // The report, to be read, copied and saved as text or HTML.
 class ReportPage final : public WizardPage
@@ -22,16 +20,9 @@ public:
     void enter() override;
     QString nextText() const override { return tr("&Close"); }
 
-    // HTML where the name ends so, else text. False: it could not be written, and the page says why.
-    bool saveTo(const QString &path);
-
 private:
-    void saveAs();
-
     QLabel *m_leftIn;
-    QPlainTextEdit *m_text;
-    QPushButton *m_save;
-    InlineMessage *m_message;
+    AccountView *m_report;
 };
 
 } // namespace codewheel

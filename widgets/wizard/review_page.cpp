@@ -8,6 +8,7 @@
 #include "line/line_encoder_session.h"
 #include "ring/bus_session.h"
 #include "widgets/eeprom/eeprom_gate.h"
+#include "widgets/job/job_review.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
@@ -25,6 +26,8 @@
 
 namespace codewheel {
 namespace {
+
+enum ChangeColumn { nameColumn, oldColumn, newColumn, actionColumn };
 
 // A value takes two sevenths of the table, and more only where a word of it needs it; what is longer stands
 // on several lines.
@@ -61,14 +64,16 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     , m_byItself(new QRadioButton(tr("&Running by itself"), this))
     , m_problem(new InlineMessage(this))
 {
+    using Kind = ReviewColumn::Kind;
+    m_changes.setColumns(
+        {{tr("Parameter")}, {tr("Old"), Kind::value}, {tr("New"), Kind::value}, {tr("What happens")}});
     setUpQuietTable(*m_changesView, m_changes, tr("Old and new values"));
     // What happens, and a value, may take several lines; a name that is cut could be any parameter's.
     m_changesView->setWordWrap(true);
-    m_changesView->horizontalHeader()->setSectionResizeMode(ValueChangeTable::name,
-                                                            QHeaderView::ResizeToContents);
-    m_changesView->horizontalHeader()->setSectionResizeMode(ValueChangeTable::action, QHeaderView::Stretch);
+    m_changesView->horizontalHeader()->setSectionResizeMode(nameColumn, QHeaderView::ResizeToContents);
+    m_changesView->horizontalHeader()->setSectionResizeMode(actionColumn, QHeaderView::Stretch);
     auto *values = new ValueDelegate(m_changesView);
-    for (const int column : {ValueChangeTable::before, ValueChangeTable::wanted})
+    for (const int column : {oldColumn, newColumn})
         m_changesView->setItemDelegateForColumn(column, values);
     setUpQuietTable(*m_stepsView, m_steps, tr("Words that will be sent"));
     m_changesView->setObjectName(QStringLiteral("changes"));
@@ -119,32 +124,34 @@ void ReviewPage::plan()
 {
     const EncoderSession &encoder = *m_setup.encoder;
     const WriteParameters job = jobForWish(encoder, m_setup.wish);
-    std::vector<ValueChangeRow> rows;
+    std::vector<ReviewRow> rows;
     for (const ParameterValue &value : m_setup.wish.wanted) {
         const bool isSent = valueOf(job.values, value.parameter).has_value();
-        rows.push_back({value.parameter, knownText(encoder.device(), encoder.known(value.parameter)),
-                        valueWithUnit(encoder.device(), value),
-                        !isSent               ? tr("there already, not written")
-                        : job.onlyWhatDiffers ? tr("read, written if it differs")
-                                              : tr("written")});
+        rows.push_back(
+            {{parameterName(value.parameter), knownText(encoder.device(), encoder.known(value.parameter)),
+              valueWithUnit(encoder.device(), value),
+              !isSent               ? tr("there already, not written")
+              : job.onlyWhatDiffers ? tr("read, written if it differs")
+                                    : tr("written")}});
     }
     if (const auto position = m_setup.wish.setPositionTo) {
         const auto now = encoder.latest().position;
-        rows.push_back({Parameter::preset, now ? numberText(*now) : QString(), numberText(*position),
-                        tr("the position is set to it")});
+        rows.push_back({{parameterName(Parameter::preset), now ? numberText(*now) : QString(),
+                         numberText(*position), tr("the position is set to it")}});
     }
-    m_changes.setRows(std::move(rows));
+    m_changes.show(std::move(rows));
 
     const auto steps = encoder.planned(jobsForWish(encoder, m_setup.wish));
     m_mayGoOn = steps.has_value();
     if (steps) {
         m_steps.showSteps(encoder.device(), *steps);
-        m_writes->setText(writesText(*steps));
-        m_gate->setWrites(*m_setup.encoder, eepromWritesOf(*steps, m_setup.encoder->device()));
+        const int writes = eepromWritesOf(*steps, encoder.device());
+        m_writes->setText(eepromCostText(encoder, writes));
+        m_gate->setWrites(*m_setup.encoder, writes);
         m_problem->withdraw();
     } else {
         m_steps.begin();
-        m_writes->setText(writesText({}));
+        m_writes->setText(eepromCostText(encoder, 0));
         const bool nothingDiffers = steps.error().id == RefusalId::nothingToDo;
         m_problem->showMessage(
             Role::attention,
@@ -180,19 +187,6 @@ void ReviewPage::plan()
 bool ReviewPage::mayGoOn() const
 {
     return m_mayGoOn && m_gate->isOpen();
-}
-
-QString ReviewPage::writesText(const std::vector<Step> &steps) const
-{
-    const int more = eepromWritesOf(steps, m_setup.encoder->device());
-    const bool mayBeLess = jobForWish(*m_setup.encoder, m_setup.wish).onlyWhatDiffers;
-    QString text = tr("EEPROM writes by this program so far: %1. This handshake: %2%3.")
-                       .arg(m_setup.encoder->eepromCount().writes)
-                       .arg(mayBeLess ? tr("at most ") : QString())
-                       .arg(more);
-    if (const auto budget = m_setup.encoder->can().eepromBudget)
-        text += QLatin1Char(' ') + tr("The manual states about %1 in all.").arg(*budget);
-    return text;
 }
 
 QString ReviewPage::verificationNote() const

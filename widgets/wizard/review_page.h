@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/job/review_table.h"
 #include "widgets/job/step_table.h"
-#include "widgets/wizard/value_change_table.h"
 #include "widgets/wizard/wizard_page.h"
 
 class QCheckBox;
@@ -30,10 +30,9 @@ public:
 
 private:
     void plan();
-    QString writesText(const std::vector<Step> &steps) const;
     QString verificationNote() const;
 
-    ValueChangeTable m_changes;
+    ReviewTable m_changes;
     StepTable m_steps{StepTable::Stage::planned};
     QTableView *m_changesView;
     QLabel *m_words; // what the steps are

@@ -4,7 +4,6 @@
 #include "catalog/explain_word.h"
 #include "encoder/hex.h"
 #include "encoder/refusal_text.h"
-#include "encoder/shown_text.h"
 #include "widgets/job/known_text.h"
 #include "widgets/job/step_text.h"
 #include "widgets/models/device_traits.h"
@@ -23,20 +22,7 @@ struct WizardReport
     Q_DECLARE_TR_FUNCTIONS(WizardReport)
 };
 
-struct Table
-{
-    QString title;
-    QStringList header;
-    QList<QStringList> rows;
-};
-
-// The report before it is text or HTML: lines "name: what", then tables.
-struct Report
-{
-    QString title;
-    QList<QPair<QString, QString>> facts;
-    QList<Table> tables;
-};
+using Column = ReportTable::Column;
 
 std::optional<Known> knownIn(const std::vector<Known> &all, Parameter parameter)
 {
@@ -63,22 +49,22 @@ EncoderState leftIn(const HandshakeRecord &record)
     return record.outcome ? record.outcome->leftIn : EncoderState::notSeen;
 }
 
-Table valueTable(const HandshakeRecord &record, const DeviceDescription &device)
+ReportSection valueSection(const HandshakeRecord &record, const DeviceDescription &device)
 {
-    Table table{WizardReport::tr("Values"),
-                {WizardReport::tr("Parameter"), WizardReport::tr("Before"), WizardReport::tr("Wanted"),
-                 WizardReport::tr("After")},
-                {}};
+    ReportTable table{{WizardReport::tr("Parameter"), WizardReport::tr("Before"), WizardReport::tr("Wanted"),
+                       WizardReport::tr("After")},
+                      std::vector<Column>(4),
+                      {}};
     for (const ParameterDescription &parameter : device.parameters) {
         if (!parameter.canBeWritten())
             continue;
         const auto wanted = valueOf(record.job.values, parameter.parameter);
-        table.rows.append({parameterName(parameter.parameter),
-                           knownText(device, knownIn(record.before, parameter.parameter)),
-                           wanted ? valueWithUnit(device, {parameter.parameter, *wanted}) : QString(),
-                           knownText(device, knownIn(record.after, parameter.parameter))});
+        table.rows.push_back({{parameterName(parameter.parameter),
+                               knownText(device, knownIn(record.before, parameter.parameter)),
+                               wanted ? valueWithUnit(device, {parameter.parameter, *wanted}) : QString(),
+                               knownText(device, knownIn(record.after, parameter.parameter))}});
     }
-    return table;
+    return {.heading = WizardReport::tr("Values"), .blocks = {table}};
 }
 
 QString meaningOf(const DeviceDescription &device, const Exchange &row, bool isOut)
@@ -91,31 +77,37 @@ QString meaningOf(const DeviceDescription &device, const Exchange &row, bool isO
                                                 .counterpart = isOut ? row.in : row.out}));
 }
 
-Table traceTable(const HandshakeRecord &record, const DeviceDescription &device)
+ReportSection wordSection(const HandshakeRecord &record, const DeviceDescription &device)
 {
-    Table table{WizardReport::tr("Words"),
-                {WizardReport::tr("Cycle"), WizardReport::tr("OUT"), WizardReport::tr("IN"),
-                 WizardReport::tr("OUT means"), WizardReport::tr("IN means")},
-                {}};
+    ReportTable table{{WizardReport::tr("Cycle"), WizardReport::tr("OUT"), WizardReport::tr("IN"),
+                       WizardReport::tr("OUT means"), WizardReport::tr("IN means")},
+                      {Column::number, Column::code, Column::code, Column::text, Column::text},
+                      {}};
     for (const Exchange &row : record.rows)
-        table.rows.append({QString::number(row.cycle), hexWord(row.out), hexWord(row.in),
-                           meaningOf(device, row, true), meaningOf(device, row, false)});
-    return table;
+        table.rows.push_back({{QString::number(row.cycle), hexWord(row.out), hexWord(row.in),
+                               meaningOf(device, row, true), meaningOf(device, row, false)}});
+    return {.heading = WizardReport::tr("Words"), .blocks = {table}};
 }
 
-Table requestTable(const HandshakeRecord &record, const DeviceDescription &device)
+ReportSection requestSection(const HandshakeRecord &record, const DeviceDescription &device)
 {
-    Table table{WizardReport::tr("Requests"), {WizardReport::tr("Request"), WizardReport::tr("Means")}, {}};
+    ReportTable table{
+        {WizardReport::tr("Request"), WizardReport::tr("Means")}, {Column::code, Column::text}, {}};
     for (const Step &step : record.progress.steps)
-        table.rows.append({QString::fromLatin1(step.line), stepText(device, step)});
-    return table;
+        table.rows.push_back({{QString::fromLatin1(step.line), stepText(device, step)}});
+    return {.heading = WizardReport::tr("Requests"), .blocks = {table}};
 }
+
+} // namespace
 
 Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, const QString &version)
 {
     const QLocale locale;
-    Report report{WizardReport::tr("Parameterization of encoder %1").arg(record.place), {}, {}};
-    auto fact = [&](const QString &name, const QString &what) { report.facts.append({name, what}); };
+    Report report;
+    report.language =
+        QCoreApplication::translate("DeviceDescription", "en", "code of the language of these texts");
+    report.title = WizardReport::tr("Parameterization of encoder %1").arg(record.place);
+    auto fact = [&](const QString &name, const QString &what) { report.facts.push_back({name, what}); };
     fact(WizardReport::tr("Device"), QStringLiteral("%1 (%2)").arg(record.place, record.device));
     if (record.serialNumber)
         fact(WizardReport::tr("Serial number"), QString::number(*record.serialNumber));
@@ -142,40 +134,10 @@ Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, 
              .arg(writes)
              .arg(record.eepromWritesInAll));
     fact(WizardReport::tr("Program"), QStringLiteral("Codewheel %1").arg(version));
-    report.tables = {valueTable(record, device),
-                     isOnLine(device) ? requestTable(record, device) : traceTable(record, device)};
+    report.sections = {valueSection(record, device),
+                       isOnLine(device) ? requestSection(record, device) : wordSection(record, device)};
     return report;
 }
-
-QString padded(const Table &table)
-{
-    QList<QStringList> all{table.header};
-    all += table.rows;
-    for (QStringList &row : all)
-        std::ranges::transform(row, row.begin(), shownInLine);
-    QList<qsizetype> widths(table.header.size(), 0);
-    for (const QStringList &row : all)
-        for (qsizetype i = 0; i < row.size(); ++i)
-            widths[i] = std::max(widths[i], row[i].size());
-    QString text;
-    for (const QStringList &row : all) {
-        QString line;
-        for (qsizetype i = 0; i < row.size(); ++i)
-            line += row[i].leftJustified(widths[i] + 2);
-        text += line.trimmed() + QLatin1Char('\n');
-    }
-    return text;
-}
-
-QString htmlRow(const QStringList &cells, const QString &tag)
-{
-    QString row = QStringLiteral("<tr>");
-    for (const QString &cell : cells)
-        row += QStringLiteral("<%1>%2</%1>").arg(tag, cell.toHtmlEscaped());
-    return row + QStringLiteral("</tr>\n");
-}
-
-} // namespace
 
 QString verificationText(const HandshakeRecord &record, const DeviceDescription &device)
 {
@@ -185,43 +147,6 @@ QString verificationText(const HandshakeRecord &record, const DeviceDescription 
         return WizardReport::tr("read back from the encoder, and equal");
     return WizardReport::tr(
         "confirmed in the handshake, and run was answered by operation; this encoder cannot be read");
-}
-
-QString reportAsText(const HandshakeRecord &record, const DeviceDescription &device, const QString &version)
-{
-    const Report report = reportOf(record, device, version);
-    QString text = report.title + QLatin1Char('\n') + QString(report.title.size(), QLatin1Char('=')) +
-                   QStringLiteral("\n\n");
-    qsizetype width = 0;
-    for (const auto &[name, what] : report.facts)
-        width = std::max(width, name.size());
-    for (const auto &[name, what] : report.facts)
-        text += (name + QLatin1Char(':')).leftJustified(width + 3) + shownInLine(what) + QLatin1Char('\n');
-    for (const Table &table : report.tables)
-        text += QStringLiteral("\n%1\n%2\n%3")
-                    .arg(table.title, QString(table.title.size(), QLatin1Char('-')), padded(table));
-    return text;
-}
-
-QString reportAsHtml(const HandshakeRecord &record, const DeviceDescription &device, const QString &version)
-{
-    const Report report = reportOf(record, device, version);
-    QString html = QStringLiteral("<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"><title>%1</title>\n"
-                                  "<style>body { font-family: sans-serif } td, th { text-align: left; "
-                                  "padding-right: 1.5em; vertical-align: top }</style></head>\n"
-                                  "<body><h1>%1</h1>\n<table>\n")
-                       .arg(report.title.toHtmlEscaped());
-    for (const auto &[name, what] : report.facts)
-        html += htmlRow({name, what}, QStringLiteral("td"));
-    html += QStringLiteral("</table>\n");
-    for (const Table &table : report.tables) {
-        html += QStringLiteral("<h2>%1</h2>\n<table>\n").arg(table.title.toHtmlEscaped());
-        html += htmlRow(table.header, QStringLiteral("th"));
-        for (const QStringList &row : table.rows)
-            html += htmlRow(row, QStringLiteral("td"));
-        html += QStringLiteral("</table>\n");
-    }
-    return html + QStringLiteral("</body></html>\n");
 }
 
 } // namespace codewheel

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "catalog/device_description.h"
+#include "report/report.h"
 #include "widgets/wizard/handshake_record.h"
 
 namespace codewheel {
 
 // The report of a handshake, in the user's language: device, date, old and new values with their evidence,
 // the words with the answers of the encoder, EEPROM writes, position before and after, program version.
-QString reportAsText(const HandshakeRecord &record, const DeviceDescription &device, const QString &version);
-QString reportAsHtml(const HandshakeRecord &record, const DeviceDescription &device, const QString &version);
+Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, const QString &version);
 
 // How the new values were made sure of: read back, or echoed and run.
 QString verificationText(const HandshakeRecord &record, const DeviceDescription &device);

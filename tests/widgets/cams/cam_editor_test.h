@@ -88,10 +88,10 @@ protected:
     }
 
     CamReview &review() { return *editor.findChild<CamReview *>(); }
-    QStringList reviewed(CamReviewModel::Column column)
+    QStringList reviewed(CamReview::Column column)
     {
         QStringList texts;
-        const auto &model = *review().findChild<CamReviewModel *>();
+        const auto &model = *review().findChild<ReviewTable *>();
         for (int row = 0; row < model.rowCount(); ++row)
             texts << model.index(row, column).data().toString();
         return texts;

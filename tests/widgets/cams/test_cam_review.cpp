@@ -26,8 +26,8 @@ using testing::StartsWith;
 class CamReviewWords : public test::CamEditorTest
 {
 protected:
-    QStringList words() { return reviewed(CamReviewModel::wordColumn); }
-    std::string joined(CamReviewModel::Column column) { return reviewed(column).join(u'|').toStdString(); }
+    QStringList words() { return reviewed(CamReview::wordColumn); }
+    std::string joined(CamReview::Column column) { return reviewed(column).join(u'|').toStdString(); }
     std::string wordsShown() { return words().join(u' ').toStdString(); }
     void readPrograms(const char *tool)
     {
@@ -110,13 +110,13 @@ TEST_F(CamReviewWords, TellProgramMeaningAndWhatTheEncoderHas)
     readPrograms("Read");
     setCam(0, {0, 0, true});
     trigger("Write...");
-    QAbstractItemModelTester tester(review().findChild<CamReviewModel *>(),
+    QAbstractItemModelTester tester(review().findChild<ReviewTable *>(),
                                     QAbstractItemModelTester::FailureReportingMode::Warning);
-    EXPECT_EQ(joined(CamReviewModel::meaningColumn),
+    EXPECT_EQ(joined(CamReview::meaningColumn),
               "Cam mode, program 1|Position beside the cams shifted by 0|Active cams: 0|"
               "Run: the values become valid|Back to normal running|Position mode|Back to normal running");
-    EXPECT_EQ(joined(CamReviewModel::programColumn), "1|1|1|1|1||");
-    EXPECT_EQ(joined(CamReviewModel::oldColumn), "|0|none||||");
+    EXPECT_EQ(joined(CamReview::programColumn), "1|1|1|1|1||");
+    EXPECT_EQ(joined(CamReview::oldColumn), "|0|none||||");
 }
 
 TEST_F(CamReviewWords, OfAllThatIsThereBeginWithTheShiftToo)
@@ -153,7 +153,7 @@ TEST_F(CamReviewWords, BeginWhereTheEncoderIs)
     EXPECT_EQ(wordsShown(), "00000000 60000007 80000000 00000000 "
                             "20800001 46000005 66000009 80000000 00000000 "
                             "20800002 00000000");
-    EXPECT_EQ(joined(CamReviewModel::programColumn), "2|2|2|2|1|1|1|1|1|2|2");
+    EXPECT_EQ(joined(CamReview::programColumn), "2|2|2|2|1|1|1|1|1|2|2");
     expectWhatIsShownIsSent();
 }
 
@@ -183,7 +183,7 @@ TEST_F(CamReviewWords, OfAProgramNobodyKnowsAreAllOfIt)
     setCam(manualCam, manualValue);
     trigger("Write...");
     EXPECT_EQ(words().size(), 1 + 18 + 4);
-    EXPECT_EQ(reviewed(CamReviewModel::oldColumn).count(QStringLiteral("unknown")), 18);
+    EXPECT_EQ(reviewed(CamReview::oldColumn).count(QStringLiteral("unknown")), 18);
     EXPECT_THAT(notes(), HasSubstr("is not written again"));
 }
 

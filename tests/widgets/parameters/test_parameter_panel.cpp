@@ -324,12 +324,12 @@ TEST_F(Parameters, ShowsOldNewAndTheExactWordBeforeItWrites)
     EXPECT_EQ(panel.findChild<RoleLabel *>()->word(), QStringLiteral("1 value differs"));
 
     click(QStringLiteral("Write..."));
-    auto *review = panel.findChild<WriteReviewModel *>();
+    auto *review = panel.findChild<ReviewTable *>();
     const test::ModelTester reviewTester(*review);
     ASSERT_EQ(review->rowCount(), 1);
-    EXPECT_EQ(review->index(0, WriteReviewModel::oldValue).data().toString(), QStringLiteral("8192"));
-    EXPECT_EQ(review->index(0, WriteReviewModel::newValue).data().toString(), QStringLiteral("255"));
-    EXPECT_EQ(review->index(0, WriteReviewModel::word).data().toString(), QStringLiteral("020000FF"));
+    EXPECT_EQ(review->index(0, 1).data().toString(), QStringLiteral("8192"));
+    EXPECT_EQ(review->index(0, 2).data().toString(), QStringLiteral("255"));
+    EXPECT_EQ(review->index(0, 3).data().toString(), QStringLiteral("020000FF"));
     EXPECT_TRUE(devicesWithOut(bus).empty());
 
     click(QStringLiteral("Write this value"));
@@ -388,12 +388,12 @@ TEST_F(Parameters, CancelAsksHowToLeaveAnEncoderThatHasTakenSomething)
     ASSERT_EQ(confirmed, (ParameterValues{{Parameter::steps, 255}}));
     click(QStringLiteral("Cancel"));
     ASSERT_TRUE(bus.encoder(fraba)->runningJob());
-    QAbstractButton *restore = button(QStringLiteral("Restore previous"));
+    QAbstractButton *restore = button(QStringLiteral("Restore values from before"));
     ASSERT_NE(restore, nullptr);
     settle();
     EXPECT_GE(restore->height(), restore->sizeHint().height()); // not squeezed by the table
     EXPECT_TRUE(restore->isEnabled());
-    click(QStringLiteral("Leave it so"));
+    click(QStringLiteral("Leave in parameterization"));
     finishJob();
     EXPECT_EQ(bus.encoder(fraba)->latest().state, EncoderState::parameterization);
     EXPECT_EQ(message(),
@@ -420,9 +420,9 @@ TEST_F(Parameters, WhatCannotBeRestoredIsNotOffered)
         bus.advance(1);
     ASSERT_TRUE(hasTaken);
     click(QStringLiteral("Cancel"));
-    ASSERT_NE(button(QStringLiteral("Restore previous")), nullptr);
-    EXPECT_FALSE(button(QStringLiteral("Restore previous"))->isEnabled());
-    click(QStringLiteral("Go on"));
+    ASSERT_NE(button(QStringLiteral("Restore values from before")), nullptr);
+    EXPECT_FALSE(button(QStringLiteral("Restore values from before"))->isEnabled());
+    click(QStringLiteral("Go on with the handshake"));
     training.controls->setSlow(baumer.node, false);
     finishJob(baumer);
     EXPECT_TRUE(message().startsWith(QStringLiteral("Steps, Revolutions written, echoed and active.")))
@@ -446,7 +446,7 @@ TEST_F(Parameters, TheReviewFollowsWhatComesToBeKnown)
     panel.setEncoder(bus.encoder(baumer));
     want(Parameter::steps, QStringLiteral("255"));
     click(QStringLiteral("Write..."));
-    const auto *review = panel.findChild<WriteReviewModel *>();
+    const auto *review = panel.findChild<ReviewTable *>();
     ASSERT_EQ(review->rowCount(), 1);
     bus.encoder(baumer)->tell(Parameter::steps, 255);
     EXPECT_EQ(review->rowCount(), 0);

@@ -5,8 +5,8 @@
 #include "tests/support/old_file.h"
 #include "tests/support/places.h"
 #include "tests/widgets/transfer/transfer_test.h"
+#include "widgets/job/account_view.h"
 #include "widgets/look/inline_message.h"
-#include "widgets/transfer/account_view.h"
 #include "widgets/transfer/transfer_page.h"
 
 #include <QAbstractItemModel>

@@ -189,7 +189,7 @@ TEST_F(WizardHandshake, AnErrorStopsItAndRestoreBringsTheEncoderBack)
     EXPECT_EQ(readBack(Parameter::steps), stepsBefore);
     EXPECT_EQ(sentence("handshakeProblem"), QString());
     next();
-    const QString report = find<QPlainTextEdit>("report")->toPlainText();
+    const QString report = find<QPlainTextEdit>("account")->toPlainText();
     EXPECT_TRUE(report.contains(QStringLiteral("Error 1")));
     EXPECT_TRUE(report.contains(QStringLiteral("Brought back")));
 }

@@ -58,7 +58,7 @@ TEST_F(WizardMainJob, ByMouse)
     stepByHand();
     expectDone();
     next();
-    EXPECT_TRUE(find<QPlainTextEdit>("report")->toPlainText().contains(QStringLiteral("020000FF")));
+    EXPECT_TRUE(find<QPlainTextEdit>("account")->toPlainText().contains(QStringLiteral("020000FF")));
 }
 
 TEST_F(WizardMainJob, UnreadValuesAreReadFirstAndWhatIsThereIsNotWritten)

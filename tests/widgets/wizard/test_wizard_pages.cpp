@@ -3,7 +3,7 @@
 #include "tests/support/old_file.h"
 #include "tests/support/places.h"
 #include "tests/widgets/wizard/wizard_test.h"
-#include "widgets/wizard/report_page.h"
+#include "widgets/job/account_view.h"
 
 #include <QComboBox>
 #include <QTemporaryDir>
@@ -337,7 +337,7 @@ TEST_F(WizardPages, TheReportIsSavedAsTextAndAsHtml)
     stepByHand();
     next();
     const QTemporaryDir folder;
-    auto *page = wizard.findChild<ReportPage *>();
+    auto *page = wizard.findChild<AccountView *>();
     const QString path = folder.filePath(QStringLiteral("report"));
     ASSERT_TRUE(page->saveTo(path + QStringLiteral(".txt")));
     ASSERT_TRUE(page->saveTo(path + QStringLiteral(".html")));

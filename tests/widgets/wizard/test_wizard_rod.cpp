@@ -166,8 +166,8 @@ TEST_F(WizardRod, ByHandItGoesServiceByServiceToTheEnd)
     for (int row = 0; row < steps; ++row)
         EXPECT_EQ(table->model()->index(row, 3).data(), QStringLiteral("done")) << row;
     next();
-    EXPECT_TRUE(find<QPlainTextEdit>("report")->toPlainText().contains(QStringLiteral("Position set to:")));
-    EXPECT_TRUE(find<QPlainTextEdit>("report")->toPlainText().contains(QStringLiteral("C60003E8")));
+    EXPECT_TRUE(find<QPlainTextEdit>("account")->toPlainText().contains(QStringLiteral("Position set to:")));
+    EXPECT_TRUE(find<QPlainTextEdit>("account")->toPlainText().contains(QStringLiteral("C60003E8")));
 }
 
 TEST_F(WizardRod, RunningByItselfItDoesTheSame)

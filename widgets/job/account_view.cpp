@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/transfer/account_view.h"
+#include "widgets/job/account_view.h"
 
 #include "project/file_access.h"
 #include "report/html_report.h"

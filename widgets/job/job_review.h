@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/encoder_session.h"
+#include "widgets/job/review_table.h"
+
+#include <QPointer>
+#include <QWidget>
+
+class QBoxLayout;
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QTableView;
+
+namespace codewheel {
+
+class EepromGate;
+class InlineMessage;
+
+// "EEPROM writes by this program so far: 12; by this at most 2. The manual states about 200 ..."
+QString eepromCostText(const EncoderSession &encoder, int atMost);
+
+// Shown before anything is written: what will change, what goes out for it, what it costs. What it shows
+// follows what comes to be known of the encoder. The parameter panel and the cam editor derive theirs.
+class JobReview : public QWidget
+{
+    Q_OBJECT
+
+Q_SIGNALS:
+    void confirmed(const codewheel::Job &job);
+    void cancelled();
+
+protected:
+    struct Contents
+    {
+        Job job;
+        std::vector<ReviewRow> rows{};    // none: there is nothing to write
+        std::optional<Refusal> problem{}; // why not
+        QStringList notes{};
+        QString write{}; // on the button
+    };
+
+    // id: of the button that writes; tip: what it does.
+    JobReview(const char *id, QWidget *parent);
+
+    void begin(EncoderSession &encoder, std::vector<ReviewColumn> columns, const QString &tip,
+               TextSize size = TextSize::normal);
+    virtual Contents contents(const EncoderSession &encoder, bool writesAll) const = 0;
+    void showContents();
+
+    void addTitle(QWidget *title);
+    void addOption(QWidget *option);
+    QTableView &table() { return *m_table; }
+
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    void allow();
+
+    QPointer<EncoderSession> m_encoder;
+    Job m_job;
+    ReviewTable *m_model;
+    QTableView *m_table;
+    InlineMessage *m_problem;
+    QLabel *m_notes;
+    EepromGate *m_gate;
+    QBoxLayout *m_options;
+    QCheckBox *m_writeAll;
+    QPushButton *m_write;
+    QPushButton *m_cancel;
+};
+
+} // namespace codewheel

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/job/outcome_text.h"
+
+#include "catalog/device_description.h"
+#include "encoder/refusal_text.h"
+#include "encoder/sentence.h"
+#include "widgets/job/known_text.h"
+#include "widgets/models/device_traits.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+// The context of these texts.
+struct OutcomeText
+{
+    Q_DECLARE_TR_FUNCTIONS(OutcomeText)
+};
+
+QString writtenText(const EncoderSession &encoder, const ParameterValues &written)
+{
+    const auto isReadBack = [&](const ParameterValue &value) {
+        const auto known = encoder.known(value.parameter);
+        return known && known->evidence == Evidence::read;
+    };
+    const QString verified = std::ranges::all_of(written, isReadBack)
+                                 ? OutcomeText::tr("%1 written, active and read back.", "names of parameters")
+                                 : OutcomeText::tr("%1 written, echoed and active.", "names of parameters");
+    QStringList names;
+    for (const ParameterValue &value : written)
+        names << parameterName(value.parameter);
+    return verified.arg(names.join(QStringLiteral(", ")));
+}
+
+QString camsText(const Outcome &outcome)
+{
+    const bool isWritten = !outcome.camsWritten.empty();
+    const auto &programs = isWritten ? outcome.camsWritten : outcome.camsRead;
+    const bool isOne = programs.size() == 1;
+    const QString pattern = isWritten ? isOne ? OutcomeText::tr("Program %1 was written and read back.")
+                                              : OutcomeText::tr("Programs %1 were written and read back.")
+                            : isOne ? OutcomeText::tr("Program %1 was read.")
+                                      : OutcomeText::tr("Programs %1 were read.");
+    return programs.empty() ? QString() : pattern.arg(programList(programs));
+}
+
+QString successText(const EncoderSession &encoder, const Outcome &outcome)
+{
+    QStringList sentences;
+    if (const QString cams = camsText(outcome); !cams.isEmpty())
+        sentences << cams;
+    if (!outcome.written.empty())
+        sentences << writtenText(encoder, outcome.written);
+    for (const ParameterValue &along : outcome.setAlong)
+        sentences << OutcomeText::tr("%1: %2, set by the encoder itself with the steps.",
+                                     "name of a parameter, value")
+                         .arg(parameterName(along.parameter), numberText(along.value));
+    if (!outcome.written.empty() || outcome.eepromWrites > 0)
+        sentences << OutcomeText::tr("EEPROM writes: %1.").arg(outcome.eepromWrites);
+    if (outcome.positionAfter)
+        sentences << OutcomeText::tr("Position: %1.").arg(numberText(*outcome.positionAfter));
+    if (encoder.device().mayHaveModes() && encoder.latest().mode != Mode::position)
+        sentences << OutcomeText::tr("Mode: %1.").arg(modeName(encoder.latest().mode));
+    if (!outcome.alreadyThere.empty())
+        sentences << OutcomeText::tr("There already: %1.").arg(outcome.alreadyThere.size());
+    else if (outcome.written.empty() && !outcome.read.empty())
+        sentences << OutcomeText::tr("Values read: %1.").arg(outcome.read.size());
+    sentences << leftInText(outcome.leftIn);
+    if (outcome.onlyZeroSinceRun)
+        sentences << messageText({.id = MessageId::onlyZeroSinceRun});
+    return sentences.join(u' ');
+}
+
+QString wayBackText(WayBack way)
+{
+    return way == WayBack::run          ? OutcomeText::tr("Send run")
+           : way == WayBack::endService ? OutcomeText::tr("End the service")
+                                        : QString();
+}
+
+} // namespace
+
+QString programList(const std::vector<CamProgram> &programs)
+{
+    QStringList numbers;
+    for (const CamProgram &program : programs)
+        numbers << QString::number(program.number);
+    return numbers.join(QStringLiteral(", "));
+}
+
+JobEnd endOf(const EncoderSession &encoder, const Outcome &outcome)
+{
+    const WayBack way = wayBack(encoder.device(), outcome.leftIn);
+    if (outcome.result)
+        return {.role = way == WayBack::none ? Role::running : Role::attention,
+                .text = successText(encoder, outcome),
+                .wayBack = wayBackText(way)};
+    const Refusal &why = outcome.result.error();
+    return {.role = why.kind == RefusalKind::device ? Role::fault : Role::attention,
+            .text = QStringLiteral("%1 %2").arg(refusalText(why), endText(outcome)),
+            .wayBack = wayBackText(way)};
+}
+
+} // namespace codewheel

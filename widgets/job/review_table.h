@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/look/fonts.h"
+#include "widgets/models/table_model_base.h"
+
+#include <QStringList>
+
+namespace codewheel {
+
+struct ReviewColumn
+{
+    enum class Kind : std::uint8_t { text, value, code }; // code: a word or a request
+
+    QString title;
+    Kind kind = Kind::text;
+};
+
+struct ReviewRow
+{
+    QStringList cells;
+    QStringList tips{}; // in place of the cells; an empty one: the cell itself
+
+    friend bool operator==(const ReviewRow &, const ReviewRow &) = default;
+};
+
+// What a job will change or send, row by row: in the review of parameters, cams and wizard.
+class ReviewTable final : public TableModelBase<ReviewRow>
+{
+    Q_OBJECT
+
+public:
+    using TableModelBase::TableModelBase;
+
+    void setColumns(std::vector<ReviewColumn> columns, TextSize size = TextSize::normal);
+    // Nothing happens where they are there already: what is pointed at stays.
+    void show(std::vector<ReviewRow> rows);
+
+protected:
+    int columns() const override { return static_cast<int>(m_columns.size()); }
+    QVariant headerCell(int column, int role) const override;
+    QVariant cell(const ReviewRow &row, int column, int role) const override;
+
+private:
+    const ReviewColumn &at(int column) const { return m_columns.at(static_cast<std::size_t>(column)); }
+
+    std::vector<ReviewColumn> m_columns;
+    TextSize m_size = TextSize::normal;
+};
+
+} // namespace codewheel
