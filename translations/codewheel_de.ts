@@ -259,6 +259,14 @@
         <source>Now: %1.</source>
         <translation>Jetzt: %1.</translation>
     </message>
+    <message>
+        <source>Hysteresis: %1.</source>
+        <translation>Hysterese: %1.</translation>
+    </message>
+    <message>
+        <source>It is on outside of these positions.</source>
+        <translation>Er ist außerhalb dieser Positionen an.</translation>
+    </message>
 </context>
 <context>
     <name>CheckProject</name>
@@ -2750,6 +2758,14 @@
         <source>The %2 belongs to another kind of bus: it cannot be the device at %1.</source>
         <translation>Der %2 gehört an eine andere Art von Bus: Er kann nicht das Gerät an %1 sein.</translation>
     </message>
+    <message>
+        <source>Cam %1 cannot go through zero: the positions of this encoder do not lie in a circle. Give a stop that is not below the start.</source>
+        <translation>Nocken %1 kann nicht durch Null gehen: Die Positionen dieses Gebers liegen nicht im Kreis. Geben Sie ein Ende an, das nicht unter dem Anfang liegt.</translation>
+    </message>
+    <message>
+        <source>Cam %1 has a hysteresis or a polarity that this encoder does not know. Set them to 0 and off.</source>
+        <translation>Nocken %1 hat eine Hysterese oder eine Polarität, die dieser Geber nicht kennt. Setzen Sie sie auf 0 und aus.</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>
@@ -3541,6 +3557,10 @@
         <source>A position from 0 to %1; decimal, or hexadecimal as 0x.. or ..h</source>
         <translation>Eine Position von 0 bis %1; dezimal oder hexadezimal als 0x.. oder ..h</translation>
     </message>
+    <message>
+        <source>Hysteresis of cam %1</source>
+        <translation>Hysterese von Nocken %1</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CamDocument</name>
@@ -3892,8 +3912,8 @@
         <translation>Der Geber hat dasselbe.</translation>
     </message>
     <message>
-        <source>%1 of 8 cams are active.</source>
-        <translation>%1 von 8 Nocken sind aktiv.</translation>
+        <source>%1 of %2 cams are active.</source>
+        <translation>%1 von %2 Nocken sind aktiv.</translation>
     </message>
 </context>
 <context>
@@ -4170,6 +4190,30 @@
     <message>
         <source>differs</source>
         <translation>verschieden</translation>
+    </message>
+    <message>
+        <source>Polarity of cam %1</source>
+        <translation>Polarität von Nocken %1</translation>
+    </message>
+    <message>
+        <source>Hysteresis of cam %1</source>
+        <translation>Hysterese von Nocken %1</translation>
+    </message>
+    <message>
+        <source>Steps behind an edge until the cam goes back</source>
+        <translation>Schritte hinter einer Kante, bis der Nocken zurückschaltet</translation>
+    </message>
+    <message>
+        <source>Hysteresis</source>
+        <translation>Hysterese</translation>
+    </message>
+    <message>
+        <source>Ticked: the cam is on outside of its positions</source>
+        <translation>Angehakt: Der Nocken ist außerhalb seiner Positionen an</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Invertiert</translation>
     </message>
 </context>
 <context>

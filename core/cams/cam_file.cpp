@@ -109,10 +109,10 @@ Result<CamProgram> camProgramOf(const CamFile &file, unsigned number, const QStr
 
 bool suits(const CamFile &file, const DeviceDescription &encoder, const DeviceDescription *madeFor)
 {
-    const auto isFrabaK3 = [](const DeviceDescription &device) {
-        return device.profile == Profile::k3 && device.dialect == k3::Dialect::fraba;
-    };
-    return file.device == encoder.key || (madeFor != nullptr && isFrabaK3(*madeFor) && isFrabaK3(encoder));
+    const bool haveTheSame = madeFor != nullptr && madeFor->profile == encoder.profile &&
+                             encoder.capabilities.cams &&
+                             madeFor->capabilities.cams == encoder.capabilities.cams;
+    return file.device == encoder.key || haveTheSame;
 }
 
 QString otherDeviceText(const CamFile &file, const DeviceDescription &encoder, const QString &name)

@@ -36,7 +36,7 @@ Result<CamFile> camFileFromJson(const QByteArray &json, const QString &name,
 Result<CamProgram> camProgramOf(const CamFile &file, unsigned number, const QString &name);
 
 // Whether the programs are for this encoder. `madeFor` is the description of the file's device, null where
-// there is none: one K3 of FRABA takes what was made for another.
+// there is none: an encoder takes what was made for another of its profile with the same cams.
 bool suits(const CamFile &file, const DeviceDescription &encoder, const DeviceDescription *madeFor);
 // Why they are not taken, in the user's language.
 QString otherDeviceText(const CamFile &file, const DeviceDescription &encoder, const QString &name);

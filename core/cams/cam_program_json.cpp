@@ -11,7 +11,8 @@ CamProgram CamProgramReader::read(const JsonObject &json)
     program.number = static_cast<unsigned>(json.number("program", 1, CamProgram::programs));
     program.shift = static_cast<unsigned>(json.number("shift", 0, CamProgram::largestShift));
     unsigned seen = 0;
-    for (const JsonObject &row : json.array("cams", {"cam", "start", "stop", "active"}, CamProgram::cams))
+    for (const JsonObject &row :
+         json.array("cams", {"cam", "start", "stop", "active", "hysteresis", "inverted"}, CamProgram::cams))
         readCam(row, program, seen);
     if (!m_seen.insert(program.number).second)
         json.report("program", tr("Cam program %1 stands above already.").arg(program.number));
@@ -29,6 +30,8 @@ void CamProgramReader::readCam(const JsonObject &json, CamProgram &program, unsi
     cam.start = json.number("start", 0, m_largestPosition);
     cam.stop = json.number("stop", 0, m_largestPosition);
     cam.active = json.flag("active");
+    cam.hysteresis = json.optionalNumber("hysteresis", 0, m_largestPosition).value_or(0);
+    cam.isInverted = json.flagOr("inverted", false);
 }
 
 void writeCamProgram(JsonWriter &json, const CamProgram &program)
@@ -41,6 +44,10 @@ void writeCamProgram(JsonWriter &json, const CamProgram &program)
         json.member("start", cam.start);
         json.member("stop", cam.stop);
         json.flag("active", cam.active);
+        if (cam.hysteresis > 0)
+            json.member("hysteresis", cam.hysteresis);
+        if (cam.isInverted)
+            json.flag("inverted", true);
     });
 }
 

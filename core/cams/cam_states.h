@@ -33,13 +33,17 @@ constexpr std::optional<bool> covers(const Cam &cam, std::int64_t first, std::in
 
 constexpr bool isOn(const Cam &cam, std::int64_t position) noexcept
 {
-    return cam.active && covers(cam, position);
+    return cam.active && covers(cam, position) != cam.isInverted;
 }
 
-// Whether the cam is on at whichever of the positions first..last the shaft is; nothing: it depends.
+// Whether the cam is on at whichever of the positions first..last the shaft is; nothing: it depends, also on
+// which way it came, within the hysteresis.
 constexpr std::optional<bool> isOn(const Cam &cam, std::int64_t first, std::int64_t last) noexcept
 {
-    return cam.active ? covers(cam, first, last) : false;
+    if (!cam.active)
+        return false;
+    const auto covered = covers(cam, first - cam.hysteresis, last + cam.hysteresis);
+    return covered ? std::optional(*covered != cam.isInverted) : std::nullopt;
 }
 
 // Bit n: cam n is on.

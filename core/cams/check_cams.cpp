@@ -3,24 +3,39 @@
 
 namespace codewheel {
 
-Result<void> checkCamProgramNumber(std::int64_t number)
+Result<void> checkCamProgramNumber(std::int64_t number, const CamAbilities &abilities)
 {
-    if (number < 1 || number > CamProgram::programs)
+    if (number < 1 || number > abilities.programs)
         return refuse(RefusalKind::badInput, RefusalId::camProgramOutOfRange, {number});
     return {};
 }
 
-Result<void> check(const CamProgram &program, std::int64_t largestPosition)
+Result<void> check(const Cam &cam, std::size_t number, const CamAbilities &abilities,
+                   std::int64_t largestPosition)
 {
-    if (auto checked = checkCamProgramNumber(program.number); !checked)
+    const auto which = static_cast<std::int64_t>(number);
+    if (number >= abilities.cams && cam != Cam())
+        return refuse(RefusalKind::badInput, RefusalId::camOutOfRange, {which});
+    for (const std::int64_t position : {cam.start, cam.stop, cam.hysteresis})
+        if (position < 0 || position > largestPosition)
+            return refuse(RefusalKind::badInput, RefusalId::camPositionTooLarge,
+                          {which, position, largestPosition});
+    if (cam.start > cam.stop && !abilities.isCyclic)
+        return refuse(RefusalKind::badInput, RefusalId::camThroughZero, {which});
+    if ((cam.hysteresis > 0 && !abilities.hasHysteresis) || (cam.isInverted && !abilities.hasPolarity))
+        return refuse(RefusalKind::badInput, RefusalId::camHasMore, {which});
+    return {};
+}
+
+Result<void> check(const CamProgram &program, const CamAbilities &abilities, std::int64_t largestPosition)
+{
+    if (auto checked = checkCamProgramNumber(program.number, abilities); !checked)
         return checked;
-    if (program.shift > CamProgram::largestShift)
+    if (program.shift > (abilities.hasShift ? CamProgram::largestShift : 0))
         return refuse(RefusalKind::badInput, RefusalId::camShiftOutOfRange, {std::int64_t{program.shift}});
     for (std::size_t n = 0; n < CamProgram::cams; ++n)
-        for (const std::int64_t position : {program.cam[n].start, program.cam[n].stop})
-            if (position < 0 || position > largestPosition)
-                return refuse(RefusalKind::badInput, RefusalId::camPositionTooLarge,
-                              {static_cast<std::int64_t>(n), position, largestPosition});
+        if (auto checked = check(program.cam[n], n, abilities, largestPosition); !checked)
+            return checked;
     return {};
 }
 

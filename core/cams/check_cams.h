@@ -10,11 +10,15 @@ namespace codewheel {
 // The largest position 25 bits hold: the limit where the total range is not known.
 inline constexpr std::int64_t largestCamPosition = k3::largestTotalRange - 1;
 
-// Whether there is such a program: 1..8 (camProgramOutOfRange).
-Result<void> checkCamProgramNumber(std::int64_t number);
+// Whether there is such a program (camProgramOutOfRange).
+Result<void> checkCamProgramNumber(std::int64_t number, const CamAbilities &abilities = {});
 
-// Whether an encoder with positions 0..largestPosition can take the program, active or not
-// (camProgramOutOfRange, camShiftOutOfRange, camPositionTooLarge).
-Result<void> check(const CamProgram &program, std::int64_t largestPosition = largestCamPosition);
+// Whether an encoder with such cams and positions 0..largestPosition can take the program or the cam, active
+// or not (camProgramOutOfRange, camShiftOutOfRange, camOutOfRange, camPositionTooLarge, camThroughZero,
+// camHasMore).
+Result<void> check(const CamProgram &program, const CamAbilities &abilities,
+                   std::int64_t largestPosition = largestCamPosition);
+Result<void> check(const Cam &cam, std::size_t number, const CamAbilities &abilities,
+                   std::int64_t largestPosition);
 
 } // namespace codewheel

@@ -283,7 +283,8 @@ Capabilities DescriptionReader::readCapabilities(const JsonObject &json)
 {
     Capabilities can;
     can.presets = json.flag("presets");
-    can.cams = json.flag("cams");
+    if (json.flag("cams"))
+        can.cams.emplace();
     can.readingHidesPosition = json.flag("readingHidesPosition");
     can.presetIsStored = json.flag("presetIsStored");
     can.hasBattery = json.flag("hasBattery");

@@ -159,7 +159,7 @@ void checkCapabilities(const JsonObject &json, const DeviceDescription &device)
     const Capabilities &can = device.capabilities;
     Rules::checkPresets(json, device);
     Rules::refuse(json, "resets", can.resets && device.profile != Profile::k3, device.profile);
-    Rules::refuseBesideFraba(json, "cams", can.cams, device);
+    Rules::refuseBesideFraba(json, "cams", can.cams.has_value(), device);
     Rules::refuseBesideFraba(json, "velocity", can.velocity, device);
     Rules::refuseBesideFraba(json, "manufacturerPreset", can.manufacturerPreset, device);
 }

@@ -137,7 +137,8 @@ Result<void> K3CamPlan::check(const WriteCams &job) const
     if (auto checked = checkPrograms(numbersOf(job.programs), job.afterwards); !checked)
         return checked;
     for (const CamProgram &program : job.programs)
-        if (auto checked = codewheel::check(program, largestPosition()); !checked)
+        if (auto checked = codewheel::check(program, *m_device.capabilities.cams, largestPosition());
+            !checked)
             return checked;
     return {};
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/cam_program.h"
+
 #include <optional>
 
 namespace codewheel {
@@ -8,10 +10,10 @@ namespace codewheel {
 // What a kind of encoder can do, as its description says. Views ask this, never the make.
 struct Capabilities
 {
-    bool reads = false;   // parameters can be read out
-    bool writes = false;  // parameters can be written
-    bool presets = false; // the position can be set
-    bool cams = false;
+    bool reads = false;               // parameters can be read out
+    bool writes = false;              // parameters can be written
+    bool presets = false;             // the position can be set
+    std::optional<CamAbilities> cams; // nothing: none
     bool velocity = false;            // shows revolutions per minute on request
     bool manufacturerPreset = false;  // 60000000h: sets the position to the programmed preset again and again
     bool presetNeedsValue = false;    // the command that sets the position brings the value along

@@ -41,6 +41,8 @@ enum class RefusalId : std::uint8_t {
     camOutOfRange,         // cam
     camPositionTooLarge,   // cam, position, largest
     camShiftOutOfRange,    // shift
+    camThroughZero,        // cam
+    camHasMore,            // cam
     camProgramGivenTwice,  // program
     camFileBroken,         // file, line, key, reason
     camFileOfOtherProgram, // file, its program, the program wanted

@@ -63,6 +63,12 @@ constexpr std::array refusalRows{
         QT_TRANSLATE_NOOP("Refusal", "Cam %1 cannot start or stop at %2. Give a position from 0 to %3.")},
     RefusalRow{RefusalId::camShiftOutOfRange, "camShiftOutOfRange",
                QT_TRANSLATE_NOOP("Refusal", "The shift cannot be %1. Give a value from 0 to 25.")},
+    RefusalRow{RefusalId::camThroughZero, "camThroughZero",
+               QT_TRANSLATE_NOOP("Refusal", "Cam %1 cannot go through zero: the positions of this encoder do "
+                                            "not lie in a circle. Give a stop that is not below the start.")},
+    RefusalRow{RefusalId::camHasMore, "camHasMore",
+               QT_TRANSLATE_NOOP("Refusal", "Cam %1 has a hysteresis or a polarity that this encoder does "
+                                            "not know. Set them to 0 and off.")},
     RefusalRow{RefusalId::camProgramGivenTwice, "camProgramGivenTwice",
                QT_TRANSLATE_NOOP("Refusal", "Cam program %1 is given twice. Give it once.")},
     RefusalRow{RefusalId::camFileBroken, "camFileBroken",

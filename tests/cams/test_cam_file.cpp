@@ -45,6 +45,21 @@ TEST(CamFile, IsRead)
     EXPECT_EQ(file->programs, std::vector{program});
 }
 
+TEST(CamFile, HoldsHysteresisAndPolarityWhereACamHasThem)
+{
+    CamProgram program;
+    program.cam[3] = {21, 531, true, 4, true};
+    const QByteArray json =
+        camFileToJson({.device = QStringLiteral("rod"), .totalRange = {}, .programs = {program}});
+    EXPECT_TRUE(json.contains(
+        R"({"cam": 3, "start": 21, "stop": 531, "active": true, "hysteresis": 4, "inverted": true})"))
+        << json.toStdString();
+    EXPECT_TRUE(json.contains(R"({"cam": 4, "start": 0, "stop": 0, "active": false})"));
+    const auto file = camFileFromJson(json, fileName);
+    ASSERT_TRUE(file);
+    EXPECT_EQ(file->programs, std::vector{program});
+}
+
 class BrokenCamFile : public testing::TestWithParam<Breakage>
 {};
 

@@ -104,5 +104,27 @@ TEST(CamWord, HoldsTheCamsAndAPartOfThePosition)
     }
 }
 
+TEST(CamStates, OfAnInvertedCamAreOutsideOfItsPositions)
+{
+    const Cam cam{10, 20, true, 0, true};
+    for (const std::int64_t position : {9, 21})
+        EXPECT_TRUE(isOn(cam, position)) << position;
+    for (const std::int64_t position : {10, 20})
+        EXPECT_FALSE(isOn(cam, position)) << position;
+    EXPECT_FALSE(isOn({10, 20, false, 0, true}, 9)) << "it is not active";
+}
+
+TEST(CamStates, WithinTheHysteresisDependOnTheWay)
+{
+    const Cam cam{10, 20, true, 2, false};
+    EXPECT_EQ(isOn(cam, 7, 7), false);
+    EXPECT_EQ(isOn(cam, 8, 8), std::nullopt);
+    EXPECT_EQ(isOn(cam, 11, 11), std::nullopt);
+    EXPECT_EQ(isOn(cam, 12, 18), true);
+    EXPECT_EQ(isOn(cam, 19, 19), std::nullopt);
+    EXPECT_EQ(isOn(cam, 23, 23), false);
+    EXPECT_EQ(isOn({10, 20, true, 2, true}, 15, 15), false) << "inverted";
+}
+
 } // namespace
 } // namespace codewheel

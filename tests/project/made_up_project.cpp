@@ -66,7 +66,8 @@ CamProgram Maker::cams(unsigned number)
 {
     CamProgram program{.number = number, .cam = {}, .shift = static_cast<unsigned>(below(26))};
     for (Cam &cam : program.cam)
-        cam = {below(largestCamPosition + 1), below(largestCamPosition + 1), maybe()};
+        cam = {below(largestCamPosition + 1), below(largestCamPosition + 1), maybe(),
+               maybe() ? below(largestCamPosition + 1) : 0, maybe()};
     return program;
 }
 

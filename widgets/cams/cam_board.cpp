@@ -56,7 +56,8 @@ CamBoard::CamBoard(CamSheet &sheet, QWidget *parent)
     layout->addWidget(m_strip);
     layout->addWidget(m_note);
     layout->addLayout(rows);
-    layout->addWidget(makeWord());
+    m_shifting = makeWord();
+    layout->addWidget(m_shifting);
     layout->addStretch(1);
     setFocusProxy(m_table);
     connectParts();
@@ -136,6 +137,7 @@ void CamBoard::showScale()
 void CamBoard::showShift()
 {
     const QSignalBlocker quiet(m_shift);
+    m_shifting->setVisible(m_sheet.abilities().hasShift);
     m_shift->setValue(static_cast<int>(m_sheet.program().shift));
     m_word->setShift(m_sheet.program().shift, m_sheet.largest());
 }

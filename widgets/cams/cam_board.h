@@ -48,6 +48,7 @@ private:
     CamTable *m_table;
     CamRuler *m_ruler;
     QScrollBar *m_scroll;
+    QWidget *m_shifting = nullptr; // where a part of the position is told beside the cams
     CamShiftSpin *m_shift;
     CamWordPicture *m_word;
 };

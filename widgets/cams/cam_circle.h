@@ -17,14 +17,16 @@ constexpr std::int64_t length(const Cam &cam, std::int64_t total) noexcept
     return modulo(cam.stop - cam.start, total) + 1;
 }
 
-constexpr Cam arc(std::int64_t start, std::int64_t length, std::int64_t total, bool active) noexcept
+constexpr Cam arc(Cam cam, std::int64_t start, std::int64_t length, std::int64_t total) noexcept
 {
-    return {modulo(start, total), modulo(start + length - 1, total), active};
+    cam.start = modulo(start, total);
+    cam.stop = modulo(start + length - 1, total);
+    return cam;
 }
 
 constexpr Cam moved(const Cam &cam, std::int64_t by, std::int64_t total) noexcept
 {
-    return arc(cam.start + by, length(cam, total), total, cam.active);
+    return arc(cam, cam.start + by, length(cam, total), total);
 }
 
 // One edge moved; the other stays. The cam keeps at least one position and takes at most all.
@@ -32,12 +34,12 @@ constexpr Cam startMoved(const Cam &cam, std::int64_t by, std::int64_t total) no
 {
     const std::int64_t before = length(cam, total);
     const std::int64_t after = std::clamp(before - by, std::int64_t{1}, total);
-    return arc(cam.start + before - after, after, total, cam.active);
+    return arc(cam, cam.start + before - after, after, total);
 }
 
 constexpr Cam stopMoved(const Cam &cam, std::int64_t by, std::int64_t total) noexcept
 {
-    return arc(cam.start, std::clamp(length(cam, total) + by, std::int64_t{1}, total), total, cam.active);
+    return arc(cam, cam.start, std::clamp(length(cam, total) + by, std::int64_t{1}, total), total);
 }
 
 // A cam nobody has set yet.

@@ -59,7 +59,9 @@ void CamEditor::setEncoder(const ShownEncoder &encoder)
         return;
     }
     Work &work = workOf(encoder.place());
-    m_sheet->setDocument(work.document);
+    m_sheet->setDocument(work.document, *encoder.can().cams);
+    for (QAction *action : m_modeActions)
+        action->setVisible(m_sheet->abilities().hasMode);
     m_sheet->setNumber(work.program);
     m_range->begin(work.toldLargest);
     m_pages->setCurrentWidget(m_scroll);
@@ -85,7 +87,7 @@ void CamEditor::connectSession(EncoderSession &session)
 
 void CamEditor::chooseProgram(unsigned number)
 {
-    if (const auto checked = checkCamProgramNumber(number); !checked) {
+    if (const auto checked = checkCamProgramNumber(number, m_sheet->abilities()); !checked) {
         say(Cause::input, Role::fault, refusalText(checked.error()));
         return;
     }
@@ -162,6 +164,8 @@ QString CamEditor::note(const Reading &reading) const
     const QString would = live.knowsAny()
                               ? tr("\"Now\" is what the cams of program %1 would be.").arg(m_sheet->number())
                               : tr("What its cams would be is not known.");
+    if (!m_sheet->abilities().hasMode)
+        return would;
     if (reading.cams && reading.camProgram)
         return tr("Program %1 runs in the encoder.").arg(*reading.camProgram) + QLatin1Char(' ') + would;
     if (reading.cams)
@@ -194,7 +198,8 @@ void CamEditor::withModeAfterwards(std::function<void(const SwitchMode &)> then)
     if (!session() || !m_board->finishEditing())
         return;
     m_message->withdraw();
-    if (const auto now = modeNow(*session())) {
+    const auto now = m_sheet->abilities().hasMode ? modeNow(*session()) : SwitchMode();
+    if (now) {
         then(*now);
         return;
     }
@@ -216,7 +221,7 @@ void CamEditor::read()
 
 void CamEditor::readAll()
 {
-    std::vector<unsigned> all(CamProgram::programs);
+    std::vector<unsigned> all(m_sheet->abilities().programs);
     std::iota(all.begin(), all.end(), 1U);
     readPrograms(CamJobs::Purpose::read, all);
 }
@@ -239,7 +244,7 @@ void CamEditor::writeAll()
     if (!m_board->finishEditing())
         return;
     std::vector<CamProgram> programs;
-    for (unsigned number = 1; number <= CamProgram::programs; ++number) {
+    for (unsigned number = 1; number <= m_sheet->abilities().programs; ++number) {
         const CamProgram &program = m_sheet->document().program(number);
         const auto differs = m_sheet->differs(number);
         if (differs.value_or(program != CamProgram{.number = number}))
@@ -255,7 +260,7 @@ void CamEditor::writeAll()
 void CamEditor::reviewPrograms(const std::vector<CamProgram> &programs)
 {
     for (const CamProgram &program : programs)
-        if (const auto checked = check(program, m_sheet->largest()); !checked) {
+        if (const auto checked = check(program, m_sheet->abilities(), m_sheet->largest()); !checked) {
             say(Cause::input, Role::fault,
                 tr("Program %1: %2").arg(program.number).arg(refusalText(checked.error())));
             return;

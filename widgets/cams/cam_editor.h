@@ -124,6 +124,7 @@ private:
     QToolBar *m_tools;
     QMenu *m_menu;
     QList<QAction *> m_jobActions;  // need an encoder with cams that is connected and has no job
+    QList<QAction *> m_modeActions; // need one whose cams have a mode
     QList<QAction *> m_fileActions; // need an encoder with cams
     InlineMessage *m_message;
     CamModeBar *m_mode;

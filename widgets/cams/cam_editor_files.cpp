@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The files of the cam editor.
+#include "cams/check_cams.h"
 #include "catalog/catalog.h"
 #include "encoder/refusal_text.h"
 #include "widgets/cams/cam_board.h"
@@ -52,6 +53,9 @@ tl::expected<CamFile, QString> CamEditor::open(const QString &path) const
     auto file = loadCamFile(path, m_sheet->knowsLargest() ? std::optional(m_sheet->largest()) : std::nullopt);
     if (file && m_encoder.isThere() && !suits(*file, m_encoder.device(), m_catalog.find(file->device)))
         return tl::unexpected(otherDeviceText(*file, m_encoder.device(), QFileInfo(path).fileName()));
+    for (const CamProgram &program : file ? file->programs : std::vector<CamProgram>())
+        if (const auto checked = check(program, m_sheet->abilities(), m_sheet->largest()); !checked)
+            return tl::unexpected(refusalText(checked.error()));
     return file;
 }
 
@@ -92,7 +96,7 @@ bool CamEditor::save(const QString &path)
     if (!m_board->finishEditing())
         return false;
     std::vector<CamProgram> programs;
-    for (unsigned number = 1; number <= CamProgram::programs; ++number)
+    for (unsigned number = 1; number <= m_sheet->abilities().programs; ++number)
         programs.push_back(m_sheet->document().program(number));
     return keep(path, programs);
 }

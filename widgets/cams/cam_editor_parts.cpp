@@ -122,10 +122,11 @@ void CamEditor::makeMenu()
         connect(action, &QAction::triggered, this, slot);
         return action;
     };
-    m_jobActions << add(tr("&Run this program in the encoder"),
-                        tr("Cam mode: IN shows the cams of this program"), &CamEditor::runHere)
-                 << add(tr("Back to &position mode"), tr("IN shows the position again"),
-                        &CamEditor::positionMode);
+    m_modeActions << add(tr("&Run this program in the encoder"),
+                         tr("Cam mode: IN shows the cams of this program"), &CamEditor::runHere)
+                  << add(tr("Back to &position mode"), tr("IN shows the position again"),
+                         &CamEditor::positionMode);
+    m_jobActions << m_modeActions;
     m_menu->addSeparator();
     m_jobActions << add(tr("Read &all programs"),
                         tr("Each program is left again: what was changed and not stored is stored then, up "

@@ -47,7 +47,8 @@ void CamProgramButton::describe()
     const QString encoder = !differs   ? tr("What the encoder has is not known.")
                             : *differs ? tr("The encoder has another program.")
                                        : tr("The encoder has the same.");
-    const QString text = tr("%1 of 8 cams are active.").arg(active) + QLatin1Char('\n') + encoder;
+    const QString text = tr("%1 of %2 cams are active.").arg(active).arg(m_sheet.abilities().cams) +
+                         QLatin1Char('\n') + encoder;
     setToolTip(tr("Cam program %1").arg(m_number) + QLatin1Char('\n') + text);
     setAccessibleDescription(text);
     update();
@@ -152,8 +153,11 @@ CamProgramStrip::CamProgramStrip(CamSheet &sheet, QWidget *parent)
 void CamProgramStrip::refresh()
 {
     m_buttons.at(m_sheet.number() - 1)->setChecked(true);
-    for (CamProgramButton *button : m_buttons)
-        button->describe();
+    for (unsigned number = 1; number <= CamProgram::programs; ++number) {
+        m_buttons.at(number - 1)->setVisible(number <= m_sheet.abilities().programs);
+        m_buttons.at(number - 1)->describe();
+    }
+    setVisible(m_sheet.abilities().programs > 1);
 }
 
 void CamProgramStrip::keyPressEvent(QKeyEvent *event)
@@ -163,7 +167,7 @@ void CamProgramStrip::keyPressEvent(QKeyEvent *event)
         return;
     }
     const auto number = static_cast<unsigned>(event->key() - Qt::Key_0);
-    if (number >= 1 && number <= CamProgram::programs)
+    if (number >= 1 && number <= m_sheet.abilities().programs)
         m_buttons.at(number - 1)->setFocus();
     Q_EMIT programChosen(number);
 }

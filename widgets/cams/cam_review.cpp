@@ -85,6 +85,7 @@ Words wordsOf(const EncoderSession &encoder, const std::vector<Step> &steps)
 CamReview::CamReview(QWidget *parent)
     : JobReview("confirmWriteCams", parent)
     , m_title(new QLabel(this))
+    , m_afterwardsLabel(new QLabel(tr("A&fterwards the encoder is in"), this))
     , m_afterwards(describe(new QComboBox(this), tr("Mode afterwards"),
                             tr("Cams are written in cam mode: the position is away meanwhile. A program is "
                                "stored in EEPROM when it is left.")))
@@ -92,10 +93,9 @@ CamReview::CamReview(QWidget *parent)
     QFont strong = font();
     strong.setBold(true);
     m_title->setFont(strong);
-    auto *label = new QLabel(tr("A&fterwards the encoder is in"), this);
-    label->setBuddy(m_afterwards);
+    m_afterwardsLabel->setBuddy(m_afterwards);
     addTitle(m_title);
-    addOption(label);
+    addOption(m_afterwardsLabel);
     addOption(m_afterwards);
     connect(m_afterwards, &QComboBox::currentIndexChanged, this, &CamReview::showContents);
 }
@@ -123,6 +123,8 @@ void CamReview::review(EncoderSession &encoder, const std::vector<CamProgram> &p
 {
     m_programs = programs;
     offerAfterwards(before);
+    for (QWidget *option : {static_cast<QWidget *>(m_afterwardsLabel), static_cast<QWidget *>(m_afterwards)})
+        option->setVisible(encoder.can().cams->hasMode);
     m_title->setText(programs.size() == 1 ? tr("Write cam program %1 to the encoder at %2")
                                                 .arg(programs.front().number)
                                                 .arg(encoder.place().shown())

@@ -29,6 +29,7 @@ private:
     std::vector<CamProgram> m_programs;
     std::vector<SwitchMode> m_choices; // beside the entries of m_afterwards
     QLabel *m_title;
+    QLabel *m_afterwardsLabel;
     QComboBox *m_afterwards;
 };
 

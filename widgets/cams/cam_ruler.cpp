@@ -80,7 +80,7 @@ void CamRuler::togglePart(int part)
 
 QSize CamRuler::sizeHint() const
 {
-    return {120 * grid::unit, rowRect(CamProgram::cams - 1).bottom() + 1};
+    return {120 * grid::unit, rowRect(m_sheet.abilities().cams - 1).bottom() + 1};
 }
 
 QSize CamRuler::minimumSizeHint() const
@@ -146,7 +146,7 @@ void CamRuler::paintEvent(QPaintEvent *)
 {
     CamRulerPainter painter(*this, tickDistance());
     painter.drawAxis();
-    for (std::size_t cam = 0; cam < CamProgram::cams; ++cam)
+    for (std::size_t cam = 0; cam < m_sheet.abilities().cams; ++cam)
         painter.drawRow(cam, m_hovered && m_hovered->cam == cam && m_hovered->canCreate);
     painter.drawPosition();
     if (m_drag)
@@ -155,7 +155,7 @@ void CamRuler::paintEvent(QPaintEvent *)
 
 std::optional<CamRuler::Hit> CamRuler::hitAt(QPointF point) const
 {
-    for (std::size_t number = 0; number < CamProgram::cams; ++number)
+    for (std::size_t number = 0; number < m_sheet.abilities().cams; ++number)
         if (rowRect(number).contains(point.toPoint())) {
             const Cam &cam = m_sheet.cam(number);
             return Hit{number, gripAt(cam, point.x(), m_scale, reach * camRowHeight(*this) / 26.0),
@@ -260,7 +260,7 @@ void CamRuler::focusInEvent(QFocusEvent *event)
     if (event->reason() == Qt::TabFocusReason)
         chooseCam(0);
     else if (event->reason() == Qt::BacktabFocusReason)
-        chooseCam(CamProgram::cams - 1);
+        chooseCam(m_sheet.abilities().cams - 1);
     announcePartFocus(*this, focusedPart());
     update();
 }

@@ -99,9 +99,9 @@ void CamRulerPainter::drawBar(std::size_t number, const cam_circle::Stretch &str
         return;
     const Cam &cam = m_sheet.cam(number);
     const bool isOn = cam.active && m_sheet.isOn(number).value_or(false);
-    const QColor rim = roleColor(!m_sheet.fits(cam) ? Role::fault
-                                 : cam.active       ? Role::setBit
-                                                    : Role::inactive,
+    const QColor rim = roleColor(!m_sheet.check(number, cam) ? Role::fault
+                                 : cam.active                ? Role::setBit
+                                                             : Role::inactive,
                                  m_palette);
     QColor fill = rim;
     fill.setAlpha(isOn ? 255 : cam.active ? paleBar : 0);
@@ -121,7 +121,7 @@ void CamRulerPainter::drawBar(std::size_t number, const cam_circle::Stretch &str
     const QString text = cam_texts::range(cam);
     m_painter.setFont(textFont(TextSize::small));
     if (m_painter.fontMetrics().horizontalAdvance(text) <= inner.width()) {
-        m_painter.setPen(isOn ? textOn(m_sheet.fits(cam) ? Role::setBit : Role::fault, m_palette)
+        m_painter.setPen(isOn ? textOn(m_sheet.check(number, cam) ? Role::setBit : Role::fault, m_palette)
                               : m_palette.color(QPalette::Text));
         m_painter.drawText(inner, Qt::AlignCenter, text);
     }

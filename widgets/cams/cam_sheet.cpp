@@ -11,13 +11,15 @@ CamSheet::CamSheet(ProjectDocument &project, QObject *parent)
     setDocument(*new CamDocument(project, {}, this));
 }
 
-void CamSheet::setDocument(CamDocument &document)
+void CamSheet::setDocument(CamDocument &document, const CamAbilities &abilities)
 {
-    if (m_document == &document)
+    if (m_document == &document && m_abilities == abilities)
         return;
     if (m_document)
         m_document->disconnect(this);
     m_document = &document;
+    m_abilities = abilities;
+    m_current = std::min(m_current, abilities.cams - 1);
     connect(m_document, &CamDocument::programChanged, this, &CamSheet::programChanged);
     Q_EMIT documentChanged();
 }
@@ -51,9 +53,9 @@ std::int64_t CamSheet::largest() const
     return m_largest.value_or(largestCamPosition);
 }
 
-bool CamSheet::fits(const Cam &cam) const
+Result<void> CamSheet::check(std::size_t number, const Cam &cam) const
 {
-    return cam.start <= largest() && cam.stop <= largest();
+    return codewheel::check(cam, number, m_abilities, largest());
 }
 
 void CamSheet::setKnown(const KnownPrograms &known)
@@ -85,6 +87,8 @@ std::optional<bool> CamSheet::isOn(std::size_t cam) const
 
 void CamSheet::setCam(std::size_t cam, const Cam &value, const QString &what, Gesture gesture)
 {
+    if (!m_abilities.isCyclic && value.start > value.stop)
+        return;
     CamProgram changed = program();
     changed.cam.at(cam) = value;
     m_document->setProgram(changed, what, gesture);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "encoder/refusal.h"
 #include "widgets/cams/cam_document.h"
 #include "widgets/cams/cam_live.h"
 
@@ -22,22 +23,25 @@ public:
     // Of no encoder of the project, until setDocument().
     explicit CamSheet(ProjectDocument &project, QObject *parent = nullptr);
 
-    void setDocument(CamDocument &document); // must outlive its use here
+    // It must outlive its use here. abilities: of its encoder.
+    void setDocument(CamDocument &document, const CamAbilities &abilities = {});
     CamDocument &document() const { return *m_document; }
 
+    const CamAbilities &abilities() const { return m_abilities; }
     unsigned number() const { return m_number; }
-    void setNumber(unsigned number); // 1..8
+    void setNumber(unsigned number); // 1..abilities().programs
     const CamProgram &program() const { return m_document->program(m_number); }
     const Cam &cam(std::size_t cam) const { return program().cam.at(cam); }
 
-    std::size_t current() const { return m_current; } // 0..7
+    std::size_t current() const { return m_current; } // 0..abilities().cams - 1
     void setCurrent(std::size_t cam);
 
     // Nothing: not known; then any position of 25 bits may be given.
     void setLargest(std::optional<std::int64_t> largest);
     std::int64_t largest() const;
     bool knowsLargest() const { return m_largest.has_value(); }
-    bool fits(const Cam &cam) const; // starts and stops within the range
+    // Whether the encoder can take it.
+    Result<void> check(std::size_t number, const Cam &cam) const;
 
     void setKnown(const KnownPrograms &known);
     const std::optional<CamProgram> &known(unsigned number) const { return m_known.at(number - 1); }
@@ -48,7 +52,7 @@ public:
     const CamLive &live() const { return m_live; }
     std::optional<bool> isOn(std::size_t cam) const; // now; nothing: not known
 
-    // Steps of undo.
+    // Steps of undo. Where the positions do not lie in a circle, no cam goes through zero.
     void setCam(std::size_t cam, const Cam &value, const QString &what, Gesture gesture = {});
     void setActive(std::size_t cam, bool active);
     void clear(std::size_t cam);
@@ -64,6 +68,7 @@ Q_SIGNALS:
 
 private:
     QPointer<CamDocument> m_document;
+    CamAbilities m_abilities;
     unsigned m_number = 1;
     std::size_t m_current = 0;
     std::optional<std::int64_t> m_largest;

@@ -16,11 +16,6 @@
 namespace codewheel {
 namespace {
 
-bool isPosition(int column)
-{
-    return column == CamTableModel::startColumn || column == CamTableModel::stopColumn;
-}
-
 // In all programs: it may be beyond the range, which was not known when it was given.
 std::int64_t largestGiven(const CamDocument &document)
 {
@@ -49,9 +44,11 @@ QWidget *CamDelegate::createEditor(QWidget *parent, const QStyleOptionViewItem &
                             {static_cast<std::int64_t>(cam), given, largest}});
     };
     auto *input = new PositionInput(0, largest, complaint, parent);
-    input->setAccessibleName(
-        (index.column() == CamTableModel::startColumn ? tr("Start of cam %1") : tr("Stop of cam %1"))
-            .arg(cam));
+    const int column = index.column();
+    input->setAccessibleName((column == CamTableModel::startColumn  ? tr("Start of cam %1")
+                              : column == CamTableModel::stopColumn ? tr("Stop of cam %1")
+                                                                    : tr("Hysteresis of cam %1"))
+                                 .arg(cam));
     input->setToolTip(tr("A position from 0 to %1; decimal, or hexadecimal as 0x.. or ..h")
                           .arg(cam_texts::position(largest)));
     connect(input, &PositionInput::inputChecked, this, &CamDelegate::inputChecked);
@@ -125,6 +122,8 @@ bool CamTable::finishEditing()
 void CamTable::fit()
 {
     const int lengthBefore = horizontalHeader()->length();
+    setColumnHidden(CamTableModel::hysteresisColumn, !m_sheet.abilities().hasHysteresis);
+    setColumnHidden(CamTableModel::polarityColumn, !m_sheet.abilities().hasPolarity);
     const int height = camRowHeight(*this);
     verticalHeader()->setMinimumSectionSize(height);
     verticalHeader()->setDefaultSectionSize(height);
@@ -140,8 +139,12 @@ void CamTable::fit()
             width = std::max(width, fontMetrics().horizontalAdvance(text));
         return width;
     };
-    const std::array contents{check + fontMetrics().horizontalAdvance(QStringLiteral("0")), positions,
-                              positions, icon + words({tr("on"), tr("off")}),
+    const std::array contents{check + fontMetrics().horizontalAdvance(QStringLiteral("0")),
+                              positions,
+                              positions,
+                              positions,
+                              check,
+                              icon + words({tr("on"), tr("off")}),
                               icon + words({tr("same"), tr("differs"), tr("unknown")})};
     for (int column = 0; column < m_model->columnCount(); ++column) {
         const QString header = m_model->headerData(column, Qt::Horizontal).toString();
@@ -154,23 +157,24 @@ void CamTable::fit()
 
 QSize CamTable::sizeHint() const
 {
-    const int rows = static_cast<int>(CamProgram::cams) * camRowHeight(*this);
+    const int rows = m_model->rowCount() * camRowHeight(*this);
     return {horizontalHeader()->length() + 2 * frameWidth(), rows + camAxisHeight(*this) + 2 * frameWidth()};
 }
 
-// Tab and Shift+Tab in a field: stop of the cam, start of the next one.
+// Tab and Shift+Tab in a field: stop of the cam, its hysteresis, start of the next one.
 QModelIndex CamTable::moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers)
 {
     if (action != MoveNext && action != MovePrevious)
         return QTableView::moveCursor(action, modifiers);
     const QModelIndex at = currentIndex();
-    const int step = action == MoveNext ? 1 : -1;
-    const bool staysInRow = (action == MoveNext) == (at.column() < CamTableModel::stopColumn);
-    if (staysInRow)
-        return at.siblingAtColumn(action == MoveNext ? CamTableModel::stopColumn
-                                                     : CamTableModel::startColumn);
-    return m_model->index(at.row() + step,
-                          action == MoveNext ? CamTableModel::startColumn : CamTableModel::stopColumn);
+    const int first = CamTableModel::startColumn;
+    const int last =
+        m_sheet.abilities().hasHysteresis ? CamTableModel::hysteresisColumn : CamTableModel::stopColumn;
+    if (action == MoveNext && at.column() < last)
+        return at.siblingAtColumn(std::max<int>(at.column() + 1, CamTableModel::stopColumn));
+    if (action == MovePrevious && at.column() > first)
+        return at.siblingAtColumn(at.column() > last ? first : at.column() - 1);
+    return action == MoveNext ? m_model->index(at.row() + 1, first) : m_model->index(at.row() - 1, last);
 }
 
 void CamTable::keyPressEvent(QKeyEvent *event)
@@ -180,7 +184,7 @@ void CamTable::keyPressEvent(QKeyEvent *event)
         return;
     }
     const std::size_t cam = m_model->rowAt(currentIndex().row()).number;
-    const QModelIndex position = isPosition(currentIndex().column())
+    const QModelIndex position = CamTableModel::isPosition(currentIndex().column())
                                      ? currentIndex()
                                      : currentIndex().siblingAtColumn(CamTableModel::startColumn);
     switch (event->key()) {

@@ -7,15 +7,22 @@
 #include "widgets/look/roles.h"
 
 namespace codewheel {
+namespace {
+
+std::int64_t positionIn(const Cam &cam, int column)
+{
+    return column == CamTableModel::startColumn  ? cam.start
+           : column == CamTableModel::stopColumn ? cam.stop
+                                                 : cam.hysteresis;
+}
+
+} // namespace
 
 CamTableModel::CamTableModel(CamSheet &sheet, QObject *parent)
     : TableModelBase(parent)
     , m_sheet(sheet)
 {
-    std::vector<CamRow> rows;
-    for (std::size_t cam = 0; cam < CamProgram::cams; ++cam)
-        rows.push_back(rowOf(cam));
-    setRows(std::move(rows));
+    refresh();
     connect(&sheet, &CamSheet::documentChanged, this, &CamTableModel::refresh);
     connect(&sheet, &CamSheet::numberChanged, this, &CamTableModel::refresh);
     connect(&sheet, &CamSheet::largestChanged, this, &CamTableModel::refresh);
@@ -34,12 +41,15 @@ CamRow CamTableModel::rowOf(std::size_t cam) const
             .isOn = m_sheet.isOn(cam),
             .mayBeEither = m_sheet.live().position && !m_sheet.isOn(cam),
             .isTold = m_sheet.live().isTold,
-            .known = known ? std::optional(known->cam.at(cam)) : std::nullopt,
-            .fits = m_sheet.fits(m_sheet.cam(cam))};
+            .known = known ? std::optional(known->cam.at(cam)) : std::nullopt};
 }
 
 void CamTableModel::refresh()
 {
+    while (rowCount() > static_cast<int>(m_sheet.abilities().cams))
+        removeAt(rowCount() - 1);
+    while (rowCount() < static_cast<int>(m_sheet.abilities().cams))
+        append({rowOf(static_cast<std::size_t>(rowCount()))});
     for (int row = 0; row < rowCount(); ++row)
         if (const CamRow now = rowOf(rowAt(row).number); now != rowAt(row))
             replace(row, now);
@@ -50,12 +60,10 @@ Qt::ItemFlags CamTableModel::flags(const QModelIndex &index) const
     const Qt::ItemFlags usual = TableModelBase::flags(index);
     switch (index.column()) {
     case camColumn:
+    case polarityColumn:
         return usual | Qt::ItemIsUserCheckable;
-    case startColumn:
-    case stopColumn:
-        return usual | Qt::ItemIsEditable;
     default:
-        return usual;
+        return isPosition(index.column()) ? usual | Qt::ItemIsEditable : usual;
     }
 }
 
@@ -68,22 +76,42 @@ bool CamTableModel::setData(const QModelIndex &index, const QVariant &value, int
         m_sheet.setActive(number, value.toInt() == Qt::Checked);
         return true;
     }
-    if (role != Qt::EditRole || (flags(index) & Qt::ItemIsEditable) == 0)
-        return false;
     Cam changed = m_sheet.cam(number);
-    (index.column() == startColumn ? changed.start : changed.stop) = value.toLongLong();
-    if (!m_sheet.fits(changed))
+    if (role == Qt::CheckStateRole && index.column() == polarityColumn) {
+        changed.isInverted = value.toInt() == Qt::Checked;
+        m_sheet.setCam(number, changed, tr("Polarity of cam %1").arg(number));
+        return true;
+    }
+    if (role != Qt::EditRole || !isPosition(index.column()))
         return false;
-    const CamGrip grip = index.column() == startColumn ? CamGrip::start : CamGrip::stop;
-    m_sheet.setCam(number, changed, cam_texts::movement(number, grip));
+    setPosition(changed, index.column(), value.toLongLong());
+    if (!m_sheet.check(number, changed))
+        return false;
+    m_sheet.setCam(number, changed,
+                   index.column() == startColumn  ? cam_texts::movement(number, CamGrip::start)
+                   : index.column() == stopColumn ? cam_texts::movement(number, CamGrip::stop)
+                                                  : tr("Hysteresis of cam %1").arg(number));
     return true;
+}
+
+void CamTableModel::setPosition(Cam &cam, int column, std::int64_t position) const
+{
+    const bool isCyclic = m_sheet.abilities().isCyclic;
+    if (column == hysteresisColumn) {
+        cam.hysteresis = position;
+    } else if (column == startColumn) {
+        cam.start = position;
+        cam.stop = isCyclic ? cam.stop : std::max(cam.stop, position);
+    } else {
+        cam.stop = position;
+        cam.start = isCyclic ? cam.start : std::min(cam.start, position);
+    }
 }
 
 QVariant CamTableModel::headerCell(int column, int role) const
 {
     if (role == Qt::TextAlignmentRole)
-        return QVariant((column == startColumn || column == stopColumn ? Qt::AlignRight : Qt::AlignLeft) |
-                        Qt::AlignVCenter);
+        return QVariant((isPosition(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
         return {};
     const bool isTip = role == Qt::ToolTipRole;
@@ -96,6 +124,10 @@ QVariant CamTableModel::headerCell(int column, int role) const
         return isTip ? tr("Last position on which the cam is on, in steps; smaller than the start: through "
                           "zero")
                      : tr("Stop");
+    case hysteresisColumn:
+        return isTip ? tr("Steps behind an edge until the cam goes back") : tr("Hysteresis");
+    case polarityColumn:
+        return isTip ? tr("Ticked: the cam is on outside of its positions") : tr("Inverted");
     case stateColumn:
         return isTip ? tr("What the encoder shows now in cam mode; in position mode, what these cams would "
                           "be")
@@ -107,23 +139,22 @@ QVariant CamTableModel::headerCell(int column, int role) const
 
 QVariant CamTableModel::cell(const CamRow &row, int column, int role) const
 {
-    const bool isPosition = column == startColumn || column == stopColumn;
     switch (role) {
     case Qt::DisplayRole:
     case Qt::AccessibleTextRole:
         return text(row, column);
     case Qt::EditRole:
-        if (!isPosition)
-            return {};
-        return qlonglong{column == startColumn ? row.cam.start : row.cam.stop};
+        return isPosition(column) ? QVariant(qlonglong{positionIn(row.cam, column)}) : QVariant();
     case Qt::CheckStateRole:
-        return column == camColumn ? QVariant(row.cam.active ? Qt::Checked : Qt::Unchecked) : QVariant();
+        if (column != camColumn && column != polarityColumn)
+            return {};
+        return (column == camColumn ? row.cam.active : row.cam.isInverted) ? Qt::Checked : Qt::Unchecked;
     case Qt::ToolTipRole:
         return cam_texts::description(m_sheet, row.number);
     case Qt::TextAlignmentRole:
-        return QVariant((isPosition ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        return QVariant((isPosition(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     case Qt::FontRole:
-        return isPosition ? numberFont() : textFont();
+        return isPosition(column) ? numberFont() : textFont();
     case Qt::DecorationRole:
         return icon(row, column);
     default:
@@ -137,9 +168,11 @@ QString CamTableModel::text(const CamRow &row, int column) const
     case camColumn:
         return QString::number(row.number);
     case startColumn:
-        return cam_texts::position(row.cam.start);
     case stopColumn:
-        return cam_texts::position(row.cam.stop);
+    case hysteresisColumn:
+        return cam_texts::position(positionIn(row.cam, column));
+    case polarityColumn:
+        return {};
     case stateColumn:
         if (row.isOn)
             return *row.isOn ? tr("on") : tr("off");
@@ -158,9 +191,7 @@ QVariant CamTableModel::icon(const CamRow &row, int column) const
         return *row.isOn ? lineIcon(Icon::setBit, Role::setBit) : lineIcon(Icon::inactive, Role::inactive);
     if (column == encoderColumn && row.known && *row.known != row.cam)
         return lineIcon(Icon::attention, Role::attention);
-    const auto isBeyond = [this](std::int64_t position) { return position > m_sheet.largest(); };
-    if ((column == startColumn && isBeyond(row.cam.start)) ||
-        (column == stopColumn && isBeyond(row.cam.stop)))
+    if (isPosition(column) && positionIn(row.cam, column) > m_sheet.largest())
         return lineIcon(Icon::fault, Role::fault);
     return {};
 }

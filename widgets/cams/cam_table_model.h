@@ -14,7 +14,6 @@ struct CamRow
     bool mayBeEither = false; // the position is known too coarsely
     bool isTold = false;      // isOn: by the encoder itself
     std::optional<Cam> known; // what the encoder has
-    bool fits = true;
 
     friend bool operator==(const CamRow &, const CamRow &) = default;
 };
@@ -26,12 +25,23 @@ class CamTableModel final : public TableModelBase<CamRow>
     Q_OBJECT
 
 public:
-    enum Column { camColumn, startColumn, stopColumn, stateColumn, encoderColumn };
+    // Hysteresis and polarity are hidden where the encoder has none.
+    enum Column {
+        camColumn,
+        startColumn,
+        stopColumn,
+        hysteresisColumn,
+        polarityColumn,
+        stateColumn,
+        encoderColumn
+    };
+    static bool isPosition(int column) { return column >= startColumn && column <= hysteresisColumn; }
 
     explicit CamTableModel(CamSheet &sheet, QObject *parent = nullptr);
 
     Qt::ItemFlags flags(const QModelIndex &index) const override;
-    // Positions as qlonglong; the first column is a check box: active or not.
+    // Positions as qlonglong; active and polarity are check boxes. A start above the stop takes that along,
+    // where the positions do not lie in a circle, and the other way round.
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
 
 protected:
@@ -42,6 +52,7 @@ protected:
 private:
     CamRow rowOf(std::size_t cam) const;
     void refresh();
+    void setPosition(Cam &cam, int column, std::int64_t position) const;
     QString text(const CamRow &row, int column) const;
     QVariant icon(const CamRow &row, int column) const;
 

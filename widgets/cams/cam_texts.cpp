@@ -77,11 +77,12 @@ QString description(const CamSheet &sheet, std::size_t number)
     else
         sentences << CamTexts::tr("%1: %2, %3.", "Cam 3: 21 to 531, active")
                          .arg(name(number), range(cam), activity(cam));
-    if (!sheet.fits(cam))
-        sentences << refusalText(
-            {RefusalKind::badInput,
-             RefusalId::camPositionTooLarge,
-             {static_cast<std::int64_t>(number), std::max(cam.start, cam.stop), sheet.largest()}});
+    if (const auto checked = sheet.check(number, cam); !checked)
+        sentences << refusalText(checked.error());
+    if (cam.hysteresis > 0)
+        sentences << CamTexts::tr("Hysteresis: %1.").arg(position(cam.hysteresis));
+    if (cam.isInverted)
+        sentences << CamTexts::tr("It is on outside of these positions.");
     if (const auto isOn = sheet.isOn(number); isOn || sheet.live().position)
         sentences << CamTexts::tr("Now: %1.").arg(state(isOn, sheet.live().isTold));
     sentences << encoderText(sheet, number);

@@ -30,7 +30,8 @@ QString eepromCostText(const EncoderSession &encoder, int atMost)
                        .arg(encoder.eepromCount().writes)
                        .arg(atMost);
     if (const auto budget = encoder.can().eepromBudget)
-        text += u' ' + JobReview::tr("The manual states about %1 writes for the encoder's life.").arg(*budget);
+        text +=
+            u' ' + JobReview::tr("The manual states about %1 writes for the encoder's life.").arg(*budget);
     return text;
 }
 
