@@ -72,6 +72,17 @@ TEST_F(K3Cancel, IfNothingWasTakenBeforeTheFirstWordNothingIsSent)
     expectCancelled(EncoderState::operation);
 }
 
+TEST_F(K3Cancel, ARestartMeanwhileDropsWhatWasConfirmedAndIsNoFailure)
+{
+    table.play({{0x0000'0000, pos}, {0x0200'00FF, pos}, {0x0200'00FF, 0xC200'00FF}});
+    cancel(OnCancel::restorePrevious);
+    table.repeat(1, {0x0600'0004, 0xC200'00FF});
+    table.repeat(3, {0x0000'0000, pos});
+    expectCancelled(EncoderState::operation);
+    EXPECT_TRUE(table.outcome()->confirmed.empty());
+    EXPECT_TRUE(table.outcome()->written.empty());
+}
+
 TEST_F(K3Cancel, RestoreRunsAndWritesTheValuesFromBefore)
 {
     table.play({{0x0000'0000, pos}, {0x0200'00FF, 0xC200'00FF}, {0x0600'0004, 0xC200'00FF}});

@@ -11,6 +11,17 @@ WriteParameters lengthAndDirection()
     return {.values = {{Parameter::measuringLength, 5'000}, {Parameter::direction, 1}}, .previous = {}};
 }
 
+TEST(La66Cancel, BeforeTheFirstCycleItEndsWithoutAStep)
+{
+    DriverTable table(La66Timing{});
+    ASSERT_TRUE(table.begin(lengthAndDirection()));
+    table.driver().cancel(OnCancel::leaveAsIs, {});
+    table.play({{0, pos}});
+    ASSERT_TRUE(table.outcome());
+    EXPECT_EQ(table.outcome()->result.error().id, RefusalId::cancelled);
+    EXPECT_TRUE(table.progress().steps.empty());
+}
+
 TEST(La66Cancel, BeforeTheServiceBitNothingHappens)
 {
     DriverTable table(La66Timing{});
