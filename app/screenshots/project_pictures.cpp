@@ -107,9 +107,9 @@ QWidget *transferAtWork(TrainingWindow &shown)
 QWidget *replacementAtWork(TrainingWindow &shown)
 {
     wantSomething(shown, scene::fraba, {{Parameter::steps, 4096}, {Parameter::revolutions, 1}});
-    shown.controls().setPower(scene::fraba.node, false);
+    shown.controls().setFault(TrainingFault::powerOff, scene::fraba.node, 1);
     shown.advance(3 * scene::whileMilliseconds);
-    shown.controls().setPower(scene::fraba.node, true);
+    shown.controls().setFault(TrainingFault::powerOff, scene::fraba.node, 0);
     shown.advance(scene::whileMilliseconds);
     shown.window().actions().replaceEncoder->trigger();
     auto *next = shown.window().findChild<QAbstractButton *>(QStringLiteral("replaceNext"));

@@ -18,14 +18,14 @@ enum class TrainingFault : std::uint8_t {
     noSupply,
     wrongDevice,
     peripheralFault,
-    powerOff, // of the encoder; the ring goes on
-    slowConfirmation,
-    eepromWornOut,
-    parametersLost,
-    batteryLow,
-    codeDiscFault,
-    camOutOfRange,
-    magnetLost,
+    powerOff,         // of the encoder; the ring goes on
+    slowConfirmation, // takes 50 times as long
+    eepromWornOut,    // error 13 when run is to store
+    parametersLost,   // error 3; an event, not a state
+    batteryLow,       // shows at the next power-up
+    codeDiscFault,    // error 15, by itself
+    camOutOfRange,    // 98000004, by itself
+    magnetLost,       // outside the measuring range
 };
 inline constexpr int trainingFaults = static_cast<int>(TrainingFault::magnetLost) + 1;
 inline constexpr int mostCrcErrors = 100; // of 1000

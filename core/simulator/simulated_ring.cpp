@@ -176,49 +176,9 @@ void SimulatedRing::setMagnetSpeed(NodeId number, double millimetresPerSecond)
          [millimetresPerSecond](SimulatedDevice &device) { device.setMagnetSpeed(millimetresPerSecond); });
 }
 
-void SimulatedRing::setMagnetInRange(NodeId number, bool inRange)
-{
-    with(number, [inRange](SimulatedDevice &device) { device.setMagnetInRange(inRange); });
-}
-
-void SimulatedRing::setPower(NodeId number, bool on)
-{
-    with(number, [on](SimulatedDevice &device) { device.setPower(on); });
-}
-
 void SimulatedRing::powerCycle(NodeId number)
 {
     with(number, [](SimulatedDevice &device) { device.powerCycle(); });
-}
-
-void SimulatedRing::setSlow(NodeId number, bool slow)
-{
-    with(number, [slow](SimulatedDevice &device) { device.setSlow(slow); });
-}
-
-void SimulatedRing::loseParameters(NodeId number)
-{
-    with(number, [](SimulatedDevice &device) { device.loseParameters(); });
-}
-
-void SimulatedRing::setBatteryLow(NodeId number, bool low)
-{
-    with(number, [low](SimulatedDevice &device) { device.setBatteryLow(low); });
-}
-
-void SimulatedRing::setEepromWornOut(NodeId number, bool wornOut)
-{
-    with(number, [wornOut](SimulatedDevice &device) { device.setEepromWornOut(wornOut); });
-}
-
-void SimulatedRing::setCodeDiscFaulty(NodeId number, bool faulty)
-{
-    with(number, [faulty](SimulatedDevice &device) { device.setCodeDiscFaulty(faulty); });
-}
-
-void SimulatedRing::setCamOutOfRange(NodeId number, bool outOfRange)
-{
-    with(number, [outOfRange](SimulatedDevice &device) { device.setCamOutOfRange(outOfRange); });
 }
 
 } // namespace codewheel

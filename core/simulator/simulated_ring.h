@@ -49,15 +49,7 @@ public:
     void setSpeed(NodeId number, double revolutionsPerMinute) override;
     void moveMagnetTo(NodeId number, double millimetres) override;
     void setMagnetSpeed(NodeId number, double millimetresPerSecond) override;
-    void setMagnetInRange(NodeId number, bool inRange) override;
-    void setPower(NodeId number, bool on) override;
     void powerCycle(NodeId number) override;
-    void setSlow(NodeId number, bool slow) override;
-    void loseParameters(NodeId number) override;
-    void setBatteryLow(NodeId number, bool low) override;
-    void setEepromWornOut(NodeId number, bool wornOut) override;
-    void setCodeDiscFaulty(NodeId number, bool faulty) override;
-    void setCamOutOfRange(NodeId number, bool outOfRange) override;
 
     std::vector<TrainingPlace> places() const override;
     void setFault(TrainingFault fault, NodeId number, int value) override;

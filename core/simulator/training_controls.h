@@ -64,15 +64,7 @@ public:
     virtual void moveMagnetTo(NodeId number, double millimetres) = 0;
     // 0 stops it; at the ends it turns round.
     virtual void setMagnetSpeed(NodeId number, double millimetresPerSecond) = 0;
-    virtual void setMagnetInRange(NodeId number, bool inRange) = 0; // out of range: magnet lost
-    virtual void setPower(NodeId number, bool on) = 0;              // off, then on: a power cycle
-    virtual void powerCycle(NodeId number) = 0;
-    virtual void setSlow(NodeId number, bool slow) = 0;                // confirmations take 50 times as long
-    virtual void loseParameters(NodeId number) = 0;                    // error 3
-    virtual void setBatteryLow(NodeId number, bool low) = 0;           // shows at the next power-up
-    virtual void setEepromWornOut(NodeId number, bool wornOut) = 0;    // error 13 when run is to store
-    virtual void setCodeDiscFaulty(NodeId number, bool faulty) = 0;    // error 15, by itself
-    virtual void setCamOutOfRange(NodeId number, bool outOfRange) = 0; // 98000004, by itself
+    virtual void powerCycle(NodeId number) = 0; // off, then on
 
     // Each place of the ring, in ring order, with the faults that fit it and how they stand.
     virtual std::vector<TrainingPlace> places() const = 0;

@@ -118,7 +118,7 @@ TEST_F(CliReport, WhereThereIsNoRoomTheOldReportStaysAndItIsTold)
 
 TEST_F(CliReport, AnEncoderThatDoesNotAnswerIsToldAndTheReportSaved)
 {
-    shared.controls().setPower(NodeId("1.0"), false);
+    shared.controls().setFault(TrainingFault::powerOff, NodeId("1.0"), 1);
     const CliRun run = runIt(QStringLiteral("--read -o ") + html);
     EXPECT_EQ(run.exit, 1);
     EXPECT_THAT(run.err, HasSubstr("1.0 could not be read: "));

@@ -74,7 +74,7 @@ TEST(CliRod, ThePositionIsSetToTheValueGiven)
 TEST(CliRod, WithoutItsMagnetThePositionIsNotSetAndAWriteTellsTheState)
 {
     SharedBus shared;
-    shared.controls().setMagnetInRange(NodeId("5.0"), false);
+    shared.controls().setFault(TrainingFault::magnetLost, NodeId("5.0"), 1);
     const CliRun preset = shared.runLine(QStringLiteral("preset 5.0 1000"));
     EXPECT_EQ(preset.exit, 1);
     EXPECT_THAT(preset.err, HasSubstr("The magnet is outside the measuring range"));

@@ -76,7 +76,7 @@ TEST_F(TrainingBusSession, AnEncoderThatLosesItsParametersIsKnownNoMore)
 {
     finish(ReadParameters{{Parameter::steps}});
     ASSERT_TRUE(encoder().known(Parameter::steps));
-    m_training.controls->loseParameters(fraba.node);
+    m_training.controls->setFault(TrainingFault::parametersLost, fraba.node, 1);
     m_bus.advance(10);
     EXPECT_EQ(encoder().latest().state, EncoderState::error);
     EXPECT_FALSE(encoder().known(Parameter::steps));

@@ -130,16 +130,16 @@ TEST_F(TheTrainingBus, TheTrainerSeesAndMovesTheShafts)
 TEST_F(TheTrainingBus, TheTrainerMakesFaults)
 {
     ASSERT_TRUE(m_bus.link->open());
-    m_bus.controls->setSlow(m_fraba, true);
+    m_bus.controls->setFault(TrainingFault::slowConfirmation, m_fraba, 1);
     EXPECT_TRUE(m_bus.controls->shafts().at(0).slow);
-    m_bus.controls->setBatteryLow(m_baumer, true);
+    m_bus.controls->setFault(TrainingFault::batteryLow, m_baumer, 1);
     EXPECT_TRUE(m_bus.controls->shafts().at(1).batteryLow);
-    m_bus.controls->loseParameters(m_fraba);
+    m_bus.controls->setFault(TrainingFault::parametersLost, m_fraba, 1);
     EXPECT_EQ(exchange(0, 0)[0], 0x8600'0000);
-    m_bus.controls->setPower(m_fraba, false);
+    m_bus.controls->setFault(TrainingFault::powerOff, m_fraba, 1);
     EXPECT_FALSE(m_bus.controls->shafts().at(0).powered);
     EXPECT_EQ(exchange(0, 0)[0], 0U);
-    m_bus.controls->setPower(m_fraba, true);
+    m_bus.controls->setFault(TrainingFault::powerOff, m_fraba, 0);
     m_bus.controls->powerCycle(m_baumer);
     const auto in = exchange(0, 0, 80);
     EXPECT_EQ(in[0], 0x8600'0000);

@@ -32,14 +32,14 @@ TEST_F(LastPositionsOfTheRing, ThePositionBeforeAnEncoderWentIsKeptWhenAnotherOn
 {
     pass(100);
     const auto before = encoder(fraba).latest().position;
-    training.controls->setPower(fraba.node, false);
+    training.controls->setFault(TrainingFault::powerOff, fraba.node, 1);
     pass(3000);
     ASSERT_TRUE(positions.at(fraba));
     EXPECT_EQ(positions.at(fraba)->position, before);
     EXPECT_TRUE(positions.at(fraba)->beforeItWent);
 
     training.controls->turnBy(fraba.node, 100);
-    training.controls->setPower(fraba.node, true);
+    training.controls->setFault(TrainingFault::powerOff, fraba.node, 0);
     pass(3000);
     EXPECT_NE(encoder(fraba).latest().position, before);
     EXPECT_EQ(positions.at(fraba)->position, before);
@@ -48,9 +48,9 @@ TEST_F(LastPositionsOfTheRing, ThePositionBeforeAnEncoderWentIsKeptWhenAnotherOn
 TEST_F(LastPositionsOfTheRing, APositionThatIsZeroForAMomentIsNoEncoderThatWent)
 {
     pass(100);
-    training.controls->setPower(fraba.node, false);
+    training.controls->setFault(TrainingFault::powerOff, fraba.node, 1);
     pass(300);
-    training.controls->setPower(fraba.node, true);
+    training.controls->setFault(TrainingFault::powerOff, fraba.node, 0);
     pass(100);
     EXPECT_FALSE(positions.at(fraba)->beforeItWent);
 }
@@ -66,11 +66,12 @@ TEST_F(LastPositionsOfTheRing, AreKeptWithTheProjectWhenItIsSaved)
     const auto before = encoder(fraba).latest().position;
     EXPECT_EQ(withLastPositions(project, positions, buses).devices[0].lastPosition->position, before);
 
-    training.controls->setPower(fraba.node, false); // it dies, and later another one is there
+    training.controls->setFault(TrainingFault::powerOff, fraba.node,
+                                1); // it dies, and later another one is there
     pass(3000);
     EXPECT_EQ(withLastPositions(project, positions, buses).devices[0].lastPosition->position, before);
     training.controls->turnBy(fraba.node, 100);
-    training.controls->setPower(fraba.node, true);
+    training.controls->setFault(TrainingFault::powerOff, fraba.node, 0);
     pass(3000);
     EXPECT_EQ(withLastPositions(project, positions, buses).devices[0].lastPosition->position,
               encoder(fraba).latest().position);

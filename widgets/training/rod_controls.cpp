@@ -159,7 +159,7 @@ void RodControls::setSpeed(double millimetresPerSecond)
 
 void RodControls::setInRange(bool inRange)
 {
-    m_controls.setMagnetInRange(m_shown->number, inRange);
+    m_controls.setFault(TrainingFault::magnetLost, m_shown->number, inRange ? 0 : 1);
     Q_EMIT acted(inRange ? tr("Magnet back in the measuring range.")
                          : tr("Magnet outside the measuring range."));
 }

@@ -109,19 +109,32 @@ void TrainingPanel::makeTroubles(QVBoxLayout *column)
                          tr("Switch the encoder off and on again after 50 ms"));
     m_lose = addCommand(column, Icon::fault, tr("Lose parameters"),
                         tr("The EEPROM content is destroyed: error 3, until it is parameterized again"));
-    connect(m_power, &QCheckBox::clicked, this, &TrainingPanel::setPower);
-    connect(m_slow, &QCheckBox::clicked, this, &TrainingPanel::setSlow);
-    connect(m_battery, &QCheckBox::clicked, this, &TrainingPanel::setBatteryLow);
-    connect(m_eeprom, &QCheckBox::clicked, this, &TrainingPanel::setEepromWornOut);
-    connect(m_codeDisc, &QCheckBox::clicked, this, &TrainingPanel::setCodeDiscFaulty);
+    connect(m_power, &QCheckBox::clicked, this, [this](bool on) {
+        setFault(TrainingFault::powerOff, !on, on ? tr("Power on.") : tr("Power off."));
+    });
+    connect(m_slow, &QCheckBox::clicked, this, [this](bool slow) {
+        setFault(TrainingFault::slowConfirmation, slow,
+                 slow ? tr("Slow confirmation on.") : tr("Slow confirmation off."));
+    });
+    connect(m_battery, &QCheckBox::clicked, this, [this](bool low) {
+        setFault(TrainingFault::batteryLow, low,
+                 low ? tr("Battery low; the encoder finds it when it is switched on.")
+                     : tr("Battery full; the encoder finds it when it is switched on."));
+    });
+    connect(m_eeprom, &QCheckBox::clicked, this, [this](bool wornOut) {
+        setFault(TrainingFault::eepromWornOut, wornOut,
+                 wornOut ? tr("EEPROM worn out.") : tr("EEPROM in order."));
+    });
+    connect(m_codeDisc, &QCheckBox::clicked, this, [this](bool faulty) {
+        setFault(TrainingFault::codeDiscFault, faulty,
+                 faulty ? tr("Code disc faulty.") : tr("Code disc in order; run ends the error."));
+    });
     connect(m_cycle, &QPushButton::clicked, this, [this] {
         m_controls.powerCycle(m_number->node);
         act(tr("Power off and on."));
     });
-    connect(m_lose, &QPushButton::clicked, this, [this] {
-        m_controls.loseParameters(m_number->node);
-        act(tr("Parameters lost."));
-    });
+    connect(m_lose, &QPushButton::clicked, this,
+            [this] { setFault(TrainingFault::parametersLost, true, tr("Parameters lost.")); });
 }
 
 void TrainingPanel::listDevices()
@@ -227,35 +240,10 @@ void TrainingPanel::hideCommon()
         widget->hide();
 }
 
-void TrainingPanel::setPower(bool on)
+void TrainingPanel::setFault(TrainingFault fault, bool on, const QString &what)
 {
-    m_controls.setPower(m_number->node, on);
-    act(on ? tr("Power on.") : tr("Power off."));
-}
-
-void TrainingPanel::setSlow(bool slow)
-{
-    m_controls.setSlow(m_number->node, slow);
-    act(slow ? tr("Slow confirmation on.") : tr("Slow confirmation off."));
-}
-
-void TrainingPanel::setBatteryLow(bool low)
-{
-    m_controls.setBatteryLow(m_number->node, low);
-    act(low ? tr("Battery low; the encoder finds it when it is switched on.")
-            : tr("Battery full; the encoder finds it when it is switched on."));
-}
-
-void TrainingPanel::setEepromWornOut(bool wornOut)
-{
-    m_controls.setEepromWornOut(m_number->node, wornOut);
-    act(wornOut ? tr("EEPROM worn out.") : tr("EEPROM in order."));
-}
-
-void TrainingPanel::setCodeDiscFaulty(bool faulty)
-{
-    m_controls.setCodeDiscFaulty(m_number->node, faulty);
-    act(faulty ? tr("Code disc faulty.") : tr("Code disc in order; run ends the error."));
+    m_controls.setFault(fault, m_number->node, on ? 1 : 0);
+    act(what);
 }
 
 void TrainingPanel::act(const QString &what)

@@ -68,11 +68,7 @@ private:
     void choose();
     void showCommon(const Common &common);
     void hideCommon();
-    void setPower(bool on);
-    void setSlow(bool slow);
-    void setBatteryLow(bool low);
-    void setEepromWornOut(bool wornOut);
-    void setCodeDiscFaulty(bool faulty);
+    void setFault(TrainingFault fault, bool on, const QString &what);
     void act(const QString &what);
 
     TrainingControls &m_controls;

@@ -113,14 +113,14 @@ TEST_F(RodDialTest, AMagnetOutsideItsRangeIsNamedAndItsLastPlaceIsPale)
     ring.controls->moveMagnetTo(rodPlace.node, 100);
     advance(66);
     const auto before = shown().position;
-    ring.controls->setMagnetInRange(rodPlace.node, false);
+    ring.controls->setFault(TrainingFault::magnetLost, rodPlace.node, 1);
     advance(66);
     EXPECT_TRUE(shown().isLastKnown);
     EXPECT_EQ(shown().position, before);
     EXPECT_EQ(shown().role, Role::fault);
     EXPECT_TRUE(shown().note.contains(QStringLiteral("magnet is outside the measuring range")))
         << shown().note.toStdString();
-    ring.controls->setMagnetInRange(rodPlace.node, true);
+    ring.controls->setFault(TrainingFault::magnetLost, rodPlace.node, 0);
     advance(66);
     ASSERT_TRUE(button("readErrorStatus").isVisible());
     QTest::mouseClick(&button("readErrorStatus"), Qt::LeftButton);

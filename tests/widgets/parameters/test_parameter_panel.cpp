@@ -375,7 +375,7 @@ TEST_F(Parameters, CancelAsksHowToLeaveAnEncoderThatHasTakenSomething)
 {
     click(QStringLiteral("Read from encoder"));
     finishJob();
-    training.controls->setSlow(fraba.node, true);
+    training.controls->setFault(TrainingFault::slowConfirmation, fraba.node, 1);
     want(Parameter::steps, QStringLiteral("255"));
     want(Parameter::revolutions, QStringLiteral("2"));
     click(QStringLiteral("Write..."));
@@ -408,7 +408,7 @@ TEST_F(Parameters, CancelAsksHowToLeaveAnEncoderThatHasTakenSomething)
 TEST_F(Parameters, WhatCannotBeRestoredIsNotOffered)
 {
     panel.setEncoder(bus.encoder(baumer));
-    training.controls->setSlow(baumer.node, true);
+    training.controls->setFault(TrainingFault::slowConfirmation, baumer.node, 1);
     want(Parameter::steps, QStringLiteral("255"));
     want(Parameter::revolutions, QStringLiteral("2"));
     click(QStringLiteral("Write..."));
@@ -423,7 +423,7 @@ TEST_F(Parameters, WhatCannotBeRestoredIsNotOffered)
     ASSERT_NE(button(QStringLiteral("Restore values from before")), nullptr);
     EXPECT_FALSE(button(QStringLiteral("Restore values from before"))->isEnabled());
     click(QStringLiteral("Go on with the handshake"));
-    training.controls->setSlow(baumer.node, false);
+    training.controls->setFault(TrainingFault::slowConfirmation, baumer.node, 0);
     finishJob(baumer);
     EXPECT_TRUE(message().startsWith(QStringLiteral("Steps, Revolutions written, echoed and active.")))
         << message().toStdString();

@@ -94,7 +94,7 @@ protected:
 TEST_F(ParametersOfARod, ReadsAllAndNamesTheErrorStatus)
 {
     const test::ModelTester tester(*table().model());
-    ring.controls->setMagnetInRange(rodPlace.node, false);
+    ring.controls->setFault(TrainingFault::magnetLost, rodPlace.node, 1);
     ring.bus.advance(50);
     click(QStringLiteral("Read from encoder"));
     finishJob();

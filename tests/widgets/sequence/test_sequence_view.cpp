@@ -177,7 +177,7 @@ TEST_F(SequenceViewTest, WhileItIsSentNothingIsEdited)
 
 TEST_F(SequenceViewTest, StoppedItSaysHowFarItCame)
 {
-    ring.controls->setSlow(fraba.node, true);
+    ring.controls->setFault(TrainingFault::slowConfirmation, fraba.node, 1);
     paste("020000FF\n04000001\n80000000");
     QTest::mouseClick(&send(), Qt::LeftButton);
     ring.bus.advance(20); // a FRABA echoes the first word at once, the second only when that is processed

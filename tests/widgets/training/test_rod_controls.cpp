@@ -37,17 +37,15 @@ public:
     void setSpeed(NodeId, double) override {}
     void moveMagnetTo(NodeId, double millimetres) override { rod.millimetres = millimetres; }
     void setMagnetSpeed(NodeId, double speed) override { rod.millimetresPerSecond = speed; }
-    void setMagnetInRange(NodeId, bool inRange) override { rod.magnetInRange = inRange; }
-    void setPower(NodeId number, bool on) override { rod.powered = number == rodPlace.node && on; }
     void powerCycle(NodeId) override {}
-    void setSlow(NodeId, bool) override {}
-    void loseParameters(NodeId) override {}
-    void setBatteryLow(NodeId, bool) override {}
-    void setEepromWornOut(NodeId, bool) override {}
-    void setCodeDiscFaulty(NodeId, bool) override {}
-    void setCamOutOfRange(NodeId, bool) override {}
     std::vector<TrainingPlace> places() const override { return {{k1.node, {}}, {rodPlace.node, {}}}; }
-    void setFault(TrainingFault, NodeId, int) override {}
+    void setFault(TrainingFault fault, NodeId number, int value) override
+    {
+        if (fault == TrainingFault::magnetLost)
+            rod.magnetInRange = value == 0;
+        else if (fault == TrainingFault::powerOff)
+            rod.powered = number == rodPlace.node && value == 0;
+    }
     void startFaultPlan(FaultPlan) override {}
     void stopFaultPlan() override {}
     PlanProgress planProgress() const override { return {}; }

@@ -35,10 +35,10 @@ protected:
     // The encoder goes, and another one is there, whose shaft stands elsewhere.
     void exchange()
     {
-        session.controls->setPower(fraba.node, false);
+        session.controls->setFault(TrainingFault::powerOff, fraba.node, 1);
         pass(2000);
         session.controls->turnBy(fraba.node, 1000);
-        session.controls->setPower(fraba.node, true);
+        session.controls->setFault(TrainingFault::powerOff, fraba.node, 0);
         pass(500);
     }
 

@@ -197,7 +197,7 @@ TEST_F(WizardHandshake, AnErrorStopsItAndRestoreBringsTheEncoderBack)
 TEST_F(WizardHandshake, AnEncoderSwitchedOffTimesOut)
 {
     begin();
-    controls->setPower(NodeId("1.0"), false);
+    controls->setFault(TrainingFault::powerOff, NodeId("1.0"), 1);
     click("nextStep");
     settle();
     EXPECT_FALSE(wizard.isBusy());

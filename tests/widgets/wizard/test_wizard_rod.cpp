@@ -214,7 +214,7 @@ TEST_F(WizardRod, TheReviewWarnsWhereThePositionCannotBeSet)
     toReview();
     EXPECT_EQ(sentence("reviewProblem"), QString());
     click("wizardBack");
-    controls->setMagnetInRange(rodPlace.node, false);
+    controls->setFault(TrainingFault::magnetLost, rodPlace.node, 1);
     bus.advance(100);
     next();
     EXPECT_TRUE(sentence("reviewProblem").contains(QStringLiteral("the position is not set")));
