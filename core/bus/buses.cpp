@@ -117,11 +117,6 @@ void Buses::pump()
     callEach([](EncoderBus &bus) { bus.pump(); });
 }
 
-void Buses::setOperate(bool on)
-{
-    callEach([on](EncoderBus &bus) { bus.setOperate(on); });
-}
-
 void Buses::alarmStop()
 {
     callEach([](EncoderBus &bus) { bus.alarmStop(); });

@@ -34,7 +34,6 @@ public:
 
     // To all that are open, or opening.
     void pump();
-    void setOperate(bool on);
     void alarmStop();
 
 Q_SIGNALS:

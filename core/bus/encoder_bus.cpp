@@ -13,6 +13,17 @@ EncoderBus::EncoderBus(BusId id, QDateTime begin, QObject *parent)
     , m_wallTime(std::move(begin))
 {}
 
+Result<void> EncoderBus::mayName(Place place, const DeviceDescription *device) const
+{
+    if (device != nullptr)
+        if (auto can = canBe(place, *device); !can)
+            return can;
+    const EncoderSession *its = encoder(place);
+    if (its != nullptr && its->runningJob())
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {place.toString()});
+    return {};
+}
+
 void EncoderBus::linkRefused(const Refusal &why)
 {
     Q_EMIT messaged({.at = now(), .severity = Severity::fault, .refusal = why});

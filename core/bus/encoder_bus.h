@@ -98,10 +98,10 @@ Q_SIGNALS:
     void updated();                                  // a new snapshot; at most once per pump
     void openRefused(const codewheel::Refusal &why); // told by a message too
     void stateChanged();                             // connected or not, running or stopped, Watch or Operate
-    void nodesChanged();                // other devices, or an encoder has another session than before
-    void named(codewheel::Place place); // its session is another one now, the encoder is the same
+    void named(codewheel::Place place); // by name(), before nodesChanged(): its session is another one now
     // It is another bus now: what looks the same may be another device. nodesChanged() follows.
     void structureChanged();
+    void nodesChanged(); // other devices, or an encoder has another session than before
     // An encoder has another place now: encoder() finds it by that one.
     void moved(codewheel::Place from, codewheel::Place to);
     void messaged(const codewheel::Message &message);
@@ -112,6 +112,8 @@ Q_SIGNALS:
     void typedWriteEnded(const codewheel::TypedWrite &write, bool mayBeDone);
 
 protected:
+    // What name() may be refused for on every bus; null: the make is not known any more.
+    Result<void> mayName(Place place, const DeviceDescription *device) const;
     void linkRefused(const Refusal &why); // it is closed: it is told
     void tellState(bool isOther = false); // stateChanged(), if it is another; `isOther`: for more reasons
     // The jobs have ended, and the bus is in Watch: the times are right again, and it is told.

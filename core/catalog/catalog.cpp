@@ -74,6 +74,18 @@ const DeviceDescription *Catalog::find(QStringView key) const
     return found == m_devices.end() ? nullptr : &*found;
 }
 
+const DeviceDescription *Catalog::find(QStringView key, unsigned deviceCode) const
+{
+    const DeviceDescription *named = find(key);
+    return named != nullptr ? named : generic(deviceCode);
+}
+
+const DeviceDescription *Catalog::findFitting(QStringView key, unsigned deviceCode) const
+{
+    const DeviceDescription *named = find(key);
+    return named != nullptr && named->deviceCode == deviceCode ? named : generic(deviceCode);
+}
+
 const DeviceDescription *Catalog::generic(unsigned deviceCode) const
 {
     const auto found = std::ranges::find_if(m_devices, [deviceCode](const DeviceDescription &device) {

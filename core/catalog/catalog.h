@@ -39,6 +39,10 @@ public:
     // For a participant whose make is not known: the generic description of its ID code and width, if there
     // is one.
     const DeviceDescription *generic(unsigned deviceCode) const;
+    // By its name; without one, or with one that no description has, the make is not known.
+    const DeviceDescription *find(QStringView key, unsigned deviceCode) const;
+    // Likewise, where the name is that of a device of another code.
+    const DeviceDescription *findFitting(QStringView key, unsigned deviceCode) const;
 
 private:
     static Catalog readBuiltIn();

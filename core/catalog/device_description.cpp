@@ -80,6 +80,14 @@ const DeviceError *DeviceDescription::findError(unsigned number) const
     return findBy(errors, number, &DeviceError::number);
 }
 
+DeviceDescription DeviceDescription::labelled(int turns, int stepsPerTurn) const
+{
+    DeviceDescription device = *this;
+    device.physicalTurns = turns > 0 ? turns : physicalTurns;
+    device.physicalStepsPerTurn = stepsPerTurn > 0 ? stepsPerTurn : physicalStepsPerTurn;
+    return device;
+}
+
 QString DeviceDescription::fullName() const
 {
     if (isGeneric())

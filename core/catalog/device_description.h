@@ -133,6 +133,8 @@ struct DeviceDescription
     bool mayHaveModes() const { return quirks.hasModes || (isGeneric() && profile == Profile::k3); }
     // "FRABA OCD-IB K3"; "K3, make not known" for a generic description.
     QString fullName() const;
+    // What a label tells of the resolution goes before the description; 0: it does not.
+    DeviceDescription labelled(int turns, int stepsPerTurn) const;
     QString notesText() const { return notes.toString(); }
 
     friend bool operator==(const DeviceDescription &, const DeviceDescription &) = default;

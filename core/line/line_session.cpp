@@ -273,15 +273,10 @@ Result<void> LineSession::name(Place place, const QString &deviceKey, int turns,
     const DeviceDescription *described = d->catalog.find(deviceKey);
     if (!before || !described)
         return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {place.toString(), QString()});
-    if (auto can = canBe(place, *described); !can)
-        return can;
-    if (before->session->runningJob())
-        return refuse(RefusalKind::busy, RefusalId::jobRunning, {place.toString()});
-    DeviceDescription device = *described;
-    device.physicalTurns = turns > 0 ? turns : device.physicalTurns;
-    device.physicalStepsPerTurn = stepsPerTurn > 0 ? stepsPerTurn : device.physicalStepsPerTurn;
+    if (auto may = mayName(place, described); !may)
+        return may;
     const auto ended = leave(d->indexOf(*before));
-    LineEncoderSession &now = take(LineAddress::of(place.node), device);
+    LineEncoderSession &now = take(LineAddress::of(place.node), described->labelled(turns, stepsPerTurn));
     now.countEepromWrites(ended->eepromWrites());
     setSwapsWarningBytes(place, ended->swapsWarningBytes());
     Q_EMIT named(place);

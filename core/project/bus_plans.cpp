@@ -2,8 +2,6 @@
 #include "project/bus_plans.h"
 
 #include "project/bus_kind.h"
-#include "project/line_plan.h"
-#include "project/ring_plan.h"
 
 #include <algorithm>
 #include <limits>
@@ -23,20 +21,18 @@ QString freeName(const Project &project, const QString &name)
     return free;
 }
 
-// Of the training bus of this kind.
-std::optional<BusId> trainingNumber(const BusKind &kind)
+int behindTrainingBuses()
 {
-    if (kind.key() == QLatin1String(interbusKind))
-        return firstRing;
-    if (kind.key() == QLatin1String(escKind))
-        return firstLine;
-    return std::nullopt;
+    int last = 0;
+    for (const QString &kind : busKindKeys())
+        last = std::max(last, busKind(kind)->trainingBus().value_or(BusId{0}).number);
+    return last + 1;
 }
 
 // Behind all others; a file may have used up the largest one.
 int firstToTry(const Project &project)
 {
-    int first = firstLine.number + 1;
+    int first = behindTrainingBuses();
     for (const PlannedBus &bus : project.buses)
         if (bus.id.number < std::numeric_limits<int>::max())
             first = std::max(first, bus.id.number + 1);
@@ -59,11 +55,11 @@ PlannedBus &planBus(Project &project, BusId bus, const BusKind &kind)
 BusId freeNumber(const Project &project, const BusKind &kind, const std::function<bool(BusId)> &isFree)
 {
     const auto canBe = [&](BusId bus) { return findBus(project, bus) == nullptr && isFree(bus); };
-    if (const auto training = trainingNumber(kind); training && canBe(*training))
+    if (const auto training = kind.trainingBus(); training && canBe(*training))
         return *training;
     BusId free{firstToTry(project)};
     while (!canBe(free))
-        free = {free.number == std::numeric_limits<int>::max() ? firstLine.number + 1 : free.number + 1};
+        free = {free.number == std::numeric_limits<int>::max() ? behindTrainingBuses() : free.number + 1};
     return free;
 }
 

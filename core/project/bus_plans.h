@@ -14,8 +14,8 @@ inline constexpr std::size_t mostBuses = 100; // of a project
 // The bus of this number; without one a new bus of this kind, with a name that no other has.
 PlannedBus &planBus(Project &project, BusId bus, const BusKind &kind);
 
-// The number for a bus that is new. 1 and 2 are those of the training ring and of the training line: only a
-// bus of their kind gets them. isFree: what else a number has to be, besides that no bus is planned with it.
+// The number for a bus that is new. Those of the training buses only a bus of their kind gets. isFree: what
+// else a number has to be, besides that no bus is planned with it.
 BusId freeNumber(
     const Project &project, const BusKind &kind,
     const std::function<bool(BusId)> &isFree = [](BusId) { return true; });

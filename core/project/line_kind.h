@@ -16,6 +16,7 @@ public:
     QString key() const override;
     QString title() const override;
     QString usualName() const override;
+    std::optional<BusId> trainingBus() const override { return firstLine; }
     KindData usual() const override;
     std::unique_ptr<BusOutline> outline(const Project &project, BusId bus,
                                         const Catalog &catalog) const override;

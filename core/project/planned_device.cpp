@@ -5,16 +5,9 @@ namespace codewheel {
 
 std::optional<DeviceDescription> plannedDescription(const ProjectDevice &device, const Catalog &catalog)
 {
-    const DeviceDescription *named = catalog.find(device.participant.deviceKey);
-    const DeviceDescription *found = named ? named : catalog.generic(device.participant.deviceCode);
-    if (found == nullptr)
-        return std::nullopt;
-    DeviceDescription description = *found;
-    if (device.label.turns > 0)
-        description.physicalTurns = device.label.turns;
-    if (device.label.stepsPerTurn > 0)
-        description.physicalStepsPerTurn = device.label.stepsPerTurn;
-    return description;
+    const auto *found = catalog.find(device.participant.deviceKey, device.participant.deviceCode);
+    return found ? std::optional(found->labelled(device.label.turns, device.label.stepsPerTurn))
+                 : std::nullopt;
 }
 
 } // namespace codewheel

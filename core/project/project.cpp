@@ -51,6 +51,14 @@ std::span<ProjectDevice> devicesOn(Project &project, BusId bus)
     return std::span(project.devices).subspan(first, count);
 }
 
+std::vector<Participant> participantsOn(const Project &project, BusId bus)
+{
+    std::vector<Participant> participants;
+    for (const ProjectDevice &device : devicesOn(project, bus))
+        participants.push_back(device.participant);
+    return participants;
+}
+
 void setDevicesOn(Project &project, BusId bus, std::vector<ProjectDevice> devices)
 {
     const auto [first, count] = rangeOf(project, bus);

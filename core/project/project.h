@@ -128,6 +128,7 @@ ProjectDevice *findDevice(Project &project, Place place);
 // Those of one bus, in its order.
 std::span<const ProjectDevice> devicesOn(const Project &project, BusId bus);
 std::span<ProjectDevice> devicesOn(Project &project, BusId bus);
+std::vector<Participant> participantsOn(const Project &project, BusId bus);
 // Puts these in the place of those of this bus, which the project has.
 void setDevicesOn(Project &project, BusId bus, std::vector<ProjectDevice> devices);
 

@@ -23,10 +23,7 @@ ProjectDevice inThePlaceOf(const ProjectDevice &before)
 
 RingStructure structureOf(const Project &project, BusId ring)
 {
-    RingStructure structure;
-    for (const ProjectDevice &device : devicesOn(project, ring))
-        structure.push_back(device.participant);
-    return structure;
+    return participantsOn(project, ring);
 }
 
 Project projectOf(const RingStructure &ring, BusId id)

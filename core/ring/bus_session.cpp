@@ -14,13 +14,6 @@ constexpr Instant cycleByHand = std::chrono::milliseconds(1);
 
 } // namespace
 
-// Without a plan, or with a key that no description has, the make is not known.
-const DeviceDescription *BusSession::Private::describe(const Participant &participant) const
-{
-    const DeviceDescription *named = catalog.find(participant.deviceKey);
-    return named ? named : catalog.generic(participant.deviceCode);
-}
-
 command::UseRing BusSession::Private::makeDevices(BusSession &bus, const RingFound &found)
 {
     retireAll();
@@ -32,7 +25,8 @@ command::UseRing BusSession::Private::makeDevices(BusSession &bus, const RingFou
     for (std::size_t i = 0; i < structure.size(); ++i) {
         const Participant &participant = structure[i];
         channels.push_back(makeChannel(bus, participant));
-        use.drivers.push_back({makeSession(bus, i, describe(participant)), {}});
+        use.drivers.push_back(
+            {makeSession(bus, i, catalog.find(participant.deviceKey, participant.deviceCode)), {}});
     }
     return use;
 }
@@ -277,20 +271,13 @@ Result<void> BusSession::name(Place place, const QString &deviceKey, int turns, 
         return refuse(RefusalKind::busy, RefusalId::notRunning, {place.toString()});
     Participant &participant = d->structure[i];
     const DeviceDescription *wanted = d->catalog.find(deviceKey);
-    if (wanted)
-        if (auto can = canBe(place, *wanted); !can)
-            return can;
-    if (d->sessions[i] && d->sessions[i]->runningJob())
-        return refuse(RefusalKind::busy, RefusalId::jobRunning, {place.toString()});
+    if (auto may = mayName(place, wanted); !may)
+        return may;
 
     participant.deviceKey = wanted ? deviceKey : QString();
     std::optional<DeviceDescription> described;
-    if (const DeviceDescription *found = d->describe(participant))
-        described = *found;
-    if (described && turns > 0)
-        described->physicalTurns = turns;
-    if (described && stepsPerTurn > 0)
-        described->physicalStepsPerTurn = stepsPerTurn;
+    if (const auto *found = d->catalog.find(participant.deviceKey, participant.deviceCode))
+        described = found->labelled(turns, stepsPerTurn);
     const int writes = d->sessions[i] ? d->sessions[i]->eepromWrites() : 0;
     d->retired.push_back(std::move(d->sessions[i]));
     auto driver = d->makeSession(*this, i, described ? &*described : nullptr);

@@ -29,7 +29,6 @@ struct BusSession::Private
         , engine(bus)
     {}
 
-    const DeviceDescription *describe(const Participant &participant) const;
     command::UseRing makeDevices(BusSession &bus, const RingFound &found);
     static std::unique_ptr<WordChannel> makeChannel(BusSession &bus, const Participant &participant);
     // The session at a place of the ring, for `description` if there is one, and its driver.

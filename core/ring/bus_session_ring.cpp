@@ -33,7 +33,8 @@ command::UseRing BusSession::Private::takeOver(BusSession &bus, const RingFound 
             before, [&](const Participant &other) { return isSameDevice(other, participant); });
         if (same == before.end()) {
             channels.push_back(makeChannel(bus, participant));
-            use.drivers.push_back({makeSession(bus, i, describe(participant)), {}});
+            use.drivers.push_back(
+                {makeSession(bus, i, catalog.find(participant.deviceKey, participant.deviceCode)), {}});
             continue;
         }
         const auto j = static_cast<std::size_t>(same - before.begin());

@@ -20,9 +20,7 @@ QString shortName(const Participant &participant, const Catalog &catalog)
     const QString code = hexCode(participant.idCode, 2);
     if (participant.idCode == busTerminalIdCode)
         return participantName(participant, nullptr) + u' ' + code;
-    const DeviceDescription *device = catalog.find(participant.deviceKey);
-    if (device == nullptr || device->deviceCode != participant.deviceCode)
-        device = catalog.generic(participant.deviceCode);
+    const DeviceDescription *device = catalog.findFitting(participant.deviceKey, participant.deviceCode);
     return device ? profileName(device->profile) + u' ' + code : code;
 }
 

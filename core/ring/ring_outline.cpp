@@ -239,8 +239,7 @@ QString PlannedRingOutline::toolTip() const
 std::vector<BusNode> PlannedRingOutline::nodes() const
 {
     return nodesOf(m_structure, m_catalog, [this](const Participant &participant) {
-        const DeviceDescription *named = m_catalog.find(participant.deviceKey);
-        return named ? named : m_catalog.generic(participant.deviceCode);
+        return m_catalog.find(participant.deviceKey, participant.deviceCode);
     });
 }
 

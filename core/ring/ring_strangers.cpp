@@ -22,9 +22,7 @@ struct Texts
 // "FRABA OCD-IB K3", "bus terminal", "0237h"
 QString nameOrCode(const Participant &participant, const Catalog &catalog)
 {
-    const DeviceDescription *device = catalog.find(participant.deviceKey);
-    if (device == nullptr || device->deviceCode != participant.deviceCode)
-        device = catalog.generic(participant.deviceCode);
+    const DeviceDescription *device = catalog.findFitting(participant.deviceKey, participant.deviceCode);
     return device || participant.idCode == busTerminalIdCode ? participantName(participant, device)
                                                              : hexCode(participant.deviceCode, 4);
 }

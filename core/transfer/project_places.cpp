@@ -10,10 +10,7 @@ ProjectPlaces::ProjectPlaces(const Project &project, const Buses &buses)
     for (const ProjectDevice &device : project.devices)
         m_places[device.place()].asStranger = notConnected(device.place());
     for (const EncoderBus *bus : buses.open()) {
-        std::vector<Participant> planned;
-        for (const ProjectDevice &device : devicesOn(project, bus->id()))
-            planned.push_back(device.participant);
-        const auto strangers = bus->strangers(planned);
+        const auto strangers = bus->strangers(participantsOn(project, bus->id()));
         for (const ProjectDevice &device : devicesOn(project, bus->id())) {
             const auto stranger = strangers.find(device.participant.number);
             m_places[device.place()] = {

@@ -462,14 +462,15 @@ TEST_F(BusesTest, AnEncoderIsFoundOnWhateverBusItIs)
     EXPECT_TRUE(buses.isConnected(Ring::place));
 }
 
-TEST_F(BusesTest, OperateAndAlarmStopGoToAll)
+TEST_F(BusesTest, AlarmStopGoesToAll)
 {
     openBoth();
     const auto run = [&] {
         ring.bus.advance(Instant(50ms));
         line.bus.advance(50ms);
     };
-    buses.setOperate(true);
+    ring.bus.setOperate(true);
+    line.bus.setOperate(true);
     run();
     EXPECT_TRUE(ring.bus.isOperating());
     EXPECT_TRUE(line.bus.isOperating());

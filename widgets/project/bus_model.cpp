@@ -9,6 +9,15 @@
 #include <algorithm>
 
 namespace codewheel {
+namespace {
+
+QVariant alignmentOf(int column)
+{
+    return QVariant::fromValue(Qt::AlignVCenter |
+                               (column == BusModel::devices ? Qt::AlignRight : Qt::AlignLeft));
+}
+
+} // namespace
 
 BusModel::BusModel(ProjectDocument &document, QObject *parent)
     : TableModelBase(parent)
@@ -90,7 +99,7 @@ bool BusModel::setData(const QModelIndex &index, const QVariant &value, int role
 QVariant BusModel::headerCell(int column, int role) const
 {
     if (role == Qt::TextAlignmentRole)
-        return QVariant::fromValue(Qt::AlignVCenter | (column == devices ? Qt::AlignRight : Qt::AlignLeft));
+        return alignmentOf(column);
     if (role != Qt::DisplayRole)
         return {};
     switch (column) {
@@ -106,7 +115,7 @@ QVariant BusModel::headerCell(int column, int role) const
 QVariant BusModel::cell(const BusRow &row, int column, int role) const
 {
     if (role == Qt::TextAlignmentRole)
-        return QVariant::fromValue(Qt::AlignVCenter | (column == devices ? Qt::AlignRight : Qt::AlignLeft));
+        return alignmentOf(column);
     if (role == Qt::ToolTipRole)
         return column == name ? tr("%1: F2 or a double click renames it").arg(row.name) : QVariant();
     if (role != Qt::DisplayRole && role != Qt::EditRole)

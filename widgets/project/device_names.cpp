@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/project/device_names.h"
 
+#include "bus/encoder_bus.h"
 #include "catalog/catalog.h"
 #include "encoder/encoder_session.h"
-#include "project/project_take_over.h"
-#include "ring/bus_session.h"
 #include "widgets/project/project_document.h"
 
 #include <QScopedValueRollback>
-
-#include <algorithm>
 
 namespace codewheel {
 namespace {
@@ -24,72 +21,63 @@ struct Name
     friend bool operator==(const Name &, const Name &) = default;
 };
 
-Name nameOnTheBus(const BusSession &bus, const Participant &participant)
+Name nameOf(const Catalog &catalog, const QString &key, int turns, int stepsPerTurn)
 {
-    Name name{.key = participant.deviceKey};
-    const EncoderSession *encoder = bus.encoder(participant.number);
-    const DeviceDescription *described = bus.catalog().find(participant.deviceKey);
-    if (encoder == nullptr || described == nullptr)
-        return name;
-    const auto ifOther = [](int is, int usual) { return is == usual ? 0 : is; };
-    name.turns = ifOther(encoder->device().physicalTurns, described->physicalTurns);
-    name.stepsPerTurn = ifOther(encoder->device().physicalStepsPerTurn, described->physicalStepsPerTurn);
-    return name;
+    const DeviceDescription *described = catalog.find(key);
+    if (described == nullptr)
+        return {.key = key};
+    return {.key = key,
+            .turns = turns == described->physicalTurns ? 0 : turns,
+            .stepsPerTurn = stepsPerTurn == described->physicalStepsPerTurn ? 0 : stepsPerTurn};
 }
 
-Name nameInTheProject(const Catalog &catalog, const ProjectDevice &device)
+Name nameOnTheBus(const EncoderBus &bus, const Participant &participant)
 {
-    Name name{.key = device.participant.deviceKey};
-    if (const DeviceDescription *described = catalog.find(name.key)) {
-        const auto ifOther = [](int is, int usual) { return is == usual ? 0 : is; };
-        name.turns = ifOther(device.label.turns, described->physicalTurns);
-        name.stepsPerTurn = ifOther(device.label.stepsPerTurn, described->physicalStepsPerTurn);
-    }
-    return name;
+    if (const EncoderSession *encoder = bus.encoder(participant.number))
+        return nameOf(bus.catalog(), participant.deviceKey, encoder->device().physicalTurns,
+                      encoder->device().physicalStepsPerTurn);
+    return {.key = participant.deviceKey};
 }
 
 } // namespace
 
-DeviceNames::DeviceNames(ProjectDocument &document, BusSession &bus, QObject *parent)
+DeviceNames::DeviceNames(ProjectDocument &document, EncoderBus &bus, QObject *parent)
     : QObject(parent)
     , m_document(document)
     , m_bus(bus)
 {
-    connect(&document, &ProjectDocument::changed, this, &DeviceNames::nameRing);
-    connect(&bus, &BusSession::named, this, &DeviceNames::takeName);
-    connect(&bus, &BusSession::structureChanged, this, &DeviceNames::nameRing);
-    nameRing();
+    connect(&document, &ProjectDocument::changed, this, &DeviceNames::nameDevices);
+    connect(&bus, &EncoderBus::named, this, &DeviceNames::takeName);
+    connect(&bus, &EncoderBus::nodesChanged, this, &DeviceNames::nameDevices);
+    nameDevices();
 }
 
-void DeviceNames::nameRing()
+void DeviceNames::nameDevices()
 {
-    if (m_isNaming)
+    if (m_isNaming || !m_bus.isOpen())
         return;
     const QScopedValueRollback naming(m_isNaming, true);
-    const RingStructure ring = m_bus.structure();
-    const RingStructure plan = structureOf(m_document.project(), m_bus.id());
-    for (const ComparisonLine &line : certainLines(compareRings(plan, ring), plan, ring)) {
-        const Participant &participant = ring[*line.connected];
-        const ProjectDevice &planned = devicesOn(m_document.project(), m_bus.id())[*line.configured];
-        if (planned.place() != m_bus.placeOf(participant.number))
+    const auto strangers = m_bus.strangers(participantsOn(m_document.project(), m_bus.id()));
+    for (const ProjectDevice &planned : devicesOn(m_document.project(), m_bus.id())) {
+        const auto found = m_bus.found(planned.place());
+        if (!found || strangers.contains(planned.place().node))
             continue;
-        const Name wanted = nameInTheProject(m_bus.catalog(), planned);
+        const Name wanted = nameOf(m_bus.catalog(), planned.participant.deviceKey, planned.label.turns,
+                                   planned.label.stepsPerTurn);
         // While a job runs it is refused, and done with the next change.
-        if (wanted != nameOnTheBus(m_bus, participant))
+        if (wanted != nameOnTheBus(m_bus, *found))
             (void)m_bus.name(planned.place(), wanted.key, wanted.turns, wanted.stepsPerTurn);
     }
 }
 
 void DeviceNames::takeName(Place number)
 {
-    const RingStructure &ring = m_bus.structure();
-    const auto participant = std::ranges::find(ring, number.node, &Participant::number);
+    const auto found = m_bus.found(number);
     const ProjectDevice *planned = findDevice(m_document.project(), number);
-    if (m_isNaming || planned == nullptr || participant == ring.end() ||
-        planned->participant.deviceCode != participant->deviceCode)
+    if (m_isNaming || planned == nullptr || !found || planned->participant.deviceCode != found->deviceCode)
         return;
     const QScopedValueRollback naming(m_isNaming, true);
-    const Name name = nameOnTheBus(m_bus, *participant);
+    const Name name = nameOnTheBus(m_bus, *found);
     m_document.editDevice(number, tr("Name %1").arg(number.shown()), [&](ProjectDevice &device) {
         device.participant.deviceKey = name.key;
         device.label.turns = name.turns;

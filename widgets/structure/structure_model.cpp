@@ -123,10 +123,10 @@ std::vector<BusBranch> StructureModel::branches()
     return all;
 }
 
-void StructureModel::rebuild()
+void StructureModel::show(std::vector<BusBranch> branches)
 {
     beginResetModel();
-    m_branches = branches();
+    m_branches = std::move(branches);
     giveTitles();
     noteWhere();
     endResetModel();
@@ -169,7 +169,7 @@ void StructureModel::followProject()
                });
     });
     if (!isSame) {
-        rebuild();
+        show(std::move(now));
         return;
     }
     for (std::size_t i = 0; i < now.size(); ++i) {

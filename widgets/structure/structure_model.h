@@ -65,7 +65,8 @@ private:
         std::optional<std::size_t> row{};
     };
 
-    void rebuild();
+    void rebuild() { show(branches()); }
+    void show(std::vector<BusBranch> branches);
     std::vector<BusBranch> branches();
     bool isShown(const PlannedBus &bus) const;
     void giveTitles();
