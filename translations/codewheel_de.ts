@@ -9252,6 +9252,23 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::LineStatus</name>
+    <message>
+        <source>%1: port is gone</source>
+        <comment>serial port</comment>
+        <translation>%1: Anschluss ist weg</translation>
+    </message>
+    <message>
+        <source>%1, %2 Bd, %3 of %4 answer</source>
+        <comment>serial port, baud rate, encoders</comment>
+        <translation>%1, %2 Bd, %3 von %4 antworten</translation>
+    </message>
+    <message>
+        <source>Serial line: %1 answers, %2 time-outs, %3 garbage bytes</source>
+        <translation>Serielle Leitung: %1 Antworten, %2 Zeitüberschreitungen, %3 Störbytes</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::LineTerminal</name>
     <message>
         <source>Nothing was sent: a job is running on this line. Wait until it has ended, or cancel it.</source>
@@ -9433,20 +9450,8 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
 <context>
     <name>codewheel::LineTrainingPanel</name>
     <message>
-        <source>Device to train with</source>
-        <translation>Teilnehmer zum Üben</translation>
-    </message>
-    <message>
         <source>The simulated line, or the encoder on it, that is moved and disturbed here</source>
         <translation>Die simulierte Leitung oder der Geber daran, der hier bewegt und gestört wird</translation>
-    </message>
-    <message>
-        <source>Training</source>
-        <translation>Übung</translation>
-    </message>
-    <message>
-        <source>Device</source>
-        <translation>Gerät</translation>
     </message>
     <message>
         <source>Serial line</source>
@@ -9462,38 +9467,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
 </context>
 <context>
     <name>codewheel::MainWindow</name>
-    <message>
-        <source>Bus structure</source>
-        <translation>Busaufbau</translation>
-    </message>
-    <message>
-        <source>Training</source>
-        <translation>Übung</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>Parameter</translation>
-    </message>
-    <message>
-        <source>Encoder</source>
-        <translation>Geber</translation>
-    </message>
-    <message>
-        <source>Messages</source>
-        <translation>Meldungen</translation>
-    </message>
-    <message>
-        <source>Handshake trace</source>
-        <translation>Handshake-Protokoll</translation>
-    </message>
-    <message>
-        <source>Sequence</source>
-        <translation>Folge</translation>
-    </message>
-    <message>
-        <source>Shows or hides the panel &quot;%1&quot;</source>
-        <translation>Zeigt oder verbirgt das Feld &quot;%1&quot;</translation>
-    </message>
     <message>
         <source>Keys</source>
         <translation>Tasten</translation>
@@ -9511,14 +9484,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>&lt;h3&gt;Codewheel %1&lt;/h3&gt;&lt;p&gt;Richtet Absolut-Geber am INTERBUS ein, beobachtet und prüft sie.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später. Ohne jede Gewährleistung.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Device</source>
-        <translation>Gerät</translation>
-    </message>
-    <message>
-        <source>Master</source>
-        <translation>Master</translation>
-    </message>
-    <message>
         <source>Pages in the middle</source>
         <translation>Seiten in der Mitte</translation>
     </message>
@@ -9529,14 +9494,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>All keys, by the part of the window in which they work</source>
         <translation>Alle Tasten, nach dem Teil des Fensters, in dem sie wirken</translation>
-    </message>
-    <message>
-        <source>Line terminal</source>
-        <translation>Leitungsterminal</translation>
-    </message>
-    <message>
-        <source>Serial line</source>
-        <translation>Leitung</translation>
     </message>
 </context>
 <context>
@@ -10227,6 +10184,57 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>&quot;%1&quot; in the example is not understood by the parts.</source>
         <translation>&quot;%1&quot; im Beispiel passt zu keinem der Teile.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::Panels</name>
+    <message>
+        <source>Bus structure</source>
+        <translation>Busaufbau</translation>
+    </message>
+    <message>
+        <source>Training</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Encoder</source>
+        <translation>Geber</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Handshake trace</source>
+        <translation>Handshake-Protokoll</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Folge</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Master</source>
+        <translation>Master</translation>
+    </message>
+    <message>
+        <source>Line terminal</source>
+        <translation>Leitungsterminal</translation>
+    </message>
+    <message>
+        <source>Serial line</source>
+        <translation>Serielle Leitung</translation>
+    </message>
+    <message>
+        <source>Shows or hides the panel &quot;%1&quot;</source>
+        <translation>Zeigt oder verbirgt das Feld &quot;%1&quot;</translation>
     </message>
 </context>
 <context>
@@ -12017,6 +12025,75 @@ Zustand: %7</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::RingStatus</name>
+    <message>
+        <source>Cycle time</source>
+        <translation>Zykluszeit</translation>
+    </message>
+    <message>
+        <source>The time from one exchange of all words to the next</source>
+        <translation>Die Zeit von einem Austausch aller Worte bis zum nächsten</translation>
+    </message>
+    <message>
+        <source>Late cycles</source>
+        <translation>Verspätete Zyklen</translation>
+    </message>
+    <message>
+        <source>Cycles that began too late; they are counted, not caught up</source>
+        <translation>Zyklen, die zu spät begannen; sie werden gezählt, nicht nachgeholt</translation>
+    </message>
+    <message>
+        <source>CRC errors</source>
+        <translation>CRC-Fehler</translation>
+    </message>
+    <message>
+        <source>Faulty data cycles since the ring was started</source>
+        <translation>Fehlerhafte Datenzyklen, seit der Ring gestartet wurde</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>How the program is connected to the ring</source>
+        <translation>Wie das Programm mit dem Ring verbunden ist</translation>
+    </message>
+    <message>
+        <source>cycle %1 ms</source>
+        <translation>Zyklus %1 ms</translation>
+    </message>
+    <message>
+        <source>virtual time</source>
+        <translation>virtuelle Zeit</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n late cycles</source>
+        <translation>
+            <numerusform>%n verspäteter Zyklus</numerusform>
+            <numerusform>%n verspätete Zyklen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n CRC errors</source>
+        <translation>
+            <numerusform>%n CRC-Fehler</numerusform>
+            <numerusform>%n CRC-Fehler</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>link: %1</source>
+        <translation>Verbindung: %1</translation>
+    </message>
+    <message>
+        <source>training bus</source>
+        <translation>Übungsbus</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nicht verbunden</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::RingStrangers</name>
     <message>
         <source>%1 (missing now)</source>
@@ -12033,13 +12110,6 @@ Zustand: %7</translation>
     <message>
         <source>perhaps another one: beside it, one of the same kind is missing or additional</source>
         <translation>vielleicht ein anderer: daneben fehlt einer derselben Art oder ist einer zusätzlich da</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::RingViews</name>
-    <message>
-        <source>training bus</source>
-        <translation>Übungsbus</translation>
     </message>
 </context>
 <context>
@@ -12717,42 +12787,6 @@ Zustand: %7</translation>
 <context>
     <name>codewheel::StatusLine</name>
     <message>
-        <source>Cycle time</source>
-        <translation>Zykluszeit</translation>
-    </message>
-    <message>
-        <source>The time from one exchange of all words to the next</source>
-        <translation>Die Zeit von einem Austausch aller Worte bis zum nächsten</translation>
-    </message>
-    <message>
-        <source>Late cycles</source>
-        <translation>Verspätete Zyklen</translation>
-    </message>
-    <message>
-        <source>Cycles that began too late; they are counted, not caught up</source>
-        <translation>Zyklen, die zu spät begannen; sie werden gezählt, nicht nachgeholt</translation>
-    </message>
-    <message>
-        <source>Link</source>
-        <translation>Verbindung</translation>
-    </message>
-    <message>
-        <source>How the program is connected to the ring</source>
-        <translation>Wie das Programm mit dem Ring verbunden ist</translation>
-    </message>
-    <message>
-        <source>cycle %1 ms</source>
-        <translation>Zyklus %1 ms</translation>
-    </message>
-    <message>
-        <source>virtual time</source>
-        <translation>virtuelle Zeit</translation>
-    </message>
-    <message>
-        <source>link: %1</source>
-        <translation>Verbindung: %1</translation>
-    </message>
-    <message>
         <source>not connected</source>
         <translation>nicht verbunden</translation>
     </message>
@@ -12763,13 +12797,6 @@ Zustand: %7</translation>
     <message>
         <source>Operate</source>
         <translation>Bedienen</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n late cycles</source>
-        <translation>
-            <numerusform>%n verspäteter Zyklus</numerusform>
-            <numerusform>%n verspätete Zyklen</numerusform>
-        </translation>
     </message>
     <message>
         <source>EEPROM writes</source>
@@ -12788,38 +12815,9 @@ Zustand: %7</translation>
         <translation>Beobachten: Nichts wird gesendet. Bedienen: Schreiben ist erlaubt.</translation>
     </message>
     <message>
-        <source>CRC errors</source>
-        <translation>CRC-Fehler</translation>
-    </message>
-    <message>
-        <source>Faulty data cycles since the ring was started</source>
-        <translation>Fehlerhafte Datenzyklen, seit der Ring gestartet wurde</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n CRC errors</source>
-        <translation>
-            <numerusform>%n CRC-Fehler</numerusform>
-            <numerusform>%n CRC-Fehler</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>%1 %2: %3</source>
         <comment>place, make: writes</comment>
         <translation>%1 %2: %3</translation>
-    </message>
-    <message>
-        <source>%1: port is gone</source>
-        <comment>serial port</comment>
-        <translation>%1: Anschluss ist weg</translation>
-    </message>
-    <message>
-        <source>%1, %2 Bd, %3 of %4 answer</source>
-        <comment>serial port, baud rate, encoders</comment>
-        <translation>%1, %2 Bd, %3 von %4 antworten</translation>
-    </message>
-    <message>
-        <source>Serial line: %1 answers, %2 time-outs, %3 garbage bytes</source>
-        <translation>Serielle Leitung: %1 Antworten, %2 Zeitüberschreitungen, %3 Störbytes</translation>
     </message>
 </context>
 <context>
@@ -13288,14 +13286,25 @@ Zustand: %7</translation>
     </message>
 </context>
 <context>
-    <name>codewheel::TrainingPanel</name>
+    <name>codewheel::TrainingArea</name>
     <message>
-        <source>EEPROM writes</source>
-        <translation>EEPROM-Schreibvorgänge</translation>
+        <source>Device to train with</source>
+        <translation>Teilnehmer zum Üben</translation>
     </message>
     <message>
         <source>Training</source>
         <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TrainingPanel</name>
+    <message>
+        <source>EEPROM writes</source>
+        <translation>EEPROM-Schreibvorgänge</translation>
     </message>
     <message>
         <source>Power on</source>
@@ -13402,16 +13411,8 @@ Zustand: %7</translation>
         <translation>Codescheibe in Ordnung; Run beendet den Fehler.</translation>
     </message>
     <message>
-        <source>Device to train with</source>
-        <translation>Teilnehmer zum Üben</translation>
-    </message>
-    <message>
         <source>The simulated device that is moved, switched and disturbed here</source>
         <translation>Der simulierte Teilnehmer, der hier bewegt, geschaltet und gestört wird</translation>
-    </message>
-    <message>
-        <source>Device</source>
-        <translation>Gerät</translation>
     </message>
 </context>
 <context>

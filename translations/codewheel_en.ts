@@ -175,6 +175,23 @@
     </message>
 </context>
 <context>
+    <name>codewheel::RingStatus</name>
+    <message numerus="yes">
+        <source>%n late cycles</source>
+        <translation>
+            <numerusform>%n late cycle</numerusform>
+            <numerusform>%n late cycles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n CRC errors</source>
+        <translation>
+            <numerusform>%n CRC error</numerusform>
+            <numerusform>%n CRC errors</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::SegmentModel</name>
     <message numerus="yes">
         <source>%n errors in the last five minutes</source>
@@ -198,23 +215,6 @@
         <translation>
             <numerusform>%n word to %1</numerusform>
             <numerusform>%n words to %1</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::StatusLine</name>
-    <message numerus="yes">
-        <source>%n late cycles</source>
-        <translation>
-            <numerusform>%n late cycle</numerusform>
-            <numerusform>%n late cycles</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n CRC errors</source>
-        <translation>
-            <numerusform>%n CRC error</numerusform>
-            <numerusform>%n CRC errors</numerusform>
         </translation>
     </message>
 </context>

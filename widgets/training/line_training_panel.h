@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/place.h"
-
-#include <QScrollArea>
-
-#include <optional>
-#include <vector>
-
-class QComboBox;
+#include "widgets/training/training_area.h"
 
 namespace codewheel {
 
@@ -16,9 +9,9 @@ class LineEncoderBox;
 class LineFaultsBox;
 class SimulatedLine;
 
-// What a trainer does to a simulated serial line: what befalls the line itself, and each of its encoders.
-// Used by the training dock.
-class LineTrainingPanel : public QScrollArea
+// What a trainer does to a simulated serial line: what befalls the line itself (a place without a node), and
+// each of its encoders. Used by the training dock.
+class LineTrainingPanel final : public TrainingArea
 {
     Q_OBJECT
 
@@ -27,26 +20,11 @@ public:
 
     // It outlives the panel, or is taken away first; null: it is no simulated line.
     void setLine(SimulatedLine *line);
-    // Chooses this encoder, or without a node the line itself.
-    void setDevice(Place place);
-    // Shows how it stands; called by the window with every picture.
-    void refresh();
-
-    QSize sizeHint() const override;
-
-Q_SIGNALS:
-    void acted(codewheel::Place place, const QString &what);
+    void refresh() override;
 
 private:
-    void listDevices();
-    std::optional<Place> chosen() const;
-    void act(const QString &what);
-
     const BusId m_bus;
     SimulatedLine *m_line = nullptr;
-    std::vector<Place> m_devices; // by index of the field; without a node it is the line itself
-    QWidget *m_content;
-    QComboBox *m_device;
     LineFaultsBox *m_faults;
     LineEncoderBox *m_encoder;
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/training/training_panel.h"
 
-#include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/training/fault_plan_bar.h"
@@ -11,12 +10,10 @@
 #include "widgets/training/training_fields.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -25,63 +22,42 @@ namespace codewheel {
 
 using namespace training_fields;
 
-namespace {
-
-constexpr int trainingPanelHeight = 260; // the rest is scrolled to
-
-} // namespace
-
 TrainingPanel::TrainingPanel(TrainingControls &controls, BusId ring, QWidget *parent)
-    : QScrollArea(parent)
+    : TrainingArea(tr("The simulated device that is moved, switched and disturbed here"), parent)
     , m_controls(controls)
     , m_ring(ring)
-    , m_content(new QWidget(this))
-    , m_device(describe(new QComboBox(m_content), tr("Device to train with"),
-                        tr("The simulated device that is moved, switched and disturbed here")))
-    , m_shaft(new ShaftControls(controls, m_content))
-    , m_rod(new RodControls(controls, m_content))
-    , m_ringFaults(new RingFaults(controls, m_content))
-    , m_plan(new FaultPlanBar(controls, m_content))
-    , m_writesCaption(new QLabel(tr("EEPROM writes"), m_content))
-    , m_writes(numberLabel(tr("EEPROM writes"), m_content))
+    , m_shaft(new ShaftControls(controls, content()))
+    , m_rod(new RodControls(controls, content()))
+    , m_ringFaults(new RingFaults(controls, content()))
+    , m_plan(new FaultPlanBar(controls, content()))
+    , m_writesCaption(new QLabel(tr("EEPROM writes"), content()))
+    , m_writes(numberLabel(tr("EEPROM writes"), content()))
 {
-    setAccessibleName(tr("Training"));
-    setFrameShape(QFrame::NoFrame);
-    setWidgetResizable(true);
-    auto *column = new QVBoxLayout(m_content);
-    column->setContentsMargins(grid::unit, grid::unit, grid::unit, grid::unit);
-    column->setSpacing(grid::unit);
-    makeTop(column);
-    makeTroubles(column);
-    column->addWidget(m_ringFaults);
-    column->addWidget(m_plan);
-    column->addStretch(1);
-    setWidget(m_content);
+    makeTop(column());
+    makeTroubles(column());
+    column()->addWidget(m_ringFaults);
+    column()->addWidget(m_plan);
+    column()->addStretch(1);
 
-    listDevices();
-    connect(m_device, &QComboBox::currentIndexChanged, this, &TrainingPanel::choose);
     connect(m_shaft, &ShaftControls::acted, this, &TrainingPanel::act);
     connect(m_rod, &RodControls::acted, this, &TrainingPanel::act);
     connect(m_ringFaults, &RingFaults::acted, this, &TrainingPanel::act);
     connect(m_plan, &FaultPlanBar::carriedOut, this, [this](NodeId node, const QString &what) {
         Q_EMIT planned({m_ring, node}, what);
     });
-    choose();
+    std::vector<Place> devices;
+    for (const TrainingPlace &place : controls.places())
+        devices.push_back({ring, place.number});
+    setDevices(std::move(devices));
 }
 
 void TrainingPanel::makeTop(QVBoxLayout *column)
 {
-    auto *device = new QGridLayout;
-    device->setHorizontalSpacing(grid::groupGap);
-    device->setColumnStretch(1, 1);
-    addCaption(device, 0, tr("Device"), m_device);
-    device->addWidget(m_device, 0, 1);
     auto *writes = new QGridLayout;
     writes->setColumnStretch(1, 1);
     m_writesCaption->setBuddy(m_writes);
     writes->addWidget(m_writesCaption, 0, 0);
     writes->addWidget(m_writes, 0, 1, Qt::AlignRight);
-    column->addLayout(device);
     column->addWidget(m_shaft);
     column->addWidget(m_rod);
     column->addLayout(writes);
@@ -90,7 +66,7 @@ void TrainingPanel::makeTop(QVBoxLayout *column)
 QPushButton *TrainingPanel::addCommand(QVBoxLayout *column, Icon icon, const QString &text,
                                        const QString &toolTip)
 {
-    auto *button = new QPushButton(lineIcon(icon), text, m_content);
+    auto *button = new QPushButton(lineIcon(icon), text, content());
     button->setAutoDefault(false);
     button->setToolTip(toolTip);
     column->addWidget(button);
@@ -130,50 +106,26 @@ void TrainingPanel::makeTroubles(QVBoxLayout *column)
                  faulty ? tr("Code disc faulty.") : tr("Code disc in order; run ends the error."));
     });
     connect(m_cycle, &QPushButton::clicked, this, [this] {
-        m_controls.powerCycle(m_number->node);
+        m_controls.powerCycle(chosen()->node);
         act(tr("Power off and on."));
     });
     connect(m_lose, &QPushButton::clicked, this,
             [this] { setFault(TrainingFault::parametersLost, true, tr("Parameters lost.")); });
 }
 
-void TrainingPanel::listDevices()
+void TrainingPanel::leave()
 {
-    const QSignalBlocker silent(m_device);
-    m_devices.clear();
-    m_device->clear();
-    for (const TrainingPlace &place : m_controls.places())
-        m_devices.push_back({m_ring, place.number});
-    for (const Place number : m_devices)
-        m_device->addItem(number.toString());
-    m_content->setEnabled(!m_devices.empty());
-}
-
-void TrainingPanel::setDevice(Place number)
-{
-    const auto found = std::ranges::find(m_devices, number);
-    if (found != m_devices.end())
-        m_device->setCurrentIndex(static_cast<int>(found - m_devices.begin()));
-}
-
-void TrainingPanel::choose()
-{
-    if (m_number) {
-        m_shaft->leave();
-        m_rod->leave();
-    }
-    const int index = m_device->currentIndex();
-    m_number = index < 0 ? std::nullopt : std::optional(m_devices[static_cast<std::size_t>(index)]);
+    m_shaft->leave();
+    m_rod->leave();
     m_shown.reset();
-    refresh();
 }
 
 void TrainingPanel::refresh()
 {
-    if (!m_number)
+    if (!chosen())
         return;
     const std::vector<TrainingControls::Shaft> shafts = m_controls.shafts();
-    const auto shaft = std::ranges::find(shafts, m_number->node, &TrainingControls::Shaft::number);
+    const auto shaft = std::ranges::find(shafts, chosen()->node, &TrainingControls::Shaft::number);
     m_shaft->setVisible(shaft != shafts.end());
     if (shaft != shafts.end()) {
         showCommon({shaft->powered, shaft->hasParameters, shaft->eepromWrites, shaft->hasParameters,
@@ -182,7 +134,7 @@ void TrainingPanel::refresh()
         m_shaft->showShaft(*shaft);
     }
     const std::vector<TrainingControls::Rod> rods = m_controls.rods();
-    const auto rod = std::ranges::find(rods, m_number->node, &TrainingControls::Rod::number);
+    const auto rod = std::ranges::find(rods, chosen()->node, &TrainingControls::Rod::number);
     m_rod->setVisible(rod != rods.end());
     if (rod != rods.end()) {
         showCommon({.powered = rod->powered, .eepromWrites = rod->eepromWrites});
@@ -191,7 +143,7 @@ void TrainingPanel::refresh()
     if (shaft == shafts.end() && rod == rods.end())
         hideCommon();
     const std::vector<TrainingPlace> places = m_controls.places();
-    if (const auto place = std::ranges::find(places, m_number->node, &TrainingPlace::number);
+    if (const auto place = std::ranges::find(places, chosen()->node, &TrainingPlace::number);
         place != places.end())
         m_ringFaults->showPlace(*place);
     m_plan->refresh();
@@ -242,20 +194,8 @@ void TrainingPanel::hideCommon()
 
 void TrainingPanel::setFault(TrainingFault fault, bool on, const QString &what)
 {
-    m_controls.setFault(fault, m_number->node, on ? 1 : 0);
+    m_controls.setFault(fault, chosen()->node, on ? 1 : 0);
     act(what);
-}
-
-void TrainingPanel::act(const QString &what)
-{
-    Q_EMIT acted(*m_number, what);
-}
-
-QSize TrainingPanel::sizeHint() const
-{
-    const QSize content = m_content->sizeHint();
-    return {content.width() + verticalScrollBar()->sizeHint().width(),
-            std::min(content.height(), trainingPanelHeight)};
 }
 
 } // namespace codewheel

@@ -3,15 +3,9 @@
 
 #include "simulator/training_controls.h"
 #include "widgets/look/icons.h"
-
-#include <QScrollArea>
-
-#include <optional>
-#include <vector>
+#include "widgets/training/training_area.h"
 
 class QCheckBox;
-class QComboBox;
-class QGridLayout;
 class QLabel;
 class QPushButton;
 class QVBoxLayout;
@@ -26,7 +20,7 @@ class ShaftControls;
 // What a trainer does to the simulated encoders of a ring: turn a shaft or move a magnet, switch the power,
 // cause faults. Of each device only what it has is shown. Used by the training
 // dock.
-class TrainingPanel : public QScrollArea
+class TrainingPanel final : public TrainingArea
 {
     Q_OBJECT
 
@@ -34,15 +28,9 @@ public:
     // The controls outlive the panel.
     explicit TrainingPanel(TrainingControls &controls, BusId ring = firstRing, QWidget *parent = nullptr);
 
-    // Chooses this device, if it has anything to train with.
-    void setDevice(Place number);
-    // Shows how the encoder stands; called by the window with every picture.
-    void refresh();
-
-    QSize sizeHint() const override;
+    void refresh() override;
 
 Q_SIGNALS:
-    void acted(codewheel::Place number, const QString &what);
     void planned(codewheel::Place number, const QString &what); // by the fault plan
 
 private:
@@ -64,21 +52,15 @@ private:
     void makeTop(QVBoxLayout *column);
     void makeTroubles(QVBoxLayout *column);
     QPushButton *addCommand(QVBoxLayout *column, Icon icon, const QString &text, const QString &toolTip);
-    void listDevices();
-    void choose();
+    void leave() override;
     void showCommon(const Common &common);
     void hideCommon();
     void setFault(TrainingFault fault, bool on, const QString &what);
-    void act(const QString &what);
 
     TrainingControls &m_controls;
     const BusId m_ring;
-    std::vector<Place> m_devices; // by index of the field
-    std::optional<Place> m_number;
     std::optional<Common> m_shown; // what the fields say of the encoder
 
-    QWidget *m_content;
-    QComboBox *m_device;
     ShaftControls *m_shaft;
     RodControls *m_rod;
     RingFaults *m_ringFaults;

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/training/training_area.h"
+
+#include "widgets/look/describe.h"
+#include "widgets/look/grid.h"
+#include "widgets/training/training_fields.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+constexpr int areaHeight = 260; // the rest is scrolled to
+
+} // namespace
+
+TrainingArea::TrainingArea(const QString &toolTip, QWidget *parent)
+    : QScrollArea(parent)
+    , m_content(new QWidget(this))
+    , m_device(describe(new QComboBox(m_content), tr("Device to train with"), toolTip))
+    , m_column(new QVBoxLayout(m_content))
+{
+    setAccessibleName(tr("Training"));
+    setFrameShape(QFrame::NoFrame);
+    setWidgetResizable(true);
+    m_column->setContentsMargins(grid::unit, grid::unit, grid::unit, grid::unit);
+    m_column->setSpacing(grid::unit);
+    auto *device = new QGridLayout;
+    device->setHorizontalSpacing(grid::groupGap);
+    device->setColumnStretch(1, 1);
+    training_fields::addCaption(device, 0, tr("Device"), m_device);
+    device->addWidget(m_device, 0, 1);
+    m_column->addLayout(device);
+    setWidget(m_content);
+    connect(m_device, &QComboBox::currentIndexChanged, this, &TrainingArea::choose);
+}
+
+void TrainingArea::setDevices(std::vector<Place> devices, const QString &bus)
+{
+    const QSignalBlocker silent(m_device);
+    m_devices = std::move(devices);
+    m_device->clear();
+    for (const Place place : m_devices)
+        m_device->addItem(place.isEmpty() ? bus : place.toString());
+    m_content->setEnabled(!m_devices.empty());
+    choose();
+}
+
+void TrainingArea::choose()
+{
+    if (m_chosen)
+        leave();
+    const int index = m_device->currentIndex();
+    m_chosen = index < 0 ? std::nullopt : std::optional(m_devices[static_cast<std::size_t>(index)]);
+    refresh();
+}
+
+void TrainingArea::setDevice(Place place)
+{
+    const auto found = std::ranges::find(m_devices, place);
+    if (found != m_devices.end())
+        m_device->setCurrentIndex(static_cast<int>(found - m_devices.begin()));
+}
+
+void TrainingArea::act(const QString &what)
+{
+    if (m_chosen)
+        Q_EMIT acted(*m_chosen, what);
+}
+
+QSize TrainingArea::sizeHint() const
+{
+    const QSize content = m_content->sizeHint();
+    return {content.width() + verticalScrollBar()->sizeHint().width(),
+            std::min(content.height(), areaHeight)};
+}
+
+} // namespace codewheel

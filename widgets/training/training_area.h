@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "encoder/place.h"
+
+#include <QScrollArea>
+
+#include <optional>
+#include <vector>
+
+class QComboBox;
+class QVBoxLayout;
+
+namespace codewheel {
+
+// What the training panels of all buses have in common: the field to choose a device, and a column for what
+// can be done to it, which is scrolled where the dock is low.
+class TrainingArea : public QScrollArea
+{
+    Q_OBJECT
+
+public:
+    // Chooses this device, if it has anything to train with.
+    void setDevice(Place place);
+    // Shows how it stands; called by the window with every picture.
+    virtual void refresh() = 0;
+
+    QSize sizeHint() const override;
+
+Q_SIGNALS:
+    void acted(codewheel::Place place, const QString &what);
+
+protected:
+    TrainingArea(const QString &toolTip, QWidget *parent);
+
+    QWidget *content() const { return m_content; }
+    QVBoxLayout *column() const { return m_column; }
+    // Without a node it is the bus itself, which is called so.
+    void setDevices(std::vector<Place> devices, const QString &bus = {});
+    std::optional<Place> chosen() const { return m_chosen; }
+    void act(const QString &what);
+    virtual void leave() {} // another device is chosen after this
+
+private:
+    void choose();
+
+    std::vector<Place> m_devices; // by index of the field
+    std::optional<Place> m_chosen;
+    QWidget *m_content;
+    QComboBox *m_device;
+    QVBoxLayout *m_column;
+};
+
+} // namespace codewheel
